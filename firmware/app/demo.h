@@ -1,0 +1,53 @@
+/*
+ * demo: scenes that run on every kit. A demo fills the renderer for one frame; whoever calls it (a firmware image, the
+ * simulator, an SBC program) then draws the bands.
+ */
+#ifndef DEMO_H
+#define DEMO_H
+
+#include "render.h"
+
+/* Memory for a demo's meshes, given once. Nothing is ever given back. */
+struct demo_arena {
+    uint8_t *base;
+    size_t size, used;
+};
+
+/* n bytes, 8-byte aligned; NULL when the arena is full. */
+void *demo_alloc(struct demo_arena *arena, size_t n);
+
+/* What a user may change of a demo's camera; zero-initialised means: the demo's own. */
+struct demo_camera {
+    bool view_set;
+    struct ph_xform view;
+    bool projection_set;
+    struct ph_projection projection;
+};
+
+struct demo_context {
+    struct demo_arena arena;
+    void *state; /* the demo's own, from the arena */
+    uint16_t width, height;
+    struct demo_camera camera;
+};
+
+struct demo {
+    const char *name;
+    const char *summary;  /* one line for --list */
+    uint32_t loop_frames; /* the animation repeats after this many frames */
+    size_t arena_bytes;   /* what init takes at most */
+    uint32_t vertex_max, triangle_max; /* budgets with which nothing is dropped */
+
+    /* Builds meshes. 0 or PH_ERR_NOMEM. */
+    int (*init)(struct demo_context *context);
+
+    /* ph_frame_begin and ph_draw_* for frame number `frame` (any value). */
+    int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
+};
+
+extern const struct demo *const demo_list[];
+extern const uint32_t demo_count;
+
+const struct demo *demo_find(const char *name);
+
+#endif

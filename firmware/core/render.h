@@ -1,0 +1,196 @@
+/*
+ * render: meshes in, bands of RGB565 pixels out.
+ *
+ *   ph_frame_begin(r, view, projection)      camera, lights, background of this frame
+ *   ph_draw_mesh(r, mesh, to_world) ...      transform, light, cull, clip, set up, list
+ *   ph_frame_bands(r)                        sort the list into bands
+ *   ph_draw_band(r, 0), ph_draw_band(r, 1).. clear and rasterize one band after the other, top to bottom
+ *
+ * A band is band_height lines of the picture (the last one may be shorter). Its colour and depth buffers belong
+ * to the caller, as does all other memory (struct ph_config). The picture does not depend on the band height.
+ *
+ * Pixels: centre of pixel (i, j) at (i + .5, j + .5), row 0 at the top. Coverage by the top-left rule: a pixel is
+ * drawn when its centre is inside, or on a left edge, or on a top edge. Edges shared by two triangles draw each
+ * pixel exactly once. Screen positions have 8 sub-pixel bits.
+ *
+ * Colour: RGB565 in wire order, that is the byte with red first in memory, on every machine.
+ * Light: one white intensity a vertex (see light.h) that indexes the material's ramp of 128 colours.
+ * Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the first drawn stays.
+ *
+ * What does not fit into the caller's budgets is left out and counted in ph_stats.
+ */
+#ifndef PH_RENDER_H
+#define PH_RENDER_H
+
+#include "geom.h"
+#include "status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* ---- what is drawn ------------------------------------------------------------------------------------- */
+
+enum ph_shading {
+    PH_SHADE_UNLIT,       /* material colour */
+    PH_SHADE_FLAT,        /* light at the triangle's first vertex */
+    PH_SHADE_GOURAUD,     /* light interpolated */
+    PH_SHADE_TEXTURE,     /* texture, unlit */
+    PH_SHADE_TEXTURE_LIT, /* texture times the light at the triangle's first vertex */
+    PH_SHADE_WIRE,        /* edges of the mesh as lines in the material colour */
+};
+
+enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
+
+/* Power-of-two texture, RGB565 in wire order, rows from the top, v = 0 at the top row. */
+struct ph_texture {
+    const uint16_t *texels;
+    uint8_t log2_width, log2_height; /* 0 .. 10 */
+    uint8_t wrap;                    /* enum ph_wrap */
+};
+
+#define PH_RAMP_SIZE 128 /* colours in a ramp; intensity 0 is at entry 4, full intensity at entry 123 */
+
+struct ph_material {
+    uint8_t shading;        /* enum ph_shading */
+    uint8_t two_sided;      /* draw back faces too */
+    uint8_t shininess_log2; /* specular exponent 2^this, 0 .. 7 */
+    uint8_t depth_bias;     /* lines: towards the viewer, in 1/4096 of the depth range */
+    fx_t ambient;           /* share of the scene's ambient light reflected, 0 .. 1 */
+    fx_t diffuse;           /* 0 .. 1 */
+    fx_t specular;          /* 0 .. 1 */
+    uint16_t colour;        /* wire order */
+    const uint16_t *ramp;   /* PH_RAMP_SIZE colours, made by ph_material_ramp(); FLAT and GOURAUD */
+    const struct ph_texture *texture;
+};
+
+/* A run of triangles of one material. */
+struct ph_part {
+    uint32_t first, count; /* in triangles */
+    uint16_t material;     /* index into mesh->materials */
+};
+
+/* Triangles are counter-clockwise seen from outside. At most 65536 vertices. Const data may lie in flash. */
+struct ph_mesh {
+    const struct fx_vec3 *positions;
+    const int16_t (*normals)[3]; /* Q1.14: 16384 = 1; NULL where nothing is lit */
+    const fx_t (*uvs)[2];        /* Q16.16, 1.0 = the texture's width or height; NULL without texture */
+    const uint16_t (*triangles)[3];
+    const uint16_t (*edges)[2]; /* for PH_SHADE_WIRE; NULL without */
+    const struct ph_part *parts;
+    const struct ph_material *materials;
+    uint32_t vertex_count, triangle_count, edge_count, part_count;
+};
+
+enum ph_light_kind { PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT };
+
+struct ph_light {
+    uint8_t kind;                /* enum ph_light_kind */
+    fx_t intensity;              /* 0 .. 4 */
+    struct fx_vec3 to_light_q30; /* directional: unit vector towards the light, world space, Q2.30 */
+    struct fx_vec3 position;     /* point: world space, Q16.16 */
+    fx_t reach;                  /* point: intensity falls as 1 / (1 + (distance / reach)^2); 0: does not fall */
+};
+
+#define PH_LIGHTS_MAX 4
+
+struct ph_scene_light {
+    fx_t ambient; /* 0 .. 1 */
+    uint32_t count;
+    struct ph_light lights[PH_LIGHTS_MAX];
+};
+
+/* ---- the renderer --------------------------------------------------------------------------------------- */
+
+enum ph_depth_format { PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16 };
+
+struct ph_stats {
+    uint32_t vertices;          /* transformed */
+    uint32_t triangles_in;      /* given */
+    uint32_t triangles_culled;  /* back faces, wholly outside, without area or without a pixel centre */
+    uint32_t triangles_clipped; /* met a clip plane */
+    uint32_t triangles_drawn;   /* set up and listed (a clipped one may give several) */
+    uint32_t triangles_dropped; /* did not fit the triangle budget */
+    uint32_t vertices_dropped;  /* did not fit the vertex budget; the mesh was left out */
+    uint32_t fragments;         /* pixels depth-tested */
+};
+
+struct ph_vertex;   /* a transformed vertex, see pipeline.h */
+struct ph_triangle; /* a triangle set up for the rasterizer, see pipeline.h */
+
+/* Sizes, for budgets: PH_VERTEX_BYTES * vertices, PH_TRIANGLE_BYTES * triangles. */
+extern const size_t ph_vertex_bytes, ph_triangle_bytes;
+
+struct ph_config {
+    uint16_t width, height; /* 1 .. 1024 */
+    uint16_t band_height;   /* 1 .. height */
+    uint8_t depth_format;   /* enum ph_depth_format */
+
+    void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit; 4-byte aligned, 8 on 64 bits */
+    uint32_t vertex_max;
+    void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above */
+    uint32_t triangle_max;
+    uint32_t *bins; /* one per band: (height + band_height - 1) / band_height */
+    uint32_t bin_max;
+    uint16_t *depth; /* width * band_height */
+};
+
+/* The state of one picture. Its fields are the renderer's own; read stats. Holds no pointer into itself. */
+struct ph_renderer {
+    struct ph_config config;
+    struct ph_stats stats;
+    uint32_t band_count;
+    uint32_t triangle_count;
+    uint32_t carried; /* list of the triangles that go on in the next band */
+    uint16_t background;
+
+    /* The camera of this frame. */
+    struct ph_xform view;             /* world to view */
+    struct ph_projection projection;  /* as given */
+    int32_t focal_x_q30, focal_y_q30; /* focal length in pixels / 2^focal_log2, Q2.30 */
+    int8_t focal_log2;
+    int32_t centre_x, centre_y; /* principal point, 1/256 px */
+    uint32_t near_norm;         /* near plane: mantissa and exponent of n in n/w */
+    int8_t near_shift;
+    uint64_t far_d; /* n/f, Q0.48 */
+    uint32_t ortho_scale;
+
+    struct ph_scene_light light;
+};
+
+/* Copies config. PH_ERR_INVAL: a size or pointer is wrong. */
+int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
+
+/*
+ * Starts a frame: forgets the triangles and the statistics. view is world-to-view and must be rigid.
+ * light may be NULL (full ambient). background in wire order.
+ */
+int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
+                   const struct ph_scene_light *light, uint16_t background);
+
+/* Draws mesh placed by to_world (a rotation with a uniform scale below 2). Returns 0 or PH_ERR_NOMEM (left out, counted). */
+int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+
+/* A line one pixel wide between two world points, depth-tested. */
+void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, uint16_t colour);
+
+/* Sorts what was drawn into bands; returns the number of bands. */
+uint32_t ph_frame_bands(struct ph_renderer *r);
+
+/*
+ * Clears and draws band number `band` (0 is the top; all in order, each once). pixels: width * lines, wire order.
+ * Returns the number of lines.
+ */
+uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
+
+/* ---- colours ---------------------------------------------------------------------------------------------- */
+
+/* RGB 0 .. 255 to RGB565 in wire order. */
+uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue);
+
+/*
+ * Fills the ramp of a material: intensity 0 .. 1 scales `red, green, blue`, what exceeds 1 (up to 1 + specular)
+ * fades to white. Rounded to nearest.
+ */
+void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, uint8_t blue, fx_t specular);
+
+#endif

@@ -1,0 +1,82 @@
+/*
+ * hal: what a display kit must be able to do: one SPI bus with its D/C line, a few pins, a clock, buttons.
+ *
+ * A backend is one const struct hal_ops and a context of its own; a kit is opened with a struct board (board.h).
+ * Everything above (panel.h) talks to the kit only through the functions below.
+ *
+ * Status: 0 done, negative an error (Linux errno values), positive a count.
+ */
+#ifndef HAL_H
+#define HAL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum hal_status {
+    HAL_OK = 0,
+    HAL_EIO = -5,
+    HAL_EACCES = -13,
+    HAL_EBUSY = -16,
+    HAL_ENODEV = -19,
+    HAL_EINVAL = -22,
+    HAL_ENOSYS = -38,
+    HAL_ETIMEDOUT = -110,
+};
+
+struct board;
+
+enum hal_dc { HAL_COMMAND, HAL_DATA };
+enum hal_pin { HAL_PIN_RESET, HAL_PIN_BACKLIGHT };
+
+/* Buttons, as bits of hal_buttons(). */
+enum hal_button {
+    HAL_BUTTON_UP = 1,
+    HAL_BUTTON_DOWN = 2,
+    HAL_BUTTON_LEFT = 4,
+    HAL_BUTTON_RIGHT = 8,
+    HAL_BUTTON_SELECT = 16,
+};
+
+struct hal_ops {
+    const char *name;
+
+    /* Takes the kit's bus and pins: reset released, backlight off, bus idle. */
+    int (*open)(void *context, const struct board *board);
+
+    /* Sets the bus clock to at most hz; returns the clock really set, in Hz. */
+    int32_t (*bus_clock)(void *context, uint32_t hz);
+
+    /*
+     * Starts to send n bytes with the D/C line at dc. Returns when it can; the buffer belongs to the backend until
+     * bus_wait returns or the next bus_write has started. D/C and CS do not move before the last bit is out.
+     */
+    int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
+
+    /* Waits until the last bit is out. */
+    int (*bus_wait)(void *context);
+
+    /* Sends one command byte and reads n bytes; NULL where the kit has no MISO. */
+    int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
+
+    int (*pin_set)(void *context, enum hal_pin pin, bool level);
+
+    /* Waits for the next tearing-effect edge, at most timeout_us; NULL where no TE line is wired. */
+    int (*te_wait)(void *context, uint32_t timeout_us);
+
+    uint32_t (*time_us)(void *context); /* wraps after 71 minutes */
+    void (*delay_us)(void *context, uint32_t us);
+
+    uint32_t (*buttons)(void *context); /* pressed now, enum hal_button */
+
+    /* Panel is off already: backlight off, pins and bus released. */
+    void (*close)(void *context);
+};
+
+/* An open kit. */
+struct hal {
+    const struct hal_ops *ops;
+    void *context;
+};
+
+#endif
