@@ -1,0 +1,62 @@
+/*
+ * board: a kit as const data, one folder below boards/ each. It knows the panel, the wiring, and how its user holds it.
+ *
+ * Pins are named as on the kit's own documents: a number where the chip numbers its pins (GP17 is 17; STM32 and the like:
+ * port * 32 + pin, port A = 0), a line name where an operating system names them ("GPIO25") or a header does ("AD3").
+ */
+#ifndef BOARD_H
+#define BOARD_H
+
+#include "panel.h"
+
+struct board_pin {
+    bool wired;
+    bool active_low;
+    uint16_t number;
+    const char *line; /* NULL: see number */
+};
+
+#define BOARD_PIN(n)      {true, false, (n), NULL}
+#define BOARD_PIN_LOW(n)  {true, true, (n), NULL} /* active low */
+#define BOARD_LINE(s)     {true, false, 0, (s)}
+#define BOARD_LINE_LOW(s) {true, true, 0, (s)}
+#define BOARD_PORT(port, n) ((uint16_t)(((port) - 'A') * 32 + (n)))
+
+struct board_button {
+    uint8_t button; /* enum hal_button */
+    struct board_pin pin;
+};
+
+#define BOARD_BUTTONS_MAX 6
+
+/* An unwired pin is all zeros: leave it out. */
+struct board_pins {
+    struct board_pin clock, data, data_in, select, dc, reset, backlight, tearing;
+};
+
+struct board {
+    const char *name;   /* what --board takes */
+    const char *title;  /* one line for people */
+    const char *pinout; /* address of the public page with the wiring */
+    const struct panel *panel;
+    uint8_t rotation;   /* enum panel_rotation: as the kit is usually held */
+    uint8_t format;     /* enum panel_format on the wire */
+    uint8_t spi_mode;   /* 0; 3 for modules without chip select */
+    uint8_t spi_bus;    /* number of the SPI unit, or of /dev/spidevN */
+    uint8_t spi_select; /* /dev/spidev.N */
+    uint32_t spi_hz;    /* full speed: what the kit's maker or its usual driver sets */
+    bool over_limit;    /* spi_hz is knowingly above the datasheet's write limit (panel->controller->write_hz) */
+    struct board_pins pins;
+    struct board_button buttons[BOARD_BUTTONS_MAX];
+    uint8_t button_count;
+    uint16_t band_height; /* lines, default */
+    uint32_t ram_bytes;   /* budget for everything that Pinhole keeps in memory */
+};
+
+extern const struct board *const board_list[];
+extern const uint32_t board_count;
+
+/* NULL if there is none of that name. */
+const struct board *board_find(const char *name);
+
+#endif

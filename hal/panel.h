@@ -1,0 +1,165 @@
+/*
+ * panel: display controllers as data, and the one driver for all of them.
+ *
+ *   panel_open(d, hal, config)      reset, slow initialisation, full speed; the display is still dark
+ *   panel_frame_begin(d)            window and memory write, once a frame
+ *   panel_rows(d, pixels, lines)    the picture from its top, any number of lines at a time
+ *   panel_frame_end(d)              waits for the last bit; after the FIRST frame display and backlight go on
+ *   panel_close(d)                  display and backlight off, sleep
+ *
+ * Pixels in: RGB565 in wire order, that is the byte with red first in memory (firmware/core's bands), rows of
+ * d->width pixels. RGB565 goes out straight from there; the other formats are converted a piece at a time through
+ * the caller's scratch memory. What is seen does not depend on how many lines come at a time.
+ *
+ *   RGB565   2 bytes a pixel    RRRRRGGG GGGBBBBB
+ *   RGB666   3 bytes a pixel    RRRRRR00 GGGGGG00 BBBBBB00   5 bits r become 6 as (r << 1) | (r >> 4)
+ *   RGB444   3 bytes 2 pixels   RRRRGGGG BBBBrrrr ggggbbbb   the highest 4 bits; pairs run on across line ends
+ *   GREY4    1 byte 2 pixels    left pixel high; each line starts a byte. See panel_grey4().
+ *
+ * Rotation is the number of degrees (0, 90, 180, 270) by which the picture is turned clockwise on the glass, against
+ * the controller's own upright. With 90 the top of the picture lies along the right edge of the glass, and the user
+ * turns the kit a quarter counter-clockwise.
+ *
+ * All state is in the caller's struct; any number of panels live side by side.
+ */
+#ifndef PANEL_H
+#define PANEL_H
+
+#include "hal.h"
+
+enum panel_format { PANEL_RGB565, PANEL_RGB666, PANEL_RGB444, PANEL_GREY4 };
+enum panel_rotation { PANEL_R0, PANEL_R90, PANEL_R180, PANEL_R270 }; /* degrees / 90 */
+
+#define PANEL_FORMAT_BIT(format) (1U << (format))
+
+/* What a controller's command set looks like. Commands and their numbers are those of its datasheet. */
+struct panel_controller {
+    const char *name;      /* as printed on the datasheet: "ST7789" */
+    uint32_t init_hz;      /* clock for reset and initialisation */
+    uint32_t write_hz;     /* datasheet's limit for writes, from its serial timing table */
+    uint32_t reset_low_us; /* reset pulse */
+    uint32_t reset_high_us; /* from the end of the pulse to the first command */
+
+    uint8_t set_column, set_row;  /* window commands */
+    uint8_t memory_write;         /* 0: pixels need no command before them */
+    uint8_t address_bytes;        /* of one window border: 2, or 1 */
+    bool parameters_are_commands; /* parameters go out with D/C low */
+    bool window_turns;            /* the window's axes turn with the picture (MADCTL MV); else they are the glass's */
+
+    uint8_t set_rotation;    /* MADCTL or the remap command */
+    uint8_t rotation_bit_mx; /* the bit in it that mirrors columns */
+    uint8_t rotation_bit_my; /* ... that mirrors rows */
+    uint8_t rotation_bit_mv; /* ... that makes the address run along columns first */
+    uint8_t rotation_bit_mx_pair; /* further bits to set along with mx (SSD0323: nibbles) */
+
+    uint8_t set_format;       /* COLMOD; 0: the format is in the rotation byte or fixed */
+    uint8_t format_value[4];  /* its parameter (or bits of the rotation byte) by enum panel_format; 0: not supported */
+
+    const uint8_t *on, *off; /* sequences like panel.init: display on; display off and sleep */
+    uint16_t on_bytes, off_bytes;
+};
+
+/*
+ * A glass with its controller. x0, y0: where the glass lies in the controller's memory when no axis is mirrored.
+ * Sequences are bytes as in Linux' panel-mipi-dbi firmware: command, count, parameters; 00h 01h n waits n ms.
+ */
+struct panel {
+    const char *name; /* "st7789-240x240" */
+    const struct panel_controller *controller;
+    uint16_t width, height; /* glass, upright, pixels */
+    uint16_t ram_width, ram_height;
+    uint16_t x0, y0;
+    uint8_t rotation_base; /* rotation byte of PANEL_R0: mirrored glasses and BGR; the rotation's bits are XORed in */
+    uint8_t formats;       /* PANEL_FORMAT_BIT()s that work on this glass over SPI */
+    bool round;            /* the glass is the inscribed circle */
+    const uint8_t *init;
+    uint16_t init_bytes;
+};
+
+extern const struct panel *const panel_list[];
+extern const uint32_t panel_count;
+
+/* NULL if there is none of that name. */
+const struct panel *panel_find(const char *name);
+
+/* Where the window of a rotation starts, in the controller's addresses, and the rotation byte. */
+struct panel_place {
+    uint16_t column, row;
+    uint8_t rotation_byte; /* without format bits */
+};
+
+/*
+ * The one rule: cx = MX ? ram_width - width - x0 : x0, cy likewise with MY, swapped where the window turns (MV).
+ * rotation: enum panel_rotation.
+ */
+struct panel_place panel_place(const struct panel *panel, unsigned rotation);
+
+/* Size of the picture. */
+uint16_t panel_width(const struct panel *panel, unsigned rotation);
+uint16_t panel_height(const struct panel *panel, unsigned rotation);
+
+/* Bytes of one whole frame on the wire, commands included. */
+uint32_t panel_frame_bytes(const struct panel *panel, unsigned format, unsigned rotation);
+
+/* The time of those bytes at hz (> 0), in us, rounded up; UINT32_MAX if longer. */
+uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rotation, uint32_t hz);
+
+/*
+ * Grey level 0 .. 15 of pixel (x, y) of the picture, colour in wire order as read (two bytes, high first): luma
+ * (77 R + 150 G + 29 B) / 256 of the channels at 8 bits (bits repeated), ordered dither with the 4x4 Bayer matrix.
+ * Black is 0 and white is 15 at every position.
+ */
+uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
+
+#define PANEL_SCRATCH_MIN 256 /* bytes; more makes fewer, longer writes */
+
+struct panel_config {
+    const struct panel *panel;
+    uint8_t rotation; /* enum panel_rotation */
+    uint8_t format;   /* enum panel_format */
+    uint32_t clock_hz; /* full speed asked for */
+    uint8_t *scratch;  /* PANEL_SCRATCH_MIN or more; may be NULL for PANEL_RGB565. The driver's until panel_close */
+    size_t scratch_bytes;
+};
+
+/* The driver's state. Read-only for the caller: width, height, clock_hz. Holds no pointer into itself. */
+struct panel_driver {
+    struct hal hal;
+    struct panel_config config;
+    uint16_t width, height; /* of the picture */
+    int32_t clock_hz;       /* full speed got */
+    uint16_t row;           /* lines given in this frame */
+    bool in_frame;
+    bool lit;               /* display and backlight are on */
+    uint8_t half;           /* half of scratch that is filled next */
+    uint32_t filled;        /* bytes in it */
+    uint8_t carry;          /* RGB444: 4 bits that wait for their byte's other half */
+    bool carry_full;
+};
+
+/*
+ * Wakes the panel of an open kit: hardware reset, initialisation at the controller's slow clock, then config->clock_hz.
+ * The display stays dark until the first frame is complete.
+ * Errors: HAL_EINVAL (a format that the panel has not, scratch missing or too small, no clock), or the backend's.
+ */
+int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config);
+
+int panel_frame_begin(struct panel_driver *d);
+
+/*
+ * The next `lines` lines. The pixels stay the driver's until the next panel_rows, panel_wait or panel_frame_end
+ * returns: with two bands one is drawn while the other is sent.
+ * Errors: HAL_EINVAL outside of a frame or for more lines than the frame has (nothing is sent then).
+ */
+int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
+
+/* Waits until the bus is idle: every buffer is the caller's again. */
+int panel_wait(struct panel_driver *d);
+
+/* Ends the frame. HAL_EINVAL if lines are missing; the display then does not go on. */
+int panel_frame_end(struct panel_driver *d);
+
+/* Backlight (or nothing) off, display off, sleep. The kit stays open: close it with its backend's close. */
+int panel_close(struct panel_driver *d);
+
+#endif

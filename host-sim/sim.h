@@ -1,0 +1,119 @@
+/*
+ * sim: a HAL backend whose wires end in the model of a display controller, on a simulated clock.
+ *
+ *   struct hal hal;
+ *   struct sim *sim = sim_open(board, &hal);          power on; the kit is open
+ *   panel_open(&driver, &hal, &config); ...           the driver as on a real kit
+ *   sim_pixels(sim, rotation, rgb);                   what a user sees
+ *   sim_complaint_count(sim), sim_complaint(sim, i)   what a real panel would have resented
+ *   sim_close(sim);
+ *
+ * The models decode the bytes as the datasheets say and know nothing of the driver's tables: of the board only the
+ * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c, sim_ssd1351.c, sim_ssd0323.c.
+ *
+ * Time stands still but for bits on the wire (8 a byte at the bus clock) and delay_us.
+ */
+#ifndef SIM_H
+#define SIM_H
+
+#include "board.h"
+#include "hal.h"
+
+struct sim;
+
+extern const struct hal_ops sim_ops;
+
+/* A kit, powered on and open, memory full of noise. NULL: no memory, or no model for the board's panel. */
+struct sim *sim_open(const struct board *board, struct hal *hal);
+void sim_close(struct sim *sim);
+
+/*
+ * What is seen on the glass, as RGB888 rows, turned so that a picture drawn with `rotation` (enum panel_rotation) is
+ * upright: panel_width(panel, rotation) x panel_height(panel, rotation) x 3 bytes. Black where the display is off or
+ * sleeps, the backlight is off, or a round glass has no glass. 4, 5 and 6 bits become 8 by repeating their highest bits
+ * (31 -> 255, v5 << 3 | v5 >> 2); grey level g is 17 g.
+ */
+void sim_pixels(const struct sim *sim, unsigned rotation, uint8_t *rgb);
+
+struct sim_counters {
+    uint64_t bytes;         /* on the wire since power-on */
+    uint64_t command_bytes; /* of them with D/C low */
+    uint64_t bus_ns;        /* time they took */
+    uint64_t pixels;        /* written into the controller's memory */
+    uint32_t writes;        /* calls of bus_write */
+    uint32_t clock_hz;      /* now */
+};
+
+struct sim_counters sim_counters(const struct sim *sim);
+
+/* Simulated time since power-on. */
+uint64_t sim_time_ns(const struct sim *sim);
+
+/* enum hal_button that are held down from now on. */
+void sim_buttons_set(struct sim *sim, uint32_t buttons);
+
+/* ---- complaints --------------------------------------------------------------------------------------------- */
+
+enum sim_complaint_kind {
+    SIM_UNKNOWN_COMMAND,
+    SIM_BAD_PARAMETER,    /* a value that the register has not, or a format that SPI has not */
+    SIM_PARAMETER_COUNT,  /* too few or too many parameters */
+    SIM_EARLY_COMMAND,    /* sent before the wait that the datasheet wants after reset or sleep */
+    SIM_SHORT_RESET,      /* reset pulse too short */
+    SIM_PIXELS_ASLEEP,    /* pixels before sleep-out (or in sleep) */
+    SIM_WINDOW_OUTSIDE,   /* a window outside of the memory, or its end before its start */
+    SIM_TOO_MANY_PIXELS,  /* more pixels than the window has */
+    SIM_PIXELS_NOWHERE,   /* data without a command that takes it */
+    SIM_SPLIT_PIXEL,      /* a command in the middle of a pixel */
+    SIM_DC_MOVED,         /* D/C changed inside of a byte */
+    SIM_OVER_CLOCK,       /* clock above the datasheet's write limit (a note only, if board->over_limit) */
+    SIM_ON_WITHOUT_FRAME, /* display on before a complete frame was written */
+    SIM_LIT_WITHOUT_FRAME, /* backlight on before a complete frame was written */
+    SIM_COMPLAINT_KINDS
+};
+
+/* All of them; of one kind. Notes are not counted. */
+uint32_t sim_complaint_count(const struct sim *sim);
+uint32_t sim_complaint_count_of(const struct sim *sim, enum sim_complaint_kind kind);
+
+#define SIM_COMPLAINTS_KEPT 32
+
+/* One line of text; NULL from the SIM_COMPLAINTS_KEPTth on (they are only counted) and past the last. */
+const char *sim_complaint(const struct sim *sim, uint32_t i);
+
+/* Text of the note on a clock above the datasheet's limit; NULL if there is none. */
+const char *sim_note(const struct sim *sim);
+
+/* ---- faults, to be injected ------------------------------------------------------------------------------------ */
+
+enum sim_fault {
+    SIM_FAULT_NONE,
+    SIM_FAULT_OPEN,       /* open fails with HAL_EACCES */
+    SIM_FAULT_WRITE,      /* the n-th bus_write from now (1 = next) fails with HAL_EIO, nothing is sent */
+    SIM_FAULT_SHORT_WRITE, /* ... fails after half of its bytes are out */
+    SIM_FAULT_CLOCK,      /* bus_clock fails with HAL_EINVAL */
+    SIM_FAULT_DC_EARLY,   /* D/C of the n-th bus_write's successor moves before the last bit is out, as a racy backend does */
+    SIM_FAULT_DELAY,      /* delay_us does not wait */
+    SIM_FAULT_STUCK,      /* bus_wait fails with HAL_ETIMEDOUT */
+};
+
+void sim_fault(struct sim *sim, enum sim_fault fault, uint32_t n);
+
+/* ---- boards of any size ---------------------------------------------------------------------------------------- */
+
+/* A board that no shop sells: an ST7789 whose memory is as large as its glass. */
+struct sim_virtual {
+    struct panel panel;
+    struct board board;
+    char title[40];
+};
+
+/* width, height: 1 .. 1024, else HAL_EINVAL. The result points into *v. format RGB565, 62.5 MHz, upright. */
+int sim_virtual(struct sim_virtual *v, uint16_t width, uint16_t height);
+
+/* ---- lower entries, for tests ---------------------------------------------------------------------------------- */
+
+/* One bit on the wire, with D/C as it stands at that bit; 8 make a byte, highest first. */
+void sim_bit(struct sim *sim, enum hal_dc dc, unsigned bit);
+
+#endif
