@@ -1,45 +1,126 @@
-# Pinhole. `make help` lists what there is to make.
+# Pinhole. `make help` lists what there is to make; every variable below may be given on the command line.
 CC ?= cc
+AR ?= ar
 CFLAGS ?= -O2 -g
 CPU ?= portable
 B ?= build
 V ?= 0
+PREFIX ?= /usr/local
+BUDGET_CORE_BYTES ?= 32768
 Q = $(if $(filter 1,$(V)),,@)
+SAY = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
 
-WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual -Wwrite-strings -Wpointer-arith -Wvla
+WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual -Wwrite-strings \
+       -Wpointer-arith -Wvla -Wformat=2
 STD = -std=c11 $(WARN)
 
-# A file under firmware/core/$(CPU)/ replaces the portable one of the same name.
+# A target is chosen by path: a file under firmware/core/$(CPU)/ replaces the portable one of the same name, and a
+# library that this machine lacks is replaced by the folder that does without it.
+have = $(shell pkg-config --exists $(1) 2>/dev/null && echo y)
+ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
+PNG ?= $(if $(call have,libpng),png,nopng)
+ASSIMP := $(ASSIMP)
+PNG := $(PNG)
+SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
+            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng))
+TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
+
 CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c)
-CORE := $(filter-out $(patsubst firmware/core/$(CPU)/%,firmware/core/%,$(CORE_CPU)),$(wildcard firmware/core/*.c)) $(CORE_CPU)
+CORE := $(filter-out $(CORE_CPU:firmware/core/$(CPU)/%=firmware/core/%),$(wildcard firmware/core/*.c)) $(CORE_CPU)
 APP := $(wildcard firmware/app/*.c)
 HAL := $(wildcard hal/*.c hal/null/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
-SIM := $(filter-out host-sim/pinhole_%.c,$(wildcard host-sim/*.c))
-INCLUDE = -Ifirmware/core/$(CPU) -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Ihost-sim
+SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c))
+PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(wildcard host-sim/pinhole_*.c))
 
 LIB := $(CORE) $(APP) $(HAL) $(BOARDS) $(SIM)
 OBJ = $(LIB:%.c=$(B)/%.o)
-TESTS := $(patsubst tests/%.c,%,$(wildcard tests/test_*.c))
 
-.PHONY: all demo test lint clean help
-all: $(B)/pinhole-sim
+# Programs in tests/ are named after what runs them; what remains there they share.
+TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/test_*.c))
+FUZZ := $(patsubst %.c,$(B)/%,$(wildcard tests/fuzz_*.c))
+LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/exhaustive_*.c)) $(FUZZ)
+TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out tests/test_% tests/exhaustive_% tests/fuzz_%,$(wildcard tests/*.c)))
 
-$(B)/%.o: %.c
+# Includes run one way: what a folder may not know about, it does not find.
+INC_CORE = -Ifirmware/core/$(CPU) -Ifirmware/core
+INC_ALL = $(INC_CORE) -Ifirmware/app -Ihal -Iboards -Ihost-sim -Itests
+INC = $(INC_ALL)
+$(B)/firmware/core/%.o: INC = $(INC_CORE)
+$(B)/firmware/app/%.o: INC = $(INC_CORE) -Ifirmware/app -Ihal -Iboards
+$(B)/hal/%.o: INC = -Ihal
+$(B)/boards/%.o: INC = -Ihal -Iboards
+
+COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
+
+.PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help test-programs long-programs FORCE
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+all: $(PROGRAMS) ## the programs, under build/
+
+# What was built with other flags or from other files is built again.
+$(B)/flags: FORCE
+	@mkdir -p $(@D); echo '$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(LDFLAGS) $(SIM_LIBS) $(LIB)' | cmp -s - $@ || \
+	echo '$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(LDFLAGS) $(SIM_LIBS) $(LIB)' >$@
+
+$(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(STD) $(CFLAGS) $(INCLUDE) $(DEFS) -MMD -c $< -o $@
+	$(SAY) CC $<
+	$(Q)$(COMPILE) -c $< -o $@
 
 $(B)/libpinhole.a: $(OBJ)
+	$(SAY) AR $@
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
-$(B)/pinhole-sim: $(B)/host-sim/pinhole_sim.o $(B)/libpinhole.a
-	$(Q)$(CC) $(CFLAGS) $^ $(SIM_LIBS) -lm -o $@
+$(B)/libtests.a: $(TEST_OBJ) $(B)/flags
+	$(SAY) AR $@
+	$(Q)rm -f $@; $(AR) rcs $@ $(TEST_OBJ)
 
-$(B)/tests/%: tests/%.c $(B)/libpinhole.a
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(STD) $(CFLAGS) $(INCLUDE) -Itests -MMD $< $(B)/libpinhole.a $(TEST_LIBS) -lcmocka -lmpfr -lgmp -lm -o $@
+$(B)/pinhole-%: $(B)/host-sim/pinhole_%.o $(B)/libpinhole.a
+	$(SAY) LD $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(SIM_LIBS) -lm -o $@
 
-clean:
-	rm -rf build
+$(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
+	$(SAY) LD $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
--include $(OBJ:.o=.d)
+test-programs: $(TESTS) $(FUZZ)
+long-programs: $(LONG)
+
+demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
+	$(Q)B='$(B)' host-sim/demo.sh
+
+test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
+	$(Q)B='$(B)' tests/run.sh quick $(MAKEOVERRIDES)
+
+test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing
+	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
+
+lint: ## clang-format, clang-tidy, cppcheck, strict warnings of gcc and clang, shellcheck
+	$(Q)B='$(B)' tests/lint.sh
+
+size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget
+	$(Q)B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh
+
+gallery: all ## makes the README's pictures again
+	$(Q)B='$(B)' host-sim/gallery.sh
+
+golden: all ## writes the frame CRCs that the tests compare with again (look at the pictures first)
+	$(Q)B='$(B)' tests/golden.sh
+
+install: all ## programs into $(DESTDIR)$(PREFIX)/bin
+	install -d '$(DESTDIR)$(PREFIX)/bin'
+	install -m 755 $(PROGRAMS) '$(DESTDIR)$(PREFIX)/bin'
+
+uninstall: ## takes them away again
+	rm -f $(PROGRAMS:$(B)/%='$(DESTDIR)$(PREFIX)/bin/%')
+
+clean: ## removes build/
+	rm -rf '$(B)'
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
+	@echo 'Variables: CC CFLAGS CPU=portable|armv6m|armv7m B=build V=1 PREFIX DESTDIR'
+
+-include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(PROGRAMS:$(B)/pinhole-%=$(B)/host-sim/pinhole_%.d)
