@@ -1,0 +1,230 @@
+/* Transforms, the look-at camera and projections: see geom.h. */
+#include "geom.h"
+#include "status.h"
+
+const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
+
+static int32_t clamp_i32(int64_t v)
+{
+    return v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : (int32_t)v;
+}
+
+/* Row times column plus c, Q30 factor first: products are at most 2^62, so their low two bits go before the sum. */
+static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
+{
+    const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
+                            (fx_mul_wide(row[2], z) >> 2) + (int64_t)c * (1 << 28);
+    return clamp_i32((quarter + (1 << 27)) >> 28);
+}
+
+static struct ph_xform rotation(const int32_t r[3][3])
+{
+    struct ph_xform m = ph_xform_identity;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.r[i][j] = r[i][j];
+        }
+    }
+    return m;
+}
+
+struct ph_xform ph_xform_rotate_x(uint32_t turn32)
+{
+    int32_t s, c;
+    fx_sincos_q30(turn32, &s, &c);
+    return rotation((const int32_t[3][3]){{FX_Q30_ONE, 0, 0}, {0, c, -s}, {0, s, c}});
+}
+
+struct ph_xform ph_xform_rotate_y(uint32_t turn32)
+{
+    int32_t s, c;
+    fx_sincos_q30(turn32, &s, &c);
+    return rotation((const int32_t[3][3]){{c, 0, s}, {0, FX_Q30_ONE, 0}, {-s, 0, c}});
+}
+
+struct ph_xform ph_xform_rotate_z(uint32_t turn32)
+{
+    int32_t s, c;
+    fx_sincos_q30(turn32, &s, &c);
+    return rotation((const int32_t[3][3]){{c, -s, 0}, {s, c, 0}, {0, 0, FX_Q30_ONE}});
+}
+
+struct ph_xform ph_xform_translate(fx_t x, fx_t y, fx_t z)
+{
+    struct ph_xform m = ph_xform_identity;
+    m.t = (struct fx_vec3){x, y, z};
+    return m;
+}
+
+struct ph_xform ph_xform_scale(fx_t s)
+{
+    const int32_t k = clamp_i32((int64_t)s * (1 << 14));
+    return rotation((const int32_t[3][3]){{k, 0, 0}, {0, k, 0}, {0, 0, k}});
+}
+
+/* 2 (a b + c d) of Q2.30 numbers, Q2.30. */
+static int32_t twice_sum(int32_t a, int32_t b, int32_t c, int32_t d)
+{
+    return clamp_i32(((fx_mul_wide(a, b) >> 1) + (fx_mul_wide(c, d) >> 1) + (1 << 27)) >> 28);
+}
+
+struct ph_xform ph_xform_quat(struct fx_quat q, struct fx_vec3 t)
+{
+    const int32_t one = FX_Q30_ONE, nw = fx_neg_sat(q.w);
+    struct ph_xform m = {
+        {
+            {fx_sub_sat(one, twice_sum(q.y, q.y, q.z, q.z)), twice_sum(q.x, q.y, nw, q.z),
+             twice_sum(q.x, q.z, q.w, q.y)},
+            {twice_sum(q.x, q.y, q.w, q.z), fx_sub_sat(one, twice_sum(q.x, q.x, q.z, q.z)),
+             twice_sum(q.y, q.z, nw, q.x)},
+            {twice_sum(q.x, q.z, nw, q.y), twice_sum(q.y, q.z, q.w, q.x),
+             fx_sub_sat(one, twice_sum(q.x, q.x, q.y, q.y))},
+        },
+        t,
+    };
+    return m;
+}
+
+struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
+{
+    struct ph_xform m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.r[i][j] = row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
+        }
+    }
+    m.t = ph_xform_point(a, b->t);
+    return m;
+}
+
+struct ph_xform ph_xform_inverse_rigid(const struct ph_xform *a)
+{
+    struct ph_xform m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.r[i][j] = a->r[j][i];
+        }
+    }
+    m.t = (struct fx_vec3){0, 0, 0};
+    const struct fx_vec3 t = ph_xform_point(&m, a->t);
+    m.t = (struct fx_vec3){fx_neg_sat(t.x), fx_neg_sat(t.y), fx_neg_sat(t.z)};
+    return m;
+}
+
+struct fx_vec3 ph_xform_point(const struct ph_xform *a, struct fx_vec3 p)
+{
+    return (struct fx_vec3){row_times(a->r[0], p.x, p.y, p.z, a->t.x), row_times(a->r[1], p.x, p.y, p.z, a->t.y),
+                            row_times(a->r[2], p.x, p.y, p.z, a->t.z)};
+}
+
+struct fx_vec3 ph_xform_direction_q30(const struct ph_xform *a, struct fx_vec3 d)
+{
+    return (struct fx_vec3){row_times(a->r[0], d.x, d.y, d.z, 0), row_times(a->r[1], d.x, d.y, d.z, 0),
+                            row_times(a->r[2], d.x, d.y, d.z, 0)};
+}
+
+/* Cross product of two Q2.30 vectors, Q2.30. */
+static struct fx_vec3 cross_q30(struct fx_vec3 a, struct fx_vec3 b)
+{
+    const int32_t m[3][3] = {{0, -a.z, a.y}, {a.z, 0, -a.x}, {-a.y, a.x, 0}};
+    return (struct fx_vec3){row_times(m[0], b.x, b.y, b.z, 0), row_times(m[1], b.x, b.y, b.z, 0),
+                            row_times(m[2], b.x, b.y, b.z, 0)};
+}
+
+/* The right-hand direction of a camera, or false where up is zero or within 2^-14 of the view direction. */
+static bool right_of(struct fx_vec3 forward, struct fx_vec3 up, struct fx_vec3 *right)
+{
+    struct fx_vec3 unit_up;
+    if (!fx_vec3_direction_q30(up, &unit_up)) {
+        return false;
+    }
+    const struct fx_vec3 side = cross_q30(forward, unit_up);
+    const int32_t limit = FX_Q30_ONE >> 14;
+    if (fx_abs_sat(side.x) < limit && fx_abs_sat(side.y) < limit && fx_abs_sat(side.z) < limit) {
+        return false;
+    }
+    return fx_vec3_direction_q30(side, right);
+}
+
+struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struct fx_vec3 up)
+{
+    /* Halves, so that no difference of two positions saturates. */
+    const struct fx_vec3 towards = {(target.x >> 1) - (eye.x >> 1), (target.y >> 1) - (eye.y >> 1),
+                                    (target.z >> 1) - (eye.z >> 1)};
+    const struct fx_vec3 exact = fx_vec3_sub_sat(target, eye);
+    const bool far_apart = fx_abs_sat(towards.x) >= (1 << 29) || fx_abs_sat(towards.y) >= (1 << 29) ||
+                           fx_abs_sat(towards.z) >= (1 << 29);
+    struct fx_vec3 forward, right;
+    if (!fx_vec3_direction_q30(far_apart ? towards : exact, &forward)) {
+        forward = (struct fx_vec3){0, 0, -FX_Q30_ONE};
+    }
+    if (!right_of(forward, up, &right) && !right_of(forward, (struct fx_vec3){0, FX_ONE, 0}, &right)) {
+        right_of(forward, (struct fx_vec3){0, 0, FX_ONE}, &right);
+    }
+    const struct fx_vec3 above = cross_q30(right, forward);
+    struct ph_xform view = {
+        {{right.x, right.y, right.z}, {above.x, above.y, above.z}, {-forward.x, -forward.y, -forward.z}}, {0, 0, 0}};
+    const struct fx_vec3 t = ph_xform_point(&view, eye);
+    view.t = (struct fx_vec3){fx_neg_sat(t.x), fx_neg_sat(t.y), fx_neg_sat(t.z)};
+    return view;
+}
+
+/* a 2^bits / b, nearest, into a positive int32; 0 where it does not fit. b > 0. */
+static int32_t ratio(int64_t a, int bits, int64_t b)
+{
+    const int64_t q = (a * ((int64_t)1 << bits) + b / 2) / b;
+    return q > INT32_MAX ? 0 : (int32_t)q;
+}
+
+/* (high + low) / (high - low) in Q16.16; the sum of two int32 times 2^16 fits 64 bits. */
+static fx_t shift_of(fx_t low, fx_t high)
+{
+    return clamp_i32(((int64_t)high + low) * FX_ONE / ((int64_t)high - low));
+}
+
+int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspect, fx_t near_z, fx_t far_z)
+{
+    if (fov_y_deg <= 0 || fov_y_deg >= FX_INT(180) || aspect <= 0 || near_z <= 0 || far_z <= near_z) {
+        return PH_ERR_INVAL;
+    }
+    int32_t s, c;
+    fx_sincos_q30(fx_turn32_from_deg(fov_y_deg) / 2, &s, &c);
+    const int32_t scale_y = s > 0 ? ratio(c, 20, s) : 0;
+    const int32_t scale_x = ratio(scale_y, 16, aspect);
+    if (scale_x <= 0 || scale_y <= 0) {
+        return PH_ERR_INVAL;
+    }
+    *p = (struct ph_projection){PH_PERSPECTIVE, scale_x, scale_y, 0, 0, near_z, far_z};
+    return PH_OK;
+}
+
+int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z,
+                          fx_t far_z)
+{
+    if (left >= right || bottom >= top || near_z <= 0 || far_z <= near_z) {
+        return PH_ERR_INVAL;
+    }
+    const int32_t scale_x = ratio((int64_t)near_z * 2, 20, (int64_t)right - left);
+    const int32_t scale_y = ratio((int64_t)near_z * 2, 20, (int64_t)top - bottom);
+    if (scale_x <= 0 || scale_y <= 0) {
+        return PH_ERR_INVAL;
+    }
+    *p = (struct ph_projection){
+        PH_PERSPECTIVE, scale_x, scale_y, shift_of(left, right), shift_of(bottom, top), near_z, far_z};
+    return PH_OK;
+}
+
+int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z, fx_t far_z)
+{
+    if (left >= right || bottom >= top || far_z <= near_z) {
+        return PH_ERR_INVAL;
+    }
+    const int32_t scale_x = ratio(2 * (int64_t)FX_ONE, 20, (int64_t)right - left);
+    const int32_t scale_y = ratio(2 * (int64_t)FX_ONE, 20, (int64_t)top - bottom);
+    if (scale_x <= 0 || scale_y <= 0) {
+        return PH_ERR_INVAL;
+    }
+    *p = (struct ph_projection){
+        PH_ORTHOGRAPHIC, scale_x, scale_y, shift_of(left, right), shift_of(bottom, top), near_z, far_z};
+    return PH_OK;
+}
