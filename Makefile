@@ -46,6 +46,7 @@ TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out tests/test_% tests/exhaustive_%
 INC_CORE = -Ifirmware/core/$(CPU) -Ifirmware/core
 INC_ALL = $(INC_CORE) -Ifirmware/app -Ihal -Iboards -Ihost-sim -Itests
 INC = $(INC_ALL)
+$(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
 $(B)/firmware/app/%.o: INC = $(INC_CORE) -Ifirmware/app -Ihal -Iboards
 $(B)/hal/%.o: INC = -Ihal
@@ -53,7 +54,7 @@ $(B)/boards/%.o: INC = -Ihal -Iboards
 
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help test-programs long-programs FORCE
+.PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects test-programs long-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -85,6 +86,7 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
+core-objects: $(CORE:%.c=$(B)/%.o)
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 
@@ -97,8 +99,8 @@ test: ## installs what the tests need, runs all of them (under 10 minutes on 2 c
 test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
 
-lint: ## clang-format, clang-tidy, cppcheck, strict warnings of gcc and clang, shellcheck
-	$(Q)B='$(B)' tests/lint.sh
+lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
+	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/lint.sh
 
 size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget
 	$(Q)B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh

@@ -14,7 +14,7 @@ check() {
     else
         tap_failed=$((tap_failed + 1))
         echo "not ok $tap_count - $name"
-        [ -z "$output" ] || sed 's/^/# /' <<<"$output"
+        [ -z "$output" ] || echo "# ${output//$'\n'/$'\n'# }"
     fi
 }
 

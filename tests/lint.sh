@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Usage: tests/lint.sh
+# Reads every source with every tool that is here; exits 1 when one of them finds something. `make lint` calls it.
+# Environment: B (build directory), INCLUDE (the compiler's -I flags).
+set -u
+cd "$(dirname "$0")/.." || exit 1
+export B=${B:-build} MAKEFLAGS=
+processors=$(nproc)
+read -ra include <<<"${INCLUDE:--Ifirmware/core/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Ihost-sim -Itests}"
+folders=(firmware hal boards host-sim tests)
+failed=0
+
+sources() { find "${folders[@]}" -type f "$@" | sort; }
+
+# The tool's findings, or a line that says it had none.
+tool() { # name, command...
+    local name=$1 start=$SECONDS output word=clean
+    command -v "$name" >/dev/null || { echo "$name: not here, skipped" && return; }
+    output=$("${@:2}" 2>&1) || { word=FINDINGS && failed=1; }
+    [ $word = clean ] || printf '%s\n' "$output"
+    echo "$name: $word ($((SECONDS - start)) s)"
+}
+
+format() { sources -name '*.[ch]' | xargs -r clang-format --dry-run -Werror; }
+
+warnings() { # compiler
+    make -k -s -j"$processors" B="$B/lint-$1" CC="$1" CFLAGS='-O2 -Werror' all test-programs long-programs
+}
+
+tidy() { # a compiler's database is not needed: one set of include paths finds every header
+    sources -name '*.c' | xargs -r -P "$processors" -I{} clang-tidy --quiet {} -- -std=c11 "${include[@]}" 2>/dev/null
+}
+
+check() {
+    mkdir -p "$B/cppcheck"
+    cppcheck -q -j"$processors" --cppcheck-build-dir="$B/cppcheck" --std=c11 --error-exitcode=1 --inline-suppr \
+        --enable=warning,style,performance,portability --suppressions-list=tests/cppcheck.suppress \
+        --template='{file}:{line}: {id}: {message}' "${include[@]}" "${folders[@]}"
+}
+
+shell() { { sources -name '*.sh' && echo .ci/run; } | xargs -r shellcheck; }
+
+tests/packages.sh lint
+mkdir -p "$B"
+tool clang-format format
+tool shellcheck shell
+tool cppcheck check
+tool gcc warnings gcc
+tool clang warnings clang
+tool clang-tidy tidy
+[ $failed = 0 ] || { echo "lint: findings above" >&2 && exit 1; }
