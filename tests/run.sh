@@ -20,7 +20,8 @@ export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results
 sanitize='-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
 processors=$(nproc)
-printf -v make_args '%q ' "$@" # as one word, for the jobs
+make_args= # as one word, for the jobs
+[ $# = 0 ] || printf -v make_args '%q ' "$@"
 export make_args
 
 # Counts TAP: "passed failed skipped". A plan that was not kept fails, and so does a bad exit without a failed test.

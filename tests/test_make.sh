@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# The Makefile does what its help says, and every option of it has an effect.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng "$@"; }
+
+help_names_the_targets() {
+    local target text
+    text=$(make help) || return 1
+    for target in all demo test test-exhaustive lint size gallery golden install uninstall clean help; do
+        grep -q "^make $target  *[a-z]" <<<"$text" || { echo "no $target" && return 1; }
+    done
+}
+
+builds() { run all; }
+
+a_second_make_does_nothing() {
+    local said
+    said=$(run all --no-print-directory)
+    [ -z "$said" ] || [ "$said" = "make: Nothing to be done for 'all'." ] || { echo "$said" && return 1; }
+}
+
+other_flags_build_again() { # a variable
+    local said
+    said=$(run all "$1" && run all) || { echo "$said" && return 1; }
+    grep -q 'CC *firmware/core/' <<<"$said" || { echo "nothing was built again for $1" && return 1; }
+}
+
+verbose_shows_the_commands() {
+    run -n -B V=1 all | grep -q -- '-c firmware/core/fx.c -o'
+}
+
+a_file_of_the_cpu_replaces_the_portable_one() {
+    mkdir -p "$dir/firmware/core/some_cpu" && cp Makefile "$dir" && touch "$dir"/firmware/core/{a,b}.c "$dir/firmware/core/some_cpu/b.c"
+    make -n -C "$dir" CPU=some_cpu V=1 core-objects >"$dir/log" && grep -q -- '-Ifirmware/core/some_cpu' "$dir/log" &&
+        grep -q 'firmware/core/a\.c' "$dir/log" && grep -q 'core/some_cpu/b\.c' "$dir/log" && ! grep -q 'core/b\.c' "$dir/log" &&
+        make -n -C "$dir" V=1 core-objects | grep -q 'core/b\.c'
+}
+
+the_core_cannot_include_the_hal() {
+    mkdir -p "$dir/hal" "$dir/firmware/core" && cp Makefile "$dir" && touch "$dir/hal/hal.h"
+    echo '#include "hal.h"' >"$dir/firmware/core/wrong.c"
+    ! make -s -C "$dir" build/firmware/core/wrong.o
+}
+
+installs_and_uninstalls() {
+    run install DESTDIR="$dir/root" PREFIX=/usr && [ -x "$dir/root/usr/bin/pinhole-sim" ] &&
+        "$dir/root/usr/bin/pinhole-sim" --help && run uninstall DESTDIR="$dir/root" PREFIX=/usr &&
+        [ -z "$(find "$dir/root" -type f)" ]
+}
+
+needs_no_library() {
+    run all && ! ldd "$B/make/pinhole-sim" | grep -E 'assimp|png'
+}
+
+size_fails_over_the_budget() {
+    make size B="$B/make" && ! make size B="$B/make" BUDGET_CORE_BYTES=1000
+}
+
+check "help_names_every_target" help_names_the_targets
+check "everything_builds_without_optional_libraries" builds
+check "a_second_make_does_nothing" a_second_make_does_nothing
+check "other_CFLAGS_build_again" other_flags_build_again CFLAGS=-O1
+check "another_CPU_builds_again" other_flags_build_again CPU=armv7m
+check "V_1_shows_the_commands" verbose_shows_the_commands
+check "a_file_of_the_CPU_replaces_the_portable_one" a_file_of_the_cpu_replaces_the_portable_one
+check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
+check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls
+check "without_the_libraries_none_is_linked" needs_no_library
+if command -v arm-none-eabi-gcc >/dev/null; then
+    check "size_fails_over_the_budget" size_fails_over_the_budget
+else
+    skip "size_fails_over_the_budget" "no arm-none-eabi-gcc"
+fi
+tap_end
