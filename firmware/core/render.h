@@ -54,7 +54,7 @@ struct ph_material {
     uint8_t shading;        /* enum ph_shading */
     uint8_t two_sided;      /* draw back faces too */
     uint8_t shininess_log2; /* specular exponent 2^this, 0 .. 7 */
-    uint8_t depth_bias;     /* lines: towards the viewer, in 1/4096 of the depth range */
+    uint8_t depth_bias;     /* towards the viewer, 0 .. 56: codes of fixed16, eighths of codes of float16 */
     fx_t ambient;           /* share of the scene's ambient light reflected, 0 .. 1 */
     fx_t diffuse;           /* 0 .. 1 */
     fx_t specular;          /* 0 .. 1 */
@@ -134,27 +134,34 @@ struct ph_config {
     uint16_t *depth; /* width * band_height */
 };
 
+/*
+ * The camera of a frame, ready for vertices: screen x = centre_x + 2^focal_log2 x' / w with x' = row 0 of the matrix.
+ * Private to the renderer.
+ */
+struct ph_lens {
+    uint8_t kind;               /* enum ph_projection_kind */
+    int8_t focal_log2;          /* 0 .. 18 */
+    uint8_t guard_up;           /* guard band: |x'| 2^guard_up <= 8 w */
+    int8_t near_shift;          /* leading zeros of near_z */
+    int32_t focal_x, focal_y;   /* focal length in pixels / 2^focal_log2, Q2.30 */
+    int32_t centre_x, centre_y; /* principal point, 1/256 px */
+    fx_t near_z, far_z;
+    uint32_t depth_scale; /* perspective: near plane, normalised; orthographic: 1 / (far - near), normalised */
+    uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
+    int8_t far_s;
+};
+
 /* The state of one picture. Its fields are the renderer's own; read stats. Holds no pointer into itself. */
 struct ph_renderer {
     struct ph_config config;
     struct ph_stats stats;
+    struct ph_lens lens;
+    struct ph_xform view; /* world to view */
+    struct ph_scene_light light;
     uint32_t band_count;
     uint32_t triangle_count;
     uint32_t carried; /* list of the triangles that go on in the next band */
     uint16_t background;
-
-    /* The camera of this frame. */
-    struct ph_xform view;             /* world to view */
-    struct ph_projection projection;  /* as given */
-    int32_t focal_x_q30, focal_y_q30; /* focal length in pixels / 2^focal_log2, Q2.30 */
-    int8_t focal_log2;
-    int32_t centre_x, centre_y; /* principal point, 1/256 px */
-    uint32_t near_norm;         /* near plane: mantissa and exponent of n in n/w */
-    int8_t near_shift;
-    uint64_t far_d; /* n/f, Q0.48 */
-    uint32_t ortho_scale;
-
-    struct ph_scene_light light;
 };
 
 /* Copies config. PH_ERR_INVAL: a size or pointer is wrong. */
@@ -163,6 +170,8 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 /*
  * Starts a frame: forgets the triangles and the statistics. view is world-to-view and must be rigid.
  * light may be NULL (full ambient). background in wire order.
+ * PH_ERR_INVAL: near_z <= 0 of a perspective, far_z <= near_z. PH_ERR_RANGE: the principal point is more than a
+ * picture's width or height off the centre (|shift| > 2), or a focal length of 2^18 pixels or more.
  */
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background);
@@ -170,8 +179,8 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 /* Draws mesh placed by to_world (a rotation with a uniform scale below 2). Returns 0 or PH_ERR_NOMEM (left out, counted). */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
-/* A line one pixel wide between two world points, depth-tested. */
-void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, uint16_t colour);
+/* A line one pixel wide between two world points in the material's colour, depth-tested; two triangles of the budget. */
+void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
 /* Sorts what was drawn into bands; returns the number of bands. */
 uint32_t ph_frame_bands(struct ph_renderer *r);

@@ -1,0 +1,88 @@
+/*
+ * Clipping before the divide (Sutherland and Hodgman, 1974): near and far plane, then the four sides of the guard band.
+ * A crossing is always computed from the inner to the outer corner, so two triangles that share an edge get the same
+ * point, and the cut stays watertight.
+ */
+#include "pipeline.h"
+
+enum { PLANE_NEAR, PLANE_FAR, PLANE_LEFT, PLANE_RIGHT, PLANE_TOP, PLANE_BOTTOM, PLANES };
+
+/* Distance from a plane, positive inside; any scale, below 2^46. */
+static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
+{
+    const int64_t reach = (int64_t)v->w * 8, scale = (int64_t)1 << lens->guard_up;
+    switch (plane) {
+    case PLANE_NEAR:
+        return (int64_t)v->z - lens->near_z;
+    case PLANE_FAR:
+        return (int64_t)lens->far_z - v->z;
+    case PLANE_LEFT:
+        return reach + v->x * scale;
+    case PLANE_RIGHT:
+        return reach - v->x * scale;
+    case PLANE_TOP:
+        return reach + v->y * scale;
+    default:
+        return reach - v->y * scale;
+    }
+}
+
+static int32_t between(int32_t a, int32_t b, int32_t t_q30)
+{
+    return (int32_t)(a + ((((int64_t)b - a) * t_q30 + (1 << 29)) >> 30));
+}
+
+/* Where the edge from inside (distance from >= 0) to outside (to < 0) meets the plane. */
+static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct ph_clip_vertex *inside,
+                                      const struct ph_clip_vertex *outside, int64_t from, int64_t to, int plane)
+{
+    uint64_t whole = (uint64_t)(from - to);
+    while (whole >> 32 != 0) { /* at most 15 times */
+        whole >>= 1;
+        from >>= 1;
+    }
+    const int32_t t = (int32_t)(((uint64_t)from << 30) / whole);
+    struct ph_clip_vertex v = {
+        between(inside->x, outside->x, t),         between(inside->y, outside->y, t),
+        between(inside->w, outside->w, t),         between(inside->z, outside->z, t),
+        between(inside->light, outside->light, t),
+        {between(inside->uv[0], outside->uv[0], t), between(inside->uv[1], outside->uv[1], t)},
+    };
+    if (plane == PLANE_NEAR || plane == PLANE_FAR) { /* exactly on it, whatever the rounding */
+        v.z = plane == PLANE_NEAR ? lens->near_z : lens->far_z;
+        v.w = lens->kind == PH_PERSPECTIVE ? v.z : v.w;
+    }
+    return v;
+}
+
+static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out,
+                      int plane)
+{
+    int count = 0;
+    for (int i = 0; i < n; i++) {
+        const struct ph_clip_vertex *a = &in[i], *b = &in[i + 1 < n ? i + 1 : 0];
+        const int64_t da = distance(lens, a, plane), db = distance(lens, b, plane);
+        if (da >= 0) {
+            out[count++] = *a;
+        }
+        if (n == 2 && i == 1) { /* a line has one edge only */
+            break;
+        }
+        if ((da >= 0) != (db >= 0)) {
+            out[count++] = da >= 0 ? crossing(lens, a, b, da, db, plane) : crossing(lens, b, a, db, da, plane);
+        }
+    }
+    return count;
+}
+
+int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out)
+{
+    struct ph_clip_vertex work[2][PH_CLIP_MAX];
+    const struct ph_clip_vertex *from = in;
+    for (int plane = 0; plane < PLANES && n >= 2; plane++) {
+        struct ph_clip_vertex *to = plane == PLANES - 1 ? out : work[plane & 1];
+        n = clip_plane(lens, from, n, to, plane);
+        from = to;
+    }
+    return n;
+}

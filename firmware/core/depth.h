@@ -1,0 +1,71 @@
+/*
+ * depth: from a vertex's distance to the 16-bit codes in the depth buffer. Larger is nearer; 0 is empty.
+ *
+ * Complementary depth d = N/w - N/f, N = n (1 - 2^-9): about 1 at the near plane, 0 at the far plane; linear in screen
+ * space, so it is interpolated there. (Orthographic: d = (1 - 2^-9) (f - z) / (f - n).) n, f: near, far plane.
+ * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31, from a reciprocal that is exact
+ * to one unit in 2^30 and monotone over every w.
+ *
+ * A triangle holds d as a 32-bit plane in units of 2^-(32 + block); block is 0 for fixed16, and for float16 the
+ * largest with which its nearest vertex fits with a bit to spare, so that far triangles keep their precision.
+ *
+ * The rasterizer steps a 16.16 number whose high half is the code. With d in 0 .. 1 exact:
+ *   fixed16: code = floor(65536 d + 16)
+ *   float16: code = floor(F(d) + 8), F an unsigned float with 4 bits of exponent and 12 of mantissa, in full
+ *            precision: F = 2^13 d + 14 * 4096 in 1/2 .. 1, and half as steep with each octave towards 0;
+ *            F = 2^27 d below 2^-15. F is continuous and piecewise linear: inside one octave a float16 span is a
+ *            fixed16 span with another slope, which is all that "float" costs (spans are split where d crosses a
+ *            power of two).
+ * The biases of 16 and 8 codes, and 2^-9, are head room: planes overshoot their triangle by less, so nothing wraps.
+ */
+#ifndef PH_DEPTH_H
+#define PH_DEPTH_H
+
+#include "render.h"
+
+#define PH_DEPTH_BIAS_FIXED16 ((uint32_t)16 << 16)
+#define PH_DEPTH_BIAS_FLOAT16 ((uint32_t)8 << 16)
+
+/* Quotient of N/w for a view distance; see above. */
+struct ph_quotient {
+    uint32_t q;
+    int8_t s;
+};
+
+struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w);
+
+/* The same of a perspective from fx_rcp_norm(w): two products fewer where the reciprocal is there already. */
+static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens, uint32_t reciprocal, int shift)
+{
+    const uint32_t q = fx_mulhi_u32(lens->depth_scale, reciprocal);
+    const int s = lens->near_shift - shift;
+    return q < (uint32_t)1 << 30 ? (struct ph_quotient){q << 1, (int8_t)(s + 1)} : (struct ph_quotient){q, (int8_t)s};
+}
+
+/* d of a vertex in units of 2^-(32 + block); block is 0 or below s - 1. */
+uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block);
+
+/*
+ * Octave of a d in units of 2^-(32 + block): leading zeros of it, the octaves below 2^-15 counted as one with
+ * 2^-15 .. 2^-14. May be negative where the whole block lies below 2^-15.
+ */
+int ph_depth_octave(uint32_t d, int block);
+
+/* d of one octave in 16.16 codes of float16, without the octave's constant; the same for a gradient of d. */
+static inline uint32_t ph_depth_float16_value(uint32_t d, int octave)
+{
+    return octave >= 3 ? d << (octave - 3) : d >> (3 - octave);
+}
+
+static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int octave)
+{
+    return octave >= 3 ? gradient << (octave - 3) : (uint32_t)((int32_t)gradient >> (3 - octave));
+}
+
+/* The octave's constant, and the bias. */
+static inline uint32_t ph_depth_float16_offset(int octave, int block)
+{
+    return ((uint32_t)(14 - octave - block) << 28) + PH_DEPTH_BIAS_FLOAT16;
+}
+
+#endif

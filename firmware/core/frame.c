@@ -1,0 +1,120 @@
+/* Renderer and frame set-up: see render.h. */
+#include "pipeline.h"
+
+const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
+const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
+
+int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
+{
+    const uint32_t width = config->width, height = config->height, lines = config->band_height;
+    if (width < 1 || width > 1024 || height < 1 || height > 1024 || lines < 1 || lines > height ||
+        config->depth_format > PH_DEPTH_FLOAT16) {
+        return PH_ERR_INVAL;
+    }
+    const uint32_t bands = (height + lines - 1) / lines;
+    if (config->vertices == NULL || config->triangles == NULL || config->bins == NULL || config->depth == NULL ||
+        config->triangle_max == PH_NONE) {
+        return PH_ERR_INVAL;
+    }
+    if (config->bin_max < bands) {
+        return PH_ERR_NOMEM;
+    }
+    *r = (struct ph_renderer){.config = *config, .band_count = bands, .carried = PH_NONE};
+    return PH_OK;
+}
+
+/* Principal point in 1/256 px: half the size, moved by shift halves; y counts downwards. */
+static int32_t centre_of(int32_t size, fx_t shift)
+{
+    return (int32_t)((fx_mul_wide(size, FX_ONE + shift) + 256) >> 9);
+}
+
+static int32_t max_i32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Focal lengths as fractions of a power of two of pixels that also makes the guard band reach over the picture. */
+static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
+{
+    const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */
+    const int32_t reach = 2 * max_i32(width, height); /* px; |shift| <= 2 puts no pixel further away than 1.5 sizes */
+    const int64_t longest = fx > fy ? fx : fy;
+    int log2 = 0;
+    while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < reach)) {
+        log2++;
+    }
+    if (log2 > 18) {
+        return PH_ERR_RANGE;
+    }
+    lens->focal_log2 = (int8_t)log2;
+    lens->guard_up = (uint8_t)(log2 > 8 ? log2 - 8 : 0);
+    lens->focal_x = (int32_t)(log2 <= 9 ? fx << (9 - log2) : fx >> (log2 - 9));
+    lens->focal_y = (int32_t)(log2 <= 9 ? fy << (9 - log2) : fy >> (log2 - 9));
+    return PH_OK;
+}
+
+static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
+{
+    lens->near_z = p->near_z;
+    lens->far_z = p->far_z;
+    int shift;
+    if (p->kind == PH_ORTHOGRAPHIC) {
+        lens->depth_scale = fx_rcp_norm((uint32_t)p->far_z - (uint32_t)p->near_z, &shift);
+        lens->near_shift = (int8_t)shift;
+        return; /* far_q = 0: d is 0 at the far plane already */
+    }
+    shift = fx_clz32((uint32_t)p->near_z);
+    const uint32_t norm = (uint32_t)p->near_z << shift;
+    lens->near_shift = (int8_t)shift;
+    lens->depth_scale = norm - (norm >> 9);
+    const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
+    lens->far_q = far.q;
+    lens->far_s = far.s;
+}
+
+int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
+                   const struct ph_scene_light *light, uint16_t background)
+{
+    const int32_t width = r->config.width, height = r->config.height;
+    const struct ph_projection *p = projection;
+    if (p->far_z <= p->near_z || (p->kind == PH_PERSPECTIVE && p->near_z <= 0) || p->scale_x_q20 <= 0 ||
+        p->scale_y_q20 <= 0 || (light != NULL && light->count > PH_LIGHTS_MAX)) {
+        return PH_ERR_INVAL;
+    }
+    if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
+        return PH_ERR_RANGE;
+    }
+    struct ph_lens lens = {.kind = (uint8_t)p->kind};
+    if (lens_focal(&lens, p, width, height) != PH_OK) {
+        return PH_ERR_RANGE;
+    }
+    lens.centre_x = centre_of(width, -p->shift_x);
+    lens.centre_y = centre_of(height, p->shift_y);
+    lens_depth(&lens, p);
+
+    static const struct ph_scene_light full = {.ambient = FX_ONE};
+    r->lens = lens;
+    r->view = *view;
+    r->light = light != NULL ? *light : full;
+    r->background = background;
+    r->stats = (struct ph_stats){0};
+    r->triangle_count = 0;
+    r->carried = PH_NONE;
+    return PH_OK;
+}
+
+uint32_t ph_frame_bands(struct ph_renderer *r)
+{
+    struct ph_triangle *triangles = ph_triangles(r);
+    for (uint32_t i = 0; i < r->band_count; i++) {
+        r->config.bins[i] = PH_NONE;
+    }
+    r->carried = PH_NONE;
+    for (uint32_t i = r->triangle_count; i-- > 0;) { /* from the last, so that each list is in drawing order */
+        uint32_t *bin = &r->config.bins[(uint32_t)triangles[i].y_top / r->config.band_height];
+        triangles[i].next = *bin;
+        *bin = i;
+    }
+    return r->band_count;
+}

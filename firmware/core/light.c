@@ -1,0 +1,165 @@
+/*
+ * Light of a vertex: ambient + diffuse (Lambert) + specular (Blinn 1977, viewer at infinity), one white intensity.
+ * All in the mesh's own coordinates, so that neither normals nor positions need rotating: 16-bit products, Q2.14.
+ */
+#include "pipeline.h"
+
+static int32_t dot_q14(const int16_t a[3], const int16_t b[3])
+{
+    return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
+}
+
+static int32_t clamp_q14(fx_t v)
+{
+    return (v < 0 ? 0 : v > 4 * FX_ONE ? 4 * FX_ONE : v) >> 2;
+}
+
+/* A vector with components below 2^31 as a unit vector in Q1.14; zero stays zero. */
+static void unit_q14(const int32_t in[3], int16_t out[3])
+{
+    uint32_t largest = 0;
+    for (int i = 0; i < 3; i++) {
+        largest |= in[i] < 0 ? 0u - (uint32_t)in[i] : (uint32_t)in[i];
+        out[i] = 0;
+    }
+    if (largest == 0) {
+        return;
+    }
+    const int bits = 32 - fx_clz32(largest); /* scaled to components of 14 bits */
+    int32_t v[3];
+    uint32_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        v[i] = bits > 14 ? in[i] >> (bits - 14) : in[i] * (1 << (14 - bits));
+        sum += (uint32_t)(v[i] * v[i]);
+    }
+    const fx_t inverse = fx_rsqrt_sat((fx_t)(sum >> 12)); /* |v| = 2^14 sqrt(sum / 2^28): 1 / that in Q16.16 */
+    for (int i = 0; i < 3; i++) {
+        out[i] = (int16_t)((v[i] * (inverse >> 2)) >> 14);
+    }
+}
+
+/* World direction (any length) in the mesh's coordinates: the transposed rotation, scaled to length one. */
+static void to_local(const struct ph_xform *to_world, struct fx_vec3 d, int16_t out[3])
+{
+    const int32_t in[3] = {d.x >> 2, d.y >> 2, d.z >> 2};
+    int32_t local[3];
+    for (int j = 0; j < 3; j++) {
+        const int64_t sum = fx_mul_wide(to_world->r[0][j], in[0]) + fx_mul_wide(to_world->r[1][j], in[1]) +
+                            fx_mul_wide(to_world->r[2][j], in[2]);
+        local[j] = (int32_t)(sum >> 31);
+    }
+    unit_q14(local, out);
+}
+
+/* The half vector between two unit vectors. */
+static void half_of(const int16_t a[3], const int16_t b[3], int16_t out[3])
+{
+    const int32_t sum[3] = {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+    unit_q14(sum, out);
+}
+
+/* Square of the uniform scale of a transform. */
+static fx_t scale_square(const struct ph_xform *to_world)
+{
+    const int32_t *row = to_world->r[0];
+    const int64_t square = (fx_mul_wide(row[0], row[0]) >> 2) + (fx_mul_wide(row[1], row[1]) >> 2) +
+                           (fx_mul_wide(row[2], row[2]) >> 2); /* Q58 */
+    return (fx_t)(square >> 42);
+}
+
+/* World position in the mesh's coordinates, for a rotation with a uniform scale s: r^T (p - t) / s^2. */
+static struct fx_vec3 position_to_local(const struct ph_xform *to_world, struct fx_vec3 p, fx_t scale)
+{
+    const struct fx_vec3 from = fx_vec3_sub_sat(p, to_world->t);
+    fx_t local[3];
+    for (int j = 0; j < 3; j++) {
+        const int64_t sum = (fx_mul_wide(to_world->r[0][j], from.x) >> 2) +
+                            (fx_mul_wide(to_world->r[1][j], from.y) >> 2) +
+                            (fx_mul_wide(to_world->r[2][j], from.z) >> 2);
+        const int64_t rotated = sum >> 28;
+        local[j] = fx_div_sat(rotated > FX_MAX ? FX_MAX : rotated < FX_MIN ? FX_MIN : (fx_t)rotated, scale);
+    }
+    return (struct fx_vec3){local[0], local[1], local[2]};
+}
+
+void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
+                      const struct ph_material *material)
+{
+    const struct ph_scene_light *scene = &r->light;
+    const int32_t diffuse = clamp_q14(material->diffuse), specular = clamp_q14(material->specular);
+    local->ambient = (clamp_q14(scene->ambient) * clamp_q14(material->ambient)) >> 14;
+    local->shininess_log2 = material->shininess_log2;
+    local->count = scene->count;
+    local->scale = (PH_LIGHT_SPAN << 14) / (16384 + specular);
+    const struct fx_vec3 viewer = {r->view.r[2][0], r->view.r[2][1], r->view.r[2][2]};
+    to_local(to_world, viewer, local->to_viewer);
+    for (uint32_t i = 0; i < scene->count; i++) {
+        const struct ph_light *light = &scene->lights[i];
+        struct ph_local_light *l = &local->light[i];
+        l->point = light->kind == PH_LIGHT_POINT;
+        l->diffuse = (diffuse * clamp_q14(light->intensity)) >> 14;
+        l->specular = (specular * clamp_q14(light->intensity)) >> 14;
+        if (l->point) {
+            const fx_t scale = scale_square(to_world);
+            l->position = position_to_local(to_world, light->position, scale);
+            l->reach = fx_div_sat(light->reach, fx_sqrt(scale));
+        } else {
+            to_local(to_world, light->to_light_q30, l->to_light);
+            half_of(l->to_light, local->to_viewer, l->half);
+        }
+    }
+}
+
+/* 1 / (1 + (distance / reach)^2), Q2.14; 1 where the light does not fall off. */
+static int32_t attenuation(fx_t distance, fx_t reach)
+{
+    if (reach <= 0) {
+        return 16384;
+    }
+    const fx_t ratio = fx_div_sat(distance, reach);
+    return fx_rcp_sat(fx_add_sat(FX_ONE, fx_mul_sat(ratio, ratio))) >> 2;
+}
+
+/* n.l and n.h of a point light; returns its attenuation. */
+static int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l, const int16_t normal[3],
+                           struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
+{
+    const struct fx_vec3 d = fx_vec3_sub_sat(l->position, position);
+    const int32_t in[3] = {d.x >> 1, d.y >> 1, d.z >> 1};
+    int16_t to_light[3], half[3];
+    unit_q14(in, to_light);
+    half_of(to_light, local->to_viewer, half);
+    *n_l = dot_q14(normal, to_light);
+    *n_h = dot_q14(normal, half);
+    return attenuation(fx_vec3_length_sat(d), l->reach);
+}
+
+uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], struct fx_vec3 position)
+{
+    int32_t diffuse = local->ambient, specular = 0;
+    for (uint32_t i = 0; i < local->count; i++) {
+        const struct ph_local_light *l = &local->light[i];
+        int32_t n_l, n_h, reaches = 16384;
+        if (l->point) {
+            reaches = point_light(local, l, normal, position, &n_l, &n_h);
+        } else {
+            n_l = dot_q14(normal, l->to_light);
+            n_h = l->specular > 0 ? dot_q14(normal, l->half) : 0;
+        }
+        if (n_l <= 0) {
+            continue;
+        }
+        diffuse += (((n_l > 16384 ? 16384 : n_l) * reaches) >> 14) * l->diffuse >> 14;
+        if (l->specular > 0 && n_h > 0) {
+            int32_t shine = n_h > 16384 ? 16384 : n_h;
+            for (uint32_t k = 0; k < local->shininess_log2 && k < 7; k++) {
+                shine = (shine * shine) >> 14;
+            }
+            specular += ((shine * reaches) >> 14) * l->specular >> 14;
+        }
+    }
+    const int32_t limit = (PH_LIGHT_SPAN << 14) / local->scale; /* 1 + specular of the material */
+    const int32_t total = (diffuse > 16384 ? 16384 : diffuse) + specular;
+    const int32_t capped = total > limit ? limit : total;
+    return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)capped * (uint32_t)local->scale) >> 14));
+}

@@ -1,0 +1,150 @@
+/*
+ * pipeline: what the stages of the renderer hand to each other. Private to firmware/core.
+ *
+ *   mesh.c    vertices: transform, project, clip codes; triangles: reject, cull, light, hand on
+ *   light.c   intensity of a vertex
+ *   clip.c    the few that meet a clip plane
+ *   setup.c   edges and planes of a triangle, into the list
+ *   raster.c  lists by band, clears, spans (span.h: flat and Gouraud; texture.c: textured)
+ */
+#ifndef PH_PIPELINE_H
+#define PH_PIPELINE_H
+
+#include "depth.h"
+#include "render.h"
+
+/* Clip codes. LEFT .. FAR: outside that plane (all three: reject). GUARD: outside the guard band. */
+enum {
+    PH_LEFT = 1,
+    PH_RIGHT = 2,
+    PH_TOP = 4,
+    PH_BOTTOM = 8,
+    PH_NEAR = 16,
+    PH_FAR = 32,
+    PH_GUARD = 64,
+    PH_LIT = 128, /* light is there */
+    PH_REJECT = PH_LEFT | PH_RIGHT | PH_TOP | PH_BOTTOM | PH_NEAR | PH_FAR,
+    PH_CLIP = PH_NEAR | PH_FAR | PH_GUARD,
+};
+
+struct ph_vertex {
+    int32_t x, y; /* 1/256 px; not set where code has NEAR or GUARD */
+    struct ph_quotient depth;
+    uint8_t code;
+    uint16_t light; /* 0 .. 65535, entry of the ramp times 512 */
+};
+
+/* Before the divide: screen x = centre + 2^focal_log2 x / w. */
+struct ph_clip_vertex {
+    int32_t x, y, w, z; /* Q16.16; z: distance along the view; w = z, or 1 for an orthographic projection */
+    int32_t light;      /* 0 .. 65535 */
+    fx_t uv[2];
+};
+
+/* Object to clip coordinates; elements Q4.28, translation Q16.16; row 2 is the distance. */
+struct ph_clip_matrix {
+    int32_t m[3][3];
+    int32_t t[3];
+};
+
+/* A corner of a triangle on its way to set-up. */
+struct ph_corner {
+    int32_t x, y;
+    struct ph_quotient depth;
+    uint16_t light;
+    fx_t uv[2];
+};
+
+/* An edge walked down: x is the 16.16 column at its first row, with .5 px taken off and rounded up: column = x >> 16. */
+struct ph_edge {
+    int32_t x, dx;
+};
+
+/* Value at the centre of pixel (0, 0), modulo 2^32, and its steps per pixel to the right and down. */
+struct ph_plane {
+    uint32_t base, gx, gy;
+};
+
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE };
+
+struct ph_triangle {
+    uint32_t next;                 /* in its band's list, PH_NONE at the end */
+    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
+    uint8_t kind;                  /* enum ph_kind */
+    uint8_t long_left;             /* the long edge is the left one */
+    int8_t block;                  /* float16: block exponent of depth where it must be split, else PH_BLOCK_NONE */
+    uint8_t range_log2;            /* texture: |u|, |v| below 2^this */
+    uint16_t colour;               /* flat: wire order; texture: light 0 .. 32 */
+    struct ph_edge long_edge, upper, lower;
+    struct ph_plane depth;
+    struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+    const struct ph_material *material;
+};
+
+#define PH_NONE UINT32_MAX
+#define PH_BLOCK_NONE 127
+
+static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
+{
+    return (struct ph_triangle *)r->config.triangles;
+}
+
+/* Projects a vertex inside near plane and guard band: v->x, v->y, v->depth. */
+void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v);
+
+/*
+ * Twice the signed area in 1/65536 px^2, positive where a, b, c run counter-clockwise as seen on the screen (y down).
+ * 32-bit products where all sides are below 64 px.
+ */
+static inline int64_t ph_area(int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t cx, int32_t cy)
+{
+    const int32_t dx1 = bx - ax, dy1 = by - ay, dx2 = cx - ax, dy2 = cy - ay;
+    const uint32_t small = 16384;
+    if ((((uint32_t)dx1 + small) | ((uint32_t)dy1 + small) | ((uint32_t)dx2 + small) | ((uint32_t)dy2 + small)) >> 15 ==
+        0) {
+        return dx2 * dy1 - dx1 * dy2;
+    }
+    return fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
+}
+
+/* Clips a polygon of n = 2 (a line) or 3 corners; out has room for PH_CLIP_MAX. Returns the number of corners left. */
+#define PH_CLIP_MAX 9
+int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out);
+
+/* Sets up and lists the triangle a, b, c if it faces the viewer (or is two-sided) and covers a pixel. */
+void ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                       const struct ph_corner *b, const struct ph_corner *c);
+
+/* The light of one mesh, in its own coordinates: see light.c. */
+struct ph_local_light {
+    bool point;
+    int16_t to_light[3], half[3]; /* directional: unit vectors, Q1.14 */
+    struct fx_vec3 position;      /* point */
+    fx_t reach;
+    int32_t diffuse, specular; /* times the material's, Q2.14 */
+};
+
+struct ph_local_lights {
+    int32_t ambient;  /* Q2.14 */
+    int32_t scale;    /* light units per 1.0 */
+    uint32_t count, shininess_log2;
+    int16_t to_viewer[3];
+    struct ph_local_light light[PH_LIGHTS_MAX];
+};
+
+#define PH_LIGHT_ZERO 2304  /* the middle of entry 4 of the ramp */
+#define PH_LIGHT_SPAN 60928 /* to the middle of entry 123 */
+
+void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
+                      const struct ph_material *material);
+uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], struct fx_vec3 position);
+
+/* Draws rows y0 .. y1 - 1 of a textured triangle: see texture.c. */
+struct ph_band {
+    uint16_t *pixels, *depth; /* of row y0 */
+    int32_t y0, y1, width;
+};
+
+uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band);
+
+#endif

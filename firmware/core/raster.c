@@ -1,0 +1,164 @@
+/*
+ * Bands: clear, walk the triangles down their edges, draw their spans. See pipeline.h.
+ *
+ * Everything at a pixel is a function of the triangle and the pixel alone (planes are exact modulo 2^32), so the
+ * picture does not depend on where a band begins.
+ */
+#include "pipeline.h"
+#include "span.h"
+
+/* One row of a triangle: columns from .. from + n - 1, pixels and depths of its first one. */
+struct row {
+    uint16_t *pixels, *depth;
+    uint32_t n, d;         /* d: depth at the first pixel, in units of the plane */
+    uint32_t attribute; /* Gouraud: light at the first pixel */
+};
+
+typedef void span_fn(const struct ph_triangle *t, const struct row *row, uint32_t gd);
+
+/* A float16 span that may cross octaves: piece by piece. */
+static inline __attribute__((always_inline)) void split_span(const struct ph_triangle *t, struct row row, span_fn *span)
+{
+    uint32_t left = row.n, d = row.d;
+    while (left > 0) { /* each turn draws at least one pixel */
+        row.n = left;
+        const struct ph_piece piece = ph_depth_piece(t, d, &row.n);
+        row.d = piece.d;
+        span(t, &row, piece.gd);
+        row.pixels += row.n;
+        row.depth += row.n;
+        row.attribute += t->attribute[0].gx * row.n;
+        d += t->depth.gx * row.n;
+        left -= row.n;
+    }
+}
+
+static void flat_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
+{
+    ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+}
+
+static void gouraud_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
+{
+    ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, row->attribute, t->attribute[0].gx, t->material->ramp);
+}
+
+/* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
+static inline __attribute__((always_inline)) uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band,
+                                                                int32_t y, int32_t y_end, struct ph_edge left,
+                                                                struct ph_edge right, bool split, span_fn *span)
+{
+    const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)band->width;
+    uint16_t *pixels = band->pixels + start, *depth = band->depth + start;
+    uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
+    uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
+    for (; y < y_end; y++) {
+        const int32_t from = left.x < 0 ? 0 : left.x >> 16;
+        const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
+        if (from < to) {
+            const uint32_t x = (uint32_t)from;
+            const struct row row = {pixels + x, depth + x, (uint32_t)(to - from), d + x * t->depth.gx,
+                                    attribute + x * t->attribute[0].gx};
+            count += row.n;
+            if (split) {
+                split_span(t, row, span);
+            } else {
+                span(t, &row, t->depth.gx);
+            }
+        }
+        left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
+        right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
+        pixels += band->width;
+        depth += band->width;
+        d += t->depth.gy;
+        attribute += t->attribute[0].gy;
+    }
+    return count;
+}
+
+static inline __attribute__((always_inline)) uint32_t walk(const struct ph_triangle *t, const struct ph_band *band,
+                                                           bool split, span_fn *span)
+{
+    uint32_t count = 0;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+            count += walk_rows(t, band, y, y_end, left, right, split, span);
+        }
+    }
+    return count;
+}
+
+static uint32_t draw_flat(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, false, flat_span);
+}
+
+static uint32_t draw_gouraud(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, false, gouraud_span);
+}
+
+static uint32_t draw_flat_split(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, true, flat_span);
+}
+
+static uint32_t draw_gouraud_split(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, true, gouraud_span);
+}
+
+static uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const bool split = t->block != PH_BLOCK_NONE;
+    switch (t->kind) {
+    case PH_KIND_TEXTURE:
+        return ph_draw_textured(t, band);
+    case PH_KIND_GOURAUD:
+        return split ? draw_gouraud_split(t, band) : draw_gouraud(t, band);
+    default:
+        return split ? draw_flat_split(t, band) : draw_flat(t, band);
+    }
+}
+
+static void fill(uint16_t *to, uint16_t value, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        to[i] = value;
+    }
+}
+
+/* Takes the first triangle, in drawing order, off two lists that are both in drawing order. */
+static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uint32_t *b)
+{
+    uint32_t *from = *a < *b ? a : b; /* PH_NONE is the largest */
+    const uint32_t first = *from;
+    *from = triangles[first].next;
+    return first;
+}
+
+uint32_t ph_draw_band(struct ph_renderer *r, uint32_t index, uint16_t *pixels)
+{
+    const int32_t lines = r->config.band_height, height = r->config.height;
+    const int32_t y0 = (int32_t)index * lines, y1 = y0 + lines < height ? y0 + lines : height;
+    const struct ph_band band = {pixels, r->config.depth, y0, y1, r->config.width};
+    const uint32_t area = (uint32_t)(y1 - y0) * r->config.width;
+    fill(pixels, r->background, area);
+    fill(r->config.depth, 0, area);
+
+    struct ph_triangle *triangles = ph_triangles(r);
+    uint32_t begun = r->carried, fresh = r->config.bins[index], *carry = &r->carried;
+    *carry = PH_NONE;
+    while (begun != PH_NONE || fresh != PH_NONE) {
+        const uint32_t i = take_first(triangles, &begun, &fresh);
+        r->stats.fragments += draw(&triangles[i], &band);
+        if (triangles[i].y_bottom > y1) { /* goes on in the next band */
+            *carry = i;
+            carry = &triangles[i].next;
+            *carry = PH_NONE;
+        }
+    }
+    return (uint32_t)(y1 - y0);
+}

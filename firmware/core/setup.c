@@ -1,0 +1,271 @@
+/*
+ * Triangle set-up: edges and attribute planes, once per triangle.
+ *
+ * Watertight: an edge is always walked from its upper to its lower vertex, and all its arithmetic depends on these two
+ * alone, so the triangles on both sides get the same column in every row.
+ */
+#include "pipeline.h"
+
+/* First row whose centre is at or below y (1/256 px). */
+static int32_t first_row(int32_t y)
+{
+    return (y + 127) >> 8;
+}
+
+/* The edge from (xa, ya) down to (xb, yb), at row y0 >= first_row(ya); not called for an edge without a row. */
+static struct ph_edge setup_edge(int32_t xa, int32_t ya, int32_t xb, int32_t yb, int32_t y0)
+{
+    const int32_t dx = xb - xa, row = first_row(ya);
+    const int32_t down = row * 256 + 128 - ya; /* 0 .. 255: from the vertex to the first centre */
+    int shift;
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(yb - ya), &shift) >> 1); /* 2^(61 - shift) / dy */
+    const int32_t slope = (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift)); /* of an edge with one row: unused */
+    const int32_t x = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift)) + xa * 256;
+    const uint32_t skipped = (uint32_t)(y0 - row);
+    return (struct ph_edge){(int32_t)((uint32_t)x + skipped * (uint32_t)slope + 32767u), slope};
+}
+
+/* Where the planes of a triangle hang: sides from its first corner, and the reciprocal of its area. */
+struct plane_base {
+    int32_t dx1, dy1, dx2, dy2;
+    int32_t x, y;       /* from the first corner to the centre of pixel (0, 0), 1/256 px */
+    int32_t reciprocal; /* 2^(61 - shift) / area */
+    int shift;
+};
+
+static int bits_of(int64_t v)
+{
+    const uint64_t m = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
+    const uint32_t high = (uint32_t)(m >> 32);
+    return high != 0 ? 64 - fx_clz32(high) : 32 - fx_clz32((uint32_t)m);
+}
+
+static int max_int(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static struct plane_base plane_base(const struct ph_corner *a, const struct ph_corner *b, const struct ph_corner *c,
+                                    int64_t area)
+{
+    const int excess = max_int(bits_of(area) - 32, 0);
+    int shift;
+    const uint32_t reciprocal = fx_rcp_norm((uint32_t)(area >> excess), &shift);
+    return (struct plane_base){b->x - a->x,
+                               b->y - a->y,
+                               c->x - a->x,
+                               c->y - a->y,
+                               128 - a->x,
+                               128 - a->y,
+                               (int32_t)(reciprocal >> 1),
+                               shift - excess};
+}
+
+/*
+ * Plane through the value at the first corner and the differences d1, d2 (below 2^32) at the others. A gradient beyond
+ * 2^limit per pixel is halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped.
+ */
+static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
+{
+    const int64_t nx = d2 * s->dy1 - d1 * s->dy2, ny = d1 * s->dx2 - d2 * s->dx1;
+    const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
+    const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
+    const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
+    const int down = max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit);
+    const int64_t half = down > 0 ? (int64_t)1 << (down - 1) : 0;
+    const int32_t gx = (int32_t)((px + half) >> down), gy = (int32_t)((py + half) >> down);
+    const int64_t at = (fx_mul_wide(gx, s->x) + fx_mul_wide(gy, s->y) + 128) >> 8;
+    return (struct ph_plane){value + (uint32_t)at, (uint32_t)gx, (uint32_t)gy};
+}
+
+static struct ph_plane plane_of(const struct plane_base *s, const uint32_t v[3], int limit)
+{
+    return setup_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+}
+
+static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+                        struct ph_triangle *t)
+{
+    const uint32_t bias = t->material->depth_bias < 56 ? t->material->depth_bias : 56;
+    uint32_t d[3];
+    t->block = PH_BLOCK_NONE;
+    if (r->config.depth_format == PH_DEPTH_FIXED16) {
+        for (int i = 0; i < 3; i++) {
+            d[i] = ph_depth_at(&r->lens, v[i]->depth, 0) + PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+        }
+        t->depth = plane_of(s, d, 28);
+        return;
+    }
+    int block = v[0]->depth.s;
+    block = v[1]->depth.s < block ? v[1]->depth.s : block;
+    block = max_int((v[2]->depth.s < block ? v[2]->depth.s : block) - 2, 0);
+    int octave[3];
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_at(&r->lens, v[i]->depth, block);
+        octave[i] = ph_depth_octave(d[i], block);
+    }
+    if (octave[0] != octave[1] || octave[0] != octave[2]) {
+        t->block = (int8_t)block;
+        t->depth = plane_of(s, d, 27);
+        return;
+    }
+    for (int i = 0; i < 3; i++) { /* all in one octave: no different from fixed16 */
+        d[i] = ph_depth_float16_value(d[i], octave[i]) + ph_depth_float16_offset(octave[i], block) + (bias << 13);
+    }
+    t->depth = plane_of(s, d, 27);
+}
+
+/* u or v of the corners, in Q16.16 from a whole number of repeats; returns the log2 of their range. */
+static int texture_range(const struct ph_texture *texture, const struct ph_corner *const v[3], int axis, int64_t out[3])
+{
+    int64_t least = v[0]->uv[axis], most = 0;
+    for (int i = 0; i < 3; i++) {
+        out[i] = v[i]->uv[axis];
+        least = out[i] < least ? out[i] : least;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (texture->wrap == PH_WRAP_REPEAT) {
+            out[i] -= least >> 16 << 16;
+        }
+        const int64_t size = out[i] < 0 ? -out[i] : out[i];
+        most = size > most ? size : most;
+    }
+    return max_int(bits_of(most - 1) - 16, 0);
+}
+
+static void setup_texture(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+                          struct ph_triangle *t)
+{
+    int64_t uv[2][3];
+    const int range_u = texture_range(t->material->texture, v, 0, uv[0]);
+    const int range = max_int(range_u, texture_range(t->material->texture, v, 1, uv[1]));
+    const bool perspective = r->lens.kind == PH_PERSPECTIVE;
+    int least = v[0]->depth.s;
+    least = v[1]->depth.s < least ? v[1]->depth.s : least;
+    least = v[2]->depth.s < least ? v[2]->depth.s : least;
+    uint32_t w[3]; /* 1/w to a common exponent, up to 2^30 */
+    for (int i = 0; i < 3; i++) {
+        const int down = v[i]->depth.s - least + 1;
+        w[i] = perspective ? (down < 32 ? v[i]->depth.q >> down : 0) : (uint32_t)1 << 29;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        int64_t over_w[3]; /* (u / 2^range) / w */
+        for (int i = 0; i < 3; i++) {
+            over_w[i] = (uv[axis][i] * w[i]) >> (16 + range);
+        }
+        t->attribute[axis] =
+            setup_plane(s, (uint32_t)over_w[0], over_w[1] - over_w[0], over_w[2] - over_w[0], 31);
+    }
+    t->attribute[2] = plane_of(s, w, 31);
+    t->range_log2 = (uint8_t)range;
+}
+
+/* Entry of the ramp for a light. */
+static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
+{
+    return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
+}
+
+static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+                          struct ph_triangle *t)
+{
+    const struct ph_material *material = t->material;
+    t->kind = PH_KIND_FLAT;
+    switch (material->shading) {
+    case PH_SHADE_FLAT:
+        t->colour = ramp_colour(material, v[0]->light);
+        return;
+    case PH_SHADE_GOURAUD:
+        if (material->ramp != NULL) {
+            const uint32_t light[3] = {(uint32_t)v[0]->light << 16, (uint32_t)v[1]->light << 16,
+                                       (uint32_t)v[2]->light << 16};
+            t->kind = PH_KIND_GOURAUD;
+            t->attribute[0] = plane_of(s, light, 31);
+            return;
+        }
+        break;
+    case PH_SHADE_TEXTURE:
+    case PH_SHADE_TEXTURE_LIT:
+        if (material->texture != NULL) {
+            t->kind = PH_KIND_TEXTURE;
+            t->colour = material->shading == PH_SHADE_TEXTURE_LIT
+                            ? (uint16_t)(((uint32_t)(v[0]->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
+                            : 32;
+            setup_texture(r, s, v, t);
+            return;
+        }
+        break;
+    default:
+        break;
+    }
+    t->colour = material->colour;
+}
+
+/* Rows and edges; false where no row of the picture is covered. Corners in the order a, b, c run counter-clockwise. */
+static bool setup_edges(const struct ph_renderer *r, const struct ph_corner *const v[3], struct ph_triangle *t)
+{
+    const int top = v[0]->y <= v[1]->y ? (v[0]->y <= v[2]->y ? 0 : 2) : (v[1]->y <= v[2]->y ? 1 : 2);
+    const struct ph_corner *a = v[top], *left = v[top == 2 ? 0 : top + 1], *right = v[top == 0 ? 2 : top - 1];
+    const bool long_left = left->y > right->y;
+    const struct ph_corner *mid = long_left ? right : left, *low = long_left ? left : right;
+    const int32_t height = r->config.height;
+    const int32_t row_top = first_row(a->y), row_mid = first_row(mid->y), row_low = first_row(low->y);
+    const int32_t y_top = max_int(row_top, 0), y_bottom = row_low < height ? row_low : height;
+    if (y_top >= y_bottom) {
+        return false;
+    }
+    const int32_t y_mid = max_int(row_mid < height ? row_mid : height, 0);
+    t->y_top = (int16_t)y_top;
+    t->y_mid = (int16_t)y_mid;
+    t->y_bottom = (int16_t)y_bottom;
+    t->long_left = long_left;
+    t->long_edge = setup_edge(a->x, a->y, low->x, low->y, y_top);
+    if (y_mid > y_top) {
+        t->upper = setup_edge(a->x, a->y, mid->x, mid->y, y_top);
+    }
+    if (y_bottom > y_mid) {
+        t->lower = setup_edge(mid->x, mid->y, low->x, low->y, y_mid);
+    }
+    return true;
+}
+
+/* No pixel centre between the outermost columns, or none of them in the picture. */
+static bool misses_columns(const struct ph_renderer *r, const struct ph_corner *const v[3])
+{
+    int32_t least = v[0]->x, most = v[0]->x;
+    for (int i = 1; i < 3; i++) {
+        least = v[i]->x < least ? v[i]->x : least;
+        most = v[i]->x > most ? v[i]->x : most;
+    }
+    const int32_t from = first_row(least), to = first_row(most);
+    return from >= to || to <= 0 || from >= r->config.width;
+}
+
+void ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                       const struct ph_corner *b, const struct ph_corner *c)
+{
+    const bool two_sided = material->two_sided != 0 || material->shading == PH_SHADE_WIRE;
+    int64_t area = ph_area(a->x, a->y, b->x, b->y, c->x, c->y);
+    const bool turned = area < 0 && two_sided;
+    const struct ph_corner *const v[3] = {a, turned ? c : b, turned ? b : c};
+    area = turned ? -area : area;
+    if (area <= 0 || misses_columns(r, v)) {
+        r->stats.triangles_culled++;
+        return;
+    }
+    struct ph_triangle t;
+    t.material = material;
+    if (!setup_edges(r, v, &t)) {
+        r->stats.triangles_culled++;
+        return;
+    }
+    if (r->triangle_count >= r->config.triangle_max) {
+        r->stats.triangles_dropped++;
+        return;
+    }
+    const struct plane_base base = plane_base(v[0], v[1], v[2], area);
+    setup_depth(r, &base, v, &t);
+    setup_shading(r, &base, v, &t);
+    ph_triangles(r)[r->triangle_count++] = t;
+    r->stats.triangles_drawn++;
+}

@@ -1,0 +1,99 @@
+/*
+ * Spans: the inner loops, and how a triangle's edges give their rows. Private to firmware/core.
+ * d is a 16.16 number whose high half is the depth code (depth.h); a pixel is drawn where it is above the stored one.
+ */
+#ifndef PH_SPAN_H
+#define PH_SPAN_H
+
+#include "pipeline.h"
+
+#define PH_DEPTH_WRAPPED 0xffc00000u /* above the nearest d with its head room: a d that fell below 0 */
+
+/* One colour. */
+static inline void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint16_t colour)
+{
+    for (uint32_t i = 0; i < n; i++, d += gd) {
+        if (d >> 16 > depth[i]) {
+            depth[i] = (uint16_t)(d >> 16);
+            pixels[i] = colour;
+        }
+    }
+}
+
+/* light's top 7 bits are the entry of the ramp, so no read leaves it whatever light is. */
+static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                   uint32_t light, uint32_t glight, const uint16_t *ramp)
+{
+    for (uint32_t i = 0; i < n; i++, d += gd, light += glight) {
+        if (d >> 16 > depth[i]) {
+            depth[i] = (uint16_t)(d >> 16);
+            pixels[i] = ramp[light >> 25];
+        }
+    }
+}
+
+/* Rows of the upper (0) or lower (1) half of t in the band, and its edges at the first of them; false without rows. */
+static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_band *band, int half, int32_t *y,
+                                int32_t *y_end, struct ph_edge *left, struct ph_edge *right)
+{
+    const int32_t from = half == 0 ? t->y_top : t->y_mid, to = half == 0 ? t->y_mid : t->y_bottom;
+    *y = from > band->y0 ? from : band->y0;
+    *y_end = to < band->y1 ? to : band->y1;
+    if (*y >= *y_end) {
+        return false;
+    }
+    struct ph_edge long_edge = t->long_edge, other = half == 0 ? t->upper : t->lower;
+    long_edge.x = (int32_t)((uint32_t)long_edge.x + (uint32_t)(*y - t->y_top) * (uint32_t)long_edge.dx);
+    other.x = (int32_t)((uint32_t)other.x + (uint32_t)(*y - from) * (uint32_t)other.dx);
+    *left = t->long_left != 0 ? long_edge : other;
+    *right = t->long_left != 0 ? other : long_edge;
+    return true;
+}
+
+static inline uint32_t ph_plane_at(const struct ph_plane *p, uint32_t x, uint32_t y)
+{
+    return p->base + p->gx * x + p->gy * y;
+}
+
+/*
+ * How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)), at least 1. A d just below 0 wraps
+ * to the top: it belongs to the lowest octave, until it comes back.
+ */
+static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int block, uint32_t left)
+{
+    const bool lowest = octave >= 14 - block, wrapped = d >= PH_DEPTH_WRAPPED;
+    const uint32_t top = octave <= 0 ? PH_DEPTH_WRAPPED - 1 : UINT32_MAX >> octave; /* last d of the octave */
+    const uint32_t bottom = lowest ? 0 : ((uint32_t)1 << 31) >> octave;
+    uint32_t room;
+    if ((int32_t)gd >= 0) {
+        room = gd == 0 ? left : wrapped ? (0u - d - 1) / gd + 1 : (top - d) / gd + 1;
+    } else {
+        room = wrapped ? left : (d - bottom) / (0u - gd) + 1;
+    }
+    return room < left ? room : left;
+}
+
+/* A run of pixels whose depth codes are linear: 16.16 code at its first pixel and per pixel. */
+struct ph_piece {
+    uint32_t d, gd;
+};
+
+/*
+ * The run that begins at a pixel with depth d (in units of the triangle's plane): the whole span, but where a float16
+ * triangle crosses octaves *n is cut down to the pixels of the first one.
+ */
+static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
+{
+    if (t->block == PH_BLOCK_NONE) {
+        return (struct ph_piece){d, t->depth.gx};
+    }
+    const bool wrapped = d >= PH_DEPTH_WRAPPED;
+    const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
+    const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
+    *n = ph_octave_pixels(d, t->depth.gx, octave, t->block, *n);
+    return (struct ph_piece){
+        ph_depth_float16_value(wrapped ? 0 : d, octave) + ph_depth_float16_offset(octave, t->block) + bias,
+        wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
+}
+
+#endif
