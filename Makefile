@@ -54,7 +54,7 @@ $(B)/boards/%.o: INC = -Ihal -Iboards
 
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects test-programs long-programs FORCE
+.PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -87,6 +87,7 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
 core-objects: $(CORE:%.c=$(B)/%.o)
+firmware-objects: core-objects $(APP:%.c=$(B)/%.o)
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 

@@ -38,7 +38,7 @@ check() {
         --template='{file}:{line}: {id}: {message}' "${include[@]}" "${folders[@]}"
 }
 
-shell() { { sources -name '*.sh' && echo .ci/run; } | xargs -r shellcheck; }
+shell() { { sources -name '*.sh' && echo .ci/run; } | xargs -r shellcheck -x; }
 
 tests/packages.sh lint
 mkdir -p "$B"

@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# What the firmware promises is checked on its objects for Cortex-M0+ and Cortex-M3: no floating point, no heap, nothing
+# mutable at file scope, no recursion, a bounded stack. Each check is tried on an object that breaks the promise, too.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+stack_max=3072 # bytes, deepest path below any public function
+library_stack=80 # bytes, taken for each call into libgcc or libc: __udivmoddi4, the deepest, takes 64 on M0+
+
+command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi" && exit 77; }
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+# All that firmware may take from libgcc and libc: integer arithmetic and plain memory.
+allowed='^(__aeabi_(lmul|u?idiv|u?idivmod|u?ldivmod|llsl|llsr|lasr|u?lcmp|mem(cpy|set|clr|move)[48]?)|__gnu_thumb1_case_[a-z]+|__clz[sd]i2|mem(cpy|set|move|cmp)|str(cmp|len))$'
+
+foreign_symbols() { # objects: what is used but not defined in them, nor allowed
+    arm-none-eabi-ld -r -o "$dir/all.o" "$@" && arm-none-eabi-nm -u "$dir/all.o" | awk '{ print $2 }' | grep -vE "$allowed"
+}
+
+written_objects() { arm-none-eabi-nm "$@" | grep -E ' [bBdDC] '; }
+
+# Reads gcc's call graphs. Prints a line for each recursion, dynamic stack frame, call through a pointer, path over the bound.
+stack_faults() { # call graph files
+    awk -v most="$stack_max" -v library="$library_stack" '
+        function name_after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }
+        function depth(f,    i, n, callee, d, deepest) {
+            if (f in known) { return known[f] }
+            if (f in open) { print "recursion: " f; return 0 }
+            if (!(f in frame)) { return library }
+            open[f]
+            n = split(calls[f], callee, "\n")
+            deepest = 0
+            for (i = 1; i < n; i++) { d = depth(callee[i]); if (d > deepest) { deepest = d } }
+            delete open[f]
+            return known[f] = frame[f] + deepest
+        }
+        /^node:/ {
+            if (match($0, /[0-9]+ bytes \([a-z,]*\)/)) {
+                split(substr($0, RSTART, RLENGTH), word, " ")
+                f = name_after("title")
+                frame[f] = word[1]
+                if (word[3] ~ /dynamic/) { print "dynamic stack: " f }
+            }
+        }
+        /^edge:/ {
+            f = name_after("targetname")
+            if (f == "__indirect_call") { print "call through a pointer: " name_after("sourcename") }
+            calls[name_after("sourcename")] = calls[name_after("sourcename")] f "\n"
+        }
+        END {
+            for (f in frame) {
+                d = depth(f)
+                if (d > worst) { worst = d; who = f }
+                if (d > most) { print "stack: " f " takes " d " bytes, " most " allowed" }
+            }
+            print "# deepest: " who ", " worst " bytes" > "/dev/stderr"
+        }' "$@"
+}
+
+build() { # CPU, -mcpu=
+    make -s -j"$(nproc)" B="$B/objects-$1" CC=arm-none-eabi-gcc CPU="$1" \
+        CFLAGS="-mcpu=$2 -mthumb -O2 -fcallgraph-info=su" firmware-objects
+}
+
+none() { # command that prints faults, files
+    local found
+    [ $# -gt 1 ] || { echo "nothing to look at" && return 1; }
+    found=$("$@")
+    [ -z "$found" ] || { echo "$found" && return 1; }
+}
+
+# The check must object to this C text.
+objects_to() { # pattern in what it says, "symbols" | "stack" | "written", C text
+    echo "$3" >"$dir/wrong.c"
+    arm-none-eabi-gcc -mcpu=cortex-m0plus -mthumb -O1 -fno-builtin -fno-optimize-sibling-calls -fcallgraph-info=su \
+        -c "$dir/wrong.c" -o "$dir/wrong.o" || return 1
+    local said
+    case $2 in
+    symbols) said=$(foreign_symbols "$dir/wrong.o") ;;
+    stack) said=$(stack_faults "$dir"/wrong.ci 2>&1) ;;
+    written) said=$(written_objects "$dir/wrong.o") ;;
+    esac
+    grep -q "$1" <<<"$said" || { echo "said: $said" && return 1; }
+}
+
+check "the_check_sees_floating_point" objects_to __aeabi_fmul symbols 'float f(float x); float f(float x) { return x * x; }'
+check "the_check_sees_the_heap" objects_to malloc symbols 'void *malloc(unsigned); void *f(void); void *f(void) { return malloc(4); }'
+check "the_check_sees_recursion" objects_to recursion stack 'int g(int); int f(int n); int f(int n) { return n ? g(f(n - 1)) : 0; }'
+check "the_check_sees_a_large_frame" objects_to 'stack: f' stack 'void g(char *); void f(void); void f(void) { char big[1100]; g(big); }'
+check "the_check_sees_a_VLA" objects_to dynamic stack 'void g(char *); void f(int n); void f(int n) { char big[n]; g(big); }'
+check "the_check_sees_a_static_variable" objects_to count written 'int f(void); int f(void) { static int count; return count++; }'
+
+for cpu in "armv6m cortex-m0plus" "armv7m cortex-m3"; do
+    read -r folder core <<<"$cpu"
+    rm -rf "$B/objects-$folder"
+    check "the_firmware_compiles_for_$core" build "$folder" "$core"
+    mapfile -t objects < <(find "$B/objects-$folder/firmware" -name '*.o')
+    check "no_floating_point_no_heap_no_io_on_$core" none foreign_symbols "${objects[@]}"
+    check "nothing_is_mutable_at_file_scope_on_$core" none written_objects "${objects[@]}"
+    check "no_recursion_and_at_most_${stack_max}_bytes_of_stack_on_$core" none stack_faults "${objects[@]/%.o/.ci}"
+done
+tap_end
