@@ -18,12 +18,12 @@
 
 typedef int32_t fx_t;
 
-#define FX_ONE ((fx_t)65536)
-#define FX_HALF ((fx_t)32768)
-#define FX_MAX INT32_MAX
-#define FX_MIN INT32_MIN
-#define FX_INT(i) ((fx_t)((int32_t)(i) * 65536)) /* i: -32768 .. 32767 */
-#define FX_Q30_ONE ((int32_t)1 << 30)            /* one in Q2.30, the format of rotations */
+#define FX_ONE     ((fx_t)65536)
+#define FX_HALF    ((fx_t)32768)
+#define FX_MAX     INT32_MAX
+#define FX_MIN     INT32_MIN
+#define FX_INT(i)  ((fx_t)((int32_t)(i)*65536)) /* i: -32768 .. 32767 */
+#define FX_Q30_ONE ((int32_t)1 << 30)           /* one in Q2.30, the format of rotations */
 
 fx_t fx_add_sat(fx_t a, fx_t b);
 fx_t fx_sub_sat(fx_t a, fx_t b);
@@ -75,14 +75,16 @@ fx_t fx_lerp_sat(fx_t a, fx_t b, fx_t t);
 uint32_t fx_rcp_norm(uint32_t w, int *shift);
 
 /* Leading zeros of v, 32 for 0. */
-int fx_clz32(uint32_t v);
+static inline int fx_clz32(uint32_t v);
 
 /* High 32 bits of the 64-bit product, rounded down. */
-uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
+static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
 
 /* Full products. */
-int64_t fx_mul_wide(int32_t a, int32_t b);
-uint64_t fx_mul_wide_u(uint32_t a, uint32_t b);
+static inline int64_t fx_mul_wide(int32_t a, int32_t b);
+static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b);
+
+#include "fx_cpu.h" /* their bodies: core/portable, or the folder of the CPU that -I names before */
 
 #define FX_TEXT_SIZE 24 /* longest text is "-32767.9999847412109375" and its zero */
 

@@ -1,0 +1,176 @@
+/* fx_text: decimal text to Q16.16 and back, both exact. See fx.h. */
+#include "fx.h"
+#include "status.h"
+
+#include <stddef.h>
+#include <stdbool.h>
+
+int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
+{
+    const uint32_t v = a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
+    int n = 0;
+    if (a < 0) {
+        text[n++] = '-';
+    }
+    uint32_t whole = v >> 16;
+    uint32_t unit = 10000;
+    while (unit > 1 && whole < unit) {
+        unit /= 10;
+    }
+    for (; unit != 0; unit /= 10) {
+        text[n++] = (char)('0' + whole / unit);
+        whole %= unit;
+    }
+    uint32_t part = v & 0xffff; /* 65536ths: sixteen digits at most, for each one takes a factor 2 out */
+    if (part != 0) {
+        text[n++] = '.';
+    }
+    for (; part != 0; part &= 0xffff) {
+        part *= 10;
+        text[n++] = (char)('0' + (part >> 16));
+    }
+    text[n] = '\0';
+    return n;
+}
+
+/* The number as read: digits with at most one point among them, and what 10 is raised to. */
+struct decimal {
+    const char *first;
+    const char *last;     /* one behind the digits */
+    int64_t whole_digits; /* before the point, once the exponent has moved it */
+    bool negative;
+};
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* Reads "e-12" at p; *end stays where no digit follows the e. */
+static int64_t scan_exponent(const char *p, const char **end)
+{
+    if (*p != 'e' && *p != 'E') {
+        return 0;
+    }
+    p++;
+    const bool negative = *p == '-';
+    if (*p == '-' || *p == '+') {
+        p++;
+    }
+    int64_t e = 0;
+    for (; is_digit(*p); *end = ++p) {
+        if (e < INT64_MAX / 100) { /* beyond this no text is long enough to bring it back */
+            e = e * 10 + (*p - '0');
+        }
+    }
+    return negative ? -e : e;
+}
+
+/* False where text is no number; otherwise *end is behind it. */
+static bool scan(const char *text, struct decimal *d, const char **end)
+{
+    const char *p = text;
+    const char *point = NULL;
+    d->negative = *p == '-';
+    if (*p == '-' || *p == '+') {
+        p++;
+    }
+    d->first = p;
+    bool any = false;
+    for (; is_digit(*p) || (*p == '.' && point == NULL); p++) {
+        if (*p == '.') {
+            point = p;
+        } else {
+            any = true;
+        }
+    }
+    d->last = p;
+    d->whole_digits = (point != NULL ? point : p) - d->first;
+    if (any) {
+        *end = p;
+        d->whole_digits += scan_exponent(p, end);
+    }
+    return any;
+}
+
+#define PLACES 17 /* the 17th decimal is the last that a value half an LSB between two others needs */
+#define WHOLE  5  /* digits of 32768 */
+
+/* The digits' sum: whole part, fraction in 10^-17, and whether anything smaller follows. False: too large. */
+static bool weigh(const struct decimal *d, uint32_t *whole, uint64_t *fraction, bool *rest)
+{
+    static const uint64_t power[PLACES] = {
+        1u,
+        10u,
+        100u,
+        1000u,
+        10000u,
+        100000u,
+        1000000u,
+        10000000u,
+        100000000u,
+        1000000000u,
+        10000000000u,
+        100000000000u,
+        1000000000000u,
+        10000000000000u,
+        100000000000000u,
+        1000000000000000u,
+        10000000000000000u,
+    };
+    int64_t place = d->whole_digits - 1;
+    *whole = 0;
+    *fraction = 0;
+    *rest = false;
+    for (const char *p = d->first; p != d->last; p++) {
+        if (*p == '.') {
+            continue;
+        }
+        const uint32_t digit = (uint32_t)(*p - '0');
+        if (digit != 0 && place >= WHOLE) {
+            return false;
+        }
+        if (digit != 0 && place >= 0) {
+            *whole += digit * (uint32_t)power[place];
+        } else if (digit != 0 && place >= -PLACES) {
+            *fraction += digit * power[PLACES + place];
+        } else if (digit != 0) {
+            *rest = true;
+        }
+        place--;
+    }
+    return true;
+}
+
+int fx_from_text(const char *text, fx_t *out, const char **end)
+{
+    struct decimal d;
+    const char *behind = text;
+    const bool any = scan(text, &d, &behind);
+    if (end != NULL) {
+        *end = behind;
+    }
+    if (!any) {
+        return PH_ERR_INVAL;
+    }
+    uint32_t whole;
+    uint64_t part;
+    bool rest;
+    if (!weigh(&d, &whole, &part, &rest)) {
+        return PH_ERR_RANGE;
+    }
+    const uint64_t one = 100000000000000000u; /* 10^17 */
+    uint64_t v = whole;
+    for (int i = 0; i < 16; i++) {
+        part *= 2;
+        v = v * 2 + (part >= one);
+        part -= part >= one ? one : 0;
+    }
+    const uint64_t twice = 2 * part;
+    v += twice > one || (twice == one && (rest || !d.negative)); /* a tie goes up */
+    if (v > (uint64_t)FX_MAX + d.negative) {
+        return PH_ERR_RANGE;
+    }
+    *out = d.negative ? (fx_t)(0u - (uint32_t)v) : (fx_t)v;
+    return PH_OK;
+}

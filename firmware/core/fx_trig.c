@@ -1,0 +1,196 @@
+/* fx_trig: sine, cosine, tangent, arctangent. See fx.h. */
+#include "fx.h"
+
+/* sin(k pi / 128) in 2^-32; the last one is 1 - 2^-32 for want of a bit. */
+static const uint32_t sine[65] = {
+    0x00000000, 0x0648557e, 0x0c8fb2f9, 0x12d52093, 0x1917a6bc, 0x1f564e57, 0x259020dd, 0x2bc42889, 0x31f17079,
+    0x381704d5, 0x3e33f2f6, 0x4447498b, 0x4a5018bb, 0x504d7250, 0x563e69d7, 0x5c2214c4, 0x61f78a9b, 0x67bde50f,
+    0x6d744028, 0x7319ba65, 0x78ad74e0, 0x7e2e9370, 0x839c3cc9, 0x88f59aa1, 0x8e39d9cd, 0x93682a67, 0x987fbfe7,
+    0x9d7fd149, 0xa2679928, 0xa73655df, 0xabeb49a4, 0xb085baa9, 0xb504f334, 0xb96841bf, 0xbdaef913, 0xc1d87060,
+    0xc5e40359, 0xc9d1124d, 0xcd9f0240, 0xd14d3d02, 0xd4db3148, 0xd84852c1, 0xdb941a29, 0xdebe0563, 0xe1c5978c,
+    0xe4aa590a, 0xe76bd7a2, 0xea09a68a, 0xec835e7a, 0xeed89db6, 0xf1090828, 0xf3144762, 0xf4fa0ab6, 0xf6ba073b,
+    0xf853f7dd, 0xf9c79d63, 0xfb14be80, 0xfc3b27d4, 0xfd3aabf8, 0xfe132387, 0xfec46d1f, 0xff4e6d68, 0xffb10f1c,
+    0xffec4304, 0xffffffff,
+};
+
+struct sincos {
+    int64_t sine, cosine;
+};
+
+/*
+ * In 2^-36, of an angle below a quarter turn (2^30). The nearest of 65 nodes, turned by what remains, |d| < 0.0123 rad:
+ * sin d = d - d^3/6 and cos d = 1 - h, h = d^2/2 - d^4/24, both to 2^-38.
+ */
+static struct sincos quarter(uint32_t f)
+{
+    const uint32_t node = (f + ((uint32_t)1 << 23)) >> 24;
+    const int32_t rest = (int32_t)(f - (node << 24));
+    const int32_t d = (int32_t)(fx_mul_wide(rest, 1686629713) >> 23); /* 2^-37 rad */
+    const uint32_t dd = (uint32_t)(fx_mul_wide(d, d) >> 30);          /* d^2 in 2^-44 */
+    const uint32_t dd_6 = fx_mulhi_u32(dd, 715827883);
+    const uint32_t dddd_24 = fx_mulhi_u32(fx_mulhi_u32(dd, dd), 178956971) >> 12;
+    const int32_t sd = d - (int32_t)(fx_mul_wide(d, (int32_t)dd_6) >> 44); /* 2^-37 */
+    const uint32_t h = (dd >> 1) - dddd_24;                                /* 2^-44 */
+    const uint32_t s = sine[node];
+    const uint32_t c = sine[64 - node];
+    const int64_t s_sd = (int64_t)s * sd; /* 2^-69 */
+    const int64_t c_sd = (int64_t)c * sd;
+    return (struct sincos){
+        .sine = ((int64_t)s << 4) - (int64_t)(fx_mulhi_u32(s, h) >> 8) + (c_sd >> 33),
+        .cosine = ((int64_t)c << 4) - (int64_t)(fx_mulhi_u32(c, h) >> 8) - (s_sd >> 33),
+    };
+}
+
+/* Sine and cosine in 2^-(36 - drop): rounded in the first quarter turn, then turned, so the four quarters mirror. */
+static void rounded(uint32_t turn32, int drop, int32_t *sin_out, int32_t *cos_out)
+{
+    const struct sincos v = quarter(turn32 & (((uint32_t)1 << 30) - 1));
+    const int64_t half = (int64_t)1 << (drop - 1);
+    const int32_t s = (int32_t)((v.sine + half) >> drop);
+    const int32_t c = (int32_t)((v.cosine + half) >> drop);
+    switch (turn32 >> 30) {
+    case 0:
+        *sin_out = s;
+        *cos_out = c;
+        break;
+    case 1:
+        *sin_out = c;
+        *cos_out = -s;
+        break;
+    case 2:
+        *sin_out = -s;
+        *cos_out = -c;
+        break;
+    default:
+        *sin_out = -c;
+        *cos_out = s;
+        break;
+    }
+}
+
+void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30)
+{
+    rounded(turn32, 6, sin_q30, cos_q30);
+}
+
+fx_t fx_sin(fx_t turns)
+{
+    int32_t s, c;
+    rounded((uint32_t)turns << 16, 20, &s, &c);
+    return s;
+}
+
+fx_t fx_cos(fx_t turns)
+{
+    int32_t s, c;
+    rounded((uint32_t)turns << 16, 20, &s, &c);
+    return c;
+}
+
+/* High 64 bits of the 128-bit product; at most 1 too small. */
+static uint64_t mulhi64(uint64_t a, uint64_t b)
+{
+    const uint32_t ah = (uint32_t)(a >> 32);
+    const uint32_t bh = (uint32_t)(b >> 32);
+    const uint64_t m1 = fx_mul_wide_u(ah, (uint32_t)b);
+    const uint64_t m2 = fx_mul_wide_u((uint32_t)a, bh);
+    const uint64_t low = fx_mulhi_u32((uint32_t)a, (uint32_t)b);
+    const uint64_t middle = low + (uint32_t)m1 + (uint32_t)m2;
+    return fx_mul_wide_u(ah, bh) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
+}
+
+struct ratio {
+    uint64_t num, den;
+};
+
+/*
+ * tan x = num / den of an angle of 0 < k < 16384, in 2^-17 turn (so below 45 degrees), relative error < 2^-55.
+ * Lambert's continued fraction, x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a pair without division.
+ */
+static struct ratio tangent(uint32_t k)
+{
+    const uint64_t x = mulhi64((uint64_t)k << 49, 0xc90fdaa22168c234u); /* pi/4 in 2^-64: x in 2^-63 */
+    const uint64_t xx = mulhi64(x, x) << 1;                             /* 2^-63 */
+    uint64_t a = (uint64_t)25 << 54;
+    uint64_t b = (uint64_t)1 << 54;
+    for (uint32_t n = 23; n <= 23; n -= 2) {
+        if (a >> 58 != 0) { /* room for the factor n */
+            a >>= 5;
+            b >>= 5;
+        }
+        const uint64_t next = n * a - (mulhi64(xx, b) << 1);
+        b = a;
+        a = next;
+    }
+    return (struct ratio){mulhi64(x, b) << 1, a};
+}
+
+fx_t fx_tan_sat(fx_t turns)
+{
+    const uint32_t half_turn = (uint32_t)turns & 0x7fff;
+    const uint32_t k = half_turn <= 16384 ? half_turn : 32768 - half_turn; /* mirrored into the first quarter */
+    uint32_t t;
+    if (k == 0) {
+        return 0;
+    }
+    if (k == 16384) {
+        return ((uint32_t)turns & 0x8000) != 0 ? FX_MIN : FX_MAX;
+    }
+    if (k == 8192) {
+        t = FX_ONE;
+    } else {
+        struct ratio r = tangent(2 * (k < 8192 ? k : 16384 - k));
+        if (k > 8192) {
+            r = (struct ratio){r.den, r.num};
+        }
+        while (r.den >= (uint64_t)1 << 46) {
+            r.num >>= 1;
+            r.den >>= 1;
+        }
+        const uint64_t whole = r.num / r.den;
+        const uint64_t part = ((r.num % r.den) << 17) / r.den;
+        t = (uint32_t)(((whole << 17) + part + 1) >> 1);
+    }
+    return half_turn <= 16384 ? (fx_t)t : -(fx_t)t;
+}
+
+/* Whether lo / hi >= tan of k half units. */
+static int at_least(uint32_t lo, uint32_t hi, uint32_t k)
+{
+    const struct ratio r = tangent(k);
+    const uint64_t left_low = fx_mul_wide_u(lo, (uint32_t)r.den);
+    const uint64_t right_low = fx_mul_wide_u(hi, (uint32_t)r.num);
+    const uint64_t left = fx_mul_wide_u(lo, (uint32_t)(r.den >> 32)) + (left_low >> 32);
+    const uint64_t right = fx_mul_wide_u(hi, (uint32_t)(r.num >> 32)) + (right_low >> 32);
+    return left > right || (left == right && (uint32_t)left_low >= (uint32_t)right_low);
+}
+
+static uint32_t magnitude(fx_t a)
+{
+    return a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
+}
+
+fx_t fx_atan2(fx_t y, fx_t x)
+{
+    const uint32_t ay = magnitude(y);
+    const uint32_t ax = magnitude(x);
+    const uint32_t hi = ay > ax ? ay : ax;
+    const uint32_t lo = ay > ax ? ax : ay;
+    uint32_t k = 0; /* the number of boundaries, at odd half units, that lo / hi reaches: 0 .. 8192 */
+    if (hi == 0) {
+        return 0;
+    }
+    for (uint32_t bit = 8192; bit != 0; bit >>= 1) {
+        if ((k | bit) <= 8192 && at_least(lo, hi, 2 * (k | bit) - 1)) {
+            k |= bit;
+        }
+    }
+    int32_t angle = (int32_t)k;
+    if (ay > ax) {
+        angle = 16384 - angle;
+    }
+    if (x < 0) {
+        angle = 32768 - angle;
+    }
+    return y < 0 && angle != 32768 ? -angle : angle;
+}
