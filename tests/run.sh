@@ -3,7 +3,7 @@
 # Builds and runs the tests, each with a time limit, as many at a time as there are processors; ends with the one line
 # `N passed, N failed, N skipped` and exits 1 when a test failed.
 #   quick  tests/test_*.c plain and under sanitizers, tests/fuzz_*.c under sanitizers, tests/test_*.sh
-#   long   tests/exhaustive_*.c, tests/fuzz_*.c with the argument `long`, tests/long_*.sh
+#   long   tests/exhaustive_*.c, tests/long_*.sh, tests/fuzz_*.c under sanitizers with the argument `long`
 # A test speaks TAP (cmocka does; tests/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
 # What it says goes to $B/log/ and is shown when it fails.
 set -u
@@ -73,7 +73,7 @@ job() { # name, build directory (- for a script), source, [argument]
     echo "$passed $failed $skipped" >>"$results"
     {
         printf '%-4s %-32s %d passed, %d failed, %d skipped (%d s)\n' $word "$name" "$passed" "$failed" "$skipped" $((SECONDS - start))
-        [ $word = ok ] || tail -n 60 "$log" | sed 's/^/     | /'
+        [ $word = ok ] || { grep '^not ok' "$log" | head -n 20 && echo ... && tail -n 40 "$log"; } | sed 's/^/     | /'
     } >"$log.short"
     cat "$log.short"
     rm -f "$log.short"
@@ -92,7 +92,7 @@ list() {
     else
         for f in tests/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
-        for f in tests/fuzz_*.c; do echo "$(basename "$f" .c).long $B $f long"; done
+        for f in tests/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done
     fi
 }
 
@@ -103,7 +103,7 @@ mkdir -p "$B/log"
 [ "$mode" = quick ] && goal=test-programs || goal=long-programs
 echo "building"
 make -k -s -j"$processors" "$@" B="$B" all "$goal" >"$B/log/build.log" 2>&1
-[ "$mode" = long ] || make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" test-programs >"$B/log/build-asan.log" 2>&1
+make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" test-programs >"$B/log/build-asan.log" 2>&1
 list | xargs -P "$processors" -I{} bash -c 'job {}'
 
 awk '{ p += $1; f += $2; s += $3 } END { printf "%d passed, %d failed, %d skipped\n", p, f, s; exit f > 0 || p + f + s == 0 }' "$results"
