@@ -1,0 +1,19 @@
+/*
+ * complain: what the host programs say when something is wrong. Exactly one line on stderr, "program: what, where,
+ * what to do"; control characters (from file names, say) become '?', so that it stays one line.
+ */
+#ifndef COMPLAIN_H
+#define COMPLAIN_H
+
+enum exit_status { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
+
+/* Prints the line and returns status, for `return complain(EXIT_USAGE, ...)`. */
+int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* The name that starts each line; text that stays. */
+void complain_as(const char *program);
+
+/* Replaces control characters of text by '?'. */
+void complain_clean(char *text);
+
+#endif

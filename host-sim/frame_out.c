@@ -1,0 +1,89 @@
+#define _POSIX_C_SOURCE 200809L /* mkdir */
+
+#include "frame_out.h"
+
+#include "complain.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Makes every directory of path that is missing. 0, or -1 with errno set. */
+static int make_directories(const char *path)
+{
+    char part[PATH_MAX];
+    const size_t n = strlen(path);
+    if (n >= sizeof part) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    for (size_t i = 1; i <= n; i++) {
+        if (path[i] != '/' && path[i] != '\0') {
+            continue;
+        }
+        memcpy(part, path, i);
+        part[i] = '\0';
+        if (mkdir(part, 0777) != 0 && errno != EEXIST) {
+            return -1;
+        }
+    }
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return -1;
+    }
+    errno = ENOTDIR;
+    return S_ISDIR(status.st_mode) ? 0 : -1;
+}
+
+int frame_out_open(struct frame_out *out, const char *target, bool several)
+{
+    const size_t n = target == NULL ? 0 : strlen(target);
+    out->path = target;
+    if (target == NULL) {
+        out->kind = FRAME_OUT_NONE;
+    } else if (strcmp(target, "-") == 0) {
+        out->kind = FRAME_OUT_STREAM;
+    } else if (n > 4 && strcmp(target + n - 4, ".ppm") == 0) {
+        out->kind = several ? FRAME_OUT_FILES : FRAME_OUT_FILE;
+    } else {
+        out->kind = FRAME_OUT_DIRECTORY;
+        if (make_directories(target) != 0) {
+            return complain(EXIT_FAILED, "%s: cannot be used as a directory for frames: %s", target, strerror(errno));
+        }
+    }
+    return 0;
+}
+
+static int name_file(const struct frame_out *out, uint32_t frame, char name[PATH_MAX])
+{
+    int n = 0;
+    switch (out->kind) {
+    case FRAME_OUT_DIRECTORY:
+        n = snprintf(name, PATH_MAX, "%s/frame-%04u.ppm", out->path, (unsigned)frame);
+        break;
+    case FRAME_OUT_FILES:
+        n = snprintf(name, PATH_MAX, "%.*s-%04u.ppm", (int)strlen(out->path) - 4, out->path, (unsigned)frame);
+        break;
+    default:
+        n = snprintf(name, PATH_MAX, "%s", out->path);
+        break;
+    }
+    errno = ENAMETOOLONG;
+    return n < PATH_MAX ? 0 : -1;
+}
+
+int frame_out_put(const struct frame_out *out, uint32_t frame, const struct ppm *picture)
+{
+    if (out->kind == FRAME_OUT_NONE) {
+        return 0;
+    }
+    if (out->kind == FRAME_OUT_STREAM) {
+        return ppm_write(stdout, picture) == 0 ? 0 : complain(EXIT_FAILED, "stdout: %s", strerror(errno));
+    }
+    char name[PATH_MAX];
+    if (name_file(out, frame, name) != 0 || ppm_save(name, picture) != 0) {
+        return complain(EXIT_FAILED, "%s: cannot be written: %s", out->path, strerror(errno));
+    }
+    return 0;
+}

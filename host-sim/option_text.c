@@ -1,0 +1,74 @@
+#include "option_text.h"
+
+#include <string.h>
+
+static const char *read_digits(const char *text, uint32_t max, uint32_t *out)
+{
+    uint64_t value = 0;
+    const char *at = text;
+    for (; *at >= '0' && *at <= '9'; at++) {
+        value = value * 10 + (uint64_t)(*at - '0');
+        if (value > max) {
+            return NULL;
+        }
+    }
+    *out = (uint32_t)value;
+    return at == text ? NULL : at;
+}
+
+bool option_text_u32(const char *text, uint32_t min, uint32_t max, uint32_t *out)
+{
+    uint32_t value;
+    const char *end = read_digits(text, max, &value);
+    if (end == NULL || *end != '\0' || value < min) {
+        return false;
+    }
+    *out = value;
+    return true;
+}
+
+bool option_text_size(const char *text, uint16_t max, uint16_t *width, uint16_t *height)
+{
+    uint32_t w, h;
+    const char *x = read_digits(text, max, &w);
+    if (x == NULL || *x != 'x' || w == 0 || !option_text_u32(x + 1, 1, max, &h)) {
+        return false;
+    }
+    *width = (uint16_t)w;
+    *height = (uint16_t)h;
+    return true;
+}
+
+bool option_text_fx(const char *text, fx_t *out, const char **rest)
+{
+    if (*text == '\0' || strchr("+-.0123456789", *text) == NULL) {
+        return false;
+    }
+    return fx_from_text(text, out, rest) == 0;
+}
+
+bool option_text_fx_list(const char *text, fx_t *out, int count, const char **rest)
+{
+    fx_t values[4];
+    for (int i = 0; i < count; i++) {
+        if (i > 0 && *text++ != ',') {
+            return false;
+        }
+        if (!option_text_fx(text, &values[i], &text)) {
+            return false;
+        }
+    }
+    memcpy(out, values, sizeof *out * (size_t)count);
+    *rest = text;
+    return true;
+}
+
+int option_text_choice(const char *text, const char *const names[], int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}

@@ -1,0 +1,25 @@
+/* option_text: strict readers for the texts of command-line options. All return true, or false and leave *out alone. */
+#ifndef OPTION_TEXT_H
+#define OPTION_TEXT_H
+
+#include "geom.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Decimal digits only, min .. max. */
+bool option_text_u32(const char *text, uint32_t min, uint32_t max, uint32_t *out);
+
+/* "WxH", each 1 .. max. */
+bool option_text_size(const char *text, uint16_t max, uint16_t *width, uint16_t *height);
+
+/* One decimal number that fits Q16.16; *rest is what follows it. Not even a space before it. */
+bool option_text_fx(const char *text, fx_t *out, const char **rest);
+
+/* `count` numbers with commas between them; *rest is what follows them. */
+bool option_text_fx_list(const char *text, fx_t *out, int count, const char **rest);
+
+/* Index of text in names[count], or -1. */
+int option_text_choice(const char *text, const char *const names[], int count);
+
+#endif

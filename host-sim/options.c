@@ -1,0 +1,315 @@
+#include "options.h"
+
+#include "complain.h"
+#include "option_text.h"
+#include "render.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define FRAME_LIMIT 1000000000u
+#define SIZE_LIMIT  1024 /* struct ph_config */
+
+struct option {
+    const char *name;     /* without "--" */
+    const char *argument; /* as --help shows it; NULL: takes none */
+    const char *help;
+    /* Reads the value (NULL where the option takes none) into *o; false: the value is wrong. */
+    bool (*set)(struct options *o, const char *value);
+};
+
+static bool set_text(const char **out, const char *value)
+{
+    *out = value;
+    return *value != '\0';
+}
+
+static bool set_demo(struct options *o, const char *value)
+{
+    return set_text(&o->demo, value);
+}
+
+static bool set_model(struct options *o, const char *value)
+{
+    return set_text(&o->model, value);
+}
+
+static bool set_board(struct options *o, const char *value)
+{
+    return set_text(&o->board, value);
+}
+
+static bool set_out(struct options *o, const char *value)
+{
+    return set_text(&o->out, value);
+}
+
+static bool set_size(struct options *o, const char *value)
+{
+    return option_text_size(value, SIZE_LIMIT, &o->width, &o->height);
+}
+
+static bool set_frames(struct options *o, const char *value)
+{
+    return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
+}
+
+static bool set_start(struct options *o, const char *value)
+{
+    return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
+}
+
+static bool set_rotate(struct options *o, const char *value)
+{
+    static const char *const names[] = {"0", "90", "180", "270"};
+    const int turns = option_text_choice(value, names, 4);
+    o->rotate = (uint8_t)(turns & 3);
+    o->rotate_set = true;
+    return turns >= 0;
+}
+
+static bool set_band(struct options *o, const char *value)
+{
+    uint32_t lines;
+    if (!option_text_u32(value, 1, SIZE_LIMIT, &lines)) {
+        return false;
+    }
+    o->band = (uint16_t)lines;
+    return true;
+}
+
+/* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
+static bool set_camera(struct options *o, const char *value)
+{
+    static const char *const keys[] = {"eye=", "target=", "up="};
+    struct fx_vec3 *const vectors[] = {&o->eye, &o->target, &o->up};
+    bool seen[3] = {false, false, false};
+    for (;;) {
+        int key = 0;
+        while (key < 3 && (seen[key] || strncmp(value, keys[key], strlen(keys[key])) != 0)) {
+            key++;
+        }
+        fx_t xyz[3];
+        if (key == 3 || !option_text_fx_list(value + strlen(keys[key]), xyz, 3, &value)) {
+            return false;
+        }
+        *vectors[key] = (struct fx_vec3){xyz[0], xyz[1], xyz[2]};
+        seen[key] = true;
+        if (*value == '\0') {
+            o->camera_set = seen[0];
+            return seen[0];
+        }
+        if (*value++ != ',') {
+            return false;
+        }
+    }
+}
+
+static bool set_distance(struct options *o, fx_t *out, const char *value)
+{
+    const char *rest;
+    o->projection_set = true;
+    return option_text_fx(value, out, &rest) && *rest == '\0';
+}
+
+static bool set_fov(struct options *o, const char *value)
+{
+    return set_distance(o, &o->fov_deg, value) && o->fov_deg > 0 && o->fov_deg < FX_INT(180);
+}
+
+static bool set_near(struct options *o, const char *value)
+{
+    return set_distance(o, &o->near_z, value);
+}
+
+static bool set_far(struct options *o, const char *value)
+{
+    return set_distance(o, &o->far_z, value);
+}
+
+static bool set_projection(struct options *o, const char *value)
+{
+    static const char *const names[] = {"perspective", "frustum", "ortho"};
+    char kind[16] = "";
+    const size_t n = strcspn(value, "=");
+    o->projection_set = true;
+    o->window_set = value[n] == '=';
+    memcpy(kind, value, n < sizeof kind ? n : sizeof kind - 1);
+    const int found = option_text_choice(kind, names, 3);
+    if (found < 0 || (found == OPTION_PERSPECTIVE && o->window_set)) {
+        return false;
+    }
+    o->projection = (enum option_projection)found;
+    return !o->window_set || (option_text_fx_list(value + n + 1, o->window, 4, &value) && *value == '\0');
+}
+
+static bool set_convention(struct options *o, const char *value)
+{
+    (void)o;
+    return strcmp(value, "gl") == 0;
+}
+
+static bool set_depth(struct options *o, const char *value)
+{
+    static const char *const names[] = {[PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16"};
+    const int format = option_text_choice(value, names, 2);
+    o->depth = (uint8_t)(format & 1);
+    return format >= 0;
+}
+
+static bool set_crc(struct options *o, const char *value)
+{
+    (void)value;
+    return o->crc = true;
+}
+
+static bool set_stats(struct options *o, const char *value)
+{
+    (void)value;
+    return o->stats = true;
+}
+
+static bool set_list(struct options *o, const char *value)
+{
+    (void)value;
+    o->action = OPTION_LIST;
+    return true;
+}
+
+static bool set_help(struct options *o, const char *value)
+{
+    (void)value;
+    o->action = OPTION_HELP;
+    return true;
+}
+
+static const struct option option_table[] = {
+    {"demo", "NAME", "a scene of ours (--list shows them); turntable without --demo and --model", set_demo},
+    {"model", "FILE", "an OBJ, STL, PLY, glTF or GLB file on the turntable", set_model},
+    {"board", "NAME", "a kit (--list shows them)", set_board},
+    {"size", "WxH", "instead of a kit: a plain panel of this size, 1x1 .. 1024x1024", set_size},
+    {"frames", "N", "frames to draw, 1 .. 1000000000; 1 by default", set_frames},
+    {"start", "N", "number of the first frame, 0 .. 1000000000; 0 by default", set_start},
+    {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
+     set_out},
+    {"rotate", "0|90|180|270", "turns the picture on the glass, degrees clockwise; as the kit is held by default",
+     set_rotate},
+    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]", "looks at the origin, y up, when not told", set_camera},
+    {"fov", "DEG", "vertical field of view, more than 0, less than 180; 60 by default", set_fov},
+    {"near", "N", "distance of the near plane, more than 0; 0.5 by default", set_near},
+    {"far", "N", "distance of the far plane, beyond near; 100 by default", set_far},
+    {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]", "window at the near plane", set_projection},
+    {"convention", "gl", "right-handed, looks along -z", set_convention},
+    {"depth", "fixed16|float16", "what the depth buffer holds; fixed16 by default", set_depth},
+    {"band", "LINES", "height of a band, 1 .. 1024; the board's own by default", set_band},
+    {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", set_crc},
+    {"stats", NULL, "prints what each frame took, on stderr", set_stats},
+    {"list", NULL, "prints demos and boards", set_list},
+    {"help", NULL, "prints this", set_help},
+};
+
+#define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
+
+void options_help(void)
+{
+    puts("pinhole-sim [options]: draws a scene through a display kit's driver into a model of its display\n"
+         "controller, and shows what the glass shows.\n");
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        const struct option *p = &option_table[i];
+        printf("  --%s%s%s\n        %s\n", p->name, p->argument ? " " : "", p->argument ? p->argument : "", p->help);
+    }
+    puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
+}
+
+static const struct option *find_option(const char *name, size_t length)
+{
+    for (size_t i = 0; i < OPTION_COUNT; i++) {
+        if (strlen(option_table[i].name) == length && memcmp(option_table[i].name, name, length) == 0) {
+            return &option_table[i];
+        }
+    }
+    return NULL;
+}
+
+static int check_together(const struct options *o)
+{
+    if (o->demo != NULL && o->model != NULL) {
+        return complain(EXIT_USAGE, "--demo and --model exclude each other");
+    }
+    if (o->board != NULL && o->width != 0) {
+        return complain(EXIT_USAGE, "--board and --size exclude each other");
+    }
+    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats) {
+        return complain(EXIT_USAGE, "nothing to do: give --out, --crc or --stats (--help explains them)");
+    }
+    return 0;
+}
+
+/* Reads argv[i] and its value; returns the index of the next option, or 0 when it was wrong. */
+static int read_one(struct options *o, int argc, char *const argv[], int i)
+{
+    const char *text = argv[i];
+    const size_t length = strcspn(text, "=");
+    const struct option *p = strncmp(text, "--", 2) == 0 && length > 2 ? find_option(text + 2, length - 2) : NULL;
+    if (p == NULL) {
+        complain(EXIT_USAGE, "%s: no such option; --help lists them", text);
+        return 0;
+    }
+    const char *value = text[length] == '=' ? text + length + 1 : NULL;
+    if (p->argument == NULL && value != NULL) {
+        complain(EXIT_USAGE, "--%s takes no value", p->name);
+        return 0;
+    }
+    if (p->argument != NULL && value == NULL) {
+        value = ++i < argc ? argv[i] : NULL;
+        if (value == NULL) {
+            complain(EXIT_USAGE, "--%s needs a value: %s", p->name, p->argument);
+            return 0;
+        }
+    }
+    if (!p->set(o, value)) {
+        complain(EXIT_USAGE, "--%s '%s': must be %s, %s", p->name, value, p->argument, p->help);
+        return 0;
+    }
+    return i + 1;
+}
+
+int options_read(struct options *o, int argc, char *const argv[])
+{
+    *o = (struct options){
+        .frames = 1, .up = {0, FX_ONE, 0}, .fov_deg = FX_INT(60), .near_z = FX_HALF, .far_z = FX_INT(100)};
+    for (int i = 1; i < argc;) {
+        i = read_one(o, argc, argv, i);
+        if (i == 0) {
+            return EXIT_USAGE;
+        }
+    }
+    return check_together(o);
+}
+
+/* half = distance tan(fov / 2), exact before its one rounding; saturates. */
+static fx_t half_height(const struct options *o, fx_t distance)
+{
+    int32_t sine, cosine;
+    fx_sincos_q30(fx_turn32_from_deg(o->fov_deg) / 2, &sine, &cosine);
+    const int64_t half = ((int64_t)distance * sine + cosine / 2) / (cosine > 0 ? cosine : 1);
+    return half > FX_MAX ? FX_MAX : (fx_t)half;
+}
+
+int options_projection(const struct options *o, uint16_t width, uint16_t height, struct ph_projection *p)
+{
+    const fx_t n = o->near_z, f = o->far_z;
+    if (o->projection == OPTION_PERSPECTIVE) {
+        return ph_projection_perspective(p, o->fov_deg, (fx_t)(((uint32_t)width << 16) / height), n, f);
+    }
+    fx_t distance = n;
+    if (o->projection == OPTION_ORTHO) {
+        distance = o->camera_set ? fx_vec3_length_sat(fx_vec3_sub_sat(o->eye, o->target)) : FX_INT(3);
+    }
+    const fx_t top = half_height(o, distance);
+    const fx_t right = (fx_t)((int64_t)top * width / height > FX_MAX ? FX_MAX : (int64_t)top * width / height);
+    const fx_t fitted[4] = {-right, right, -top, top};
+    const fx_t *w = o->window_set ? o->window : fitted;
+    return (o->projection == OPTION_ORTHO ? ph_projection_ortho : ph_projection_frustum)(p, w[0], w[1], w[2], w[3], n,
+                                                                                         f);
+}

@@ -1,0 +1,171 @@
+/*
+ * pinhole-sim: draws demos and models on a simulated display kit and shows what its glass shows.
+ * The options are in options.c (--help).
+ */
+#define _POSIX_C_SOURCE 200809L /* sigaction, isatty */
+
+#include "complain.h"
+#include "crc32.h"
+#include "frame_out.h"
+#include "options.h"
+#include "player.h"
+
+#include <signal.h>
+#include <string.h>
+#include <unistd.h>
+
+#define DEFAULT_DEMO "turntable"
+#define DEFAULT_SIDE 240 /* pixels of the plain square panel that is used when no kit is named */
+
+/* The only mutable object at file scope: a signal handler can reach nothing else. */
+static volatile sig_atomic_t caught_signal;
+
+static void note_signal(int number)
+{
+    caught_signal = number;
+}
+
+/* SIGINT and SIGTERM end the run between two frames, when no file is half-written. */
+static void catch_signals(void)
+{
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = note_signal;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
+/* Ends as the signal would have, so that a shell's loop ends too. */
+static int end_by_signal(void)
+{
+    signal(caught_signal, SIG_DFL);
+    raise(caught_signal);
+    return EXIT_FAILED;
+}
+
+static int print_list(void)
+{
+    for (uint32_t i = 0; i < demo_count; i++) {
+        printf("demo   %-24s %s\n", demo_list[i]->name, demo_list[i]->summary);
+    }
+    for (uint32_t i = 0; i < board_count; i++) {
+        const struct panel *panel = board_list[i]->panel;
+        printf("board  %-24s %s, %ux%u\n", board_list[i]->name, board_list[i]->title,
+               (unsigned)panel_width(panel, board_list[i]->rotation),
+               (unsigned)panel_height(panel, board_list[i]->rotation));
+    }
+    return EXIT_DONE;
+}
+
+static int choose_board(const struct options *o, struct sim_virtual *virtual_board, const struct board **board)
+{
+    if (o->board != NULL) {
+        *board = board_find(o->board);
+        return *board != NULL ? 0 : complain(EXIT_USAGE, "--board '%s': no such board; --list shows them", o->board);
+    }
+    const uint16_t width = o->width != 0 ? o->width : DEFAULT_SIDE;
+    const uint16_t height = o->width != 0 ? o->height : DEFAULT_SIDE;
+    sim_virtual(virtual_board, width, height);
+    *board = &virtual_board->board;
+    return 0;
+}
+
+static int choose_camera(const struct options *o, const struct player_setup *setup, struct demo_camera *camera)
+{
+    const struct panel *panel = setup->board->panel;
+    *camera = (struct demo_camera){.view_set = o->camera_set, .projection_set = o->projection_set};
+    if (o->camera_set) {
+        camera->view = ph_view_look_at(o->eye, o->target, o->up);
+    }
+    if (o->projection_set && options_projection(o, panel_width(panel, setup->rotation),
+                                                panel_height(panel, setup->rotation), &camera->projection) != 0) {
+        return complain(EXIT_USAGE, "--near, --far, --fov, --projection: no such view volume; "
+                                    "0 < near < far, left and right, bottom and top differ");
+    }
+    return 0;
+}
+
+static int choose(const struct options *o, struct player_setup *setup, struct sim_virtual *virtual_board)
+{
+    const int status = choose_board(o, virtual_board, &setup->board);
+    if (status != 0) {
+        return status;
+    }
+    setup->rotation = o->rotate_set ? o->rotate : setup->board->rotation;
+    setup->band_height = o->band != 0 ? o->band : setup->board->band_height;
+    setup->depth_format = o->depth;
+    const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
+    setup->demo = demo_find(name);
+    if (setup->demo == NULL) {
+        return complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
+    }
+    return choose_camera(o, setup, &setup->camera);
+}
+
+static int show_frame(const struct options *o, const struct frame_out *out, struct player *p, uint32_t frame)
+{
+    int status = player_frame(p, frame);
+    if (status == 0) {
+        status = frame_out_put(out, frame, &p->picture);
+    }
+    if (status == 0 && o->crc) {
+        const size_t n = (size_t)p->picture.width * p->picture.height * 3;
+        FILE *file = out->kind == FRAME_OUT_STREAM ? stderr : stdout;
+        fprintf(file, "frame %u crc32 %08X\n", (unsigned)frame, (unsigned)crc32_update(0, p->picture.rgb, n));
+    }
+    if (status == 0 && o->stats) {
+        player_print_stats(p, frame);
+    }
+    return status;
+}
+
+static int run(const struct options *o, const struct player_setup *setup)
+{
+    struct frame_out out;
+    struct player player;
+    int status = frame_out_open(&out, o->out, o->frames > 1);
+    if (status != 0) {
+        return status;
+    }
+    status = player_open(&player, setup);
+    for (uint32_t i = 0; i < o->frames && status == 0 && caught_signal == 0; i++) {
+        status = show_frame(o, &out, &player, o->start + i);
+    }
+    const int closed = player_close(&player);
+    if (caught_signal != 0) {
+        return end_by_signal();
+    }
+    return status != 0 ? status : closed;
+}
+
+int main(int argc, char *argv[])
+{
+    struct options options;
+    struct player_setup setup = {0};
+    struct sim_virtual virtual_board;
+    complain_as("pinhole-sim");
+    int status = options_read(&options, argc, argv);
+    if (status != 0) {
+        return status;
+    }
+    if (options.action == OPTION_HELP) {
+        options_help();
+        return EXIT_DONE;
+    }
+    if (options.action == OPTION_LIST) {
+        return print_list();
+    }
+    if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
+        return complain(EXIT_USAGE, "--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
+    }
+    status = choose(&options, &setup, &virtual_board);
+    if (status != 0) {
+        return status;
+    }
+    catch_signals();
+    status = run(&options, &setup);
+    if (status == 0 && fflush(stdout) != 0) {
+        return complain(EXIT_FAILED, "stdout cannot be written");
+    }
+    return status;
+}

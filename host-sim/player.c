@@ -1,0 +1,162 @@
+#include "player.h"
+
+#include "complain.h"
+
+#include <stdlib.h>
+
+#define SCRATCH_BYTES 4096
+
+static int out_of_memory(void)
+{
+    return complain(EXIT_FAILED, "not enough memory for this scene");
+}
+
+/* The controller first: it decides how large the picture is. */
+static int open_kit(struct player *p, const struct player_setup *setup)
+{
+    p->sim = sim_open(setup->board, &p->hal);
+    p->scratch = malloc(SCRATCH_BYTES);
+    if (p->sim == NULL || p->scratch == NULL) {
+        return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", setup->board->name);
+    }
+    const struct panel_config config = {.panel = setup->board->panel,
+                                        .rotation = (uint8_t)setup->rotation,
+                                        .format = setup->board->format,
+                                        .clock_hz = setup->board->spi_hz,
+                                        .scratch = p->scratch,
+                                        .scratch_bytes = SCRATCH_BYTES};
+    const int status = panel_open(&p->driver, &p->hal, &config);
+    return status == 0 ? 0 : complain(EXIT_FAILED, "%s: the panel does not open (%d)", setup->board->name, status);
+}
+
+static int open_renderer(struct player *p, const struct player_setup *setup)
+{
+    const uint16_t width = p->driver.width, height = p->driver.height;
+    const uint16_t lines = setup->band_height < height ? setup->band_height : height;
+    const struct demo *demo = setup->demo;
+    const size_t pixels = (size_t)width * height;
+    p->vertices = malloc(ph_vertex_bytes * demo->vertex_max + 1);
+    p->triangles = malloc(ph_triangle_bytes * demo->triangle_max + 1);
+    p->bins = malloc(sizeof *p->bins * height);
+    p->depth = malloc(sizeof *p->depth * width * lines);
+    p->band = malloc(sizeof *p->band * width * lines);
+    p->picture = (struct ppm){width, height, malloc(pixels * 3)};
+    if (p->vertices == NULL || p->triangles == NULL || p->bins == NULL || p->depth == NULL || p->band == NULL ||
+        p->picture.rgb == NULL) {
+        return out_of_memory();
+    }
+    const struct ph_config config = {.width = width,
+                                     .height = height,
+                                     .band_height = lines,
+                                     .depth_format = setup->depth_format,
+                                     .vertices = p->vertices,
+                                     .vertex_max = demo->vertex_max,
+                                     .triangles = p->triangles,
+                                     .triangle_max = demo->triangle_max,
+                                     .bins = p->bins,
+                                     .bin_max = height,
+                                     .depth = p->depth};
+    const int status = ph_renderer_init(&p->renderer, &config);
+    return status == 0 ? 0 : complain(EXIT_FAILED, "the renderer refuses this picture (%d)", status);
+}
+
+static int open_demo(struct player *p, const struct player_setup *setup)
+{
+    p->demo = setup->demo;
+    p->context = (struct demo_context){
+        .state = setup->state, .width = p->driver.width, .height = p->driver.height, .camera = setup->camera};
+    p->context.arena.base = malloc(setup->demo->arena_bytes + 1);
+    p->context.arena.size = setup->demo->arena_bytes;
+    if (p->context.arena.base == NULL || setup->demo->init(&p->context) != 0) {
+        return out_of_memory();
+    }
+    return 0;
+}
+
+int player_open(struct player *p, const struct player_setup *setup)
+{
+    *p = (struct player){.rotation = setup->rotation};
+    int status = open_kit(p, setup);
+    if (status == 0) {
+        status = open_renderer(p, setup);
+    }
+    if (status == 0) {
+        status = open_demo(p, setup);
+    }
+    return status;
+}
+
+/* One band buffer: it is drawn, sent, waited for, drawn again. */
+static int send_bands(struct player *p)
+{
+    int status = panel_frame_begin(&p->driver);
+    const uint32_t bands = ph_frame_bands(&p->renderer);
+    for (uint32_t band = 0; band < bands && status == 0; band++) {
+        const uint32_t lines = ph_draw_band(&p->renderer, band, p->band);
+        status = panel_rows(&p->driver, p->band, lines);
+        if (status == 0) {
+            status = panel_wait(&p->driver);
+        }
+    }
+    return status == 0 ? panel_frame_end(&p->driver) : status;
+}
+
+int player_frame(struct player *p, uint32_t frame)
+{
+    p->counters = sim_counters(p->sim);
+    int status = p->demo->frame(&p->context, &p->renderer, frame);
+    if (status != 0) {
+        return complain(EXIT_FAILED, "frame %u cannot be drawn with this camera or budget (%d)", (unsigned)frame,
+                        status);
+    }
+    status = send_bands(p);
+    if (status != 0) {
+        return complain(EXIT_FAILED, "frame %u: the panel failed (%d)", (unsigned)frame, status);
+    }
+    sim_pixels(p->sim, p->rotation, p->picture.rgb);
+    return 0;
+}
+
+void player_print_stats(const struct player *p, uint32_t frame)
+{
+    const struct ph_stats *s = &p->renderer.stats;
+    const struct sim_counters now = sim_counters(p->sim);
+    const double bus_us = (double)(now.bus_ns - p->counters.bus_ns) / 1000;
+    fprintf(stderr, "frame %u vertices %u triangles in %u culled %u clipped %u drawn %u dropped %u", (unsigned)frame,
+            (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
+            (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped);
+    fprintf(stderr, " vertices dropped %u fragments %u wire %llu bytes bus %.0f us at %u Hz (%.1f frames/s at most)\n",
+            (unsigned)s->vertices_dropped, (unsigned)s->fragments, (unsigned long long)(now.bytes - p->counters.bytes),
+            bus_us, (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
+}
+
+static uint32_t print_complaints(const struct sim *sim)
+{
+    const uint32_t count = sim_complaint_count(sim);
+    for (uint32_t i = 0; i < count && sim_complaint(sim, i) != NULL; i++) {
+        complain(EXIT_FAILED, "display controller: %s", sim_complaint(sim, i));
+    }
+    if (count > SIM_COMPLAINTS_KEPT) {
+        complain(EXIT_FAILED, "display controller: %u complaints in all", (unsigned)count);
+    }
+    return count;
+}
+
+int player_close(struct player *p)
+{
+    uint32_t complaints = 0;
+    if (p->sim != NULL) {
+        panel_close(&p->driver);
+        complaints = print_complaints(p->sim);
+        sim_close(p->sim);
+    }
+    free(p->context.arena.base);
+    free(p->picture.rgb);
+    free(p->scratch);
+    free(p->band);
+    free(p->depth);
+    free(p->bins);
+    free(p->triangles);
+    free(p->vertices);
+    return complaints == 0 ? 0 : EXIT_FAILED;
+}

@@ -1,0 +1,54 @@
+/*
+ * player: one demo on one simulated kit. The picture has one way out, the one that it has on a real kit:
+ * demo -> bands -> panel driver -> HAL backend -> model of the controller -> what is seen on the glass.
+ */
+#ifndef PLAYER_H
+#define PLAYER_H
+
+#include "board.h"
+#include "demo.h"
+#include "panel.h"
+#include "ppm.h"
+#include "sim.h"
+
+struct player_setup {
+    const struct board *board;
+    unsigned rotation;    /* enum panel_rotation */
+    uint16_t band_height; /* lines; more than the picture has: the whole picture */
+    uint8_t depth_format; /* enum ph_depth_format */
+    const struct demo *demo;
+    void *state; /* what the demo finds in context->state, or NULL */
+    struct demo_camera camera;
+};
+
+/* Owns all its memory. */
+struct player {
+    const struct demo *demo;
+    struct demo_context context;
+    struct ph_renderer renderer;
+    struct panel_driver driver;
+    struct hal hal;
+    struct sim *sim;
+    unsigned rotation;
+    void *vertices, *triangles;
+    uint32_t *bins;
+    uint16_t *depth, *band;
+    uint8_t *scratch;
+    struct ppm picture;           /* the last frame as it is seen */
+    struct sim_counters counters; /* before the last frame */
+};
+
+/* Powers the kit on and builds the scene. 0, or EXIT_FAILED when one line has said why. Close it in any case. */
+int player_open(struct player *p, const struct player_setup *setup);
+
+/* Draws and sends frame number `frame`; p->picture is what is seen then. 0, or EXIT_FAILED as above. */
+int player_frame(struct player *p, uint32_t frame);
+
+/* Prints what the last frame took, one line on stderr. */
+void player_print_stats(const struct player *p, uint32_t frame);
+
+/* Turns the display off, prints the controller's complaints on stderr (one line each) and gives the memory back.
+ * 0, or EXIT_FAILED if there were any. */
+int player_close(struct player *p);
+
+#endif

@@ -1,0 +1,99 @@
+#define _POSIX_C_SOURCE 200809L /* getpid */
+
+#include "ppm.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+int ppm_write(FILE *file, const struct ppm *picture)
+{
+    const size_t n = (size_t)picture->width * picture->height * 3;
+    if (fprintf(file, "P6\n%u %u\n255\n", (unsigned)picture->width, (unsigned)picture->height) < 0) {
+        return -1;
+    }
+    return fwrite(picture->rgb, 1, n, file) == n && fflush(file) == 0 ? 0 : -1;
+}
+
+int ppm_save(const char *path, const struct ppm *picture)
+{
+    char part[PATH_MAX];
+    if (snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof part) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    FILE *file = fopen(part, "wb");
+    if (file == NULL) {
+        return -1;
+    }
+    int result = ppm_write(file, picture);
+    int error = errno;
+    if (fclose(file) != 0 && result == 0) {
+        error = errno;
+        result = -1;
+    }
+    if (result == 0 && rename(part, path) != 0) {
+        error = errno;
+        result = -1;
+    }
+    if (result != 0) {
+        remove(part);
+        errno = error;
+    }
+    return result;
+}
+
+/* The next number of a header: white space and comments before it. */
+static int read_number(FILE *file, uint32_t max, uint32_t *out)
+{
+    int c = getc(file);
+    while (c == '#' || c == ' ' || c == '\t' || c == '\r' || c == '\n') {
+        while (c == '#' && (c = getc(file)) != '\n' && c != EOF) {
+            c = '#';
+        }
+        c = getc(file);
+    }
+    uint32_t value = 0;
+    int digits = 0;
+    for (; c >= '0' && c <= '9' && value <= max; digits++, c = getc(file)) {
+        value = value * 10 + (uint32_t)(c - '0');
+    }
+    *out = value;
+    return digits > 0 && value > 0 && value <= max && (c == ' ' || c == '\n' || c == '\r' || c == '\t') ? 0 : -1;
+}
+
+static int read_picture(FILE *file, struct ppm *picture)
+{
+    uint32_t maximum;
+    if (getc(file) != 'P' || getc(file) != '6' || read_number(file, PPM_SIDE_MAX, &picture->width) != 0 ||
+        read_number(file, PPM_SIDE_MAX, &picture->height) != 0 || read_number(file, 255, &maximum) != 0 ||
+        maximum != 255) {
+        errno = EINVAL;
+        return -1;
+    }
+    const size_t n = (size_t)picture->width * picture->height * 3;
+    picture->rgb = malloc(n);
+    if (picture->rgb == NULL) {
+        return -1;
+    }
+    if (fread(picture->rgb, 1, n, file) != n) {
+        free(picture->rgb);
+        errno = EINVAL;
+        return -1;
+    }
+    return 0;
+}
+
+int ppm_load(const char *path, struct ppm *picture)
+{
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        return -1;
+    }
+    const int result = read_picture(file, picture);
+    const int error = errno;
+    fclose(file);
+    errno = error;
+    return result;
+}

@@ -1,0 +1,27 @@
+/* ppm: binary PPM pictures (P6, 8 bits a channel), as netpbm, ImageMagick and ffmpeg read and write them. */
+#ifndef PPM_H
+#define PPM_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+struct ppm {
+    uint32_t width, height;
+    uint8_t *rgb; /* rows from the top, 3 bytes a pixel */
+};
+
+/* Appends one picture and flushes. 0, or -1 with errno set. */
+int ppm_write(FILE *file, const struct ppm *picture);
+
+/*
+ * Writes path so that it is the whole picture or what was there before: under a name of its own first, then renamed.
+ * 0, or -1 with errno set.
+ */
+int ppm_save(const char *path, const struct ppm *picture);
+
+#define PPM_SIDE_MAX 16384
+
+/* Reads the first picture of path; free(picture->rgb) afterwards. 0, or -1 with errno set (EINVAL: no such PPM). */
+int ppm_load(const char *path, struct ppm *picture);
+
+#endif
