@@ -1,0 +1,361 @@
+/* Vectors, quaternions, transforms, look-at and projections against double arithmetic and the source documents. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "geom.h"
+#include "status.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define LSB (1.0 / 65536)
+#define Q30 (1.0 / (1 << 30))
+
+static uint32_t seed = 12345;
+
+static uint32_t next_random(void)
+{
+    seed ^= seed << 13;
+    seed ^= seed >> 17;
+    seed ^= seed << 5;
+    return seed;
+}
+
+/* Any size: a random number of random low bits, either sign. */
+static fx_t random_fx(void)
+{
+    const uint32_t bits = next_random() % 31 + 1;
+    const fx_t v = (fx_t)(next_random() >> (32 - bits));
+    return next_random() & 1 ? v : -v;
+}
+
+static struct fx_vec3 random_vec(void)
+{
+    return (struct fx_vec3){random_fx(), random_fx(), random_fx()};
+}
+
+static double real(fx_t v)
+{
+    return v * LSB;
+}
+
+static double saturated(double v)
+{
+    return v > FX_MAX * LSB ? FX_MAX * LSB : v < FX_MIN * LSB ? FX_MIN * LSB : v;
+}
+
+static void near(double got, double want, double tolerance)
+{
+    if (!(fabs(got - want) <= tolerance)) {
+        fail_msg("got %.12g, want %.12g, off by %.3g, allowed %.3g", got, want, fabs(got - want), tolerance);
+    }
+}
+
+static struct fx_vec3 vec(double x, double y, double z)
+{
+    return (struct fx_vec3){(fx_t)lrint(x * 65536), (fx_t)lrint(y * 65536), (fx_t)lrint(z * 65536)};
+}
+
+static void products_are_rounded_once(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        const struct fx_vec3 a = random_vec(), b = random_vec();
+        const __int128 dot = (__int128)a.x * b.x + (__int128)a.y * b.y + (__int128)a.z * b.z;
+        near(real(fx_vec3_dot_sat(a, b)), saturated((double)dot * LSB * LSB), .5001 * LSB);
+        const struct fx_vec3 c = fx_vec3_cross_sat(a, b);
+        const __int128 cross_x = (__int128)a.y * b.z - (__int128)a.z * b.y;
+        near(real(c.x), saturated((double)cross_x * LSB * LSB), .5001 * LSB);
+        const __int128 cross_z = (__int128)a.x * b.y - (__int128)a.y * b.x;
+        near(real(c.z), saturated((double)cross_z * LSB * LSB), .5001 * LSB);
+    }
+}
+
+static void lengths_are_correctly_rounded(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        const struct fx_vec3 a = random_vec();
+        const long double square =
+            (long double)a.x * a.x + (long double)a.y * a.y + (long double)a.z * a.z; /* exact to 64 bits */
+        near(real(fx_vec3_length_sat(a)), saturated((double)sqrtl(square) * LSB), .50001 * LSB);
+    }
+    assert_int_equal(fx_vec3_length_sat((struct fx_vec3){FX_MIN, FX_MIN, FX_MIN}), FX_MAX);
+}
+
+static void directions_have_length_one(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        const struct fx_vec3 a = random_vec();
+        struct fx_vec3 unit;
+        if (!fx_vec3_direction_q30(a, &unit)) {
+            assert_true(a.x == 0 && a.y == 0 && a.z == 0);
+            continue;
+        }
+        const double length = sqrt((double)a.x * a.x + (double)a.y * a.y + (double)a.z * a.z);
+        near(unit.x * Q30, a.x / length, 8 * Q30);
+        near(unit.y * Q30, a.y / length, 8 * Q30);
+        near(unit.z * Q30, a.z / length, 8 * Q30);
+    }
+}
+
+static void the_zero_vector_has_no_direction(void **state)
+{
+    (void)state;
+    struct fx_vec3 unit = {1, 2, 3};
+    assert_false(fx_vec3_direction_q30((struct fx_vec3){0, 0, 0}, &unit));
+    assert_int_equal(unit.x, 0);
+    assert_int_equal(unit.y, 0);
+    assert_int_equal(unit.z, 0);
+    const struct fx_quat q = fx_quat_axis((struct fx_vec3){0, 0, 0}, 12345);
+    assert_int_equal(q.w, FX_Q30_ONE);
+    const struct fx_quat z = fx_quat_normalise((struct fx_quat){0, 0, 0, 0});
+    assert_int_equal(z.w, FX_Q30_ONE);
+}
+
+/* Rodrigues' formula in double: the way quaternions do not go. */
+static void rodrigues(const double k[3], double angle, double m[3][3])
+{
+    const double c = cos(angle), s = sin(angle);
+    const double cross[3][3] = {{0, -k[2], k[1]}, {k[2], 0, -k[0]}, {-k[1], k[0], 0}};
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m[i][j] = (i == j) * c + s * cross[i][j] + (1 - c) * k[i] * k[j];
+        }
+    }
+}
+
+static void quaternions_rotate_as_rodrigues_says(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5000; i++) {
+        const struct fx_vec3 axis = random_vec();
+        const double length = sqrt((double)axis.x * axis.x + (double)axis.y * axis.y + (double)axis.z * axis.z);
+        if (length == 0) {
+            continue;
+        }
+        const uint32_t turn = next_random();
+        const double k[3] = {axis.x / length, axis.y / length, axis.z / length};
+        double want[3][3];
+        rodrigues(k, 2 * M_PI * turn / 4294967296.0, want);
+        const struct ph_xform got = ph_xform_quat(fx_quat_axis(axis, turn), (struct fx_vec3){0, 0, 0});
+        for (int e = 0; e < 9; e++) {
+            near(got.r[e / 3][e % 3] * Q30, want[e / 3][e % 3], 40 * Q30);
+        }
+    }
+}
+
+static void quaternion_product_is_one_rotation_after_the_other(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        const struct fx_quat a = fx_quat_axis(random_vec(), next_random());
+        const struct fx_quat b = fx_quat_axis(random_vec(), next_random());
+        const struct fx_vec3 none = {0, 0, 0};
+        const struct ph_xform ma = ph_xform_quat(a, none), mb = ph_xform_quat(b, none);
+        const struct ph_xform both = ph_xform_mul(&ma, &mb), product = ph_xform_quat(fx_quat_mul(a, b), none);
+        for (int e = 0; e < 9; e++) {
+            near(product.r[e / 3][e % 3] * Q30, both.r[e / 3][e % 3] * Q30, 80 * Q30);
+        }
+    }
+}
+
+static void nlerp_goes_the_short_way_from_a_to_b(void **state)
+{
+    (void)state;
+    const struct fx_vec3 y = {0, FX_ONE, 0};
+    const struct fx_quat a = fx_quat_axis(y, 0x10000000), b = fx_quat_axis(y, 0x30000000);
+    const struct fx_quat minus_b = {-b.w, -b.x, -b.y, -b.z};
+    const struct fx_quat half = fx_quat_axis(y, 0x20000000);
+    const struct fx_quat got = fx_quat_nlerp(a, minus_b, FX_HALF);
+    near(got.w * Q30, half.w * Q30, 8 * Q30);
+    near(got.y * Q30, half.y * Q30, 8 * Q30);
+    const struct fx_quat start = fx_quat_nlerp(a, b, 0);
+    near(start.y * Q30, a.y * Q30, 4 * Q30);
+}
+
+static void rotations_about_the_axes_turn_the_right_way(void **state)
+{
+    (void)state;
+    const uint32_t quarter = 0x40000000;
+    const struct ph_xform x = ph_xform_rotate_x(quarter), y = ph_xform_rotate_y(quarter), z = ph_xform_rotate_z(quarter);
+    const struct fx_vec3 from_y = ph_xform_point(&x, vec(0, 1, 0)), from_z = ph_xform_point(&y, vec(0, 0, 1)),
+                         from_x = ph_xform_point(&z, vec(1, 0, 0));
+    assert_int_equal(from_y.z, FX_ONE); /* y to z */
+    assert_int_equal(from_z.x, FX_ONE); /* z to x */
+    assert_int_equal(from_x.y, FX_ONE); /* x to y */
+}
+
+static void points_are_transformed_within_half_an_lsb(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        struct ph_xform m = ph_xform_quat(fx_quat_axis(random_vec(), next_random()), random_vec());
+        const struct fx_vec3 p = random_vec(), got = ph_xform_point(&m, p);
+        const __int128 sum = (__int128)m.r[1][0] * p.x + (__int128)m.r[1][1] * p.y + (__int128)m.r[1][2] * p.z +
+                             (__int128)m.t.y * (1 << 30);
+        near(real(got.y), saturated((double)sum * Q30 * LSB), .5001 * LSB);
+    }
+}
+
+static void inverse_undoes_a_rigid_transform(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2000; i++) {
+        const struct fx_vec3 t = vec((int)(next_random() % 200) - 100, 3.25, -7.5);
+        const struct ph_xform m = ph_xform_quat(fx_quat_axis(random_vec(), next_random()), t);
+        const struct ph_xform inverse = ph_xform_inverse_rigid(&m);
+        const struct fx_vec3 p = vec(1.5, -20.25, 60.125);
+        const struct fx_vec3 there = ph_xform_point(&m, p), back = ph_xform_point(&inverse, there);
+        near(real(back.x), real(p.x), 2 * LSB);
+        near(real(back.y), real(p.y), 2 * LSB);
+        near(real(back.z), real(p.z), 2 * LSB);
+    }
+}
+
+/* HAW exercise 2 (V2): camera at (5, 0, 0) looking at the origin has the axes x = (0,0,-1), y = (0,1,0), z = (1,0,0). */
+static void V2_camera_on_the_x_axis_has_the_axes_of_the_exercise(void **state)
+{
+    (void)state;
+    const struct ph_xform view = ph_view_look_at(vec(5, 0, 0), vec(0, 0, 0), vec(0, 1, 0));
+    const struct ph_xform camera = ph_xform_inverse_rigid(&view);
+    static const int want[3][3] = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}; /* columns x, y, z */
+    for (int e = 0; e < 9; e++) {
+        assert_int_equal(camera.r[e / 3][e % 3], want[e / 3][e % 3] * FX_Q30_ONE);
+    }
+    assert_int_equal(camera.t.x, FX_INT(5));
+    assert_int_equal(camera.t.y, 0);
+    assert_int_equal(camera.t.z, 0);
+}
+
+static void check_rigid(const struct ph_xform *m)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            double dot = 0;
+            for (int k = 0; k < 3; k++) {
+                dot += m->r[i][k] * Q30 * m->r[j][k] * Q30;
+            }
+            near(dot, i == j, 1e-7);
+        }
+    }
+}
+
+/* V1, V3: the target lies on -z at its distance, up stays in the y-z plane, for any camera. */
+static void V1_look_at_puts_the_target_on_minus_z(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 5000; i++) {
+        const struct fx_vec3 eye = vec((int)(next_random() % 2000) / 10.0 - 100, (int)(next_random() % 50), 3),
+                             target = vec(-4, 2, (int)(next_random() % 1000) / 7.0), up = vec(.1, 1, -.2);
+        const struct ph_xform view = ph_view_look_at(eye, target, up);
+        check_rigid(&view);
+        const struct fx_vec3 t = ph_xform_point(&view, target);
+        const double distance = sqrt(pow(real(eye.x) - real(target.x), 2) + pow(real(eye.y) - real(target.y), 2) +
+                                     pow(real(eye.z) - real(target.z), 2));
+        near(real(t.x), 0, 3 * LSB);
+        near(real(t.y), 0, 3 * LSB);
+        near(real(t.z), -distance, 3 * LSB);
+        const struct fx_vec3 above = {eye.x + up.x, eye.y + up.y, eye.z + up.z}, v = ph_xform_point(&view, above);
+        near(real(v.x), 0, 3 * LSB);
+        assert_true(v.y > 0);
+    }
+}
+
+static void V4_cameras_without_a_direction_have_a_stated_view(void **state)
+{
+    (void)state;
+    const struct fx_vec3 here = vec(1, 2, 3), up = vec(0, 1, 0);
+    const struct ph_xform itself = ph_view_look_at(here, here, up);
+    check_rigid(&itself);
+    assert_int_equal(itself.r[2][2], FX_Q30_ONE); /* along -z */
+    assert_int_equal(itself.t.z, FX_INT(-3));
+    static const struct fx_vec3 targets[] = {{FX_INT(1), FX_INT(9), FX_INT(3)}, {FX_INT(1), FX_INT(-9), FX_INT(3)}};
+    for (int i = 0; i < 2; i++) { /* straight up and down: up is replaced by z */
+        const struct ph_xform view = ph_view_look_at(here, targets[i], up);
+        check_rigid(&view);
+        assert_int_equal(view.r[1][2], FX_Q30_ONE);
+    }
+    const struct ph_xform no_up = ph_view_look_at(here, vec(1, 2, -9), vec(0, 0, 0)); /* replaced by y */
+    assert_int_equal(no_up.r[1][1], FX_Q30_ONE);
+    const struct ph_xform far = ph_view_look_at((struct fx_vec3){FX_MIN, FX_MIN, FX_MIN},
+                                                (struct fx_vec3){FX_MAX, FX_MAX, FX_MAX}, up);
+    check_rigid(&far);
+}
+
+static void perspective_has_the_elements_of_the_opengl_matrix(void **state)
+{
+    (void)state;
+    struct ph_projection p;
+    /* P2, HAW exercise 6: (90 degrees, 2, 2, 10) has .5 and 1 */
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(90), FX_INT(2), FX_INT(2), FX_INT(10)), PH_OK);
+    assert_int_equal(p.scale_x_q20, 1 << 19);
+    assert_int_equal(p.scale_y_q20, 1 << 20);
+    for (int fov = 1; fov < 180; fov++) {
+        assert_int_equal(ph_projection_perspective(&p, FX_INT(fov), 98304, FX_HALF, FX_INT(100)), PH_OK);
+        const double cot = 1 / tan(fov * M_PI / 360);
+        near(p.scale_y_q20 / 1048576.0, cot, 1 / 1048576.0 + cot * 2e-8); /* of the sine in Q2.30 */
+        near(p.scale_x_q20 / 1048576.0, cot / 1.5, 2 / 1048576.0 + cot * 2e-8);
+    }
+}
+
+static void frustum_and_ortho_have_the_elements_of_the_opengl_matrices(void **state)
+{
+    (void)state;
+    struct ph_projection p;
+    assert_int_equal(ph_projection_frustum(&p, FX_INT(-1), FX_INT(3), FX_INT(-2), FX_INT(1), FX_INT(2), FX_INT(50)), PH_OK);
+    near(p.scale_x_q20 / 1048576.0, 2 * 2 / 4.0, 1e-6);
+    near(p.scale_y_q20 / 1048576.0, 2 * 2 / 3.0, 1e-6);
+    near(real(p.shift_x), (3 - 1) / 4.0, LSB);
+    near(real(p.shift_y), (1 - 2) / 3.0, LSB);
+    assert_int_equal(ph_projection_ortho(&p, 0, FX_INT(240), 0, FX_INT(320), FX_INT(-1), FX_INT(1)), PH_OK);
+    near(p.scale_x_q20 / 1048576.0, 2 / 240.0, 1e-6);
+    near(p.scale_y_q20 / 1048576.0, 2 / 320.0, 1e-6);
+    near(real(p.shift_x), 1, 0);
+}
+
+static void impossible_volumes_are_refused_and_change_nothing(void **state)
+{
+    (void)state;
+    struct ph_projection p = {.near_z = 42};
+    const fx_t one = FX_ONE, ten = FX_INT(10);
+    assert_int_equal(ph_projection_perspective(&p, 0, one, one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(180), one, one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(-5), one, one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(60), 0, one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(60), one, 0, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(60), one, ten, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_perspective(&p, 1, one, one, ten), PH_ERR_INVAL); /* 1/65536 degree */
+    assert_int_equal(ph_projection_frustum(&p, one, one, -one, one, one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_frustum(&p, -one, one, one, -one, one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_frustum(&p, -one, one, -one, one, -one, ten), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_ortho(&p, -one, one, one, one, -one, one), PH_ERR_INVAL);
+    assert_int_equal(ph_projection_ortho(&p, -one, one, -one, one, one, one), PH_ERR_INVAL);
+    assert_int_equal(p.near_z, 42);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(products_are_rounded_once),
+        cmocka_unit_test(lengths_are_correctly_rounded),
+        cmocka_unit_test(directions_have_length_one),
+        cmocka_unit_test(the_zero_vector_has_no_direction),
+        cmocka_unit_test(quaternions_rotate_as_rodrigues_says),
+        cmocka_unit_test(quaternion_product_is_one_rotation_after_the_other),
+        cmocka_unit_test(nlerp_goes_the_short_way_from_a_to_b),
+        cmocka_unit_test(rotations_about_the_axes_turn_the_right_way),
+        cmocka_unit_test(points_are_transformed_within_half_an_lsb),
+        cmocka_unit_test(inverse_undoes_a_rigid_transform),
+        cmocka_unit_test(V2_camera_on_the_x_axis_has_the_axes_of_the_exercise),
+        cmocka_unit_test(V1_look_at_puts_the_target_on_minus_z),
+        cmocka_unit_test(V4_cameras_without_a_direction_have_a_stated_view),
+        cmocka_unit_test(perspective_has_the_elements_of_the_opengl_matrix),
+        cmocka_unit_test(frustum_and_ortho_have_the_elements_of_the_opengl_matrices),
+        cmocka_unit_test(impossible_volumes_are_refused_and_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
