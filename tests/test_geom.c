@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define PI  3.14159265358979323846
 #define LSB (1.0 / 65536)
 #define Q30 (1.0 / (1 << 30))
 
@@ -140,7 +141,7 @@ static void quaternions_rotate_as_rodrigues_says(void **state)
         const uint32_t turn = next_random();
         const double k[3] = {axis.x / length, axis.y / length, axis.z / length};
         double want[3][3];
-        rodrigues(k, 2 * M_PI * turn / 4294967296.0, want);
+        rodrigues(k, 2 * PI * turn / 4294967296.0, want);
         const struct ph_xform got = ph_xform_quat(fx_quat_axis(axis, turn), (struct fx_vec3){0, 0, 0});
         for (int e = 0; e < 9; e++) {
             near(got.r[e / 3][e % 3] * Q30, want[e / 3][e % 3], 40 * Q30);
@@ -181,7 +182,8 @@ static void rotations_about_the_axes_turn_the_right_way(void **state)
 {
     (void)state;
     const uint32_t quarter = 0x40000000;
-    const struct ph_xform x = ph_xform_rotate_x(quarter), y = ph_xform_rotate_y(quarter), z = ph_xform_rotate_z(quarter);
+    const struct ph_xform x = ph_xform_rotate_x(quarter), y = ph_xform_rotate_y(quarter),
+                          z = ph_xform_rotate_z(quarter);
     const struct fx_vec3 from_y = ph_xform_point(&x, vec(0, 1, 0)), from_z = ph_xform_point(&y, vec(0, 0, 1)),
                          from_x = ph_xform_point(&z, vec(1, 0, 0));
     assert_int_equal(from_y.z, FX_ONE); /* y to z */
@@ -216,7 +218,8 @@ static void inverse_undoes_a_rigid_transform(void **state)
     }
 }
 
-/* HAW exercise 2 (V2): camera at (5, 0, 0) looking at the origin has the axes x = (0,0,-1), y = (0,1,0), z = (1,0,0). */
+/* HAW exercise 2 (V2): camera at (5, 0, 0) looking at the origin has the axes x = (0,0,-1), y = (0,1,0), z = (1,0,0).
+ */
 static void V2_camera_on_the_x_axis_has_the_axes_of_the_exercise(void **state)
 {
     (void)state;
@@ -281,8 +284,8 @@ static void V4_cameras_without_a_direction_have_a_stated_view(void **state)
     }
     const struct ph_xform no_up = ph_view_look_at(here, vec(1, 2, -9), vec(0, 0, 0)); /* replaced by y */
     assert_int_equal(no_up.r[1][1], FX_Q30_ONE);
-    const struct ph_xform far = ph_view_look_at((struct fx_vec3){FX_MIN, FX_MIN, FX_MIN},
-                                                (struct fx_vec3){FX_MAX, FX_MAX, FX_MAX}, up);
+    const struct ph_xform far =
+        ph_view_look_at((struct fx_vec3){FX_MIN, FX_MIN, FX_MIN}, (struct fx_vec3){FX_MAX, FX_MAX, FX_MAX}, up);
     check_rigid(&far);
 }
 
@@ -296,7 +299,7 @@ static void perspective_has_the_elements_of_the_opengl_matrix(void **state)
     assert_int_equal(p.scale_y_q20, 1 << 20);
     for (int fov = 1; fov < 180; fov++) {
         assert_int_equal(ph_projection_perspective(&p, FX_INT(fov), 98304, FX_HALF, FX_INT(100)), PH_OK);
-        const double cot = 1 / tan(fov * M_PI / 360);
+        const double cot = 1 / tan(fov * PI / 360);
         near(p.scale_y_q20 / 1048576.0, cot, 1 / 1048576.0 + cot * 2e-8); /* of the sine in Q2.30 */
         near(p.scale_x_q20 / 1048576.0, cot / 1.5, 2 / 1048576.0 + cot * 2e-8);
     }
@@ -306,7 +309,8 @@ static void frustum_and_ortho_have_the_elements_of_the_opengl_matrices(void **st
 {
     (void)state;
     struct ph_projection p;
-    assert_int_equal(ph_projection_frustum(&p, FX_INT(-1), FX_INT(3), FX_INT(-2), FX_INT(1), FX_INT(2), FX_INT(50)), PH_OK);
+    assert_int_equal(ph_projection_frustum(&p, FX_INT(-1), FX_INT(3), FX_INT(-2), FX_INT(1), FX_INT(2), FX_INT(50)),
+                     PH_OK);
     near(p.scale_x_q20 / 1048576.0, 2 * 2 / 4.0, 1e-6);
     near(p.scale_y_q20 / 1048576.0, 2 * 2 / 3.0, 1e-6);
     near(real(p.shift_x), (3 - 1) / 4.0, LSB);

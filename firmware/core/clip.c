@@ -43,8 +43,10 @@ static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct p
     }
     const int32_t t = (int32_t)(((uint64_t)from << 30) / whole);
     struct ph_clip_vertex v = {
-        between(inside->x, outside->x, t),         between(inside->y, outside->y, t),
-        between(inside->w, outside->w, t),         between(inside->z, outside->z, t),
+        between(inside->x, outside->x, t),
+        between(inside->y, outside->y, t),
+        between(inside->w, outside->w, t),
+        between(inside->z, outside->z, t),
         between(inside->light, outside->light, t),
         {between(inside->uv[0], outside->uv[0], t), between(inside->uv[1], outside->uv[1], t)},
     };

@@ -29,6 +29,7 @@ void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, u
     for (uint32_t i = 0; i < PH_RAMP_SIZE; i++) {
         const uint32_t step = i < 4 ? 0 : i > 123 ? 119 : i - 4;
         const uint32_t intensity = (full * step + 59) / 119;
-        ramp[i] = ph_rgb565(ramp_channel(red, intensity), ramp_channel(green, intensity), ramp_channel(blue, intensity));
+        ramp[i] =
+            ph_rgb565(ramp_channel(red, intensity), ramp_channel(green, intensity), ramp_channel(blue, intensity));
     }
 }

@@ -3,8 +3,8 @@
  *
  * Complementary depth d = N/w - N/f, N = n (1 - 2^-9): about 1 at the near plane, 0 at the far plane; linear in screen
  * space, so it is interpolated there. (Orthographic: d = (1 - 2^-9) (f - z) / (f - n).) n, f: near, far plane.
- * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31, from a reciprocal that is exact
- * to one unit in 2^30 and monotone over every w.
+ * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31, from a reciprocal that is
+ * exact to one unit in 2^30 and monotone over every w.
  *
  * A triangle holds d as a 32-bit plane in units of 2^-(32 + block); block is 0 for fixed16, and for float16 the
  * largest with which its nearest vertex fits with a bit to spare, so that far triangles keep their precision.

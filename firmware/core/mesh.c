@@ -6,7 +6,8 @@ static int32_t clamp_i32(int64_t v)
     return v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : (int32_t)v;
 }
 
-static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from, int32_t scale)
+static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
+                     int32_t scale)
 {
     for (int j = 0; j < 3; j++) {
         out->m[row][j] = (int32_t)((fx_mul_wide(object_to_view->r[from][j], scale) + ((int64_t)1 << 31)) >> 32);
@@ -59,7 +60,8 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
     v->y = lens->centre_y + ((qy + half) >> down);
 }
 
-/* Clip codes of a vertex that is not projected: screen 256 (x 2^focal_log2 / w) + centre against 0 and size, times w. */
+/* Clip codes of a vertex that is not projected: screen 256 (x 2^focal_log2 / w) + centre against 0 and size, times w.
+ */
 static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
 {
     const int64_t at = (int64_t)x * ((int64_t)1 << (lens->focal_log2 + 8)) + (int64_t)centre * w;
@@ -188,7 +190,8 @@ static void draw_triangle(const struct part_context *c, const uint16_t index[3])
     ph_setup_triangle(c->r, c->material, &a, &b, &d);
 }
 
-/* A line as a parallelogram, one pixel wide across its longer axis: one pixel a column (or row), no raster code of its own. */
+/* A line as a parallelogram, one pixel wide across its longer axis: one pixel a column (or row), no raster code of its
+ * own. */
 static void setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                        const struct ph_corner *b)
 {
@@ -204,7 +207,8 @@ static void setup_line(struct ph_renderer *r, const struct ph_material *material
     ph_setup_triangle(r, material, &quad[0], &quad[2], &quad[3]);
 }
 
-static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex ends[2])
+static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material,
+                           const struct ph_clip_vertex ends[2])
 {
     struct ph_clip_vertex out[PH_CLIP_MAX];
     if (ph_clip(&r->lens, ends, 2, out) == 2) {
@@ -213,7 +217,8 @@ static void draw_clip_line(struct ph_renderer *r, const struct ph_material *mate
     }
 }
 
-/* Edges carry no light; their ends are given in one order, whatever the edge's, so that they always cover the same pixels. */
+/* Edges carry no light; their ends are given in one order, whatever the edge's, so that they always cover the same
+ * pixels. */
 static void draw_edges(const struct part_context *c)
 {
     for (uint32_t i = 0; i < c->mesh->edge_count; i++) {

@@ -55,7 +55,8 @@ struct ph_corner {
     fx_t uv[2];
 };
 
-/* An edge walked down: x is the 16.16 column at its first row, with .5 px taken off and rounded up: column = x >> 16. */
+/* An edge walked down: x is the 16.16 column at its first row, with .5 px taken off and rounded up: column = x >> 16.
+ */
 struct ph_edge {
     int32_t x, dx;
 };
@@ -68,20 +69,20 @@ struct ph_plane {
 enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE };
 
 struct ph_triangle {
-    uint32_t next;                 /* in its band's list, PH_NONE at the end */
+    uint32_t next;                  /* in its band's list, PH_NONE at the end */
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
-    uint8_t kind;                  /* enum ph_kind */
-    uint8_t long_left;             /* the long edge is the left one */
-    int8_t block;                  /* float16: block exponent of depth where it must be split, else PH_BLOCK_NONE */
-    uint8_t range_log2;            /* texture: |u|, |v| below 2^this */
-    uint16_t colour;               /* flat: wire order; texture: light 0 .. 32 */
+    uint8_t kind;                   /* enum ph_kind */
+    uint8_t long_left;              /* the long edge is the left one */
+    int8_t block;                   /* float16: block exponent of depth where it must be split, else PH_BLOCK_NONE */
+    uint8_t range_log2;             /* texture: |u|, |v| below 2^this */
+    uint16_t colour;                /* flat: wire order; texture: light 0 .. 32 */
     struct ph_edge long_edge, upper, lower;
     struct ph_plane depth;
     struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
     const struct ph_material *material;
 };
 
-#define PH_NONE UINT32_MAX
+#define PH_NONE       UINT32_MAX
 #define PH_BLOCK_NONE 127
 
 static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
@@ -125,8 +126,8 @@ struct ph_local_light {
 };
 
 struct ph_local_lights {
-    int32_t ambient;  /* Q2.14 */
-    int32_t scale;    /* light units per 1.0 */
+    int32_t ambient; /* Q2.14 */
+    int32_t scale;   /* light units per 1.0 */
     uint32_t count, shininess_log2;
     int16_t to_viewer[3];
     struct ph_local_light light[PH_LIGHTS_MAX];

@@ -10,7 +10,7 @@
 /* One row of a triangle: columns from .. from + n - 1, pixels and depths of its first one. */
 struct row {
     uint16_t *pixels, *depth;
-    uint32_t n, d;         /* d: depth at the first pixel, in units of the plane */
+    uint32_t n, d;      /* d: depth at the first pixel, in units of the plane */
     uint32_t attribute; /* Gouraud: light at the first pixel */
 };
 

@@ -176,10 +176,12 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background);
 
-/* Draws mesh placed by to_world (a rotation with a uniform scale below 2). Returns 0 or PH_ERR_NOMEM (left out, counted). */
+/* Draws mesh placed by to_world (a rotation with a uniform scale below 2). Returns 0 or PH_ERR_NOMEM (left out,
+ * counted). */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
-/* A line one pixel wide between two world points in the material's colour, depth-tested; two triangles of the budget. */
+/* A line one pixel wide between two world points in the material's colour, depth-tested; two triangles of the budget.
+ */
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
 /* Sorts what was drawn into bands; returns the number of bands. */

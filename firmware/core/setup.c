@@ -19,7 +19,8 @@ static struct ph_edge setup_edge(int32_t xa, int32_t ya, int32_t xb, int32_t yb,
     const int32_t down = row * 256 + 128 - ya; /* 0 .. 255: from the vertex to the first centre */
     int shift;
     const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(yb - ya), &shift) >> 1); /* 2^(61 - shift) / dy */
-    const int32_t slope = (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift)); /* of an edge with one row: unused */
+    const int32_t slope =
+        (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift)); /* of an edge with one row: unused */
     const int32_t x = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift)) + xa * 256;
     const uint32_t skipped = (uint32_t)(y0 - row);
     return (struct ph_edge){(int32_t)((uint32_t)x + skipped * (uint32_t)slope + 32767u), slope};
@@ -51,14 +52,9 @@ static struct plane_base plane_base(const struct ph_corner *a, const struct ph_c
     const int excess = max_int(bits_of(area) - 32, 0);
     int shift;
     const uint32_t reciprocal = fx_rcp_norm((uint32_t)(area >> excess), &shift);
-    return (struct plane_base){b->x - a->x,
-                               b->y - a->y,
-                               c->x - a->x,
-                               c->y - a->y,
-                               128 - a->x,
-                               128 - a->y,
-                               (int32_t)(reciprocal >> 1),
-                               shift - excess};
+    return (struct plane_base){
+        b->x - a->x,   b->y - a->y, c->x - a->x, c->y - a->y, 128 - a->x, 128 - a->y, (int32_t)(reciprocal >> 1),
+        shift - excess};
 }
 
 /*
@@ -153,8 +149,7 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
         for (int i = 0; i < 3; i++) {
             over_w[i] = (uv[axis][i] * w[i]) >> (16 + range);
         }
-        t->attribute[axis] =
-            setup_plane(s, (uint32_t)over_w[0], over_w[1] - over_w[0], over_w[2] - over_w[0], 31);
+        t->attribute[axis] = setup_plane(s, (uint32_t)over_w[0], over_w[1] - over_w[0], over_w[2] - over_w[0], 31);
     }
     t->attribute[2] = plane_of(s, w, 31);
     t->range_log2 = (uint8_t)range;

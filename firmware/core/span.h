@@ -56,8 +56,8 @@ static inline uint32_t ph_plane_at(const struct ph_plane *p, uint32_t x, uint32_
 }
 
 /*
- * How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)), at least 1. A d just below 0 wraps
- * to the top: it belongs to the lowest octave, until it comes back.
+ * How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)), at least 1. A d just below 0
+ * wraps to the top: it belongs to the lowest octave, until it comes back.
  */
 static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int block, uint32_t left)
 {
@@ -91,9 +91,9 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
     const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
     const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
     *n = ph_octave_pixels(d, t->depth.gx, octave, t->block, *n);
-    return (struct ph_piece){
-        ph_depth_float16_value(wrapped ? 0 : d, octave) + ph_depth_float16_offset(octave, t->block) + bias,
-        wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
+    return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave) +
+                                 ph_depth_float16_offset(octave, t->block) + bias,
+                             wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
 }
 
 #endif

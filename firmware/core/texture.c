@@ -155,8 +155,8 @@ static void textured_span(const struct ph_triangle *t, const struct sampler *s, 
         const uint32_t m = k < n ? k : k - 1; /* never past the last pixel of the span */
         advance(t, &row, m);
         const struct texture_point to = m > 0 ? divide(t, &row) : from;
-        const bool clamp = s->clamp && !(inside(from.u, from.du, to.u, m, s->limit) &&
-                                         inside(from.v, from.dv, to.v, m, s->limit));
+        const bool clamp =
+            s->clamp && !(inside(from.u, from.du, to.u, m, s->limit) && inside(from.v, from.dv, to.v, m, s->limit));
         const struct parabola u = parabola(from.u, from.du, to.u, m), v = parabola(from.v, from.dv, to.v, m);
         if (s->light < 32) {
             draw_lit(s, pixels, depth, k, piece.d, piece.gd, u, v, clamp);

@@ -161,7 +161,6 @@ static int64_t quat_term(const int32_t a[4], const int32_t b[4])
     return sum;
 }
 
-
 struct fx_quat fx_quat_mul(struct fx_quat a, struct fx_quat b)
 {
     const int32_t left[4] = {a.w, a.x, a.y, a.z};

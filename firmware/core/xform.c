@@ -152,8 +152,8 @@ struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struc
     const struct fx_vec3 towards = {(target.x >> 1) - (eye.x >> 1), (target.y >> 1) - (eye.y >> 1),
                                     (target.z >> 1) - (eye.z >> 1)};
     const struct fx_vec3 exact = fx_vec3_sub_sat(target, eye);
-    const bool far_apart = fx_abs_sat(towards.x) >= (1 << 29) || fx_abs_sat(towards.y) >= (1 << 29) ||
-                           fx_abs_sat(towards.z) >= (1 << 29);
+    const bool far_apart =
+        fx_abs_sat(towards.x) >= (1 << 29) || fx_abs_sat(towards.y) >= (1 << 29) || fx_abs_sat(towards.z) >= (1 << 29);
     struct fx_vec3 forward, right;
     if (!fx_vec3_direction_q30(far_apart ? towards : exact, &forward)) {
         forward = (struct fx_vec3){0, 0, -FX_Q30_ONE};
@@ -209,8 +209,8 @@ int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t b
     if (scale_x <= 0 || scale_y <= 0) {
         return PH_ERR_INVAL;
     }
-    *p = (struct ph_projection){
-        PH_PERSPECTIVE, scale_x, scale_y, shift_of(left, right), shift_of(bottom, top), near_z, far_z};
+    *p = (struct ph_projection){PH_PERSPECTIVE,        scale_x, scale_y, shift_of(left, right),
+                                shift_of(bottom, top), near_z,  far_z};
     return PH_OK;
 }
 
@@ -224,7 +224,7 @@ int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bot
     if (scale_x <= 0 || scale_y <= 0) {
         return PH_ERR_INVAL;
     }
-    *p = (struct ph_projection){
-        PH_ORTHOGRAPHIC, scale_x, scale_y, shift_of(left, right), shift_of(bottom, top), near_z, far_z};
+    *p = (struct ph_projection){PH_ORTHOGRAPHIC,       scale_x, scale_y, shift_of(left, right),
+                                shift_of(bottom, top), near_z,  far_z};
     return PH_OK;
 }
