@@ -371,13 +371,15 @@ static void nearest_quad_fills_the_picture(void **state)
     at_most("wrong pixels", REF_FILL, table[OWN_MESH][REF_FILL][PH_DEPTH_FLOAT16].wrong, 0);
 }
 
+/* Light is linear on the screen: on the ground's large triangles before the camera that differs from exact. */
 static void gouraud_light_is_that_of_the_reference(void **state)
 {
     static const int lit[3] = {REF_TORUS, REF_SPHERE, REF_GROUND};
+    static const double bars[3] = {2.5, 2.5, 4.5};
     (void)state;
     for (int i = 0; i < 3 * SOURCES * 2; i++) {
         const struct quality *q = &table[i / 2 % SOURCES][lit[i / (SOURCES * 2)]][i % 2];
-        at_most("colour RMS", lit[i / (SOURCES * 2)], sqrt(q->colour_square / q->smooth), 3);
+        at_most("colour RMS", lit[i / (SOURCES * 2)], sqrt(q->colour_square / q->smooth), bars[i / (SOURCES * 2)]);
     }
 }
 

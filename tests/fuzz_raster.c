@@ -1,0 +1,472 @@
+/*
+ * Random triangles with every kind of extreme through the renderer's public interface, meant to run under
+ * AddressSanitizer and UndefinedBehaviorSanitizer. Checked besides their reports: no byte outside the caller's buffers
+ * changes, the bands add up to the picture, the statistics add up, and another band height gives the same bytes.
+ *
+ * Usage: fuzz_raster [quick | long | TRIANGLES [SEED]]
+ * quick (the default) is 100,000 triangles, long a million. Each frame has its own seed, printed when it fails;
+ * `fuzz_raster 1 SEED` repeats that frame alone.
+ */
+#include "render.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define QUICK     100000
+#define LONG      1000000
+#define CANARY    0xa5
+#define FENCE     256 /* bytes on either side of a buffer */
+#define VERTICES  48
+#define TRIANGLES 64
+#define EDGES     16
+#define PARTS     4
+#define LOG2_MAX  6 /* of texture sizes; 10 now and then */
+
+/* ---- random numbers ---------------------------------------------------------------------------------------- */
+
+static uint64_t state;
+static uint64_t frame_seed;
+
+static uint32_t bits(void)
+{
+    state += 0x9e3779b97f4a7c15u;
+    uint64_t z = state;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (uint32_t)(z >> 32);
+}
+
+/* 0 .. n - 1 */
+static uint32_t below(uint32_t n)
+{
+    return (uint32_t)((uint64_t)bits() * n >> 32);
+}
+
+static int32_t within(int32_t limit)
+{
+    return (int32_t)((int64_t)below(2 * (uint32_t)limit + 1) - limit);
+}
+
+/* A Q16.16 of any kind; `plane` is a value at which something happens. */
+static fx_t any_fx(fx_t plane)
+{
+    static const fx_t special[] = {0, 1, -1, FX_ONE, -FX_ONE, FX_MAX, FX_MIN, FX_INT(32767), FX_INT(-32767)};
+    switch (below(8)) {
+    case 0:
+        return (fx_t)bits();
+    case 1:
+        return special[below(sizeof(special) / sizeof(special[0]))];
+    case 2:
+        return plane;
+    case 3:
+        return fx_add_wrap(plane, within(2));
+    case 4:
+        return within(FX_INT(100));
+    default:
+        return within(FX_INT(3));
+    }
+}
+
+static int32_t any_q30(void)
+{
+    static const int32_t special[] = {0, 1, -1, FX_Q30_ONE, -FX_Q30_ONE, INT32_MAX, INT32_MIN};
+    switch (below(4)) {
+    case 0:
+        return (int32_t)bits();
+    case 1:
+        return special[below(sizeof(special) / sizeof(special[0]))];
+    default:
+        return within(FX_Q30_ONE);
+    }
+}
+
+/* ---- memory with fences ------------------------------------------------------------------------------------- */
+
+struct fenced {
+    uint8_t *base;
+    size_t size;
+};
+
+static void fail(const char *what)
+{
+    fprintf(stderr, "fuzz_raster: %s; repeat with: fuzz_raster 1 %" PRIu64 "\n", what, frame_seed);
+    exit(1);
+}
+
+/* Called by UndefinedBehaviorSanitizer and AddressSanitizer when they report. */
+void __ubsan_on_report(void);
+void __asan_on_error(void);
+
+void __ubsan_on_report(void)
+{
+    fprintf(stderr, "fuzz_raster: repeat with: fuzz_raster 1 %" PRIu64 "\n", frame_seed);
+}
+
+void __asan_on_error(void)
+{
+    __ubsan_on_report();
+}
+
+static void *fence(struct fenced *f, size_t size)
+{
+    f->size = size;
+    f->base = malloc(size + 2 * FENCE);
+    if (!f->base) {
+        fail("out of memory");
+    }
+    memset(f->base, CANARY, size + 2 * FENCE);
+    return f->base + FENCE;
+}
+
+static void unfence(struct fenced *f)
+{
+    for (size_t i = 0; i < FENCE; i++) {
+        if (f->base[i] != CANARY || f->base[FENCE + f->size + i] != CANARY) {
+            fail("a byte outside a buffer was written");
+        }
+    }
+    free(f->base);
+}
+
+struct memory {
+    struct fenced vertices, triangles, bins, depth, pixels;
+    uint16_t *band; /* pixels of one band */
+};
+
+static struct ph_config any_config(struct memory *memory)
+{
+    static const uint16_t sizes[][2] = {{1, 1}, {1024, 3}, {3, 1024}, {1, 64}, {64, 1}, {16, 12}, {320, 24}, {128, 64}};
+    struct ph_config config = {.depth_format = (uint8_t)below(2)};
+    uint32_t kind = below(12);
+    config.width = (uint16_t)(kind < 8 ? sizes[kind][0] : 1 + below(96));
+    config.height = (uint16_t)(kind < 8 ? sizes[kind][1] : 1 + below(96));
+    config.band_height = (uint16_t)(below(3) ? 1 + below(config.height) : config.height);
+    config.vertex_max = below(8) ? VERTICES : 1 + below(VERTICES);
+    config.triangle_max = below(4) ? 8 * TRIANGLES : 1 + below(TRIANGLES);
+    config.bin_max = (uint32_t)((config.height + config.band_height - 1) / config.band_height);
+    config.vertices = fence(&memory->vertices, config.vertex_max * ph_vertex_bytes);
+    config.triangles = fence(&memory->triangles, config.triangle_max * ph_triangle_bytes);
+    config.bins = fence(&memory->bins, config.bin_max * sizeof(*config.bins));
+    config.depth = fence(&memory->depth, (size_t)config.width * config.band_height * 2);
+    memory->band = fence(&memory->pixels, (size_t)config.width * config.band_height * 2);
+    return config;
+}
+
+static void free_memory(struct memory *memory)
+{
+    unfence(&memory->vertices);
+    unfence(&memory->triangles);
+    unfence(&memory->bins);
+    unfence(&memory->depth);
+    unfence(&memory->pixels);
+}
+
+/* ---- what is drawn ------------------------------------------------------------------------------------------ */
+
+struct content {
+    struct ph_xform view, to_world;
+    struct ph_projection projection;
+    struct ph_scene_light light;
+    bool lit, lines;
+    struct fx_vec3 positions[VERTICES];
+    int16_t normals[VERTICES][3];
+    fx_t uvs[VERTICES][2];
+    uint16_t triangles[TRIANGLES][3];
+    uint16_t edges[EDGES][2];
+    struct ph_part parts[PARTS];
+    struct ph_material materials[PARTS];
+    struct ph_texture textures[PARTS];
+    uint16_t ramp[PH_RAMP_SIZE];
+    struct ph_mesh mesh;
+};
+
+static struct fx_vec3 any_point(fx_t plane)
+{
+    return (struct fx_vec3){any_fx(plane), any_fx(plane), any_fx(below(2) ? fx_sub_wrap(0, plane) : plane)};
+}
+
+static struct ph_xform any_xform(void)
+{
+    struct ph_xform x = ph_xform_identity;
+    uint32_t kind = below(8);
+    if (kind < 4) {
+        struct fx_vec3 axis = {within(FX_ONE), within(FX_ONE), within(FX_ONE)};
+        x = ph_xform_quat(fx_quat_axis(axis, bits()),
+                          (struct fx_vec3){within(FX_ONE), within(FX_ONE), within(FX_INT(6))});
+    } else if (kind < 6) {
+        for (int i = 0; i < 9; i++) {
+            x.r[i / 3][i % 3] = kind == 4 ? any_q30() : 0;
+        }
+        x.t = any_point(FX_ONE);
+    }
+    return x;
+}
+
+static struct ph_projection any_projection(void)
+{
+    struct ph_projection p = {.kind = PH_PERSPECTIVE};
+    fx_t near_z = below(4) ? 1 + (fx_t)below(FX_ONE) : below(2) ? 1 : FX_INT(100);
+    fx_t far_z = below(4) ? fx_add_sat(near_z, (fx_t)below(FX_INT(200))) : below(2) ? FX_MAX : near_z + 1;
+    fx_t fov = below(4) ? FX_INT(20) + (fx_t)below(FX_INT(100)) : below(2) ? 1 + (fx_t)below(FX_ONE) : FX_INT(180) - 1;
+    int result = 0;
+    switch (below(8)) {
+    case 0:
+        p.kind = below(2) ? PH_ORTHOGRAPHIC : PH_PERSPECTIVE;
+        p.scale_x_q20 = (int32_t)bits();
+        p.scale_y_q20 = (int32_t)bits();
+        p.shift_x = any_fx(FX_ONE);
+        p.shift_y = any_fx(FX_ONE);
+        p.near_z = any_fx(FX_ONE);
+        p.far_z = any_fx(FX_INT(100));
+        break;
+    case 1:
+        result =
+            ph_projection_frustum(&p, any_fx(-FX_ONE), any_fx(FX_ONE), any_fx(-FX_ONE), any_fx(FX_ONE), near_z, far_z);
+        break;
+    case 2:
+    case 3:
+        result = ph_projection_ortho(&p, any_fx(-FX_ONE), any_fx(FX_ONE), any_fx(-FX_ONE), any_fx(FX_ONE),
+                                     any_fx(FX_ONE), any_fx(FX_INT(100)));
+        break;
+    default:
+        result = ph_projection_perspective(&p, fov, 1 + (fx_t)below(FX_INT(3)), near_z, far_z);
+    }
+    if (result < 0 && ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_HALF, FX_INT(100)) != 0) {
+        fail("a plain camera was refused");
+    }
+    return p;
+}
+
+static struct ph_light any_light(const struct content *c)
+{
+    struct ph_light light = {.kind = (uint8_t)below(2), .intensity = (fx_t)below(4 * FX_ONE + 1)};
+    struct fx_vec3 towards = {within(FX_ONE), within(FX_ONE), within(FX_ONE)};
+    fx_vec3_direction_q30(towards, &light.to_light_q30);
+    light.position = below(2) ? ph_xform_point(&c->to_world, c->positions[below(VERTICES)]) : any_point(FX_ONE);
+    light.reach = below(2) ? any_fx(FX_ONE) & FX_MAX : (fx_t)below(8);
+    return light;
+}
+
+/* Read-only texels for any size, as large as the largest. */
+static uint16_t *texels;
+
+static struct ph_material any_material(struct content *c, int i)
+{
+    uint32_t log2_max = below(16) ? LOG2_MAX : 10;
+    c->textures[i] =
+        (struct ph_texture){texels, (uint8_t)below(log2_max + 1), (uint8_t)below(log2_max + 1), (uint8_t)below(2)};
+    /* The texture ends where the memory ends: what is read behind it is reported. */
+    c->textures[i].texels += (1u << 20) - (1u << (c->textures[i].log2_width + c->textures[i].log2_height));
+    return (struct ph_material){.shading = (uint8_t)below(PH_SHADE_WIRE + 1),
+                                .two_sided = (uint8_t)below(2),
+                                .shininess_log2 = (uint8_t)below(8),
+                                .depth_bias = (uint8_t)(below(2) ? below(57) : 0),
+                                .ambient = (fx_t)below(FX_ONE + 1),
+                                .diffuse = (fx_t)below(FX_ONE + 1),
+                                .specular = (fx_t)below(FX_ONE + 1),
+                                .colour = (uint16_t)bits(),
+                                .ramp = c->ramp,
+                                .texture = &c->textures[i]};
+}
+
+static void any_vertices(struct content *c)
+{
+    bool tame = below(2);
+    for (int i = 0; i < VERTICES; i++) {
+        c->positions[i] = tame ? (struct fx_vec3){within(FX_INT(3)), within(FX_INT(3)), within(FX_INT(3))}
+                               : any_point(c->projection.near_z);
+        for (int k = 0; k < 3; k++) {
+            c->normals[i][k] = below(4) ? (int16_t)within(16384) : below(2) ? (int16_t)0 : (int16_t)bits();
+        }
+        c->uvs[i][0] = any_fx(FX_ONE);
+        c->uvs[i][1] = any_fx(FX_ONE);
+    }
+}
+
+static void any_content(struct content *c)
+{
+    memset(c, 0, sizeof(*c));
+    c->view = below(2) ? ph_xform_identity : any_xform();
+    c->to_world = any_xform();
+    c->projection = any_projection();
+    any_vertices(c);
+    c->lit = below(4);
+    c->lines = below(4) == 0;
+    c->light.ambient = (fx_t)below(FX_ONE + 1);
+    c->light.count = below(PH_LIGHTS_MAX + 1);
+    for (uint32_t i = 0; i < c->light.count; i++) {
+        c->light.lights[i] = any_light(c);
+    }
+    for (int i = 0; i < TRIANGLES * 3; i++) {
+        c->triangles[i / 3][i % 3] = (uint16_t)below(VERTICES);
+    }
+    for (int i = 0; i < EDGES * 2; i++) {
+        c->edges[i / 2][i % 2] = (uint16_t)below(VERTICES);
+    }
+    ph_material_ramp(c->ramp, (uint8_t)bits(), (uint8_t)bits(), (uint8_t)bits(), (fx_t)below(FX_ONE + 1));
+    for (int i = 0; i < PARTS; i++) {
+        c->parts[i] = (struct ph_part){(uint32_t)i * TRIANGLES / PARTS, TRIANGLES / PARTS, (uint16_t)below(PARTS)};
+        c->materials[i] = any_material(c, i);
+    }
+    c->mesh = (struct ph_mesh){.positions = c->positions,
+                               .normals = (const int16_t(*)[3])c->normals,
+                               .uvs = (const fx_t(*)[2])c->uvs,
+                               .triangles = (const uint16_t(*)[3])c->triangles,
+                               .edges = (const uint16_t(*)[2])c->edges,
+                               .parts = c->parts,
+                               .materials = c->materials,
+                               .vertex_count = VERTICES,
+                               .triangle_count = TRIANGLES,
+                               .edge_count = EDGES,
+                               .part_count = PARTS};
+}
+
+/* ---- a frame ------------------------------------------------------------------------------------------------- */
+
+static uint32_t hash_bytes(uint32_t hash, const void *data, size_t size)
+{
+    const uint8_t *byte = data;
+    for (size_t i = 0; i < size; i++) {
+        hash = (hash ^ byte[i]) * 16777619u;
+    }
+    return hash;
+}
+
+static bool begin(struct ph_renderer *r, const struct ph_config *config, const struct content *c)
+{
+    int result = ph_renderer_init(r, config);
+    if (result != PH_OK) {
+        fail("a good configuration was refused");
+    }
+    return ph_frame_begin(r, &c->view, &c->projection, c->lit ? &c->light : NULL, 0x1234) == PH_OK;
+}
+
+static void draw(struct ph_renderer *r, const struct content *c)
+{
+    int result = ph_draw_mesh(r, &c->mesh, &c->to_world);
+    if (result != PH_OK && result != PH_ERR_NOMEM) {
+        fail("ph_draw_mesh returned an unknown code");
+    }
+    for (int i = 0; c->lines && i < 4; i++) {
+        ph_draw_line(r, c->positions[i], c->positions[i + 4], &c->materials[i]);
+    }
+}
+
+static void check_stats(const struct ph_renderer *r)
+{
+    const struct ph_stats *s = &r->stats;
+    if (s->triangles_drawn > r->config.triangle_max || s->vertices > VERTICES || s->triangles_in > TRIANGLES + 8 ||
+        s->triangles_culled > 7 * (s->triangles_in + EDGES)) {
+        fail("the statistics do not add up");
+    }
+}
+
+/* Hash of all pixels and depth codes. */
+static uint32_t draw_bands(struct ph_renderer *r, uint16_t *pixels)
+{
+    uint32_t rows = 0, bands = ph_frame_bands(r), hash[2] = {2166136261u, 2166136261u};
+    for (uint32_t band = 0; band < bands; band++) {
+        uint32_t lines = ph_draw_band(r, band, pixels);
+        size_t bytes = (size_t)lines * r->config.width * 2;
+        if (lines == 0 || lines > r->config.band_height) {
+            fail("a band has a wrong number of lines");
+        }
+        hash[0] = hash_bytes(hash[0], pixels, bytes);
+        hash[1] = hash_bytes(hash[1], r->config.depth, bytes);
+        rows += lines;
+    }
+    if (rows != r->config.height) {
+        fail("the bands do not add up to the picture");
+    }
+    return hash[0] ^ (hash[1] << 16 | hash[1] >> 16);
+}
+
+/* The frame again with another band height, in memory of its own. */
+static uint32_t draw_again(const struct ph_config *config, const struct content *c)
+{
+    struct fenced bins, depth, band;
+    struct ph_config other = *config;
+    struct ph_renderer r;
+    other.band_height = (uint16_t)(1 + below(config->height));
+    other.bin_max = (uint32_t)((other.height + other.band_height - 1) / other.band_height);
+    other.bins = fence(&bins, other.bin_max * sizeof(*other.bins));
+    other.depth = fence(&depth, (size_t)other.width * other.band_height * 2);
+    uint16_t *pixels = fence(&band, (size_t)other.width * other.band_height * 2);
+    begin(&r, &other, c);
+    draw(&r, c);
+    uint32_t hash = draw_bands(&r, pixels);
+    unfence(&bins);
+    unfence(&depth);
+    unfence(&band);
+    return hash;
+}
+
+static struct ph_stats draw_frame(void)
+{
+    static struct content c;
+    struct memory memory;
+    struct ph_renderer r;
+    struct ph_config config = any_config(&memory);
+    any_content(&c);
+    if (begin(&r, &config, &c)) {
+        draw(&r, &c);
+        uint32_t hash = draw_bands(&r, memory.band);
+        check_stats(&r);
+        if (draw_again(&config, &c) != hash) {
+            fail("another band height changed the picture");
+        }
+    }
+    free_memory(&memory);
+    return r.stats;
+}
+
+static int fuzz(uint32_t triangles, uint64_t seed)
+{
+    uint64_t in = 0, drawn = 0, clipped = 0, dropped = 0, fragments = 0, frames = 0;
+    printf("%" PRIu32 " triangles, seed %" PRIu64 "\n", triangles, seed);
+    fflush(stdout);
+    for (; in < triangles && frames < triangles; frames++) {
+        frame_seed = seed + frames;
+        state = frame_seed * 0xd1342543de82ef95u;
+        struct ph_stats stats = draw_frame();
+        in += stats.triangles_in;
+        drawn += stats.triangles_drawn;
+        clipped += stats.triangles_clipped;
+        dropped += stats.triangles_dropped;
+        fragments += stats.fragments;
+    }
+    printf("%" PRIu64 " frames, triangles: %" PRIu64 " in, %" PRIu64 " clipped, %" PRIu64 " drawn, %" PRIu64
+           " dropped; %" PRIu64 " fragments\n",
+           frames, in, clipped, drawn, dropped, fragments);
+    /* A run that drew next to nothing has tested nothing. */
+    return triangles < QUICK || (drawn > triangles / 20 && clipped > triangles / 50 && dropped > triangles / 200) ? 0
+                                                                                                                  : 1;
+}
+
+int main(int argc, char **argv)
+{
+    uint32_t triangles = QUICK;
+    uint64_t seed = 20261121;
+    if (argc > 3 || (argc > 1 && argv[1][0] == '-')) {
+        fprintf(argc == 2 ? stdout : stderr, "usage: fuzz_raster [quick | long | TRIANGLES [SEED]]\n");
+        return argc == 2 && strcmp(argv[1], "--help") == 0 ? 0 : 2;
+    }
+    if (argc > 1 && strcmp(argv[1], "quick") != 0) {
+        triangles = strcmp(argv[1], "long") == 0 ? LONG : (uint32_t)strtoul(argv[1], NULL, 10);
+    }
+    if (argc > 2) {
+        seed = strtoull(argv[2], NULL, 10);
+    }
+    texels = malloc((1u << 20) * sizeof(*texels));
+    if (!texels) {
+        fail("out of memory");
+    }
+    for (uint32_t i = 0; i < 1u << 20; i++) {
+        texels[i] = (uint16_t)(i * 40503u);
+    }
+    int result = fuzz(triangles, seed);
+    free(texels);
+    return result;
+}

@@ -1,0 +1,297 @@
+/*
+ * No cracks and no doubles: random planar meshes without T-junctions, with random sub-pixel positions, also partly off
+ * the screen, through the near plane and behind the eye. Triangle by triangle, every pixel whose centre lies safely
+ * inside the mesh's outline is drawn exactly once, every one safely outside never.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "ref_rig.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH   64
+#define HEIGHT  48
+#define PIXELS  (WIDTH * HEIGHT)
+#define CELLS   8
+#define POINTS  ((CELLS + 1) * (CELLS + 1))
+#define FAN_MAX 48
+#define OUTLINE 64
+#define SEED    2026
+#define FOCAL   (HEIGHT / 2. / .57735026918962576) /* fov 60 degrees */
+#define NEAR    .5
+#define FAR     1000
+
+/* A planar mesh: z = -(distance + lean x + tilt y), x and y in the model, so all of it lies in one plane. */
+struct plane_mesh {
+    struct fx_vec3 points[POINTS];
+    uint16_t triangles[2 * CELLS * CELLS][3];
+    uint16_t outline[OUTLINE]; /* counter-clockwise */
+    int point_count, triangle_count, outline_count;
+};
+
+static uint64_t random_state;
+
+static double uniform(double low, double high)
+{
+    random_state = random_state * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(random_state >> 11) / 9007199254740992.;
+}
+
+static fx_t q16(double v)
+{
+    return (fx_t)lrint(v * 65536);
+}
+
+static void add_triangle(struct plane_mesh *m, int a, int b, int c)
+{
+    uint16_t *t = m->triangles[m->triangle_count++];
+    t[0] = (uint16_t)a;
+    t[1] = (uint16_t)b;
+    t[2] = (uint16_t)c;
+}
+
+/* A grid with its inner points moved by up to 0.35 of a cell: no triangle turns over, the outline stays a rectangle. */
+static void build_grid(struct plane_mesh *m, double size)
+{
+    memset(m, 0, sizeof(*m));
+    for (int i = 0; i < POINTS; i++) {
+        int column = i % (CELLS + 1), row = i / (CELLS + 1);
+        bool inner_x = column > 0 && column<CELLS, inner_y = row> 0 && row < CELLS;
+        double x = column - CELLS / 2. + (inner_x ? uniform(-.35, .35) : 0);
+        double y = row - CELLS / 2. + (inner_y ? uniform(-.35, .35) : 0);
+        m->points[m->point_count++] = (struct fx_vec3){q16(x * size / CELLS), q16(y * size / CELLS), 0};
+    }
+    for (int row = 0; row < CELLS; row++) {
+        for (int column = 0; column < CELLS; column++) {
+            int a = row * (CELLS + 1) + column, b = a + 1, c = b + CELLS + 1, d = c - 1;
+            bool falling = uniform(0, 1) < .5;
+            add_triangle(m, a, b, falling ? d : c);
+            add_triangle(m, falling ? b : a, c, d);
+        }
+    }
+    m->outline_count = 4;
+    memcpy(m->outline, (uint16_t[4]){0, CELLS, POINTS - 1, POINTS - 1 - CELLS}, 4 * sizeof(uint16_t));
+}
+
+/* A fan of up to FAN_MAX triangles, many of them slivers, round a point inside a star-shaped outline. */
+static void build_fan(struct plane_mesh *m, double size)
+{
+    int rim = 5 + (int)uniform(0, FAN_MAX - 5);
+    memset(m, 0, sizeof(*m));
+    double x = uniform(-.1, .1) * size, y = uniform(-.1, .1) * size;
+    m->points[m->point_count++] = (struct fx_vec3){q16(x), q16(y), 0};
+    for (int i = 0; i < rim; i++) {
+        double angle = 2 * 3.14159265358979 * (i + uniform(0, .9)) / rim, radius = size * uniform(.3, .5);
+        m->points[m->point_count++] = (struct fx_vec3){q16(x + radius * cos(angle)), q16(y + radius * sin(angle)), 0};
+        m->outline[m->outline_count++] = (uint16_t)(i + 1);
+        add_triangle(m, 0, 1 + i, 1 + (i + 1) % rim);
+    }
+}
+
+struct placement {
+    struct ph_xform xform;
+    double r[3][3], t[3];
+};
+
+static void place(struct placement *p, double distance, double side, double turn)
+{
+    double axis[3] = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}, angle = uniform(-turn, turn);
+    double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]) + 1e-9, c = cos(angle),
+           s = sin(angle);
+    for (int k = 0; k < 3; k++) {
+        axis[k] /= length;
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            double turned = i == k ? c : ((k - i + 3) % 3 == 1 ? -1 : 1) * s * axis[3 - i - k];
+            p->xform.r[i][k] = (int32_t)lrint(ldexp(turned + (1 - c) * axis[i] * axis[k], 30));
+            p->r[i][k] = ldexp(p->xform.r[i][k], -30);
+        }
+    }
+    double t[3] = {uniform(-side, side), uniform(-side, side), -distance};
+    p->xform.t = (struct fx_vec3){q16(t[0]), q16(t[1]), q16(t[2])};
+    p->t[0] = p->xform.t.x / 65536.;
+    p->t[1] = p->xform.t.y / 65536.;
+    p->t[2] = p->xform.t.z / 65536.;
+}
+
+/* Where the ray through a picture point meets the front of the mesh's plane; false unless between near and far. */
+static bool point_in_plane(const struct placement *p, double sx, double sy, double *u, double *v)
+{
+    double q[3] = {(sx - WIDTH / 2.) / FOCAL, (HEIGHT / 2. - sy) / FOCAL, -1}, above = 0, along = 0, hit[3];
+    for (int k = 0; k < 3; k++) {
+        above += p->r[k][2] * p->t[k];
+        along += p->r[k][2] * q[k];
+    }
+    double z = along != 0 ? above / along : 0;
+    *u = 0;
+    *v = 0;
+    for (int k = 0; k < 3; k++) {
+        hit[k] = z * q[k] - p->t[k];
+        *u += p->r[k][0] * hit[k];
+        *v += p->r[k][1] * hit[k];
+    }
+    return z > NEAR && z < FAR && along < 0;
+}
+
+/* Even-odd rule. */
+static bool inside_outline(const struct plane_mesh *m, double u, double v)
+{
+    bool inside = false;
+    for (int i = 0; i < m->outline_count; i++) {
+        const struct fx_vec3 *a = &m->points[m->outline[i]], *b = &m->points[m->outline[(i + 1) % m->outline_count]];
+        double ax = a->x / 65536., ay = a->y / 65536., bx = b->x / 65536., by = b->y / 65536.;
+        if ((ay > v) != (by > v) && u < ax + (v - ay) / (by - ay) * (bx - ax)) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/* 1: all of the pixel's surroundings are inside, 0: all outside, -1: too near the outline or a plane to tell. */
+static int expected(const struct plane_mesh *m, const struct placement *p, int x, int y)
+{
+    const double margin = .75;
+    int inside = 0, points = 0;
+    for (int j = -2; j <= 2; j++) {
+        for (int i = -2; i <= 2; i++) {
+            double u, v;
+            bool in = point_in_plane(p, x + .5 + i * margin / 2, y + .5 + j * margin / 2, &u, &v);
+            inside += in && inside_outline(m, u, v);
+            points++;
+        }
+    }
+    return inside == points ? 1 : inside == 0 ? 0 : -1;
+}
+
+static void draw_one(struct rig *rig, const struct ph_mesh *mesh, int i, const struct placement *p,
+                     uint8_t count[PIXELS])
+{
+    struct rig_one one;
+    struct ph_projection projection;
+    rig_one_triangle(&one, mesh, i);
+    assert_int_equal(ph_projection_perspective(&projection, FX_INT(60), FX_INT(4) / 3, q16(NEAR), FX_INT(FAR)), PH_OK);
+    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &projection, NULL, 0), PH_OK);
+    assert_int_equal(ph_draw_mesh(&rig->r, &one.mesh, &p->xform), PH_OK);
+    if (rig->r.stats.triangles_drawn > 0) {
+        assert_true(rig_finish(rig));
+        for (int k = 0; k < PIXELS; k++) {
+            count[k] = (uint8_t)(count[k] + (rig->depth[k] != 0));
+        }
+        assert_int_equal(rig->r.stats.triangles_dropped, 0);
+    }
+}
+
+struct totals {
+    long inside, outside, wrong;
+};
+
+static void check_mesh(struct rig *rig, const struct plane_mesh *m, const struct placement *p, struct totals *totals)
+{
+    static const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xffff};
+    uint8_t count[PIXELS] = {0};
+    const struct ph_part part = {0, (uint32_t)m->triangle_count, 0};
+    struct ph_mesh mesh = {.positions = m->points,
+                           .triangles = m->triangles,
+                           .parts = &part,
+                           .materials = &material,
+                           .vertex_count = (uint32_t)m->point_count,
+                           .triangle_count = (uint32_t)m->triangle_count,
+                           .part_count = 1};
+    for (int i = 0; i < m->triangle_count; i++) {
+        draw_one(rig, &mesh, i, p, count);
+    }
+    for (int k = 0; k < PIXELS; k++) {
+        int want = expected(m, p, k % WIDTH, k / WIDTH);
+        totals->inside += want == 1;
+        totals->outside += want == 0;
+        if (want >= 0 && count[k] != want) {
+            if (totals->wrong++ < 5) {
+                print_message("pixel (%d, %d) is drawn %d times, not %d\n", k % WIDTH, k / WIDTH, count[k], want);
+            }
+        }
+    }
+}
+
+/* Many meshes; at least `inside` pixels must have been worth looking at. */
+static void check_meshes(void (*build)(struct plane_mesh *m, double size), int meshes, double size, double distance,
+                         double side, double turn, long inside)
+{
+    struct rig rig;
+    struct totals totals = {0, 0, 0};
+    rig_open(&rig, WIDTH, HEIGHT, HEIGHT, PH_DEPTH_FIXED16, 3, 16);
+    random_state = SEED;
+    for (int i = 0; i < meshes; i++) {
+        struct plane_mesh m;
+        struct placement p;
+        build(&m, size);
+        place(&p, distance, side, turn);
+        check_mesh(&rig, &m, &p, &totals);
+    }
+    rig_close(&rig);
+    print_message("inside %ld, outside %ld, wrong %ld\n", totals.inside, totals.outside, totals.wrong);
+    assert_true(totals.inside >= inside);
+    assert_int_equal(totals.wrong, 0);
+}
+
+static void grids_on_the_screen_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_grid, 40, 2, 3, .2, 1, 10000);
+}
+
+static void grids_of_small_triangles_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_grid, 40, 2, 15, .2, 1, 100);
+}
+
+static void fans_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_fan, 80, 2, 3, .2, 1, 10000);
+}
+
+static void grids_over_the_borders_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_grid, 40, 8, 3, 4, 1, 10000);
+}
+
+static void grids_through_the_near_plane_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_grid, 60, 8, .7, 1, 1.5, 10000);
+}
+
+static void grids_beyond_the_guard_band_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_grid, 40, 4000, 3, 100, 1.5, 10000);
+}
+
+static void fans_through_the_near_plane_are_watertight(void **state)
+{
+    (void)state;
+    check_meshes(build_fan, 80, 40, 1, 3, 1.5, 10000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(grids_on_the_screen_are_watertight),
+        cmocka_unit_test(grids_of_small_triangles_are_watertight),
+        cmocka_unit_test(fans_are_watertight),
+        cmocka_unit_test(grids_over_the_borders_are_watertight),
+        cmocka_unit_test(grids_through_the_near_plane_are_watertight),
+        cmocka_unit_test(grids_beyond_the_guard_band_are_watertight),
+        cmocka_unit_test(fans_through_the_near_plane_are_watertight),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
