@@ -1,0 +1,17 @@
+# shellcheck shell=bash
+# The frames whose CRCs stand in tests/golden/frames.txt: every demo, both depth formats, every wire format.
+# `. tests/frames.sh`, then: frames simulator-command... ; prints a line a frame.
+
+frames() {
+    local demo board depth
+    for demo in turntable testcard torus cube fill icosphere ground wireframe; do
+        "$@" --demo $demo --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 fixed16 /" || return 1
+    done
+    for demo in torus cube ground wireframe; do
+        depth=float16
+        "$@" --demo $demo --size 320x240 --start 40 --depth $depth --crc | sed "s/^/$demo 320x240 $depth /" || return 1
+    done
+    "$@" --list | while read -r what board _; do
+        [ "$what" != board ] || "$@" --demo testcard --board "$board" --crc | sed "s/^/testcard $board fixed16 /"
+    done
+}
