@@ -7,9 +7,11 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
+#include "model.h"
 #include "options.h"
 #include "player.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
@@ -35,15 +37,7 @@ static void catch_signals(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
-/* Ends as the signal would have, so that a shell's loop ends too. */
-static int end_by_signal(void)
-{
-    signal(caught_signal, SIG_DFL);
-    raise(caught_signal);
-    return EXIT_FAILED;
-}
-
-static int print_list(void)
+static void print_list(void)
 {
     for (uint32_t i = 0; i < demo_count; i++) {
         printf("demo   %-24s %s\n", demo_list[i]->name, demo_list[i]->summary);
@@ -54,7 +48,6 @@ static int print_list(void)
                (unsigned)panel_width(panel, board_list[i]->rotation),
                (unsigned)panel_height(panel, board_list[i]->rotation));
     }
-    return EXIT_DONE;
 }
 
 static int choose_board(const struct options *o, struct sim_virtual *virtual_board, const struct board **board)
@@ -85,21 +78,44 @@ static int choose_camera(const struct options *o, const struct player_setup *set
     return 0;
 }
 
-static int choose(const struct options *o, struct player_setup *setup, struct sim_virtual *virtual_board)
+/* What is chosen lives as long as the run: the setup points into it. */
+struct chosen {
+    struct sim_virtual virtual_board;
+    struct model *model;
+    struct demo model_demo;
+};
+
+static int choose_scene(const struct options *o, struct chosen *chosen, struct player_setup *setup)
 {
-    const int status = choose_board(o, virtual_board, &setup->board);
+    if (o->model == NULL) {
+        const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
+        setup->demo = demo_find(name);
+        return setup->demo != NULL ? 0 : complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
+    }
+    const int status = model_open(&chosen->model, o->model);
+    if (status != 0) {
+        return status;
+    }
+    if (chosen->model->note != NULL) {
+        complain(EXIT_DONE, "--model %s: %s", o->model, chosen->model->note);
+    }
+    chosen->model_demo = model_demo(chosen->model);
+    setup->demo = &chosen->model_demo;
+    setup->state = chosen->model;
+    return 0;
+}
+
+static int choose(const struct options *o, struct chosen *chosen, struct player_setup *setup)
+{
+    int status = choose_board(o, &chosen->virtual_board, &setup->board);
     if (status != 0) {
         return status;
     }
     setup->rotation = o->rotate_set ? o->rotate : setup->board->rotation;
     setup->band_height = o->band != 0 ? o->band : setup->board->band_height;
     setup->depth_format = o->depth;
-    const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
-    setup->demo = demo_find(name);
-    if (setup->demo == NULL) {
-        return complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
-    }
-    return choose_camera(o, setup, &setup->camera);
+    status = choose_camera(o, setup, &setup->camera);
+    return status != 0 ? status : choose_scene(o, chosen, setup);
 }
 
 static int show_frame(const struct options *o, const struct frame_out *out, struct player *p, uint32_t frame)
@@ -132,17 +148,30 @@ static int run(const struct options *o, const struct player_setup *setup)
         status = show_frame(o, &out, &player, o->start + i);
     }
     const int closed = player_close(&player);
-    if (caught_signal != 0) {
-        return end_by_signal();
-    }
     return status != 0 ? status : closed;
+}
+
+/* Chooses, runs, and gives back. */
+static int draw(const struct options *o)
+{
+    struct chosen chosen = {.model = NULL};
+    struct player_setup setup = {.board = NULL};
+    int status = choose(o, &chosen, &setup);
+    if (status == 0) {
+        catch_signals();
+        status = run(o, &setup);
+    }
+    model_close(chosen.model);
+    if (caught_signal != 0) { /* end as the signal would have ended it, so that a shell's loop ends too */
+        signal(caught_signal, SIG_DFL);
+        raise(caught_signal);
+    }
+    return status;
 }
 
 int main(int argc, char *argv[])
 {
     struct options options;
-    struct player_setup setup = {0};
-    struct sim_virtual virtual_board;
     complain_as("pinhole-sim");
     int status = options_read(&options, argc, argv);
     if (status != 0) {
@@ -150,22 +179,15 @@ int main(int argc, char *argv[])
     }
     if (options.action == OPTION_HELP) {
         options_help();
-        return EXIT_DONE;
+    } else if (options.action == OPTION_LIST) {
+        print_list();
+    } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
+        status = complain(EXIT_USAGE, "--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
+    } else {
+        status = draw(&options);
     }
-    if (options.action == OPTION_LIST) {
-        return print_list();
-    }
-    if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
-        return complain(EXIT_USAGE, "--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
-    }
-    status = choose(&options, &setup, &virtual_board);
-    if (status != 0) {
-        return status;
-    }
-    catch_signals();
-    status = run(&options, &setup);
-    if (status == 0 && fflush(stdout) != 0) {
-        return complain(EXIT_FAILED, "stdout cannot be written");
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
+        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
     }
     return status;
 }

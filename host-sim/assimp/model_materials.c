@@ -1,0 +1,135 @@
+#include "model_read.h"
+
+#include "png_in.h"
+#include "texture_make.h"
+
+#include <assimp/material.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* How a material takes the turntable's light; of files only the colour can be relied on. */
+#define AMBIENT        (FX_ONE / 6)
+#define DIFFUSE        (FX_ONE * 3 / 4)
+#define GLOSS          (FX_ONE / 4)
+#define SHININESS_LOG2 5
+
+#define PATH_BYTES 4096
+
+/* One channel, 0 .. 1, as the display takes it. */
+static uint8_t channel(float value, bool is_linear)
+{
+    const float v = value > 0 ? (value < 1 ? value : 1) : 0; /* NaN gives 0 */
+    if (!is_linear) {
+        return (uint8_t)lroundf(v * 255);
+    }
+    return (uint8_t)lroundf(255 * (v <= .0031308f ? 12.92f * v : 1.055f * powf(v, 1 / 2.4f) - .055f));
+}
+
+/* The file that a material names, beside the model. */
+static bool beside(char out[PATH_BYTES], const char *model_path, const char *name)
+{
+    const char *slash = strrchr(model_path, '/');
+    const int folder = slash == NULL || name[0] == '/' ? 0 : (int)(slash + 1 - model_path);
+    const int n = snprintf(out, PATH_BYTES, "%.*s%s", folder, model_path, name);
+    for (char *at = out; *at != '\0'; at++) {
+        *at = *at == '\\' ? '/' : *at;
+    }
+    return n < PATH_BYTES;
+}
+
+static const struct aiTexture *find_embedded(const struct aiScene *scene, const char *name)
+{
+    const unsigned long index = name[0] == '*' ? strtoul(name + 1, NULL, 10) : scene->mNumTextures;
+    if (index < scene->mNumTextures) {
+        return scene->mTextures[index];
+    }
+    for (unsigned i = 0; i < scene->mNumTextures; i++) {
+        if (strcmp(scene->mTextures[i]->mFilename.data, name) == 0) {
+            return scene->mTextures[i];
+        }
+    }
+    return NULL;
+}
+
+static int load_picture(const struct aiScene *scene, const char *model_path, const char *name, struct ppm *picture)
+{
+    const struct aiTexture *embedded = find_embedded(scene, name);
+    if (embedded != NULL) { /* a height of 0 marks a file in memory; its width is its bytes */
+        return embedded->mHeight == 0 ? png_in_memory(embedded->pcData, embedded->mWidth, picture) : -1;
+    }
+    char path[PATH_BYTES];
+    return beside(path, model_path, name) ? png_in_file(path, picture) : -1;
+}
+
+static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
+{
+    int mode = aiTextureMapMode_Wrap;
+    aiGetMaterialIntegerArray(from, AI_MATKEY_MAPPINGMODE_U(type, 0), &mode, NULL);
+    return mode == aiTextureMapMode_Clamp ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
+}
+
+/* The texture of a material, or NULL where it has none or one that cannot be used, which is noted. */
+static const struct ph_texture *read_texture(struct model_shared *shared, const struct aiScene *scene,
+                                             const struct aiMaterial *from, const char *model_path)
+{
+    const enum aiTextureType type =
+        aiGetMaterialTextureCount(from, aiTextureType_DIFFUSE) > 0 ? aiTextureType_DIFFUSE : aiTextureType_BASE_COLOR;
+    struct aiString name;
+    if (aiGetMaterialTexture(from, type, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) != aiReturn_SUCCESS) {
+        return NULL;
+    }
+    struct ppm picture;
+    if (load_picture(scene, model_path, name.data, &picture) != 0) {
+        snprintf(shared->note, sizeof shared->note, "texture %.100s is left out: %s", name.data, png_in_reason);
+        return NULL;
+    }
+    struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
+    const int status = texture != NULL ? texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
+    free(picture.rgb);
+    if (status != 0) {
+        snprintf(shared->note, sizeof shared->note, "texture %.100s is left out: no memory", name.data);
+        return NULL;
+    }
+    texture->wrap = wrap_of(from, type);
+    return texture;
+}
+
+static bool read_material(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
+                          const char *path, bool is_linear, struct ph_material *to)
+{
+    uint16_t *ramp = demo_alloc(&shared->arena, sizeof *ramp * PH_RAMP_SIZE);
+    if (ramp == NULL) {
+        return false;
+    }
+    struct aiColor4D c = {.8f, .8f, .8f, 1};
+    int two_sided = 0;
+    aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &c);
+    aiGetMaterialIntegerArray(from, AI_MATKEY_TWOSIDED, &two_sided, NULL);
+    const uint8_t r = channel(c.r, is_linear), g = channel(c.g, is_linear), b = channel(c.b, is_linear);
+    ph_material_ramp(ramp, r, g, b, GLOSS);
+    *to = (struct ph_material){.shading = PH_SHADE_GOURAUD,
+                               .two_sided = two_sided != 0,
+                               .shininess_log2 = SHININESS_LOG2,
+                               .ambient = AMBIENT,
+                               .diffuse = DIFFUSE,
+                               .specular = GLOSS,
+                               .colour = ph_rgb565(r, g, b),
+                               .ramp = ramp,
+                               .texture = read_texture(shared, scene, from, path)};
+    return true;
+}
+
+struct ph_material *model_read_materials(struct model_shared *shared, const struct aiScene *scene, const char *path,
+                                         bool is_linear)
+{
+    struct ph_material *materials = demo_alloc(&shared->arena, sizeof *materials * scene->mNumMaterials);
+    for (unsigned i = 0; materials != NULL && i < scene->mNumMaterials; i++) {
+        if (!read_material(shared, scene, scene->mMaterials[i], path, is_linear, &materials[i])) {
+            return NULL;
+        }
+    }
+    return materials;
+}

@@ -1,0 +1,113 @@
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, fork, setrlimit */
+
+#include "model_read.h"
+
+#include "complain.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* Address space, not memory: pages come into being when they are written. */
+#define SHARED_BYTES (sizeof(void *) > 4 ? (size_t)2 << 30 : (size_t)1 << 29)
+#define CPU_SECONDS  300 /* a reader that takes longer hangs */
+
+static int check_file(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return complain(EXIT_FAILED, "--model %s: %s", path, strerror(errno));
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return complain(EXIT_FAILED, "--model %s: is a directory; name a model file in it", path);
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return complain(EXIT_FAILED, "--model %s: is no regular file", path);
+    }
+    if (status.st_size == 0) {
+        return complain(EXIT_FAILED, "--model %s: is empty", path);
+    }
+    if (status.st_size > (off_t)MODEL_FILE_MAX) {
+        return complain(EXIT_FAILED, "--model %s: has more than %u bytes, the limit", path, MODEL_FILE_MAX);
+    }
+    if (access(path, R_OK) != 0) {
+        return complain(EXIT_FAILED, "--model %s: cannot be read: %s", path, strerror(errno));
+    }
+    return 0;
+}
+
+/* Readers print: what they say is in shared->error or not worth a line. */
+static void silence(void)
+{
+    const int nowhere = open("/dev/null", O_RDWR);
+    if (nowhere >= 0) {
+        dup2(nowhere, STDOUT_FILENO);
+        dup2(nowhere, STDERR_FILENO);
+    }
+}
+
+static void child(struct model_shared *shared, const char *path)
+{
+    const struct rlimit seconds = {CPU_SECONDS, CPU_SECONDS}, no_core = {0, 0};
+    setrlimit(RLIMIT_CPU, &seconds);
+    setrlimit(RLIMIT_CORE, &no_core);
+    silence();
+    _exit(model_read(shared, path) ? EXIT_DONE : EXIT_FAILED);
+}
+
+static int read_in_child(struct model_shared *shared, const char *path)
+{
+    const pid_t pid = fork();
+    if (pid < 0) {
+        return complain(EXIT_FAILED, "--model %s: no process to read it in: %s", path, strerror(errno));
+    }
+    if (pid == 0) {
+        child(shared, path);
+    }
+    int status = 0;
+    while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_DONE) {
+        return 0;
+    }
+    if (WIFEXITED(status) && shared->error[0] != '\0') {
+        return complain(EXIT_FAILED, "--model %s: %s", path, shared->error);
+    }
+    return complain(EXIT_FAILED, "--model %s: is broken: the reader crashed on it", path);
+}
+
+int model_open(struct model **model, const char *path)
+{
+    *model = NULL;
+    int status = check_file(path);
+    if (status != 0) {
+        return status;
+    }
+    void *memory = mmap(NULL, SHARED_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory == MAP_FAILED) {
+        return complain(EXIT_FAILED, "--model %s: not enough memory", path);
+    }
+    struct model_shared *shared = memory;
+    const size_t head = (sizeof *shared + 15) & ~(size_t)15;
+    shared->arena = (struct demo_arena){.base = (uint8_t *)memory + head, .size = SHARED_BYTES - head};
+    status = read_in_child(shared, path);
+    if (status != 0) {
+        munmap(memory, SHARED_BYTES);
+        return status;
+    }
+    shared->model.note = shared->note[0] != '\0' ? shared->note : NULL;
+    *model = &shared->model;
+    return 0;
+}
+
+void model_close(struct model *model)
+{
+    if (model != NULL) {
+        munmap(model, SHARED_BYTES);
+    }
+}

@@ -1,0 +1,98 @@
+#include "model_read.h"
+
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#define CREASE_DEGREES 66 /* edges sharper than this stay sharp when normals are made */
+
+bool model_read_failed(struct model_shared *shared, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(shared->error, sizeof shared->error, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool has_suffix(const char *path, const char *suffix)
+{
+    const size_t n = strlen(path), m = strlen(suffix);
+    if (n < m) {
+        return false;
+    }
+    for (size_t i = 0; i < m; i++) {
+        if (tolower((unsigned char)path[n - m + i]) != suffix[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Triangles once every node has its own copy of its meshes; counting stops above the limit. */
+static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode *node)
+{
+    uint64_t count = 0;
+    for (unsigned i = 0; i < node->mNumMeshes && count <= MODEL_TRIANGLES_MAX; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[node->mMeshes[i]];
+        for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+            count += mesh->mFaces[f].mNumIndices > 2 ? mesh->mFaces[f].mNumIndices - 2 : 0;
+        }
+    }
+    for (unsigned i = 0; i < node->mNumChildren && count <= MODEL_TRIANGLES_MAX; i++) {
+        count += count_triangles(scene, node->mChildren[i]);
+    }
+    return count;
+}
+
+/* The steps that change what the triangles are; the settings stay with the scene for them. */
+static const struct aiScene *import(const char *path, bool is_stl)
+{
+    struct aiPropertyStore *settings = aiCreatePropertyStore();
+    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_SLM_VERTEX_LIMIT, (int)MODEL_VERTICES_MAX);
+    aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, CREASE_DEGREES);
+    aiSetImportPropertyInteger(settings, AI_CONFIG_PP_RVC_FLAGS, is_stl ? (int)aiComponent_NORMALS : 0);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, NULL, settings);
+    aiReleasePropertyStore(settings);
+    return scene;
+}
+
+/* An STL file has the normals of its facets only, which say nothing that the facets do not. */
+static unsigned steps(bool is_stl)
+{
+    return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices | aiProcess_FlipUVs |
+           aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals | aiProcess_SplitLargeMeshes |
+           aiProcess_ImproveCacheLocality | (is_stl ? aiProcess_RemoveComponent : 0u);
+}
+
+bool model_read(struct model_shared *shared, const char *path)
+{
+    const bool is_stl = has_suffix(path, ".stl");
+    const bool is_linear = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
+    const struct aiScene *scene = import(path, is_stl);
+    if (scene == NULL) {
+        return model_read_failed(shared, "is no model that can be read: %s", aiGetErrorString());
+    }
+    const uint64_t count = scene->mRootNode != NULL ? count_triangles(scene, scene->mRootNode) : 0;
+    if (count == 0) {
+        return model_read_failed(shared, "has no triangles");
+    }
+    if (count > MODEL_TRIANGLES_MAX) {
+        return model_read_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
+    }
+    scene = aiApplyPostProcessing(scene, steps(is_stl));
+    if (scene == NULL) {
+        return model_read_failed(shared, "is broken: %s", aiGetErrorString());
+    }
+    const struct ph_material *materials = model_read_materials(shared, scene, path, is_linear);
+    if (materials == NULL) {
+        return model_read_failed(shared, "needs too much memory");
+    }
+    return model_read_meshes(shared, scene, materials);
+}

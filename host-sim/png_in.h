@@ -1,0 +1,16 @@
+/* png_in: PNG pictures as RGB888. png/ does it with libpng, nopng/ has none; the Makefile picks. */
+#ifndef PNG_IN_H
+#define PNG_IN_H
+
+#include "ppm.h"
+
+#include <stddef.h>
+
+/* Both return 0, or -1 where there is no such PNG of at most PPM_SIDE_MAX pixels a side. free(picture->rgb). */
+int png_in_file(const char *path, struct ppm *picture);
+int png_in_memory(const void *bytes, size_t n, struct ppm *picture);
+
+/* Why a PNG is refused: "no PNG", or that libpng was missing. */
+extern const char png_in_reason[];
+
+#endif

@@ -1,0 +1,16 @@
+/* texture_make: pictures as textures for the renderer. */
+#ifndef TEXTURE_MAKE_H
+#define TEXTURE_MAKE_H
+
+#include "demo.h"
+#include "ppm.h"
+
+#define TEXTURE_LOG2_MAX 10
+
+/*
+ * Resamples picture (by the mean of the pixels that a texel covers) to the next power of two of each side, at most
+ * 1024. Repeats. PH_ERR_NOMEM: the arena is full.
+ */
+int texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture);
+
+#endif
