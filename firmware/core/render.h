@@ -14,7 +14,7 @@
  * pixel exactly once. Screen positions have 8 sub-pixel bits.
  *
  * Colour: RGB565 in wire order, that is the byte with red first in memory, on every machine.
- * Light: one white intensity a vertex (see light.h) that indexes the material's ramp of 128 colours.
+ * Light: one white intensity a vertex (ambient, Lambert, Blinn; viewer at infinity) that indexes the material's ramp of 128 colours.
  * Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the first drawn stays.
  *
  * What does not fit into the caller's budgets is left out and counted in ph_stats.
