@@ -1,4 +1,4 @@
-/* fx: sums, products, quotients and roots. See fx.h. */
+/* fx: sums, products, quotients. See fx.h. */
 #include "fx.h"
 
 static fx_t clamp64(int64_t v)
@@ -61,11 +61,20 @@ fx_t fx_div_sat(fx_t a, fx_t b)
         return a > 0 ? FX_MAX : a < 0 ? FX_MIN : 0;
     }
     const uint32_t negative = (a < 0) != (b < 0);
+    const uint32_t n = magnitude(a);
     const uint32_t d = magnitude(b);
-    const uint64_t n = (uint64_t)magnitude(a) << 16;
-    uint64_t q = n / d;
-    const uint64_t r2 = 2 * (n % d);
-    q += r2 > d || (r2 == d && !negative); /* a tie goes up */
+    if (n >> 15 >= d) { /* 2^31 or more */
+        return negative ? FX_MIN : FX_MAX;
+    }
+    int shift;
+    const uint32_t r = fx_rcp_norm(d, &shift);
+    uint32_t q = (uint32_t)(fx_mul_wide_u(n, r) >> (46 - shift)); /* r is less than 2^-30 too small: q at most 2 */
+    uint64_t rest = ((uint64_t)n << 16) - fx_mul_wide_u(q, d);
+    while (rest >= d) {
+        rest -= d;
+        q++;
+    }
+    q += 2 * rest > d || (2 * rest == d && !negative); /* a tie goes up */
     return clamp64(negative ? -(int64_t)q : (int64_t)q);
 }
 
@@ -84,38 +93,6 @@ fx_t fx_rcp_sat(fx_t a)
     return q > (uint32_t)FX_MAX ? FX_MAX : (fx_t)q;
 }
 
-fx_t fx_sqrt(fx_t a)
-{
-    if (a <= 0) {
-        return 0;
-    }
-    const uint64_t n = (uint64_t)(uint32_t)a << 16; /* the result is sqrt(n), 24 bits */
-    uint32_t r = 0;
-    for (uint32_t bit = (uint32_t)1 << 23; bit != 0; bit >>= 1) {
-        if (fx_mul_wide_u(r | bit, r | bit) <= n) {
-            r |= bit;
-        }
-    }
-    return (fx_t)(r + (n - fx_mul_wide_u(r, r) > r)); /* above (r + 1/2)^2 = r^2 + r + 1/4 */
-}
-
-fx_t fx_rsqrt_sat(fx_t a)
-{
-    if (a <= 0) {
-        return FX_MAX;
-    }
-    /* The result is 2^24 / sqrt(a); s counts its halves, 26 bits: the largest s with s^2 a <= 2^50. */
-    const uint64_t limit = (uint64_t)1 << 50;
-    uint32_t s = 0;
-    for (uint32_t bit = (uint32_t)1 << 25; bit != 0; bit >>= 1) {
-        const uint64_t square = fx_mul_wide_u(s | bit, s | bit);
-        if (square <= limit && (square >> 32) * (uint32_t)a <= limit >> 32 && square * (uint32_t)a <= limit) {
-            s |= bit;
-        }
-    }
-    return (fx_t)((s + 1) >> 1);
-}
-
 fx_t fx_lerp_sat(fx_t a, fx_t b, fx_t t)
 {
     const int64_t product = ((int64_t)b - a) * t; /* at most (2^32 - 1) 2^31: fits, also with the half */
@@ -132,11 +109,4 @@ uint32_t fx_turn32_from_deg(fx_t deg)
         q -= 1;
     }
     return (uint32_t)q * 8192u + ((uint32_t)r * 8192u + 22u) / 45u;
-}
-
-uint32_t fx_rcp_norm(uint32_t w, int *shift)
-{
-    const uint32_t v = w != 0 ? w : 1;
-    *shift = fx_clz32(v);
-    return (uint32_t)(((uint64_t)1 << 62) / (v << *shift));
 }

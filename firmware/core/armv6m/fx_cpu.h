@@ -1,4 +1,7 @@
-/* fx_cpu: the words of a CPU for fx.h, portable form. See fx.h for what each one gives. */
+/*
+ * fx_cpu: the words of a CPU for fx.h, ARMv6-M (Cortex-M0, M0+): a 32-bit product of one cycle, but no long one and
+ * no CLZ. See fx.h for what each one gives.
+ */
 #ifndef FX_CPU_H
 #define FX_CPU_H
 
@@ -6,22 +9,52 @@
 
 static inline int fx_clz32(uint32_t v)
 {
-    return v != 0 ? __builtin_clz(v) : 32;
+    int zeros = 0;
+    if (v == 0) {
+        return 32;
+    }
+    if (v >> 16 == 0) {
+        v <<= 16;
+        zeros += 16;
+    }
+    if (v >> 24 == 0) {
+        v <<= 8;
+        zeros += 8;
+    }
+    if (v >> 28 == 0) {
+        v <<= 4;
+        zeros += 4;
+    }
+    if (v >> 30 == 0) {
+        v <<= 2;
+        zeros += 2;
+    }
+    return zeros + (v >> 31 == 0);
 }
 
+/* Four products of 16 bits; the sums of two never carry out of 32 bits. */
 static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
 {
-    return (uint32_t)((uint64_t)a * b >> 32);
+    const uint32_t al = a & 0xffff, ah = a >> 16;
+    const uint32_t bl = b & 0xffff, bh = b >> 16;
+    const uint32_t m1 = ah * bl + ((al * bl) >> 16);
+    const uint32_t m2 = al * bh + (m1 & 0xffff);
+    return ah * bh + (m1 >> 16) + (m2 >> 16);
 }
 
 static inline int64_t fx_mul_wide(int32_t a, int32_t b)
 {
-    return (int64_t)a * b;
+    const uint32_t al = (uint32_t)a & 0xffff, bl = (uint32_t)b & 0xffff;
+    const int32_t ah = a >> 16, bh = b >> 16;
+    const int32_t m1 = ah * (int32_t)bl + (int32_t)((al * bl) >> 16);
+    const int32_t m2 = (int32_t)al * bh + (m1 & 0xffff);
+    const uint32_t high = (uint32_t)(ah * bh + (m1 >> 16) + (m2 >> 16));
+    return (int64_t)((uint64_t)high << 32 | (uint32_t)a * (uint32_t)b);
 }
 
 static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b)
 {
-    return (uint64_t)a * b;
+    return (uint64_t)fx_mulhi_u32(a, b) << 32 | a * b;
 }
 
 #endif

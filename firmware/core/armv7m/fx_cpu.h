@@ -1,4 +1,5 @@
-/* fx_cpu: the words of a CPU for fx.h, portable form. See fx.h for what each one gives. */
+/* fx_cpu: the words of a CPU for fx.h, ARMv7-M (CLZ and UMULL are one instruction each). See fx.h for what each one
+ * gives. */
 #ifndef FX_CPU_H
 #define FX_CPU_H
 
