@@ -33,9 +33,9 @@ struct demo_context {
 
 struct demo {
     const char *name;
-    const char *summary;  /* one line for --list */
-    uint32_t loop_frames; /* the animation repeats after this many frames */
-    size_t arena_bytes;   /* what init takes at most */
+    const char *summary;               /* one line for --list */
+    uint32_t loop_frames;              /* the animation repeats after this many frames */
+    size_t arena_bytes;                /* what init takes at most */
     uint32_t vertex_max, triangle_max; /* budgets with which nothing is dropped */
 
     /* Builds meshes. 0 or PH_ERR_NOMEM. */
@@ -49,5 +49,19 @@ extern const struct demo *const demo_list[];
 extern const uint32_t demo_count;
 
 const struct demo *demo_find(const char *name);
+
+/*
+ * The turntable for any meshes, e.g. a loaded model: meshes with their own materials, in one coordinate system (y up),
+ * turn together about the vertical axis through `centre`, one turn in 256 frames. The camera looks down at 20 degrees
+ * from where everything just fits into the picture at every angle; it is worked out here from all vertices.
+ * Coordinates of some thousandths to some thousands of units; a radius of about 1 is best.
+ *
+ * init uses the size in context, takes less than DEMO_TURNTABLE_BYTES of its arena, and sets context->state; the meshes
+ * are not copied. Budgets: the largest mesh's vertices; triangles: all (about half of those of a closed mesh).
+ */
+#define DEMO_TURNTABLE_BYTES 256
+int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
+                        struct fx_vec3 centre);
+int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
 #endif

@@ -1,31 +1,76 @@
 /*
- * models: meshes made by our own code, in fixed point, into a caller's arena. All functions return 0 or PH_ERR_NOMEM.
- * Vertex and triangle order is the one of the benchmark scenes where there is one.
+ * models: meshes made by our own code, in fixed point, into a caller's arena. Vertex and triangle order is the one of
+ * the benchmark scenes where there is one. Triangles are counter-clockwise seen from outside; vertices that lie in one
+ * place with one normal exist once, so that each is transformed once and no crack can open between triangles.
+ *
+ * All functions return 0, PH_ERR_NOMEM (the arena is too small; what was taken of it is not given back) or
+ * PH_ERR_INVAL (an argument outside its range). They leave mesh->parts and mesh->materials to model_material().
+ *
+ * Memory: MODEL_BYTES(vertices, triangles) for positions, normals and triangles, on top of it what the function states.
+ * "Scratch" is taken at the arena's end and given back before the return.
  */
 #ifndef MODELS_H
 #define MODELS_H
 
 #include "demo.h"
 
-/* Torus around the z axis: major x minor segments, radii in Q16.16. Vertex i * minor + j. */
+#define MODEL_ROUND8(n) (((size_t)(n) + 7) & ~(size_t)7)
+#define MODEL_BYTES(v, t)                                                                                              \
+    (MODEL_ROUND8(12 * (size_t)(v)) + MODEL_ROUND8(6 * (size_t)(v)) + MODEL_ROUND8(6 * (size_t)(t)))
+#define MODEL_EDGES_BYTES(e) MODEL_ROUND8(4 * (size_t)(e))
+
+/*
+ * Torus around the z axis: major x minor segments (3 .. 256 each), radii in Q16.16, radius + tube < 8.
+ * Vertex i * minor + j. Positions within 0.51 LSB, normals within 0.51 of Q1.14's LSB.
+ */
+#define MODEL_TORUS_VERTICES(major, minor)  ((major) * (minor))
+#define MODEL_TORUS_TRIANGLES(major, minor) (2 * (major) * (minor))
 int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, uint32_t minor, fx_t radius, fx_t tube);
 
-/* Icosahedron subdivided `levels` times (0 .. 5), vertices normalised at each level; radius 1. */
+/*
+ * Icosahedron subdivided `levels` times (0 .. 5), vertices normalised at each level; radius 1. Errors as the torus.
+ * Scratch: MODEL_ICOSPHERE_SCRATCH.
+ */
+#define MODEL_ICOSPHERE_VERTICES(levels)  (10u * (1u << (2 * (levels))) + 2)
+#define MODEL_ICOSPHERE_TRIANGLES(levels) (20u * (1u << (2 * (levels))))
+#define MODEL_ICOSPHERE_SCRATCH(levels)   MODEL_ROUND8(6 * (size_t)MODEL_ICOSPHERE_VERTICES(levels))
+#define MODEL_ICOSPHERE_LEVELS_MAX        5
 int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t levels);
 
-/* Cube [-1, 1]^3 with 24 vertices and texture coordinates per face. */
+/* Cube [-1, 1]^3 with 24 vertices, 12 triangles; texture coordinates (0 .. 1 on each face) take 192 bytes. */
+#define MODEL_CUBE_BYTES (MODEL_BYTES(24, 12) + 192)
 int model_cube(struct demo_arena *arena, struct ph_mesh *mesh);
 
-/* cells x cells squares of side 1 in the plane y = 0, centred, with the wavy normals of the benchmark. */
+/* cells x cells squares (1 .. 255) of side 1 in the plane y = 0, centred, with the wavy normals of the benchmark. */
+#define MODEL_GROUND_VERTICES(cells)  (((cells) + 1) * ((cells) + 1))
+#define MODEL_GROUND_TRIANGLES(cells) (2 * (cells) * (cells))
 int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells);
 
-/* Newell's teapot from its Bezier patches, each divided into segments x segments quads; lid, spout, handle, bottom. */
+/*
+ * Newell's teapot from its Bezier patches, each divided into segments x segments quads (2 .. 8). y is up, the axis of
+ * the pot is the y axis, the lid's top is at .63 and the bottom at -.63, the spout points along +x; within 1.42 of the
+ * origin. Points of the patches are rounded once (0.5 LSB).
+ *
+ * The mesh is closed: lid and rim, which the patches leave .04 apart, are joined by a flat ring, and the ends of handle
+ * and spout have flat covers (those of the handle and the spout's inner one are hidden in the pot).
+ *
+ *   segments        2     3     4     5     6     8
+ *   vertices      138   302   530   822  1178  2082
+ *   triangles     264   592  1048  1632  2344  4152
+ */
+#define MODEL_TEAPOT_VERTICES(n)  (32 * (n) * (n) + 4 * (n) + 2)
+#define MODEL_TEAPOT_TRIANGLES(n) (64 * (n) * (n) + 8 * (n)-8)
 int model_teapot(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t segments);
 
-/* Each undirected edge of the mesh once, into mesh->edges. */
+/*
+ * Each undirected edge of the mesh once, into mesh->edges; linear time for any mesh. Scratch: MODEL_EDGES_SCRATCH.
+ * model_quad_edges leaves out the diagonals of quads: where triangle 2k is (a, b, c) and 2k + 1 is (a, c, d), a-c.
+ */
+#define MODEL_EDGES_SCRATCH(v, t) (MODEL_ROUND8(8 * (size_t)(v) + 4) + MODEL_ROUND8(6 * (size_t)(t)))
 int model_edges(struct demo_arena *arena, struct ph_mesh *mesh);
+int model_quad_edges(struct demo_arena *arena, struct ph_mesh *mesh);
 
-/* One part over all triangles with one material (not copied). */
+/* One part over all triangles with one material (not copied). Takes 16 bytes. */
 int model_material(struct demo_arena *arena, struct ph_mesh *mesh, const struct ph_material *material);
 
 #endif

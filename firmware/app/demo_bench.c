@@ -1,0 +1,254 @@
+/*
+ * The five scenes on which renderers are compared (shared instruction counts and picture quality): torus, cube, fill,
+ * icosphere, ground. At 320x240, frame f of 0 .. 63 is exactly the scene's frame f:
+ *
+ *   a = 2 pi (f + .5) / 64, b = .2 + .3 f / 64 rad, R = Rx(b) Ry(a), camera at the origin, 60 degrees, .5 .. 100.
+ *
+ * Beyond, a goes on turning and b runs back: frames 64 .. 127 use b of 63 .. 0, and frame 128 is frame 0 again.
+ */
+#include "demo_scene.h"
+#include "models.h"
+
+#define LOOP_FRAMES    128
+#define FILL_PARTS     8
+#define TEXTURE_LOG2   6
+#define TEXTURE_TEXELS (1u << (2 * TEXTURE_LOG2))
+
+struct bench {
+    struct ph_mesh mesh;
+    struct ph_material material;
+    struct ph_texture texture;
+    uint16_t ramp[PH_RAMP_SIZE];
+};
+
+struct fill {
+    struct ph_mesh mesh;
+    struct ph_material materials[FILL_PARTS];
+    struct ph_part parts[FILL_PARTS];
+    struct fx_vec3 positions[4 * FILL_PARTS];
+    uint16_t triangles[2 * FILL_PARTS][3];
+};
+
+#define BENCH_BYTES (MODEL_ROUND8(sizeof(struct bench)) + MODEL_ROUND8(sizeof(struct ph_part)))
+
+/* normalize(.5, .6, .7) towards the light; .2 ambient, .8 diffuse */
+static const struct ph_scene_light bench_light = {
+    .ambient = FX_ONE,
+    .count = 1,
+    .lights = {{.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE, .to_light_q30 = {511886330, 614263596, 716640862}}},
+};
+
+struct ph_xform demo_benchmark_rotation(uint32_t frame)
+{
+    const uint64_t b_first_q16 = 8959626780035; /* .2 rad in 2^-48 turns */
+    const uint64_t b_step_q16 = 209991252657;   /* .3 / 64 rad */
+    const uint32_t phase = frame % LOOP_FRAMES;
+    const uint32_t step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - 1 - phase;
+    const uint32_t a = (2 * frame + 1) << 25;
+    const uint32_t b = (uint32_t)((b_first_q16 + step * b_step_q16 + (1 << 15)) >> 16);
+    const struct ph_xform about_x = ph_xform_rotate_x(b);
+    const struct ph_xform about_y = ph_xform_rotate_y(a);
+    return ph_xform_mul(&about_x, &about_y);
+}
+
+static int bench_begin(const struct demo_context *context, struct ph_renderer *r)
+{
+    const struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(100));
+    return demo_begin(context, r, &ph_xform_identity, &projection, &bench_light, 0);
+}
+
+/* The state with its lit material, in context->state; NULL when the arena is full. */
+static struct bench *bench_new(struct demo_context *context)
+{
+    struct bench *const b = demo_alloc(&context->arena, sizeof(*b));
+    if (b) {
+        b->material = (struct ph_material){.shading = PH_SHADE_GOURAUD,
+                                           .ambient = (FX_ONE + 2) / 5,
+                                           .diffuse = (4 * FX_ONE + 2) / 5,
+                                           .colour = ph_rgb565(255, 160, 64),
+                                           .ramp = b->ramp};
+        ph_material_ramp(b->ramp, 255, 160, 64, 0);
+        context->state = b;
+    }
+    return b;
+}
+
+static int torus_init(struct demo_context *context)
+{
+    struct bench *const b = bench_new(context);
+    if (!b || model_torus(&context->arena, &b->mesh, 32, 16, FX_ONE, (4 * FX_ONE + 5) / 10) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    return model_material(&context->arena, &b->mesh, &b->material);
+}
+
+static int icosphere_init(struct demo_context *context)
+{
+    struct bench *const b = bench_new(context);
+    if (!b || model_icosphere(&context->arena, &b->mesh, 4) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    return model_material(&context->arena, &b->mesh, &b->material);
+}
+
+static int ground_init(struct demo_context *context)
+{
+    struct bench *const b = bench_new(context);
+    if (!b || model_ground(&context->arena, &b->mesh, 20) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    return model_material(&context->arena, &b->mesh, &b->material);
+}
+
+static int cube_init(struct demo_context *context)
+{
+    struct bench *const b = bench_new(context);
+    uint16_t *const texels = demo_alloc(&context->arena, TEXTURE_TEXELS * sizeof(*texels));
+    if (!b || !texels || model_cube(&context->arena, &b->mesh) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < TEXTURE_TEXELS; i++) {
+        const uint32_t x = i % (1u << TEXTURE_LOG2);
+        const uint32_t y = i >> TEXTURE_LOG2;
+        texels[i] = ph_rgb565((uint8_t)(4 * x), (uint8_t)(4 * y), ((x >> 3) ^ (y >> 3)) & 1 ? 255 : 64);
+    }
+    b->texture = (struct ph_texture){texels, TEXTURE_LOG2, TEXTURE_LOG2, PH_WRAP_CLAMP};
+    b->material = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &b->texture};
+    return model_material(&context->arena, &b->mesh, &b->material);
+}
+
+/* The model turning 3 in front of the camera. */
+static int object_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct bench *const b = context->state;
+    struct ph_xform to_world = demo_benchmark_rotation(frame);
+    to_world.t.z = FX_INT(-3);
+    const int status = bench_begin(context, r);
+    return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
+}
+
+/* The camera half a unit above the ground, which turns around it. */
+static int ground_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct bench *const b = context->state;
+    const struct ph_xform rotation = demo_benchmark_rotation(frame);
+    const struct ph_xform below = ph_xform_translate(0, -FX_HALF, 0);
+    const struct ph_xform to_world = ph_xform_mul(&rotation, &below);
+    const int status = bench_begin(context, r);
+    return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
+}
+
+/* Quad number i at z = -distance, a little larger than the picture: half height 1.02 tan 30 distance. */
+static void fill_quad(struct fill *f, uint32_t i, int32_t distance, const struct demo_context *context)
+{
+    const int64_t half_q30 = (int64_t)632323634 * distance; /* 1.02 / sqrt 3 */
+    const int64_t w = context->width;
+    const int64_t h = context->height;
+    const int64_t tall_q30 = h > w ? half_q30 * h / w : half_q30;
+    const int64_t wide_q30 = 3 * w > 4 * h ? tall_q30 * w / h : (4 * tall_q30 + 1) / 3;
+    const fx_t y = (fx_t)((tall_q30 + (1 << 13)) >> 14);
+    const fx_t x = (fx_t)((wide_q30 + (1 << 13)) >> 14);
+    const fx_t z = FX_INT(-distance);
+    const struct fx_vec3 corners[4] = {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}};
+    const uint16_t v = (uint16_t)(4 * i);
+    const uint16_t halves[2][3] = {
+        {v, (uint16_t)(v + 1), (uint16_t)(v + 2)},
+        {v, (uint16_t)(v + 2), (uint16_t)(v + 3)},
+    };
+    for (uint32_t k = 0; k < 4; k++) {
+        f->positions[v + k] = corners[k];
+    }
+    for (uint32_t k = 0; k < 6; k++) {
+        f->triangles[2 * i + k / 3][k % 3] = halves[k / 3][k % 3];
+    }
+    f->parts[i] = (struct ph_part){.first = 2 * i, .count = 2, .material = (uint16_t)i};
+}
+
+/* Four quads, each in front of the last, then four hidden ones. */
+static int fill_init(struct demo_context *context)
+{
+    static const int8_t distances[FILL_PARTS] = {10, 8, 6, 4, 5, 7, 9, 11};
+    static const uint8_t colours[FILL_PARTS][3] = {{40, 40, 160},  {40, 140, 160}, {60, 180, 60},  {230, 180, 40},
+                                                   {230, 100, 40}, {200, 40, 40},  {180, 40, 140}, {120, 120, 120}};
+    struct fill *const f = demo_alloc(&context->arena, sizeof(*f));
+    if (!f) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < FILL_PARTS; i++) {
+        fill_quad(f, i, distances[i], context);
+        f->materials[i] = (struct ph_material){.shading = PH_SHADE_UNLIT,
+                                               .colour = ph_rgb565(colours[i][0], colours[i][1], colours[i][2])};
+    }
+    f->mesh = (struct ph_mesh){.positions = f->positions,
+                               .triangles = (const uint16_t(*)[3])f->triangles,
+                               .parts = f->parts,
+                               .materials = f->materials,
+                               .vertex_count = 4 * FILL_PARTS,
+                               .triangle_count = 2 * FILL_PARTS,
+                               .part_count = FILL_PARTS};
+    context->state = f;
+    return PH_OK;
+}
+
+static int fill_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct fill *const f = context->state;
+    (void)frame; /* a still picture */
+    const int status = bench_begin(context, r);
+    return status ? status : ph_draw_mesh(r, &f->mesh, &ph_xform_identity);
+}
+
+const struct demo demo_torus = {
+    .name = "torus",
+    .summary = "benchmark 1: a Gouraud torus, 1024 triangles",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = BENCH_BYTES + MODEL_BYTES(512, 1024),
+    .vertex_max = 512,
+    .triangle_max = 640,
+    .init = torus_init,
+    .frame = object_frame,
+};
+
+const struct demo demo_cube = {
+    .name = "cube",
+    .summary = "benchmark 2: a textured cube",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = BENCH_BYTES + MODEL_CUBE_BYTES + TEXTURE_TEXELS * sizeof(uint16_t),
+    .vertex_max = 24,
+    .triangle_max = 8,
+    .init = cube_init,
+    .frame = object_frame,
+};
+
+const struct demo demo_fill = {
+    .name = "fill",
+    .summary = "benchmark 3: eight quads that fill the picture, four of them hidden",
+    .loop_frames = 1,
+    .arena_bytes = sizeof(struct fill),
+    .vertex_max = 4 * FILL_PARTS,
+    .triangle_max = 2 * FILL_PARTS,
+    .init = fill_init,
+    .frame = fill_frame,
+};
+
+const struct demo demo_icosphere = {
+    .name = "icosphere",
+    .summary = "benchmark 4: a sphere of 5120 triangles",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = BENCH_BYTES + MODEL_BYTES(2562, 5120) + MODEL_ICOSPHERE_SCRATCH(4),
+    .vertex_max = 2562,
+    .triangle_max = 2560,
+    .init = icosphere_init,
+    .frame = object_frame,
+};
+
+const struct demo demo_ground = {
+    .name = "ground",
+    .summary = "benchmark 5: a plain that passes under the camera and meets the near plane",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = BENCH_BYTES + MODEL_BYTES(441, 800),
+    .vertex_max = 441,
+    .triangle_max = 900,
+    .init = ground_init,
+    .frame = ground_frame,
+};

@@ -1,0 +1,119 @@
+#include "models_build.h"
+
+/* All edges by their lower vertex: those of vertex v have their upper ends in upper[first[v]] .. upper[first[v + 1]].
+ */
+struct edge_buckets {
+    uint32_t *first; /* vertex_count + 1 */
+    uint32_t *seen;  /* for each vertex, 1 + the lower vertex that met it last */
+    uint16_t *upper; /* 3 * triangle_count */
+};
+
+/* Whether side (0: a-b, 1: b-c, 2: c-a) of triangle t is the diagonal of the quad (a, b, c), (a, c, d). */
+static bool is_diagonal(const struct ph_mesh *mesh, uint32_t t, uint32_t side)
+{
+    const uint32_t even = t & ~1u;
+    if (side != (t == even ? 2 : 0) || even + 1 >= mesh->triangle_count) {
+        return false;
+    }
+    const uint16_t *const p = mesh->triangles[even];
+    const uint16_t *const q = mesh->triangles[even + 1];
+    return p[0] == q[0] && p[2] == q[1];
+}
+
+/* Lower and upper end of a side. */
+static void ends(const struct ph_mesh *mesh, uint32_t t, uint32_t side, uint16_t *lower, uint16_t *upper)
+{
+    const uint16_t a = mesh->triangles[t][side];
+    const uint16_t b = mesh->triangles[t][(side + 1) % 3];
+    *lower = a < b ? a : b;
+    *upper = a < b ? b : a;
+}
+
+/* Counting sort of all sides by their lower vertex. */
+static void sort_edges(const struct ph_mesh *mesh, bool quads, const struct edge_buckets *buckets)
+{
+    uint16_t lower, upper;
+    for (uint32_t v = 0; v <= mesh->vertex_count; v++) {
+        buckets->first[v] = 0;
+    }
+    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++) {
+        if (!quads || !is_diagonal(mesh, i / 3, i % 3)) {
+            ends(mesh, i / 3, i % 3, &lower, &upper);
+            buckets->first[lower]++;
+        }
+    }
+    uint32_t sum = 0;
+    for (uint32_t v = 0; v <= mesh->vertex_count; v++) {
+        sum += buckets->first[v];
+        buckets->first[v] = sum;
+    }
+    for (uint32_t i = 3 * mesh->triangle_count; i-- > 0;) {
+        if (!quads || !is_diagonal(mesh, i / 3, i % 3)) {
+            ends(mesh, i / 3, i % 3, &lower, &upper);
+            buckets->upper[--buckets->first[lower]] = upper;
+        }
+    }
+}
+
+/* Writes each edge once; returns how many, or capacity + 1 when they do not fit. */
+static uint32_t unique_edges(const struct edge_buckets *buckets, uint32_t vertex_count, uint16_t (*edges)[2],
+                             uint32_t capacity)
+{
+    uint32_t count = 0;
+    for (uint32_t v = 0; v < vertex_count; v++) {
+        buckets->seen[v] = 0;
+    }
+    for (uint32_t v = 0; v < vertex_count; v++) {
+        for (uint32_t i = buckets->first[v]; i < buckets->first[v + 1]; i++) {
+            const uint16_t upper = buckets->upper[i];
+            if (upper == v || buckets->seen[upper] == v + 1) {
+                continue;
+            }
+            if (count == capacity) {
+                return capacity + 1;
+            }
+            buckets->seen[upper] = v + 1;
+            edges[count][0] = (uint16_t)v;
+            edges[count][1] = upper;
+            count++;
+        }
+    }
+    return count;
+}
+
+static int make_edges(struct demo_arena *arena, struct ph_mesh *mesh, bool quads)
+{
+    const size_t size = arena->size;
+    struct edge_buckets buckets;
+    buckets.first = model_scratch(arena, 8 * (size_t)mesh->vertex_count + 4);
+    buckets.upper = model_scratch(arena, 6 * (size_t)mesh->triangle_count);
+    const size_t start = MODEL_ROUND8(arena->used);
+    const size_t free_bytes = arena->size > start ? arena->size - start : 0;
+    arena->size = size;
+    if (!buckets.first || !buckets.upper) {
+        return PH_ERR_NOMEM;
+    }
+    buckets.seen = buckets.first + mesh->vertex_count + 1;
+    sort_edges(mesh, quads, &buckets);
+
+    /* The edges grow in the free middle of the arena; what they took becomes theirs at the end. */
+    const uint32_t capacity = (uint32_t)(free_bytes / 8 * 2);
+    uint16_t(*const edges)[2] = (void *)(arena->base + start);
+    const uint32_t count = unique_edges(&buckets, mesh->vertex_count, edges, capacity);
+    if (count > capacity || !demo_alloc(arena, count * sizeof(*edges))) {
+        return PH_ERR_NOMEM;
+    }
+    mesh->edges = (const uint16_t(*)[2])edges;
+    mesh->edge_count = count;
+    return PH_OK;
+}
+
+int model_edges(struct demo_arena *arena, struct ph_mesh *mesh)
+{
+    return make_edges(arena, mesh, false);
+}
+
+int model_quad_edges(struct demo_arena *arena, struct ph_mesh *mesh)
+{
+    return make_edges(arena, mesh, true);
+}
