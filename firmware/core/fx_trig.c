@@ -1,5 +1,6 @@
 /* fx_trig: sine, cosine, tangent, arctangent. See fx.h. */
 #include "fx.h"
+#include "fx_tangent.h"
 
 /* sin(k pi / 128) in 2^-32; the last one is 1 - 2^-32 for want of a bit. */
 static const uint32_t sine[65] = {
@@ -33,11 +34,9 @@ static struct sincos quarter(uint32_t f)
     const uint32_t h = (dd >> 1) - dddd_24;                                /* 2^-44 */
     const uint32_t s = sine[node];
     const uint32_t c = sine[64 - node];
-    const int64_t s_sd = (int64_t)s * sd; /* 2^-69 */
-    const int64_t c_sd = (int64_t)c * sd;
     return (struct sincos){
-        .sine = ((int64_t)s << 4) - (int64_t)(fx_mulhi_u32(s, h) >> 8) + (c_sd >> 33),
-        .cosine = ((int64_t)c << 4) - (int64_t)(fx_mulhi_u32(c, h) >> 8) - (s_sd >> 33),
+        .sine = ((int64_t)s << 4) - (fx_mulhi_u32(s, h) >> 8) + (fx_mul_wide((int32_t)(c >> 1), sd) >> 32),
+        .cosine = ((int64_t)c << 4) - (fx_mulhi_u32(c, h) >> 8) - (fx_mul_wide((int32_t)(s >> 1), sd) >> 32),
     };
 }
 
@@ -99,30 +98,23 @@ static uint64_t mulhi64(uint64_t a, uint64_t b)
     return fx_mul_wide_u(ah, bh) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
 }
 
-struct ratio {
-    uint64_t num, den;
-};
-
-/*
- * tan x = num / den of an angle of 0 < k < 16384, in 2^-17 turn (so below 45 degrees), relative error < 2^-55.
- * Lambert's continued fraction, x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a pair without division.
- */
-static struct ratio tangent(uint32_t k)
+/* Lambert's continued fraction, x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a pair without division. */
+struct fx_ratio fx_tangent_ratio(uint32_t k)
 {
     const uint64_t x = mulhi64((uint64_t)k << 49, 0xc90fdaa22168c234u); /* pi/4 in 2^-64: x in 2^-63 */
     const uint64_t xx = mulhi64(x, x) << 1;                             /* 2^-63 */
     uint64_t a = (uint64_t)25 << 54;
     uint64_t b = (uint64_t)1 << 54;
-    for (uint32_t n = 23; n <= 23; n -= 2) {
+    for (int n = 23; n > 0; n -= 2) {
         if (a >> 58 != 0) { /* room for the factor n */
             a >>= 5;
             b >>= 5;
         }
-        const uint64_t next = n * a - (mulhi64(xx, b) << 1);
+        const uint64_t next = (uint32_t)n * a - (mulhi64(xx, b) << 1);
         b = a;
         a = next;
     }
-    return (struct ratio){mulhi64(x, b) << 1, a};
+    return (struct fx_ratio){mulhi64(x, b) << 1, a};
 }
 
 fx_t fx_tan_sat(fx_t turns)
@@ -139,9 +131,9 @@ fx_t fx_tan_sat(fx_t turns)
     if (k == 8192) {
         t = FX_ONE;
     } else {
-        struct ratio r = tangent(2 * (k < 8192 ? k : 16384 - k));
+        struct fx_ratio r = fx_tangent_ratio(2 * (k < 8192 ? k : 16384 - k));
         if (k > 8192) {
-            r = (struct ratio){r.den, r.num};
+            r = (struct fx_ratio){r.den, r.num};
         }
         while (r.den >= (uint64_t)1 << 46) {
             r.num >>= 1;
@@ -152,45 +144,4 @@ fx_t fx_tan_sat(fx_t turns)
         t = (uint32_t)(((whole << 17) + part + 1) >> 1);
     }
     return half_turn <= 16384 ? (fx_t)t : -(fx_t)t;
-}
-
-/* Whether lo / hi >= tan of k half units. */
-static int at_least(uint32_t lo, uint32_t hi, uint32_t k)
-{
-    const struct ratio r = tangent(k);
-    const uint64_t left_low = fx_mul_wide_u(lo, (uint32_t)r.den);
-    const uint64_t right_low = fx_mul_wide_u(hi, (uint32_t)r.num);
-    const uint64_t left = fx_mul_wide_u(lo, (uint32_t)(r.den >> 32)) + (left_low >> 32);
-    const uint64_t right = fx_mul_wide_u(hi, (uint32_t)(r.num >> 32)) + (right_low >> 32);
-    return left > right || (left == right && (uint32_t)left_low >= (uint32_t)right_low);
-}
-
-static uint32_t magnitude(fx_t a)
-{
-    return a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
-}
-
-fx_t fx_atan2(fx_t y, fx_t x)
-{
-    const uint32_t ay = magnitude(y);
-    const uint32_t ax = magnitude(x);
-    const uint32_t hi = ay > ax ? ay : ax;
-    const uint32_t lo = ay > ax ? ax : ay;
-    uint32_t k = 0; /* the number of boundaries, at odd half units, that lo / hi reaches: 0 .. 8192 */
-    if (hi == 0) {
-        return 0;
-    }
-    for (uint32_t bit = 8192; bit != 0; bit >>= 1) {
-        if ((k | bit) <= 8192 && at_least(lo, hi, 2 * (k | bit) - 1)) {
-            k |= bit;
-        }
-    }
-    int32_t angle = (int32_t)k;
-    if (ay > ax) {
-        angle = 16384 - angle;
-    }
-    if (x < 0) {
-        angle = 32768 - angle;
-    }
-    return y < 0 && angle != 32768 ? -angle : angle;
 }
