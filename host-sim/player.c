@@ -122,12 +122,13 @@ void player_print_stats(const struct player *p, uint32_t frame)
     const struct ph_stats *s = &p->renderer.stats;
     const struct sim_counters now = sim_counters(p->sim);
     const double bus_us = (double)(now.bus_ns - p->counters.bus_ns) / 1000;
-    fprintf(stderr, "frame %u vertices %u triangles in %u culled %u clipped %u drawn %u dropped %u", (unsigned)frame,
-            (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
+    fprintf(stderr, "frame %u: vertices %u, triangles in %u, culled %u, clipped %u, drawn %u, dropped %u; ",
+            (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
             (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped);
-    fprintf(stderr, " vertices dropped %u fragments %u wire %llu bytes bus %.0f us at %u Hz (%.1f frames/s at most)\n",
+    fprintf(stderr,
+            "vertices dropped %u; fragments %u; wire %llu bytes, writes %u, bus %.0f us at %u Hz, %.1f frames/s\n",
             (unsigned)s->vertices_dropped, (unsigned)s->fragments, (unsigned long long)(now.bytes - p->counters.bytes),
-            bus_us, (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
+            (unsigned)(now.writes - p->counters.writes), bus_us, (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
 }
 
 static uint32_t print_complaints(const struct sim *sim)

@@ -1,0 +1,322 @@
+#!/usr/bin/env bash
+# pinhole-sim's command line: every option has an effect, every wrong one gives one line and exit 2, what is written is
+# whole or not there, and other programs read it.
+# shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+sim=$(realpath "${B:-build}/pinhole-sim") || exit 1
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+small=(--size 48x40)
+
+# ---- helpers
+
+crcs() { # options...: the CRCs of its frames, without their numbers
+    "$sim" "$@" --crc >"$dir/crcs" && sed 's/.* //' "$dir/crcs"
+}
+
+# Draws with the options before and behind `--`; both must succeed.
+draw_two() {
+    local one=()
+    while [ "$1" != -- ]; do one+=("$1") && shift; done
+    shift
+    crcs "${one[@]}" >"$dir/one" && crcs "$@" >"$dir/two" && [ -s "$dir/one" ] && [ -s "$dir/two" ]
+}
+
+differ() {
+    draw_two "$@" || return 1
+    ! cmp -s "$dir/one" "$dir/two"
+}
+
+same() {
+    draw_two "$@" || return 1
+    diff "$dir/one" "$dir/two"
+}
+
+# Exit status, one line on stderr that matches the pattern, nothing on stdout.
+refuses() { # status, pattern, options...
+    local status=$1 pattern=$2 got=0
+    shift 2
+    timeout 60 "$sim" "$@" >"$dir/stdout" 2>"$dir/stderr" || got=$?
+    [ "$got" = "$status" ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ ! -s "$dir/stdout" ] &&
+        grep -q "^pinhole-sim: .*$pattern" "$dir/stderr" || { echo "exit $got:" "$@" && head -n 5 "$dir/stderr" && return 1; }
+}
+
+stat_of() { # name, options...: a number from --stats
+    local name=$1
+    shift
+    "$sim" "$@" --stats 2>&1 | sed -n "s/.* $name \([0-9][0-9]*\).*/\1/p" | head -n 1
+}
+
+# ---- each option has an effect
+
+help_names_every_option() {
+    local option
+    "$sim" --help >"$dir/help" || return 1
+    for option in demo model board size frames start out rotate camera fov near far projection convention depth band crc \
+        stats list help; do
+        grep -q "^  --$option\b" "$dir/help" || { echo "$option" && return 1; }
+    done
+}
+
+list_has_one_line_for_each() {
+    "$sim" --list >"$dir/list" || return 1
+    ! grep -vE '^(demo|board)  +[a-z0-9-]+ +[^ ]' "$dir/list" && [ "$(grep -c ^demo "$dir/list")" -ge 8 ] &&
+        [ "$(grep -c ^board "$dir/list")" -ge 5 ]
+}
+
+everything_on_the_list_can_be_drawn() {
+    local kind name
+    while read -r kind name _; do
+        case $kind in
+        demo) set -- --demo "$name" "${small[@]}" ;;
+        *) set -- --demo testcard --board "$name" ;;
+        esac
+        "$sim" "$@" --crc >"$dir/crc" 2>"$dir/stderr" || { echo "$@" && cat "$dir/stderr" && return 1; }
+        grep -q 'Hz is above\|^$' "$dir/stderr" || [ ! -s "$dir/stderr" ] || { echo "$@" && cat "$dir/stderr" && return 1; }
+    done < <("$sim" --list)
+}
+
+board_has_its_own_size() {
+    "$sim" --list | grep ^board >"$dir/boards"
+    local name size
+    while read -r _ name rest; do
+        size=${rest##*, }
+        "$sim" --board "$name" --demo testcard --out "$dir/board.ppm" 2>/dev/null || return 1
+        [ "$(sed -n 2p "$dir/board.ppm" | head -c 20 | tr ' ' x)" = "$size" ] || { echo "$name $size" && return 1; }
+    done < <(head -n 3 "$dir/boards")
+}
+
+size_is_the_picture_s() {
+    "$sim" --size 33x21 --out "$dir/size.ppm" && [ "$(head -c 13 "$dir/size.ppm" | tr '\n' ' ')" = "P6 33 21 255 " ] &&
+        [ "$(wc -c <"$dir/size.ppm")" = $((13 + 33 * 21 * 3)) ]
+}
+
+frames_and_start_count() {
+    local lines
+    lines=$("$sim" --demo torus "${small[@]}" --start 7 --frames 3 --crc) || return 1
+    [ "$(cut -d' ' -f1-3 <<<"$lines" | tr '\n' ,)" = "frame 7 crc32,frame 8 crc32,frame 9 crc32," ] || { echo "$lines" && return 1; }
+    [ "$(tail -n 1 <<<"$lines")" = "$("$sim" --demo torus "${small[@]}" --start 9 --crc)" ]
+}
+
+near_cuts() { differ --demo torus "${small[@]}" --near 0.5 -- --demo torus "${small[@]}" --near 2.9; }
+far_cuts() { differ --demo torus "${small[@]}" --far 100 -- --demo torus "${small[@]}" --far 2.9; }
+
+rotations_show_the_same_upright_picture() { # on a panel that is not square
+    same --demo testcard --size 60x40 --rotate 0 -- --demo testcard --size 60x40 --rotate 180 &&
+        same --demo testcard --size 60x40 --rotate 90 -- --demo testcard --size 60x40 --rotate 270 &&
+        same --demo testcard --size 60x40 --rotate 90 -- --demo testcard --size 40x60 --rotate 0 &&
+        differ --demo testcard --size 60x40 --rotate 0 -- --demo testcard --size 60x40 --rotate 90
+}
+
+bands_do_not_change_the_picture() {
+    local lines
+    for lines in 7 16 40 1024; do
+        same --demo turntable "${small[@]}" --frames 2 --band 1 -- --demo turntable "${small[@]}" --frames 2 --band $lines || return 1
+    done
+}
+
+bands_are_what_is_sent_at_a_time() {
+    local one forty
+    one=$(stat_of writes --demo cube "${small[@]}" --band 1) && forty=$(stat_of writes --demo cube "${small[@]}" --band 40) &&
+        [ "$one" -gt $((forty + 30)) ] || { echo "$one $forty" && return 1; }
+}
+
+stats_add_up() {
+    local bytes us
+    bytes=$(stat_of wire --demo torus --size 64x64) && us=$(stat_of bus --demo torus --size 64x64) &&
+        [ "$bytes" -ge $((64 * 64 * 2)) ] && [ "$bytes" -lt $((64 * 64 * 2 + 64)) ] &&
+        [ "$(stat_of in --demo torus --size 64x64)" = 1024 ] && [ "$(stat_of vertices --demo torus --size 64x64)" = 512 ] &&
+        [ "$(stat_of dropped --demo torus --size 64x64)" = 0 ] && [ "$us" -gt 500 ] || { echo "$bytes $us" && return 1; }
+}
+
+crc_is_the_one_of_gzip() {
+    local expected
+    "$sim" --demo cube "${small[@]}" --out "$dir/crc.ppm" --crc >"$dir/crc" || return 1
+    expected=$(tail -c $((48 * 40 * 3)) "$dir/crc.ppm" | gzip -c | tail -c 8 | head -c 4 | od -An -tx1 | awk '{ print toupper($4 $3 $2 $1) }')
+    [ "$(cat "$dir/crc")" = "frame 0 crc32 $expected" ] || { cat "$dir/crc" && echo "$expected" && return 1; }
+}
+
+frustum_without_window_is_the_perspective() {
+    same --demo torus --size 40x40 --projection frustum --fov 50 -- --demo torus --size 40x40 --projection perspective --fov 50 &&
+        differ --demo torus --size 40x40 --projection frustum=-.5,.5,-.5,.5 -- --demo torus --size 40x40 --projection frustum=-.2,.5,-.5,.5
+}
+
+# ---- where frames go
+
+directory_gets_a_file_a_frame() {
+    "$sim" --demo cube "${small[@]}" --start 9 --frames 2 --out "$dir/a/b" && [ "$(ls "$dir/a/b" | tr '\n' ' ')" = "frame-0009.ppm frame-0010.ppm " ] &&
+        "$sim" --demo cube "${small[@]}" --start 10 --out "$dir/one.ppm" && cmp "$dir/one.ppm" "$dir/a/b/frame-0010.ppm"
+}
+
+several_frames_get_numbered_files() {
+    mkdir "$dir/several" && "$sim" --demo cube "${small[@]}" --frames 2 --out "$dir/several/x.ppm" &&
+        [ "$(ls "$dir/several" | tr '\n' ' ')" = "x-0000.ppm x-0001.ppm " ]
+}
+
+stream_is_the_files_one_after_the_other() {
+    "$sim" --demo cube "${small[@]}" --frames 3 --out "$dir/stream" && "$sim" --demo cube "${small[@]}" --frames 3 --crc --out - 2>"$dir/stderr" |
+        cmp - <(cat "$dir/stream"/*.ppm) && [ "$(grep -c crc32 "$dir/stderr")" = 3 ]
+}
+
+imagemagick_reads_the_stream() {
+    [ "$("$sim" --demo cube "${small[@]}" --frames 3 --out - | identify -format '%m %w %h\n' ppm:-)" = "$(printf 'PPM 48 40\n%.0s' 1 2 3)" ]
+}
+
+ffmpeg_reads_the_stream() {
+    local frames
+    frames=$("$sim" --demo cube "${small[@]}" --frames 3 --out - | ffmpeg -loglevel error -f image2pipe -c:v ppm -i - -f framecrc - | grep -c '^0,') &&
+        [ "$frames" = 3 ] || { echo "$frames" && return 1; }
+}
+
+a_signal_leaves_no_part_of_a_file() { # signal, exit status
+    local pid i
+    "$sim" --demo torus "${small[@]}" --frames 1000000 --out "$dir/$1" &
+    pid=$!
+    for ((i = 0; i < 100 && $(find "$dir/$1" -name '*.ppm' 2>/dev/null | wc -l) < 3; i++)); do sleep .05; done
+    kill -s "$1" $pid
+    wait $pid
+    [ $? = "$2" ] && [ -z "$(find "$dir/$1" -type f ! -size 5773c)" ] && [ -n "$(find "$dir/$1" -name '*.ppm')" ]
+}
+
+a_closed_pipe_ends_it() {
+    local status
+    timeout 20 "$sim" --demo torus "${small[@]}" --frames 1000000 --out - | head -c 100 >"$dir/head"
+    status=${PIPESTATUS[0]}
+    [ "$status" = 141 ] || [ "$status" = 1 ] || { echo "exit $status" && return 1; }
+}
+
+a_full_disk_is_told() {
+    local status=0
+    "$sim" --demo cube "${small[@]}" --out - >/dev/full 2>"$dir/stderr" || status=$?
+    [ $status = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] || { cat "$dir/stderr" && return 1; }
+    status=0
+    "$sim" --demo cube "${small[@]}" --crc >/dev/full 2>"$dir/stderr" || status=$?
+    [ $status = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] || { cat "$dir/stderr" && return 1; }
+}
+
+impossible_places_are_told() {
+    touch "$dir/file" && mkdir -p "$dir/folder.ppm" &&
+        refuses 1 directory --out "$dir/file" && refuses 1 'folder.ppm' --out "$dir/folder.ppm" &&
+        refuses 1 missing --out "$dir/missing/x.ppm" && [ -z "$(find "$dir" -name '*.part')" ]
+}
+
+check help_names_every_option help_names_every_option
+check list_has_one_line_for_each list_has_one_line_for_each
+check everything_on_the_list_can_be_drawn everything_on_the_list_can_be_drawn
+check demo_has_an_effect differ --demo cube "${small[@]}" -- --demo torus "${small[@]}"
+check turntable_is_the_default same "${small[@]}" -- --demo turntable "${small[@]}"
+check board_has_its_own_size board_has_its_own_size
+check size_is_the_picture_s size_is_the_picture_s
+check without_a_board_it_is_240x240 same --demo cube -- --demo cube --size 240x240
+check frames_and_start_count frames_and_start_count
+check frames_move differ --demo torus "${small[@]}" --start 0 -- --demo torus "${small[@]}" --start 5
+check camera_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera eye=2,0,2
+check camera_target_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,2 -- --demo torus "${small[@]}" --camera eye=0,0,2,target=.5,0,-3
+check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera up=1,0,0,eye=0,0,1
+check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,target=0,0,0,up=0,0,0 --crc
+check fov_has_an_effect differ --demo torus "${small[@]}" --fov 60 -- --demo torus "${small[@]}" --fov 30
+check near_cuts near_cuts
+check far_cuts far_cuts
+check projection_has_an_effect differ --demo torus "${small[@]}" --projection ortho -- --demo torus "${small[@]}" --projection perspective
+check frustum_without_window_is_the_perspective frustum_without_window_is_the_perspective
+check convention_gl_is_the_default same --demo torus "${small[@]}" -- --demo torus "${small[@]}" --convention gl
+check depth_has_an_effect differ --demo torus "${small[@]}" --near .001 --far 30000 -- --demo torus "${small[@]}" --near .001 --far 30000 --depth float16
+check depth_is_fixed16_by_default same --demo torus "${small[@]}" --near .001 --far 30000 -- --demo torus "${small[@]}" --near .001 --far 30000 --depth fixed16
+check rotations_show_the_same_upright_picture rotations_show_the_same_upright_picture
+check bands_do_not_change_the_picture bands_do_not_change_the_picture
+check bands_are_what_is_sent_at_a_time bands_are_what_is_sent_at_a_time
+check stats_add_up stats_add_up
+check crc_is_the_one_of_gzip crc_is_the_one_of_gzip
+check a_value_may_follow_an_equals_sign same --demo=cube --size=48x40 -- --demo cube "${small[@]}"
+check directory_gets_a_file_a_frame directory_gets_a_file_a_frame
+check several_frames_get_numbered_files several_frames_get_numbered_files
+check stream_is_the_files_one_after_the_other stream_is_the_files_one_after_the_other
+if command -v identify >/dev/null; then check imagemagick_reads_the_stream imagemagick_reads_the_stream; else skip imagemagick_reads_the_stream "no ImageMagick"; fi
+if command -v ffmpeg >/dev/null; then check ffmpeg_reads_the_stream ffmpeg_reads_the_stream; else skip ffmpeg_reads_the_stream "no ffmpeg"; fi
+check sigint_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file INT 130
+check sigterm_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file TERM 143
+check a_closed_pipe_ends_it a_closed_pipe_ends_it
+check a_full_disk_is_told a_full_disk_is_told
+check impossible_places_are_told impossible_places_are_told
+
+# ---- wrong usage: option and value, and what the line must name
+while IFS='|' read -r pattern options; do
+    IFS=' ' read -ra words <<<"$options"
+    check "wrong_usage: $options" refuses 2 "$pattern" "${words[@]}"
+done <<'LIST'
+nothing to do|
+no such option|--frame 3 --crc
+no such option|cube --crc
+no such option|-x
+no such option|--
+needs a value|--crc --frames
+takes no value|--crc=1
+exclude|--demo cube --model x.obj --crc
+exclude|--board x --size 8x8 --crc
+--list|--demo nonsense --crc
+--list|--board nonsense --crc
+--demo|--demo= --crc
+--size|--size 0x10 --crc
+--size|--size 10x0 --crc
+--size|--size 1025x10 --crc
+--size|--size 10 --crc
+--size|--size 10x --crc
+--size|--size x10 --crc
+--size|--size 10x10x --crc
+--size|--size -1x10 --crc
+--size|--size 10X10 --crc
+--frames|--frames 0 --crc
+--frames|--frames -1 --crc
+--frames|--frames 1.5 --crc
+--frames|--frames 1e3 --crc
+--frames|--frames 4294967297 --crc
+--frames|--frames 99999999999999999999 --crc
+--frames|--frames +1 --crc
+--frames|--frames= --crc
+--start|--start x --crc
+--start|--start 1x --crc
+--rotate|--rotate 45 --crc
+--rotate|--rotate 360 --crc
+--rotate|--rotate 090 --crc
+--camera|--camera 0,0,3 --crc
+--camera|--camera eye=0,0 --crc
+--camera|--camera eye=0,0,3, --crc
+--camera|--camera eye=0,0,3,eye=0,0,2 --crc
+--camera|--camera eye=0,0,3,4 --crc
+--camera|--camera eye=0,0,nan --crc
+--camera|--camera target=0,0,0 --crc
+--camera|--camera eye=0,0,40000 --crc
+--camera|--camera eye=0,,0 --crc
+--fov|--fov 0 --crc
+--fov|--fov 180 --crc
+--fov|--fov -10 --crc
+--fov|--fov nan --crc
+--fov|--fov inf --crc
+--fov|--fov 60deg --crc
+--fov|--fov 1e9 --crc
+--fov|--fov 0x10 --crc
+--near|--near= --crc
+--near|--near 0 --crc
+--near|--near -1 --crc
+--near|--near 1,5 --crc
+--far|--far 40000 --crc
+--far|--near 5 --far 5 --crc
+--far|--near 5 --far 4 --crc
+--projection|--projection frustum=1,1,0,1 --crc
+--projection|--projection frustum=0,1,0 --crc
+--projection|--projection frustum=0,1,0,1x --crc
+--projection|--projection perspective=0,1,0,1 --crc
+frustum|--projection fisheye --crc
+must be gl|--convention d3d --crc
+must be gl|--convention lmu --crc
+fixed16|--depth fixed24 --crc
+fixed16|--depth linear-w --crc
+--band|--band 0 --crc
+--band|--band 1025 --crc
+--band|--band 16px --crc
+LIST
+check "wrong_usage: an empty argument" refuses 2 "no such option" ""
+check "wrong_usage: a line break in an argument stays one line" refuses 2 "no such option" $'--a\nb'
+tap_end
