@@ -57,9 +57,12 @@ const struct demo *demo_find(const char *name);
  * Coordinates of some thousandths to some thousands of units; a radius of about 1 is best.
  *
  * init uses the size in context, takes less than DEMO_TURNTABLE_BYTES of its arena, and sets context->state; the meshes
- * are not copied. Budgets: the largest mesh's vertices; triangles: all (about half of those of a closed mesh).
+ * are not copied. Budgets: vertices of the largest mesh, at least DEMO_TURNTABLE_VERTICES; all triangles (5/8 of those
+ * of a closed mesh are enough) and DEMO_TURNTABLE_TRIANGLES for the platter below them.
  */
-#define DEMO_TURNTABLE_BYTES 256
+#define DEMO_TURNTABLE_BYTES     4096
+#define DEMO_TURNTABLE_VERTICES  129
+#define DEMO_TURNTABLE_TRIANGLES 112
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                         struct fx_vec3 centre);
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);

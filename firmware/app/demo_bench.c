@@ -38,7 +38,7 @@ static const struct ph_scene_light bench_light = {
     .lights = {{.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE, .to_light_q30 = {511886330, 614263596, 716640862}}},
 };
 
-struct ph_xform demo_benchmark_rotation(uint32_t frame)
+static struct ph_xform benchmark_rotation(uint32_t frame)
 {
     const uint64_t b_first_q16 = 8959626780035; /* .2 rad in 2^-48 turns */
     const uint64_t b_step_q16 = 209991252657;   /* .3 / 64 rad */
@@ -121,7 +121,7 @@ static int cube_init(struct demo_context *context)
 static int object_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct bench *const b = context->state;
-    struct ph_xform to_world = demo_benchmark_rotation(frame);
+    struct ph_xform to_world = benchmark_rotation(frame);
     to_world.t.z = FX_INT(-3);
     const int status = bench_begin(context, r);
     return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
@@ -131,10 +131,14 @@ static int object_frame(struct demo_context *context, struct ph_renderer *r, uin
 static int ground_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct bench *const b = context->state;
-    const struct ph_xform rotation = demo_benchmark_rotation(frame);
+    const struct ph_xform rotation = benchmark_rotation(frame);
     const struct ph_xform below = ph_xform_translate(0, -FX_HALF, 0);
     const struct ph_xform to_world = ph_xform_mul(&rotation, &below);
-    const int status = bench_begin(context, r);
+    /* Nothing here has to fit into the width: a taller view would only show where the near plane cuts the ground. */
+    struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(100));
+    projection.scale_x_q20 = (int32_t)(fx_mul_wide(projection.scale_x_q20, DEMO_SCALE_60_Q20) / projection.scale_y_q20);
+    projection.scale_y_q20 = DEMO_SCALE_60_Q20;
+    const int status = demo_begin(context, r, &ph_xform_identity, &projection, &bench_light, 0);
     return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
 }
 

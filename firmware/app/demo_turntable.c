@@ -1,19 +1,35 @@
 #include "demo_scene.h"
 #include "models.h"
 
-#define LOOP_FRAMES   256
-#define SCALE_40_Q20  2880910 /* 1 / tan(20 degrees) */
-#define SIN_ELEVATION 22415   /* 20 degrees */
-#define COS_ELEVATION 61584
-#define SEGMENTS      5
+#include <string.h>
+
+#define LOOP_FRAMES 256
+#define SEGMENTS    5
+
+#define SIDES             32
+#define PLATTER_VERTICES  (1 + 4 * SIDES)
+#define PLATTER_TRIANGLES (5 * SIDES)
+
+/* The disc below the meshes: a hub, four rings around it. In coordinates of the meshes minus their centre. */
+struct platter {
+    struct ph_mesh mesh;
+    struct ph_part part;
+    struct ph_material material;
+    uint16_t ramp[PH_RAMP_SIZE];
+    struct fx_vec3 positions[PLATTER_VERTICES];
+    int16_t normals[PLATTER_VERTICES][3];
+    uint16_t triangles[PLATTER_TRIANGLES][3];
+};
 
 struct turntable {
     const struct ph_mesh *meshes;
     uint32_t mesh_count;
-    struct ph_xform view;
     struct fx_vec3 centre;
-    struct ph_projection projection;
+    struct demo_fit camera;
+    struct platter platter;
 };
+
+_Static_assert(sizeof(struct turntable) <= DEMO_TURNTABLE_BYTES, "DEMO_TURNTABLE_BYTES is too small");
 
 struct pot {
     struct ph_mesh mesh;
@@ -33,50 +49,60 @@ static const struct ph_scene_light light = {
                 .to_light_q30 = {966367642, 214748365, -414691770}}}, /* (.9, .2, -.386) */
 };
 
-/* How far the camera must be, and where the scene begins and ends as seen from the centre. */
-struct extent {
-    fx_t distance, front, back;
-};
-
-/*
- * A point at height y, rho from the axis, sweeps a circle. Seen from `elevation` above at distance d, its front and
- * back lie at heights y c -+ rho s and depths d - y s -+ rho c; sideways it reaches furthest where the view touches the
- * circle. Each must stay inside the cone: |height| <= depth / scale.
- */
-static void extend(struct extent *e, fx_t y, fx_t rho, fx_t scale_y, fx_t side)
+/* Ring number `ring` of the platter: radius, height and normal (outwards, upwards). */
+static void platter_ring(struct platter *p, uint32_t ring, fx_t radius, fx_t y, int32_t outwards, int32_t upwards)
 {
-    const fx_t up = fx_mul_sat(y, COS_ELEVATION);
-    const fx_t near_by = fx_mul_sat(y, SIN_ELEVATION);
-    const fx_t tilt = fx_mul_sat(rho, SIN_ELEVATION);
-    const fx_t reach = fx_mul_sat(rho, COS_ELEVATION);
-    const fx_t front = fx_add_sat(near_by, reach);
-    const fx_t back = fx_sub_sat(reach, near_by);
-    const fx_t needs[3] = {
-        fx_add_sat(fx_mul_sat(fx_abs_sat(fx_sub_sat(up, tilt)), scale_y), front),
-        fx_sub_sat(fx_mul_sat(fx_abs_sat(fx_add_sat(up, tilt)), scale_y), back),
-        fx_add_sat(fx_mul_sat(rho, side), near_by),
-    };
-    for (int i = 0; i < 3; i++) {
-        e->distance = needs[i] > e->distance ? needs[i] : e->distance;
+    for (uint32_t i = 0; i < SIDES; i++) {
+        const uint32_t v = 1 + ring * SIDES + i;
+        const fx_t turns = (fx_t)(i * (65536 / SIDES));
+        const fx_t c = fx_cos(turns);
+        const fx_t s = fx_sin(turns);
+        p->positions[v] = (struct fx_vec3){fx_mul_sat(radius, c), y, -fx_mul_sat(radius, s)};
+        p->normals[v][0] = (int16_t)fx_mul_sat(outwards, c);
+        p->normals[v][1] = (int16_t)upwards;
+        p->normals[v][2] = (int16_t)-fx_mul_sat(outwards, s);
     }
-    e->front = front > e->front ? front : e->front;
-    e->back = back > e->back ? back : e->back;
 }
 
-static struct extent measure(const struct turntable *t)
+/*
+ * Hub and inner ring have normals that point away from every light: the disc is dark below the meshes and brightens
+ * towards its edge, as if they threw a soft shadow.
+ */
+static void make_platter(struct platter *p, fx_t radius, fx_t y)
 {
-    const fx_t scale_y = t->projection.scale_y_q20 >> 4;
-    const fx_t scale_x = t->projection.scale_x_q20 >> 4;
-    const fx_t side = fx_sqrt(fx_mul_sat(scale_x, scale_x) + fx_mul_sat(COS_ELEVATION, COS_ELEVATION));
-    struct extent e = {0, 0, 0};
-    for (uint32_t m = 0; m < t->mesh_count; m++) {
-        const struct ph_mesh *const mesh = &t->meshes[m];
-        for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-            const struct fx_vec3 p = fx_vec3_sub_sat(mesh->positions[i], t->centre);
-            extend(&e, p.y, fx_vec3_length_sat((struct fx_vec3){p.x, 0, p.z}), scale_y, side);
-        }
+    uint32_t n = 0;
+    p->positions[0] = (struct fx_vec3){0, y, 0};
+    p->normals[0][0] = p->normals[0][2] = 0;
+    p->normals[0][1] = -16384;
+    platter_ring(p, 0, fx_mul_sat(radius, FX_ONE * 2 / 5), y, 0, -16384);
+    platter_ring(p, 1, radius, y, 0, 16384);
+    platter_ring(p, 2, radius, y, 16384, 0);
+    platter_ring(p, 3, radius, y - radius / 16, 16384, 0);
+    for (uint32_t i = 0; i < SIDES; i++) {
+        const uint16_t a = (uint16_t)(1 + i);
+        const uint16_t b = (uint16_t)(1 + (i + 1) % SIDES);
+        const uint16_t corners[5][3] = {
+            {0, a, b},
+            {a, (uint16_t)(a + SIDES), (uint16_t)(b + SIDES)},
+            {a, (uint16_t)(b + SIDES), b},
+            {(uint16_t)(a + 2 * SIDES), (uint16_t)(a + 3 * SIDES), (uint16_t)(b + 3 * SIDES)},
+            {(uint16_t)(a + 2 * SIDES), (uint16_t)(b + 3 * SIDES), (uint16_t)(b + 2 * SIDES)},
+        };
+        memcpy(p->triangles[n], corners, sizeof(corners));
+        n += 5;
     }
-    return e;
+    ph_material_ramp(p->ramp, 96, 112, 140, 0);
+    p->material = (struct ph_material){
+        .shading = PH_SHADE_GOURAUD, .ambient = FX_ONE / 4, .diffuse = FX_ONE * 3 / 4, .ramp = p->ramp};
+    p->part = (struct ph_part){0, PLATTER_TRIANGLES, 0};
+    p->mesh = (struct ph_mesh){.positions = p->positions,
+                               .normals = (const int16_t(*)[3])p->normals,
+                               .triangles = (const uint16_t(*)[3])p->triangles,
+                               .parts = &p->part,
+                               .materials = &p->material,
+                               .vertex_count = PLATTER_VERTICES,
+                               .triangle_count = PLATTER_TRIANGLES,
+                               .part_count = 1};
 }
 
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
@@ -89,16 +115,8 @@ int demo_turntable_init(struct demo_context *context, const struct ph_mesh *mesh
     t->meshes = meshes;
     t->mesh_count = mesh_count;
     t->centre = centre;
-    t->projection = demo_perspective(context, SCALE_40_Q20, FX_ONE, FX_INT(2));
-    const struct extent e = measure(t);
-    const fx_t margin = e.distance / 16 + 1;
-    const fx_t distance = fx_add_sat(e.distance, margin);
-    const fx_t eye_y = fx_mul_sat(distance, SIN_ELEVATION);
-    const fx_t eye_z = fx_mul_sat(distance, COS_ELEVATION);
-    t->projection.near_z = distance - e.front > margin ? distance - e.front - margin / 2 : margin / 2 + 1;
-    t->projection.far_z = fx_add_sat(distance, fx_add_sat(e.back, margin));
-    t->view =
-        ph_view_look_at((struct fx_vec3){0, eye_y, eye_z}, (struct fx_vec3){0, 0, 0}, (struct fx_vec3){0, FX_ONE, 0});
+    t->camera = demo_fit(context, meshes, mesh_count, centre);
+    make_platter(&t->platter, fx_mul_sat(t->camera.radius, FX_ONE * 9 / 10), t->camera.bottom);
     context->state = t;
     return PH_OK;
 }
@@ -109,11 +127,11 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     const struct ph_xform to_axis = ph_xform_translate(-t->centre.x, -t->centre.y, -t->centre.z);
     const struct ph_xform turn = ph_xform_rotate_y((frame << 24) - (1u << 28));
     const struct ph_xform to_world = ph_xform_mul(&turn, &to_axis);
-    int status = demo_begin(context, r, &t->view, &t->projection, &light, ph_rgb565(28, 36, 52));
+    int status = demo_begin(context, r, &t->camera.view, &t->camera.projection, &light, ph_rgb565(20, 26, 38));
     for (uint32_t i = 0; i < t->mesh_count && status == PH_OK; i++) {
         status = ph_draw_mesh(r, &t->meshes[i], &to_world);
     }
-    return status;
+    return status ? status : ph_draw_mesh(r, &t->platter.mesh, &turn);
 }
 
 /* The finest teapot for which the arena has room. */
@@ -126,13 +144,13 @@ static int turntable_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     pot->material = (struct ph_material){.shading = PH_SHADE_GOURAUD,
-                                         .shininess_log2 = 5,
-                                         .ambient = FX_ONE / 6,
-                                         .diffuse = FX_ONE * 3 / 4,
-                                         .specular = FX_ONE * 7 / 10,
-                                         .colour = ph_rgb565(214, 96, 48),
+                                         .shininess_log2 = 4,
+                                         .ambient = FX_ONE * 15 / 100,
+                                         .diffuse = FX_ONE * 85 / 100,
+                                         .specular = FX_ONE * 8 / 10,
+                                         .colour = ph_rgb565(224, 104, 52),
                                          .ramp = pot->ramp};
-    ph_material_ramp(pot->ramp, 214, 96, 48, pot->material.specular);
+    ph_material_ramp(pot->ramp, 224, 104, 52, pot->material.specular);
     for (uint32_t segments = SEGMENTS; segments >= 2; segments--) {
         *arena = rest;
         if (model_teapot(arena, &pot->mesh, segments) == PH_OK &&
@@ -152,7 +170,7 @@ const struct demo demo_turntable = {
                    MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
     .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
-    .triangle_max = MODEL_TEAPOT_TRIANGLES(SEGMENTS) * 5 / 8,
+    .triangle_max = MODEL_TEAPOT_TRIANGLES(SEGMENTS) * 5 / 8 + DEMO_TURNTABLE_TRIANGLES,
     .init = turntable_init,
     .frame = demo_turntable_frame,
 };

@@ -13,6 +13,7 @@
 struct wireframe {
     struct ph_mesh faces, lines;
     struct ph_material face, line;
+    struct demo_fit camera;
     uint16_t background;
 };
 
@@ -31,6 +32,7 @@ static int wireframe_init(struct demo_context *context)
     }
     w->lines = w->faces;
     w->lines.materials = &w->line;
+    w->camera = demo_fit(context, &w->faces, 1, (struct fx_vec3){0, 0, 0});
     context->state = w;
     return PH_OK;
 }
@@ -38,11 +40,8 @@ static int wireframe_init(struct demo_context *context)
 static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct wireframe *const w = context->state;
-    const struct ph_projection projection = demo_perspective(context, 2880910, FX_HALF, FX_INT(10));
-    const struct ph_xform view = ph_view_look_at((struct fx_vec3){0, FX_INT(2), FX_INT(4)}, (struct fx_vec3){0, 0, 0},
-                                                 (struct fx_vec3){0, FX_ONE, 0});
-    const struct ph_xform turn = ph_xform_rotate_y(frame << 24);
-    int status = demo_begin(context, r, &view, &projection, NULL, w->background);
+    const struct ph_xform turn = ph_xform_rotate_y((frame << 24) - (1u << 28));
+    int status = demo_begin(context, r, &w->camera.view, &w->camera.projection, NULL, w->background);
     if (status == PH_OK) {
         status = ph_draw_mesh(r, &w->faces, &turn);
     }
