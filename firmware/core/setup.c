@@ -6,24 +6,41 @@
  */
 #include "pipeline.h"
 
+#define SHORT ((uint32_t)1 << 14) /* 64 px: below it products of sides, and of 16-bit factors, fit 32 bits */
+
 /* First row whose centre is at or below y (1/256 px). */
 static int32_t first_row(int32_t y)
 {
     return (y + 127) >> 8;
 }
 
+/* x and slope of an edge of any size; down: from its upper vertex to the first row's centre. */
+static struct ph_edge wide_edge(int32_t x, int32_t dx, int32_t dy, int32_t down)
+{
+    int shift;
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)dy, &shift) >> 1); /* 2^(61 - shift) / dy */
+    const int32_t offset = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift));
+    return (struct ph_edge){x * 256 + offset, (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift))};
+}
+
+/* The same below 64 px each way, in 32 bits, to 2^-10 px at its far end. */
+static struct ph_edge short_edge(int32_t x, int32_t dx, int32_t dy, int32_t down)
+{
+    const int shift = fx_clz32((uint32_t)dy);
+    const int32_t scaled = dx * (int32_t)fx_rcp16((uint32_t)dy << (shift - 16)); /* 2^(47 - shift) dx / dy */
+    return (struct ph_edge){x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift)};
+}
+
 /* The edge from (xa, ya) down to (xb, yb), at row y0 >= first_row(ya); not called for an edge without a row. */
 static struct ph_edge setup_edge(int32_t xa, int32_t ya, int32_t xb, int32_t yb, int32_t y0)
 {
-    const int32_t dx = xb - xa, row = first_row(ya);
-    const int32_t down = row * 256 + 128 - ya; /* 0 .. 255: from the vertex to the first centre */
-    int shift;
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(yb - ya), &shift) >> 1); /* 2^(61 - shift) / dy */
-    const int32_t slope =
-        (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift)); /* of an edge with one row: unused */
-    const int32_t x = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift)) + xa * 256;
+    const int32_t dx = xb - xa, dy = yb - ya, row = first_row(ya);
+    const int32_t down = row * 256 + 128 - ya; /* 0 .. 255 */
+    const bool is_short = (((uint32_t)dx + SHORT) | (uint32_t)dy) < 2 * SHORT && dy < (int32_t)SHORT;
+    struct ph_edge edge = is_short ? short_edge(xa, dx, dy, down) : wide_edge(xa, dx, dy, down);
     const uint32_t skipped = (uint32_t)(y0 - row);
-    return (struct ph_edge){(int32_t)((uint32_t)x + skipped * (uint32_t)slope + 32767u), slope};
+    edge.x = (int32_t)((uint32_t)edge.x + skipped * (uint32_t)edge.dx + 32767u);
+    return edge;
 }
 
 /* Where the planes of a triangle hang: sides from its first corner, and the reciprocal of its area. */
@@ -32,6 +49,7 @@ struct plane_base {
     int32_t x, y;       /* from the first corner to the centre of pixel (0, 0), 1/256 px */
     int32_t reciprocal; /* 2^(61 - shift) / area */
     int shift;
+    bool small; /* all sides below 64 px */
 };
 
 static int bits_of(int64_t v)
@@ -49,19 +67,28 @@ static int max_int(int a, int b)
 static struct plane_base plane_base(const struct ph_corner *a, const struct ph_corner *b, const struct ph_corner *c,
                                     int64_t area)
 {
-    const int excess = max_int(bits_of(area) - 32, 0);
-    int shift;
-    const uint32_t reciprocal = fx_rcp_norm((uint32_t)(area >> excess), &shift);
-    return (struct plane_base){
-        b->x - a->x,   b->y - a->y, c->x - a->x, c->y - a->y, 128 - a->x, 128 - a->y, (int32_t)(reciprocal >> 1),
-        shift - excess};
+    struct plane_base s = {b->x - a->x, b->y - a->y, c->x - a->x, c->y - a->y, 128 - a->x, 128 - a->y, 0, 0, false};
+    s.small = (((uint32_t)s.dx1 + SHORT) | ((uint32_t)s.dy1 + SHORT) | ((uint32_t)s.dx2 + SHORT) |
+               ((uint32_t)s.dy2 + SHORT)) < 2 * SHORT;
+    const int excess = s.small ? 0 : max_int(bits_of(area) - 32, 0);
+    s.reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(area >> excess), &s.shift) >> 1);
+    s.shift -= excess;
+    return s;
+}
+
+/* The plane with gradients gx, gy through `value` at the first corner; the last 8 bits of the fractions do not matter. */
+static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
+{
+    const uint32_t whole = (uint32_t)(s->x >> 8) * (uint32_t)gx + (uint32_t)(s->y >> 8) * (uint32_t)gy;
+    const uint32_t part = (uint32_t)(gx >> 8) * (uint32_t)(s->x & 255) + (uint32_t)(gy >> 8) * (uint32_t)(s->y & 255);
+    return (struct ph_plane){value + whole + part, (uint32_t)gx, (uint32_t)gy};
 }
 
 /*
  * Plane through the value at the first corner and the differences d1, d2 (below 2^32) at the others. A gradient beyond
  * 2^limit per pixel is halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped.
  */
-static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
+static struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
 {
     const int64_t nx = d2 * s->dy1 - d1 * s->dy2, ny = d1 * s->dx2 - d2 * s->dx1;
     const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
@@ -69,9 +96,41 @@ static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, i
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
     const int down = max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit);
     const int64_t half = down > 0 ? (int64_t)1 << (down - 1) : 0;
-    const int32_t gx = (int32_t)((px + half) >> down), gy = (int32_t)((py + half) >> down);
-    const int64_t at = (fx_mul_wide(gx, s->x) + fx_mul_wide(gy, s->y) + 128) >> 8;
-    return (struct ph_plane){value + (uint32_t)at, (uint32_t)gx, (uint32_t)gy};
+    return hang_plane(s, value, (int32_t)((px + half) >> down), (int32_t)((py + half) >> down));
+}
+
+static uint32_t size_of(int32_t v)
+{
+    return v < 0 ? ~(uint32_t)v : (uint32_t)v;
+}
+
+/* The same for a small triangle and |d1|, |d2| < 2^30, in 32 bits: the differences are taken to 16 of their bits. */
+static struct ph_plane small_plane(const struct plane_base *s, uint32_t value, int32_t d1, int32_t d2, int limit)
+{
+    const int spare = fx_clz32(size_of(d1) | size_of(d2));
+    const int drop = spare < 17 ? 17 - spare : 0;
+    d1 = (d1 + (1 << drop >> 1)) >> drop;
+    d2 = (d2 + (1 << drop >> 1)) >> drop;
+    const int32_t nx = d2 * s->dy1 - d1 * s->dy2, ny = d1 * s->dx2 - d2 * s->dx1;
+    const int up = fx_clz32(size_of(nx) | size_of(ny)) - 1; /* both to 31 bits and a sign */
+    const int32_t px = (int32_t)(fx_mul_wide((int32_t)((uint32_t)nx << up), s->reciprocal) >> 32);
+    const int32_t py = (int32_t)(fx_mul_wide((int32_t)((uint32_t)ny << up), s->reciprocal) >> 32);
+    const int exact = 21 - s->shift - drop + up; /* px 2^-exact is the gradient; |px| < 2^29 */
+    const int down = exact >= 29 - limit ? exact : max_int(exact, 32 - fx_clz32(size_of(px) | size_of(py)) - limit);
+    if (down > 31) {
+        return hang_plane(s, value, 0, 0);
+    }
+    return down >= 0 ? hang_plane(s, value, px >> down, py >> down)
+                     : hang_plane(s, value, px * (1 << -down), py * (1 << -down));
+}
+
+static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
+{
+    const int64_t limit_small = (int64_t)1 << 30;
+    if (s->small && d1 < limit_small && d1 > -limit_small && d2 < limit_small && d2 > -limit_small) {
+        return small_plane(s, value, (int32_t)d1, (int32_t)d2, limit);
+    }
+    return wide_plane(s, value, d1, d2, limit);
 }
 
 static struct ph_plane plane_of(const struct plane_base *s, const uint32_t v[3], int limit)

@@ -24,4 +24,9 @@ static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b)
     return (uint64_t)a * b;
 }
 
+static inline uint32_t fx_rcp16(uint32_t d)
+{
+    return 0x7fffffffu / d;
+}
+
 #endif
