@@ -76,7 +76,8 @@ static struct plane_base plane_base(const struct ph_corner *a, const struct ph_c
     return s;
 }
 
-/* The plane with gradients gx, gy through `value` at the first corner; the last 8 bits of the fractions do not matter. */
+/* The plane with gradients gx, gy through `value` at the first corner; the last 8 bits of the fractions do not matter.
+ */
 static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
 {
     const uint32_t whole = (uint32_t)(s->x >> 8) * (uint32_t)gx + (uint32_t)(s->y >> 8) * (uint32_t)gy;
@@ -198,10 +199,10 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
     int least = v[0]->depth.s;
     least = v[1]->depth.s < least ? v[1]->depth.s : least;
     least = v[2]->depth.s < least ? v[2]->depth.s : least;
-    uint32_t w[3]; /* 1/w to a common exponent, up to 2^30 */
+    uint32_t w[3]; /* 1/w to a common exponent, up to 2^29 */
     for (int i = 0; i < 3; i++) {
-        const int down = v[i]->depth.s - least + 1;
-        w[i] = perspective ? (down < 32 ? v[i]->depth.q >> down : 0) : (uint32_t)1 << 29;
+        const int down = v[i]->depth.s - least + 2;
+        w[i] = perspective ? (down < 32 ? v[i]->depth.q >> down : 0) : (uint32_t)1 << 28;
     }
     for (int axis = 0; axis < 2; axis++) {
         int64_t over_w[3]; /* (u / 2^range) / w */

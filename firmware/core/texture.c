@@ -9,7 +9,7 @@
 
 enum { BLOCK = 16 };
 
-/* u, v at one pixel and per pixel, in units of 2^-30 of their range. */
+/* u, v at one pixel and per pixel, in units of 2^-27 of their range. */
 struct texture_point {
     int32_t u, v, du, dv;
 };
@@ -30,32 +30,33 @@ struct sampler {
     bool clamp;
 };
 
-static int32_t clamp_q30(int64_t v)
+static int32_t mulhi(int32_t a, int32_t b)
 {
-    const int32_t limit = (1 << 30) - 1;
-    return v > limit ? limit : v < -limit ? -limit : (int32_t)v;
+    return (int32_t)(fx_mul_wide(a, b) >> 32);
 }
 
-static int32_t clamp_i32(int64_t v)
+static int32_t shift_left(int32_t v, int by)
 {
-    return v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : (int32_t)v;
+    return (int32_t)((uint32_t)v << by);
 }
 
-/* a 2^30 / w by the reciprocal of w, 2^(61 - shift) / w. */
-static int32_t over_w(int32_t a, int32_t reciprocal, int shift)
-{
-    return clamp_q30(fx_mul_wide(a, reciprocal) >> (31 - shift));
-}
-
+/*
+ * The exact quotients at one pixel. |u/w| <= 1/w inside the triangle, with room for twice that; a sliver that
+ * overshoots further gets some wrong texel, but never one outside the texture.
+ */
 static struct texture_point divide(const struct ph_triangle *t, const struct texture_row *row)
 {
     int shift;
-    const uint32_t w = (int32_t)row->w > 0 ? row->w : 1; /* a sliver's overshoot */
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1);
-    struct texture_point p = {over_w(row->u, reciprocal, shift), over_w(row->v, reciprocal, shift), 0, 0};
-    const int32_t gw = (int32_t)t->attribute[2].gx;
-    p.du = over_w(clamp_i32((int32_t)t->attribute[0].gx - (fx_mul_wide(p.u, gw) >> 30)), reciprocal, shift);
-    p.dv = over_w(clamp_i32((int32_t)t->attribute[1].gx - (fx_mul_wide(p.v, gw) >> 30)), reciprocal, shift);
+    const uint32_t w = row->w - 4 < ((uint32_t)1 << 30) - 4 ? row->w : 4; /* 2^29 with head room */
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1), gw = (int32_t)t->attribute[2].gx;
+    shift -= 2; /* a 2^shift times the reciprocal, high word: a 2^27 / w */
+    struct texture_point p;
+    p.u = mulhi(shift_left(row->u, shift), reciprocal);
+    p.v = mulhi(shift_left(row->v, shift), reciprocal);
+    const uint32_t u_gw = (uint32_t)mulhi(shift_left(p.u, 3), gw) << 2, v_gw = (uint32_t)mulhi(shift_left(p.v, 3), gw)
+                                                                               << 2;
+    p.du = mulhi(shift_left((int32_t)(t->attribute[0].gx - u_gw), shift), reciprocal);
+    p.dv = mulhi(shift_left((int32_t)(t->attribute[1].gx - v_gw), shift), reciprocal);
     return p;
 }
 
@@ -74,21 +75,21 @@ struct parabola {
 /* From `from` with slope `slope` to `to` after m pixels. */
 static struct parabola parabola(int32_t from, int32_t slope, int32_t to, uint32_t m)
 {
-    /* 65536 / m^2; m = 0 is a single pixel, which takes no step */
-    static const uint16_t inverse_square[BLOCK + 1] = {0,   65535, 16384, 7282, 4096, 2621, 1820, 1337, 1024,
-                                                       809, 655,   542,   455,  388,  334,  291,  256};
-    const int64_t miss = (int64_t)to - from - (int64_t)slope * m;
-    const uint32_t c = (uint32_t)((miss * inverse_square[m]) >> 16);
-    return (struct parabola){(uint32_t)from, (uint32_t)slope + c, 2 * c};
+    /* 2^32 / m^2; m = 0 is a single pixel, which takes no step */
+    static const int32_t inverse_square[BLOCK + 1] = {0,         INT32_MAX, 1073741824, 477218588, 268435456, 171798692,
+                                                      119304647, 87652394,  67108864,   53024287,  42949673,  35495598,
+                                                      29826162,  25414009,  21913098,   19088744,  16777216};
+    const int32_t miss = (int32_t)((uint32_t)to - (uint32_t)from - (uint32_t)slope * m);
+    const int32_t c = m == BLOCK ? miss >> 8 : mulhi(miss, inverse_square[m]);
+    return (struct parabola){(uint32_t)from, (uint32_t)slope + (uint32_t)c, 2 * (uint32_t)c};
 }
 
 /* Whether the whole block lies inside the texture: its Bezier control points do, with room for rounding. */
 static bool inside(int32_t from, int32_t slope, int32_t to, uint32_t m, int32_t limit)
 {
-    const int64_t control = from + (((int64_t)slope * m) >> 1);
-    const int32_t margin = 1024;
-    return from >= margin && from < limit - margin && to >= margin && to < limit - margin && control >= margin &&
-           control < limit - margin;
+    const uint32_t margin = 1024, room = (uint32_t)limit - 2 * margin;
+    const uint32_t control = (uint32_t)from + (uint32_t)((int32_t)((uint32_t)slope * m) >> 1);
+    return (uint32_t)from - margin < room && (uint32_t)to - margin < room && control - margin < room;
 }
 
 static uint32_t clamp_texel(int32_t texel, uint32_t mask)
@@ -174,7 +175,7 @@ static void textured_span(const struct ph_triangle *t, const struct sampler *s, 
 static struct sampler sampler_of(const struct ph_triangle *t)
 {
     const struct ph_texture *texture = t->material->texture;
-    const int down = 30 - t->range_log2;
+    const int down = 27 - t->range_log2;
     return (struct sampler){texture->texels,
                             down - texture->log2_width,
                             down - texture->log2_height,
