@@ -9,13 +9,14 @@ static int init(struct demo_context *context)
 
 struct demo model_demo(const struct model *model)
 {
+    const uint32_t vertices = model->vertex_max;
     return (struct demo){.name = "model",
                          .summary = "a model file on the turntable",
                          .loop_frames = demo_find("turntable")->loop_frames,
                          .arena_bytes = DEMO_TURNTABLE_BYTES,
-                         .vertex_max = model->vertex_max,
+                         .vertex_max = vertices > DEMO_TURNTABLE_VERTICES ? vertices : DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
-                         .triangle_max = model->triangle_count + model->triangle_count / 4 + 256,
+                         .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES,
                          .init = init,
                          .frame = demo_turntable_frame};
 }

@@ -18,6 +18,9 @@
 
 #define PATH_BYTES 4096
 
+/* Of a model without materials. */
+static const struct aiColor4D plain = {.86f, .80f, .70f, 1};
+
 /* One channel, 0 .. 1, as the display takes it. */
 static uint8_t channel(float value, bool is_linear)
 {
@@ -104,9 +107,13 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
     if (ramp == NULL) {
         return false;
     }
-    struct aiColor4D c = {.8f, .8f, .8f, 1};
+    struct aiColor4D c = plain;
+    struct aiString name = {0};
     int two_sided = 0;
-    aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &c);
+    aiGetMaterialString(from, AI_MATKEY_NAME, &name);
+    if (strcmp(name.data, AI_DEFAULT_MATERIAL_NAME) != 0) {
+        aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &c);
+    }
     aiGetMaterialIntegerArray(from, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     const uint8_t r = channel(c.r, is_linear), g = channel(c.g, is_linear), b = channel(c.b, is_linear);
     ph_material_ramp(ramp, r, g, b, GLOSS);
