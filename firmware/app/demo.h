@@ -45,6 +45,16 @@ struct demo {
     int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 };
 
+/*
+ * turntable and wireframe take a coarser teapot where the arena is smaller than they ask for. A board that gives them
+ * one can also give less for the lists (bytes of the arena on a 32-bit CPU; segments as in models.h):
+ *
+ *   turntable  segments  arena  vertices  triangles     wireframe  segments  arena  vertices  triangles
+ *                     5  28.7k       822       1132                       3  17.4k       302       1594
+ *                     4  19.8k       530        767                       2   8.5k       138        717
+ *                     3  13.0k       302        482
+ *                     2   8.0k       138        277
+ */
 extern const struct demo *const demo_list[];
 extern const uint32_t demo_count;
 

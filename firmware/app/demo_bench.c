@@ -208,7 +208,7 @@ const struct demo demo_torus = {
     .loop_frames = LOOP_FRAMES,
     .arena_bytes = BENCH_BYTES + MODEL_BYTES(512, 1024),
     .vertex_max = 512,
-    .triangle_max = 640,
+    .triangle_max = 512,
     .init = torus_init,
     .frame = object_frame,
 };
@@ -219,7 +219,7 @@ const struct demo demo_cube = {
     .loop_frames = LOOP_FRAMES,
     .arena_bytes = BENCH_BYTES + MODEL_CUBE_BYTES + TEXTURE_TEXELS * sizeof(uint16_t),
     .vertex_max = 24,
-    .triangle_max = 8,
+    .triangle_max = 6,
     .init = cube_init,
     .frame = object_frame,
 };
@@ -241,7 +241,7 @@ const struct demo demo_icosphere = {
     .loop_frames = LOOP_FRAMES,
     .arena_bytes = BENCH_BYTES + MODEL_BYTES(2562, 5120) + MODEL_ICOSPHERE_SCRATCH(4),
     .vertex_max = 2562,
-    .triangle_max = 2560,
+    .triangle_max = 1900,
     .init = icosphere_init,
     .frame = object_frame,
 };
@@ -252,7 +252,7 @@ const struct demo demo_ground = {
     .loop_frames = LOOP_FRAMES,
     .arena_bytes = BENCH_BYTES + MODEL_BYTES(441, 800),
     .vertex_max = 441,
-    .triangle_max = 900,
+    .triangle_max = 480,
     .init = ground_init,
     .frame = ground_frame,
 };

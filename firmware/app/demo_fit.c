@@ -16,24 +16,38 @@ static fx_t larger(fx_t a, fx_t b)
 }
 
 /*
- * A point at height y, rho from the axis, sweeps a circle. Seen from `elevation` above at distance d, its front and
- * back lie at heights y c -+ rho s and depths d - y s -+ rho c; sideways it reaches furthest where the view touches the
- * circle. Each must stay inside the cone: |height| <= depth / scale.
+ * A point at height y, rho from the axis, sweeps a circle. Seen from the elevation at distance d, its front and back
+ * lie at heights up -+ tilt and depths d - front, d + back.
+ */
+struct swing {
+    fx_t up, tilt, lift, front, back;
+};
+
+static struct swing swing_of(fx_t y, fx_t rho)
+{
+    struct swing w;
+    const fx_t reach = fx_mul_sat(rho, COS_ELEVATION);
+    w.up = fx_mul_sat(y, COS_ELEVATION);
+    w.tilt = fx_mul_sat(rho, SIN_ELEVATION);
+    w.lift = fx_mul_sat(y, SIN_ELEVATION);
+    w.front = fx_add_sat(w.lift, reach);
+    w.back = fx_sub_sat(reach, w.lift);
+    return w;
+}
+
+/*
+ * The circle must stay inside the cone: |height| <= depth / scale at its front and back, and sideways where the view
+ * touches it, rho sqrt(scale_x^2 + cos^2) before the axis.
  */
 static void extend(struct extent *e, fx_t y, fx_t rho, fx_t scale_y, fx_t side)
 {
-    const fx_t up = fx_mul_sat(y, COS_ELEVATION);
-    const fx_t lift = fx_mul_sat(y, SIN_ELEVATION);
-    const fx_t tilt = fx_mul_sat(rho, SIN_ELEVATION);
-    const fx_t reach = fx_mul_sat(rho, COS_ELEVATION);
-    const fx_t front = fx_add_sat(lift, reach);
-    const fx_t back = fx_sub_sat(reach, lift);
-    const fx_t for_front = fx_add_sat(fx_mul_sat(fx_abs_sat(fx_sub_sat(up, tilt)), scale_y), front);
-    const fx_t for_back = fx_sub_sat(fx_mul_sat(fx_abs_sat(fx_add_sat(up, tilt)), scale_y), back);
-    const fx_t for_side = fx_add_sat(fx_mul_sat(rho, side), lift);
+    const struct swing w = swing_of(y, rho);
+    const fx_t for_front = fx_add_sat(fx_mul_sat(fx_abs_sat(fx_sub_sat(w.up, w.tilt)), scale_y), w.front);
+    const fx_t for_back = fx_sub_sat(fx_mul_sat(fx_abs_sat(fx_add_sat(w.up, w.tilt)), scale_y), w.back);
+    const fx_t for_side = fx_add_sat(fx_mul_sat(rho, side), w.lift);
     e->distance = larger(e->distance, larger(for_side, larger(for_front, for_back)));
-    e->front = larger(e->front, front);
-    e->back = larger(e->back, back);
+    e->front = larger(e->front, w.front);
+    e->back = larger(e->back, w.back);
     e->radius = larger(e->radius, rho);
     e->bottom = y < e->bottom ? y : e->bottom;
 }
@@ -55,6 +69,23 @@ static struct extent measure(const struct ph_projection *projection, const struc
     return e;
 }
 
+/* The highest that any point comes in the picture: 1 is the upper edge. */
+static fx_t highest(fx_t scale_y, fx_t distance, const struct ph_mesh *meshes, uint32_t mesh_count,
+                    struct fx_vec3 centre)
+{
+    fx_t top = -FX_ONE;
+    for (uint32_t m = 0; m < mesh_count; m++) {
+        for (uint32_t i = 0; i < meshes[m].vertex_count; i++) {
+            const struct fx_vec3 p = fx_vec3_sub_sat(meshes[m].positions[i], centre);
+            const struct swing w = swing_of(p.y, fx_vec3_length_sat((struct fx_vec3){p.x, 0, p.z}));
+            const fx_t front = fx_div_sat(fx_sub_sat(w.up, w.tilt), fx_sub_sat(distance, w.front));
+            const fx_t back = fx_div_sat(fx_add_sat(w.up, w.tilt), fx_add_sat(distance, w.back));
+            top = larger(top, fx_mul_sat(larger(front, back), scale_y));
+        }
+    }
+    return top;
+}
+
 struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                          struct fx_vec3 centre)
 {
@@ -62,12 +93,20 @@ struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mes
     const struct extent e = measure(&projection, meshes, mesh_count, centre);
     const fx_t margin = e.distance / 16 + 1;
     const fx_t distance = fx_add_sat(e.distance, margin);
-    /* Depth from the lowest circle's front to its back too: something may lie under the meshes, as wide as they are. */
-    const fx_t drop = fx_mul_sat(e.bottom, SIN_ELEVATION);
-    const fx_t reach = fx_mul_sat(e.radius, COS_ELEVATION);
-    const fx_t clear = distance - larger(e.front, fx_add_sat(reach, drop)) - margin / 2;
+    /* Something may lie under the meshes, as wide as they are: the depth range has room for it. */
+    const struct swing under = swing_of(e.bottom, e.radius);
+    const fx_t clear = distance - larger(e.front, under.front) - margin / 2;
     projection.near_z = larger(clear, margin / 2 + 1);
-    projection.far_z = fx_add_sat(fx_add_sat(distance, margin), larger(e.back, fx_sub_sat(reach, drop)));
+    projection.far_z = fx_add_sat(fx_add_sat(distance, margin), larger(e.back, under.back));
+
+    /* Where there is room above, the picture moves up to show it, until both margins are the same. */
+    const fx_t scale_y = projection.scale_y_q20 >> 4;
+    const fx_t top = highest(scale_y, distance, meshes, mesh_count, centre);
+    const fx_t low = fx_div_sat(fx_sub_sat(under.up, under.tilt), fx_sub_sat(distance, under.front));
+    const fx_t middle = (top + larger(fx_mul_sat(low, scale_y), -2 * FX_ONE)) / 2;
+    const fx_t room = FX_ONE - FX_ONE / 16 - top;
+    const fx_t move = -middle < room ? -middle : room;
+    projection.shift_y = move > 0 ? -move : 0;
 
     const struct fx_vec3 eye = {0, fx_mul_sat(distance, SIN_ELEVATION), fx_mul_sat(distance, COS_ELEVATION)};
     const struct ph_xform view = ph_view_look_at(eye, (struct fx_vec3){0, 0, 0}, (struct fx_vec3){0, FX_ONE, 0});

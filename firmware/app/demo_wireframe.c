@@ -8,7 +8,7 @@
 #define SEGMENTS  3
 #define VERTICES  MODEL_TEAPOT_VERTICES(SEGMENTS)
 #define TRIANGLES MODEL_TEAPOT_TRIANGLES(SEGMENTS)
-#define EDGES     700
+#define EDGES     MODEL_TEAPOT_QUAD_EDGES(SEGMENTS)
 
 struct wireframe {
     struct ph_mesh faces, lines;
@@ -17,24 +17,53 @@ struct wireframe {
     uint16_t background;
 };
 
+/* The faces a little inside the lines, so that also steep faces at the outline leave them whole. */
+static int shrink_faces(struct demo_arena *arena, struct wireframe *w)
+{
+    struct fx_vec3 *const inner = demo_alloc(arena, w->lines.vertex_count * sizeof(*inner));
+    if (!inner) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < w->lines.vertex_count; i++) {
+        const int16_t *const normal = w->lines.normals[i];
+        const struct fx_vec3 by = {normal[0] / 20, normal[1] / 20, normal[2] / 20}; /* Q1.14 / 20 in Q16.16: .0125 */
+        inner[i] = fx_vec3_sub_sat(w->lines.positions[i], by);
+    }
+    w->faces = w->lines;
+    w->faces.positions = inner;
+    w->faces.materials = &w->face;
+    return PH_OK;
+}
+
+static int wireframe_model(struct demo_arena *arena, struct wireframe *w, uint32_t segments)
+{
+    if (model_teapot(arena, &w->lines, segments) != PH_OK || model_quad_edges(arena, &w->lines) != PH_OK ||
+        model_material(arena, &w->lines, &w->line) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    return shrink_faces(arena, w);
+}
+
 static int wireframe_init(struct demo_context *context)
 {
-    struct demo_arena *const arena = &context->arena;
-    struct wireframe *const w = demo_alloc(arena, sizeof(*w));
-    if (!w || model_teapot(arena, &w->faces, SEGMENTS) != PH_OK) {
+    struct wireframe *const w = demo_alloc(&context->arena, sizeof(*w));
+    const struct demo_arena rest = context->arena;
+    if (!w) {
         return PH_ERR_NOMEM;
     }
     w->background = ph_rgb565(6, 12, 28);
     w->face = (struct ph_material){.shading = PH_SHADE_UNLIT, .colour = w->background};
-    w->line = (struct ph_material){.shading = PH_SHADE_WIRE, .depth_bias = 24, .colour = ph_rgb565(120, 230, 255)};
-    if (model_quad_edges(arena, &w->faces) != PH_OK || model_material(arena, &w->faces, &w->face) != PH_OK) {
-        return PH_ERR_NOMEM;
+    w->line = (struct ph_material){.shading = PH_SHADE_WIRE, .depth_bias = 32, .colour = ph_rgb565(120, 230, 255)};
+    for (uint32_t segments = SEGMENTS; segments >= 2; segments--) {
+        context->arena = rest;
+        if (wireframe_model(&context->arena, w, segments) == PH_OK) {
+            w->camera = demo_fit(context, &w->lines, 1, (struct fx_vec3){0, 0, 0});
+            w->camera.projection.shift_y = 0; /* no platter below: in the middle */
+            context->state = w;
+            return PH_OK;
+        }
     }
-    w->lines = w->faces;
-    w->lines.materials = &w->line;
-    w->camera = demo_fit(context, &w->faces, 1, (struct fx_vec3){0, 0, 0});
-    context->state = w;
-    return PH_OK;
+    return PH_ERR_NOMEM;
 }
 
 static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
@@ -53,9 +82,9 @@ const struct demo demo_wireframe = {
     .summary = "the teapot as lines, hidden ones removed",
     .loop_frames = 256,
     .arena_bytes = MODEL_ROUND8(sizeof(struct wireframe)) + MODEL_BYTES(VERTICES, TRIANGLES) +
-                   MODEL_EDGES_SCRATCH(VERTICES, TRIANGLES) + MODEL_EDGES_BYTES(EDGES) + 16,
+                   MODEL_EDGES_SCRATCH(VERTICES, TRIANGLES) + MODEL_EDGES_BYTES(EDGES),
     .vertex_max = VERTICES,
-    .triangle_max = TRIANGLES + 2 * EDGES,
+    .triangle_max = TRIANGLES * 5 / 8 + 2 * EDGES,
     .init = wireframe_init,
     .frame = wireframe_frame,
 };

@@ -58,8 +58,9 @@ int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells)
  *   vertices      138   302   530   822  1178  2082
  *   triangles     264   592  1048  1632  2344  4152
  */
-#define MODEL_TEAPOT_VERTICES(n)  (32 * (n) * (n) + 4 * (n) + 2)
-#define MODEL_TEAPOT_TRIANGLES(n) (64 * (n) * (n) + 8 * (n)-8)
+#define MODEL_TEAPOT_VERTICES(n)   (32 * (n) * (n) + 4 * (n) + 2)
+#define MODEL_TEAPOT_TRIANGLES(n)  (64 * (n) * (n) + 8 * (n)-8)
+#define MODEL_TEAPOT_QUAD_EDGES(n) (64 * (n) * (n) + 16 * (n)-12) /* of model_quad_edges() */
 int model_teapot(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t segments);
 
 /*
