@@ -383,7 +383,10 @@ static void gouraud_light_is_that_of_the_reference(void **state)
     }
 }
 
-/* A fifth over what the code reached when this was written: tells of a loss long before a bar is met. */
+/*
+ * A fifth over what the code reached when this was written (twice for coverage: it is a handful of pixels): tells of a
+ * loss long before a bar is met.
+ */
 static void nothing_slipped_from_what_was_reached(void **state)
 {
     static const struct {
@@ -397,7 +400,7 @@ static void nothing_slipped_from_what_was_reached(void **state)
     for (int i = 0; i < REF_SCENES * SOURCES; i++) {
         int scene = i / SOURCES;
         const struct quality *q = table[i % SOURCES][scene];
-        at_most("coverage %", scene, coverage_percent(&q[PH_DEPTH_FIXED16]), 1.2 * reached[scene].coverage);
+        at_most("coverage %", scene, coverage_percent(&q[PH_DEPTH_FIXED16]), 2 * reached[scene].coverage);
         at_most("depth RMS", scene, depth_rms(&q[PH_DEPTH_FIXED16]), 1.2 * reached[scene].depth);
         at_most("distance RMS", scene, distance_rms(&q[PH_DEPTH_FLOAT16]), 1.2 * reached[scene].distance);
     }
