@@ -13,14 +13,12 @@ uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue)
     return ph_wire16((uint16_t)(quantise(red, 31) << 11 | quantise(green, 63) << 5 | quantise(blue, 31)));
 }
 
-/* One channel at an intensity in Q16.16: up to 1 the colour fades in, then on to white. */
-static uint8_t ramp_channel(uint32_t channel, uint32_t intensity)
+/* One channel, 0 .. top, at an intensity in Q16.16: up to 1 the colour fades in, then on to white; rounded once. */
+static uint32_t ramp_channel(uint32_t channel, uint32_t intensity, uint32_t top)
 {
-    if (intensity <= FX_ONE) {
-        return (uint8_t)((channel * intensity + FX_HALF) >> 16);
-    }
-    const uint32_t white = intensity - FX_ONE < FX_ONE ? intensity - FX_ONE : FX_ONE;
-    return (uint8_t)(channel + (((255 - channel) * white + FX_HALF) >> 16));
+    const uint32_t white = intensity <= FX_ONE ? 0 : intensity - FX_ONE;
+    const uint32_t lit = intensity <= FX_ONE ? channel * intensity : (channel << 16) + (255 - channel) * white;
+    return (lit * top + ((uint32_t)255 << 15)) / ((uint32_t)255 << 16);
 }
 
 void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, uint8_t blue, fx_t specular)
@@ -29,7 +27,7 @@ void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, u
     for (uint32_t i = 0; i < PH_RAMP_SIZE; i++) {
         const uint32_t step = i < 4 ? 0 : i > 123 ? 119 : i - 4;
         const uint32_t intensity = (full * step + 59) / 119;
-        ramp[i] =
-            ph_rgb565(ramp_channel(red, intensity), ramp_channel(green, intensity), ramp_channel(blue, intensity));
+        ramp[i] = ph_wire16((uint16_t)(ramp_channel(red, intensity, 31) << 11 |
+                                       ramp_channel(green, intensity, 63) << 5 | ramp_channel(blue, intensity, 31)));
     }
 }

@@ -12,7 +12,7 @@
  * The rasterizer steps a 16.16 number whose high half is the code. With d in 0 .. 1 exact:
  *   fixed16: code = floor(65536 d + 16)
  *   float16: code = floor(F(d) + 8), F an unsigned float with 4 bits of exponent and 12 of mantissa, in full
- *            precision: F = 2^13 d + 14 * 4096 in 1/2 .. 1, and half as steep with each octave towards 0;
+ *            precision: F = 2^13 d + 14 * 4096 in 1/2 .. 1, and twice as steep with each octave towards 0;
  *            F = 2^27 d below 2^-15. F is continuous and piecewise linear: inside one octave a float16 span is a
  *            fixed16 span with another slope, which is all that "float" costs (spans are split where d crosses a
  *            power of two).

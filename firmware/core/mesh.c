@@ -82,7 +82,8 @@ static void transform_vertex(const struct ph_renderer *r, const struct ph_clip_m
     const int32_t width = r->config.width, height = r->config.height;
     uint8_t code = z < lens->near_z ? PH_NEAR : z > lens->far_z ? PH_FAR : 0;
     if (w < 0 || code == PH_NEAR || ((magnitude(x) | magnitude(y)) >> 31) != 0 ||
-        magnitude(x) >> 3 > (uint32_t)w >> lens->guard_up || magnitude(y) >> 3 > (uint32_t)w >> lens->guard_up) {
+        (magnitude(x) + 7) >> 3 > (uint32_t)w >> lens->guard_up ||
+        (magnitude(y) + 7) >> 3 > (uint32_t)w >> lens->guard_up) {
         code |= side_codes(x, w, lens, lens->centre_x, width, PH_LEFT);
         code |= side_codes(y, w, lens, lens->centre_y, height, PH_TOP);
         v->code = code | PH_GUARD;
@@ -150,13 +151,15 @@ static void draw_clipped(const struct part_context *c, const uint16_t index[3])
         c->r->stats.triangles_culled++;
         return;
     }
+    bool any = false;
     const struct ph_corner first = project_corner(&c->r->lens, &out[0]);
     struct ph_corner last = project_corner(&c->r->lens, &out[1]);
     for (int i = 2; i < n; i++) {
         const struct ph_corner next = project_corner(&c->r->lens, &out[i]);
-        ph_setup_triangle(c->r, c->material, &first, &last, &next);
+        any |= ph_setup_triangle(c->r, c->material, &first, &last, &next);
         last = next;
     }
+    c->r->stats.triangles_culled += !any;
 }
 
 static struct ph_corner corner_of(const struct part_context *c, uint32_t index)
@@ -187,7 +190,7 @@ static void draw_triangle(const struct part_context *c, const uint16_t index[3])
         return;
     }
     const struct ph_corner a = corner_of(c, index[0]), b = corner_of(c, index[1]), d = corner_of(c, index[2]);
-    ph_setup_triangle(c->r, c->material, &a, &b, &d);
+    c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, &a, &b, &d);
 }
 
 /* A line as a parallelogram, one pixel wide across its longer axis: one pixel a column (or row), no raster code of its

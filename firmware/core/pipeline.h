@@ -112,8 +112,8 @@ static inline int64_t ph_area(int32_t ax, int32_t ay, int32_t bx, int32_t by, in
 #define PH_CLIP_MAX 9
 int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out);
 
-/* Sets up and lists the triangle a, b, c if it faces the viewer (or is two-sided) and covers a pixel. */
-void ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+/* Sets up and lists the triangle a, b, c; false if it faces away (and is not two-sided) or covers no pixel centre. */
+bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                        const struct ph_corner *b, const struct ph_corner *c);
 
 /* The light of one mesh, in its own coordinates: see light.c. */

@@ -14,8 +14,8 @@
  * pixel exactly once. Screen positions have 8 sub-pixel bits.
  *
  * Colour: RGB565 in wire order, that is the byte with red first in memory, on every machine.
- * Light: one white intensity a vertex (ambient, Lambert, Blinn; viewer at infinity) that indexes the material's ramp of 128 colours.
- * Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the first drawn stays.
+ * Light: one white intensity a vertex (ambient, Lambert, Blinn; viewer at infinity) that indexes the material's ramp of
+ * 128 colours. Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the first drawn stays.
  *
  * What does not fit into the caller's budgets is left out and counted in ph_stats.
  */
@@ -106,9 +106,9 @@ enum ph_depth_format { PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16 };
 struct ph_stats {
     uint32_t vertices;          /* transformed */
     uint32_t triangles_in;      /* given */
-    uint32_t triangles_culled;  /* back faces, wholly outside, without area or without a pixel centre */
-    uint32_t triangles_clipped; /* met a clip plane */
-    uint32_t triangles_drawn;   /* set up and listed (a clipped one may give several) */
+    uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
+    uint32_t triangles_clipped; /* of these: met a clip plane */
+    uint32_t triangles_drawn;   /* set up and listed; a clipped one may give several, a line gives two */
     uint32_t triangles_dropped; /* did not fit the triangle budget */
     uint32_t vertices_dropped;  /* did not fit the vertex budget; the mesh was left out */
     uint32_t fragments;         /* pixels depth-tested */
@@ -164,7 +164,7 @@ struct ph_renderer {
     uint16_t background;
 };
 
-/* Copies config. PH_ERR_INVAL: a size or pointer is wrong. */
+/* Copies config. PH_ERR_INVAL: a size or pointer is wrong. PH_ERR_NOMEM: bin_max is below the number of bands. */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 
 /*

@@ -23,11 +23,13 @@ static struct ph_edge wide_edge(int32_t x, int32_t dx, int32_t dy, int32_t down)
     return (struct ph_edge){x * 256 + offset, (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift))};
 }
 
-/* The same below 64 px each way, in 32 bits, to 2^-10 px at its far end. */
+/* The same below 64 px each way, in 32 bits, to 2^-9 px at its far end. */
 static struct ph_edge short_edge(int32_t x, int32_t dx, int32_t dy, int32_t down)
 {
     const int shift = fx_clz32((uint32_t)dy);
-    const int32_t scaled = dx * (int32_t)fx_rcp16((uint32_t)dy << (shift - 16)); /* 2^(47 - shift) dx / dy */
+    /* 2^(47 - shift) dx / dy, never above it: a centre that lies on the edge is on its right, as by the top-left rule
+     */
+    const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
     return (struct ph_edge){x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift)};
 }
 
@@ -181,7 +183,7 @@ static int texture_range(const struct ph_texture *texture, const struct ph_corne
     }
     for (int i = 0; i < 3; i++) {
         if (texture->wrap == PH_WRAP_REPEAT) {
-            out[i] -= least >> 16 << 16;
+            out[i] -= least & ~(int64_t)0xffff;
         }
         const int64_t size = out[i] < 0 ? -out[i] : out[i];
         most = size > most ? size : most;
@@ -296,7 +298,7 @@ static bool misses_columns(const struct ph_renderer *r, const struct ph_corner *
     return from >= to || to <= 0 || from >= r->config.width;
 }
 
-void ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                        const struct ph_corner *b, const struct ph_corner *c)
 {
     const bool two_sided = material->two_sided != 0 || material->shading == PH_SHADE_WIRE;
@@ -305,22 +307,21 @@ void ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material
     const struct ph_corner *const v[3] = {a, turned ? c : b, turned ? b : c};
     area = turned ? -area : area;
     if (area <= 0 || misses_columns(r, v)) {
-        r->stats.triangles_culled++;
-        return;
+        return false;
     }
     struct ph_triangle t;
     t.material = material;
     if (!setup_edges(r, v, &t)) {
-        r->stats.triangles_culled++;
-        return;
+        return false;
     }
     if (r->triangle_count >= r->config.triangle_max) {
         r->stats.triangles_dropped++;
-        return;
+        return true;
     }
     const struct plane_base base = plane_base(v[0], v[1], v[2], area);
     setup_depth(r, &base, v, &t);
     setup_shading(r, &base, v, &t);
     ph_triangles(r)[r->triangle_count++] = t;
     r->stats.triangles_drawn++;
+    return true;
 }
