@@ -1,8 +1,9 @@
 /*
  * board: a kit as const data, one folder below boards/ each. It knows the panel, the wiring, and how its user holds it.
  *
- * Pins are named as on the kit's own documents: a number where the chip numbers its pins (GP17 is 17; STM32 and the like:
- * port * 32 + pin, port A = 0), a line name where an operating system names them ("GPIO25") or a header does ("AD3").
+ * Pins are named as on the kit's own documents: a number where the chip numbers its pins (GP17 is 17; STM32 and the
+ * like: port * 32 + pin, port A = 0), a line name where an operating system names them ("GPIO25") or a header does
+ * ("AD3").
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -16,10 +17,22 @@ struct board_pin {
     const char *line; /* NULL: see number */
 };
 
-#define BOARD_PIN(n)      {true, false, (n), NULL}
-#define BOARD_PIN_LOW(n)  {true, true, (n), NULL} /* active low */
-#define BOARD_LINE(s)     {true, false, 0, (s)}
-#define BOARD_LINE_LOW(s) {true, true, 0, (s)}
+#define BOARD_PIN(n)                                                                                                   \
+    {                                                                                                                  \
+        true, false, (n), NULL                                                                                         \
+    }
+#define BOARD_PIN_LOW(n)                                                                                               \
+    {                                                                                                                  \
+        true, true, (n), NULL                                                                                          \
+    } /* active low */
+#define BOARD_LINE(s)                                                                                                  \
+    {                                                                                                                  \
+        true, false, 0, (s)                                                                                            \
+    }
+#define BOARD_LINE_LOW(s)                                                                                              \
+    {                                                                                                                  \
+        true, true, 0, (s)                                                                                             \
+    }
 #define BOARD_PORT(port, n) ((uint16_t)(((port) - 'A') * 32 + (n)))
 
 struct board_button {

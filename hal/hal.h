@@ -42,17 +42,19 @@ struct hal_ops {
     const char *name;
 
     /*
-     * Takes the kit's bus and pins: reset released, backlight off, bus idle. Chip select may rise between two bus_write:
-     * every controller in panel.h goes on with the same transfer after it.
+     * Takes the kit's bus and pins: reset released, backlight off, bus idle. Chip select may rise between two
+     * bus_write: every controller in panel.h goes on with the same transfer after it.
      */
     int (*open)(void *context, const struct board *board);
 
-    /* Sets the bus clock to at most hz (> 0); returns the clock really set, in Hz, or HAL_EINVAL if none is that slow. */
+    /* Sets the bus clock to at most hz (> 0); returns the clock really set, in Hz, or HAL_EINVAL if none is that slow.
+     */
     int32_t (*bus_clock)(void *context, uint32_t hz);
 
     /*
      * Starts to send n bytes with the D/C line at dc. Returns when it can; the buffer belongs to the backend until
-     * bus_wait returns or the next bus_write has started (returned). Order is kept; n = 0 does nothing. D/C and CS do not move before the last bit is out.
+     * bus_wait returns or the next bus_write has started (returned). Order is kept; n = 0 does nothing. D/C and CS do
+     * not move before the last bit is out.
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 
@@ -62,7 +64,8 @@ struct hal_ops {
     /* Sends one command byte and reads n bytes; NULL where the kit has no MISO. */
     int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
 
-    /* true is the active-high level of the signal on the panel: RESET true runs, BACKLIGHT true lights. 0 where not wired. */
+    /* true is the active-high level of the signal on the panel: RESET true runs, BACKLIGHT true lights. 0 where not
+     * wired. */
     int (*pin_set)(void *context, enum hal_pin pin, bool level);
 
     /* Waits for the next tearing-effect edge, at most timeout_us; NULL where no TE line is wired. */

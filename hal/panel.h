@@ -34,26 +34,27 @@ enum panel_rotation { PANEL_R0, PANEL_R90, PANEL_R180, PANEL_R270 }; /* degrees 
 
 /* What a controller's command set looks like. Commands and their numbers are those of its datasheet. */
 struct panel_controller {
-    const char *name;      /* as printed on the datasheet: "ST7789" */
-    uint32_t init_hz;      /* clock for reset and initialisation */
-    uint32_t write_hz;     /* datasheet's limit for writes, from its serial timing table */
-    uint32_t reset_low_us; /* reset pulse */
+    const char *name;       /* as printed on the datasheet: "ST7789" */
+    uint32_t init_hz;       /* clock for reset and initialisation */
+    uint32_t write_hz;      /* datasheet's limit for writes, from its serial timing table */
+    uint32_t reset_low_us;  /* reset pulse */
     uint32_t reset_high_us; /* from the end of the pulse to the first command */
 
-    uint8_t set_column, set_row;  /* window commands */
-    uint8_t memory_write;         /* 0: pixels need no command before them */
-    uint8_t address_bytes;        /* of one window border: 2, or 1 */
+    uint8_t set_column, set_row; /* window commands */
+    uint8_t memory_write;        /* 0: pixels need no command before them */
+    uint8_t address_bytes;       /* of one window border: 2, or 1 */
+    uint8_t column_pixels; /* pixels (of one row of the glass) in one column address and byte: 1, or 2 (SSD0323) */
     bool parameters_are_commands; /* parameters go out with D/C low */
     bool window_turns;            /* the window's axes turn with the picture (MADCTL MV); else they are the glass's */
 
-    uint8_t set_rotation;    /* MADCTL or the remap command */
-    uint8_t rotation_bit_mx; /* the bit in it that mirrors columns */
-    uint8_t rotation_bit_my; /* ... that mirrors rows */
-    uint8_t rotation_bit_mv; /* ... that makes the address run along columns first */
+    uint8_t set_rotation;         /* MADCTL or the remap command */
+    uint8_t rotation_bit_mx;      /* the bit in it that mirrors columns */
+    uint8_t rotation_bit_my;      /* ... that mirrors rows */
+    uint8_t rotation_bit_mv;      /* ... that makes the address run along columns first */
     uint8_t rotation_bit_mx_pair; /* further bits to set along with mx (SSD0323: nibbles) */
 
-    uint8_t set_format;       /* COLMOD; 0: the format is in the rotation byte or fixed */
-    uint8_t format_value[4];  /* its parameter (or bits of the rotation byte) by enum panel_format; 0: not supported */
+    uint8_t set_format;      /* COLMOD; 0: there is one format only */
+    uint8_t format_value[4]; /* its parameter by enum panel_format */
 
     const uint8_t *on, *off; /* sequences like panel.init: display on; display off and sleep */
     uint16_t on_bytes, off_bytes;
@@ -115,8 +116,8 @@ uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 
 struct panel_config {
     const struct panel *panel;
-    uint8_t rotation; /* enum panel_rotation */
-    uint8_t format;   /* enum panel_format */
+    uint8_t rotation;  /* enum panel_rotation */
+    uint8_t format;    /* enum panel_format */
     uint32_t clock_hz; /* full speed asked for */
     uint8_t *scratch;  /* PANEL_SCRATCH_MIN or more; may be NULL for PANEL_RGB565. The driver's until panel_close */
     size_t scratch_bytes;
@@ -130,10 +131,13 @@ struct panel_driver {
     int32_t clock_hz;       /* full speed got */
     uint16_t row;           /* lines given in this frame */
     bool in_frame;
-    bool lit;               /* display and backlight are on */
-    uint8_t half;           /* half of scratch that is filled next */
-    uint32_t filled;        /* bytes in it */
-    uint8_t carry;          /* RGB444: 4 bits that wait for their byte's other half */
+    bool lit;            /* display and backlight are on */
+    bool pair_lines;     /* GREY4 turned by 90 or 270: a byte holds the pixels of two lines */
+    uint8_t lead;        /* GREY4: 1 if the first byte's first four bits lie beside the glass */
+    uint8_t half;        /* half of scratch that is filled next */
+    uint32_t half_bytes; /* size of a half */
+    uint32_t filled;     /* bytes in it */
+    uint8_t carry;       /* 4 bits that wait for their byte's other half */
     bool carry_full;
 };
 

@@ -9,7 +9,7 @@
  *   sim_close(sim);
  *
  * The models decode the bytes as the datasheets say and know nothing of the driver's tables: of the board only the
- * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c, sim_ssd1351.c, sim_ssd0323.c.
+ * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c and sim_ssd.c.
  *
  * Time stands still but for bits on the wire (8 a byte at the bus clock) and delay_us.
  */
@@ -55,19 +55,19 @@ void sim_buttons_set(struct sim *sim, uint32_t buttons);
 /* ---- complaints --------------------------------------------------------------------------------------------- */
 
 enum sim_complaint_kind {
-    SIM_UNKNOWN_COMMAND,
-    SIM_BAD_PARAMETER,    /* a value that the register has not, or a format that SPI has not */
-    SIM_PARAMETER_COUNT,  /* too few or too many parameters */
-    SIM_EARLY_COMMAND,    /* sent before the wait that the datasheet wants after reset or sleep */
-    SIM_SHORT_RESET,      /* reset pulse too short */
-    SIM_PIXELS_ASLEEP,    /* pixels before sleep-out (or in sleep) */
-    SIM_WINDOW_OUTSIDE,   /* a window outside of the memory, or its end before its start */
-    SIM_TOO_MANY_PIXELS,  /* more pixels than the window has */
-    SIM_PIXELS_NOWHERE,   /* data without a command that takes it */
-    SIM_SPLIT_PIXEL,      /* a command in the middle of a pixel */
-    SIM_DC_MOVED,         /* D/C changed inside of a byte */
-    SIM_OVER_CLOCK,       /* clock above the datasheet's write limit (a note only, if board->over_limit) */
-    SIM_ON_WITHOUT_FRAME, /* display on before a complete frame was written */
+    SIM_UNKNOWN_COMMAND,   /* the controller has not, or the model does not know */
+    SIM_BAD_PARAMETER,     /* a value that the register has not, or a format that SPI has not */
+    SIM_PARAMETER_COUNT,   /* too few or too many parameters */
+    SIM_EARLY_COMMAND,     /* sent before the wait that the datasheet wants after reset or sleep */
+    SIM_SHORT_RESET,       /* reset pulse too short */
+    SIM_PIXELS_ASLEEP,     /* pixels before sleep-out (or in sleep) */
+    SIM_WINDOW_OUTSIDE,    /* a window outside of the memory, or its end before its start */
+    SIM_TOO_MANY_PIXELS,   /* more pixels than the window has */
+    SIM_PIXELS_NOWHERE,    /* data without a command that takes it */
+    SIM_SPLIT_PIXEL,       /* a command in the middle of a pixel */
+    SIM_DC_MOVED,          /* D/C changed inside of a byte */
+    SIM_OVER_CLOCK,        /* clock above the datasheet's write limit (a note only, if board->over_limit) */
+    SIM_ON_WITHOUT_FRAME,  /* display on before a complete frame was written */
     SIM_LIT_WITHOUT_FRAME, /* backlight on before a complete frame was written */
     SIM_COMPLAINT_KINDS
 };
@@ -88,13 +88,14 @@ const char *sim_note(const struct sim *sim);
 
 enum sim_fault {
     SIM_FAULT_NONE,
-    SIM_FAULT_OPEN,       /* open fails with HAL_EACCES */
-    SIM_FAULT_WRITE,      /* the n-th bus_write from now (1 = next) fails with HAL_EIO, nothing is sent */
+    SIM_FAULT_OPEN,        /* open fails with HAL_EACCES */
+    SIM_FAULT_WRITE,       /* the n-th bus_write from now (1 = next) fails with HAL_EIO, nothing is sent */
     SIM_FAULT_SHORT_WRITE, /* ... fails after half of its bytes are out */
-    SIM_FAULT_CLOCK,      /* bus_clock fails with HAL_EINVAL */
-    SIM_FAULT_DC_EARLY,   /* D/C of the n-th bus_write's successor moves before the last bit is out, as a racy backend does */
-    SIM_FAULT_DELAY,      /* delay_us does not wait */
-    SIM_FAULT_STUCK,      /* bus_wait fails with HAL_ETIMEDOUT */
+    SIM_FAULT_CLOCK,       /* bus_clock fails with HAL_EINVAL */
+    SIM_FAULT_DC_EARLY, /* D/C changes half-way in the last byte of the n-th bus_write, as a backend does that does not
+                           wait */
+    SIM_FAULT_DELAY,    /* delay_us does not wait */
+    SIM_FAULT_STUCK,    /* bus_wait fails with HAL_ETIMEDOUT */
 };
 
 void sim_fault(struct sim *sim, enum sim_fault fault, uint32_t n);

@@ -1,0 +1,27 @@
+/*
+ * Pinout: https://learn.adafruit.com/adafruit-2-4-tft-touch-screen-featherwing/pinouts
+ * D9 is PB8, D10 is PB9. Reset is the Feather's; the backlight is always on.
+ */
+#include "boards.h"
+
+const struct board board_feather_stm32f405 = {
+    .name = "feather-stm32f405",
+    .title = "Adafruit Feather STM32F405 with TFT FeatherWing 2.4\", 320x240",
+    .pinout = "https://learn.adafruit.com/adafruit-2-4-tft-touch-screen-featherwing/pinouts",
+    .panel = &panel_ili9341_240x320,
+    .rotation = PANEL_R90,
+    .format = PANEL_RGB565,
+    .spi_bus = 2,
+    .spi_hz = 21000000,
+    .over_limit = true, /* the datasheet's 10 MHz are 8 frames a second; these modules run at this */
+    .pins =
+        {
+            .clock = BOARD_PIN(BOARD_PORT('B', 13)),
+            .data = BOARD_PIN(BOARD_PORT('B', 15)),
+            .data_in = BOARD_PIN(BOARD_PORT('B', 14)),
+            .select = BOARD_PIN_LOW(BOARD_PORT('B', 8)),
+            .dc = BOARD_PIN(BOARD_PORT('B', 9)),
+        },
+    .band_height = 16,
+    .ram_bytes = 112 * 1024,
+};

@@ -1,0 +1,33 @@
+/*
+ * Pinout: https://www.ti.com/tool/EK-LM3S6965
+ * The bus is shared with the SD card: PD0 must be high. The panel is reset with the CPU. QEMU's panel cannot be turned.
+ */
+#include "boards.h"
+
+const struct board board_lm3s6965evb = {
+    .name = "lm3s6965evb",
+    .title = "Stellaris EK-LM3S6965 (and QEMU's), 128x64, 16 greys",
+    .pinout = "https://www.ti.com/tool/EK-LM3S6965",
+    .panel = &panel_ssd0323_128x64,
+    .rotation = PANEL_R0,
+    .format = PANEL_GREY4,
+    .spi_hz = 3500000,
+    .pins =
+        {
+            .clock = BOARD_PIN(BOARD_PORT('A', 2)),
+            .data = BOARD_PIN(BOARD_PORT('A', 5)),
+            .select = BOARD_PIN_LOW(BOARD_PORT('A', 3)),
+            .dc = BOARD_PIN(BOARD_PORT('C', 7)),
+        },
+    .buttons =
+        {
+            {HAL_BUTTON_UP, BOARD_PIN_LOW(BOARD_PORT('E', 0))},
+            {HAL_BUTTON_DOWN, BOARD_PIN_LOW(BOARD_PORT('E', 1))},
+            {HAL_BUTTON_LEFT, BOARD_PIN_LOW(BOARD_PORT('E', 2))},
+            {HAL_BUTTON_RIGHT, BOARD_PIN_LOW(BOARD_PORT('E', 3))},
+            {HAL_BUTTON_SELECT, BOARD_PIN_LOW(BOARD_PORT('F', 1))},
+        },
+    .button_count = 5,
+    .band_height = 16,
+    .ram_bytes = 56 * 1024,
+};

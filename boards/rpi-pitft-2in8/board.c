@@ -1,0 +1,34 @@
+/*
+ * Pinout: https://learn.adafruit.com/adafruit-pitft-28-inch-resistive-touchscreen-display-raspberry-pi
+ * The backlight hangs on the touch controller and is on by default. No reset line.
+ */
+#include "boards.h"
+
+const struct board board_rpi_pitft_2in8 = {
+    .name = "rpi-pitft-2in8",
+    .title = "Raspberry Pi with Adafruit PiTFT 2.8\", 320x240",
+    .pinout = "https://learn.adafruit.com/adafruit-pitft-28-inch-resistive-touchscreen-display-raspberry-pi",
+    .panel = &panel_ili9341_240x320,
+    .rotation = PANEL_R90,
+    .format = PANEL_RGB565,
+    .spi_hz = 32000000,
+    .over_limit = true, /* the datasheet's 10 MHz are 8 frames a second; these modules run at this */
+    .pins =
+        {
+            .clock = BOARD_LINE("GPIO11"),
+            .data = BOARD_LINE("GPIO10"),
+            .data_in = BOARD_LINE("GPIO9"),
+            .select = BOARD_LINE_LOW("GPIO8"),
+            .dc = BOARD_LINE("GPIO25"),
+        },
+    .buttons =
+        {
+            {HAL_BUTTON_UP, BOARD_LINE_LOW("GPIO23")},
+            {HAL_BUTTON_DOWN, BOARD_LINE_LOW("GPIO22")},
+            {HAL_BUTTON_LEFT, BOARD_LINE_LOW("GPIO27")},
+            {HAL_BUTTON_RIGHT, BOARD_LINE_LOW("GPIO18")},
+        },
+    .button_count = 4,
+    .band_height = 60,
+    .ram_bytes = 16 * 1024 * 1024,
+};

@@ -1,0 +1,120 @@
+/*
+ * sim_model: what the simulator's parts know of each other; for sim*.c only.
+ *
+ * A model sees bytes with their D/C line, the reset line and the clock, and answers what a place of the glass shows.
+ */
+#ifndef SIM_MODEL_H
+#define SIM_MODEL_H
+
+#include "sim.h"
+
+struct sim_model {
+    const char *controller;
+    uint32_t write_hz;              /* datasheet's limit */
+    uint32_t reset_pulse_ns;        /* shortest */
+    uint32_t reset_wait_ns;         /* from its end to the first byte */
+    void (*reset)(struct sim *sim); /* registers as after power-on */
+    void (*byte)(struct sim *sim, enum hal_dc dc, uint8_t byte);
+    bool (*shows)(const struct sim *sim);                                        /* is anything to be seen? */
+    void (*look)(const struct sim *sim, uint32_t x, uint32_t y, uint8_t rgb[3]); /* glass, upright */
+    bool (*written)(const struct sim *sim, uint32_t x, uint32_t y);              /* since the last reset? */
+};
+
+extern const struct sim_model sim_model_st7789, sim_model_gc9a01, sim_model_ili9341, sim_model_ili9488,
+    sim_model_st7735s, sim_model_ssd1351, sim_model_ssd0323;
+
+/* A glass: how it is bonded to its controller and which way its colours are. */
+struct sim_glass {
+    const char *panel; /* name in the board's panel */
+    const struct sim_model *model;
+    uint16_t width, height;
+    uint16_t ram_width, ram_height;
+    uint16_t left, top; /* memory address of the first column and row that are bonded */
+    bool mirrored;      /* first column at the right */
+    bool bgr;           /* colour filter starts with blue */
+    bool complement;    /* IPS: shows a stored value's complement until it is inverted */
+    bool round;
+    bool backlit;
+};
+
+/* NULL: no such panel. */
+const struct sim_glass *sim_glass_find(const struct panel *panel, struct sim_glass *made);
+
+struct sim_cell {
+    uint8_t r, g, b;
+    uint8_t written;
+};
+
+/* MIPI DBI controllers. */
+struct sim_dbi {
+    const struct dbi_command *command; /* being received; NULL: none */
+    uint8_t code;
+    uint32_t parameter_count;
+    uint8_t parameters[80];
+    bool sleeping, on, inverted, odd_scan;
+    uint8_t madctl, format;
+    bool low_byte_first; /* ST7789 RAMCTRL */
+    uint8_t scan;        /* GS, SS of the display function control */
+    uint16_t x0, x1, y0, y1;
+    uint16_t x, y;
+    uint32_t left;   /* pixels until the window is full */
+    bool complained; /* in this memory write */
+    uint32_t bits;   /* of a pixel that is not complete */
+    uint32_t bit_count;
+    uint64_t ready_ns; /* earliest next command */
+    uint64_t wake_ns;  /* earliest SLPOUT */
+    uint64_t nap_ns;   /* earliest SLPIN */
+};
+
+/* Solomon Systech controllers. */
+struct sim_ssd {
+    uint8_t code;
+    uint8_t need; /* parameters of the command; 255: pixels */
+    uint32_t parameter_count;
+    uint8_t parameters[64];
+    bool on, locked, extra_unlocked;
+    uint8_t mode; /* A4h .. A7h */
+    uint8_t remap, start, offset, mux;
+    uint8_t x0, x1, y0, y1, x, y;
+    uint32_t left;
+    bool complained;
+    uint32_t bits, bit_count;
+};
+
+struct sim {
+    const struct board *board;
+    struct sim_glass glass;
+    struct sim_cell *memory;
+    union {
+        struct sim_dbi dbi;
+        struct sim_ssd ssd;
+    } u;
+
+    uint64_t time_ns;
+    uint64_t bus_rest; /* of a ns, in units of 1 / clock */
+    struct sim_counters counters;
+    bool reset_low, backlight, reset_done;
+    uint64_t reset_fell_ns, reset_ready_ns;
+    uint32_t buttons;
+
+    uint8_t shift; /* bits of a byte that is not complete */
+    uint8_t shift_count;
+    enum hal_dc shift_dc;
+    bool clock_checked;
+
+    enum sim_fault fault;
+    uint32_t fault_n;
+
+    uint32_t complaint_count;
+    uint32_t complaint_count_of[SIM_COMPLAINT_KINDS];
+    char complaints[SIM_COMPLAINTS_KEPT][120];
+    char note[120];
+};
+
+__attribute__((format(printf, 3, 4))) void sim_complain(struct sim *sim, enum sim_complaint_kind kind,
+                                                        const char *format, ...);
+
+/* Has every place of the glass been written to since the last reset? */
+bool sim_frame_complete(const struct sim *sim);
+
+#endif
