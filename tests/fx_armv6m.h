@@ -1,0 +1,20 @@
+/* fx_armv6m: that CPU's words under another name, beside those of fx.h. */
+#ifndef FX_ARMV6M_H
+#define FX_ARMV6M_H
+
+#include "fx.h"
+
+#undef FX_CPU_H
+#define fx_clz32      armv6m_clz32
+#define fx_mulhi_u32  armv6m_mulhi_u32
+#define fx_mul_wide   armv6m_mul_wide
+#define fx_mul_wide_u armv6m_mul_wide_u
+#define fx_rcp16      armv6m_rcp16
+#include "armv6m/fx_cpu.h"
+#undef fx_clz32
+#undef fx_mulhi_u32
+#undef fx_mul_wide
+#undef fx_mul_wide_u
+#undef fx_rcp16
+
+#endif

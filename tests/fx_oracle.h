@@ -1,0 +1,145 @@
+/*
+ * fx_oracle: what the Q16.16 functions must return, by MPFR in 192 bits. A file that includes this includes <mpfr.h>
+ * first. Every function is the nearest value, clamped to 32 bits; no result but an integer's is a tie.
+ */
+#ifndef FX_ORACLE_H
+#define FX_ORACLE_H
+
+#include <stdint.h>
+
+#define ORACLE_BITS      192
+#define SINCOS_Q30_BOUND 0.66L /* LSB, as fx.h says */
+
+/* floor(v * 2^16 + 1/2), clamped. */
+static inline int32_t oracle_nearest(mpfr_t v)
+{
+    mpfr_mul_2si(v, v, 17, MPFR_RNDN);
+    mpfr_add_ui(v, v, 1, MPFR_RNDN);
+    mpfr_div_2ui(v, v, 1, MPFR_RNDN);
+    mpfr_floor(v, v);
+    if (mpfr_cmp_si(v, INT32_MAX) > 0) {
+        return INT32_MAX;
+    }
+    return mpfr_cmp_si(v, INT32_MIN) < 0 ? INT32_MIN : (int32_t)mpfr_get_si(v, MPFR_RNDN);
+}
+
+/* An int32_t in 2^-16. */
+static inline void oracle_load(mpfr_t v, int32_t raw)
+{
+    mpfr_init2(v, ORACLE_BITS);
+    mpfr_set_si_2exp(v, raw, -16, MPFR_RNDN);
+}
+
+/* Radians of count 2^-bits turns. */
+static inline void oracle_angle(mpfr_t v, int64_t count, int bits)
+{
+    mpfr_init2(v, ORACLE_BITS);
+    mpfr_const_pi(v, MPFR_RNDN);
+    mpfr_mul_si(v, v, (long)count, MPFR_RNDN);
+    mpfr_div_2si(v, v, bits - 1, MPFR_RNDN);
+}
+
+static inline int32_t oracle_take(mpfr_t v)
+{
+    const int32_t result = oracle_nearest(v);
+    mpfr_clear(v);
+    return result;
+}
+
+static inline int32_t oracle_rcp(int32_t a)
+{
+    mpfr_t v;
+    if (a == 0) {
+        return INT32_MAX;
+    }
+    oracle_load(v, a);
+    mpfr_ui_div(v, 1, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_sqrt(int32_t a)
+{
+    mpfr_t v;
+    if (a <= 0) {
+        return 0;
+    }
+    oracle_load(v, a);
+    mpfr_sqrt(v, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_rsqrt(int32_t a)
+{
+    mpfr_t v;
+    if (a <= 0) {
+        return INT32_MAX;
+    }
+    oracle_load(v, a);
+    mpfr_rec_sqrt(v, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_sin(int32_t turns)
+{
+    mpfr_t v;
+    if ((turns & 0x7fff) == 0) {
+        return 0; /* pi in 192 bits is not pi */
+    }
+    oracle_angle(v, turns, 16);
+    mpfr_sin(v, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_cos(int32_t turns)
+{
+    mpfr_t v;
+    if ((turns & 0x7fff) == 0x4000) {
+        return 0;
+    }
+    oracle_angle(v, turns, 16);
+    mpfr_cos(v, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_tan(int32_t turns)
+{
+    mpfr_t v;
+    if ((turns & 0x7fff) == 0) {
+        return 0;
+    }
+    if ((turns & 0x7fff) == 0x4000) {
+        return (turns & 0x8000) != 0 ? INT32_MIN : INT32_MAX;
+    }
+    oracle_angle(v, turns, 16);
+    mpfr_tan(v, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+/* Turns of the vector (x, y); half a turn is positive. */
+static inline int32_t oracle_atan2(int32_t y, int32_t x)
+{
+    mpfr_t v, pi;
+    if (x == 0 && y == 0) {
+        return 0;
+    }
+    mpfr_inits2(ORACLE_BITS, v, pi, (mpfr_ptr)0);
+    mpfr_set_si(v, y, MPFR_RNDN);
+    mpfr_set_si(pi, x, MPFR_RNDN);
+    mpfr_atan2(v, v, pi, MPFR_RNDN);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_div(v, v, pi, MPFR_RNDN);
+    mpfr_div_2ui(v, v, 1, MPFR_RNDN);
+    mpfr_clear(pi);
+    const int32_t turns = oracle_take(v);
+    return turns == -32768 ? 32768 : turns;
+}
+
+static inline uint32_t oracle_turn32_from_deg(int32_t deg)
+{
+    const __int128 twice = (__int128)deg * 16384; /* deg 2^32 / (65536 360) = deg 8192 / 45 */
+    __int128 q = (twice + 45) / 90;
+    q -= (twice + 45) % 90 < 0;
+    return (uint32_t)q;
+}
+
+#endif
