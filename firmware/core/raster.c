@@ -123,10 +123,22 @@ static uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
     }
 }
 
+typedef uint32_t __attribute__((may_alias)) two_pixels;
+
+/* n times a value, two at a time. */
 static void fill(uint16_t *to, uint16_t value, uint32_t n)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        to[i] = value;
+    if (((uintptr_t)to & 2) != 0 && n > 0) {
+        *to++ = value;
+        n--;
+    }
+    two_pixels *pair = (two_pixels *)(void *)to;
+    const uint32_t both = (uint32_t)value << 16 | value;
+    for (; n >= 16; n -= 16, pair += 8) {
+        pair[0] = pair[1] = pair[2] = pair[3] = pair[4] = pair[5] = pair[6] = pair[7] = both;
+    }
+    for (to = (uint16_t *)(void *)pair; n > 0; n--) {
+        *to++ = value;
     }
 }
 
