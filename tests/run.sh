@@ -17,6 +17,7 @@ esac
 shift
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
+export LSAN_OPTIONS=suppressions=$PWD/tests/leaks.suppress:print_suppressions=0
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results
 sanitize='-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
 processors=$(nproc)

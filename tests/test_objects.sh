@@ -90,7 +90,7 @@ objects_to() { # pattern in what it says, "symbols" | "stack" | "written", C tex
 check "the_check_sees_floating_point" objects_to __aeabi_fmul symbols 'float f(float x); float f(float x) { return x * x; }'
 check "the_check_sees_the_heap" objects_to malloc symbols 'void *malloc(unsigned); void *f(void); void *f(void) { return malloc(4); }'
 check "the_check_sees_recursion" objects_to recursion stack 'int g(int); int f(int n); int f(int n) { return n ? g(f(n - 1)) : 0; }'
-check "the_check_sees_a_large_frame" objects_to 'stack: f' stack 'void g(char *); void f(void); void f(void) { char big[1100]; g(big); }'
+check "the_check_sees_a_large_frame" objects_to 'stack: f' stack 'void g(char *); void f(void); void f(void) { char big[3100]; g(big); }'
 check "the_check_sees_a_VLA" objects_to dynamic stack 'void g(char *); void f(int n); void f(int n) { char big[n]; g(big); }'
 check "the_check_sees_a_static_variable" objects_to count written 'int f(void); int f(void) { static int count; return count++; }'
 

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# What the README shows works: its program compiles without a warning and prints what stands there, its commands run, its
+# links lead somewhere, and its tables name every board and panel that there is.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+block() { # language, pattern: the first fenced block of that language in which a line matches
+    awk -v fence="^\`\`\`$1\$" -v pattern="$2" '
+        $0 ~ fence { inside = 1; text = ""; found = 0; next }
+        inside && /^```$/ { if (found) { printf "%s", text; exit } inside = 0 }
+        inside { text = text $0 "\n"; if ($0 ~ pattern) { found = 1 } }' README.md
+}
+
+program_prints_what_is_shown() {
+    block c 'int main' >"$dir/hello.c"
+    block text '####' >"$dir/expected"
+    if [ ! -s "$dir/hello.c" ] || [ ! -s "$dir/expected" ]; then
+        echo "no program or no output in README.md"
+        return 1
+    fi
+    make -s B="$B" all || return 1
+    cc -std=c11 -Wall -Wextra -Werror -Ifirmware/core/portable -Ifirmware/core "$dir/hello.c" "$B/libpinhole.a" -o "$dir/hello" &&
+        "$dir/hello" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
+}
+
+commands_run() {
+    block sh '--board' | grep -E '^build/pinhole-sim [^|]*$' | grep -v -- '--model' | sed 's/ *#.*//' >"$dir/commands"
+    [ -s "$dir/commands" ] || return 1
+    mkdir -p "$dir/build" && ln -sf "$(realpath "$B")/pinhole-sim" "$dir/build" && (cd "$dir" && bash -e commands)
+}
+
+links_exist() {
+    local link missing=0
+    while read -r link; do
+        [ -e "$link" ] || { echo "$link" && missing=1; }
+    done < <(grep -oE '\]\([^)#]+' README.md | cut -c3- | grep -v '^http')
+    return "$missing"
+}
+
+targets_exist() {
+    local target
+    while read -r target; do
+        grep -q "^$target:.*##" Makefile || { echo "make $target" && return 1; }
+    done < <(grep -oE '(^|`)make [a-z][a-z-]*' README.md | cut -d' ' -f2 | sort -u)
+}
+
+boards_and_panels_are_named() {
+    local name missing=0
+    for name in $("$B/pinhole-sim" --list | awk '$1 == "board" { print $2 }') \
+        $(grep -rhoE '\.name = "[a-z0-9]+-[0-9x]+"' hal | cut -d'"' -f2); do
+        grep -q "$name" README.md || { echo "$name" && missing=1; }
+    done
+    return "$missing"
+}
+
+check "the_program_prints_what_is_shown" program_prints_what_is_shown
+check "the_commands_run" commands_run
+check "the_links_lead_somewhere" links_exist
+check "the_make_targets_exist" targets_exist
+check "every_board_and_panel_is_named" boards_and_panels_are_named
+tap_end
