@@ -76,7 +76,7 @@ static struct bench *bench_new(struct demo_context *context)
 static int torus_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
-    if (!b || model_torus(&context->arena, &b->mesh, 32, 16, FX_ONE, (4 * FX_ONE + 5) / 10) != PH_OK) {
+    if (!b || model_torus(&context->arena, &b->mesh, 32, 16, 1 << 28, 107374182) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     return model_material(&context->arena, &b->mesh, &b->material);

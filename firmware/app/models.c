@@ -65,7 +65,7 @@ int model_material(struct demo_arena *arena, struct ph_mesh *mesh, const struct 
     return PH_OK;
 }
 
-/* Product of two Q2.30 numbers in Q2.30, to nearest. */
+/* a times a number of Q2.30, to nearest. */
 static int32_t mul_q30(int32_t a, int32_t b)
 {
     return (int32_t)((fx_mul_wide(a, b) + (1 << 29)) >> 30);
@@ -77,11 +77,12 @@ static void circle(uint32_t i, uint32_t n, int32_t *sin_q30, int32_t *cos_q30)
     fx_sincos_q30((uint32_t)((((uint64_t)i << 32) + n / 2) / n), sin_q30, cos_q30);
 }
 
-int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, uint32_t minor, fx_t radius, fx_t tube)
+int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, uint32_t minor, int32_t radius_q28,
+                int32_t tube_q28)
 {
     struct model_build build;
-    if (major < 3 || major > 256 || minor < 3 || minor > 256 || radius < 0 || tube < 0 ||
-        (int64_t)radius + tube >= FX_INT(8)) {
+    if (major < 3 || major > 256 || minor < 3 || minor > 256 || radius_q28 < 0 || tube_q28 < 0 ||
+        (int64_t)radius_q28 + tube_q28 > INT32_MAX) {
         return PH_ERR_INVAL;
     }
     if (major * minor > 65536 || model_begin(arena, mesh, &build, major * minor, 2 * major * minor) != PH_OK) {
@@ -95,11 +96,10 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
         for (uint32_t j = 0; j < minor; j++) {
             int32_t sv, cv;
             circle(j, minor, &sv, &cv);
-            /* Distance from the axis in Q4.28: one guard digit more than the product with the sine needs. */
-            const int32_t ring = (int32_t)((((int64_t)radius << 30) + fx_mul_wide(tube, cv) + (1 << 17)) >> 18);
+            const int32_t ring = radius_q28 + mul_q30(tube_q28, cv);
             build.positions[row + j].x = (fx_t)((fx_mul_wide(ring, cu) + ((int64_t)1 << 41)) >> 42);
             build.positions[row + j].y = (fx_t)((fx_mul_wide(ring, su) + ((int64_t)1 << 41)) >> 42);
-            build.positions[row + j].z = (fx_t)((fx_mul_wide(tube, sv) + (1 << 29)) >> 30);
+            build.positions[row + j].z = (fx_t)((fx_mul_wide(tube_q28, sv) + ((int64_t)1 << 41)) >> 42);
             build.normals[row + j][0] = model_q14(mul_q30(cv, cu));
             build.normals[row + j][1] = model_q14(mul_q30(cv, su));
             build.normals[row + j][2] = model_q14(sv);

@@ -20,12 +20,14 @@
 #define MODEL_EDGES_BYTES(e) MODEL_ROUND8(4 * (size_t)(e))
 
 /*
- * Torus around the z axis: major x minor segments (3 .. 256 each), radii in Q16.16, radius + tube < 8.
+ * Torus around the z axis: major x minor segments (3 .. 256 each), radii in Q4.28 (so that .4 is good to a fraction of
+ * the positions' LSB), radius + tube < 8.
  * Vertex i * minor + j. Positions within 0.51 LSB, normals within 0.51 of Q1.14's LSB.
  */
 #define MODEL_TORUS_VERTICES(major, minor)  ((major) * (minor))
 #define MODEL_TORUS_TRIANGLES(major, minor) (2 * (major) * (minor))
-int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, uint32_t minor, fx_t radius, fx_t tube);
+int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, uint32_t minor, int32_t radius_q28,
+                int32_t tube_q28);
 
 /*
  * Icosahedron subdivided `levels` times (0 .. 5), vertices normalised at each level; radius 1. Errors as the torus.
