@@ -75,69 +75,93 @@ static const struct panel_controller st7735s = {
 #define FORMATS_ALL   (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666) | PANEL_FORMAT_BIT(PANEL_RGB444))
 #define FORMATS_16_18 (PANEL_FORMAT_BIT(PANEL_RGB565) | PANEL_FORMAT_BIT(PANEL_RGB666))
 
-/* ---- ST7789: IPS glass, which shows the memory's complement unless it is inverted ----------------------------------
- */
+/* ---- ST7789: IPS glass, which shows the memory's complement unless it is inverted --------------- */
 
-static const uint8_t st7789_init[] = {
-    WAKE_UP,                                  /* 9.1.2 SWRESET, 9.1.12 SLPOUT */
-    0xB0,    2, 0x00, 0xF0,                   /* 9.2.1 RAMCTRL: high byte first, 65k colours filled up with their MSB */
-    0xB2,    5, 0x0C, 0x0C, 0x00, 0x33, 0x33, /* 9.2.3 PORCTRL: porches 12 lines */
-    0xB7,    1, 0x35,                         /* 9.2.6 GCTRL: VGH 13.26 V, VGL -10.43 V */
-    0xBB,    1, 0x1F,                         /* 9.2.9 VCOMS 0.875 V */
-    0xC0,    1, 0x2C,                         /* 9.2.12 LCMCTRL, default */
-    0xC2,    2, 0x01, 0xFF,                   /* 9.2.14 VDVVRHEN: VDV and VRH from the commands */
-    0xC3,    1, 0x12,                         /* 9.2.15 VRHS 4.45 V + .. */
-    0xC4,    1, 0x20,                         /* 9.2.16 VDVS 0 V */
-    0xC6,    1, 0x0F,                         /* 9.2.18 FRCTRL2: 60 Hz */
-    0xD0,    2, 0xA4, 0xA1,                   /* 9.2.23 PWCTRL1: AVDD 6.8 V, AVCL -4.8 V, VDDS 2.3 V */
-    0x21,    0,                               /* 9.1.16 INVON */
-    0x13,    0,                               /* 9.1.14 NORON */
+#define ST7789_COMMON                                                                                                  \
+    WAKE_UP,                                   /* 9.1.2 SWRESET, 9.1.12 SLPOUT */                                      \
+        0xB0, 2, 0x00, 0xF0,                   /* 9.2.1 RAMCTRL: high byte first, colours filled up with their MSB */  \
+        0xB2, 5, 0x0C, 0x0C, 0x00, 0x33, 0x33, /* 9.2.3 PORCTRL: porches of 12 lines */                                \
+        0xC0, 1, 0x2C,                         /* 9.2.12 LCMCTRL, default */                                           \
+        0xC2, 2, 0x01, 0xFF,                   /* 9.2.14 VDVVRHEN: VDV and VRH as commanded */                         \
+        0xC4, 1, 0x20,                         /* 9.2.16 VDVS: 0 V */                                                  \
+        0xC6, 1, 0x0F,                         /* 9.2.18 FRCTRL2: 60 Hz */                                             \
+        0xD0, 2, 0xA4, 0xA1,                   /* 9.2.23 PWCTRL1: AVDD 6.8 V, AVCL -4.8 V, VDDS 2.3 V */               \
+        0x21, 0,                               /* 9.1.16 INVON */                                                      \
+        0x13, 0                                /* 9.1.14 NORON */
+
+/* Voltages and gamma belong to the glass. */
+/* clang-format off */
+static const uint8_t st7789_init_tall[] = {
+    ST7789_COMMON,
+    0xB7, 1, 0x35, /* 9.2.6 GCTRL */
+    0xBB, 1, 0x1F, /* 9.2.9 VCOMS */
+    0xC3, 1, 0x12, /* 9.2.15 VRHS */
+    0xE0, 14, 0xD0, 0x08, 0x11, 0x08, 0x0C, 0x15, 0x39, 0x33, 0x50, 0x36, 0x13, 0x14, 0x29, 0x2D, /* 9.2 PVGAMCTRL */
+    0xE1, 14, 0xD0, 0x08, 0x10, 0x08, 0x06, 0x06, 0x39, 0x44, 0x51, 0x0B, 0x16, 0x14, 0x2F, 0x31, /* 9.2 NVGAMCTRL */
 };
 
-#define ST7789(n, w, h, left, top)                                                                                     \
+static const uint8_t st7789_init_square[] = {
+    ST7789_COMMON,
+    0xB7, 1, 0x14, /* 9.2.6 GCTRL */
+    0xBB, 1, 0x37, /* 9.2.9 VCOMS */
+    0xC3, 1, 0x12, /* 9.2.15 VRHS */
+    0xE0, 14, 0xD0, 0x04, 0x0D, 0x11, 0x13, 0x2B, 0x3F, 0x54, 0x4C, 0x18, 0x0D, 0x0B, 0x1F, 0x23, /* 9.2 PVGAMCTRL */
+    0xE1, 14, 0xD0, 0x04, 0x0C, 0x11, 0x13, 0x2C, 0x3F, 0x44, 0x51, 0x2F, 0x1F, 0x1F, 0x20, 0x23, /* 9.2 NVGAMCTRL */
+};
+
+static const uint8_t st7789_init_narrow[] = {
+    ST7789_COMMON,
+    0xB7, 1, 0x75, /* 9.2.6 GCTRL */
+    0xBB, 1, 0x3D, /* 9.2.9 VCOMS */
+    0xC3, 1, 0x00, /* 9.2.15 VRHS */
+    0xE0, 14, 0x70, 0x04, 0x08, 0x09, 0x09, 0x05, 0x2A, 0x33, 0x41, 0x07, 0x13, 0x13, 0x29, 0x2F, /* 9.2 PVGAMCTRL */
+    0xE1, 14, 0x70, 0x03, 0x09, 0x0A, 0x09, 0x06, 0x2B, 0x34, 0x41, 0x07, 0x12, 0x14, 0x28, 0x2E, /* 9.2 NVGAMCTRL */
+};
+/* clang-format on */
+
+#define ST7789(n, w, h, left, top, table)                                                                              \
     {                                                                                                                  \
         .name = (n), .controller = &panel_st7789, .width = (w), .height = (h), .ram_width = 240, .ram_height = 320,    \
-        .x0 = (left), .y0 = (top), .formats = FORMATS_ALL, INIT(st7789_init)                                           \
+        .x0 = (left), .y0 = (top), .formats = FORMATS_ALL, INIT(table)                                                 \
     }
 
-const struct panel panel_st7789_240x240 = ST7789("st7789-240x240", 240, 240, 0, 0);
-const struct panel panel_st7789_135x240 = ST7789("st7789-135x240", 135, 240, 52, 40);
-const struct panel panel_st7789_240x320 = ST7789("st7789-240x320", 240, 320, 0, 0);
-const struct panel panel_st7789_170x320 = ST7789("st7789-170x320", 170, 320, 35, 0);
-const struct panel panel_st7789_240x280 = ST7789("st7789-240x280", 240, 280, 0, 20);
+const struct panel panel_st7789_240x240 = ST7789("st7789-240x240", 240, 240, 0, 0, st7789_init_square);
+const struct panel panel_st7789_135x240 = ST7789("st7789-135x240", 135, 240, 52, 40, st7789_init_narrow);
+const struct panel panel_st7789_240x320 = ST7789("st7789-240x320", 240, 320, 0, 0, st7789_init_tall);
+const struct panel panel_st7789_170x320 = ST7789("st7789-170x320", 170, 320, 35, 0, st7789_init_tall);
+const struct panel panel_st7789_240x280 = ST7789("st7789-240x280", 240, 280, 0, 20, st7789_init_tall);
 
-/* ---- GC9A01
- * ---------------------------------------------------------------------------------------------------------- */
+/* ---- GC9A01 ------------------------------------------------------------------------------------- */
 
+/* clang-format off */
 static const uint8_t gc9a01_init[] = {
-    WAKE_UP,                                                                 /* 6.2.1, 6.2.4 */
-    0xFE,    0,  0xEF, 0,                                                    /* 6.5.1 inter register enable 1, 2 */
-    0xEB,    1,  0x14,                                                       /* not in the datasheet: maker's values */
-    0x84,    1,  0x40, 0x85, 1,    0xFF, 0x86, 1,    0xFF, 0x87, 1,    0xFF, /* likewise */
-    0x88,    1,  0x0A, 0x89, 1,    0x21, 0x8A, 1,    0x00, 0x8B, 1,    0x80, /* likewise */
-    0x8C,    1,  0x01, 0x8D, 1,    0x01, 0x8E, 1,    0xFF, 0x8F, 1,    0xFF, /* likewise */
-    0xB6,    2,  0x00, 0x00,                                                 /* 6.3.2 display function: GS, SS 0 */
-    0x90,    4,  0x08, 0x08, 0x08, 0x08, 0xBD, 1,    0x06, 0xBC, 1,    0x00, /* maker's values */
-    0xFF,    3,  0x60, 0x01, 0x04,                                           /* likewise */
-    0xC3,    1,  0x13, 0xC4, 1,    0x13, 0xC9, 1,    0x22,                   /* 6.4.2 to 6.4.4 VREG1a, VREG1b, VREG2a */
-    0xBE,    1,  0x11, 0xE1, 2,    0x10, 0x0E, 0xDF, 3,    0x21, 0x0C, 0x02, /* maker's values */
-    0xF0,    6,  0x45, 0x09, 0x08, 0x08, 0x26, 0x2A,                         /* 6.4.5 gamma 1 */
-    0xF1,    6,  0x43, 0x70, 0x72, 0x36, 0x37, 0x6F,                         /* 6.4.6 gamma 2 */
-    0xF2,    6,  0x45, 0x09, 0x08, 0x08, 0x26, 0x2A,                         /* 6.4.7 gamma 3 */
-    0xF3,    6,  0x43, 0x70, 0x72, 0x36, 0x37, 0x6F,                         /* 6.4.8 gamma 4 */
-    0xED,    2,  0x1B, 0x0B, 0xAE, 1,    0x77, 0xCD, 1,    0x63,             /* maker's values */
-    0x70,    9,  0x07, 0x07, 0x04, 0x0E, 0x0F, 0x09, 0x07, 0x08, 0x03,       /* likewise */
-    0xE8,    1,  0x34,                                                       /* 6.3.1 frame rate: dot inversion */
-    0x62,    12, 0x18, 0x0D, 0x71, 0xED, 0x70, 0x70, 0x18, 0x0F, 0x71, 0xEF, 0x70,
-    0x70, /* maker's values: gate timing */
-    0x63,    12, 0x18, 0x11, 0x71, 0xF1, 0x70, 0x70, 0x18, 0x13, 0x71, 0xF3, 0x70,
-    0x70,                                                                          /* likewise */
-    0x64,    7,  0x28, 0x29, 0xF1, 0x01, 0xF1, 0x00, 0x07,                         /* likewise */
-    0x66,    10, 0x3C, 0x00, 0xCD, 0x67, 0x45, 0x45, 0x10, 0x00, 0x00, 0x00,       /* likewise: source timing */
-    0x67,    10, 0x00, 0x3C, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98,       /* likewise */
-    0x74,    7,  0x10, 0x85, 0x80, 0x00, 0x00, 0x4E, 0x00, 0x98, 2,    0x3E, 0x07, /* likewise */
-    0x21,    0,                                                                    /* 6.2.8 INVON: IPS glass */
+    WAKE_UP,                                                              /* 6.2 SWRESET, SLPOUT */
+    0xFE, 0, 0xEF, 0,                                                     /* 6.5 inter register enable 1, 2 */
+    0xEB, 1, 0x14,                                                        /* maker's value, not in the datasheet */
+    0x84, 1, 0x40, 0x85, 1, 0xFF, 0x86, 1, 0xFF, 0x87, 1, 0xFF,           /* likewise */
+    0x88, 1, 0x0A, 0x89, 1, 0x21, 0x8A, 1, 0x00, 0x8B, 1, 0x80,           /* likewise */
+    0x8C, 1, 0x01, 0x8D, 1, 0x01, 0x8E, 1, 0xFF, 0x8F, 1, 0xFF,           /* likewise */
+    0xB6, 2, 0x00, 0x00,                                                  /* 6.3 display function: GS and SS 0 */
+    0x90, 4, 0x08, 0x08, 0x08, 0x08, 0xBD, 1, 0x06, 0xBC, 1, 0x00,        /* maker's values */
+    0xFF, 3, 0x60, 0x01, 0x04,                                            /* likewise */
+    0xC3, 1, 0x13, 0xC4, 1, 0x13, 0xC9, 1, 0x22,                          /* 6.4 VREG1a, VREG1b, VREG2a */
+    0xBE, 1, 0x11, 0xE1, 2, 0x10, 0x0E, 0xDF, 3, 0x21, 0x0C, 0x02,        /* maker's values */
+    0xF0, 6, 0x45, 0x09, 0x08, 0x08, 0x26, 0x2A,                          /* 6.4 gamma 1 */
+    0xF1, 6, 0x43, 0x70, 0x72, 0x36, 0x37, 0x6F,                          /* 6.4 gamma 2 */
+    0xF2, 6, 0x45, 0x09, 0x08, 0x08, 0x26, 0x2A,                          /* 6.4 gamma 3 */
+    0xF3, 6, 0x43, 0x70, 0x72, 0x36, 0x37, 0x6F,                          /* 6.4 gamma 4 */
+    0xED, 2, 0x1B, 0x0B, 0xAE, 1, 0x77, 0xCD, 1, 0x63,                    /* maker's values */
+    0x70, 9, 0x07, 0x07, 0x04, 0x0E, 0x0F, 0x09, 0x07, 0x08, 0x03,        /* likewise */
+    0xE8, 1, 0x34,                                                        /* 6.3 frame rate: dot inversion */
+    0x62, 12, 0x18, 0x0D, 0x71, 0xED, 0x70, 0x70, 0x18, 0x0F, 0x71, 0xEF, 0x70, 0x70, /* maker's values */
+    0x63, 12, 0x18, 0x11, 0x71, 0xF1, 0x70, 0x70, 0x18, 0x13, 0x71, 0xF3, 0x70, 0x70, /* likewise */
+    0x64, 7, 0x28, 0x29, 0xF1, 0x01, 0xF1, 0x00, 0x07,                    /* likewise */
+    0x66, 10, 0x3C, 0x00, 0xCD, 0x67, 0x45, 0x45, 0x10, 0x00, 0x00, 0x00, /* likewise */
+    0x67, 10, 0x00, 0x3C, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98, /* likewise */
+    0x74, 7, 0x10, 0x85, 0x80, 0x00, 0x00, 0x4E, 0x00, 0x98, 2, 0x3E, 0x07, /* likewise */
+    0x21, 0,                                                              /* 6.2 INVON: IPS glass */
 };
+/* clang-format on */
 
 const struct panel panel_gc9a01_240x240 = {
     .name = "gc9a01-240x240",
@@ -152,29 +176,30 @@ const struct panel panel_gc9a01_240x240 = {
     INIT(gc9a01_init),
 };
 
-/* ---- ILI9341
- * --------------------------------------------------------------------------------------------------------- */
+/* ---- ILI9341 ------------------------------------------------------------------------------------ */
 
+/* clang-format off */
 static const uint8_t ili9341_init[] = {
-    WAKE_UP,                                   /* 8.2.2 SWRESET, 8.2.12 SLPOUT */
-    0xCF,    3,  0x00, 0xC1, 0x30,             /* 8.4.2 power control B */
-    0xED,    4,  0x64, 0x03, 0x12, 0x81,       /* 8.4.6 power-on sequence */
-    0xE8,    3,  0x85, 0x00, 0x78,             /* 8.4.3 driver timing A */
-    0xCB,    5,  0x39, 0x2C, 0x00, 0x34, 0x02, /* 8.4.1 power control A */
-    0xF7,    1,  0x20,                         /* 8.4.8 pump ratio: DDVDH = 2 VCI */
-    0xEA,    2,  0x00, 0x00,                   /* 8.4.5 driver timing B */
-    0xC0,    1,  0x23,                         /* 8.3.16 PWCTRL1: GVDD 4.6 V */
-    0xC1,    1,  0x10,                         /* 8.3.17 PWCTRL2 */
-    0xC5,    2,  0x3E, 0x28,                   /* 8.3.18 VMCTRL1: VCOMH 4.25 V, VCOML -1.5 V */
-    0xC7,    1,  0x86,                         /* 8.3.19 VMCTRL2 */
-    0xB1,    2,  0x00, 0x18,                   /* 8.3.2 FRMCTR1: 79 Hz */
-    0xB6,    3,  0x08, 0x82, 0x27,             /* 8.3.7 DISCTRL: normally white, GS and SS 0, 320 lines */
-    0xF2,    1,  0x00,                         /* 8.4.7 3 gamma off */
-    0x26,    1,  0x01,                         /* 8.2.17 GAMSET: curve 1 */
-    0xE0,    15, 0x0F, 0x31, 0x2B, 0x0C, 0x0E, 0x08, 0x4E, 0xF1, 0x37, 0x07, 0x10, 0x03, 0x0E, 0x09, 0x00, /* 8.3.25 */
-    0xE1,    15, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1, 0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F, /* 8.3.26 */
-    0x20,    0, /* 8.2.15 INVOFF: TN glass */
+    WAKE_UP,                               /* 8.2.2 SWRESET, 8.2.12 SLPOUT */
+    0xCF, 3, 0x00, 0xC1, 0x30,             /* 8.4.2 power control B */
+    0xED, 4, 0x64, 0x03, 0x12, 0x81,       /* 8.4.6 power-on sequence */
+    0xE8, 3, 0x85, 0x00, 0x78,             /* 8.4.3 driver timing A */
+    0xCB, 5, 0x39, 0x2C, 0x00, 0x34, 0x02, /* 8.4.1 power control A */
+    0xF7, 1, 0x20,                         /* 8.4.8 pump ratio: DDVDH = 2 VCI */
+    0xEA, 2, 0x00, 0x00,                   /* 8.4.5 driver timing B */
+    0xC0, 1, 0x23,                         /* 8.3.16 PWCTRL1: GVDD 4.6 V */
+    0xC1, 1, 0x10,                         /* 8.3.17 PWCTRL2 */
+    0xC5, 2, 0x3E, 0x28,                   /* 8.3.18 VMCTRL1: VCOMH 4.25 V, VCOML -1.5 V */
+    0xC7, 1, 0x86,                         /* 8.3.19 VMCTRL2 */
+    0xB1, 2, 0x00, 0x18,                   /* 8.3.2 FRMCTR1: 79 Hz */
+    0xB6, 3, 0x08, 0x82, 0x27,             /* 8.3.7 DISCTRL: normally white, GS and SS 0, 320 lines */
+    0xF2, 1, 0x00,                         /* 8.4.7 3 gamma off */
+    0x26, 1, 0x01,                         /* 8.2.17 GAMSET: curve 1 */
+    0xE0, 15, 0x0F, 0x31, 0x2B, 0x0C, 0x0E, 0x08, 0x4E, 0xF1, 0x37, 0x07, 0x10, 0x03, 0x0E, 0x09, 0x00, /* 8.3.25 */
+    0xE1, 15, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1, 0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F, /* 8.3.26 */
+    0x20, 0,                               /* 8.2.15 INVOFF: TN glass */
 };
+/* clang-format on */
 
 const struct panel panel_ili9341_240x320 = {
     .name = "ili9341-240x320",
@@ -188,24 +213,25 @@ const struct panel panel_ili9341_240x320 = {
     INIT(ili9341_init),
 };
 
-/* ---- ILI9488
- * --------------------------------------------------------------------------------------------------------- */
+/* ---- ILI9488 ------------------------------------------------------------------------------------ */
 
+/* clang-format off */
 static const uint8_t ili9488_init[] = {
-    WAKE_UP, /* 5.2.2 SWRESET, 5.2.12 SLPOUT */
-    0xE0,    15, 0x00, 0x03, 0x09, 0x08, 0x16, 0x0A, 0x3F, 0x78, 0x4C, 0x09, 0x0A, 0x08, 0x16, 0x1A, 0x0F, /* 5.3.33 */
-    0xE1,    15, 0x00, 0x16, 0x19, 0x03, 0x0F, 0x05, 0x32, 0x45, 0x46, 0x04, 0x0E, 0x0D, 0x35, 0x37, 0x0F, /* 5.3.34 */
-    0xC0,    2,  0x17, 0x15,             /* 5.3.13 power control 1: VREG1 5 V, VREG2 -4.875 V */
-    0xC1,    1,  0x41,                   /* 5.3.14 power control 2 */
-    0xC5,    3,  0x00, 0x12, 0x80,       /* 5.3.17 VCOM control */
-    0xB0,    1,  0x00,                   /* 5.3.1 interface mode */
-    0xB1,    1,  0xA0,                   /* 5.3.2 frame rate 60 Hz */
-    0xB4,    1,  0x02,                   /* 5.3.5 2-dot inversion */
-    0xB6,    3,  0x02, 0x02, 0x3B,       /* 5.3.7 display function: GS and SS 0, 480 lines */
-    0xE9,    1,  0x00,                   /* 5.3.37 set image: 24-bit off */
-    0xF7,    4,  0xA9, 0x51, 0x2C, 0x82, /* 5.3.44 adjust control 3 */
-    0x20,    0,                          /* 5.2.16 INVOFF: TN glass */
+    WAKE_UP,                         /* 5.2.2 SWRESET, 5.2.12 SLPOUT */
+    0xE0, 15, 0x00, 0x03, 0x09, 0x08, 0x16, 0x0A, 0x3F, 0x78, 0x4C, 0x09, 0x0A, 0x08, 0x16, 0x1A, 0x0F, /* 5.3 gamma */
+    0xE1, 15, 0x00, 0x16, 0x19, 0x03, 0x0F, 0x05, 0x32, 0x45, 0x46, 0x04, 0x0E, 0x0D, 0x35, 0x37, 0x0F, /* 5.3 gamma */
+    0xC0, 2, 0x17, 0x15,             /* 5.3 power control 1: VREG1 5 V, VREG2 -4.875 V */
+    0xC1, 1, 0x41,                   /* 5.3 power control 2 */
+    0xC5, 3, 0x00, 0x12, 0x80,       /* 5.3 VCOM control */
+    0xB0, 1, 0x00,                   /* 5.3 interface mode */
+    0xB1, 1, 0xA0,                   /* 5.3 frame rate 60 Hz */
+    0xB4, 1, 0x02,                   /* 5.3 2-dot inversion */
+    0xB6, 3, 0x02, 0x02, 0x3B,       /* 5.3 display function: GS and SS 0, 480 lines */
+    0xE9, 1, 0x00,                   /* 5.3 set image: 24-bit off */
+    0xF7, 4, 0xA9, 0x51, 0x2C, 0x82, /* 5.3 adjust control 3 */
+    0x20, 0,                         /* 5.2.16 INVOFF: TN glass */
 };
+/* clang-format on */
 
 const struct panel panel_ili9488_320x480 = {
     .name = "ili9488-320x480",
@@ -219,8 +245,7 @@ const struct panel panel_ili9488_320x480 = {
     INIT(ili9488_init),
 };
 
-/* ---- ST7735S: 132 x 162 memory, or 132 x 132 (pins GM2..0, 7 "pin description")
- * ----------------------------------------- */
+/* ---- ST7735S: 132 x 162 memory, or 132 x 132 (pins GM2..0, 7 "pin description") ----------------- */
 
 #define ST7735S_COMMON                                                                                                 \
     WAKE_UP,                       /* 10.1.2 SWRESET, 10.1.11 SLPOUT */                                                \

@@ -35,7 +35,7 @@ bool sim_frame_complete(const struct sim *sim)
     return true;
 }
 
-/* ---- the wire ------------------------------------------------------------------------------------------------- */
+/* ---- the wire ----------------------------------------------------------------------------------- */
 
 static void check_clock(struct sim *sim)
 {
@@ -122,7 +122,7 @@ static void send_bytes(struct sim *sim, enum hal_dc dc, const uint8_t *bytes, si
     }
 }
 
-/* ---- operations -------------------------------------------------------------------------------------------------- */
+/* ---- operations --------------------------------------------------------------------------------- */
 
 /* Is this the call that the fault waits for? */
 static bool fault_strikes(struct sim *sim, enum sim_fault fault)
@@ -253,8 +253,7 @@ const struct hal_ops sim_ops = {
     .close = sim_bus_close,
 };
 
-/* ---- the simulator's own functions
- * ----------------------------------------------------------------------------------- */
+/* ---- the simulator's own functions -------------------------------------------------------------- */
 
 /* What a memory holds after power-on: bright noise, the same every time. */
 static void fill_with_noise(struct sim *sim)

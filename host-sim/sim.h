@@ -52,7 +52,7 @@ uint64_t sim_time_ns(const struct sim *sim);
 /* enum hal_button that are held down from now on. */
 void sim_buttons_set(struct sim *sim, uint32_t buttons);
 
-/* ---- complaints --------------------------------------------------------------------------------------------- */
+/* ---- complaints --------------------------------------------------------------------------------- */
 
 enum sim_complaint_kind {
     SIM_UNKNOWN_COMMAND,   /* the controller has not, or the model does not know */
@@ -84,7 +84,7 @@ const char *sim_complaint(const struct sim *sim, uint32_t i);
 /* Text of the note on a clock above the datasheet's limit; NULL if there is none. */
 const char *sim_note(const struct sim *sim);
 
-/* ---- faults, to be injected ------------------------------------------------------------------------------------ */
+/* ---- faults, to be injected --------------------------------------------------------------------- */
 
 enum sim_fault {
     SIM_FAULT_NONE,
@@ -100,7 +100,7 @@ enum sim_fault {
 
 void sim_fault(struct sim *sim, enum sim_fault fault, uint32_t n);
 
-/* ---- boards of any size ---------------------------------------------------------------------------------------- */
+/* ---- boards of any size ------------------------------------------------------------------------- */
 
 /* A board that no shop sells: an ST7789 whose memory is as large as its glass. */
 struct sim_virtual {
@@ -112,7 +112,7 @@ struct sim_virtual {
 /* width, height: 1 .. 1024, else HAL_EINVAL. The result points into *v. format RGB565, 62.5 MHz, upright. */
 int sim_virtual(struct sim_virtual *v, uint16_t width, uint16_t height);
 
-/* ---- lower entries, for tests ---------------------------------------------------------------------------------- */
+/* ---- lower entries, for tests ------------------------------------------------------------------- */
 
 /* One bit on the wire, with D/C as it stands at that bit; 8 make a byte, highest first. */
 void sim_bit(struct sim *sim, enum hal_dc dc, unsigned bit);

@@ -16,13 +16,17 @@ enum {
     SWRESET = 0x01,
     SLPIN = 0x10,
     SLPOUT = 0x11,
+    NORON = 0x13,
     INVOFF = 0x20,
     INVON = 0x21,
+    GAMSET = 0x26,
     DISPOFF = 0x28,
     DISPON = 0x29,
     CASET = 0x2A,
     RASET = 0x2B,
     RAMWR = 0x2C,
+    TEOFF = 0x34,
+    TEON = 0x35,
     MADCTL = 0x36,
     COLMOD = 0x3A,
     RAMWRC = 0x3C,
@@ -37,167 +41,52 @@ struct dbi_command {
     uint8_t code, least, most; /* parameters */
 };
 
-/* Commands that all of them have, with what effect see execute(). */
+/* clang-format off */
+/* Commands that all of them have. Their effect: start(), finish(). */
 static const struct dbi_command common[] = {
-    {NOP, 0, 0},    {SWRESET, 0, 0},         {SLPIN, 0, 0}, {SLPOUT, 0, 0},  {0x13, 0, 0}, /* NORON */
-    {INVOFF, 0, 0}, {INVON, 0, 0},           {0x26, 1, 1},  {DISPOFF, 0, 0}, {DISPON, 0, 0}, {CASET, 4, 4},
-    {RASET, 4, 4},  {RAMWR, PIXELS, PIXELS}, {0x34, 0, 0},  {0x35, 1, 1}, /* TEOFF, TEON */
-    {MADCTL, 1, 1}, {COLMOD, 1, 1},
+    {NOP, 0, 0}, {SWRESET, 0, 0}, {SLPIN, 0, 0}, {SLPOUT, 0, 0}, {NORON, 0, 0}, {INVOFF, 0, 0}, {INVON, 0, 0},
+    {GAMSET, 1, 1}, {DISPOFF, 0, 0}, {DISPON, 0, 0}, {CASET, 4, 4}, {RASET, 4, 4}, {RAMWR, PIXELS, PIXELS},
+    {TEOFF, 0, 0}, {TEON, 1, 1}, {MADCTL, 1, 1}, {COLMOD, 1, 1},
 };
 
 static const struct dbi_command st7789_commands[] = {
-    {RAMWRC, PIXELS, PIXELS},
-    {0x44, 2, 2},
-    {0x51, 1, 1},
-    {0x53, 1, 1},
-    {0x55, 1, 1},
-    {0x5E, 1, 1},
-    {RAMCTRL, 2, 2},
-    {0xB1, 3, 3},
-    {0xB2, 5, 5},
-    {0xB3, 3, 3},
-    {0xB5, 1, 1},
-    {0xB7, 1, 1},
-    {0xB8, 4, 4},
-    {0xBA, 1, 1},
-    {0xBB, 1, 1},
-    {0xBD, 1, 1},
-    {0xC0, 1, 1},
-    {0xC1, 3, 3},
-    {0xC2, 1, 2},
-    {0xC3, 1, 1},
-    {0xC4, 1, 1},
-    {0xC5, 1, 1},
-    {0xC6, 1, 1},
-    {0xC7, 1, 1},
-    {0xC8, 1, 1},
-    {0xCA, 1, 1},
-    {0xCC, 1, 1},
-    {0xD0, 2, 2},
-    {0xD2, 1, 1},
-    {0xDF, 4, 4},
-    {0xE0, 14, 14},
-    {0xE1, 14, 14},
-    {0xE2, 64, 64},
-    {0xE3, 64, 64},
-    {0xE4, 3, 3},
-    {0xE8, 2, 2},
-    {0xE9, 3, 3},
-    {0xEC, 1, 1},
+    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x5E, 1, 1}, {RAMCTRL, 2, 2},
+    {0xB1, 3, 3}, {0xB2, 5, 5}, {0xB3, 3, 3}, {0xB5, 1, 1}, {0xB7, 1, 1}, {0xB8, 4, 4}, {0xBA, 1, 1}, {0xBB, 1, 1},
+    {0xBD, 1, 1}, {0xC0, 1, 1}, {0xC1, 3, 3}, {0xC2, 1, 2}, {0xC3, 1, 1}, {0xC4, 1, 1}, {0xC5, 1, 1}, {0xC6, 1, 1},
+    {0xC7, 1, 1}, {0xC8, 1, 1}, {0xCA, 1, 1}, {0xCC, 1, 1}, {0xD0, 2, 2}, {0xD2, 1, 1}, {0xDF, 4, 4}, {0xE0, 14, 14},
+    {0xE1, 14, 14}, {0xE2, 64, 64}, {0xE3, 64, 64}, {0xE4, 3, 3}, {0xE8, 2, 2}, {0xE9, 3, 3}, {0xEC, 1, 1},
 };
 
 /* What the datasheet names, then what the maker's sample code sends. */
 static const struct dbi_command gc9a01_commands[] = {
-    {RAMWRC, PIXELS, PIXELS},
-    {0x44, 2, 2},
-    {0x51, 1, 1},
-    {0x53, 1, 1},
-    {DISCTRL, 2, 2},
-    {0xBA, 1, 1},
-    {0xC3, 1, 1},
-    {0xC4, 1, 1},
-    {0xC9, 1, 1},
-    {0xE8, 1, 1},
-    {0xF0, 6, 6},
-    {0xF1, 6, 6},
-    {0xF2, 6, 6},
-    {0xF3, 6, 6},
-    {0xFE, 0, 0},
-    {0xEF, 0, 0},
-    {0xEB, 1, 1},
-    {0x84, 1, 1},
-    {0x85, 1, 1},
-    {0x86, 1, 1},
-    {0x87, 1, 1},
-    {0x88, 1, 1},
-    {0x89, 1, 1},
-    {0x8A, 1, 1},
-    {0x8B, 1, 1},
-    {0x8C, 1, 1},
-    {0x8D, 1, 1},
-    {0x8E, 1, 1},
-    {0x8F, 1, 1},
-    {0x90, 4, 4},
-    {0xBC, 1, 1},
-    {0xBD, 1, 1},
-    {0xBE, 1, 1},
-    {0xDF, 3, 3},
-    {0xE1, 2, 2},
-    {0xFF, 3, 3},
-    {0xED, 2, 2},
-    {0xAE, 1, 1},
-    {0xCD, 1, 1},
-    {0x70, 9, 9},
-    {0x62, 12, 12},
-    {0x63, 12, 12},
-    {0x64, 7, 7},
-    {0x66, 10, 10},
-    {0x67, 10, 10},
-    {0x74, 7, 7},
+    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {DISCTRL, 2, 2}, {0xBA, 1, 1}, {0xC3, 1, 1},
+    {0xC4, 1, 1}, {0xC9, 1, 1}, {0xE8, 1, 1}, {0xF0, 6, 6}, {0xF1, 6, 6}, {0xF2, 6, 6}, {0xF3, 6, 6}, {0xFE, 0, 0},
+    {0xEF, 0, 0}, {0xEB, 1, 1}, {0x84, 1, 1}, {0x85, 1, 1}, {0x86, 1, 1}, {0x87, 1, 1}, {0x88, 1, 1}, {0x89, 1, 1},
+    {0x8A, 1, 1}, {0x8B, 1, 1}, {0x8C, 1, 1}, {0x8D, 1, 1}, {0x8E, 1, 1}, {0x8F, 1, 1}, {0x90, 4, 4}, {0xBC, 1, 1},
+    {0xBD, 1, 1}, {0xBE, 1, 1}, {0xDF, 3, 3}, {0xE1, 2, 2}, {0xFF, 3, 3}, {0xED, 2, 2}, {0xAE, 1, 1}, {0xCD, 1, 1},
+    {0x70, 9, 9}, {0x62, 12, 12}, {0x63, 12, 12}, {0x64, 7, 7}, {0x66, 10, 10}, {0x67, 10, 10}, {0x74, 7, 7},
     {0x98, 2, 2},
 };
 
 static const struct dbi_command ili9341_commands[] = {
-    {RAMWRC, PIXELS, PIXELS},
-    {0x44, 2, 2},
-    {0x51, 1, 1},
-    {0x53, 1, 1},
-    {0x55, 1, 1},
-    {0x5E, 1, 1},
-    {0xB0, 1, 1},
-    {0xB1, 2, 2},
-    {0xB2, 2, 2},
-    {0xB3, 2, 2},
-    {0xB4, 1, 1},
-    {0xB5, 4, 4},
-    {DISCTRL, 3, 4},
-    {0xB7, 1, 1},
-    {0xC0, 1, 1},
-    {0xC1, 1, 1},
-    {0xC5, 2, 2},
-    {0xC7, 1, 1},
-    {0xE0, 15, 15},
-    {0xE1, 15, 15},
-    {0xF6, 3, 3},
-    {0xCB, 5, 5},
-    {0xCF, 3, 3},
-    {0xE8, 3, 3},
-    {0xEA, 2, 2},
-    {0xED, 4, 4},
-    {0xF2, 1, 1},
-    {0xF7, 1, 1},
+    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x5E, 1, 1}, {0xB0, 1, 1},
+    {0xB1, 2, 2}, {0xB2, 2, 2}, {0xB3, 2, 2}, {0xB4, 1, 1}, {0xB5, 4, 4}, {DISCTRL, 3, 4}, {0xB7, 1, 1}, {0xC0, 1, 1},
+    {0xC1, 1, 1}, {0xC5, 2, 2}, {0xC7, 1, 1}, {0xE0, 15, 15}, {0xE1, 15, 15}, {0xF6, 3, 3}, {0xCB, 5, 5},
+    {0xCF, 3, 3}, {0xE8, 3, 3}, {0xEA, 2, 2}, {0xED, 4, 4}, {0xF2, 1, 1}, {0xF7, 1, 1},
 };
 
 static const struct dbi_command ili9488_commands[] = {
-    {RAMWRC, PIXELS, PIXELS},
-    {0x44, 2, 2},
-    {0x51, 1, 1},
-    {0x53, 1, 1},
-    {0x55, 1, 1},
-    {0x5E, 1, 1},
-    {0xB0, 1, 1},
-    {0xB1, 1, 2},
-    {0xB2, 2, 2},
-    {0xB3, 2, 2},
-    {0xB4, 1, 1},
-    {0xB5, 4, 4},
-    {DISCTRL, 3, 3},
-    {0xB7, 1, 1},
-    {0xBE, 2, 2},
-    {0xC0, 2, 2},
-    {0xC1, 1, 1},
-    {0xC2, 1, 1},
-    {0xC5, 3, 4},
-    {0xE0, 15, 15},
-    {0xE1, 15, 15},
-    {0xE9, 1, 1},
+    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x5E, 1, 1}, {0xB0, 1, 1},
+    {0xB1, 1, 2}, {0xB2, 2, 2}, {0xB3, 2, 2}, {0xB4, 1, 1}, {0xB5, 4, 4}, {DISCTRL, 3, 3}, {0xB7, 1, 1}, {0xBE, 2, 2},
+    {0xC0, 2, 2}, {0xC1, 1, 1}, {0xC2, 1, 1}, {0xC5, 3, 4}, {0xE0, 15, 15}, {0xE1, 15, 15}, {0xE9, 1, 1},
     {0xF7, 4, 4},
 };
 
 static const struct dbi_command st7735s_commands[] = {
-    {0xB1, 3, 3}, {0xB2, 3, 3}, {0xB3, 6, 6}, {0xB4, 1, 1}, {0xC0, 3, 3},   {0xC1, 1, 1},   {0xC2, 2, 2},
-    {0xC3, 2, 2}, {0xC4, 2, 2}, {0xC5, 1, 1}, {0xC7, 1, 1}, {0xE0, 16, 16}, {0xE1, 16, 16}, {0xFC, 1, 1},
+    {0xB1, 3, 3}, {0xB2, 3, 3}, {0xB3, 6, 6}, {0xB4, 1, 1}, {0xC0, 3, 3}, {0xC1, 1, 1}, {0xC2, 2, 2}, {0xC3, 2, 2},
+    {0xC4, 2, 2}, {0xC5, 1, 1}, {0xC7, 1, 1}, {0xE0, 16, 16}, {0xE1, 16, 16}, {0xFC, 1, 1},
 };
+/* clang-format on */
 
 /* What distinguishes one controller from the other. */
 struct dbi_kind {
@@ -237,14 +126,13 @@ static void reset(struct sim *sim)
     d->format = kind_of(sim)->format_at_reset;
     d->x1 = (uint16_t)(sim->glass.ram_width - 1);
     d->y1 = (uint16_t)(sim->glass.ram_height - 1);
-    d->wake_ns = sim->time_ns;
+    d->wake_ns = sim->time_ns + 120 * MS;
     for (uint32_t i = 0; i < count; i++) {
         sim->memory[i].written = 0;
     }
 }
 
-/* ---- pixels
- * ------------------------------------------------------------------------------------------------------------- */
+/* ---- pixels ------------------------------------------------------------------------------------- */
 
 /* The addresses as the host sees them: MV swaps the axes. */
 static uint32_t host_width(const struct sim *sim)
@@ -326,8 +214,7 @@ static void take_pixel_byte(struct sim *sim, uint8_t byte)
     }
 }
 
-/* ---- commands
- * ------------------------------------------------------------------------------------------------------------ */
+/* ---- commands ----------------------------------------------------------------------------------- */
 
 static void begin_memory_write(struct sim *sim)
 {
@@ -368,7 +255,6 @@ static void software_reset(struct sim *sim)
 {
     reset(sim);
     sim->u.dbi.ready_ns = sim->time_ns + 5 * MS;
-    sim->u.dbi.wake_ns = sim->time_ns + 120 * MS;
 }
 
 /* Commands that act as soon as their code is there. */
@@ -535,8 +421,7 @@ static void take_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
     }
 }
 
-/* ---- the glass
- * --------------------------------------------------------------------------------------------------------------- */
+/* ---- the glass ---------------------------------------------------------------------------------- */
 
 static const struct sim_cell *cell(const struct sim *sim, uint32_t x, uint32_t y)
 {

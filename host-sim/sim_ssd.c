@@ -14,17 +14,19 @@ struct ssd_command {
     uint8_t code, parameters;
 };
 
+/* clang-format off */
 static const struct ssd_command ssd1351_commands[] = {
-    {0x15, 2}, {0x75, 2},  {0x5C, PIXELS}, {0xA0, 1}, {0xA1, 1}, {0xA2, 1}, {0xA4, 0}, {0xA5, 0}, {0xA6, 0},
-    {0xA7, 0}, {0xAB, 1},  {0xAE, 0},      {0xAF, 0}, {0xB1, 1}, {0xB2, 3}, {0xB3, 1}, {0xB4, 3}, {0xB5, 1},
-    {0xB6, 1}, {0xB8, 63}, {0xB9, 0},      {0xBB, 1}, {0xBE, 1}, {0xC1, 3}, {0xC7, 1}, {0xCA, 1}, {0xFD, 1},
+    {0x15, 2}, {0x75, 2}, {0x5C, PIXELS}, {0xA0, 1}, {0xA1, 1}, {0xA2, 1}, {0xA4, 0}, {0xA5, 0}, {0xA6, 0}, {0xA7, 0},
+    {0xAB, 1}, {0xAE, 0}, {0xAF, 0}, {0xB1, 1}, {0xB2, 3}, {0xB3, 1}, {0xB4, 3}, {0xB5, 1}, {0xB6, 1}, {0xB8, 63},
+    {0xB9, 0}, {0xBB, 1}, {0xBE, 1}, {0xC1, 3}, {0xC7, 1}, {0xCA, 1}, {0xFD, 1},
 };
 
 static const struct ssd_command ssd0323_commands[] = {
-    {0x15, 2}, {0x75, 2}, {0x81, 1}, {0x84, 0}, {0x85, 0}, {0x86, 0}, {0xA0, 1}, {0xA1, 1}, {0xA2, 1},
-    {0xA4, 0}, {0xA5, 0}, {0xA6, 0}, {0xA7, 0}, {0xA8, 1}, {0xAD, 1}, {0xAE, 0}, {0xAF, 0}, {0xB0, 1},
-    {0xB1, 1}, {0xB2, 1}, {0xB3, 1}, {0xB4, 1}, {0xB8, 8}, {0xBC, 1}, {0xBE, 1}, {0xBF, 1}, {0xE3, 0},
+    {0x15, 2}, {0x75, 2}, {0x81, 1}, {0x84, 0}, {0x85, 0}, {0x86, 0}, {0xA0, 1}, {0xA1, 1}, {0xA2, 1}, {0xA4, 0},
+    {0xA5, 0}, {0xA6, 0}, {0xA7, 0}, {0xA8, 1}, {0xAD, 1}, {0xAE, 0}, {0xAF, 0}, {0xB0, 1}, {0xB1, 1}, {0xB2, 1},
+    {0xB3, 1}, {0xB4, 1}, {0xB8, 8}, {0xBC, 1}, {0xBE, 1}, {0xBF, 1}, {0xE3, 0},
 };
+/* clang-format on */
 
 static bool is_1351(const struct sim *sim)
 {
@@ -58,8 +60,7 @@ static void reset(struct sim *sim)
     }
 }
 
-/* ---- pixels
- * ----------------------------------------------------------------------------------------------------------- */
+/* ---- pixels ------------------------------------------------------------------------------------- */
 
 /* Where the next column goes, and on. false: the window is full and starts again. */
 static void advance(struct sim_ssd *s, bool vertical)
@@ -140,8 +141,7 @@ static void ssd0323_data(struct sim *sim, uint8_t byte)
     advance(s, s->remap & 4);
 }
 
-/* ---- commands
- * ------------------------------------------------------------------------------------------------------------ */
+/* ---- commands ----------------------------------------------------------------------------------- */
 
 static void set_window(struct sim *sim)
 {
@@ -333,8 +333,7 @@ static void ssd0323_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
     }
 }
 
-/* ---- the glass
- * ------------------------------------------------------------------------------------------------------------- */
+/* ---- the glass ---------------------------------------------------------------------------------- */
 
 /* SSD1351 modules: upright with COM lines from the last (A0h bit 4), even lines at the one and odd at the other side.
  */
