@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "ref_random.h"
 #include "ref_rig.h"
 
 #include <math.h>
@@ -30,19 +31,6 @@ struct lighting {
     struct ph_material material;
 };
 
-static uint64_t random_state;
-
-static double uniform(double low, double high)
-{
-    random_state = random_state * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(random_state >> 11) / 9007199254740992.;
-}
-
-static fx_t q16(double v)
-{
-    return (fx_t)lrint(v * 65536);
-}
-
 static double dot(const vec a, const vec b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -56,31 +44,18 @@ static void normalise(vec v)
     }
 }
 
-static void any_direction(vec out)
-{
-    do {
-        for (int k = 0; k < 3; k++) {
-            out[k] = uniform(-1, 1);
-        }
-    } while (dot(out, out) < .01 || dot(out, out) > 1);
-    normalise(out);
-}
-
 static struct motion any_motion(double scale, double reach)
 {
     struct motion m = {.scale = scale};
-    vec axis;
-    double angle = uniform(-3.14, 3.14), c = cos(angle), s = sin(angle);
-    any_direction(axis);
+    ref_rotation(3.14, m.r);
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
-            double turned = i == k ? c : ((k - i + 3) % 3 == 1 ? -1 : 1) * s * axis[3 - i - k];
-            m.fixed.r[i][k] = (int32_t)lrint(ldexp(scale * (turned + (1 - c) * axis[i] * axis[k]), 30));
+            m.fixed.r[i][k] = ref_q30(scale * m.r[i][k]);
             m.r[i][k] = ldexp(m.fixed.r[i][k], -30);
         }
-        m.t[i] = q16(uniform(-reach, reach)) / 65536.;
+        m.t[i] = ref_q16(ref_uniform(-reach, reach)) / 65536.;
     }
-    m.fixed.t = (struct fx_vec3){q16(m.t[0]), q16(m.t[1]), q16(m.t[2])};
+    m.fixed.t = (struct fx_vec3){ref_q16(m.t[0]), ref_q16(m.t[1]), ref_q16(m.t[2])};
     return m;
 }
 
@@ -169,8 +144,8 @@ static double case_error(struct rig *rig, struct lighting *light, double scale)
         vec world;
         backward(&view, before_camera[i], world);
         backward(&to_world, world, corner);
-        positions[i] = (struct fx_vec3){q16(corner[0]), q16(corner[1]), q16(corner[2])};
-        any_direction(normal);
+        positions[i] = (struct fx_vec3){ref_q16(corner[0]), ref_q16(corner[1]), ref_q16(corner[2])};
+        ref_direction(normal);
         for (int k = 0; k < 3; k++) {
             normals[i][k] = (int16_t)lrint(normal[k] * 16384);
         }
@@ -193,12 +168,12 @@ static double case_error(struct rig *rig, struct lighting *light, double scale)
 static struct ph_light any_light(int kind)
 {
     vec towards;
-    any_direction(towards);
-    struct ph_light light = {.kind = (uint8_t)kind, .intensity = q16(uniform(.1, 1))};
-    light.to_light_q30 = (struct fx_vec3){(int32_t)lrint(ldexp(towards[0], 30)), (int32_t)lrint(ldexp(towards[1], 30)),
-                                          (int32_t)lrint(ldexp(towards[2], 30))};
-    light.position = (struct fx_vec3){q16(uniform(-9, 9)), q16(uniform(-9, 9)), q16(uniform(-9, 9))};
-    light.reach = uniform(0, 1) < .3 ? 0 : q16(uniform(1, 10));
+    ref_direction(towards);
+    struct ph_light light = {.kind = (uint8_t)kind, .intensity = ref_q16(ref_uniform(.1, 1))};
+    light.to_light_q30 = (struct fx_vec3){ref_q30(towards[0]), ref_q30(towards[1]), ref_q30(towards[2])};
+    light.position =
+        (struct fx_vec3){ref_q16(ref_uniform(-9, 9)), ref_q16(ref_uniform(-9, 9)), ref_q16(ref_uniform(-9, 9))};
+    light.reach = ref_uniform(0, 1) < .3 ? 0 : ref_q16(ref_uniform(1, 10));
     return light;
 }
 
@@ -207,17 +182,17 @@ static double worst_error(int kind, uint32_t lights, double specular, uint8_t sh
 {
     struct rig rig;
     double worst = 0;
-    random_state = 7;
+    ref_seed(7);
     rig_open(&rig, SIZE, SIZE, SIZE, PH_DEPTH_FIXED16, 3, 4);
     for (int i = 0; i < CASES; i++) {
-        struct lighting light = {.scene = {.ambient = q16(uniform(0, .5)), .count = lights}};
+        struct lighting light = {.scene = {.ambient = ref_q16(ref_uniform(0, .5)), .count = lights}};
         for (uint32_t k = 0; k < lights; k++) {
             light.scene.lights[k] = any_light(kind);
         }
         light.material = (struct ph_material){.shading = PH_SHADE_FLAT,
-                                              .ambient = q16(uniform(0, 1)),
-                                              .diffuse = q16(uniform(.2, 1)),
-                                              .specular = q16(specular),
+                                              .ambient = ref_q16(ref_uniform(0, 1)),
+                                              .diffuse = ref_q16(ref_uniform(.2, 1)),
+                                              .specular = ref_q16(specular),
                                               .shininess_log2 = shininess_log2};
         worst = fmax(worst, case_error(&rig, &light, scale));
     }

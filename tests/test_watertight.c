@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "ref_plane.h"
+#include "ref_random.h"
 #include "ref_rig.h"
 
 #include <math.h>
@@ -23,9 +25,8 @@
 #define FAN_MAX 48
 #define OUTLINE 64
 #define SEED    2026
-#define FOCAL   (HEIGHT / 2. / .57735026918962576) /* fov 60 degrees */
-#define NEAR    .5
-#define FAR     1000
+
+static const struct ref_lens lens = {WIDTH, HEIGHT, .5, 1000};
 
 /* A planar mesh: z = -(distance + lean x + tilt y), x and y in the model, so all of it lies in one plane. */
 struct plane_mesh {
@@ -35,19 +36,6 @@ struct plane_mesh {
     int point_count, triangle_count, outline_count;
 };
 
-static uint64_t random_state;
-
-static double uniform(double low, double high)
-{
-    random_state = random_state * 6364136223846793005u + 1442695040888963407u;
-    return low + (high - low) * (double)(random_state >> 11) / 9007199254740992.;
-}
-
-static fx_t q16(double v)
-{
-    return (fx_t)lrint(v * 65536);
-}
-
 static void add_triangle(struct plane_mesh *m, int a, int b, int c)
 {
     uint16_t *t = m->triangles[m->triangle_count++];
@@ -56,21 +44,21 @@ static void add_triangle(struct plane_mesh *m, int a, int b, int c)
     t[2] = (uint16_t)c;
 }
 
-/* A grid with its inner points moved by up to 0.35 of a cell: no triangle turns over, the outline stays a rectangle. */
+/* A grid with its inner points moved by up to 0.24 of a cell: no triangle turns over, the outline stays a rectangle. */
 static void build_grid(struct plane_mesh *m, double size)
 {
     memset(m, 0, sizeof(*m));
     for (int i = 0; i < POINTS; i++) {
         int column = i % (CELLS + 1), row = i / (CELLS + 1);
         bool inner_x = column > 0 && column<CELLS, inner_y = row> 0 && row < CELLS;
-        double x = column - CELLS / 2. + (inner_x ? uniform(-.35, .35) : 0);
-        double y = row - CELLS / 2. + (inner_y ? uniform(-.35, .35) : 0);
-        m->points[m->point_count++] = (struct fx_vec3){q16(x * size / CELLS), q16(y * size / CELLS), 0};
+        double x = column - CELLS / 2. + (inner_x ? ref_uniform(-.24, .24) : 0);
+        double y = row - CELLS / 2. + (inner_y ? ref_uniform(-.24, .24) : 0);
+        m->points[m->point_count++] = (struct fx_vec3){ref_q16(x * size / CELLS), ref_q16(y * size / CELLS), 0};
     }
     for (int row = 0; row < CELLS; row++) {
         for (int column = 0; column < CELLS; column++) {
             int a = row * (CELLS + 1) + column, b = a + 1, c = b + CELLS + 1, d = c - 1;
-            bool falling = uniform(0, 1) < .5;
+            bool falling = ref_uniform(0, 1) < .5;
             add_triangle(m, a, b, falling ? d : c);
             add_triangle(m, falling ? b : a, c, d);
         }
@@ -82,62 +70,17 @@ static void build_grid(struct plane_mesh *m, double size)
 /* A fan of up to FAN_MAX triangles, many of them slivers, round a point inside a star-shaped outline. */
 static void build_fan(struct plane_mesh *m, double size)
 {
-    int rim = 5 + (int)uniform(0, FAN_MAX - 5);
+    int rim = 5 + (int)ref_uniform(0, FAN_MAX - 5);
     memset(m, 0, sizeof(*m));
-    double x = uniform(-.1, .1) * size, y = uniform(-.1, .1) * size;
-    m->points[m->point_count++] = (struct fx_vec3){q16(x), q16(y), 0};
+    double x = ref_uniform(-.1, .1) * size, y = ref_uniform(-.1, .1) * size;
+    m->points[m->point_count++] = (struct fx_vec3){ref_q16(x), ref_q16(y), 0};
     for (int i = 0; i < rim; i++) {
-        double angle = 2 * 3.14159265358979 * (i + uniform(0, .9)) / rim, radius = size * uniform(.3, .5);
-        m->points[m->point_count++] = (struct fx_vec3){q16(x + radius * cos(angle)), q16(y + radius * sin(angle)), 0};
+        double angle = 2 * 3.14159265358979 * (i + ref_uniform(0, .9)) / rim, radius = size * ref_uniform(.3, .5);
+        m->points[m->point_count++] =
+            (struct fx_vec3){ref_q16(x + radius * cos(angle)), ref_q16(y + radius * sin(angle)), 0};
         m->outline[m->outline_count++] = (uint16_t)(i + 1);
         add_triangle(m, 0, 1 + i, 1 + (i + 1) % rim);
     }
-}
-
-struct placement {
-    struct ph_xform xform;
-    double r[3][3], t[3];
-};
-
-static void place(struct placement *p, double distance, double side, double turn)
-{
-    double axis[3] = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}, angle = uniform(-turn, turn);
-    double length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]) + 1e-9, c = cos(angle),
-           s = sin(angle);
-    for (int k = 0; k < 3; k++) {
-        axis[k] /= length;
-    }
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            double turned = i == k ? c : ((k - i + 3) % 3 == 1 ? -1 : 1) * s * axis[3 - i - k];
-            p->xform.r[i][k] = (int32_t)lrint(ldexp(turned + (1 - c) * axis[i] * axis[k], 30));
-            p->r[i][k] = ldexp(p->xform.r[i][k], -30);
-        }
-    }
-    double t[3] = {uniform(-side, side), uniform(-side, side), -distance};
-    p->xform.t = (struct fx_vec3){q16(t[0]), q16(t[1]), q16(t[2])};
-    p->t[0] = p->xform.t.x / 65536.;
-    p->t[1] = p->xform.t.y / 65536.;
-    p->t[2] = p->xform.t.z / 65536.;
-}
-
-/* Where the ray through a picture point meets the front of the mesh's plane; false unless between near and far. */
-static bool point_in_plane(const struct placement *p, double sx, double sy, double *u, double *v)
-{
-    double q[3] = {(sx - WIDTH / 2.) / FOCAL, (HEIGHT / 2. - sy) / FOCAL, -1}, above = 0, along = 0, hit[3];
-    for (int k = 0; k < 3; k++) {
-        above += p->r[k][2] * p->t[k];
-        along += p->r[k][2] * q[k];
-    }
-    double z = along != 0 ? above / along : 0;
-    *u = 0;
-    *v = 0;
-    for (int k = 0; k < 3; k++) {
-        hit[k] = z * q[k] - p->t[k];
-        *u += p->r[k][0] * hit[k];
-        *v += p->r[k][1] * hit[k];
-    }
-    return z > NEAR && z < FAR && along < 0;
 }
 
 /* Even-odd rule. */
@@ -155,14 +98,14 @@ static bool inside_outline(const struct plane_mesh *m, double u, double v)
 }
 
 /* 1: all of the pixel's surroundings are inside, 0: all outside, -1: too near the outline or a plane to tell. */
-static int expected(const struct plane_mesh *m, const struct placement *p, int x, int y)
+static int expected(const struct plane_mesh *m, const struct ref_plane *p, int x, int y)
 {
     const double margin = .75;
     int inside = 0, points = 0;
     for (int j = -2; j <= 2; j++) {
         for (int i = -2; i <= 2; i++) {
-            double u, v;
-            bool in = point_in_plane(p, x + .5 + i * margin / 2, y + .5 + j * margin / 2, &u, &v);
+            double u, v, z;
+            bool in = ref_plane_at(p, &lens, x + .5 + i * margin / 2, y + .5 + j * margin / 2, &u, &v, &z);
             inside += in && inside_outline(m, u, v);
             points++;
         }
@@ -170,13 +113,13 @@ static int expected(const struct plane_mesh *m, const struct placement *p, int x
     return inside == points ? 1 : inside == 0 ? 0 : -1;
 }
 
-static void draw_one(struct rig *rig, const struct ph_mesh *mesh, int i, const struct placement *p,
+static void draw_one(struct rig *rig, const struct ph_mesh *mesh, int i, const struct ref_plane *p,
                      uint8_t count[PIXELS])
 {
     struct rig_one one;
     struct ph_projection projection;
     rig_one_triangle(&one, mesh, i);
-    assert_int_equal(ph_projection_perspective(&projection, FX_INT(60), FX_INT(4) / 3, q16(NEAR), FX_INT(FAR)), PH_OK);
+    ref_lens_projection(&lens, &projection);
     assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &projection, NULL, 0), PH_OK);
     assert_int_equal(ph_draw_mesh(&rig->r, &one.mesh, &p->xform), PH_OK);
     if (rig->r.stats.triangles_drawn > 0) {
@@ -192,7 +135,7 @@ struct totals {
     long inside, outside, wrong;
 };
 
-static void check_mesh(struct rig *rig, const struct plane_mesh *m, const struct placement *p, struct totals *totals)
+static void check_mesh(struct rig *rig, const struct plane_mesh *m, const struct ref_plane *p, struct totals *totals)
 {
     static const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xffff};
     uint8_t count[PIXELS] = {0};
@@ -226,12 +169,12 @@ static void check_meshes(void (*build)(struct plane_mesh *m, double size), int m
     struct rig rig;
     struct totals totals = {0, 0, 0};
     rig_open(&rig, WIDTH, HEIGHT, HEIGHT, PH_DEPTH_FIXED16, 3, 16);
-    random_state = SEED;
+    ref_seed(SEED);
     for (int i = 0; i < meshes; i++) {
         struct plane_mesh m;
-        struct placement p;
+        struct ref_plane p;
         build(&m, size);
-        place(&p, distance, side, turn);
+        ref_plane_place(&p, distance, side, turn);
         check_mesh(&rig, &m, &p, &totals);
     }
     rig_close(&rig);
