@@ -12,6 +12,7 @@
 #include "fx.h"
 #include "fx_armv6m.h"
 #include "fx_oracle.h"
+#include "fx_tangent.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -319,6 +320,29 @@ static void arctangent_next_to_every_boundary_is_the_nearest(void **state)
     }
 }
 
+/* What fx_atan2 compares with: at the odd k lie the boundaries. */
+static void every_boundary_of_the_arctangent_is_within_2_to_the_minus_40(void **state)
+{
+    mpfr_t v, den;
+    (void)state;
+    mpfr_init2(den, ORACLE_BITS);
+    for (uint32_t k = 1; k < 16384; k++) {
+        const struct fx_ratio r = fx_tangent_ratio(k);
+        oracle_angle(v, k, 17);
+        mpfr_tan(v, v, MPFR_RNDN);
+        mpfr_set_ui_2exp(den, r.den, 0, MPFR_RNDN);
+        mpfr_mul(v, v, den, MPFR_RNDN);
+        mpfr_set_ui_2exp(den, r.num, 0, MPFR_RNDN);
+        mpfr_reldiff(v, v, den, MPFR_RNDN);
+        const double off = mpfr_get_d(v, MPFR_RNDN);
+        mpfr_clear(v);
+        if (off > 0x1p-40 || off < -0x1p-40) {
+            fail_msg("tangent %u is off by %g", k, off);
+        }
+    }
+    mpfr_clear(den);
+}
+
 static void sincos_q30_agrees(uint32_t turn32)
 {
     mpfr_t s, c;
@@ -470,6 +494,7 @@ int main(void)
         cmocka_unit_test(every_tangent_is_the_nearest),
         cmocka_unit_test(arctangent_of_all_edges_squared_is_the_nearest),
         cmocka_unit_test(arctangent_next_to_every_boundary_is_the_nearest),
+        cmocka_unit_test(every_boundary_of_the_arctangent_is_within_2_to_the_minus_40),
         cmocka_unit_test(sine_in_q30_keeps_its_bound),
         cmocka_unit_test(quarter_turns_in_q30_are_exact_and_quarters_mirror),
         cmocka_unit_test(degrees_become_the_nearest_turn32),

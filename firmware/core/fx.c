@@ -49,20 +49,14 @@ fx_t fx_mul_wrap(fx_t a, fx_t b)
     return (fx_t)(uint32_t)((uint64_t)(fx_mul_wide(a, b) + FX_HALF) >> 16);
 }
 
-/* |a|, also of FX_MIN. */
-static uint32_t magnitude(fx_t a)
-{
-    return a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
-}
-
 fx_t fx_div_sat(fx_t a, fx_t b)
 {
     if (b == 0) {
         return a > 0 ? FX_MAX : a < 0 ? FX_MIN : 0;
     }
     const uint32_t negative = (a < 0) != (b < 0);
-    const uint32_t n = magnitude(a);
-    const uint32_t d = magnitude(b);
+    const uint32_t n = fx_magnitude(a);
+    const uint32_t d = fx_magnitude(b);
     if (n >> 15 >= d) { /* 2^31 or more */
         return negative ? FX_MIN : FX_MAX;
     }
@@ -80,7 +74,7 @@ fx_t fx_div_sat(fx_t a, fx_t b)
 
 fx_t fx_rcp_sat(fx_t a)
 {
-    const uint32_t d = magnitude(a);
+    const uint32_t d = fx_magnitude(a);
     if (d <= 1) {
         return a < 0 ? FX_MIN : FX_MAX;
     }

@@ -25,6 +25,12 @@ typedef int32_t fx_t;
 #define FX_INT(i)  ((fx_t)((int32_t)(i)*65536)) /* i: -32768 .. 32767 */
 #define FX_Q30_ONE ((int32_t)1 << 30)           /* one in Q2.30, the format of rotations */
 
+/*
+ * Cost is in instructions on a Cortex-M0+ (armv6m) and a Cortex-M3 (armv7m), the call included, gcc -O3, mean of 4000
+ * inputs of all magnitudes: small enough to call per vertex, or only per frame.
+ */
+
+/* Sum, difference, negative and absolute value. Cost: 20, 12. */
 fx_t fx_add_sat(fx_t a, fx_t b);
 fx_t fx_sub_sat(fx_t a, fx_t b);
 fx_t fx_add_wrap(fx_t a, fx_t b);
@@ -32,39 +38,56 @@ fx_t fx_sub_wrap(fx_t a, fx_t b);
 fx_t fx_neg_sat(fx_t a);
 fx_t fx_abs_sat(fx_t a);
 
-/* a * b, error <= 0.5 LSB. */
+/* |a| without a sign bit, hence also of FX_MIN. */
+static inline uint32_t fx_magnitude(int32_t a)
+{
+    return a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
+}
+
+/* a * b, error <= 0.5 LSB (before the clamp, or modulo 2^32). Cost: 41, 14 (wrap 32, 8). */
 fx_t fx_mul_sat(fx_t a, fx_t b);
 fx_t fx_mul_wrap(fx_t a, fx_t b);
 
-/* a / b, error <= 0.5 LSB. a / 0 is FX_MAX for a > 0, FX_MIN for a < 0, and 0 for a = 0. */
+/* a / b, error <= 0.5 LSB. a / 0 is FX_MAX for a > 0, FX_MIN for a < 0, and 0 for a = 0. Cost: 194, 76. */
 fx_t fx_div_sat(fx_t a, fx_t b);
 
-/* 1 / a, error <= 0.5 LSB. 1 / 0 is FX_MAX. */
+/* 1 / a, error <= 0.5 LSB. 1 / 0 is FX_MAX. Only |a| of 0, 1 and +2 LSB clamp. Cost: 74, 50. */
 fx_t fx_rcp_sat(fx_t a);
 
-/* Square root, error <= 0.5 LSB; 0 for a <= 0. */
+/* Square root, error <= 0.5 LSB; 0 for a <= 0. Cost: 219, 56. */
 fx_t fx_sqrt(fx_t a);
 
-/* 1 / sqrt(a), error <= 0.5 LSB; FX_MAX for a <= 0. */
+/* 1 / sqrt(a), error <= 0.5 LSB; FX_MAX for a <= 0. At most 256, of 1 LSB. Cost: 291, 58. */
 fx_t fx_rsqrt_sat(fx_t a);
 
-/* Sine, cosine of an angle in turns (65536 = one turn), error <= 0.5 LSB. */
+/* Sine, cosine of an angle in turns (65536 = one turn; only the lower 16 bits count), error <= 0.5 LSB. Cost: 375, 70.
+ */
 fx_t fx_sin(fx_t turns);
 fx_t fx_cos(fx_t turns);
 
-/* Tangent of an angle in turns; a quarter turn gives FX_MAX, three quarters FX_MIN. */
+/*
+ * Tangent of an angle in turns, error <= 0.5 LSB; a quarter turn gives FX_MAX, three quarters FX_MIN (no other angle
+ * comes near: 10430 is the largest). Cost: 3800, 660.
+ */
 fx_t fx_tan_sat(fx_t turns);
 
-/* Angle of (x, y) in turns, -32768 < result <= 32768 (half a turn); 0 for (0, 0). */
+/*
+ * Angle of (x, y) in turns, -32768 < result <= 32768 (half a turn); 0 for (0, 0). An angle just short of minus half a
+ * turn that rounds to it is given as half a turn. Error <= 0.5 LSB + 2^-27 LSB: a vector that close to the middle
+ * between two results may get the other one. Cost: 265, 108.
+ */
 fx_t fx_atan2(fx_t y, fx_t x);
 
-/* Sine and cosine in Q2.30 of an angle whose unit is 2^-32 turn. For rotations. */
+/*
+ * Sine and cosine in Q2.30 of an angle whose unit is 2^-32 turn, for rotations. Error <= 0.66 LSB; exact at the quarter
+ * turns, and the quarters mirror each other exactly. Cost: 374, 80.
+ */
 void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30);
 
-/* Degrees (Q16.16, any value) to turn32, rounded to nearest, modulo one turn. */
+/* Degrees (Q16.16, any value) to turn32, rounded to nearest, modulo one turn. Cost: 350, 21. */
 uint32_t fx_turn32_from_deg(fx_t deg);
 
-/* a + (b - a) t, exact before its one rounding; t in Q16.16, any value; saturates. */
+/* a + (b - a) t, exact before its one rounding; t in Q16.16, any value; saturates. Cost: 77, 25. */
 fx_t fx_lerp_sat(fx_t a, fx_t b, fx_t t);
 
 /* Leading zeros of v, 32 for 0. */
@@ -73,7 +96,7 @@ static inline int fx_clz32(uint32_t v);
 /* High 32 bits of the 64-bit product, rounded down. */
 static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b);
 
-/* Full products. */
+/* Full products: 34 instructions on a Cortex-M0+, one on a Cortex-M3. */
 static inline int64_t fx_mul_wide(int32_t a, int32_t b);
 static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b);
 
@@ -82,12 +105,12 @@ static inline uint32_t fx_rcp16(uint32_t d);
 
 #include "fx_cpu.h" /* their bodies: core/portable, or the folder of the CPU that -I names before */
 
-extern const uint16_t fx_rcp_table[256];
+extern const uint16_t fx_rcp_table[256]; /* for fx_rcp_norm alone */
 
 /*
  * Normalised reciprocal: *shift = leading zeros of w, result = floor(2^62 / (w << *shift)), in 2^30 .. 2^31.
  * So 1/w = result * 2^(*shift - 62) for an integer w. Exactly this integer on every CPU, hence monotone.
- * w = 0 counts as 1.
+ * w = 0 counts as 1. Products of 32 bits only. Cost: 57, 36.
  */
 static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
 {
@@ -108,12 +131,16 @@ static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
 
 #define FX_TEXT_SIZE 24 /* longest text is "-32767.9999847412109375" and its zero */
 
-/* Exact decimal text of a, shortest form without trailing zeros. Returns its length. */
+/* Exact decimal text of a, shortest form without trailing zeros. Returns its length. Same in every locale. */
 int fx_to_text(fx_t a, char text[FX_TEXT_SIZE]);
 
 /*
- * Decimal text ("-1.5", ".25", "3", "1e-3") to Q16.16, nearest. *end (if not NULL) is the first character not used.
- * Returns 0, -22 (EINVAL) where text is no number (nan and inf are none), -34 (ERANGE) outside -32768 .. 32767.99998.
+ * Decimal text of any length ("-1.5", ".25", "3.", "1e-3") to Q16.16, nearest, a tie towards +infinity. No spaces
+ * before, no grouping, no hexadecimal; an e without digits behind it does not belong to the number.
+ * Out:    *out, which stays as it was on an error; *end (if not NULL) is the first character not used, so `text` for
+ *         EINVAL, and behind the number for ERANGE.
+ * Errors: -22 (EINVAL) where text is no number (nan and inf are none), -34 (ERANGE) where the nearest value is outside
+ *         -32768 .. 32767.99998. Otherwise 0.
  */
 int fx_from_text(const char *text, fx_t *out, const char **end);
 

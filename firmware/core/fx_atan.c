@@ -47,15 +47,10 @@ static int32_t octant(uint32_t lo, uint32_t hi)
     return below + (part >> 15);
 }
 
-static uint32_t magnitude(fx_t a)
-{
-    return a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
-}
-
 fx_t fx_atan2(fx_t y, fx_t x)
 {
-    const uint32_t ay = magnitude(y);
-    const uint32_t ax = magnitude(x);
+    const uint32_t ay = fx_magnitude(y);
+    const uint32_t ax = fx_magnitude(x);
     const uint32_t hi = ay > ax ? ay : ax;
     const uint32_t lo = ay > ax ? ax : ay;
     if (hi == 0) {

@@ -7,7 +7,7 @@
 
 int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
 {
-    const uint32_t v = a < 0 ? 0u - (uint32_t)a : (uint32_t)a;
+    const uint32_t v = fx_magnitude(a);
     int n = 0;
     if (a < 0) {
         text[n++] = '-';
