@@ -1,0 +1,106 @@
+/*
+ * camera: the ways to state a camera, and its matrices as the textbooks write them.
+ *
+ * A camera is a view (world to camera, geom.h) and a projection. Inside, the camera looks along -z and n, f are positive
+ * distances along the view. The conventions differ in how both are written down; they never differ in the picture:
+ *
+ *                 handed   looks along   clip w              near -> far in NDC   n, f given as        screen y
+ *   PH_GL         right    -z            -z                  -1 -> +1             distances            down
+ *   PH_D3D        left     +z            +z                   0 -> 1              distances            down
+ *   PH_LMU        right    -z            z (negative)        +1 -> -1             coordinates, n > f   up
+ *   PH_REVERSED   right    -z            -z                   1 -> 0              distances            down
+ *
+ * A matrix stands as in the documents: rows first, applied to column vectors, Q16.16, each element rounded once.
+ * Sources: GL: gluPerspective, glFrustum, glOrtho; D3D: 4600 notes 4.1; LMU: tutorial 4; see also SEEDS rows P1 .. V9 in
+ * tests/test_camera.c.
+ */
+#ifndef PH_CAMERA_H
+#define PH_CAMERA_H
+
+#include "geom.h"
+#include "status.h"
+
+enum ph_convention { PH_GL, PH_D3D, PH_LMU, PH_REVERSED };
+
+struct ph_mat4 {
+    fx_t m[4][4];
+};
+
+struct ph_vec4 {
+    fx_t x, y, z, w;
+};
+
+/* a b; each element rounded once, saturates. */
+struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b);
+struct ph_vec4 ph_mat4_apply(const struct ph_mat4 *a, struct ph_vec4 v);
+
+/* The matrix of a transform: its rotation rounded to Q16.16. */
+struct ph_mat4 ph_mat4_xform(const struct ph_xform *a);
+
+/* World to camera coordinates of the convention (PH_D3D: third row is the view direction). */
+struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention convention);
+
+/* Camera to clip coordinates. PH_ERR_RANGE where an element does not fit Q16.16 (far and near plane too close). */
+int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enum ph_convention convention);
+
+/* NDC x, y to pixels: y down, for PH_LMU up. */
+struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_convention convention);
+
+/*
+ * From the convention's way to write a camera down to ours, exactly: `view` in the convention's camera coordinates,
+ * near_z and far_z as it gives them. PH_ERR_INVAL: an impossible volume, also for PH_LMU unless 0 > near_z > far_z.
+ */
+int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z);
+
+/* ---- views: all world-to-camera, rigid ---------------------------------------------------------------------- */
+
+/* V6, OpenGL's glRotate(-turn, axis), glTranslate(-position). */
+struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position);
+
+/* V7, PHIGS: view reference point, view plane normal (towards the viewer), view up vector; as ph_view_look_at else. */
+struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_vec3 vup);
+
+/* V8: the camera turned by yaw about y, then pitch about its x, then roll about its z. */
+struct ph_xform ph_view_yaw_pitch_roll(struct fx_vec3 position, uint32_t yaw, uint32_t pitch, uint32_t roll);
+
+/* V9: the camera's orientation as a quaternion. */
+struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position);
+
+/* V5: from a camera node's world transform; a scale in it is taken out. */
+struct ph_xform ph_view_of_node(const struct ph_xform *world);
+
+/* V3: placement of an object at `position` whose +z points at `target` (three.js Object3D.lookAt). */
+struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up);
+
+/* ---- projections ---------------------------------------------------------------------------------------------- */
+
+/* P6: a pinhole with an image of width x height at distance focal from it. As ph_projection_perspective else. */
+int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t height, fx_t near_z, fx_t far_z);
+
+/* P11: the same camera for a picture of another aspect (width / height): the vertical extent stays. */
+int ph_projection_resize(struct ph_projection *p, fx_t aspect);
+
+/* P10: width and height of the view volume at distance z along the view, Q16.16, saturates. */
+void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height);
+
+/* M1, M2: vertical field of view in degrees under which a height h at distance z fills the picture: 2 atan(h / 2z). */
+fx_t ph_fov_of(fx_t height, fx_t distance);
+
+/*
+ * P7: projection from the origin onto the plane n.p + d = 0, n a unit vector in Q2.30: Q = [dE 0; -n^T 0], Q Q = d Q
+ * (HAW).
+ */
+struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal_q30, fx_t d);
+
+/* ---- scene graph ------------------------------------------------------------------------------------------------ */
+
+/* A node of a scene graph; a camera is a node too (ph_view_of_node). Parents stand before their children. */
+struct ph_node {
+    int32_t parent; /* index, or -1 */
+    struct ph_xform local;
+};
+
+/* world[i] = world[parent] local[i], one pass. PH_ERR_INVAL: a parent does not stand before its child. */
+int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform *world);
+
+#endif
