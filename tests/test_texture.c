@@ -1,0 +1,209 @@
+/*
+ * Perspective-correct texturing against exact geometry: random squares that lean away from the camera, also over the
+ * borders of the picture and through the near plane. Every texel has a colour of its own; each pixel inside the square
+ * must show the texel that the ray through its centre meets, within a tolerance of 1/32 texel and 1/8 of a pixel's
+ * step. Between exact divisions, 16 pixels apart, the renderer follows a parabola. That is good while the distance
+ * changes little over a block ("gentle": by less than a third from 16 pixels to the left to 16 to the right); beyond, a
+ * stated share of pixels misses the tolerance.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "ref_plane.h"
+#include "ref_random.h"
+#include "ref_rig.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIDTH   128
+#define HEIGHT  96
+#define LOG2    6
+#define TEXELS  (1 << LOG2)
+#define SQUARES 60
+
+static const struct ref_lens lens = {WIDTH, HEIGHT, .5, 100};
+
+/* A square of `size` with `tiles` repeats of the texture across; v runs down. */
+struct square {
+    double size, tiles;
+    struct fx_vec3 positions[4];
+    fx_t uvs[4][2];
+    struct ph_material material;
+    struct ph_texture texture;
+    uint16_t texels[TEXELS * TEXELS];
+};
+
+struct totals {
+    long pixels, wrong;                        /* wrong: another texel than the exact one */
+    long gentle, gentle_bad, steep, steep_bad; /* bad: out of tolerance */
+};
+
+static void square_build(struct square *s, double size, double tiles, enum ph_wrap wrap)
+{
+    static const double corners[4][2] = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}};
+    s->size = size;
+    s->tiles = tiles;
+    for (int i = 0; i < 4; i++) {
+        s->positions[i] = (struct fx_vec3){ref_q16(corners[i][0] * size), ref_q16(corners[i][1] * size), 0};
+        s->uvs[i][0] = ref_q16(corners[i][0] * tiles);
+        s->uvs[i][1] = ref_q16(-corners[i][1] * tiles);
+    }
+    for (uint16_t i = 0; i < TEXELS * TEXELS; i++) {
+        s->texels[i] = i;
+    }
+    s->texture = (struct ph_texture){s->texels, LOG2, LOG2, (uint8_t)wrap};
+    s->material = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &s->texture};
+}
+
+static void square_draw(struct rig *rig, const struct square *s, const struct ref_plane *p)
+{
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const struct ph_part part = {0, 2, 0};
+    struct ph_projection projection;
+    const struct ph_mesh mesh = {.positions = s->positions,
+                                 .uvs = s->uvs,
+                                 .triangles = triangles,
+                                 .parts = &part,
+                                 .materials = &s->material,
+                                 .vertex_count = 4,
+                                 .triangle_count = 2,
+                                 .part_count = 1};
+    ref_lens_projection(&lens, &projection);
+    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &projection, NULL, 0), PH_OK);
+    assert_int_equal(ph_draw_mesh(&rig->r, &mesh, &p->xform), PH_OK);
+    assert_true(rig_finish(rig));
+}
+
+/* Texture coordinates in texels of a picture point; false unless it lies safely inside the square. */
+static bool texel_at(const struct square *s, const struct ref_plane *p, double sx, double sy, double texel[2])
+{
+    double u, v, z, most = s->size / 2;
+    bool in = ref_plane_at(p, &lens, sx, sy, &u, &v, &z);
+    texel[0] = u / s->size * s->tiles * TEXELS;
+    texel[1] = -v / s->size * s->tiles * TEXELS;
+    return in && fabs(u) < most && fabs(v) < most;
+}
+
+/* How far a coordinate lies outside texel number `drawn`, in texels, 0 inside. */
+static double outside(double exact, int drawn, uint8_t wrap)
+{
+    double off = exact - (drawn + .5);
+    if (wrap == PH_WRAP_REPEAT) {
+        off = remainder(off, TEXELS);
+    } else if ((drawn == 0 && off < 0) || (drawn == TEXELS - 1 && off > 0)) {
+        return 0;
+    }
+    return fmax(0, fabs(off) - .5);
+}
+
+static bool is_gentle(const struct ref_plane *p, int x, int y)
+{
+    double u, v, left, right;
+    return ref_plane_at(p, &lens, x - 15.5, y + .5, &u, &v, &left) &&
+           ref_plane_at(p, &lens, x + 16.5, y + .5, &u, &v, &right) && fmax(left, right) < 4. / 3 * fmin(left, right);
+}
+
+/* By how many tolerances a pixel's texel is off the exact coordinates; `step`: what one pixel changes them by. */
+static double tolerances(const struct square *s, int drawn, const double exact[2], const double step[2])
+{
+    double u = outside(exact[0], drawn % TEXELS, s->texture.wrap),
+           v = outside(exact[1], drawn / TEXELS, s->texture.wrap);
+    return fmax(u / (1 / 32. + step[0] / 8), v / (1 / 32. + step[1] / 8));
+}
+
+static void check_pixel(const struct rig *rig, const struct square *s, const struct ref_plane *p, int x, int y,
+                        struct totals *t)
+{
+    static const int around[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    double exact[2], near[2], step[2] = {0, 0};
+    bool inside = texel_at(s, p, x + .5, y + .5, exact);
+    for (int i = 0; i < 4; i++) {
+        inside = texel_at(s, p, x + .5 + around[i][0], y + .5 + around[i][1], near) && inside;
+        step[0] = fmax(step[0], fabs(near[0] - exact[0]));
+        step[1] = fmax(step[1], fabs(near[1] - exact[1]));
+    }
+    if (!inside) {
+        return;
+    }
+    double off = tolerances(s, rig->pixels[y * WIDTH + x], exact, step);
+    bool gentle = is_gentle(p, x, y);
+    t->pixels++;
+    t->wrong += off > 0;
+    t->gentle += gentle;
+    t->gentle_bad += gentle && off > 1;
+    t->steep += !gentle;
+    t->steep_bad += !gentle && off > 1;
+}
+
+/* Random squares; at most `steep` percent of the pixels that are not gentle may be off. */
+static void check_squares(double size, double tiles, enum ph_wrap wrap, double distance, double side, double turn,
+                          double steep)
+{
+    struct rig rig;
+    struct square s;
+    struct totals t = {0, 0, 0, 0, 0, 0};
+    square_build(&s, size, tiles, wrap);
+    rig_open(&rig, WIDTH, HEIGHT, HEIGHT, PH_DEPTH_FIXED16, 4, 16);
+    ref_seed(11);
+    for (int i = 0; i < SQUARES; i++) {
+        struct ref_plane p;
+        ref_plane_place(&p, distance, side, turn);
+        square_draw(&rig, &s, &p);
+        for (int k = 0; k < WIDTH * HEIGHT; k++) {
+            check_pixel(&rig, &s, &p, k % WIDTH, k / WIDTH, &t);
+        }
+    }
+    rig_close(&rig);
+    double steep_percent = 100. * (double)t.steep_bad / (double)t.steep;
+    print_message("%ld pixels, %.2f %% another texel; off: %ld of %ld gentle, %.2f %% of %ld steep\n", t.pixels,
+                  100. * (double)t.wrong / (double)t.pixels, t.gentle_bad, t.gentle, steep_percent, t.steep);
+    assert_true(t.gentle > 100000);
+    assert_int_equal(t.gentle_bad, 0);
+    assert_true(steep_percent <= steep);
+}
+
+static void magnified_textures_are_exact(void **state)
+{
+    (void)state;
+    check_squares(2, 1, PH_WRAP_REPEAT, 2.5, .3, 1, .3);
+}
+
+static void textures_over_the_borders_are_exact(void **state)
+{
+    (void)state;
+    check_squares(8, 2, PH_WRAP_REPEAT, 3, 3, 1.2, 5);
+}
+
+static void textures_through_the_near_plane_are_exact(void **state)
+{
+    (void)state;
+    check_squares(8, 2, PH_WRAP_REPEAT, .7, 1, 1.5, 7);
+}
+
+static void clamped_textures_are_exact(void **state)
+{
+    (void)state;
+    check_squares(4, 2, PH_WRAP_CLAMP, 3, 1, 1.2, 1);
+}
+
+static void many_repeats_are_exact(void **state)
+{
+    (void)state;
+    check_squares(8, 16, PH_WRAP_REPEAT, 3, 3, 1.2, 12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(magnified_textures_are_exact),
+        cmocka_unit_test(textures_over_the_borders_are_exact),
+        cmocka_unit_test(textures_through_the_near_plane_are_exact),
+        cmocka_unit_test(clamped_textures_are_exact),
+        cmocka_unit_test(many_repeats_are_exact),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
