@@ -1,8 +1,9 @@
 /*
  * camera: the ways to state a camera, and its matrices as the textbooks write them.
  *
- * A camera is a view (world to camera, geom.h) and a projection. Inside, the camera looks along -z and n, f are positive
- * distances along the view. The conventions differ in how both are written down; they never differ in the picture:
+ * A camera is a view (world to camera, geom.h) and a projection. Inside, the camera looks along -z and n, f are
+ * positive distances along the view. The conventions differ in how both are written down; they never differ in the
+ * picture:
  *
  *                 handed   looks along   clip w              near -> far in NDC   n, f given as        screen y
  *   PH_GL         right    -z            -z                  -1 -> +1             distances            down
@@ -11,8 +12,8 @@
  *   PH_REVERSED   right    -z            -z                   1 -> 0              distances            down
  *
  * A matrix stands as in the documents: rows first, applied to column vectors, Q16.16, each element rounded once.
- * Sources: GL: gluPerspective, glFrustum, glOrtho; D3D: 4600 notes 4.1; LMU: tutorial 4; see also SEEDS rows P1 .. V9 in
- * tests/test_camera.c.
+ * Sources: GL: gluPerspective, glFrustum, glOrtho; D3D: 4600 notes 4.1; LMU: tutorial 4; see also SEEDS rows P1 .. V9
+ * in tests/test_camera.c.
  */
 #ifndef PH_CAMERA_H
 #define PH_CAMERA_H

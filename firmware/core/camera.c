@@ -1,0 +1,180 @@
+/* Views, placements and projections in other words: see camera.h. */
+#include "camera.h"
+
+static struct fx_vec3 opposite(struct fx_vec3 v)
+{
+    return (struct fx_vec3){fx_neg_sat(v.x), fx_neg_sat(v.y), fx_neg_sat(v.z)};
+}
+
+int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
+{
+    if (convention == PH_LMU) {
+        if (*near_z >= 0 || *far_z >= *near_z) {
+            return PH_ERR_INVAL;
+        }
+        *near_z = fx_neg_sat(*near_z);
+        *far_z = fx_neg_sat(*far_z);
+    } else if (*near_z <= 0 || *far_z <= *near_z) {
+        return PH_ERR_INVAL;
+    }
+    if (convention == PH_D3D) {
+        for (int j = 0; j < 3; j++) {
+            view->r[2][j] = fx_neg_sat(view->r[2][j]);
+        }
+        view->t.z = fx_neg_sat(view->t.z);
+    }
+    return PH_OK;
+}
+
+/* The rotation r with the camera at `position`: t = -r position. */
+static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3 position)
+{
+    struct ph_xform view = *rotation;
+    view.t = (struct fx_vec3){0, 0, 0};
+    view.t = opposite(ph_xform_point(&view, position));
+    return view;
+}
+
+static struct ph_xform transposed(const struct ph_xform *a)
+{
+    struct ph_xform m = ph_xform_identity;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.r[i][j] = a->r[j][i];
+        }
+    }
+    return m;
+}
+
+struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position)
+{
+    const struct ph_xform camera = ph_xform_quat(fx_quat_normalise(orientation), position);
+    const struct ph_xform rotation = transposed(&camera);
+    return view_from(&rotation, position);
+}
+
+struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position)
+{
+    return ph_view_quat(fx_quat_axis(axis, turn32), position);
+}
+
+struct ph_xform ph_view_yaw_pitch_roll(struct fx_vec3 position, uint32_t yaw, uint32_t pitch, uint32_t roll)
+{
+    const struct fx_quat y = fx_quat_axis((struct fx_vec3){0, FX_ONE, 0}, yaw);
+    const struct fx_quat x = fx_quat_axis((struct fx_vec3){FX_ONE, 0, 0}, pitch);
+    const struct fx_quat z = fx_quat_axis((struct fx_vec3){0, 0, FX_ONE}, roll);
+    return ph_view_quat(fx_quat_mul(fx_quat_mul(y, x), z), position);
+}
+
+/* a - b, halved where it would saturate: only its direction counts. */
+static struct fx_vec3 towards(struct fx_vec3 a, struct fx_vec3 b)
+{
+    const struct fx_vec3 half = {(a.x >> 1) - (b.x >> 1), (a.y >> 1) - (b.y >> 1), (a.z >> 1) - (b.z >> 1)};
+    const int32_t limit = 1 << 29;
+    if (fx_abs_sat(half.x) >= limit || fx_abs_sat(half.y) >= limit || fx_abs_sat(half.z) >= limit) {
+        return half;
+    }
+    return fx_vec3_sub_sat(a, b);
+}
+
+struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_vec3 vup)
+{
+    const struct fx_vec3 origin = {0, 0, 0};
+    const struct ph_xform at_origin = ph_view_look_at(origin, opposite(vpn), vup);
+    return view_from(&at_origin, vrp);
+}
+
+struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up)
+{
+    /* An object's +z is where a camera's -z is: look from the target's side. */
+    const struct fx_vec3 origin = {0, 0, 0};
+    const struct ph_xform view = ph_view_look_at(origin, opposite(towards(target, position)), up);
+    struct ph_xform placed = transposed(&view);
+    placed.t = position;
+    return placed;
+}
+
+struct ph_xform ph_view_of_node(const struct ph_xform *world)
+{
+    struct ph_xform rotation = ph_xform_identity;
+    for (int j = 0; j < 3; j++) { /* the node's axes, scaled to length one, are the rows of the view */
+        const struct fx_vec3 axis = {world->r[0][j], world->r[1][j], world->r[2][j]};
+        struct fx_vec3 unit;
+        if (fx_vec3_direction_q30(axis, &unit)) {
+            rotation.r[j][0] = unit.x;
+            rotation.r[j][1] = unit.y;
+            rotation.r[j][2] = unit.z;
+        }
+    }
+    return view_from(&rotation, world->t);
+}
+
+int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t height, fx_t near_z, fx_t far_z)
+{
+    if (focal <= 0 || width <= 0 || height <= 0 || near_z <= 0 || far_z <= near_z) {
+        return PH_ERR_INVAL;
+    }
+    const int64_t twice = (int64_t)focal << 21;
+    const int64_t x = (twice + width / 2) / width, y = (twice + height / 2) / height;
+    if (x <= 0 || x > INT32_MAX || y <= 0 || y > INT32_MAX) {
+        return PH_ERR_INVAL;
+    }
+    *p = (struct ph_projection){PH_PERSPECTIVE, (int32_t)x, (int32_t)y, 0, 0, near_z, far_z};
+    return PH_OK;
+}
+
+int ph_projection_resize(struct ph_projection *p, fx_t aspect)
+{
+    if (aspect <= 0) {
+        return PH_ERR_INVAL;
+    }
+    const int64_t x = (((int64_t)p->scale_y_q20 << 16) + aspect / 2) / aspect;
+    if (x <= 0 || x > INT32_MAX) {
+        return PH_ERR_INVAL;
+    }
+    p->scale_x_q20 = (int32_t)x;
+    return PH_OK;
+}
+
+static fx_t size_at(int32_t scale_q20, int64_t twice_z)
+{
+    const int64_t size = ((twice_z << 20) + scale_q20 / 2) / scale_q20;
+    return size > FX_MAX ? FX_MAX : (fx_t)size;
+}
+
+void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height)
+{
+    const int64_t twice = p->kind == PH_PERSPECTIVE ? 2 * (int64_t)(z > 0 ? z : 0) : 2 * (int64_t)FX_ONE;
+    *width = size_at(p->scale_x_q20, twice);
+    *height = size_at(p->scale_y_q20, twice);
+}
+
+fx_t ph_fov_of(fx_t height, fx_t distance)
+{
+    /* Twice the angle of (distance, h / 2), both halves small enough to double one; sine and cosine refine the 16 bits.
+     */
+    const int32_t y = height >> 1, x = distance;
+    uint32_t low = 0, high = (uint32_t)1 << 31;
+    for (int i = 0; i < 31; i++) { /* bisection over half a turn: the sign of y cos a - x sin a */
+        const uint32_t middle = low + (high - low) / 2;
+        int32_t s, c;
+        fx_sincos_q30(middle, &s, &c);
+        if ((fx_mul_wide(y, c) >> 1) - (fx_mul_wide(x, s) >> 1) > 0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return (fx_t)(((uint64_t)high * 2 * 360 + ((uint64_t)1 << 15)) >> 16);
+}
+
+int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform *world)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (nodes[i].parent >= (int32_t)i || nodes[i].parent < -1) {
+            return PH_ERR_INVAL;
+        }
+        world[i] = nodes[i].parent < 0 ? nodes[i].local : ph_xform_mul(&world[nodes[i].parent], &nodes[i].local);
+    }
+    return PH_OK;
+}

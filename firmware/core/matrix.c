@@ -1,0 +1,156 @@
+/* 4x4 matrices as the documents write them: see camera.h. */
+#include "camera.h"
+
+static fx_t clamp_fx(int64_t v)
+{
+    return v > FX_MAX ? FX_MAX : v < FX_MIN ? FX_MIN : (fx_t)v;
+}
+
+/* Four products of up to 2^62: their low two bits go before the sum. */
+static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
+{
+    const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
+                            (fx_mul_wide(row[2], z) >> 2) + (fx_mul_wide(row[3], w) >> 2);
+    return clamp_fx((quarter >> 14) + ((quarter >> 13) & 1));
+}
+
+struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)
+{
+    struct ph_mat4 m;
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            m.m[i][j] = row_times(a->m[i], b->m[0][j], b->m[1][j], b->m[2][j], b->m[3][j]);
+        }
+    }
+    return m;
+}
+
+struct ph_vec4 ph_mat4_apply(const struct ph_mat4 *a, struct ph_vec4 v)
+{
+    return (struct ph_vec4){row_times(a->m[0], v.x, v.y, v.z, v.w), row_times(a->m[1], v.x, v.y, v.z, v.w),
+                            row_times(a->m[2], v.x, v.y, v.z, v.w), row_times(a->m[3], v.x, v.y, v.z, v.w)};
+}
+
+static fx_t from_q30(int32_t v)
+{
+    return (fx_t)(((int64_t)v + (1 << 13)) >> 14);
+}
+
+struct ph_mat4 ph_mat4_xform(const struct ph_xform *a)
+{
+    const fx_t t[3] = {a->t.x, a->t.y, a->t.z};
+    struct ph_mat4 m = {{{0}}};
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.m[i][j] = from_q30(a->r[i][j]);
+        }
+        m.m[i][3] = t[i];
+    }
+    m.m[3][3] = FX_ONE;
+    return m;
+}
+
+struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention convention)
+{
+    struct ph_mat4 m = ph_mat4_xform(view);
+    for (int j = 0; j < 4 && convention == PH_D3D; j++) {
+        m.m[2][j] = fx_neg_sat(m.m[2][j]);
+    }
+    return m;
+}
+
+/* a / b to Q16.16, nearest; b > 0; |a| < 2^46. */
+static int64_t quotient(int64_t a, int64_t b)
+{
+    const int64_t scaled = a * FX_ONE;
+    return (scaled >= 0 ? scaled + b / 2 : scaled - b / 2) / b;
+}
+
+/* f n / (f - n), times 1 or 2, to Q16.16: n + n^2 / (f - n) keeps the product in range. */
+static int64_t product_quotient(int64_t n, int64_t f, int64_t times)
+{
+    const int64_t square = times * n * n, range = f - n;
+    return times * n + (square + range / 2) / range;
+}
+
+/* Third row of a projection matrix: coefficients of z and 1. */
+static void depth_row(const struct ph_projection *p, enum ph_convention convention, int64_t *z, int64_t *one)
+{
+    const int64_t n = p->near_z, f = p->far_z, range = f - n;
+    if (p->kind == PH_PERSPECTIVE) {
+        const bool full = convention == PH_GL || convention == PH_LMU; /* NDC z from -1 to 1 */
+        *one = product_quotient(n, f, full ? 2 : 1) * (convention == PH_REVERSED ? 1 : -1);
+        *z = convention == PH_D3D        ? quotient(f, range)
+             : convention == PH_REVERSED ? quotient(n, range)
+                                         : -quotient(f + n, range);
+        return;
+    }
+    const int64_t unit = quotient(FX_ONE, range);
+    switch (convention) {
+    case PH_D3D:
+        *z = unit;
+        *one = -quotient(n, range);
+        break;
+    case PH_REVERSED:
+        *z = unit;
+        *one = quotient(f, range);
+        break;
+    case PH_LMU:
+        *z = quotient(2 * (int64_t)FX_ONE, range);
+        *one = quotient(f + n, range);
+        break;
+    default:
+        *z = -quotient(2 * (int64_t)FX_ONE, range);
+        *one = -quotient(f + n, range);
+        break;
+    }
+}
+
+static bool fits(int64_t v)
+{
+    return v <= FX_MAX && v >= FX_MIN;
+}
+
+int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enum ph_convention convention)
+{
+    int64_t z, one;
+    if (p->far_z <= p->near_z) {
+        return PH_ERR_INVAL;
+    }
+    depth_row(p, convention, &z, &one);
+    if (!fits(z) || !fits(one)) {
+        return PH_ERR_RANGE;
+    }
+    const fx_t sx = (p->scale_x_q20 + 8) >> 4, sy = (p->scale_y_q20 + 8) >> 4;
+    struct ph_mat4 m = {{{sx, 0, 0, 0}, {0, sy, 0, 0}, {0, 0, (fx_t)z, (fx_t)one}, {0, 0, 0, 0}}};
+    if (p->kind == PH_ORTHOGRAPHIC) {
+        m.m[0][3] = -p->shift_x;
+        m.m[1][3] = -p->shift_y;
+        m.m[3][3] = FX_ONE;
+        *out = m;
+        return PH_OK;
+    }
+    const bool forward = convention == PH_D3D || convention == PH_LMU; /* w = z */
+    m.m[0][2] = forward ? -p->shift_x : p->shift_x;
+    m.m[1][2] = forward ? -p->shift_y : p->shift_y;
+    m.m[3][2] = forward ? FX_ONE : -FX_ONE;
+    if (convention == PH_LMU) { /* the whole of clip space is negative for what is visible */
+        m.m[0][0] = -sx;
+        m.m[1][1] = -sy;
+    }
+    *out = m;
+    return PH_OK;
+}
+
+struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_convention convention)
+{
+    const fx_t x = (fx_t)width * FX_HALF, y = (fx_t)height * FX_HALF;
+    return (struct ph_mat4){
+        {{x, 0, 0, x}, {0, convention == PH_LMU ? y : -y, 0, y}, {0, 0, FX_ONE, 0}, {0, 0, 0, FX_ONE}}};
+}
+
+struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal, fx_t d)
+{
+    return (struct ph_mat4){
+        {{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, d, 0}, {-from_q30(normal.x), -from_q30(normal.y), -from_q30(normal.z), 0}}};
+}
