@@ -93,19 +93,27 @@ static bool room(struct sim *sim)
     return true;
 }
 
-static void ssd1351_pixel(struct sim *sim, uint32_t first6, uint32_t second6, uint32_t third6)
+static void ssd1351_pixel(struct sim *sim, uint32_t first8, uint32_t second8, uint32_t third8)
 {
     struct sim_ssd *s = &sim->u.ssd;
     if (room(sim)) {
-        struct sim_cell *c = &sim->memory[s->y * 128 + s->x];
-        *c = (struct sim_cell){(uint8_t)(first6 << 2 | first6 >> 4), (uint8_t)(second6 << 2 | second6 >> 4),
-                               (uint8_t)(third6 << 2 | third6 >> 4), 1};
+        sim->memory[s->y * 128 + s->x] = (struct sim_cell){(uint8_t)first8, (uint8_t)second8, (uint8_t)third8, 1};
         sim->counters.pixels++;
     }
     advance(s, s->remap & 1);
 }
 
-/* 65k colours: five bits become six by their highest bit. 262k: three bytes, six bits at the low end of each. */
+static uint32_t widen5(uint32_t v)
+{
+    return (v & 31) << 3 | (v & 31) >> 2;
+}
+
+static uint32_t widen6(uint32_t v)
+{
+    return (v & 63) << 2 | (v & 63) >> 4;
+}
+
+/* 65k colours: two bytes. 262k: three bytes, six bits at the low end of each. */
 static void ssd1351_data(struct sim *sim, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;
@@ -118,11 +126,9 @@ static void ssd1351_data(struct sim *sim, uint8_t byte)
     uint32_t v = s->bits;
     s->bit_count = 0;
     if (need == 24) {
-        ssd1351_pixel(sim, v >> 16 & 63, v >> 8 & 63, v & 63);
+        ssd1351_pixel(sim, widen6(v >> 16), widen6(v >> 8), widen6(v));
     } else {
-        uint32_t first = v >> 11 & 31;
-        uint32_t third = v & 31;
-        ssd1351_pixel(sim, first << 1 | first >> 4, v >> 5 & 63, third << 1 | third >> 4);
+        ssd1351_pixel(sim, widen5(v >> 11), widen6(v >> 5), widen5(v));
     }
 }
 

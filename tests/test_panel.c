@@ -1,0 +1,283 @@
+/*
+ * Every panel, rotation and format: what goes through the driver is seen on the model's glass, and on a glass of any
+ * size. The expected pictures come from panel_picture.c (floating point, no shared code), the offsets from other
+ * drivers.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "panel_picture.h"
+#include "panels.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static uint16_t picture[PICTURE_PIXELS];
+static uint8_t seen[3 * PICTURE_PIXELS], expected[3 * PICTURE_PIXELS];
+
+/* A kit with this panel whose clock is within the datasheet's limit. */
+static struct board board_with(const struct panel *panel)
+{
+    return (struct board){.name = "test",
+                          .panel = panel,
+                          .spi_hz = panel->controller->write_hz,
+                          .pins = {.reset = BOARD_PIN(0), .backlight = BOARD_PIN(1)}};
+}
+
+struct shot {
+    const struct panel *panel;
+    unsigned rotation, format;
+    uint32_t lines; /* at a time */
+    size_t scratch_bytes;
+};
+
+/* Two frames, the second one is looked at. */
+static void shoot(const struct shot *s)
+{
+    static uint8_t scratch[4096];
+    char what[80];
+    snprintf(what, sizeof what, "%s, rotation %u, format %u, %u lines, scratch %u", s->panel->name, s->rotation * 90,
+             s->format, s->lines, (unsigned)s->scratch_bytes);
+
+    struct board board = board_with(s->panel);
+    struct hal hal;
+    struct sim *sim = sim_open(&board, &hal);
+    assert_non_null(sim);
+    struct panel_config config = {s->panel, (uint8_t)s->rotation, (uint8_t)s->format, board.spi_hz,
+                                  scratch,  s->scratch_bytes};
+    struct panel_driver d;
+    assert_int_equal(panel_open(&d, &hal, &config), 0);
+    for (uint32_t frame = 0; frame < 2; frame++) {
+        picture_fill(picture, d.width, d.height, frame);
+        uint64_t before = sim_counters(sim).bytes;
+        assert_int_equal(picture_draw(&d, picture, s->lines), 0);
+        uint64_t bytes = sim_counters(sim).bytes - before;
+        if (frame == 1) { /* the first one also turns the display on */
+            assert_int_equal(bytes, panel_frame_bytes(s->panel, s->format, s->rotation));
+        }
+    }
+    sim_pixels(sim, s->rotation, seen);
+    picture_expect(picture, d.width, d.height, s->format, s->panel->round, expected);
+    picture_compare(seen, expected, d.width, d.height, what);
+    assert_int_equal(panel_close(&d), 0);
+    picture_no_complaint(sim, what);
+    sim_close(sim);
+}
+
+static void every_panel_shows_the_picture_in_every_rotation_and_format(void **state)
+{
+    (void)state;
+    uint32_t shots = 0;
+    for (uint32_t i = 0; i < panel_count; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            for (unsigned format = PANEL_RGB565; format <= PANEL_GREY4; format++) {
+                if (panel_list[i]->formats & PANEL_FORMAT_BIT(format)) {
+                    shoot(&(struct shot){panel_list[i], rotation, format, 16, 512});
+                    shots++;
+                }
+            }
+        }
+    }
+    assert_int_equal(shots, 4 * (8 * 3 + 3 + 2 + 1 + 1 + 1)); /* ST7789 and ST7735S, GC9A01, ILI9341, ILI9488, OLEDs */
+}
+
+static void the_number_of_lines_at_a_time_is_not_seen(void **state)
+{
+    (void)state;
+    static const uint32_t lines[] = {1, 2, 7, 13, 240};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            shoot(&(struct shot){&panel_ssd0323_128x64, rotation, PANEL_GREY4, lines[i], 256});
+            shoot(&(struct shot){&panel_st7789_135x240, rotation, PANEL_RGB444, lines[i], 256});
+        }
+        shoot(&(struct shot){&panel_st7789_135x240, PANEL_R90, PANEL_RGB565, lines[i], 0});
+        shoot(&(struct shot){&panel_st7735s_80x160, PANEL_R270, PANEL_RGB666, lines[i], 256});
+    }
+}
+
+static void the_size_of_scratch_is_not_seen(void **state)
+{
+    (void)state;
+    static const size_t sizes[] = {256, 257, 259, 300, 1001, 4096};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        shoot(&(struct shot){&panel_st7789_135x240, PANEL_R0, PANEL_RGB444, 9, sizes[i]});
+        shoot(&(struct shot){&panel_st7789_135x240, PANEL_R0, PANEL_RGB666, 9, sizes[i]});
+        shoot(&(struct shot){&panel_ssd0323_128x64, PANEL_R0, PANEL_GREY4, 9, sizes[i]});
+        shoot(&(struct shot){&panel_ssd0323_128x64, PANEL_R90, PANEL_GREY4, 9, sizes[i]});
+    }
+}
+
+static void a_glass_of_any_size_can_be_made(void **state)
+{
+    (void)state;
+    static const uint16_t sizes[][2] = {{1, 1}, {1, 9}, {3, 3}, {7, 5}, {320, 240}, {1, 1024}, {1024, 1}, {131, 97}};
+    struct sim_virtual v;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        assert_int_equal(sim_virtual(&v, sizes[i][0], sizes[i][1]), 0);
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            for (unsigned format = PANEL_RGB565; format <= PANEL_RGB444; format++) {
+                shoot(&(struct shot){&v.panel, rotation, format, 3, 256});
+            }
+        }
+    }
+    assert_int_equal(sim_virtual(&v, 0, 1), HAL_EINVAL);
+    assert_int_equal(sim_virtual(&v, 1, 1025), HAL_EINVAL);
+}
+
+/* Window starts that other drivers publish for ST7789 and ST7735: MADCTL, size of the picture, column, row. */
+static const struct {
+    const struct panel *panel;
+    uint8_t madctl[4];
+    uint16_t at[4][2]; /* 0, 90, 180, 270 degrees */
+} published[] = {
+    {&panel_st7789_240x320, {0x00, 0x60, 0xC0, 0xA0}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}},
+    {&panel_st7789_170x320, {0x00, 0x60, 0xC0, 0xA0}, {{35, 0}, {0, 35}, {35, 0}, {0, 35}}},
+    {&panel_st7789_240x280, {0x00, 0x60, 0xC0, 0xA0}, {{0, 20}, {20, 0}, {0, 20}, {20, 0}}},
+    {&panel_st7789_240x240, {0x00, 0x60, 0xC0, 0xA0}, {{0, 0}, {0, 0}, {0, 80}, {80, 0}}},
+    {&panel_st7789_135x240, {0x00, 0x60, 0xC0, 0xA0}, {{52, 40}, {40, 53}, {53, 40}, {40, 52}}},
+    {&panel_st7735s_128x128, {0x08, 0x68, 0xC8, 0xA8}, {{2, 1}, {1, 2}, {2, 3}, {3, 2}}},
+    {&panel_st7735s_80x160, {0x08, 0x68, 0xC8, 0xA8}, {{26, 1}, {1, 26}, {26, 1}, {1, 26}}},
+    {&panel_ili9341_240x320, {0x48, 0x28, 0x88, 0xE8}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}},
+    {&panel_ssd1351_128x128, {0x74, 0x77, 0x66, 0x65}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}},
+};
+
+static void one_rule_gives_the_published_offsets(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof published / sizeof published[0]; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            struct panel_place place = panel_place(published[i].panel, rotation);
+            assert_int_equal(place.rotation_byte, published[i].madctl[rotation]);
+            assert_int_equal(place.column, published[i].at[rotation][0]);
+            assert_int_equal(place.row, published[i].at[rotation][1]);
+        }
+    }
+}
+
+/* Bits that a pixel needs, against those that go out. */
+static void a_frame_costs_at_most_one_percent_more_than_its_pixels(void **state)
+{
+    (void)state;
+    static const uint32_t bits[] = {16, 24, 12, 4};
+    for (uint32_t i = 0; i < panel_count; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            for (unsigned format = PANEL_RGB565; format <= PANEL_GREY4; format++) {
+                uint64_t net = (uint64_t)panel_list[i]->width * panel_list[i]->height * bits[format];
+                uint64_t gross = 8ULL * panel_frame_bytes(panel_list[i], format, rotation);
+                assert_true(gross > net);
+                assert_true(gross * 100 <= net * 101);
+            }
+        }
+    }
+}
+
+static void the_frame_time_is_that_of_the_bits(void **state)
+{
+    (void)state;
+    /* 2 * 240 * 240 pixels' bytes, CASET and RASET with four parameters each, RAMWR. */
+    assert_int_equal(panel_frame_bytes(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0), 115211);
+    assert_int_equal(panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, 62500000), 14748); /* 14747.008 */
+    assert_int_equal(panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, 8000000), 115211);
+    assert_int_equal(panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, 1), UINT32_MAX);
+    /* 15h, 75h with two parameters each; two pixels a byte. */
+    assert_int_equal(panel_frame_bytes(&panel_ssd0323_128x64, PANEL_GREY4, PANEL_R90), 6 + 4096);
+}
+
+static void grey_is_dithered_evenly_between_its_levels(void **state)
+{
+    (void)state;
+    assert_int_equal(panel_grey4(0x00, 0x00, 3, 0), 0);
+    for (uint32_t y = 0; y < 4; y++) {
+        for (uint32_t x = 0; x < 4; x++) {
+            assert_int_equal(panel_grey4(0x00, 0x00, x, y), 0);
+            assert_int_equal(panel_grey4(0xFF, 0xFF, x, y), 15);
+        }
+    }
+    /* Over a 4x4 tile the mean level is the luma within half a sixteenth of a level, for every colour. */
+    for (uint32_t value = 0; value < 65536; value += 37) {
+        uint32_t sum = 0;
+        for (uint32_t i = 0; i < 16; i++) {
+            sum += panel_grey4((uint8_t)(value >> 8), (uint8_t)value, i % 4 + 8, i / 4 + 12);
+        }
+        double r = (int)(value / 2048 * 8.25);
+        double g = (int)(value / 32 % 64 * 4.0625);
+        double b = (int)(value % 32 * 8.25);
+        double luma = (int)((77 * r + 150 * g + 29 * b) / 256);
+        double error = sum / 16.0 - luma * 15 / 255;
+        assert_true(error <= 0.5 / 16 + 1e-9 && error >= -0.5 / 16 - 1e-9);
+    }
+}
+
+/*
+ * A glass of 127 columns bonded to the first ones of a controller that takes pixels in pairs. The model's glass has
+ * 128: the one more is what the pad of half a byte falls on, and must be black.
+ */
+static void check_odd_greys(unsigned rotation, uint32_t pad_x, uint32_t pad_y)
+{
+    static uint8_t scratch[256];
+    struct panel panel = panel_ssd0323_128x64;
+    panel.width = 127;
+    struct board board = board_with(&panel);
+    struct hal hal;
+    struct sim *sim = sim_open(&board, &hal);
+    struct panel_config config = {&panel, (uint8_t)rotation, PANEL_GREY4, board.spi_hz, scratch, sizeof scratch};
+    struct panel_driver d;
+    assert_int_equal(panel_open(&d, &hal, &config), 0);
+    picture_fill(picture, d.width, d.height, rotation);
+    assert_int_equal(picture_draw(&d, picture, 5), 0);
+    assert_int_equal(panel_frame_bytes(&panel, PANEL_GREY4, rotation), 6 + 64 * 64);
+    sim_pixels(sim, rotation, seen);
+    picture_expect(picture, d.width, d.height, PANEL_GREY4, false, expected);
+
+    uint32_t width = panel_width(&panel_ssd0323_128x64, rotation);
+    uint32_t height = panel_height(&panel_ssd0323_128x64, rotation);
+    uint32_t x0 = rotation == PANEL_R180;
+    uint32_t y0 = rotation == PANEL_R90;
+    for (uint32_t y = 0; y < height; y++) {
+        for (uint32_t x = 0; x < width; x++) {
+            bool pad = width == 128 ? x == pad_x : y == pad_y;
+            uint8_t grey = pad ? 0 : expected[3 * ((y - y0) * d.width + x - x0)];
+            assert_int_equal(seen[3 * (y * width + x)], grey);
+        }
+    }
+    picture_no_complaint(sim, "odd greys");
+    sim_close(sim);
+}
+
+static void odd_greys_are_padded_beside_the_glass(void **state)
+{
+    (void)state;
+    check_odd_greys(PANEL_R0, 127, 0);
+    check_odd_greys(PANEL_R90, 0, 0);
+    check_odd_greys(PANEL_R180, 0, 0);
+    check_odd_greys(PANEL_R270, 0, 127);
+}
+
+static void panels_are_found_by_name(void **state)
+{
+    (void)state;
+    assert_int_equal(panel_count, 13);
+    for (uint32_t i = 0; i < panel_count; i++) {
+        assert_ptr_equal(panel_find(panel_list[i]->name), panel_list[i]);
+    }
+    assert_null(panel_find("st7789"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_panel_shows_the_picture_in_every_rotation_and_format),
+        cmocka_unit_test(the_number_of_lines_at_a_time_is_not_seen),
+        cmocka_unit_test(the_size_of_scratch_is_not_seen),
+        cmocka_unit_test(a_glass_of_any_size_can_be_made),
+        cmocka_unit_test(one_rule_gives_the_published_offsets),
+        cmocka_unit_test(a_frame_costs_at_most_one_percent_more_than_its_pixels),
+        cmocka_unit_test(the_frame_time_is_that_of_the_bits),
+        cmocka_unit_test(grey_is_dithered_evenly_between_its_levels),
+        cmocka_unit_test(odd_greys_are_padded_beside_the_glass),
+        cmocka_unit_test(panels_are_found_by_name),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
