@@ -169,7 +169,7 @@ static int testcard_frame(struct demo_context *context, struct ph_renderer *r, u
 
 const struct demo demo_testcard = {
     .name = "testcard",
-    .summary = "frame line, corner dots, ring, arrow and colour bars: what is wrong with this panel?",
+    .summary = "frame line, corner dots, ring, arrow, colour bars: what is wrong with a panel",
     .loop_frames = 1,
     .arena_bytes = sizeof(struct card),
     .vertex_max = VERTICES,

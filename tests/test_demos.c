@@ -1,0 +1,497 @@
+/*
+ * The demos: their list, budgets, loops and cameras, on pictures of many shapes. (That the five benchmark scenes show
+ * what they should, test_quality.c proves.)
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "crc32.h"
+#include "demo.h"
+#include "models.h"
+#include "ref_rig.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const uint16_t sizes[][2] = {{240, 240}, {135, 240}, {240, 135}, {128, 64}, {320, 240}, {80, 160}, {320, 480}};
+#define SIZES (sizeof(sizes) / sizeof(sizes[0]))
+
+/* A demo on a stage of its own. */
+struct show {
+    const struct demo *demo;
+    struct demo_context context;
+    struct rig rig;
+};
+
+static struct show show_open(const struct demo *demo, uint16_t width, uint16_t height)
+{
+    struct show s = {.demo = demo, .context = {.width = width, .height = height}};
+    s.context.arena = (struct demo_arena){malloc(demo->arena_bytes), demo->arena_bytes, 0};
+    assert_non_null(s.context.arena.base);
+    assert_int_equal(demo->init(&s.context), PH_OK);
+    rig_open(&s.rig, width, height, height, PH_DEPTH_FIXED16, (int)demo->vertex_max, (int)demo->triangle_max);
+    return s;
+}
+
+static void show_close(struct show *s)
+{
+    rig_close(&s->rig);
+    free(s->context.arena.base);
+}
+
+static uint32_t show_frame(struct show *s, uint32_t frame)
+{
+    assert_int_equal(s->demo->frame(&s->context, &s->rig.r, frame), PH_OK);
+    assert_true(rig_finish(&s->rig));
+    return crc32_update(0, (const uint8_t *)s->rig.pixels, 2 * (size_t)s->rig.width * (size_t)s->rig.height);
+}
+
+static uint16_t pixel(const struct show *s, int x, int y)
+{
+    return s->rig.pixels[y * s->rig.width + x];
+}
+
+/* ---- the list -------------------------------------------------------------------------------------------------- */
+
+static void demos_stand_in_the_stated_order_and_are_found_by_name(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"turntable", "testcard",  "torus",  "cube",
+                                        "fill",      "icosphere", "ground", "wireframe"};
+    assert_int_equal(demo_count, sizeof(names) / sizeof(names[0]));
+    for (uint32_t i = 0; i < demo_count; i++) {
+        assert_string_equal(demo_list[i]->name, names[i]);
+        assert_ptr_equal(demo_find(names[i]), demo_list[i]);
+        assert_true(strlen(demo_list[i]->summary) > 10 && strlen(demo_list[i]->summary) < 80);
+        assert_null(strchr(demo_list[i]->summary, '\n'));
+        assert_true(demo_list[i]->loop_frames > 0);
+    }
+    assert_null(demo_find("tor"));
+    assert_null(demo_find("torus "));
+}
+
+/* ---- budgets --------------------------------------------------------------------------------------------------- */
+
+static void nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful(void **state)
+{
+    (void)state;
+    static const uint16_t widest[2] = {1024, 64};
+    for (uint32_t d = 0; d < demo_count; d++) {
+        uint32_t vertices = 0;
+        uint32_t triangles = 0;
+        for (size_t i = 0; i <= SIZES; i++) {
+            const uint16_t *const size = i < SIZES ? sizes[i] : widest;
+            struct show s = show_open(demo_list[d], size[0], size[1]);
+            for (uint32_t frame = 0; frame < s.demo->loop_frames; frame += i == 0 || i == SIZES ? 2 : 7) {
+                assert_int_equal(s.demo->frame(&s.context, &s.rig.r, frame), PH_OK);
+                const struct ph_stats *const stats = &s.rig.r.stats;
+                assert_int_equal(stats->triangles_dropped, 0);
+                assert_int_equal(stats->vertices_dropped, 0);
+                triangles = stats->triangles_drawn > triangles ? stats->triangles_drawn : triangles;
+                vertices = stats->vertices > vertices ? stats->vertices : vertices;
+            }
+            show_close(&s);
+        }
+        assert_true(demo_list[d]->triangle_max <= triangles * 3 / 2);
+        assert_true(demo_list[d]->vertex_max <= vertices);
+    }
+}
+
+static void the_arena_is_never_exceeded(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < demo_count; d++) {
+        for (size_t size = 0; size <= demo_list[d]->arena_bytes; size += demo_list[d]->arena_bytes / 64 / 8 * 8 + 8) {
+            struct demo_context context = {.width = 240, .height = 135};
+            uint8_t *const memory = malloc(size + 256);
+            assert_non_null(memory);
+            memset(memory, 0xA5, size + 256);
+            context.arena = (struct demo_arena){memory, size, 0};
+            const int status = demo_list[d]->init(&context);
+            assert_true(status == PH_OK || status == PH_ERR_NOMEM);
+            assert_true(context.arena.used <= size);
+            for (size_t i = 0; i < 256; i++) {
+                assert_int_equal(memory[size + i], 0xA5);
+            }
+            free(memory);
+        }
+    }
+}
+
+/* With two thirds of the arena a demo does not start, or shows a coarser model. */
+static void the_stated_arena_is_not_wasteful(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < demo_count; d++) {
+        struct show s = show_open(demo_list[d], 240, 240);
+        show_frame(&s, 0);
+        const uint32_t vertices = s.rig.r.stats.vertices;
+        s.context.arena.used = 0;
+        s.context.arena.size = s.demo->arena_bytes * 2 / 3;
+        if (s.demo->init(&s.context) == PH_OK) {
+            show_frame(&s, 0);
+            assert_true(s.rig.r.stats.vertices < vertices);
+        }
+        show_close(&s);
+    }
+}
+
+/* The table in demo.h. */
+static void a_smaller_arena_gives_a_coarser_teapot_within_the_stated_lists(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        uint32_t segments, bytes, vertices, triangles;
+    } rows[] = {
+        {"turntable", 5, 28760, 822, 1152}, {"turntable", 4, 20000, 530, 787},  {"turntable", 3, 13160, 302, 502},
+        {"turntable", 2, 8240, 138, 297},   {"wireframe", 3, 17728, 302, 1594}, {"wireframe", 2, 8184, 138, 717},
+    };
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        const struct demo *const demo = demo_find(rows[i].name);
+        struct demo_context context = {.width = 128, .height = 128};
+        struct rig rig;
+        context.arena = (struct demo_arena){malloc(rows[i].bytes), rows[i].bytes, 0};
+        rig_open(&rig, 128, 128, 128, PH_DEPTH_FIXED16, (int)rows[i].vertices, (int)rows[i].triangles);
+        assert_int_equal(demo->init(&context), PH_OK);
+        for (uint32_t frame = 0; frame < demo->loop_frames; frame += 5) {
+            assert_int_equal(demo->frame(&context, &rig.r, frame), PH_OK);
+            assert_int_equal(rig.r.stats.triangles_dropped, 0);
+        }
+        const uint32_t other = i < 4 ? DEMO_TURNTABLE_VERTICES : MODEL_TEAPOT_VERTICES(rows[i].segments);
+        assert_int_equal(rig.r.stats.vertices, MODEL_TEAPOT_VERTICES(rows[i].segments) + other);
+        free(context.arena.base);
+        rig_close(&rig);
+    }
+}
+
+/* ---- animation ------------------------------------------------------------------------------------------------- */
+
+static void a_loop_ends_where_it_began(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < demo_count; d++) {
+        struct show s = show_open(demo_list[d], 120, 100);
+        const uint32_t first = show_frame(&s, 0);
+        const uint32_t middle = show_frame(&s, s.demo->loop_frames / 2);
+        const uint32_t last = show_frame(&s, s.demo->loop_frames - 1);
+        assert_true((first != middle && first != last) || s.demo->loop_frames == 1);
+        assert_int_equal(show_frame(&s, s.demo->loop_frames), first);
+        assert_int_equal(show_frame(&s, 2 * s.demo->loop_frames - 1), last);
+        assert_int_equal(show_frame(&s, 0u - s.demo->loop_frames), first);
+        assert_int_equal(show_frame(&s, 0), first); /* whatever was drawn before */
+        show_close(&s);
+    }
+}
+
+/* Sum of what changes from one frame to the next. */
+static uint32_t change(struct show *s, uint32_t from)
+{
+    const size_t pixels = (size_t)s->rig.width * (size_t)s->rig.height;
+    uint16_t *const before = malloc(2 * pixels);
+    assert_non_null(before);
+    show_frame(s, from);
+    memcpy(before, s->rig.pixels, 2 * pixels);
+    show_frame(s, from + 1);
+    uint32_t changed = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        changed += before[i] != s->rig.pixels[i];
+    }
+    free(before);
+    return changed;
+}
+
+static void a_loop_has_no_jump(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < demo_count; d++) {
+        struct show s = show_open(demo_list[d], 120, 100);
+        const uint32_t loop = s.demo->loop_frames;
+        uint32_t usual = 0;
+        for (uint32_t frame = 0; frame + 1 < loop; frame += 8) {
+            const uint32_t now = change(&s, frame);
+            usual = now > usual ? now : usual;
+        }
+        assert_true(change(&s, loop - 1) <= usual * 5 / 4);
+        assert_true(change(&s, loop / 2 - (loop > 1)) <= usual * 5 / 4);
+        show_close(&s);
+    }
+}
+
+/* ---- cameras ----------------------------------------------------------------------------------------------------- */
+
+static void a_given_camera_replaces_the_demo_s_own(void **state)
+{
+    (void)state;
+    const struct fx_vec3 eye = {FX_INT(3), FX_INT(4), FX_INT(5)};
+    const struct fx_vec3 target = {0, 0, -FX_ONE};
+    for (uint32_t d = 0; d < demo_count; d++) {
+        struct show s = show_open(demo_list[d], 160, 120);
+        const uint32_t own = show_frame(&s, 3);
+        s.context.camera.view = ph_view_look_at(eye, target, (struct fx_vec3){0, FX_ONE, 0});
+        assert_int_equal(
+            ph_projection_perspective(&s.context.camera.projection, FX_INT(35), 4 * FX_ONE / 3, FX_ONE / 8, FX_INT(50)),
+            PH_OK);
+        assert_int_equal(show_frame(&s, 3), own);
+        s.context.camera.view_set = true;
+        const uint32_t moved = show_frame(&s, 3);
+        s.context.camera.view_set = false;
+        s.context.camera.projection_set = true;
+        const uint32_t zoomed = show_frame(&s, 3);
+        assert_true(moved != own);
+        assert_true(strcmp(s.demo->name, "fill") == 0 || zoomed != own); /* it fills a smaller view as well */
+        show_close(&s);
+    }
+}
+
+/* Background on all outermost pixels; below, only where asked. */
+static void assert_inside(const struct show *s, bool below_too)
+{
+    const int w = s->rig.width;
+    const int h = s->rig.height;
+    const uint16_t background = s->rig.r.background;
+    for (int x = 0; x < w; x++) {
+        assert_int_equal(pixel(s, x, 0), background);
+        assert_true(!below_too || pixel(s, x, h - 1) == background);
+    }
+    for (int y = 0; y < h * 3 / 4; y++) {
+        assert_int_equal(pixel(s, 0, y), background);
+        assert_int_equal(pixel(s, w - 1, y), background);
+    }
+}
+
+static void the_subject_fits_into_upright_and_square_pictures(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"turntable", "torus", "icosphere", "wireframe"};
+    static const uint16_t upright[][2] = {{240, 240}, {135, 240}, {80, 160}, {170, 320}};
+    for (size_t i = 0; i < 16; i++) {
+        struct show s = show_open(demo_find(names[i / 4]), upright[i % 4][0], upright[i % 4][1]);
+        for (uint32_t frame = 0; frame < s.demo->loop_frames; frame += 16) {
+            show_frame(&s, frame);
+            assert_inside(&s, true);
+        }
+        show_close(&s);
+    }
+}
+
+/* Width and height of what is not background, and whether it is there at all. */
+static int drawn_width(const struct show *s, int *height)
+{
+    int x0 = s->rig.width, x1 = -1, y0 = s->rig.height, y1 = -1;
+    for (int i = 0; i < s->rig.width * s->rig.height; i++) {
+        const int x = i % s->rig.width;
+        const int y = i / s->rig.width;
+        if (s->rig.pixels[i] != s->rig.r.background) {
+            x0 = x < x0 ? x : x0;
+            x1 = x > x1 ? x : x1;
+            y0 = y < y0 ? y : y0;
+            y1 = y > y1 ? y : y1;
+        }
+    }
+    *height = y1 - y0 + 1;
+    return x1 - x0 + 1;
+}
+
+/* The turntable with a box of the given half sizes, `shift` off the origin. */
+static void assert_box_fits(uint16_t width, uint16_t height, fx_t x, fx_t y, fx_t z, fx_t shift)
+{
+    uint8_t memory[MODEL_CUBE_BYTES + DEMO_TURNTABLE_BYTES + 64];
+    struct fx_vec3 corners[24];
+    struct show s = {.context = {.width = width, .height = height, .arena = {memory, sizeof(memory), 0}}};
+    const struct demo box = {.frame = demo_turntable_frame};
+    const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xFFFF};
+    struct ph_mesh mesh;
+    s.demo = &box;
+    assert_int_equal(model_cube(&s.context.arena, &mesh), PH_OK);
+    assert_int_equal(model_material(&s.context.arena, &mesh, &material), PH_OK);
+    for (uint32_t i = 0; i < 24; i++) {
+        corners[i].x = (mesh.positions[i].x > 0 ? x : -x) + shift;
+        corners[i].y = (mesh.positions[i].y > 0 ? y : -y) + shift;
+        corners[i].z = (mesh.positions[i].z > 0 ? z : -z) + shift;
+    }
+    mesh.positions = corners;
+    const struct fx_vec3 centre = {shift, shift, shift};
+    assert_int_equal(demo_turntable_init(&s.context, &mesh, 1, centre), PH_OK);
+    rig_open(&s.rig, width, height, height, PH_DEPTH_FIXED16, DEMO_TURNTABLE_VERTICES, 12 + DEMO_TURNTABLE_TRIANGLES);
+    int widest = 0, highest = 0;
+    for (uint32_t frame = 0; frame < 256; frame += 8) {
+        int h;
+        show_frame(&s, frame);
+        assert_inside(&s, false);
+        assert_int_equal(s.rig.r.stats.triangles_clipped, 0);
+        assert_int_equal(s.rig.r.stats.triangles_dropped, 0);
+        const int w = drawn_width(&s, &h);
+        widest = w > widest ? w : widest;
+        highest = h > highest ? h : highest;
+    }
+    if (widest < width * 2 / 3 && highest < height * 2 / 3) {
+        fail_msg("box %d %d %d fills only %dx%d of %ux%u", x, y, z, widest, highest, width, height);
+    }
+    rig_close(&s.rig);
+}
+
+static void any_model_fills_the_turntable_s_picture_and_fits(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZES; i++) {
+        const uint16_t w = sizes[i][0];
+        const uint16_t h = sizes[i][1];
+        assert_box_fits(w, h, FX_ONE, FX_ONE, FX_ONE, 0);
+        assert_box_fits(w, h, FX_ONE / 10, FX_INT(3), FX_ONE / 10, FX_INT(7));    /* a pole */
+        assert_box_fits(w, h, FX_INT(2), FX_ONE / 20, FX_INT(3), -FX_INT(2));     /* a plate */
+        assert_box_fits(w, h, FX_INT(1500), FX_INT(900), FX_INT(1500), FX_ONE);   /* huge */
+        assert_box_fits(w, h, FX_ONE / 50, FX_ONE / 70, FX_ONE / 40, FX_ONE / 4); /* tiny */
+    }
+}
+
+/* ---- the test card
+ * --------------------------------------------------------------------------------------------------- */
+
+#define WHITE ph_rgb565(255, 255, 255)
+
+static void the_frame_line_covers_exactly_the_outermost_pixels(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZES; i++) {
+        struct show s = show_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
+        show_frame(&s, 0);
+        const int w = s.rig.width;
+        const int h = s.rig.height;
+        for (int x = 0; x < w; x++) {
+            assert_true(pixel(&s, x, 0) == WHITE && pixel(&s, x, h - 1) == WHITE);
+            assert_true(x == 0 || x == w - 1 || (pixel(&s, x, 1) == 0 && pixel(&s, x, h - 2) == 0));
+        }
+        for (int y = 1; y < h - 1; y++) {
+            assert_true(pixel(&s, 0, y) == WHITE && pixel(&s, w - 1, y) == WHITE);
+            assert_true(pixel(&s, 1, y) == 0 && pixel(&s, w - 2, y) == 0);
+        }
+        show_close(&s);
+    }
+}
+
+/* White runs along row y from x0 to x1. */
+static int runs(const struct show *s, int y, int x0, int x1)
+{
+    int count = 0;
+    for (int x = x0; x < x1; x++) {
+        count += pixel(s, x, y) == WHITE && pixel(s, x - 1, y) != WHITE;
+    }
+    return count;
+}
+
+/* Dots in a corner: the most runs of any row in that third of the picture, the frame line left out. */
+static int dots(const struct show *s, bool right, bool low)
+{
+    const int w = s->rig.width;
+    const int h = s->rig.height;
+    const int from = low ? h - 2 - h / 8 : 2;
+    int most = 0;
+    for (int y = from; y < from + h / 8; y++) {
+        const int n = right ? runs(s, y, w - 2 - w / 3, w - 1) : runs(s, y, 2, w / 3);
+        most = n > most ? n : most;
+    }
+    return most;
+}
+
+static void the_corners_count_clockwise_from_the_top_left(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SIZES; i++) {
+        struct show s = show_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
+        show_frame(&s, 0);
+        assert_int_equal(dots(&s, false, false), 1);
+        assert_int_equal(dots(&s, true, false), 2);
+        assert_int_equal(dots(&s, true, true), 3);
+        assert_int_equal(dots(&s, false, true), 4);
+        show_close(&s);
+    }
+}
+
+static void the_bars_are_red_green_blue_white_grey_from_the_left(void **state)
+{
+    (void)state;
+    const uint16_t want[7] = {
+        0, ph_rgb565(255, 0, 0), ph_rgb565(0, 255, 0), ph_rgb565(0, 0, 255), WHITE, ph_rgb565(128, 128, 128), 0};
+    for (size_t i = 0; i < SIZES; i++) {
+        struct show s = show_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
+        show_frame(&s, 0);
+        const int y = s.rig.height * 78 / 100;
+        int bar = 0;
+        for (int x = 1; x < s.rig.width - 1; x++) {
+            bar += pixel(&s, x, y) != want[bar];
+            assert_true(bar < 7);
+            assert_int_equal(pixel(&s, x, y), want[bar]);
+        }
+        assert_int_equal(bar, 6);
+        show_close(&s);
+    }
+}
+
+/* First and last white pixel of a row or column above the bars, the frame line left out. */
+static int white_extent(const struct show *s, bool across, int *middle)
+{
+    int first = -1, last = -1;
+    const int w = s->rig.width;
+    const int h = s->rig.height * 65 / 100;
+    const int top = s->rig.height / 9;
+    for (int y = top; y < h; y++) {
+        for (int x = 2; x < w - 2; x++) {
+            const int at = across ? x : y;
+            if (pixel(s, x, y) == WHITE) {
+                first = first < 0 || at < first ? at : first;
+                last = at > last ? at : last;
+            }
+        }
+    }
+    *middle = (first + last) / 2;
+    return last - first + 1;
+}
+
+static void the_ring_is_round_and_the_arrow_points_up(void **state)
+{
+    (void)state;
+    static const uint16_t big[][2] = {{240, 240}, {320, 240}, {135, 240}, {320, 480}};
+    for (size_t i = 0; i < 4; i++) {
+        struct show s = show_open(demo_find("testcard"), big[i][0], big[i][1]);
+        int x, y;
+        show_frame(&s, 0);
+        const int across = white_extent(&s, true, &x);
+        const int down = white_extent(&s, false, &y);
+        (void)y;
+        const int radius = across / 2;
+        const int centre = s.rig.height * 36 / 100;
+        assert_true(abs(across - 2 * radius) <= 1 && abs(x - s.rig.width / 2) <= 1);
+        assert_true(down <= across + 1);
+        assert_int_equal(pixel(&s, s.rig.width / 2 - 1, centre - radius + 1), WHITE); /* top and bottom of the ring */
+        assert_int_equal(pixel(&s, s.rig.width / 2 - 1, centre + radius - 2), WHITE);
+        /* The head is wide just above the middle, the shaft narrow below it. */
+        assert_int_equal(pixel(&s, s.rig.width / 2 - radius / 3, centre - 3), WHITE);
+        assert_int_equal(pixel(&s, s.rig.width / 2 - radius / 3, centre + 3), 0);
+        assert_int_equal(pixel(&s, s.rig.width / 2, centre + radius / 3), WHITE);
+        show_close(&s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(demos_stand_in_the_stated_order_and_are_found_by_name),
+        cmocka_unit_test(nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful),
+        cmocka_unit_test(the_arena_is_never_exceeded),
+        cmocka_unit_test(the_stated_arena_is_not_wasteful),
+        cmocka_unit_test(a_smaller_arena_gives_a_coarser_teapot_within_the_stated_lists),
+        cmocka_unit_test(a_loop_ends_where_it_began),
+        cmocka_unit_test(a_loop_has_no_jump),
+        cmocka_unit_test(a_given_camera_replaces_the_demo_s_own),
+        cmocka_unit_test(the_subject_fits_into_upright_and_square_pictures),
+        cmocka_unit_test(any_model_fills_the_turntable_s_picture_and_fits),
+        cmocka_unit_test(the_frame_line_covers_exactly_the_outermost_pixels),
+        cmocka_unit_test(the_corners_count_clockwise_from_the_top_left),
+        cmocka_unit_test(the_bars_are_red_green_blue_white_grey_from_the_left),
+        cmocka_unit_test(the_ring_is_round_and_the_arrow_points_up),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
