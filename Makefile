@@ -92,7 +92,7 @@ test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 
 demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
-	$(Q)B='$(B)' host-sim/demo.sh
+	$(Q)B='$(B)' sh host-sim/demo.sh
 
 test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
 	$(Q)B='$(B)' tests/run.sh quick $(MAKEOVERRIDES)

@@ -47,7 +47,7 @@ check "same_frames_with_the_files_for_armv7m" target armv7m "" gcc -O2 CPU=armv7
 if_there clang "no clang" "same_frames_with_clang_O0" target clang-O0 "" clang -O0
 if_there clang "no clang" "same_frames_with_clang_O2" target clang-O2 "" clang -O2
 if_there clang "no clang" "same_frames_with_clang_O3" target clang-O3 "" clang -O3
-if printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32" 2>/dev/null; then
+if printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32.probe" 2>/dev/null; then
     check "same_frames_on_32_bit_x86" target m32 "" "gcc -m32" "-O2 -idirafter /usr/include/x86_64-linux-gnu"
 else
     skip "same_frames_on_32_bit_x86" "no gcc-12-multilib"
