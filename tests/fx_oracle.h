@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #define ORACLE_BITS      192
-#define SINCOS_Q30_BOUND 0.66L /* LSB, as fx.h says */
+#define SINCOS_Q30_BOUND 0.67L /* LSB, as fx.h says */
 
 /* floor(v * 2^16 + 1/2), clamped. */
 static inline int32_t oracle_nearest(mpfr_t v)

@@ -275,11 +275,11 @@ static void an_exponent_undoes_a_hundred_thousand_zeros(void **state)
     assert_non_null(text);
     text[0] = '.';
     memset(text + 1, '0', ZEROS);
-    strcpy(text + 1 + ZEROS, "15e100001");
+    memcpy(text + 1 + ZEROS, "15e100001", sizeof "15e100001");
     assert_int_equal(fx_from_text(text, &out, NULL), 0);
     assert_int_equal(out, FX_ONE + FX_HALF);
     text[0] = '3';
-    strcpy(text + 1 + ZEROS, "e-100000");
+    memcpy(text + 1 + ZEROS, "e-100000", sizeof "e-100000");
     assert_int_equal(fx_from_text(text, &out, NULL), 0);
     assert_int_equal(out, 3 * FX_ONE);
     free(text);

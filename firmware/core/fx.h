@@ -79,7 +79,7 @@ fx_t fx_tan_sat(fx_t turns);
 fx_t fx_atan2(fx_t y, fx_t x);
 
 /*
- * Sine and cosine in Q2.30 of an angle whose unit is 2^-32 turn, for rotations. Error <= 0.66 LSB; exact at the quarter
+ * Sine and cosine in Q2.30 of an angle whose unit is 2^-32 turn, for rotations. Error <= 0.67 LSB; exact at the quarter
  * turns, and the quarters mirror each other exactly. Cost: 374, 80.
  */
 void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30);

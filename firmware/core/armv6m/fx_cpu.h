@@ -60,10 +60,10 @@ static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b)
 /* A straight line within 1/17, two steps of Newton's, then exact. */
 static inline uint32_t fx_rcp16(uint32_t d)
 {
-    const uint32_t r0 = 46261 - (d * 30841 >> 16);                           /* 2^-14 */
-    const int32_t miss0 = (int32_t)((uint32_t)1 << 30) - (int32_t)(d * r0);  /* 2^-30 */
+    const uint32_t r0 = 46261 - (d * 30841 >> 16);                              /* 2^-14 */
+    const int32_t miss0 = (int32_t)((uint32_t)1 << 30) - (int32_t)(d * r0);     /* 2^-30 */
     const uint32_t r1 = 2 * r0 + (uint32_t)((int32_t)r0 * (miss0 >> 15) >> 14); /* 2^-15 */
-    const int32_t miss1 = (int32_t)(((uint32_t)1 << 31) - d * r1);           /* 2^-31 */
+    const int32_t miss1 = (int32_t)(((uint32_t)1 << 31) - d * r1);              /* 2^-31 */
     uint32_t r = r1 + (uint32_t)((int32_t)r1 * (miss1 >> 16) >> 15);
     uint32_t rest = 0x7fffffffu - r * d;
     while ((int32_t)rest < 0) { /* at most twice each */
