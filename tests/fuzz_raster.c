@@ -357,7 +357,8 @@ static void draw(struct ph_renderer *r, const struct content *c)
 static void check_stats(const struct ph_renderer *r)
 {
     const struct ph_stats *s = &r->stats;
-    if (s->triangles_drawn > r->config.triangle_max || s->vertices > VERTICES || s->triangles_in > TRIANGLES) {
+    if (s->triangles_drawn > r->config.triangle_max || s->vertices > VERTICES || s->triangles_in > TRIANGLES ||
+        s->triangles_culled > s->triangles_in || s->triangles_clipped > s->triangles_in) {
         fail("the statistics do not add up");
     }
 }

@@ -147,15 +147,83 @@ static void textures_clamp_to_their_border(void **state)
     expect_texture(PH_WRAP_CLAMP, PH_SHADE_TEXTURE, rows);
 }
 
+/* Texels take the light of the first vertex: each channel in proportion, within a step of its own. */
+static void lit_textures_are_scaled_by_the_light(void **state)
+{
+    static const double cosines[] = {0, .25, .5, .75, 1};
+    uint16_t texel = ph_rgb565(248, 160, 80);
+    struct ph_texture texture = {&texel, 0, 0, PH_WRAP_REPEAT};
+    struct drawing d;
+    (void)state;
+    drawing_open(&d);
+    for (int c = 0; c < COUNT(cosines); c++) {
+        begin_lit(&d);
+        struct rig_one *one = shape_mesh(&d, &screen[0]);
+        one->normals[0][0] = (int16_t)lrint(sqrt(1 - cosines[c] * cosines[c]) * 16384);
+        one->normals[0][2] = (int16_t)lrint(cosines[c] * 16384);
+        one->mesh.normals = (const int16_t(*)[3])one->normals;
+        one->mesh.uvs = (const fx_t(*)[2])one->uvs;
+        one->material.shading = PH_SHADE_TEXTURE_LIT;
+        one->material.diffuse = FX_ONE;
+        one->material.texture = &texture;
+        draw_mesh(&d, one);
+        assert_true(rig_finish(&d.rig));
+        double rgb[3], full[3] = {248, 160, 80};
+        rig_rgb(&d.rig, 0, HEIGHT - 1, rgb);
+        for (int k = 0; k < 3; k++) {
+            assert_true(fabs(rgb[k] - full[k] * cosines[c]) <= 9);
+        }
+    }
+    drawing_close(&d);
+}
+
+/* Two parts share all vertices; each is lit with its own material. */
+static void each_part_is_lit_with_its_own_material(void **state)
+{
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const struct ph_part parts[2] = {{0, 1, 0}, {1, 1, 1}};
+    static const struct fx_vec3 corners[4] = {{0, FX_INT(12), FX_INT(-2)},
+                                              {0, 0, FX_INT(-2)},
+                                              {FX_INT(16), 0, FX_INT(-2)},
+                                              {FX_INT(16), FX_INT(12), FX_INT(-2)}};
+    static const int16_t normals[4][3] = {{0, 0, 16384}, {0, 0, 16384}, {0, 0, 16384}, {0, 0, 16384}};
+    struct ph_material materials[2] = {
+        {.shading = PH_SHADE_GOURAUD, .diffuse = FX_ONE, .ramp = index_ramp},
+        {.shading = PH_SHADE_GOURAUD, .diffuse = FX_ONE / 4, .ramp = index_ramp},
+    };
+    struct ph_mesh mesh = {.positions = corners,
+                           .normals = normals,
+                           .triangles = triangles,
+                           .parts = parts,
+                           .materials = materials,
+                           .vertex_count = 4,
+                           .triangle_count = 2,
+                           .part_count = 2};
+    struct drawing d;
+    (void)state;
+    drawing_open(&d);
+    begin_lit(&d);
+    assert_int_equal(ph_draw_mesh(&d.rig.r, &mesh, &ph_xform_identity), PH_OK);
+    assert_true(rig_finish(&d.rig));
+    assert_in_range(ramp_index_at(&d, 1, 10), 122, 124);
+    assert_in_range(ramp_index_at(&d, 14, 1), 33, 35);
+    drawing_close(&d);
+}
+
 /* ---- lines ------------------------------------------------------------------------------------------------ */
 
-static void draw_line(struct drawing *d, char letter, double x0, double y0, double x1, double y1)
+static void draw_biased_line(struct drawing *d, char letter, double x0, double y0, double x1, double y1, uint8_t bias)
 {
     struct fx_vec3 a = {(fx_t)lrint(x0 * 65536), (fx_t)lrint((HEIGHT - y0) * 65536), FX_INT(-2)};
     struct fx_vec3 b = {(fx_t)lrint(x1 * 65536), (fx_t)lrint((HEIGHT - y1) * 65536), FX_INT(-2)};
     struct ph_material *material = &d->ones[d->count++].material;
-    *material = (struct ph_material){.shading = PH_SHADE_WIRE, .colour = colour_of(letter)};
+    *material = (struct ph_material){.shading = PH_SHADE_WIRE, .colour = colour_of(letter), .depth_bias = bias};
     ph_draw_line(&d->rig.r, a, b, material);
+}
+
+static void draw_line(struct drawing *d, char letter, double x0, double y0, double x1, double y1)
+{
+    draw_biased_line(d, letter, x0, y0, x1, y1, 0);
 }
 
 /* One pixel in each column of a flat line and in each row of a steep one, within half a pixel of the exact line. */
@@ -242,6 +310,27 @@ static void lines_hide_behind_surfaces(void **state)
     assert_int_equal(letter_at(&d, 2, 0), 'a');
     assert_int_equal(letter_at(&d, 12, 0), 'b');
     drawing_close(&d);
+}
+
+/* A line in the very plane of a surface drawn first shows only with a bias, and hides behind what is nearer. */
+static void depth_bias_lifts_lines_off_their_surface(void **state)
+{
+    (void)state;
+    for (int format = PH_DEPTH_FIXED16; format <= PH_DEPTH_FLOAT16; format++) {
+        for (int bias = 0; bias <= 16; bias += 16) {
+            static const struct shape near = {'n', {{8, 0, -.1}, {8, 24, -.1}, {24, 0, -.1}}};
+            struct drawing d;
+            drawing_open_formats(&d, HEIGHT, 64, (enum ph_depth_format)format);
+            drawing_begin(&d, NULL);
+            draw_shapes(&d, screen, 2);
+            draw_shapes(&d, &near, 1);
+            draw_biased_line(&d, 'z', 1.5, 3.5, 15.5, 3.5, (uint8_t)bias);
+            assert_true(rig_finish(&d.rig));
+            assert_int_equal(letter_at(&d, 6, 3), bias ? 'z' : 'q');
+            assert_int_equal(letter_at(&d, 12, 3), 'n');
+            drawing_close(&d);
+        }
+    }
 }
 
 /* ---- budgets and arguments -------------------------------------------------------------------------------- */
@@ -359,6 +448,22 @@ static void impossible_configurations_are_refused(void **state)
     drawing_close(&d);
 }
 
+/* A triangle cut into a polygon of several is one that was clipped, not several that were culled. */
+static void a_clipped_triangle_counts_once(void **state)
+{
+    static const struct shape shapes[] = {{'a', {{0, 1, -2}, {0, 4, -2}, {16, 4, 2}}},
+                                          {'b', {{5, 4, -2}, {9, 4, 2}, {9, 4.25, 2}}}};
+    struct drawing d;
+    (void)state;
+    drawing_open(&d);
+    draw_shapes(&d, shapes, COUNT(shapes));
+    draw_line(&d, 'l', -9, 100, -5, 105);
+    assert_int_equal(d.rig.r.stats.triangles_in, 2);
+    assert_int_equal(d.rig.r.stats.triangles_clipped, 2);
+    assert_int_equal(d.rig.r.stats.triangles_culled, 1);
+    drawing_close(&d);
+}
+
 /* ---- colours ---------------------------------------------------------------------------------------------- */
 
 /* Red 5 bits, green 6, blue 5, the byte with red first. */
@@ -404,12 +509,16 @@ int main(void)
         cmocka_unit_test(flat_light_is_that_of_the_first_vertex),
         cmocka_unit_test(textures_repeat),
         cmocka_unit_test(textures_clamp_to_their_border),
+        cmocka_unit_test(lit_textures_are_scaled_by_the_light),
+        cmocka_unit_test(each_part_is_lit_with_its_own_material),
         cmocka_unit_test(lines_are_one_pixel_wide_and_connected),
         cmocka_unit_test(wireframe_draws_the_edges),
         cmocka_unit_test(lines_hide_behind_surfaces),
+        cmocka_unit_test(depth_bias_lifts_lines_off_their_surface),
         cmocka_unit_test(triangles_over_the_budget_are_left_out_and_counted),
         cmocka_unit_test(mesh_over_the_vertex_budget_is_left_out_and_counted),
         cmocka_unit_test(statistics_add_up),
+        cmocka_unit_test(a_clipped_triangle_counts_once),
         cmocka_unit_test(background_fills_what_is_not_drawn),
         cmocka_unit_test(impossible_configurations_are_refused),
         cmocka_unit_test(colours_are_in_wire_order),
