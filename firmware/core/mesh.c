@@ -16,7 +16,7 @@ static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform 
     }
     const struct fx_vec3 t = object_to_view->t;
     const int32_t along = from == 0 ? t.x : from == 1 ? t.y : t.z;
-    out->t[row] = clamp_i32((fx_mul_wide(along, scale) + (1 << 29)) >> 30);
+    out->t[row] = fx_mul_wide(clamp_i32((fx_mul_wide(along, scale) + (1 << 29)) >> 30), 1 << 28) + (1 << 27);
 }
 
 /* Rotation, place, focal length and the direction of the screen's axes in one matrix. */
@@ -32,9 +32,9 @@ static struct ph_clip_matrix clip_matrix(const struct ph_lens *lens, const struc
 /* Elements below 2 in Q4.28 times 2^31: three products and the translation stay below 2^62. */
 static int32_t row_times(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
 {
-    const int64_t sum = fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) +
-                        fx_mul_wide(m->m[row][2], p->z) + fx_mul_wide(m->t[row], 1 << 28);
-    return clamp_i32((sum + (1 << 27)) >> 28);
+    const int64_t sum = m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) +
+                        fx_mul_wide(m->m[row][2], p->z);
+    return clamp_i32(sum >> 28);
 }
 
 /* x / w of the reciprocal of w in 1/2^26; |x| <= 8 w. */

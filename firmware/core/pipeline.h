@@ -41,10 +41,10 @@ struct ph_clip_vertex {
     fx_t uv[2];
 };
 
-/* Object to clip coordinates; elements Q4.28, translation Q16.16; row 2 is the distance. */
+/* Object to clip coordinates; elements Q4.28, translation Q20.44 with half an LSB of Q16.16; row 2 is the distance. */
 struct ph_clip_matrix {
     int32_t m[3][3];
-    int32_t t[3];
+    int64_t t[3];
 };
 
 /* A corner of a triangle on its way to set-up. */
