@@ -224,6 +224,13 @@ static void texels_are_those_of_mesa(void **state)
     assert_true(100 * table[REF_CUBE].wrong / table[REF_CUBE].texels <= bounds[REF_CUBE].texel_percent);
 }
 
+/* Asked by LeakSanitizer: Mesa keeps some memory until the process ends. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libOSMesa\n";
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
