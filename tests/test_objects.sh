@@ -57,7 +57,7 @@ stack_faults() { # call graph files
                 if (d > worst) { worst = d; who = f }
                 if (d > most) { print "stack: " f " takes " d " bytes, " most " allowed" }
             }
-            print "# deepest: " who ", " worst " bytes" > "/dev/stderr"
+            print "# deepest: " who ", " worst " bytes of stack" > "/dev/stderr"
         }' "$@"
 }
 
@@ -69,7 +69,7 @@ build() { # CPU, -mcpu=
 none() { # command that prints faults, files
     local found
     [ $# -gt 1 ] || { echo "nothing to look at" && return 1; }
-    found=$("$@")
+    found=$("$@" 2>"$dir/said")
     [ -z "$found" ] || { echo "$found" && return 1; }
 }
 
@@ -102,5 +102,6 @@ for cpu in "armv6m cortex-m0plus" "armv7m cortex-m3"; do
     check "no_floating_point_no_heap_no_io_on_$core" none foreign_symbols "${objects[@]}"
     check "nothing_is_mutable_at_file_scope_on_$core" none written_objects "${objects[@]}"
     check "no_recursion_and_at_most_${stack_max}_bytes_of_stack_on_$core" none stack_faults "${objects[@]/%.o/.ci}"
+    cat "$dir/said"
 done
 tap_end

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the README shows works: its program compiles without a warning and prints what stands there, its commands run, its
-# links lead somewhere, and its tables name every board and panel that there is.
+# links lead somewhere, its numbers are those that the checks hold. (Its tables: test_readme_tables.c.)
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -50,12 +50,15 @@ targets_exist() {
     done < <(grep -oE '(^|`)make [a-z][a-z-]*' README.md | cut -d' ' -f2 | sort -u)
 }
 
-boards_and_panels_are_named() {
-    local name missing=0
-    for name in $("$B/pinhole-sim" --list | awk '$1 == "board" { print $2 }') \
-        $(grep -rhoE '\.name = "[a-z0-9]+-[0-9x]+"' hal | cut -d'"' -f2); do
-        grep -q "$name" README.md || { echo "$name" && missing=1; }
-    done
+numbers_are_those_of_the_checks() { # budgets and counts, as the README writes them
+    local number name missing=0
+    while read -r number name; do
+        grep -q "$(LC_ALL=C sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/; ta' <<<"$number") $name" README.md || { echo "$number $name" && missing=1; }
+    done <<EOF
+$(sed -n 's/^BUDGET_CORE_BYTES ?= //p' Makefile) bytes of code
+$(sed -n 's/^stack_max=\([0-9]*\).*/\1/p' tests/test_objects.sh) bytes of stack
+$(wc -l <tests/golden/frames.txt) frames
+EOF
     return "$missing"
 }
 
@@ -63,5 +66,5 @@ check "the_program_prints_what_is_shown" program_prints_what_is_shown
 check "the_commands_run" commands_run
 check "the_links_lead_somewhere" links_exist
 check "the_make_targets_exist" targets_exist
-check "every_board_and_panel_is_named" boards_and_panels_are_named
+check "the_numbers_are_those_of_the_checks" numbers_are_those_of_the_checks
 tap_end
