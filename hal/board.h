@@ -42,7 +42,10 @@ struct board_button {
 
 #define BOARD_BUTTONS_MAX 6
 
-/* An unwired pin is all zeros: leave it out. */
+/*
+ * An unwired pin is all zeros: leave it out. active_low inverts what hal.h calls true: a chip select is active low; a
+ * reset line is not marked so, because the panel runs while it is high, which is hal.h's true.
+ */
 struct board_pins {
     struct board_pin clock, data, data_in, select, dc, reset, backlight, tearing;
 };

@@ -64,8 +64,7 @@ struct hal_ops {
     /* Sends one command byte and reads n bytes; NULL where the kit has no MISO. */
     int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
 
-    /* true is the active-high level of the signal on the panel: RESET true runs, BACKLIGHT true lights. 0 where not
-     * wired. */
+    /* RESET true: high, the panel runs. BACKLIGHT true: lit. 0 also where the pin is not wired. */
     int (*pin_set)(void *context, enum hal_pin pin, bool level);
 
     /* Waits for the next tearing-effect edge, at most timeout_us; NULL where no TE line is wired. */

@@ -19,7 +19,7 @@ const struct board board_ft232h_st7789 = {
             .data_in = BOARD_LINE("AD2"),
             .select = BOARD_LINE_LOW("AD3"),
             .dc = BOARD_LINE("AC0"),
-            .reset = BOARD_LINE_LOW("AC1"),
+            .reset = BOARD_LINE("AC1"),
         },
     .band_height = 60,
     .ram_bytes = 16 * 1024 * 1024,

@@ -18,7 +18,7 @@ const struct board board_rpi_waveshare_1in44 = {
             .data = BOARD_LINE("GPIO10"),
             .select = BOARD_LINE_LOW("GPIO8"),
             .dc = BOARD_LINE("GPIO25"),
-            .reset = BOARD_LINE_LOW("GPIO27"),
+            .reset = BOARD_LINE("GPIO27"),
             .backlight = BOARD_LINE("GPIO24"),
         },
     .buttons =

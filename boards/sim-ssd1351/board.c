@@ -11,7 +11,7 @@ const struct board board_sim_ssd1351 = {
     .spi_hz = 20000000,
     .pins =
         {
-            .reset = BOARD_PIN_LOW(0),
+            .reset = BOARD_PIN(0),
         },
     .band_height = 60,
     .ram_bytes = 16 * 1024 * 1024,

@@ -11,7 +11,7 @@ const struct board board_sim_st7789_170x320 = {
     .spi_hz = 62500000,
     .pins =
         {
-            .reset = BOARD_PIN_LOW(0),
+            .reset = BOARD_PIN(0),
             .backlight = BOARD_PIN(1),
         },
     .band_height = 60,

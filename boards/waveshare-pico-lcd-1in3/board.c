@@ -19,7 +19,7 @@ const struct board board_waveshare_pico_lcd_1in3 = {
             .data = BOARD_PIN(11),
             .select = BOARD_PIN_LOW(9),
             .dc = BOARD_PIN(8),
-            .reset = BOARD_PIN_LOW(12),
+            .reset = BOARD_PIN(12),
             .backlight = BOARD_PIN(13),
         },
     .buttons =

@@ -1,0 +1,161 @@
+/* The kits as data: complete, consistent, and each one shows a picture as it is usually held, without a complaint. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "boards.h"
+#include "panel_picture.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static uint16_t picture[PICTURE_PIXELS];
+static uint8_t seen[3 * PICTURE_PIXELS], expected[3 * PICTURE_PIXELS];
+
+static void kits_are_found_by_name(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"pico-display",
+                                        "pico-display-2",
+                                        "waveshare-pico-lcd-1in3",
+                                        "waveshare-pico-lcd-0in96",
+                                        "waveshare-rp2040-lcd-1in28",
+                                        "lm3s6965evb",
+                                        "feather-stm32f405",
+                                        "rpi-waveshare-1in3",
+                                        "rpi-waveshare-1in44",
+                                        "rpi-pirate-audio",
+                                        "rpi-display-hat-mini",
+                                        "rpi-pitft-2in8",
+                                        "rpi-mini-pitft-1in14",
+                                        "rpi-mini-pitft-1in3",
+                                        "ft232h-st7789",
+                                        "ft232h-ili9341",
+                                        "sim-ili9488",
+                                        "sim-ssd1351",
+                                        "sim-st7789-170x320",
+                                        "sim-st7789-240x280",
+                                        "sim-st7735s-128x160"};
+    assert_int_equal(board_count, sizeof names / sizeof names[0]);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        assert_non_null(board_find(names[i]));
+        assert_string_equal(board_find(names[i])->name, names[i]);
+    }
+    assert_null(board_find("pico"));
+}
+
+static bool is_kit(const struct board *board)
+{
+    return strncmp(board->name, "sim-", 4) != 0;
+}
+
+static void kits_are_complete(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < board_count; i++) {
+        const struct board *b = board_list[i];
+        assert_true(strlen(b->title) > 0 && strlen(b->title) < 80);
+        assert_true(b->panel->formats & PANEL_FORMAT_BIT(b->format));
+        assert_true(b->rotation <= PANEL_R270);
+        assert_true(b->spi_mode == 0 || b->spi_mode == 3);
+        assert_true(b->band_height >= 1 && b->band_height <= panel_height(b->panel, b->rotation));
+        assert_true(b->ram_bytes >= 4U * b->band_height * panel_width(b->panel, b->rotation)); /* colour and depth */
+        assert_int_equal(b->over_limit, b->spi_hz > b->panel->controller->write_hz);
+        if (is_kit(b)) {
+            assert_memory_equal(b->pinout, "https://", 8);
+            assert_true(b->pins.clock.wired && b->pins.data.wired && b->pins.dc.wired);
+        }
+    }
+}
+
+static const struct board_pin *pin_of(const struct board *board, uint32_t i)
+{
+    const struct board_pins *p = &board->pins;
+    const struct board_pin *wires[] = {&p->clock, &p->data,  &p->data_in,   &p->select,
+                                       &p->dc,    &p->reset, &p->backlight, &p->tearing};
+    if (i < 8) {
+        return wires[i];
+    }
+    return i - 8 < board->button_count ? &board->buttons[i - 8].pin : NULL;
+}
+
+static bool same_pin(const struct board_pin *a, const struct board_pin *b)
+{
+    if (a->line == NULL || b->line == NULL) {
+        return a->line == b->line && a->number == b->number;
+    }
+    return strcmp(a->line, b->line) == 0;
+}
+
+/* The Pirate Audio and the Display HAT Mini use MISO's line for D/C, so MISO is not wired there. */
+static void no_pin_is_used_twice(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < board_count; k++) {
+        const struct board *board = board_list[k];
+        for (uint32_t i = 0; pin_of(board, i) != NULL; i++) {
+            for (uint32_t j = 0; j < i; j++) {
+                const struct board_pin *a = pin_of(board, i);
+                const struct board_pin *b = pin_of(board, j);
+                if (a->wired && b->wired && same_pin(a, b)) {
+                    fail_msg("%s: wires %u and %u share a pin", board->name, j, i);
+                }
+            }
+        }
+    }
+}
+
+static void buttons_differ(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < board_count; k++) {
+        uint32_t all = 0;
+        for (uint32_t i = 0; i < board_list[k]->button_count; i++) {
+            const struct board_button *button = &board_list[k]->buttons[i];
+            assert_true(button->pin.wired);
+            assert_int_equal(all & button->button, 0);
+            all |= button->button;
+        }
+        assert_int_equal(all & ~31U, 0);
+    }
+}
+
+/* As a program would do it, from the board alone; the time of a frame is that of the formula. */
+static void every_kit_shows_a_picture(void **state)
+{
+    (void)state;
+    static uint8_t scratch[1024];
+    for (uint32_t i = 0; i < board_count; i++) {
+        const struct board *b = board_list[i];
+        struct hal hal;
+        struct sim *sim = sim_open(b, &hal);
+        assert_non_null(sim);
+        struct panel_config config = {b->panel, b->rotation, b->format, b->spi_hz, scratch, sizeof scratch};
+        struct panel_driver d;
+        assert_int_equal(panel_open(&d, &hal, &config), 0);
+        picture_fill(picture, d.width, d.height, i);
+        assert_int_equal(picture_draw(&d, picture, b->band_height), 0);
+        uint64_t before = sim_counters(sim).bus_ns;
+        assert_int_equal(picture_draw(&d, picture, b->band_height), 0);
+        uint64_t us = (sim_counters(sim).bus_ns - before) / 1000;
+        uint32_t formula = panel_frame_us(b->panel, b->format, b->rotation, b->spi_hz);
+        assert_true(us <= formula && us + 8 >= formula); /* each write's time is cut off to a ns */
+        sim_pixels(sim, b->rotation, seen);
+        picture_expect(picture, d.width, d.height, b->format, b->panel->round, expected);
+        picture_compare(seen, expected, d.width, d.height, b->name);
+        picture_no_complaint(sim, b->name);
+        assert_int_equal(sim_note(sim) != NULL, b->over_limit);
+        sim_close(sim);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(kits_are_found_by_name),    cmocka_unit_test(kits_are_complete),
+        cmocka_unit_test(no_pin_is_used_twice),      cmocka_unit_test(buttons_differ),
+        cmocka_unit_test(every_kit_shows_a_picture),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
