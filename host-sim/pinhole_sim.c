@@ -40,13 +40,14 @@ static void catch_signals(void)
 static void print_list(void)
 {
     for (uint32_t i = 0; i < demo_count; i++) {
-        printf("demo   %-24s %s\n", demo_list[i]->name, demo_list[i]->summary);
+        printf("demo   %-26s %s\n", demo_list[i]->name, demo_list[i]->summary);
     }
     for (uint32_t i = 0; i < board_count; i++) {
         const struct panel *panel = board_list[i]->panel;
-        printf("board  %-24s %s, %ux%u\n", board_list[i]->name, board_list[i]->title,
-               (unsigned)panel_width(panel, board_list[i]->rotation),
-               (unsigned)panel_height(panel, board_list[i]->rotation));
+        char size[16];
+        snprintf(size, sizeof size, "%ux%u", (unsigned)panel_width(panel, board_list[i]->rotation),
+                 (unsigned)panel_height(panel, board_list[i]->rotation));
+        printf("board  %-26s %-8s %s\n", board_list[i]->name, size, board_list[i]->title);
     }
 }
 

@@ -81,8 +81,7 @@ everything_on_the_list_can_be_drawn() {
 board_has_its_own_size() {
     "$sim" --list | grep ^board >"$dir/boards"
     local name size
-    while read -r _ name rest; do
-        size=${rest##*, }
+    while read -r _ name size _; do
         "$sim" --board "$name" --demo testcard --out "$dir/board.ppm" 2>/dev/null || return 1
         [ "$(sed -n 2p "$dir/board.ppm" | head -c 20 | tr ' ' x)" = "$size" ] || { echo "$name $size" && return 1; }
     done < <(head -n 3 "$dir/boards")

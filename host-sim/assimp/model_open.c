@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,7 +16,9 @@
 
 /* Address space, not memory: pages come into being when they are written. */
 #define SHARED_BYTES (sizeof(void *) > 4 ? (size_t)2 << 30 : (size_t)1 << 29)
-#define CPU_SECONDS  300 /* a reader that takes longer hangs */
+/* A reader that takes longer hangs: seconds of processor time, and more for each MiB. */
+#define CPU_SECONDS         20
+#define CPU_SECONDS_PER_MIB 4
 
 static int check_file(const char *path)
 {
@@ -51,12 +54,20 @@ static void silence(void)
     }
 }
 
+static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
 static void child(struct model_shared *shared, const char *path)
 {
-    const struct rlimit seconds = {CPU_SECONDS, CPU_SECONDS}, no_core = {0, 0};
+    struct stat status = {.st_size = 0};
+    stat(path, &status);
+    const rlim_t most = CPU_SECONDS + (rlim_t)(status.st_size >> 20) * CPU_SECONDS_PER_MIB;
+    const struct rlimit seconds = {most, most}, no_core = {0, 0};
     setrlimit(RLIMIT_CPU, &seconds);
     setrlimit(RLIMIT_CORE, &no_core);
     silence();
+    for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {
+        signal(crashes[i], SIG_DFL); /* the caller's handlers are not for this process */
+    }
     _exit(model_read(shared, path) ? EXIT_DONE : EXIT_FAILED);
 }
 
@@ -78,7 +89,7 @@ static int read_in_child(struct model_shared *shared, const char *path)
     if (WIFEXITED(status) && shared->error[0] != '\0') {
         return complain(EXIT_FAILED, "--model %s: %s", path, shared->error);
     }
-    return complain(EXIT_FAILED, "--model %s: is broken: the reader crashed on it", path);
+    return complain(EXIT_FAILED, "--model %s: is broken: the reader crashed or hung on it", path);
 }
 
 int model_open(struct model **model, const char *path)

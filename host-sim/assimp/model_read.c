@@ -50,6 +50,22 @@ static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode
     return count;
 }
 
+/* assimp 5.2 reads a PLY header without an end for ever. */
+static bool is_endless_ply(const char *path)
+{
+    char head[65536] = "";
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        return false;
+    }
+    const size_t n = fread(head, 1, sizeof head - 1, file);
+    fclose(file);
+    for (size_t i = 0; i < n; i++) {
+        head[i] = head[i] != '\0' ? head[i] : ' ';
+    }
+    return strncmp(head, "ply", 3) == 0 && strstr(head, "end_header") == NULL;
+}
+
 /* The steps that change what the triangles are; the settings stay with the scene for them. */
 static const struct aiScene *import(const char *path, bool is_stl)
 {
@@ -75,6 +91,9 @@ bool model_read(struct model_shared *shared, const char *path)
 {
     const bool is_stl = has_suffix(path, ".stl");
     const bool is_linear = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
+    if (is_endless_ply(path)) {
+        return model_read_failed(shared, "is broken: a PLY header without its end");
+    }
     const struct aiScene *scene = import(path, is_stl);
     if (scene == NULL) {
         return model_read_failed(shared, "is no model that can be read: %s", aiGetErrorString());

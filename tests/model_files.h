@@ -1,0 +1,38 @@
+/*
+ * model_files: model files made on the fly in a directory of their own, and what model_open says about them.
+ * The bytes are written by hand, format by format.
+ */
+#ifndef MODEL_FILES_H
+#define MODEL_FILES_H
+
+#include "model.h"
+
+/* Makes the directory; files_end removes it with everything in it. */
+void files_begin(void);
+void files_end(void);
+
+/* Full name of a file in it; one of 8 buffers that take turns. */
+const char *file_path(const char *name);
+
+/* Writes n bytes, or a text; returns file_path(name). */
+const char *file_bytes(const char *name, const void *bytes, size_t n);
+const char *file_text(const char *name, const char *text);
+
+/* Reads it; *n is its length. free() it. */
+uint8_t *file_read(const char *name, size_t *n);
+
+/* model_open with stderr caught in said (empty string: nothing was said). */
+int open_caught(struct model **model, const char *path, char said[1024]);
+
+/* The cube [-1, 1]^3 in each format: 6 quads or 12 triangles, counter-clockwise from outside. */
+const char *cube_obj(void);
+const char *cube_stl_text(void);
+const char *cube_stl_binary(void);
+const char *cube_ply_text(void);
+const char *cube_ply_binary(void);
+
+/* glTF: nodes is the text of the "nodes" array; each may show mesh 0, the cube with 8 vertices. */
+const char *cube_gltf(const char *nodes);
+const char *cube_glb(const char *nodes);
+
+#endif

@@ -1,0 +1,565 @@
+/* --model: each format, what is odd but right, and what is wrong. The files are made here, byte by byte. */
+#define _XOPEN_SOURCE 700 /* mkfifo, truncate */
+
+#include "model_files.h"
+
+#include <assimp/cimport.h> /* tests/run.sh skips this program where assimp or libpng are not installed */
+#include <png.h>
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <setjmp.h>
+#include <cmocka.h>
+
+#define CUBE_SIDE 37837 /* 1 / sqrt(3): where the fitted cube's faces are */
+#define ONE_NODE  "[{\"mesh\":0}]"
+
+static struct model *open_good(const char *path)
+{
+    struct model *model;
+    char said[1024];
+    if (open_caught(&model, path, said) != 0 || said[0] != '\0') {
+        fail_msg("%s", said);
+    }
+    return model;
+}
+
+/* Everything that the renderer takes for granted. */
+static void assert_sound(const struct model *model)
+{
+    uint32_t total = 0;
+    assert_true(model->mesh_count > 0);
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_mesh *mesh = &model->meshes[m];
+        assert_true(mesh->vertex_count <= MODEL_VERTICES_MAX && mesh->vertex_count <= model->vertex_max);
+        for (uint32_t t = 0; t < mesh->triangle_count; t++) {
+            for (int i = 0; i < 3; i++) {
+                assert_true(mesh->triangles[t][i] < mesh->vertex_count);
+            }
+        }
+        assert_int_equal(mesh->part_count, 1);
+        assert_int_equal(mesh->parts->first, 0);
+        assert_int_equal(mesh->parts->count, mesh->triangle_count);
+        assert_non_null(mesh->materials[mesh->parts->material].ramp);
+        total += mesh->triangle_count;
+    }
+    assert_int_equal(total, model->triangle_count);
+}
+
+static double dot_of_face_and_normal(const struct ph_mesh *mesh, uint32_t t)
+{
+    double p[3][3], n[3] = {0, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const struct fx_vec3 *v = &mesh->positions[mesh->triangles[t][i]];
+        p[i][0] = v->x / 65536.0;
+        p[i][1] = v->y / 65536.0;
+        p[i][2] = v->z / 65536.0;
+        for (int axis = 0; axis < 3; axis++) {
+            n[axis] += mesh->normals[mesh->triangles[t][i]][axis] / 16384.0 / 3;
+        }
+    }
+    double dot = 0, length = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        const double cross = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) - (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
+        dot += cross * n[axis];
+        length += cross * cross;
+    }
+    return dot / sqrt(length);
+}
+
+/*
+ * 12 triangles of the fitted cube, looking outwards. OBJ and STL keep its edges sharp: 24 vertices with the normals of
+ * faces. PLY and glTF share vertices, 8 of them with normals near the diagonals.
+ */
+static void assert_cube(const struct model *model, uint32_t vertices)
+{
+    assert_sound(model);
+    assert_int_equal(model->mesh_count, 1);
+    const struct ph_mesh *mesh = model->meshes;
+    assert_int_equal(mesh->triangle_count, 12);
+    assert_int_equal(mesh->vertex_count, vertices);
+    for (uint32_t i = 0; i < vertices; i++) {
+        const struct fx_vec3 p = mesh->positions[i];
+        assert_true(abs(p.x) == CUBE_SIDE && abs(p.y) == CUBE_SIDE && abs(p.z) == CUBE_SIDE);
+        const int16_t *n = mesh->normals[i];
+        const double dot = ((double)n[0] * p.x + (double)n[1] * p.y + (double)n[2] * p.z) / 16384 / CUBE_SIDE;
+        assert_true(vertices == 24 ? dot == 1 : dot > 1.4 && dot < 1.7321);
+        assert_true(fabs(sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) - 16384) < 1);
+    }
+    for (uint32_t t = 0; t < 12; t++) {
+        assert_true(dot_of_face_and_normal(mesh, t) > (vertices == 24 ? .99 : .5));
+    }
+}
+
+static void open_cube(const char *path, uint32_t vertices)
+{
+    struct model *model = open_good(path);
+    assert_cube(model, vertices);
+    model_close(model);
+}
+
+static void obj_stl_ply_gltf_and_glb_give_the_same_cube(void **state)
+{
+    (void)state;
+    open_cube(cube_obj(), 24);
+    open_cube(cube_stl_text(), 24);
+    open_cube(cube_stl_binary(), 24);
+    open_cube(cube_ply_text(), 8);
+    open_cube(cube_ply_binary(), 8);
+    open_cube(cube_gltf(ONE_NODE), 8);
+    open_cube(cube_glb(ONE_NODE), 8);
+}
+
+static void cube_scaled_and_moved_is_fitted(void **state)
+{
+    (void)state;
+    open_cube(cube_gltf("[{\"mesh\":0,\"translation\":[10,-50,7],\"scale\":[0.5,0.5,0.5]}]"), 8);
+}
+
+static void node_transforms_are_applied_in_their_order(void **state)
+{
+    (void)state;
+    /* A child 4 to the right of its parent's own cube, the parent turned a quarter about z: the child is above. */
+    struct model *model = open_good(cube_glb("[{\"mesh\":0,\"rotation\":[0,0,0.7071067811865476,0.7071067811865476],"
+                                             "\"children\":[1]},{\"mesh\":0,\"translation\":[4,0,0]}]"));
+    int32_t width = 0, height = 0;
+    for (uint32_t i = 0; i < model->meshes->vertex_count; i++) {
+        width = abs(model->meshes->positions[i].x) > width ? abs(model->meshes->positions[i].x) : width;
+        height = abs(model->meshes->positions[i].y) > height ? abs(model->meshes->positions[i].y) : height;
+    }
+    assert_sound(model);
+    assert_int_equal(model->triangle_count, 24);
+    assert_in_range(width, 19759, 19761);  /* 1 / sqrt(1 + 9 + 1) */
+    assert_in_range(height, 59279, 59281); /* 3 / sqrt(11) */
+    model_close(model);
+}
+
+static void mirrored_node_still_looks_outwards(void **state)
+{
+    (void)state;
+    open_cube(cube_gltf("[{\"mesh\":0,\"scale\":[-1,1,1]}]"), 8);
+}
+
+static void n_gons_and_negative_indices_are_read(void **state)
+{
+    (void)state;
+    /* A concave pentagon: 3 triangles with its area and no more. */
+    struct model *model =
+        open_good(file_text("gon.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf -5 -4 -3 -2 -1\n"));
+    const struct ph_mesh *mesh = model->meshes;
+    double area = 0;
+    assert_sound(model);
+    assert_int_equal(mesh->triangle_count, 3);
+    for (uint32_t t = 0; t < 3; t++) {
+        const struct fx_vec3 a = mesh->positions[mesh->triangles[t][0]], b = mesh->positions[mesh->triangles[t][1]],
+                             c = mesh->positions[mesh->triangles[t][2]];
+        const double twice = ((double)(b.x - a.x) * (c.y - a.y) - (double)(b.y - a.y) * (c.x - a.x)) / 65536 / 65536;
+        assert_true(twice > 0);
+        area += twice / 2;
+    }
+    assert_true(fabs(area - 10 / 8.0) < 1e-3); /* 16 - 6, scaled by 1 / sqrt(8) each way */
+    model_close(model);
+}
+
+static void normals_of_the_file_are_kept(void **state)
+{
+    (void)state;
+    struct model *model =
+        open_good(file_text("normal.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 30 40\nf 1//1 2//1 3//1\n"));
+    assert_int_equal(model->meshes->normals[0][0], 0);
+    assert_int_equal(model->meshes->normals[0][1], 9830); /* .6 */
+    assert_int_equal(model->meshes->normals[0][2], 13107);
+    model_close(model);
+}
+
+static void normals_are_smooth_below_the_crease_angle(void **state)
+{
+    (void)state;
+    /* Two triangles that meet at about 11 degrees share the two vertices of their edge. */
+    struct model *model =
+        open_good(file_text("smooth.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 -.1\nf 1 2 3\nf 3 2 4\n"));
+    assert_int_equal(model->meshes->vertex_count, 4);
+    model_close(model);
+}
+
+static void a_zero_normal_is_no_fault(void **state)
+{
+    (void)state;
+    struct model *model = open_good(file_text("zero.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nf 1//1 2//1 3//1\n"));
+    assert_sound(model);
+    model_close(model);
+}
+
+static void materials_become_colours(void **state)
+{
+    (void)state;
+    file_text("two.mtl", "newmtl red\nKd 1 0 0\nnewmtl half\nKd 0 .5 2\n");
+    struct model *model = open_good(file_text("two.obj", "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                                                         "usemtl red\nf 1 2 3\nusemtl half\nf 2 4 3\n"));
+    assert_sound(model);
+    assert_int_equal(model->mesh_count, 2);
+    const uint16_t red = ph_rgb565(255, 0, 0), half = ph_rgb565(0, 128, 255);
+    const uint16_t first = model->meshes[0].materials->colour, second = model->meshes[1].materials->colour;
+    assert_true((first == red && second == half) || (first == half && second == red));
+    assert_int_equal(model->meshes[0].materials->shading, PH_SHADE_GOURAUD);
+    model_close(model);
+}
+
+static void gltf_colours_are_linear_and_sides_are_read(void **state)
+{
+    (void)state;
+    struct model *model = open_good(cube_gltf(ONE_NODE));
+    assert_int_equal(model->meshes->materials->colour, ph_rgb565(255, 0, 128)); /* .2158605 is linear for .5 */
+    assert_true(model->meshes->materials->two_sided);
+    model_close(model);
+}
+
+static void a_missing_material_file_leaves_a_plain_model(void **state)
+{
+    (void)state;
+    struct model *model =
+        open_good(file_text("nomtl.obj", "mtllib nowhere.mtl\nusemtl x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    assert_sound(model);
+    assert_int_not_equal(model->meshes->materials->colour, 0);
+    model_close(model);
+}
+
+/* ---- textures ------------------------------------------------------------------------------------------------ */
+
+static const uint8_t six_pixels[18] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 0, 0, 0, 255, 255, 0};
+
+static void write_png(const char *name)
+{
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = 3, .height = 2, .format = PNG_FORMAT_RGB};
+    assert_true(png_image_write_to_file(&image, file_path(name), 0, six_pixels, 0, NULL));
+}
+
+static const char *textured_obj(const char *picture)
+{
+    char text[256];
+    snprintf(text, sizeof text, "newmtl t\nKd 0 1 0\nmap_Kd %s\n", picture);
+    file_text("t.mtl", text);
+    return file_text("t.obj",
+                     "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvt 0 0\nusemtl t\nf 1/1 2/2 3/3\n");
+}
+
+static void png_texture_is_resampled_to_a_power_of_two(void **state)
+{
+    (void)state;
+    write_png("six.png");
+    struct model *model = open_good(textured_obj("six.png"));
+    const struct ph_mesh *mesh = model->meshes;
+    const struct ph_texture *texture = mesh->materials->texture;
+    assert_non_null(texture);
+    assert_int_equal(mesh->materials->shading, PH_SHADE_TEXTURE_LIT);
+    assert_int_equal(texture->log2_width, 2);
+    assert_int_equal(texture->log2_height, 1);
+    assert_int_equal(texture->texels[0], ph_rgb565(255, 0, 0));
+    assert_int_equal(texture->texels[3], ph_rgb565(0, 0, 255));
+    assert_int_equal(texture->texels[4], ph_rgb565(255, 255, 255));
+    assert_int_equal(texture->texels[7], ph_rgb565(255, 255, 0));
+    for (uint32_t i = 0; i < 3; i++) { /* v = 1 in the file is the top row, v = 0 here */
+        assert_int_equal(mesh->uvs[i][1], mesh->positions[i].y > 0 ? FX_ONE : 0);
+    }
+    model_close(model);
+}
+
+static void a_texture_that_cannot_be_used_leaves_the_colour_and_a_note(void **state)
+{
+    static const char *const names[] = {"missing.png", "not.png", "photo.jpg"};
+    (void)state;
+    file_text("not.png", "this is no picture");
+    file_bytes("photo.jpg", "\xff\xd8\xff\xe0", 4);
+    for (int i = 0; i < 3; i++) {
+        struct model *model = open_good(textured_obj(names[i]));
+        assert_non_null(model->note);
+        assert_non_null(strstr(model->note, names[i]));
+        assert_null(strchr(model->note, '\n'));
+        assert_null(model->meshes->materials->texture);
+        assert_int_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
+        assert_int_equal(model->meshes->materials->colour, ph_rgb565(0, 255, 0));
+        model_close(model);
+    }
+}
+
+static char *base64(const uint8_t *bytes, size_t n)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    char *text = calloc(n / 3 * 4 + 5, 1);
+    for (size_t i = 0, out = 0; i < n; i += 3) {
+        const uint32_t v =
+            (uint32_t)bytes[i] << 16 | (i + 1 < n ? (uint32_t)bytes[i + 1] << 8 : 0) | (i + 2 < n ? bytes[i + 2] : 0);
+        text[out++] = digits[v >> 18];
+        text[out++] = digits[v >> 12 & 63];
+        text[out++] = i + 1 < n ? digits[v >> 6 & 63] : '=';
+        text[out++] = i + 2 < n ? digits[v & 63] : '=';
+    }
+    return text;
+}
+
+static void a_texture_inside_the_model_file_is_used(void **state)
+{
+    (void)state;
+    size_t n;
+    write_png("inside.png");
+    uint8_t *png = file_read("inside.png", &n);
+    char *text = base64(png, n), *gltf = malloc(8192);
+    snprintf(
+        gltf, 8192,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"material\":0}]}],"
+        "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+        "\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"wrapS\":33071}],"
+        "\"images\":[{\"uri\":\"data:image/png;base64,%s\"}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+        "\"min\":[0,0,0],\"max\":[1,1,0]},{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC2\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":24}],"
+        "\"buffers\":[{\"byteLength\":60,\"uri\":\"tri.bin\"}]}",
+        text);
+    /* Positions (0,0,0) (1,0,0) (0,1,0), coordinates (0,0) (1,0) (0,1): 1.0f is 0000803f. */
+    uint8_t data[60] = {0};
+    static const int ones[4] = {3, 7, 11, 14};
+    for (int i = 0; i < 4; i++) {
+        data[ones[i] * 4 + 2] = 0x80;
+        data[ones[i] * 4 + 3] = 0x3f;
+    }
+    file_bytes("tri.bin", data, sizeof data);
+    struct model *model = open_good(file_text("inside.gltf", gltf));
+    const struct ph_texture *texture = model->meshes->materials->texture;
+    assert_non_null(texture);
+    assert_int_equal(texture->texels[0], ph_rgb565(255, 0, 0));
+    assert_int_equal(texture->wrap, PH_WRAP_CLAMP);
+    model_close(model);
+    free(gltf);
+    free(text);
+    free(png);
+}
+
+/* ---- large and wrong ------------------------------------------------------------------------------------------ */
+
+/* A sheet of side x side quads. */
+static const char *sheet_obj(const char *name, int side)
+{
+    const char *path = file_path(name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    for (int i = 0; i < (side + 1) * (side + 1); i++) {
+        fprintf(file, "v %d %d 0\n", i % (side + 1), i / (side + 1));
+    }
+    for (int i = 0; i < side * side; i++) {
+        const int at = i / side * (side + 1) + i % side + 1;
+        fprintf(file, "f %d %d %d %d\n", at, at + 1, at + side + 2, at + side + 1);
+    }
+    fclose(file);
+    return path;
+}
+
+static void meshes_are_split_at_65535_vertices(void **state)
+{
+    (void)state;
+    struct model *model = open_good(sheet_obj("sheet.obj", 260)); /* 68121 vertices */
+    assert_sound(model);
+    assert_true(model->mesh_count >= 2);
+    assert_int_equal(model->triangle_count, 2 * 260 * 260);
+    model_close(model);
+}
+
+/* Exit 1, one line that names the file and matches. */
+static void assert_refused(const char *path, const char *reason)
+{
+    struct model *model;
+    char said[1024];
+    assert_int_equal(open_caught(&model, path, said), 1);
+    assert_null(model);
+    assert_non_null(strstr(said, path));
+    if (strstr(said, reason) == NULL) {
+        fail_msg("wanted '%s', got: %s", reason, said);
+    }
+    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+}
+
+static void what_is_no_file_of_a_model_is_refused(void **state)
+{
+    (void)state;
+    assert_refused(file_path("nowhere.obj"), "No such file");
+    assert_refused(file_path("."), "is a directory");
+    assert_refused(file_text("empty.obj", ""), "is empty");
+    mkfifo(file_path("fifo.obj"), 0600);
+    assert_refused(file_path("fifo.obj"), "no regular file");
+    assert_refused(file_text("letter.txt", "Dear reader,\nthis is no model.\n"), "is no model that can be read");
+    assert_refused(file_text("letter.obj", "Dear reader,\nthis is no model.\n"), "has no triangles");
+    assert_refused(file_text("letter.glb", "Dear reader,\nthis is no model.\n"), "no model");
+    if (geteuid() != 0) {
+        chmod(file_text("locked.obj", "v 0 0 0\n"), 0);
+        assert_refused(file_path("locked.obj"), "cannot be read");
+    }
+}
+
+static void what_has_no_triangles_is_refused(void **state)
+{
+    (void)state;
+    assert_refused(file_text("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1 2 3\n"), "no triangles");
+    assert_refused(file_text("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "no triangles");
+    assert_refused(file_text("heap.obj", "v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3\n"), "one place");
+}
+
+static void what_is_broken_is_refused(void **state)
+{
+    (void)state;
+    assert_refused(file_text("nan.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                        "property float z\nelement face 1\nproperty list uchar int vertex_index\n"
+                                        "end_header\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+                   "no numbers");
+    assert_refused(file_text("huge.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "");
+    assert_refused(file_text("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "");
+    size_t n;
+    cube_glb(ONE_NODE);
+    uint8_t *glb = file_read("cube.glb", &n);
+    assert_refused(file_bytes("half.glb", glb, n / 2), "no model that can be read");
+    free(glb);
+}
+
+static void far_away_coordinates_are_fitted(void **state)
+{
+    (void)state;
+    struct model *model = open_good(file_text("far.obj", "v 1e30 0 0\nv -1e30 0 0\nv 0 1e30 0\nf 1 2 3\n"));
+    assert_sound(model);
+    model_close(model);
+}
+
+static void what_is_too_large_is_refused(void **state)
+{
+    (void)state;
+    assert_int_equal(truncate(file_text("long.stl", "x"), (off_t)MODEL_FILE_MAX + 1), 0);
+    assert_refused(file_path("long.stl"), "the limit");
+    /* A mesh of 200,000 triangles (all in one place, but they are counted before that is looked at), shown 21 times. */
+    const size_t n = 36 + 6 * 200000;
+    uint8_t *zeros = calloc(n, 1);
+    char text[2048], nodes[512] = "[{\"children\":[1";
+    for (int i = 2; i <= 21; i++) {
+        snprintf(nodes + strlen(nodes), 8, ",%d", i);
+    }
+    strcat(nodes, "]}");
+    for (int i = 1; i <= 21; i++) {
+        strcat(nodes, ",{\"mesh\":0}");
+    }
+    snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":%s],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+        "\"min\":[0,0,0],\"max\":[0,0,0]},"
+        "{\"bufferView\":1,\"componentType\":5123,\"count\":600000,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":1200000}],"
+        "\"buffers\":[{\"byteLength\":1200036,\"uri\":\"zeros.bin\"}]}",
+        nodes);
+    file_bytes("zeros.bin", zeros, n);
+    assert_refused(file_text("many.gltf", text), "more than 4000000 triangles");
+    free(zeros);
+}
+
+/* ---- files with faults, many of them ---------------------------------------------------------------------------- */
+
+static uint32_t random_state;
+
+static uint32_t random_u32(void)
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 17;
+    return random_state ^= random_state << 5;
+}
+
+static void open_faulty(const char *name, const uint8_t *bytes, size_t n)
+{
+    struct model *model;
+    char said[1024];
+    const int status = open_caught(&model, file_bytes(name, bytes, n), said);
+    if (status == 0) {
+        assert_sound(model);
+        model_close(model);
+        return;
+    }
+    assert_int_equal(status, 1);
+    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+}
+
+static void fault(const char *path)
+{
+    const char *name = strrchr(path, '/') + 1;
+    size_t n;
+    uint8_t *bytes = file_read(name, &n), *copy = malloc(n);
+    char faulty[64];
+    snprintf(faulty, sizeof faulty, "faulty-%.40s", name);
+    for (int i = 0; i < 10; i++) {
+        open_faulty(faulty, bytes, 1 + random_u32() % (n - 1));
+        memcpy(copy, bytes, n);
+        for (int flips = 0; flips < 3; flips++) {
+            copy[random_u32() % n] = (uint8_t)random_u32();
+        }
+        open_faulty(faulty, copy, n);
+    }
+    free(copy);
+    free(bytes);
+}
+
+static void faulty_files_give_a_model_or_one_line(void **state)
+{
+    (void)state;
+    random_state = 2463534242u;
+    fault(cube_obj());
+    fault(cube_stl_text());
+    fault(cube_stl_binary());
+    fault(cube_ply_text());
+    fault(cube_ply_binary());
+    fault(cube_gltf(ONE_NODE));
+    fault(cube_glb(ONE_NODE));
+}
+
+static int group_begin(void **state)
+{
+    (void)state;
+    files_begin();
+    return 0;
+}
+
+static int group_end(void **state)
+{
+    (void)state;
+    files_end();
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(obj_stl_ply_gltf_and_glb_give_the_same_cube),
+        cmocka_unit_test(cube_scaled_and_moved_is_fitted),
+        cmocka_unit_test(node_transforms_are_applied_in_their_order),
+        cmocka_unit_test(mirrored_node_still_looks_outwards),
+        cmocka_unit_test(n_gons_and_negative_indices_are_read),
+        cmocka_unit_test(normals_of_the_file_are_kept),
+        cmocka_unit_test(normals_are_smooth_below_the_crease_angle),
+        cmocka_unit_test(a_zero_normal_is_no_fault),
+        cmocka_unit_test(materials_become_colours),
+        cmocka_unit_test(gltf_colours_are_linear_and_sides_are_read),
+        cmocka_unit_test(a_missing_material_file_leaves_a_plain_model),
+        cmocka_unit_test(png_texture_is_resampled_to_a_power_of_two),
+        cmocka_unit_test(a_texture_that_cannot_be_used_leaves_the_colour_and_a_note),
+        cmocka_unit_test(a_texture_inside_the_model_file_is_used),
+        cmocka_unit_test(meshes_are_split_at_65535_vertices),
+        cmocka_unit_test(what_is_no_file_of_a_model_is_refused),
+        cmocka_unit_test(what_has_no_triangles_is_refused),
+        cmocka_unit_test(what_is_broken_is_refused),
+        cmocka_unit_test(far_away_coordinates_are_fitted),
+        cmocka_unit_test(what_is_too_large_is_refused),
+        cmocka_unit_test(faulty_files_give_a_model_or_one_line),
+    };
+    return cmocka_run_group_tests(tests, group_begin, group_end);
+}
