@@ -186,7 +186,15 @@ static void a_loop_ends_where_it_began(void **state)
     }
 }
 
-/* Sum of what changes from one frame to the next. */
+/* Green of a pixel in wire order, 0 .. 63. */
+static int green(uint16_t wire)
+{
+    uint8_t bytes[2];
+    memcpy(bytes, &wire, 2);
+    return (bytes[0] & 7) << 3 | bytes[1] >> 5;
+}
+
+/* Sum of what the green of all pixels changes by from one frame to the next. */
 static uint32_t change(struct show *s, uint32_t from)
 {
     const size_t pixels = (size_t)s->rig.width * (size_t)s->rig.height;
@@ -197,7 +205,7 @@ static uint32_t change(struct show *s, uint32_t from)
     show_frame(s, from + 1);
     uint32_t changed = 0;
     for (size_t i = 0; i < pixels; i++) {
-        changed += before[i] != s->rig.pixels[i];
+        changed += (uint32_t)abs(green(before[i]) - green(s->rig.pixels[i]));
     }
     free(before);
     return changed;
@@ -277,6 +285,20 @@ static void the_subject_fits_into_upright_and_square_pictures(void **state)
     }
 }
 
+static void the_teapot_stays_whole_in_wide_pictures(void **state)
+{
+    (void)state;
+    static const uint16_t wide[][2] = {{128, 64}, {240, 135}, {320, 240}, {320, 170}};
+    for (size_t i = 0; i < 8; i++) {
+        struct show s = show_open(demo_find(i < 4 ? "turntable" : "wireframe"), wide[i % 4][0], wide[i % 4][1]);
+        for (uint32_t frame = 0; frame < 256; frame += 8) {
+            show_frame(&s, frame);
+            assert_inside(&s, i >= 4); /* the platter may be cut below */
+        }
+        show_close(&s);
+    }
+}
+
 /* Width and height of what is not background, and whether it is there at all. */
 static int drawn_width(const struct show *s, int *height)
 {
@@ -321,6 +343,9 @@ static void assert_box_fits(uint16_t width, uint16_t height, fx_t x, fx_t y, fx_
         int h;
         show_frame(&s, frame);
         assert_inside(&s, false);
+        for (int column = 0; column < width; column++) { /* the platter may be cut here, the box not */
+            assert_true(pixel(&s, column, height - 1) != material.colour);
+        }
         assert_int_equal(s.rig.r.stats.triangles_clipped, 0);
         assert_int_equal(s.rig.r.stats.triangles_dropped, 0);
         const int w = drawn_width(&s, &h);
@@ -344,6 +369,40 @@ static void any_model_fills_the_turntable_s_picture_and_fits(void **state)
         assert_box_fits(w, h, FX_INT(2), FX_ONE / 20, FX_INT(3), -FX_INT(2));     /* a plate */
         assert_box_fits(w, h, FX_INT(1500), FX_INT(900), FX_INT(1500), FX_ONE);   /* huge */
         assert_box_fits(w, h, FX_ONE / 50, FX_ONE / 70, FX_ONE / 40, FX_ONE / 4); /* tiny */
+    }
+}
+
+/* Empty rows above and below in the middle column over a whole turn. */
+static void margins(struct show *s, int *above, int *below)
+{
+    *above = *below = s->rig.height;
+    for (uint32_t frame = 0; frame < 256; frame += 8) {
+        int y = 0;
+        show_frame(s, frame);
+        while (y < *above && pixel(s, s->rig.width / 2, y) == s->rig.r.background) {
+            y++;
+        }
+        *above = y;
+        y = 0;
+        while (y < *below && pixel(s, s->rig.width / 2, s->rig.height - 1 - y) == s->rig.r.background) {
+            y++;
+        }
+        *below = y;
+    }
+}
+
+static void pot_and_platter_stand_in_the_middle_of_a_tall_picture(void **state)
+{
+    (void)state;
+    static const uint16_t tall[][2] = {{240, 240}, {135, 240}, {128, 160}};
+    for (size_t i = 0; i < 3; i++) {
+        int above, below;
+        struct show s = show_open(demo_find("turntable"), tall[i][0], tall[i][1]);
+        margins(&s, &above, &below);
+        if (abs(above - below) > tall[i][1] / 12) {
+            fail_msg("%d rows above, %d below at %ux%u", above, below, tall[i][0], tall[i][1]);
+        }
+        show_close(&s);
     }
 }
 
@@ -487,7 +546,9 @@ int main(void)
         cmocka_unit_test(a_loop_has_no_jump),
         cmocka_unit_test(a_given_camera_replaces_the_demo_s_own),
         cmocka_unit_test(the_subject_fits_into_upright_and_square_pictures),
+        cmocka_unit_test(the_teapot_stays_whole_in_wide_pictures),
         cmocka_unit_test(any_model_fills_the_turntable_s_picture_and_fits),
+        cmocka_unit_test(pot_and_platter_stand_in_the_middle_of_a_tall_picture),
         cmocka_unit_test(the_frame_line_covers_exactly_the_outermost_pixels),
         cmocka_unit_test(the_corners_count_clockwise_from_the_top_left),
         cmocka_unit_test(the_bars_are_red_green_blue_white_grey_from_the_left),

@@ -257,9 +257,15 @@ static void assert_edges(struct ph_mesh *mesh)
     }
     qsort(got, count, sizeof(*got), compare_u64);
     assert_memory_equal(got, want, count * sizeof(*got));
-    arena.size -= 8;
+    arena.size -= 8; /* short by two edges, then with room for none */
     arena.used = 0;
     assert_int_equal(model_edges(&arena, mesh), PH_ERR_NOMEM);
+    arena.size -= MODEL_EDGES_BYTES(count) - 8;
+    memset(arena.base + arena.size, 0xA5, MODEL_EDGES_BYTES(count));
+    assert_int_equal(model_edges(&arena, mesh), PH_ERR_NOMEM);
+    for (size_t i = 0; i < MODEL_EDGES_BYTES(count); i++) {
+        assert_int_equal(arena.base[arena.size + i], 0xA5);
+    }
     free(arena.base);
     free(want);
 }
@@ -297,6 +303,19 @@ static void edges_of_a_hub_with_65534_spokes_take_linear_time(void **state)
     assert_edges(&mesh);
     assert_int_equal(mesh.edge_count, 2 * spokes);
     free(triangles);
+}
+
+/* Three edges a triangle, the most there can be: they must not grow into the scratch. */
+static void loose_triangles_have_three_edges_each(void **state)
+{
+    (void)state;
+    uint16_t triangles[1000][3];
+    for (uint16_t i = 0; i < 3000; i++) {
+        triangles[i / 3][i % 3] = i;
+    }
+    struct ph_mesh mesh = {.triangles = (const uint16_t(*)[3])triangles, .vertex_count = 3000, .triangle_count = 1000};
+    assert_edges(&mesh);
+    assert_int_equal(mesh.edge_count, 3000);
 }
 
 static void a_triangle_with_one_corner_twice_has_no_edge_of_no_length(void **state)
@@ -400,6 +419,7 @@ int main(void)
         cmocka_unit_test(normals_are_unit_vectors_to_the_outer_side),
         cmocka_unit_test(edges_are_the_sides_of_all_triangles_once),
         cmocka_unit_test(edges_of_a_hub_with_65534_spokes_take_linear_time),
+        cmocka_unit_test(loose_triangles_have_three_edges_each),
         cmocka_unit_test(a_triangle_with_one_corner_twice_has_no_edge_of_no_length),
         cmocka_unit_test(quad_edges_leave_out_the_diagonals),
         cmocka_unit_test(a_model_that_does_not_fit_is_refused),

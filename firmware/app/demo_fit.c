@@ -36,16 +36,15 @@ static struct swing swing_of(fx_t y, fx_t rho)
 }
 
 /*
- * The circle must stay inside the cone: |height| <= depth / scale at its front and back, and sideways where the view
- * touches it, rho sqrt(scale_x^2 + cos^2) before the axis.
+ * The circle must stay inside the cone: |height| <= depth / scale at its front, and sideways where the view touches it,
+ * rho sqrt(scale_x^2 + cos^2) before the axis. Its back needs no more, as scale_y <= 1 / tan(elevation).
  */
 static void extend(struct extent *e, fx_t y, fx_t rho, fx_t scale_y, fx_t side)
 {
     const struct swing w = swing_of(y, rho);
     const fx_t for_front = fx_add_sat(fx_mul_sat(fx_abs_sat(fx_sub_sat(w.up, w.tilt)), scale_y), w.front);
-    const fx_t for_back = fx_sub_sat(fx_mul_sat(fx_abs_sat(fx_add_sat(w.up, w.tilt)), scale_y), w.back);
     const fx_t for_side = fx_add_sat(fx_mul_sat(rho, side), w.lift);
-    e->distance = larger(e->distance, larger(for_side, larger(for_front, for_back)));
+    e->distance = larger(e->distance, larger(for_side, for_front));
     e->front = larger(e->front, w.front);
     e->back = larger(e->back, w.back);
     e->radius = larger(e->radius, rho);

@@ -55,9 +55,8 @@ static void sort_edges(const struct ph_mesh *mesh, bool quads, const struct edge
     }
 }
 
-/* Writes each edge once; returns how many, or capacity + 1 when they do not fit. */
-static uint32_t unique_edges(const struct edge_buckets *buckets, uint32_t vertex_count, uint16_t (*edges)[2],
-                             uint32_t capacity)
+/* Writes each edge once (edges = NULL: does not); returns how many. */
+static uint32_t unique_edges(const struct edge_buckets *buckets, uint32_t vertex_count, uint16_t (*edges)[2])
 {
     uint32_t count = 0;
     for (uint32_t v = 0; v < vertex_count; v++) {
@@ -69,12 +68,11 @@ static uint32_t unique_edges(const struct edge_buckets *buckets, uint32_t vertex
             if (upper == v || buckets->seen[upper] == v + 1) {
                 continue;
             }
-            if (count == capacity) {
-                return capacity + 1;
-            }
             buckets->seen[upper] = v + 1;
-            edges[count][0] = (uint16_t)v;
-            edges[count][1] = upper;
+            if (edges) {
+                edges[count][0] = (uint16_t)v;
+                edges[count][1] = upper;
+            }
             count++;
         }
     }
@@ -85,27 +83,21 @@ static int make_edges(struct demo_arena *arena, struct ph_mesh *mesh, bool quads
 {
     const size_t size = arena->size;
     struct edge_buckets buckets;
+    uint16_t(*edges)[2] = NULL;
     buckets.first = model_scratch(arena, 8 * (size_t)mesh->vertex_count + 4);
     buckets.upper = model_scratch(arena, 6 * (size_t)mesh->triangle_count);
-    const size_t start = MODEL_ROUND8(arena->used);
-    const size_t free_bytes = arena->size > start ? arena->size - start : 0;
+    if (buckets.first && buckets.upper) {
+        buckets.seen = buckets.first + mesh->vertex_count + 1;
+        sort_edges(mesh, quads, &buckets);
+        const uint32_t count = unique_edges(&buckets, mesh->vertex_count, NULL);
+        edges = demo_alloc(arena, count * sizeof(*edges));
+        if (edges) {
+            mesh->edge_count = unique_edges(&buckets, mesh->vertex_count, edges);
+            mesh->edges = (const uint16_t(*)[2])edges;
+        }
+    }
     arena->size = size;
-    if (!buckets.first || !buckets.upper) {
-        return PH_ERR_NOMEM;
-    }
-    buckets.seen = buckets.first + mesh->vertex_count + 1;
-    sort_edges(mesh, quads, &buckets);
-
-    /* The edges grow in the free middle of the arena; what they took becomes theirs at the end. */
-    const uint32_t capacity = (uint32_t)(free_bytes / 8 * 2);
-    uint16_t(*const edges)[2] = (void *)(arena->base + start);
-    const uint32_t count = unique_edges(&buckets, mesh->vertex_count, edges, capacity);
-    if (count > capacity || !demo_alloc(arena, count * sizeof(*edges))) {
-        return PH_ERR_NOMEM;
-    }
-    mesh->edges = (const uint16_t(*)[2])edges;
-    mesh->edge_count = count;
-    return PH_OK;
+    return edges ? PH_OK : PH_ERR_NOMEM;
 }
 
 int model_edges(struct demo_arena *arena, struct ph_mesh *mesh)

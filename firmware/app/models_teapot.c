@@ -104,7 +104,7 @@ static void put_vertex(struct model_build *build, uint32_t v, const struct patch
 {
     int32_t row[4], row_slope[4], column[4], column_slope[4];
     int32_t point[3], down[3], around[3];
-    const int64_t cube = n * n * n;
+    const int64_t cube = (int64_t)n * n * n;
     bernstein(i, n, row, row_slope);
     bernstein(j, n, column, column_slope);
     for (int k = 0; k < 3; k++) {
