@@ -92,17 +92,20 @@ struct fx_vec3 ph_xform_direction_q30(const struct ph_xform *a, struct fx_vec3 d
  */
 struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struct fx_vec3 up);
 
-enum ph_projection_kind { PH_PERSPECTIVE, PH_ORTHOGRAPHIC };
+enum ph_projection_kind { PH_PERSPECTIVE, PH_ORTHOGRAPHIC, PH_FISHEYE };
 
 /*
  * A view volume. scale_x = 2n/(r-l) for a perspective, 2/(r-l) for an orthographic projection, in Q12.20;
  * shift_x = (r+l)/(r-l) in Q16.16 likewise in y (the elements of the OpenGL matrix, their signs as there).
+ * A fisheye (SEEDS row P9; no matrix) is equidistant: a point at the angle theta from the view direction lies at the
+ * distance f theta from the centre, both axes with the same f. Its scales are half heights of the picture per radian;
+ * its depth, near_z and far_z are distances from the eye in all directions. See fisheye.c.
  */
 struct ph_projection {
     enum ph_projection_kind kind;
     int32_t scale_x_q20, scale_y_q20;
     fx_t shift_x, shift_y;
-    fx_t near_z, far_z; /* distances along the view, both positive for a perspective */
+    fx_t near_z, far_z; /* distances along the view, both positive for a perspective; fisheye: from the eye */
 };
 
 /*
@@ -113,5 +116,12 @@ int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspe
 int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z,
                           fx_t far_z);
 int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z, fx_t far_z);
+
+/*
+ * A fisheye that sees fov_deg, 10 .. 240 degrees, from the top of the picture to its bottom; a wider picture sees in
+ * proportion more to the sides. Nothing is drawn within 10 degrees of the direction straight backwards (which only
+ * pictures much wider than high show). PH_ERR_INVAL: fov_deg out of its range, near_z <= 0, far_z <= near_z.
+ */
+int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z);
 
 #endif

@@ -228,3 +228,13 @@ int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bot
                                 shift_of(bottom, top), near_z,  far_z};
     return PH_OK;
 }
+
+int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z)
+{
+    if (fov_deg < FX_INT(10) || fov_deg > FX_INT(240) || near_z <= 0 || far_z <= near_z) {
+        return PH_ERR_INVAL;
+    }
+    const int32_t scale = ratio(7509872, 20, fov_deg); /* 360 / pi in Q16.16: half heights per radian, 2 / fov */
+    *p = (struct ph_projection){PH_FISHEYE, scale, scale, 0, 0, near_z, far_z};
+    return PH_OK;
+}
