@@ -257,33 +257,47 @@ static bool is_locked(const struct sim *sim, uint8_t code)
     return s->locked || (!s->extra_unlocked && memchr(extra, code, sizeof extra) != NULL);
 }
 
+static const struct ssd_command *find_in(const struct ssd_command *list, size_t count, uint8_t code)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (list[i].code == code) {
+            return &list[i];
+        }
+    }
+    return NULL;
+}
+
+#define LIST(list) list, sizeof(list) / sizeof((list)[0])
+
+static const struct ssd_command *find(const struct sim *sim, uint8_t code)
+{
+    return is_1351(sim) ? find_in(LIST(ssd1351_commands), code) : find_in(LIST(ssd0323_commands), code);
+}
+
 static void begin(struct sim *sim, uint8_t code)
 {
     struct sim_ssd *s = &sim->u.ssd;
-    const struct ssd_command *list = is_1351(sim) ? ssd1351_commands : ssd0323_commands;
-    size_t count = is_1351(sim) ? sizeof ssd1351_commands / sizeof ssd1351_commands[0]
-                                : sizeof ssd0323_commands / sizeof ssd0323_commands[0];
     if (s->bit_count != 0) {
         sim_complain(sim, SIM_SPLIT_PIXEL, "a command after %u bits of a pixel", s->bit_count);
     }
     s->bit_count = 0;
     s->parameter_count = 0;
-    s->code = code;
+    s->code = 0;
     s->need = 0;
+    const struct ssd_command *command = find(sim, code);
+    if (command == NULL) {
+        sim_complain(sim, SIM_UNKNOWN_COMMAND, "command %02Xh is not known", code);
+        return;
+    }
+    s->need = command->parameters;
     if (is_locked(sim, code)) {
         sim_complain(sim, SIM_BAD_PARAMETER, "command %02Xh is locked", code);
-        s->code = 0;
+        return; /* its parameters come, and have no effect */
     }
-    for (size_t i = 0; i < count; i++) {
-        if (list[i].code == code) {
-            s->need = list[i].parameters;
-            if (s->need == 0) {
-                execute(sim);
-            }
-            return;
-        }
+    s->code = code;
+    if (s->need == 0) {
+        execute(sim);
     }
-    sim_complain(sim, SIM_UNKNOWN_COMMAND, "command %02Xh is not known", code);
 }
 
 static void parameter(struct sim *sim, uint8_t byte)

@@ -88,20 +88,25 @@ static bool same_pin(const struct board_pin *a, const struct board_pin *b)
     return strcmp(a->line, b->line) == 0;
 }
 
+/* Does wire i use the pin of an earlier one? */
+static void check_wire(const struct board *board, uint32_t i)
+{
+    const struct board_pin *a = pin_of(board, i);
+    for (uint32_t j = 0; j < i; j++) {
+        const struct board_pin *b = pin_of(board, j);
+        if (a->wired && b->wired && same_pin(a, b)) {
+            fail_msg("%s: wires %u and %u share a pin", board->name, j, i);
+        }
+    }
+}
+
 /* The Pirate Audio and the Display HAT Mini use MISO's line for D/C, so MISO is not wired there. */
 static void no_pin_is_used_twice(void **state)
 {
     (void)state;
     for (uint32_t k = 0; k < board_count; k++) {
-        const struct board *board = board_list[k];
-        for (uint32_t i = 0; pin_of(board, i) != NULL; i++) {
-            for (uint32_t j = 0; j < i; j++) {
-                const struct board_pin *a = pin_of(board, i);
-                const struct board_pin *b = pin_of(board, j);
-                if (a->wired && b->wired && same_pin(a, b)) {
-                    fail_msg("%s: wires %u and %u share a pin", board->name, j, i);
-                }
-            }
+        for (uint32_t i = 0; pin_of(board_list[k], i) != NULL; i++) {
+            check_wire(board_list[k], i);
         }
     }
 }
