@@ -11,7 +11,7 @@ static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
 {
     const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
                             (fx_mul_wide(row[2], z) >> 2) + (fx_mul_wide(row[3], w) >> 2);
-    return clamp_fx((quarter >> 14) + 0);
+    return clamp_fx((quarter >> 14) + ((quarter >> 13) & 1));
 }
 
 struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)
@@ -80,7 +80,7 @@ static void depth_row(const struct ph_projection *p, enum ph_convention conventi
     if (p->kind == PH_PERSPECTIVE) {
         const bool full = convention == PH_GL || convention == PH_LMU; /* NDC z from -1 to 1 */
         *one = product_quotient(n, f, full ? 2 : 1) * (convention == PH_REVERSED ? 1 : -1);
-        *z = convention == PH_D3D        ? quotient(f, range) + 1
+        *z = convention == PH_D3D        ? quotient(f, range)
              : convention == PH_REVERSED ? quotient(n, range)
                                          : -quotient(f + n, range);
         return;
@@ -124,7 +124,7 @@ int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enu
     const fx_t sx = (p->scale_x_q20 + 8) >> 4, sy = (p->scale_y_q20 + 8) >> 4;
     struct ph_mat4 m = {{{sx, 0, 0, 0}, {0, sy, 0, 0}, {0, 0, (fx_t)z, (fx_t)one}, {0, 0, 0, 0}}};
     if (p->kind == PH_ORTHOGRAPHIC) {
-        m.m[0][3] = p->shift_x;
+        m.m[0][3] = -p->shift_x;
         m.m[1][3] = -p->shift_y;
         m.m[3][3] = FX_ONE;
         *out = m;
@@ -132,8 +132,8 @@ int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enu
     }
     const bool forward = convention == PH_D3D || convention == PH_LMU; /* w = z */
     m.m[0][2] = forward ? -p->shift_x : p->shift_x;
-    m.m[1][2] = p->shift_y;
-    m.m[3][2] = -FX_ONE;
+    m.m[1][2] = forward ? -p->shift_y : p->shift_y;
+    m.m[3][2] = forward ? FX_ONE : -FX_ONE;
     if (convention == PH_LMU) { /* the whole of clip space is negative for what is visible */
         m.m[0][0] = -sx;
         m.m[1][1] = -sy;
@@ -146,11 +146,11 @@ struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_conve
 {
     const fx_t x = (fx_t)width * FX_HALF, y = (fx_t)height * FX_HALF;
     return (struct ph_mat4){
-        {{x, 0, 0, x}, {0, -y, 0, y}, {0, 0, FX_ONE, 0}, {0, 0, 0, FX_ONE}}};
+        {{x, 0, 0, x}, {0, convention == PH_LMU ? y : -y, 0, y}, {0, 0, FX_ONE, 0}, {0, 0, 0, FX_ONE}}};
 }
 
 struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal, fx_t d)
 {
     return (struct ph_mat4){
-        {{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, d, 0}, {from_q30(normal.x), -from_q30(normal.y), -from_q30(normal.z), 0}}};
+        {{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, d, 0}, {-from_q30(normal.x), -from_q30(normal.y), -from_q30(normal.z), 0}}};
 }
