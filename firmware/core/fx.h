@@ -54,10 +54,10 @@ fx_t fx_div_sat(fx_t a, fx_t b);
 /* 1 / a, error <= 0.5 LSB. 1 / 0 is FX_MAX. Only |a| of 0, 1 and +2 LSB clamp. Cost: 74, 50. */
 fx_t fx_rcp_sat(fx_t a);
 
-/* Square root, error <= 0.5 LSB; 0 for a <= 0. Cost: 219, 56. */
+/* Square root, error <= 0.5 LSB; 0 for a <= 0. Cost: 202, 49. */
 fx_t fx_sqrt(fx_t a);
 
-/* 1 / sqrt(a), error <= 0.5 LSB; FX_MAX for a <= 0. At most 256, of 1 LSB. Cost: 291, 58. */
+/* 1 / sqrt(a), error <= 0.5 LSB; FX_MAX for a <= 0. At most 256, of 1 LSB. Cost: 215, 48. */
 fx_t fx_rsqrt_sat(fx_t a);
 
 /* Sine, cosine of an angle in turns (65536 = one turn; only the lower 16 bits count), error <= 0.5 LSB. Cost: 375, 70.

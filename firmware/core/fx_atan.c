@@ -13,7 +13,7 @@ static const int32_t arctangent[67] = {
     509098996, 514828063, 520468494, 526021581, 531488619, 536870912, 542169761,
 };
 
-#define DOUBT 1024 /* in 2^-16 LSB; the error of the nodes' parabola is below half of it */
+#define DOUBT 1024 /* in 2^-16 LSB; the parabola through the nodes is at most 740 off */
 
 /* Whether lo / hi >= tan of k, in 2^-17 turn. */
 static int at_least(uint32_t lo, uint32_t hi, uint32_t k)

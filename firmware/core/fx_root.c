@@ -44,6 +44,10 @@ static uint32_t rsqrt_norm(uint32_t m)
     return y;
 }
 
+/*
+ * Both roots below take an estimate rounded down, r, and one exact comparison with r + 1/2. For an error of less than
+ * 1/2 r may also be one less or one more than the root rounded down; then the nearest is r + 1, and r, all the same.
+ */
 fx_t fx_sqrt(fx_t a)
 {
     if (a <= 0) {
@@ -51,15 +55,8 @@ fx_t fx_sqrt(fx_t a)
     }
     const int shift = fx_clz32((uint32_t)a) & ~1;
     const uint32_t m = (uint32_t)a << shift;
-    uint32_t r = fx_mulhi_u32(m, rsqrt_norm(m)) >> (5 + shift / 2); /* 2^13 sqrt(m) to 2^8 sqrt(a) */
-    int64_t rest = (int64_t)((uint64_t)(uint32_t)a << 16) - (int64_t)fx_mul_wide_u(r, r);
-    if (rest > 2 * (int64_t)r) {
-        rest -= 2 * (int64_t)r + 1;
-        r++;
-    } else if (rest < 0) {
-        r--;
-        rest += 2 * (int64_t)r + 1;
-    }
+    const uint32_t r = fx_mulhi_u32(m, rsqrt_norm(m)) >> (5 + shift / 2); /* 2^13 sqrt(m) to 2^8 sqrt(a) */
+    const int64_t rest = (int64_t)((uint64_t)(uint32_t)a << 16) - (int64_t)fx_mul_wide_u(r, r);
     return (fx_t)(r + (rest > (int64_t)r)); /* above (r + 1/2)^2 = r^2 + r + 1/4 */
 }
 
@@ -69,15 +66,7 @@ fx_t fx_rsqrt_sat(fx_t a)
         return FX_MAX;
     }
     const int shift = fx_clz32((uint32_t)a) & ~1;
-    const int drop = 21 - shift / 2; /* from 2^45 / sqrt(m) to twice 2^24 / sqrt(a) is one less */
-    const uint32_t y = rsqrt_norm((uint32_t)a << shift) >> (drop - 1);
-    /* Now y counts halves: its lower bit says on which side of the middle. Exactly: y^2 a <= 2^50 < (y + 1)^2 a. */
-    const uint64_t limit = (uint64_t)1 << 50;
-    uint32_t r = (y + 1) >> 1;
-    if (fx_mul_wide_u(2 * r + 1, 2 * r + 1) * (uint32_t)a <= limit) {
-        r++;
-    } else if (fx_mul_wide_u(2 * r - 1, 2 * r - 1) * (uint32_t)a > limit) {
-        r--;
-    }
-    return (fx_t)r;
+    const int drop = 21 - shift / 2; /* from 2^45 / sqrt(m) to 2^24 / sqrt(a) */
+    const uint32_t r = rsqrt_norm((uint32_t)a << shift) >> drop;
+    return (fx_t)(r + (fx_mul_wide_u(2 * r + 1, 2 * r + 1) * (uint32_t)a <= (uint64_t)1 << 50)); /* above r + 1/2 */
 }
