@@ -7,7 +7,7 @@
 
 #include "render.h"
 
-/* Memory for a demo's meshes, given once. Nothing is ever given back. */
+/* Memory for a demo's meshes, 8-byte aligned, given once; only scratch inside one call is given back. */
 struct demo_arena {
     uint8_t *base;
     size_t size, used;

@@ -31,11 +31,9 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
 
 /*
  * Icosahedron subdivided `levels` times (0 .. 5), vertices normalised at each level; radius 1. Errors as the torus.
- * Scratch: MODEL_ICOSPHERE_SCRATCH.
  */
 #define MODEL_ICOSPHERE_VERTICES(levels)  (10u * (1u << (2 * (levels))) + 2)
 #define MODEL_ICOSPHERE_TRIANGLES(levels) (20u * (1u << (2 * (levels))))
-#define MODEL_ICOSPHERE_SCRATCH(levels)   MODEL_ROUND8(6 * (size_t)MODEL_ICOSPHERE_VERTICES(levels))
 #define MODEL_ICOSPHERE_LEVELS_MAX        5
 int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t levels);
 

@@ -84,17 +84,15 @@ int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t lev
         return PH_ERR_INVAL;
     }
     const uint32_t vertices = MODEL_ICOSPHERE_VERTICES(levels);
-    const size_t size = arena->size;
     if (model_begin(arena, mesh, &build, vertices, MODEL_ICOSPHERE_TRIANGLES(levels)) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    uint16_t *const scratch = model_scratch(arena, MODEL_ICOSPHERE_SCRATCH(levels));
-    arena->size = size;
-    if (!scratch) {
-        return PH_ERR_NOMEM;
-    }
-    /* The positions stay in Q2.30 until the end: 14 guard bits for the levels' normalisations. */
-    struct halves h = {build.positions, 0, scratch, scratch + vertices, scratch + 2 * vertices};
+    /*
+     * Until the end the positions are Q2.30, with 14 guard bits for the levels' normalisations, and the lists lie where
+     * the normals will be: three 16-bit numbers a vertex as well.
+     */
+    uint16_t *const lists = (uint16_t *)build.normals;
+    struct halves h = {build.positions, 0, lists, lists + vertices, lists + 2 * vertices};
     icosahedron(&h, &build);
     for (uint32_t level = 0; level < levels; level++) {
         subdivide(&h, build.triangles, MODEL_ICOSPHERE_TRIANGLES(level));
