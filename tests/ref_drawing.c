@@ -92,9 +92,9 @@ void draw_shapes(struct drawing *d, const struct shape *shapes, int count)
 char letter_at(const struct drawing *d, int x, int y)
 {
     uint16_t colour = d->rig.pixels[y * WIDTH + x];
-    for (char letter = '0'; letter <= 'z'; letter++) {
-        if (colour == colour_of(letter)) {
-            return letter;
+    for (int letter = '0'; letter <= 'z'; letter++) {
+        if (colour == colour_of((char)letter)) {
+            return (char)letter;
         }
     }
     return colour == BLACK ? '.' : '?';

@@ -27,7 +27,7 @@ bool ref_plane_at(const struct ref_plane *p, const struct ref_lens *lens, double
                   double *z)
 {
     double focal = lens->height / 2. * sqrt(3), above = 0, along = 0;
-    double q[3] = {(sx - lens->width / 2.) / focal, (lens->height / 2. - sy) / focal, -1};
+    const double q[3] = {(sx - lens->width / 2.) / focal, (lens->height / 2. - sy) / focal, -1};
     for (int k = 0; k < 3; k++) {
         above += p->r[k][2] * p->t[k];
         along += p->r[k][2] * q[k];

@@ -19,14 +19,13 @@ double ref_uniform(double low, double high)
 
 void ref_direction(double out[3])
 {
-    double square = 0;
-    while (square < .01 || square > 1) {
-        square = 0;
+    double square;
+    do {
         for (int k = 0; k < 3; k++) {
             out[k] = ref_uniform(-1, 1);
-            square += out[k] * out[k];
         }
-    }
+        square = out[0] * out[0] + out[1] * out[1] + out[2] * out[2];
+    } while (square < .01 || square > 1);
     for (int k = 0; k < 3; k++) {
         out[k] /= sqrt(square);
     }

@@ -23,12 +23,13 @@ void rig_open(struct rig *rig, int width, int height, int band_height, enum ph_d
               int triangle_max)
 {
     size_t bands = (size_t)((height + band_height - 1) / band_height);
+    size_t pixels = (size_t)width * (size_t)height;
     memset(rig, 0, sizeof(*rig));
     rig->width = width;
     rig->height = height;
-    rig->pixels = get_memory((size_t)(width * height), sizeof(*rig->pixels));
-    rig->depth = get_memory((size_t)(width * height), sizeof(*rig->depth));
-    rig->band_depth = get_memory((size_t)(width * band_height), sizeof(*rig->band_depth));
+    rig->pixels = get_memory(pixels, sizeof(*rig->pixels));
+    rig->depth = get_memory(pixels, sizeof(*rig->depth));
+    rig->band_depth = get_memory((size_t)width * (size_t)band_height, sizeof(*rig->band_depth));
     rig->vertices = get_memory((size_t)vertex_max, ph_vertex_bytes);
     rig->triangles = get_memory((size_t)triangle_max, ph_triangle_bytes);
     rig->bins = get_memory(bands, sizeof(*rig->bins));

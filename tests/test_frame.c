@@ -168,7 +168,8 @@ static void lit_textures_are_scaled_by_the_light(void **state)
         one->material.texture = &texture;
         draw_mesh(&d, one);
         assert_true(rig_finish(&d.rig));
-        double rgb[3], full[3] = {248, 160, 80};
+        const double full[3] = {248, 160, 80};
+        double rgb[3];
         rig_rgb(&d.rig, 0, HEIGHT - 1, rgb);
         for (int k = 0; k < 3; k++) {
             assert_true(fabs(rgb[k] - full[k] * cosines[c]) <= 9);

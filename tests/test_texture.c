@@ -52,8 +52,8 @@ static void square_build(struct square *s, double size, double tiles, enum ph_wr
         s->uvs[i][0] = ref_q16(corners[i][0] * tiles);
         s->uvs[i][1] = ref_q16(-corners[i][1] * tiles);
     }
-    for (uint16_t i = 0; i < TEXELS * TEXELS; i++) {
-        s->texels[i] = i;
+    for (int i = 0; i < TEXELS * TEXELS; i++) {
+        s->texels[i] = (uint16_t)i;
     }
     s->texture = (struct ph_texture){s->texels, LOG2, LOG2, (uint8_t)wrap};
     s->material = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &s->texture};
