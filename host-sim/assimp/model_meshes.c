@@ -3,15 +3,11 @@
 #include <assimp/mesh.h>
 
 #include <math.h>
+#include <stdlib.h>
 
 struct fit {
     double centre[3], scale;
 };
-
-static double component(const struct aiVector3D *v, int axis)
-{
-    return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
-}
 
 /* Q16.16, saturated; NaN gives 0. */
 static fx_t fixed(double value)
@@ -23,58 +19,85 @@ static fx_t fixed(double value)
 }
 
 /* The middle of the box around all points, and their largest distance from it. */
-static bool find_fit(const struct aiScene *scene, struct fit *fit)
+static bool find_fit(const struct model_places *places, struct fit *fit)
 {
-    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        for (unsigned i = 0; i < scene->mMeshes[m]->mNumVertices; i++) {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, point[3];
+    for (size_t k = 0; k < places->count; k++) {
+        for (unsigned i = 0; i < places->list[k].mesh->mNumVertices; i++) {
+            model_place_point(&places->list[k], i, point);
             for (int axis = 0; axis < 3; axis++) {
-                const double v = component(&scene->mMeshes[m]->mVertices[i], axis);
-                low[axis] = v < low[axis] || !isfinite(v) ? v : low[axis];
-                high[axis] = v > high[axis] || !isfinite(v) ? v : high[axis];
+                low[axis] = point[axis] < low[axis] || !isfinite(point[axis]) ? point[axis] : low[axis];
+                high[axis] = point[axis] > high[axis] || !isfinite(point[axis]) ? point[axis] : high[axis];
             }
         }
     }
-    double radius = 0;
+    double most = 0; /* square of the distance */
     for (int axis = 0; axis < 3; axis++) {
         fit->centre[axis] = (low[axis] + high[axis]) / 2;
+        most = isfinite(fit->centre[axis]) ? most : HUGE_VAL;
     }
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        for (unsigned i = 0; i < scene->mMeshes[m]->mNumVertices; i++) {
-            double square = 0;
-            for (int axis = 0; axis < 3; axis++) {
-                const double d = component(&scene->mMeshes[m]->mVertices[i], axis) - fit->centre[axis];
-                square += d * d;
-            }
-            radius = fmax(radius, sqrt(square));
+    for (size_t k = 0; k < places->count; k++) {
+        for (unsigned i = 0; i < places->list[k].mesh->mNumVertices; i++) {
+            model_place_point(&places->list[k], i, point);
+            const double x = point[0] - fit->centre[0], y = point[1] - fit->centre[1], z = point[2] - fit->centre[2];
+            most = fmax(most, x * x + y * y + z * z);
         }
     }
-    fit->scale = 1 / radius;
-    return isfinite(radius) && isfinite(fit->scale);
+    fit->scale = 1 / sqrt(most);
+    return isfinite(most) && isfinite(fit->scale);
 }
 
-static int16_t normal_component(double value, double length)
+static void set_normal(int16_t normal[3], double x, double y, double z)
 {
-    const double unit = value / length;
-    return isfinite(unit) ? (int16_t)lround(unit * 16384) : 0;
+    const double length = sqrt(x * x + y * y + z * z);
+    const bool has_direction = length > 0 && isfinite(length);
+    normal[0] = has_direction ? (int16_t)lround(x / length * 16384) : 0;
+    normal[1] = has_direction ? (int16_t)lround(y / length * 16384) : 0;
+    normal[2] = has_direction ? (int16_t)lround(z / length * 16384) : 0;
 }
 
-static void copy_vertex(const struct aiMesh *from, unsigned i, const struct fit *fit, struct fx_vec3 *position,
-                        int16_t normal[3])
+static void copy_vertices(const struct model_place *from, const struct fit *fit, double (*points)[3],
+                          struct fx_vec3 *positions, int16_t (*normals)[3])
 {
-    const struct aiVector3D *p = &from->mVertices[i];
-    *position =
-        (struct fx_vec3){fixed((p->x - fit->centre[0]) * fit->scale), fixed((p->y - fit->centre[1]) * fit->scale),
-                         fixed((p->z - fit->centre[2]) * fit->scale)};
-    const struct aiVector3D n = from->mNormals != NULL ? from->mNormals[i] : (struct aiVector3D){0, 0, 0};
-    const double length = sqrt((double)n.x * n.x + (double)n.y * n.y + (double)n.z * n.z);
-    for (int axis = 0; axis < 3; axis++) {
-        normal[axis] = normal_component(component(&n, axis), length);
+    for (unsigned i = 0; i < from->mesh->mNumVertices; i++) {
+        double *p = points[i], n[3];
+        model_place_point(from, i, p);
+        positions[i].x = fixed((p[0] - fit->centre[0]) * fit->scale);
+        positions[i].y = fixed((p[1] - fit->centre[1]) * fit->scale);
+        positions[i].z = fixed((p[2] - fit->centre[2]) * fit->scale);
+        if (from->mesh->mNormals != NULL) {
+            model_place_normal(from, i, n);
+            set_normal(normals[i], n[0], n[1], n[2]);
+        }
     }
 }
 
-/* Faces that are no triangle of this mesh's vertices are left out. */
-static uint32_t copy_triangles(const struct aiMesh *from, uint16_t (*to)[3])
+/* Twice the area of a triangle times its normal, of points that are not rounded: small triangles have one too. */
+static void add_face(double (*points)[3], const uint16_t corners[3], double (*sums)[3])
+{
+    const double *p = points[corners[0]], *q = points[corners[1]], *r = points[corners[2]];
+    for (int axis = 0; axis < 3; axis++) {
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        const double cross = (q[a] - p[a]) * (r[b] - p[b]) - (q[b] - p[b]) * (r[a] - p[a]);
+        for (int i = 0; i < 3; i++) {
+            sums[corners[i]][axis] += cross;
+        }
+    }
+}
+
+/* Normals of a mesh whose file has none: the mean over the faces at a vertex, by area. sums: zeros. */
+static void make_normals(const struct ph_mesh *mesh, double (*points)[3], double (*sums)[3], int16_t (*normals)[3])
+{
+    for (uint32_t t = 0; t < mesh->triangle_count; t++) {
+        add_face(points, mesh->triangles[t], sums);
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        set_normal(normals[i], sums[i][0], sums[i][1], sums[i][2]);
+    }
+}
+
+/* Faces that are no triangle of this mesh's vertices are left out; what is mirrored is turned over. */
+static uint32_t copy_triangles(const struct aiMesh *from, bool mirrors, uint16_t (*to)[3])
 {
     uint32_t count = 0;
     for (unsigned f = 0; f < from->mNumFaces; f++) {
@@ -84,7 +107,7 @@ static uint32_t copy_triangles(const struct aiMesh *from, uint16_t (*to)[3])
             continue;
         }
         for (int i = 0; i < 3; i++) {
-            to[count][i] = (uint16_t)face->mIndices[i];
+            to[count][mirrors ? 2 - i : i] = (uint16_t)face->mIndices[i];
         }
         count++;
     }
@@ -119,12 +142,29 @@ static bool copy_material(struct model_shared *shared, const struct aiMesh *from
     return true;
 }
 
-static bool copy_mesh(struct model_shared *shared, const struct aiScene *scene, const struct aiMesh *from,
-                      const struct fit *fit, const struct ph_material *materials, struct ph_mesh *to)
+/* Positions, triangles and normals into arrays of the right size. false: no memory. */
+static bool copy_shape(const struct model_place *from, const struct fit *fit, struct fx_vec3 *positions,
+                       int16_t (*normals)[3], struct ph_mesh *to)
 {
+    double(*points)[3] = calloc(to->vertex_count, 2 * sizeof *points);
+    if (points == NULL) {
+        return false;
+    }
+    copy_vertices(from, fit, points, positions, normals);
+    if (from->mesh->mNormals == NULL) {
+        make_normals(to, points, points + to->vertex_count, normals);
+    }
+    free(points);
+    return true;
+}
+
+static bool copy_mesh(struct model_shared *shared, const struct model_place *place, const struct fit *fit,
+                      const struct ph_material *materials, struct ph_mesh *to)
+{
+    const struct aiMesh *from = place->mesh;
     const uint32_t n = from->mNumVertices;
-    if (n > MODEL_VERTICES_MAX || from->mMaterialIndex >= scene->mNumMaterials) {
-        return model_read_failed(shared, "is broken: a mesh of %u vertices with material %u", n, from->mMaterialIndex);
+    if (n == 0 || n > MODEL_VERTICES_MAX) {
+        return model_read_failed(shared, "is broken: a mesh of %u vertices", n);
     }
     struct fx_vec3 *positions = demo_alloc(&shared->arena, sizeof *positions * n);
     int16_t(*normals)[3] = demo_alloc(&shared->arena, sizeof *normals * n);
@@ -132,31 +172,30 @@ static bool copy_mesh(struct model_shared *shared, const struct aiScene *scene, 
     if (positions == NULL || normals == NULL || triangles == NULL) {
         return model_read_failed(shared, "needs too much memory");
     }
-    for (uint32_t i = 0; i < n; i++) {
-        copy_vertex(from, i, fit, &positions[i], normals[i]);
-    }
     *to = (struct ph_mesh){.positions = positions,
                            .normals = (const int16_t(*)[3])normals,
                            .triangles = (const uint16_t(*)[3])triangles,
                            .vertex_count = n,
-                           .triangle_count = copy_triangles(from, triangles)};
-    return copy_material(shared, from, materials, to) || model_read_failed(shared, "needs too much memory");
+                           .triangle_count = copy_triangles(from, place->mirrors, triangles)};
+    return (copy_shape(place, fit, positions, normals, to) && copy_material(shared, from, materials, to)) ||
+           model_read_failed(shared, "needs too much memory");
 }
 
-bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials)
+static bool copy_meshes(struct model_shared *shared, const struct model_places *places,
+                        const struct ph_material *materials)
 {
     struct model *model = &shared->model;
     struct fit fit;
-    if (!find_fit(scene, &fit)) {
+    if (!find_fit(places, &fit)) {
         return model_read_failed(shared, "has coordinates that are no numbers, or all points in one place");
     }
-    model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * scene->mNumMeshes);
+    model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * places->count);
     if (model->meshes == NULL) {
         return model_read_failed(shared, "needs too much memory");
     }
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+    for (size_t i = 0; i < places->count; i++) {
         struct ph_mesh *mesh = &model->meshes[model->mesh_count];
-        if (!copy_mesh(shared, scene, scene->mMeshes[i], &fit, materials, mesh)) {
+        if (!copy_mesh(shared, &places->list[i], &fit, materials, mesh)) {
             return false;
         }
         model->mesh_count += mesh->triangle_count > 0;
@@ -164,4 +203,15 @@ bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene,
         model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
     }
     return model->triangle_count > 0 || model_read_failed(shared, "has no triangles");
+}
+
+bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials)
+{
+    struct model_places places;
+    if (!model_places_find(scene, &places)) {
+        return model_read_failed(shared, "needs too much memory");
+    }
+    const bool done = copy_meshes(shared, &places, materials);
+    free(places.list);
+    return done;
 }

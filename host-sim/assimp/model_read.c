@@ -79,12 +79,32 @@ static const struct aiScene *import(const char *path, bool is_stl)
     return scene;
 }
 
-/* An STL file has the normals of its facets only, which say nothing that the facets do not. */
-static unsigned steps(bool is_stl)
+/*
+ * assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Of faces that share vertices
+ * (PLY, glTF) it would keep the last one's normal: model_read_meshes makes those.
+ */
+static bool shares_vertices(const struct aiScene *scene)
 {
-    return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices | aiProcess_FlipUVs |
-           aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals | aiProcess_SplitLargeMeshes |
-           aiProcess_ImproveCacheLocality | (is_stl ? aiProcess_RemoveComponent : 0u);
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        uint64_t corners = 0;
+        for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+            corners += mesh->mFaces[f].mNumIndices;
+        }
+        if (mesh->mNormals == NULL && corners > mesh->mNumVertices) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* An STL file has the normals of its facets only, which say nothing that the facets do not. */
+static unsigned steps(const struct aiScene *scene, bool is_stl)
+{
+    return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices |
+           aiProcess_SplitLargeMeshes | aiProcess_ImproveCacheLocality |
+           (shares_vertices(scene) ? 0u : (unsigned)aiProcess_GenSmoothNormals) |
+           (is_stl ? (unsigned)aiProcess_RemoveComponent : 0u);
 }
 
 bool model_read(struct model_shared *shared, const char *path)
@@ -105,7 +125,7 @@ bool model_read(struct model_shared *shared, const char *path)
     if (count > MODEL_TRIANGLES_MAX) {
         return model_read_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
     }
-    scene = aiApplyPostProcessing(scene, steps(is_stl));
+    scene = aiApplyPostProcessing(scene, steps(scene, is_stl));
     if (scene == NULL) {
         return model_read_failed(shared, "is broken: %s", aiGetErrorString());
     }

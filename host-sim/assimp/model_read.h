@@ -6,6 +6,8 @@
 
 #include <assimp/scene.h>
 
+#include <stddef.h>
+
 /* What the child shares with its parent. */
 struct model_shared {
     struct model model;
@@ -26,5 +28,25 @@ struct ph_material *model_read_materials(struct model_shared *shared, const stru
 
 /* The scene's meshes, fitted to the unit sphere. */
 bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials);
+
+/* A mesh where a node shows it. */
+struct model_place {
+    const struct aiMesh *mesh;
+    double m[3][4]; /* to world: three rows, the last column is the translation */
+    double cofactors[3][3];
+    bool mirrors; /* left becomes right: faces must be turned over to look outwards again */
+};
+
+struct model_places {
+    struct model_place *list; /* free() it */
+    size_t count;
+};
+
+/* Every mesh of every node. false: no memory. */
+bool model_places_find(const struct aiScene *scene, struct model_places *places);
+
+/* Vertex i and its normal (of any length) in the world. */
+void model_place_point(const struct model_place *place, unsigned i, double point[3]);
+void model_place_normal(const struct model_place *place, unsigned i, double normal[3]);
 
 #endif
