@@ -1,0 +1,30 @@
+#!/bin/sh
+# `make demo`: several demos on several kits, a few frames each, and one contact sheet. Needs the built programs only.
+set -eu
+B=${B:-build}
+out=$B/demo
+
+rm -rf "$out"
+mkdir -p "$out"
+
+# show DEMO BOARD START FRAMES: frames go to $out/DEMO-BOARD/, the first of them onto the sheet
+sheet=
+show() {
+    folder=$out/$1-$2
+    "$B/pinhole-sim" --demo "$1" --board "$2" --start "$3" --frames "$4" --out "$folder"
+    sheet="$sheet $(printf '%s/frame-%04u.ppm' "$folder" "$3")"
+    printf '  %-50s frames: %u\n' "$folder/" "$4"
+}
+
+echo "What the glass of each kit shows, as PPM:"
+show turntable waveshare-rp2040-lcd-1in28 0 8
+show torus waveshare-pico-lcd-1in3 8 8
+show testcard rpi-waveshare-1in3 0 1
+show wireframe rpi-pirate-audio 8 8
+show icosphere ft232h-ili9341 8 4
+show cube rpi-display-hat-mini 12 8
+show turntable lm3s6965evb 0 4
+show ground pico-display 8 8
+# shellcheck disable=SC2086 # names without spaces, one word each
+"$B/pinhole-sheet" --width 1024 --out "$out/contact-sheet.ppm" $sheet
+echo "  $out/contact-sheet.ppm"

@@ -1,0 +1,36 @@
+#!/bin/sh
+# `make gallery`: the README's pictures, made by the simulator, as PNG under host-sim/gallery/ (needs ImageMagick;
+# optipng makes them smaller where it is installed).
+set -eu
+B=${B:-build}
+to=host-sim/gallery
+command -v convert >/dev/null || { echo "make gallery: convert is missing; install imagemagick" >&2 && exit 1; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$to"
+
+save() { # NAME.ppm: to NAME.png, without times, so that the same picture is the same file
+    png=$to/$(basename "$1" .ppm).png
+    convert "$1" -strip -define png:exclude-chunks=date,time "$png"
+    ! command -v optipng >/dev/null || optipng -quiet -o5 "$png"
+}
+
+picture() { # NAME, pinhole-sim's options
+    name=$1
+    shift
+    "$B/pinhole-sim" "$@" --out "$work/$name.ppm"
+    save "$work/$name.ppm"
+}
+
+picture turntable --demo turntable --board sim-ili9488
+picture round --demo turntable --board waveshare-rp2040-lcd-1in28
+picture grey --demo turntable --board lm3s6965evb
+picture testcard --demo testcard --board waveshare-pico-lcd-1in3
+picture wireframe --demo wireframe --board rpi-display-hat-mini --start 8
+picture torus --demo torus --board rpi-display-hat-mini --start 8
+picture cube --demo cube --board rpi-display-hat-mini --start 12
+picture ground --demo ground --board rpi-display-hat-mini --start 8
+B=$B host-sim/demo.sh >"$work/log"
+cp "$B/demo/contact-sheet.ppm" "$work"
+save "$work/contact-sheet.ppm"
+du -cb "$to"/*.png
