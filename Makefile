@@ -8,7 +8,7 @@ V ?= 0
 PREFIX ?= /usr/local
 BUDGET_CORE_BYTES ?= 29400
 Q = $(if $(filter 1,$(V)),,@)
-SAY = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
+SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
 
 WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wcast-qual -Wwrite-strings \
        -Wpointer-arith -Wvla -Wformat=2
@@ -52,6 +52,7 @@ $(B)/firmware/app/%.o: INC = $(INC_CORE) -Ifirmware/app -Ihal -Iboards
 $(B)/hal/%.o: INC = -Ihal
 $(B)/boards/%.o: INC = -Ihal -Iboards
 
+ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(LDFLAGS) $(SIM_LIBS) $(LIB)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
@@ -62,8 +63,7 @@ all: $(PROGRAMS) ## the programs, under build/
 
 # What was built with other flags or from other files is built again.
 $(B)/flags: FORCE
-	@mkdir -p $(@D); echo '$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(LDFLAGS) $(SIM_LIBS) $(LIB)' | cmp -s - $@ || \
-	echo '$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(LDFLAGS) $(SIM_LIBS) $(LIB)' >$@
+	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || echo '$(ALL_FLAGS)' >$@
 
 $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)

@@ -10,7 +10,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 mode=${1-}
 case "$mode" in
-quick) limit_s=280 ;;
+quick) limit_s=400 ;;
 long) limit_s=1500 ;;
 *) echo "usage: $0 quick|long [VARIABLE=value...]" >&2 && exit 2 ;;
 esac
@@ -74,6 +74,7 @@ job() { # name, build directory (- for a script), source, [argument]
     echo "$passed $failed $skipped" >>"$results"
     {
         printf '%-4s %-32s %d passed, %d failed, %d skipped (%d s)\n' $word "$name" "$passed" "$failed" "$skipped" $((SECONDS - start))
+        [ $word != ok ] || grep '# SKIP' "$log" | sed 's/^/     | /'
         [ $word = ok ] || { grep '^not ok' "$log" | head -n 20 && echo ... && tail -n 40 "$log"; } | sed 's/^/     | /'
     } >"$log.short"
     cat "$log.short"
