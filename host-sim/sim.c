@@ -186,6 +186,7 @@ static void reset_line(struct sim *sim, bool level)
     const struct sim_model *model = sim->glass.model;
     if (!level && !sim->reset_low) {
         sim->reset_low = true;
+        sim->reset_done = false;
         sim->reset_fell_ns = sim->time_ns;
     } else if (level && sim->reset_low) {
         sim->reset_low = false;
@@ -195,7 +196,7 @@ static void reset_line(struct sim *sim, bool level)
                          model->reset_pulse_ns);
         }
         sim->reset_ready_ns = sim->time_ns + model->reset_wait_ns;
-        sim->reset_done = false;
+        sim->reset_done = false; /* a byte may have come in between */
         model->reset(sim);
     }
 }

@@ -370,10 +370,8 @@ static void take_command(struct sim *sim, uint8_t code)
     }
     d->code = code;
     d->parameter_count = 0;
-    if (code != RAMWRC) {
-        d->bits = 0;
-        d->bit_count = 0;
-    }
+    d->bits = 0;
+    d->bit_count = 0;
     d->command = find(common, sizeof common / sizeof common[0], code);
     if (d->command == NULL) {
         d->command = find(kind->commands, kind->command_count, code);

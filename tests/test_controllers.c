@@ -165,6 +165,33 @@ static void ili9488_takes_three_and_eighteen_bits(void **state)
     sim_close(k.sim);
 }
 
+/* ILI9341: this glass begins at the right of the memory, and starts with blue. B6h's second parameter: GS 40h, SS 20h.
+ */
+static void display_function_control_turns_the_scan(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *parameters;
+        uint32_t x, y;
+    } cases[] = {{"\x08\x82\x27", 237, 5}, {"\x08\xA2\x27", 2, 5}, {"\x08\xC2\x27", 237, 314}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct kit k = kit_with(&panel_ili9341_240x320);
+        plug(&k);
+        wake_dbi(&k);
+        show_dbi(&k, 240 * 320, 0x0000);
+        command(&k, 0x36);
+        DATA(&k, "\x08");
+        command(&k, 0xB6);
+        data(&k, cases[i].parameters, 3);
+        window(&k, "\0\x02\0\x02", "\0\x05\0\x05");
+        command(&k, 0x2C);
+        DATA(&k, "\xF8\x00");
+        assert_int_equal(seen_at(&k, 240, cases[i].x, cases[i].y), 0xFF0000);
+        none(&k);
+        sim_close(k.sim);
+    }
+}
+
 static void what_is_off_or_asleep_is_dark(void **state)
 {
     (void)state;
@@ -254,6 +281,38 @@ static void ssd1351_remaps(void **state)
     }
 }
 
+/* Start line, COM lines that are not split to both sides, and fewer lines than the glass has. */
+static void ssd1351_moves_lines(void **state)
+{
+    (void)state;
+    struct kit k = kit_with(&panel_ssd1351_128x128);
+    plug(&k);
+    wait_ms(&k, 1);
+    command(&k, 0xA0);
+    DATA(&k, "\x74");
+    command(&k, 0x5C);
+    for (uint32_t n = 0; n < 128 * 128; n++) { /* line 6 is red */
+        data(&k, n / 128 == 6 ? "\xF8" : "\0\0", 2);
+    }
+    command(&k, 0xAF);
+    assert_int_equal(seen_at(&k, 128, 0, 6), 0xFF0000);
+    command(&k, 0xA1);
+    DATA(&k, "\x02");
+    assert_int_equal(seen_at(&k, 128, 0, 4), 0xFF0000);
+    command(&k, 0xA1);
+    DATA(&k, "\x00");
+    command(&k, 0xA0);
+    DATA(&k, "\x54");
+    assert_int_equal(seen_at(&k, 128, 0, 12), 0xFF0000);
+    command(&k, 0xA0);
+    DATA(&k, "\x74");
+    command(&k, 0xCA);
+    DATA(&k, "\x05");
+    assert_int_equal(seen_at(&k, 128, 0, 6), 0x000000);
+    none(&k);
+    sim_close(k.sim);
+}
+
 static void ssd1351_locks_commands(void **state)
 {
     (void)state;
@@ -297,6 +356,9 @@ static void ssd0323_takes_two_greys_a_byte(void **state)
     assert_int_equal(seen_at(&k, 128, 7, 5), 0x000000);
     command(&k, 0xA7);
     assert_int_equal(seen_at(&k, 128, 4, 5), 0xEEEEEE);
+    static const uint8_t not_split[] = {0xA4, 0xA0, 0x12};
+    k.hal.ops->bus_write(k.hal.context, HAL_COMMAND, not_split, sizeof not_split);
+    assert_int_equal(seen_at(&k, 128, 4, 10), 0x111111);
     none(&k);
     sim_close(k.sim);
 }
@@ -310,9 +372,11 @@ int main(void)
         cmocka_unit_test(formats_are_decoded),
         cmocka_unit_test(memory_write_continues_after_other_commands),
         cmocka_unit_test(ili9488_takes_three_and_eighteen_bits),
+        cmocka_unit_test(display_function_control_turns_the_scan),
         cmocka_unit_test(what_is_off_or_asleep_is_dark),
         cmocka_unit_test(memory_is_noise_after_power_on),
         cmocka_unit_test(ssd1351_remaps),
+        cmocka_unit_test(ssd1351_moves_lines),
         cmocka_unit_test(ssd1351_locks_commands),
         cmocka_unit_test(ssd0323_takes_two_greys_a_byte),
     };

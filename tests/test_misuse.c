@@ -120,6 +120,23 @@ static void short_reset_and_early_bytes_are_seen(void **state)
     sim_close(early.sim);
 }
 
+/* Also when bytes have come before. */
+static void a_byte_in_or_right_after_reset_is_seen(void **state)
+{
+    (void)state;
+    struct kit k = kit_with(&panel_st7789_240x240);
+    plug(&k);
+    wake_dbi(&k);
+    pin(&k, HAL_PIN_RESET, false);
+    wait_ms(&k, 1);
+    command(&k, 0x00);
+    only(&k, SIM_EARLY_COMMAND, 1);
+    pin(&k, HAL_PIN_RESET, true);
+    command(&k, 0x00);
+    only(&k, SIM_EARLY_COMMAND, 2);
+    sim_close(k.sim);
+}
+
 static void sleep_commands_need_their_waits(void **state)
 {
     (void)state;
@@ -359,6 +376,7 @@ int main(void)
         cmocka_unit_test(pixels_in_sleep_are_resented),
         cmocka_unit_test(data_without_a_command_is_seen),
         cmocka_unit_test(short_reset_and_early_bytes_are_seen),
+        cmocka_unit_test(a_byte_in_or_right_after_reset_is_seen),
         cmocka_unit_test(sleep_commands_need_their_waits),
         cmocka_unit_test(windows_outside_of_the_memory_are_seen),
         cmocka_unit_test(more_pixels_than_the_window_has_are_seen),

@@ -263,6 +263,20 @@ static void wrong_use_is_refused(void **state)
     sim_close(bench.sim);
 }
 
+/* With an odd number of pixels, half a byte of the last line waits in the driver. */
+static void an_abandoned_frame_leaves_nothing_behind(void **state)
+{
+    (void)state;
+    set_up(&bench, &panel_st7789_135x240, PANEL_R0, PANEL_RGB444);
+    assert_int_equal(panel_open(&bench.d, &bench.hal, &bench.config), 0);
+    picture_fill(picture, 135, 240, 77);
+    assert_int_equal(panel_frame_begin(&bench.d), 0);
+    assert_int_equal(panel_rows(&bench.d, picture + 135 * 40, 3), 0);
+    assert_int_equal(picture_draw(&bench.d, picture, 9), 0);
+    check_picture(&bench, picture, "after an abandoned frame");
+    sim_close(bench.sim);
+}
+
 /* Every bus_write of an opening and a frame fails once; the error comes back, and the next frame is whole again. */
 static void every_failing_write_is_reported(void **state)
 {
@@ -311,6 +325,11 @@ static void other_failures_are_reported(void **state)
     sim_fault(bench.sim, SIM_FAULT_STUCK, 1);
     assert_int_equal(panel_frame_end(&bench.d), HAL_ETIMEDOUT);
     assert_true(dark(&bench));
+    assert_int_equal(picture_draw(&bench.d, picture, 240), 0);
+    assert_int_equal(panel_frame_begin(&bench.d), 0);
+    assert_int_equal(panel_rows(&bench.d, picture, 240), 0);
+    sim_fault(bench.sim, SIM_FAULT_STUCK, 1); /* nothing follows the pixels now */
+    assert_int_equal(panel_frame_end(&bench.d), HAL_ETIMEDOUT);
     sim_close(bench.sim);
 }
 
@@ -326,6 +345,7 @@ int main(void)
         cmocka_unit_test(close_turns_all_off_and_open_works_again),
         cmocka_unit_test(two_panels_live_side_by_side),
         cmocka_unit_test(wrong_use_is_refused),
+        cmocka_unit_test(an_abandoned_frame_leaves_nothing_behind),
         cmocka_unit_test(every_failing_write_is_reported),
         cmocka_unit_test(other_failures_are_reported),
     };
