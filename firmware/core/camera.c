@@ -151,15 +151,13 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
 
 fx_t ph_fov_of(fx_t height, fx_t distance)
 {
-    /* Twice the angle of (distance, h / 2), both halves small enough to double one; sine and cosine refine the 16 bits.
-     */
-    const int32_t y = height >> 1, x = distance;
+    /* Twice the angle of (2 distance, height), by bisection over half a turn: the arctangent's 16 bits are too few. */
     uint32_t low = 0, high = (uint32_t)1 << 31;
-    for (int i = 0; i < 31; i++) { /* bisection over half a turn: the sign of y cos a - x sin a */
+    for (int i = 0; i < 31; i++) {
         const uint32_t middle = low + (high - low) / 2;
         int32_t s, c;
         fx_sincos_q30(middle, &s, &c);
-        if ((fx_mul_wide(y, c) >> 1) - (fx_mul_wide(x, s) >> 1) > 0) {
+        if (fx_mul_wide(height, c) > 2 * fx_mul_wide(distance, s)) {
             low = middle;
         } else {
             high = middle;

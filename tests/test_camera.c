@@ -1,0 +1,568 @@
+/*
+ * Every way to state a camera states the same camera: rows V1, V3 .. V9 of SEEDS.md against double arithmetic, the four
+ * conventions' matrices against the definition of their depth, nodes of the scene graph, and refusals.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "camera.h"
+#include "ref_random.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI    3.14159265358979323846
+#define LSB   (1. / 65536)
+#define REACH 100  /* cameras of the comparison are within this of the origin, in x, y and z */
+#define FAR   1000 /* distance of a target: how finely it gives a direction */
+#define CASES 2000
+
+static double real(fx_t v)
+{
+    return v * LSB;
+}
+
+static struct fx_vec3 vec(double x, double y, double z)
+{
+    return (struct fx_vec3){ref_q16(x), ref_q16(y), ref_q16(z)};
+}
+
+static uint32_t turn32(double radians)
+{
+    return (uint32_t)llrint(ldexp(radians / (2 * PI), 32));
+}
+
+static void near_to(double got, double want, double tolerance)
+{
+    if (!(fabs(got - want) <= tolerance)) {
+        fail_msg("got %.9g, want %.9g, off by %.3g, allowed %.3g", got, want, fabs(got - want), tolerance);
+    }
+}
+
+/* ---- one camera in many words ------------------------------------------------------------------------------- */
+
+/* A camera in double: its axes are the columns of r. */
+struct camera {
+    double q[4]; /* w, x, y, z */
+    double r[3][3];
+    double p[3];
+};
+
+static struct camera random_camera(void)
+{
+    struct camera c;
+    double length = 0, v[4];
+    while (length < .1 || length > 1) {
+        length = 0;
+        for (int k = 0; k < 4; k++) {
+            v[k] = ref_uniform(-1, 1);
+            length += v[k] * v[k];
+        }
+    }
+    for (int k = 0; k < 4; k++) {
+        c.q[k] = v[k] / sqrt(length);
+    }
+    const double w = c.q[0], x = c.q[1], y = c.q[2], z = c.q[3];
+    const double r[3][3] = {{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
+                            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}};
+    memcpy(c.r, r, sizeof(r));
+    for (int k = 0; k < 3; k++) {
+        c.p[k] = real(ref_q16(ref_uniform(-REACH, REACH)));
+    }
+    return c;
+}
+
+static struct fx_vec3 place(const struct camera *c)
+{
+    return vec(c->p[0], c->p[1], c->p[2]);
+}
+
+/* `length` times axis k of the camera. */
+static struct fx_vec3 axis(const struct camera *c, int k, double length)
+{
+    return vec(length * c->r[0][k], length * c->r[1][k], length * c->r[2][k]);
+}
+
+static struct ph_xform node_of(const struct camera *c, double scale)
+{
+    struct ph_xform m;
+    for (int e = 0; e < 9; e++) {
+        m.r[e / 3][e % 3] = ref_q30(scale * c->r[e / 3][e % 3]);
+    }
+    m.t = place(c);
+    return m;
+}
+
+static struct ph_xform by_look_at(const struct camera *c)
+{
+    return ph_view_look_at(place(c), fx_vec3_sub_sat(place(c), axis(c, 2, FAR)), axis(c, 1, FAR));
+}
+
+static struct ph_xform by_rotate_translate(const struct camera *c)
+{
+    const double s = sqrt(c->q[1] * c->q[1] + c->q[2] * c->q[2] + c->q[3] * c->q[3]);
+    return ph_view_rotate_translate(vec(FAR * c->q[1] / s, FAR * c->q[2] / s, FAR * c->q[3] / s),
+                                    turn32(2 * atan2(s, c->q[0])), place(c));
+}
+
+static struct ph_xform by_phigs(const struct camera *c)
+{
+    return ph_view_phigs(place(c), axis(c, 2, FAR), axis(c, 1, FAR));
+}
+
+static struct ph_xform by_yaw_pitch_roll(const struct camera *c)
+{
+    return ph_view_yaw_pitch_roll(place(c), turn32(atan2(c->r[0][2], c->r[2][2])), turn32(asin(-c->r[1][2])),
+                                  turn32(atan2(c->r[1][0], c->r[1][1])));
+}
+
+static struct ph_xform by_quaternion(const struct camera *c)
+{
+    return ph_view_quat((struct fx_quat){ref_q30(c->q[0]), ref_q30(c->q[1]), ref_q30(c->q[2]), ref_q30(c->q[3])},
+                        place(c));
+}
+
+static struct ph_xform by_node(const struct camera *c)
+{
+    const struct ph_xform world = node_of(c, 1);
+    return ph_view_of_node(&world);
+}
+
+static struct ph_xform by_scaled_node(const struct camera *c)
+{
+    const struct ph_xform world = node_of(c, 1.75);
+    return ph_view_of_node(&world);
+}
+
+static struct ph_xform by_inverse(const struct camera *c)
+{
+    const struct ph_xform world = node_of(c, 1);
+    return ph_xform_inverse_rigid(&world);
+}
+
+/* An object that looks at the point behind the camera has the camera's axes (V3). */
+static struct ph_xform by_object(const struct camera *c)
+{
+    const struct ph_xform world =
+        ph_object_look_at(place(c), fx_vec3_add_sat(place(c), axis(c, 2, FAR)), axis(c, 1, FAR));
+    return ph_xform_inverse_rigid(&world);
+}
+
+/* 4600: rows R, U, F, left-handed. */
+static struct ph_xform by_d3d(const struct camera *c)
+{
+    struct ph_xform view;
+    double t[3] = {0, 0, 0};
+    for (int e = 0; e < 9; e++) {
+        const double element = (e / 3 == 2 ? -1 : 1) * c->r[e % 3][e / 3];
+        view.r[e / 3][e % 3] = ref_q30(element);
+        t[e / 3] -= element * c->p[e % 3];
+    }
+    view.t = vec(t[0], t[1], t[2]);
+    fx_t n = FX_ONE, f = FX_INT(100);
+    assert_int_equal(ph_camera_from(PH_D3D, &view, &n, &f), PH_OK);
+    return view;
+}
+
+static const struct {
+    const char *name;
+    struct ph_xform (*view)(const struct camera *c);
+} ways[] = {
+    {"V1 look at", by_look_at},
+    {"V3 object's look at, inverted", by_object},
+    {"V5 node", by_node},
+    {"V5 node with a scale", by_scaled_node},
+    {"V5 inverse", by_inverse},
+    {"V6 rotate, translate", by_rotate_translate},
+    {"V7 VRP, VPN, VUP", by_phigs},
+    {"V8 yaw, pitch, roll", by_yaw_pitch_roll},
+    {"V9 quaternion", by_quaternion},
+    {"4600's rows", by_d3d},
+};
+
+#define WAYS (int)(sizeof(ways) / sizeof(ways[0]))
+
+/* Largest difference from the exact view matrix, in LSB. */
+static double view_error(const struct camera *c, const struct ph_mat4 *m)
+{
+    double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        double t = 0;
+        for (int j = 0; j < 3; j++) {
+            worst = fmax(worst, fabs(real(m->m[i][j]) - c->r[j][i]));
+            t -= c->r[j][i] * c->p[j];
+        }
+        worst = fmax(worst, fabs(real(m->m[i][3]) - t));
+    }
+    return worst / LSB;
+}
+
+/* Measured: .50 to .62 LSB from the exact matrix. */
+static void V1_to_V9_any_two_ways_agree_within_one_LSB(void **state)
+{
+    (void)state;
+    double worst[WAYS] = {0};
+    ref_seed(19);
+    for (int i = 0; i < CASES; i++) {
+        const struct camera c = random_camera();
+        struct ph_mat4 m[WAYS];
+        for (int k = 0; k < WAYS; k++) {
+            const struct ph_xform view = ways[k].view(&c);
+            m[k] = ph_matrix_view(&view, PH_GL);
+            worst[k] = fmax(worst[k], view_error(&c, &m[k]));
+            for (int e = 0; e < 16 * k; e++) {
+                const int row = e % 16 / 4, column = e % 4;
+                const fx_t a = m[k].m[row][column], b = m[e / 16].m[row][column];
+                if (abs(a - b) > 1) {
+                    fail_msg("case %d, row %d column %d: %s gives %d, %s %d", i, row, column, ways[k].name, a,
+                             ways[e / 16].name, b);
+                }
+            }
+        }
+    }
+    for (int k = 0; k < WAYS; k++) {
+        printf("%-30s %.3f LSB off the exact matrix at most\n", ways[k].name, worst[k]);
+        assert_true(worst[k] <= 1);
+    }
+}
+
+/* HAW: a camera puts its target on -z, an object on +z. */
+static void V3_target_is_before_the_camera_and_on_plus_z_of_the_object(void **state)
+{
+    (void)state;
+    ref_seed(3);
+    for (int i = 0; i < CASES; i++) {
+        const struct camera c = random_camera();
+        const double distance = ref_uniform(1, 200);
+        const struct fx_vec3 eye = place(&c), target = fx_vec3_sub_sat(eye, axis(&c, 2, distance)), up = axis(&c, 1, 1);
+        const struct ph_xform view = ph_view_look_at(eye, target, up), object = ph_object_look_at(eye, target, up),
+                              back = ph_xform_inverse_rigid(&object);
+        const struct fx_vec3 seen = ph_xform_point(&view, target), held = ph_xform_point(&back, target);
+        near_to(real(seen.x), 0, 2 * LSB);
+        near_to(real(seen.y), 0, 2 * LSB);
+        near_to(real(seen.z), -distance, 3 * LSB);
+        near_to(real(held.x), 0, 2 * LSB);
+        near_to(real(held.y), 0, 2 * LSB);
+        near_to(real(held.z), distance, 3 * LSB);
+        assert_true(object.t.x == eye.x && object.t.y == eye.y && object.t.z == eye.z);
+    }
+}
+
+static void check_rigid(const struct ph_xform *m)
+{
+    for (int e = 0; e < 9; e++) {
+        double dot = 0;
+        for (int k = 0; k < 3; k++) {
+            dot += ldexp((double)m->r[e / 3][k] * m->r[e % 3][k], -60);
+        }
+        near_to(dot, e / 3 == e % 3, 1e-7);
+    }
+}
+
+/* The replaced up of geom.h holds for what is built on it, too. */
+static void V4_cameras_without_a_direction_are_rigid(void **state)
+{
+    (void)state;
+    const struct fx_vec3 here = vec(1, 2, 3), none = {0, 0, 0}, up = vec(0, 1, 0);
+    const struct ph_xform all[] = {
+        ph_object_look_at(here, here, up),
+        ph_object_look_at(here, vec(1, 9, 3), up),
+        ph_object_look_at(here, vec(1, -9, 3), up),
+        ph_object_look_at(here, vec(4, 4, 4), none),
+        ph_object_look_at((struct fx_vec3){FX_MIN, FX_MIN, FX_MIN}, (struct fx_vec3){FX_MAX, FX_MAX, FX_MAX}, up),
+        ph_view_phigs(here, none, up),
+        ph_view_phigs(here, up, up),
+        ph_view_phigs(here, vec(1, 1, 1), none),
+        ph_view_phigs(here, (struct fx_vec3){FX_MIN, FX_MIN, FX_MIN}, up),
+        ph_view_rotate_translate(none, 12345, here),
+        ph_view_quat((struct fx_quat){0, 0, 0, 0}, here),
+    };
+    for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); i++) {
+        check_rigid(&all[i]);
+    }
+    assert_int_equal(all[0].r[2][2], FX_Q30_ONE);  /* object at its target: not turned */
+    assert_int_equal(all[5].r[2][2], FX_Q30_ONE);  /* no normal: along -z */
+    assert_int_equal(all[6].r[1][2], FX_Q30_ONE);  /* seen from above: z for up, as for a look-at down */
+    assert_int_equal(all[9].r[0][0], FX_Q30_ONE);  /* no axis: not turned */
+    assert_int_equal(all[10].r[1][1], FX_Q30_ONE); /* no quaternion: not turned */
+    assert_int_equal(all[10].t.z, FX_INT(-3));
+}
+
+/* ---- conventions -------------------------------------------------------------------------------------------- */
+
+/* NDC z at near and far plane: the table of camera.h. */
+static const double planes[4][2] = {[PH_GL] = {-1, 1}, [PH_D3D] = {0, 1}, [PH_LMU] = {1, -1}, [PH_REVERSED] = {1, 0}};
+
+/* NDC z of a point at `distance`, from the matrix, and how much half an LSB in each element moves it. */
+static double ndc_z(const struct ph_projection *p, enum ph_convention convention, double distance, double *moved)
+{
+    struct ph_mat4 m;
+    assert_int_equal(ph_matrix_projection(&m, p, convention), PH_OK);
+    const double z = convention == PH_D3D ? distance : -distance;
+    const double w = real(m.m[3][2]) * z + real(m.m[3][3]);
+    *moved = (distance + 1) * LSB / 2 / fabs(w);
+    return (real(m.m[2][2]) * z + real(m.m[2][3])) / w;
+}
+
+/* Each element is rounded once: NDC z is as far off as half an LSB of both elements makes it, no further. */
+static void near_and_far_planes_have_the_depths_of_the_table(void **state)
+{
+    (void)state;
+    ref_seed(4);
+    for (int i = 0; i < CASES; i++) {
+        const double n = real(ref_q16(exp(ref_uniform(log(.05), log(20))))),
+                     f = real(ref_q16(n * (1 + exp(ref_uniform(log(.05), log(100))))));
+        struct ph_projection p[2];
+        assert_int_equal(ph_projection_perspective(&p[0], FX_INT(60), FX_ONE, ref_q16(n), ref_q16(f)), PH_OK);
+        assert_int_equal(ph_projection_ortho(&p[1], -FX_ONE, FX_ONE, -FX_ONE, FX_ONE, ref_q16(n), ref_q16(f)), PH_OK);
+        for (int k = 0; k < 16; k++) {
+            const enum ph_convention convention = (enum ph_convention)(k / 4);
+            double moved;
+            const double z = ndc_z(&p[k % 2], convention, k % 4 < 2 ? n : f, &moved);
+            near_to(z, planes[convention][k % 4 / 2], 1.0001 * moved);
+        }
+    }
+}
+
+/* What is nearer stays nearer: depth order in every convention, over the whole range. */
+static void depth_runs_one_way_between_the_planes(void **state)
+{
+    (void)state;
+    struct ph_projection p;
+    double moved;
+    assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_HALF, FX_INT(50)), PH_OK);
+    for (int convention = PH_GL; convention <= PH_REVERSED; convention++) {
+        const double direction = planes[convention][1] - planes[convention][0];
+        double last = ndc_z(&p, (enum ph_convention)convention, .5, &moved);
+        for (int i = 1; i <= 495; i++) {
+            const double z = ndc_z(&p, (enum ph_convention)convention, .5 + i / 10., &moved);
+            assert_true((z - last) * direction > 0);
+            last = z;
+        }
+    }
+}
+
+/* D3D's view by hand, LMU's coordinates by hand: both come back as the camera that was written down. */
+static void cameras_come_back_from_every_convention(void **state)
+{
+    (void)state;
+    ref_seed(8);
+    for (int i = 0; i < CASES; i++) {
+        const struct camera c = random_camera();
+        const struct ph_xform ours = by_quaternion(&c);
+        for (int convention = PH_GL; convention <= PH_REVERSED; convention++) {
+            struct ph_xform view = ours;
+            fx_t n = 3 * FX_HALF, f = FX_INT(70);
+            if (convention == PH_D3D) {
+                for (int j = 0; j < 3; j++) {
+                    view.r[2][j] = -view.r[2][j];
+                }
+                view.t.z = -view.t.z;
+            }
+            if (convention == PH_LMU) {
+                n = -n;
+                f = -f;
+            }
+            assert_int_equal(ph_camera_from((enum ph_convention)convention, &view, &n, &f), PH_OK);
+            assert_memory_equal(&view, &ours, sizeof(view));
+            assert_int_equal(n, 3 * FX_HALF);
+            assert_int_equal(f, FX_INT(70));
+        }
+    }
+}
+
+/* ---- zoom ---------------------------------------------------------------------------------------------------- */
+
+/* LMU: fov = 2 atan(1 / distance) for a height of 2; any height. Within 1 LSB of a degree's Q16.16. */
+static void M2_field_of_view_fits_the_height(void **state)
+{
+    (void)state;
+    ref_seed(2);
+    for (int i = 0; i < 5000; i++) {
+        const fx_t height = ref_q16(exp(ref_uniform(log(.001), log(1000)))),
+                   distance = ref_q16(exp(ref_uniform(log(.001), log(1000))));
+        const double want = 360 / PI * atan2(height, 2. * distance);
+        near_to(real(ph_fov_of(height, distance)), want, LSB);
+    }
+    near_to(real(ph_fov_of(FX_INT(2), FX_ONE)), 90, LSB);
+    near_to(real(ph_fov_of(1, 1)), 360 / PI * atan(.5), LSB);
+    assert_int_equal(ph_fov_of(FX_ONE, 0), FX_INT(180));
+    assert_int_equal(ph_fov_of(0, FX_ONE), 0);
+}
+
+/* ---- nodes ---------------------------------------------------------------------------------------------------- */
+
+#define DEPTH 1000
+
+/*
+ * V5: a chain of 1000 nodes, each a step of 1 along its parent's x and a turn of a 1000th about z: a circle, closed.
+ * Each product rounds by half an LSB of Q2.30 and of Q16.16.
+ */
+static void V5_thousand_nested_nodes_close_a_circle(void **state)
+{
+    (void)state;
+    static struct ph_node nodes[DEPTH];
+    static struct ph_xform world[DEPTH];
+    struct ph_xform step = ph_xform_rotate_z((uint32_t)(4294967296. / DEPTH));
+    step.t.x = FX_ONE;
+    for (int i = 0; i < DEPTH; i++) {
+        nodes[i] = (struct ph_node){i - 1, step};
+    }
+    assert_int_equal(ph_nodes_world(nodes, DEPTH, world), PH_OK);
+    double worst = 0;
+    for (int i = 0; i < DEPTH; i++) {
+        const double turn = (i + 1) * 2 * PI / DEPTH, half = PI / DEPTH;
+        const double chord = sin((i + 1) * half) / sin(half); /* of i + 1 steps of length 1 */
+        worst = fmax(worst, fabs(real(world[i].t.x) - chord * cos(i * half)));
+        worst = fmax(worst, fabs(real(world[i].t.y) - chord * sin(i * half)));
+        near_to(ldexp(world[i].r[1][0], -30), sin(turn), 1e-6);
+        near_to(ldexp(world[i].r[0][0], -30), cos(turn), 1e-6);
+    }
+    printf("1000 nested nodes: place at most %.1f LSB off\n", worst / LSB);
+    assert_true(worst < 20 * LSB);
+}
+
+/* V5: the camera rides on a node; matrixWorldInverse. Two roots, a forest. */
+static void V5_camera_rides_on_its_parent(void **state)
+{
+    (void)state;
+    struct ph_node nodes[4] = {{-1, ph_xform_rotate_y(0x40000000)},
+                               {-1, ph_xform_translate(FX_INT(50), 0, 0)},
+                               {0, ph_xform_translate(0, 0, FX_INT(3))},
+                               {2, ph_xform_rotate_y(0xc0000000)}};
+    struct ph_xform world[4];
+    nodes[0].local.t.y = FX_INT(7);
+    assert_int_equal(ph_nodes_world(nodes, 4, world), PH_OK);
+    const struct ph_xform view = ph_view_of_node(&world[3]);
+    assert_int_equal(world[3].t.x, FX_INT(3)); /* z of the parent, turned to x */
+    assert_int_equal(world[3].t.y, FX_INT(7));
+    assert_int_equal(world[3].t.z, 0);
+    const struct ph_xform want = ph_xform_translate(FX_INT(-3), FX_INT(-7), 0); /* the turns cancel */
+    assert_memory_equal(&view, &want, sizeof(view));
+    assert_int_equal(world[1].t.x, FX_INT(50));
+}
+
+static void V5_wrong_parents_are_refused(void **state)
+{
+    (void)state;
+    static const int32_t wrong[] = {1, 2, 3, 4, -2, INT32_MIN, INT32_MAX}; /* of node 1: itself, later ones, none */
+    struct ph_xform world[3];
+    for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++) {
+        const struct ph_node nodes[3] = {
+            {-1, ph_xform_identity}, {wrong[i], ph_xform_identity}, {0, ph_xform_identity}};
+        assert_int_equal(ph_nodes_world(nodes, 3, world), PH_ERR_INVAL);
+        assert_int_equal(ph_nodes_world(nodes, 1, world), PH_OK); /* that one is not among them */
+    }
+    assert_int_equal(ph_nodes_world(NULL, 0, world), PH_OK);
+}
+
+/* ---- refusals ------------------------------------------------------------------------------------------------ */
+
+static void impossible_cameras_are_refused_and_change_nothing(void **state)
+{
+    (void)state;
+    const fx_t one = FX_ONE, ten = FX_INT(10), wide = FX_INT(180);
+    struct ph_projection p;
+    memset(&p, 0x5a, sizeof(p));
+    const struct ph_projection before = p;
+    const int refused[] = {
+        ph_projection_perspective(&p, 0, one, one, ten),
+        ph_projection_perspective(&p, wide, one, one, ten),
+        ph_projection_perspective(&p, -one, one, one, ten),
+        ph_projection_perspective(&p, FX_MAX, one, one, ten),
+        ph_projection_perspective(&p, ten, 0, one, ten),
+        ph_projection_perspective(&p, ten, -one, one, ten),
+        ph_projection_perspective(&p, ten, one, 0, ten),
+        ph_projection_perspective(&p, ten, one, -one, ten),
+        ph_projection_perspective(&p, ten, one, ten, ten),
+        ph_projection_perspective(&p, ten, one, ten, one),
+        ph_projection_pinhole(&p, 0, one, one, one, ten),
+        ph_projection_pinhole(&p, -one, one, one, one, ten),
+        ph_projection_pinhole(&p, one, 0, one, one, ten),
+        ph_projection_pinhole(&p, one, one, 0, one, ten),
+        ph_projection_pinhole(&p, one, -one, one, one, ten),
+        ph_projection_pinhole(&p, one, one, -one, one, ten),
+        ph_projection_pinhole(&p, one, one, one, 0, ten),
+        ph_projection_pinhole(&p, one, one, one, ten, ten),
+        ph_projection_pinhole(&p, one, one, one, ten, -one),
+        ph_projection_pinhole(&p, FX_MAX, 1, one, one, ten), /* more than Q12.20 */
+        ph_projection_pinhole(&p, 1, one, FX_MAX, one, ten), /* less */
+        ph_projection_resize(&p, 0),
+        ph_projection_resize(&p, -one),
+        ph_projection_resize(&p, 1),
+    };
+    for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); i++) {
+        if (refused[i] != PH_ERR_INVAL) {
+            fail_msg("number %zu gives %d", i, refused[i]);
+        }
+    }
+    assert_memory_equal(&p, &before, sizeof(p));
+}
+
+static void matrices_without_room_in_Q16_16_are_refused_and_change_nothing(void **state)
+{
+    (void)state;
+    struct ph_projection p;
+    struct ph_mat4 m;
+    memset(&m, 0x5a, sizeof(m));
+    const struct ph_mat4 before = m;
+    for (int convention = PH_GL; convention <= PH_REVERSED; convention++) {
+        assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_INT(10), FX_INT(10) + 1), PH_OK);
+        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_RANGE);
+        assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_MAX - 1, FX_MAX), PH_OK);
+        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_RANGE);
+        assert_int_equal(ph_projection_ortho(&p, -FX_ONE, FX_ONE, -FX_ONE, FX_ONE, FX_INT(10), FX_INT(10) + 1), PH_OK);
+        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_RANGE);
+        p.far_z = p.near_z;
+        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_INVAL);
+        assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, 1, FX_MAX), PH_OK); /* the longest fits */
+        struct ph_mat4 fits;
+        assert_int_equal(ph_matrix_projection(&fits, &p, (enum ph_convention)convention), PH_OK);
+    }
+    assert_memory_equal(&m, &before, sizeof(m));
+}
+
+static void impossible_volumes_of_a_convention_are_refused_and_change_nothing(void **state)
+{
+    (void)state;
+    static const fx_t distances[][2] = {{0, FX_ONE}, {-FX_ONE, FX_ONE}, {FX_ONE, FX_ONE}, {FX_ONE, FX_HALF}};
+    for (int k = 0; k < 16; k++) {
+        const enum ph_convention convention = (enum ph_convention)(k / 4);
+        const fx_t sign = convention == PH_LMU ? -1 : 1, near_z = sign * distances[k % 4][0],
+                   far_z = sign * distances[k % 4][1];
+        struct ph_xform view = ph_xform_rotate_y(12345);
+        const struct ph_xform before = view;
+        fx_t n = near_z, f = far_z;
+        assert_int_equal(ph_camera_from(convention, &view, &n, &f), PH_ERR_INVAL);
+        assert_memory_equal(&view, &before, sizeof(view));
+        assert_true(n == near_z && f == far_z);
+    }
+    struct ph_xform view = ph_xform_identity;
+    fx_t n = FX_ONE, f = FX_INT(10); /* distances given for LMU's coordinates */
+    assert_int_equal(ph_camera_from(PH_LMU, &view, &n, &f), PH_ERR_INVAL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(V1_to_V9_any_two_ways_agree_within_one_LSB),
+        cmocka_unit_test(V3_target_is_before_the_camera_and_on_plus_z_of_the_object),
+        cmocka_unit_test(V4_cameras_without_a_direction_are_rigid),
+        cmocka_unit_test(near_and_far_planes_have_the_depths_of_the_table),
+        cmocka_unit_test(depth_runs_one_way_between_the_planes),
+        cmocka_unit_test(cameras_come_back_from_every_convention),
+        cmocka_unit_test(M2_field_of_view_fits_the_height),
+        cmocka_unit_test(V5_thousand_nested_nodes_close_a_circle),
+        cmocka_unit_test(V5_camera_rides_on_its_parent),
+        cmocka_unit_test(V5_wrong_parents_are_refused),
+        cmocka_unit_test(impossible_cameras_are_refused_and_change_nothing),
+        cmocka_unit_test(matrices_without_room_in_Q16_16_are_refused_and_change_nothing),
+        cmocka_unit_test(impossible_volumes_of_a_convention_are_refused_and_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
