@@ -2,12 +2,13 @@
  * testcard: a picture without text that shows by eye what is wrong with a panel.
  *
  *   a white line on the outermost pixels   missing on one side: window or offset off by one
- *   1, 2, 3, 4 dots in the corners         clockwise from the top left; counter-clockwise: mirrored
+ *   1, 2, 3, 4 dots towards the corners    clockwise from the top left; counter-clockwise: mirrored
  *   an arrow that points up                not up: wrong rotation
  *   a ring                                 not round: wrong size or pixel aspect
  *   bars: red, green, blue, white, grey    blue first: BGR swapped; on white ground: inverted
  *
- * One orthographic mesh in pixels, x to the right, y upwards, so that every edge lies between pixels.
+ * All but the line and what it frames is visible on a round glass too. One orthographic mesh in pixels, x to the right,
+ * y upwards, so that every edge lies between pixels.
  */
 #include "demo_scene.h"
 
@@ -104,15 +105,16 @@ static void card_white_lines(struct card *card, int32_t w, int32_t h)
 {
     const int32_t smaller = w < h ? w : h;
     const int32_t dot = smaller / 24 > 2 ? smaller / 24 : 2;
-    const int32_t inset = 2 + dot;
+    const int32_t left = w / 5; /* inside the circle that touches all sides of a square */
+    const int32_t low = h / 10;
     card_quad(card, 0, 0, w, 1);
     card_quad(card, 0, h - 1, w, h);
     card_quad(card, 0, 1, 1, h - 1);
     card_quad(card, w - 1, 1, w, h - 1);
-    card_dots(card, 1, inset, h - inset - dot, dot, false);
-    card_dots(card, 2, w - inset, h - inset - dot, dot, true);
-    card_dots(card, 3, w - inset, inset, dot, true);
-    card_dots(card, 4, inset, inset, dot, false);
+    card_dots(card, 1, left, h - low - dot, dot, false);
+    card_dots(card, 2, w - left, h - low - dot, dot, true);
+    card_dots(card, 3, w - left, low, dot, true);
+    card_dots(card, 4, left, low, dot, false);
 }
 
 /* Ring and arrow above, bars below. */
@@ -124,8 +126,8 @@ static void card_layout(struct card *card, int32_t w, int32_t h)
     const int32_t y = h - h * 36 / 100;
     const int32_t bar = w * 15 / 100 > 1 ? w * 15 / 100 : 1;
     const int32_t left = (w - BARS * bar) / 2;
-    const int32_t top = h * 30 / 100;
-    const int32_t bottom = h * 15 / 100;
+    const int32_t top = h * 32 / 100;
+    const int32_t bottom = h * 18 / 100;
     static const uint8_t colours[BARS][3] = {{255, 255, 255}, {255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {128, 128, 128}};
     static const int8_t places[BARS] = {3, 0, 1, 2, 4};
 
