@@ -9,7 +9,7 @@
  * arithmetic on every compiler that we support (checked in tests/test_fx.c).
  *
  * Error bounds below are proved over every input by `make test-exhaustive` (unary) and against 128-bit
- * integers on all edges squared (binary).
+ * integers on all edges squared (binary). Tables: 1368 bytes in all.
  */
 #ifndef FX_H
 #define FX_H
