@@ -66,17 +66,6 @@ struct ph_xform ph_view_yaw_pitch_roll(struct fx_vec3 position, uint32_t yaw, ui
     return ph_view_quat(fx_quat_mul(fx_quat_mul(y, x), z), position);
 }
 
-/* a - b, halved where it would saturate: only its direction counts. */
-static struct fx_vec3 towards(struct fx_vec3 a, struct fx_vec3 b)
-{
-    const struct fx_vec3 half = {(a.x >> 1) - (b.x >> 1), (a.y >> 1) - (b.y >> 1), (a.z >> 1) - (b.z >> 1)};
-    const int32_t limit = 1 << 29;
-    if (fx_abs_sat(half.x) >= limit || fx_abs_sat(half.y) >= limit || fx_abs_sat(half.z) >= limit) {
-        return half;
-    }
-    return fx_vec3_sub_sat(a, b);
-}
-
 struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_vec3 vup)
 {
     const struct fx_vec3 origin = {0, 0, 0};
@@ -87,8 +76,7 @@ struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_
 struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up)
 {
     /* An object's +z is where a camera's -z is: look from the target's side. */
-    const struct fx_vec3 origin = {0, 0, 0};
-    const struct ph_xform view = ph_view_look_at(origin, opposite(towards(target, position)), up);
+    const struct ph_xform view = ph_view_look_at(target, position, up);
     struct ph_xform placed = transposed(&view);
     placed.t = position;
     return placed;
