@@ -125,6 +125,33 @@ static void formats_are_decoded(void **state)
     sim_close(k.sim);
 }
 
+/* After SWRESET: 18 bits a pixel, no mirroring, not inverted, the window is the whole memory. */
+static void software_reset_restores_the_registers(void **state)
+{
+    (void)state;
+    struct kit k = kit_with(&panel_st7789_240x320);
+    plug(&k);
+    wake_dbi(&k);
+    command(&k, 0x21);
+    command(&k, 0x36);
+    DATA(&k, "\xC0");
+    window(&k, "\0\x02\0\x03", "\0\x05\0\x05");
+    command(&k, 0x01);
+    wait_ms(&k, 120);
+    command(&k, 0x11);
+    wait_ms(&k, 120);
+    command(&k, 0x2C);
+    for (uint32_t i = 0; i < 240 * 320; i++) {
+        data(&k, i == 241 ? "\xFC\0" : "\0\0", 3);
+    }
+    command(&k, 0x29);
+    pin(&k, HAL_PIN_BACKLIGHT, true);
+    assert_int_equal(seen_at(&k, 240, 0, 0), 0xFFFFFF);
+    assert_int_equal(seen_at(&k, 240, 1, 1), 0x00FFFF);
+    none(&k);
+    sim_close(k.sim);
+}
+
 static void memory_write_continues_after_other_commands(void **state)
 {
     (void)state;
@@ -219,7 +246,7 @@ static void what_is_off_or_asleep_is_dark(void **state)
     command(&k, 0x11);
     assert_int_equal(seen_at(&k, 240, 9, 9), 0xFFFFFF);
     wait_ms(&k, 120);
-    command(&k, 0x01);
+    pin(&k, HAL_PIN_RESET, false);
     assert_int_equal(seen_at(&k, 240, 9, 9), 0);
     none(&k);
     sim_close(k.sim);
@@ -370,6 +397,7 @@ int main(void)
         cmocka_unit_test(memory_access_control_mirrors_and_swaps),
         cmocka_unit_test(the_glass_shows_a_part_of_the_memory),
         cmocka_unit_test(formats_are_decoded),
+        cmocka_unit_test(software_reset_restores_the_registers),
         cmocka_unit_test(memory_write_continues_after_other_commands),
         cmocka_unit_test(ili9488_takes_three_and_eighteen_bits),
         cmocka_unit_test(display_function_control_turns_the_scan),

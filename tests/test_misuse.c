@@ -252,6 +252,22 @@ static void data_command_line_must_not_move_inside_a_byte(void **state)
     sim_close(k.sim);
 }
 
+/* One clock pulse too many, and every byte after it is another one: 0 0010001 0.. is 11h, SLPOUT. */
+static void a_stray_clock_pulse_shifts_the_bytes(void **state)
+{
+    (void)state;
+    struct kit k = kit_with(&panel_st7789_240x240);
+    plug(&k);
+    wait_ms(&k, 130);
+    sim_bit(k.sim, HAL_COMMAND, 0);
+    command(&k, 0x22);
+    wait_ms(&k, 1);
+    none(&k);
+    command(&k, 0x00); /* too early after SLPOUT */
+    only(&k, SIM_EARLY_COMMAND, 1);
+    sim_close(k.sim);
+}
+
 /* A backend that does not wait for its shift register: the last pixel byte is taken for a command. */
 static void a_racing_backend_is_caught(void **state)
 {
@@ -382,6 +398,7 @@ int main(void)
         cmocka_unit_test(more_pixels_than_the_window_has_are_seen),
         cmocka_unit_test(split_pixels_are_seen),
         cmocka_unit_test(data_command_line_must_not_move_inside_a_byte),
+        cmocka_unit_test(a_stray_clock_pulse_shifts_the_bytes),
         cmocka_unit_test(a_racing_backend_is_caught),
         cmocka_unit_test(a_clock_above_the_limit_is_seen),
         cmocka_unit_test(a_delay_that_does_not_wait_is_caught),

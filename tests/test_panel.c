@@ -258,9 +258,15 @@ static void odd_greys_are_padded_beside_the_glass(void **state)
 static void panels_are_found_by_name(void **state)
 {
     (void)state;
-    assert_int_equal(panel_count, 13);
-    for (uint32_t i = 0; i < panel_count; i++) {
-        assert_ptr_equal(panel_find(panel_list[i]->name), panel_list[i]);
+    static const char *const names[] = {
+        "st7789-240x240", "st7789-135x240",  "st7789-240x320",  "st7789-170x320",  "st7789-240x280",
+        "gc9a01-240x240", "ili9341-240x320", "ili9488-320x480", "st7735s-128x128", "st7735s-128x160",
+        "st7735s-80x160", "ssd1351-128x128", "ssd0323-128x64",
+    };
+    assert_int_equal(panel_count, sizeof names / sizeof names[0]);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        assert_non_null(panel_find(names[i]));
+        assert_string_equal(panel_find(names[i])->name, names[i]);
     }
     assert_null(panel_find("st7789"));
 }

@@ -250,6 +250,13 @@ static void wrong_use_is_refused(void **state)
     assert_int_equal(panel_open(&bench.d, &bench.hal, &bench.config), HAL_EINVAL);
     assert_int_equal(sim_counters(bench.sim).bytes, 0); /* nothing was sent for any of these */
     bench.config.rotation = 0;
+    struct panel cut = panel_ili9488_320x480;
+    cut.init_bytes -= 1;
+    bench.config.panel = &cut;
+    assert_int_equal(panel_open(&bench.d, &bench.hal, &bench.config), HAL_EINVAL);
+    cut.init_bytes -= 1;
+    assert_int_equal(panel_open(&bench.d, &bench.hal, &bench.config), 0);
+    bench.config.panel = &panel_ili9488_320x480;
     assert_int_equal(panel_open(&bench.d, &bench.hal, &bench.config), 0);
 
     assert_int_equal(panel_rows(&bench.d, picture, 1), HAL_EINVAL); /* not in a frame */
