@@ -30,8 +30,7 @@ int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *n
 static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3 position)
 {
     struct ph_xform view = *rotation;
-    view.t = (struct fx_vec3){0, 0, 0};
-    view.t = opposite(ph_xform_point(&view, position));
+    view.t = opposite(ph_xform_direction_q30(rotation, position));
     return view;
 }
 

@@ -78,7 +78,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 {
     const int32_t width = r->config.width, height = r->config.height;
     const struct ph_projection *p = projection;
-    if (p->far_z <= p->near_z || (p->kind == PH_PERSPECTIVE && p->near_z <= 0) || p->scale_x_q20 <= 0 ||
+    if (p->far_z <= p->near_z || (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 ||
         p->scale_y_q20 <= 0 || (light != NULL && light->count > PH_LIGHTS_MAX)) {
         return PH_ERR_INVAL;
     }

@@ -32,8 +32,8 @@ static struct ph_clip_matrix clip_matrix(const struct ph_lens *lens, const struc
 /* Elements below 2 in Q4.28 times 2^31: three products and the translation stay below 2^62. */
 static int32_t row_times(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
 {
-    const int64_t sum = m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) +
-                        fx_mul_wide(m->m[row][2], p->z);
+    const int64_t sum =
+        m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) + fx_mul_wide(m->m[row][2], p->z);
     return clamp_i32(sum >> 28);
 }
 

@@ -151,21 +151,21 @@ static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uin
     return first;
 }
 
-uint32_t ph_draw_band(struct ph_renderer *r, uint32_t index, uint16_t *pixels)
+uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
-    const int32_t y0 = (int32_t)index * lines, y1 = y0 + lines < height ? y0 + lines : height;
-    const struct ph_band band = {pixels, r->config.depth, y0, y1, r->config.width};
+    const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
+    const struct ph_band rows = {pixels, r->config.depth, y0, y1, r->config.width};
     const uint32_t area = (uint32_t)(y1 - y0) * r->config.width;
     fill(pixels, r->background, area);
     fill(r->config.depth, 0, area);
 
     struct ph_triangle *triangles = ph_triangles(r);
-    uint32_t begun = r->carried, fresh = r->config.bins[index], *carry = &r->carried;
+    uint32_t begun = r->carried, fresh = r->config.bins[band], *carry = &r->carried;
     *carry = PH_NONE;
     while (begun != PH_NONE || fresh != PH_NONE) {
         const uint32_t i = take_first(triangles, &begun, &fresh);
-        r->stats.fragments += draw(&triangles[i], &band);
+        r->stats.fragments += draw(&triangles[i], &rows);
         if (triangles[i].y_bottom > y1) { /* goes on in the next band */
             *carry = i;
             carry = &triangles[i].next;

@@ -146,12 +146,22 @@ static void draw_lit(const struct sampler *s, uint16_t *pixels, uint16_t *depth,
     }
 }
 
+/* Whether the distance changes by more than about a quarter along a block: a parabola does not follow it then. */
+static bool is_steep(uint32_t w, uint32_t change)
+{
+    const uint32_t size = (int32_t)change < 0 ? 0u - change : change;
+    return size > w >> 2;
+}
+
 static void textured_span(const struct ph_triangle *t, const struct sampler *s, uint16_t *pixels, uint16_t *depth,
                           uint32_t n, uint32_t d, struct texture_row row)
 {
     struct texture_point from = divide(t, &row);
     while (n > 0) {
         uint32_t k = n < BLOCK ? n : BLOCK;
+        while (k > 4 && is_steep(row.w, t->attribute[2].gx * k)) {
+            k >>= 1;
+        }
         const struct ph_piece piece = ph_depth_piece(t, d, &k);
         const uint32_t m = k < n ? k : k - 1; /* never past the last pixel of the span */
         advance(t, &row, m);

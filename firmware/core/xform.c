@@ -154,7 +154,7 @@ struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struc
     const struct fx_vec3 exact = fx_vec3_sub_sat(target, eye);
     const bool far_apart =
         fx_abs_sat(towards.x) >= (1 << 29) || fx_abs_sat(towards.y) >= (1 << 29) || fx_abs_sat(towards.z) >= (1 << 29);
-    struct fx_vec3 forward, right;
+    struct fx_vec3 forward, right = {FX_Q30_ONE, 0, 0};
     if (!fx_vec3_direction_q30(far_apart ? towards : exact, &forward)) {
         forward = (struct fx_vec3){0, 0, -FX_Q30_ONE};
     }
