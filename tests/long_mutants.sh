@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# The raster tests are tested: each line breaks one thing in a copy of the core on purpose; the test named beside it must
+# fail. A line that changes nothing any more fails too: the code has moved on, the line should follow.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+unset MAKEFLAGS
+B=${B:-build} CC=${CC:-cc}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+# what is broken | file | sed | test that must fail
+mutants() {
+    cat <<'END'
+pixels sampled 1/32 px further left      | setup.c   | s/32767u/34815u/                                     | test_raster
+left edges not owned                     | setup.c   | s/32767u/32768u/                                     | test_raster
+top edges not owned                      | setup.c   | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
+6 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~3;/                   | test_quality
+7 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~1;/                   | test_quality
+positions truncated, not rounded         | mesh.c    | s/(1 << down) >> 1;/0;/                              | test_quality
+principal point half a pixel off         | frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
+an edge that depends on its triangle     | setup.c   | s/t->long_edge = .*;/& t->long_edge.x += 128;/       | test_watertight
+a slope that depends on its triangle     | setup.c   | s/t->long_edge = .*;/& t->long_edge.dx \&= ~15;/     | test_watertight
+a crossing that depends on its direction | clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
+crossings to 10 bits                     | clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
+near plane too near                      | clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
+no far plane                             | clip.c    | s/lens->far_z - v->z;/lens->far_z;/                  | test_raster
+depth gradients without guard bits       | setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/ | test_quality
+float16 spans not split at octaves       | setup.c   | s/octave\[0\] != octave\[1\] .*{/false) {/           | test_quality
+the last of equal depths wins            | raster.c  | s/code > \*depth/code >= *depth/                     | test_raster
+triangles not carried to the next band   | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_raster
+triangles drawn in reverse               | frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
+depth not cleared                        | raster.c  | s/fill(r->config.depth.*//                           | test_raster
+no clamp at the left border              | raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
+one triangle over the budget             | setup.c   | s/triangle_count >= r->config/triangle_count > r->config/ | test_frame
+dropped triangles not counted            | setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
+light of the first corner everywhere     | setup.c   | s/v\[1\]->light << 16/v[0]->light << 16/             | test_frame
+lines too thin                           | mesh.c    | s/dx >= dy ? 0 : 128/dx >= dy ? 0 : 64/              | test_frame
+clamped textures repeat                  | texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
+texture slope left out                   | texture.c | s/p.du = .*/p.du = 0;/                               | test_texture
+ambient light lost                       | light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
+attenuation lost                         | light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
+highlight to another power               | light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
+light of another part kept               | mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
+depth bias ignored                       | setup.c   | s/t->material->depth_bias < 56 .*;/0;/               | test_frame
+light of a texture ignored               | setup.c   | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
+red and blue bytes exchanged             | colour.c  | s/ph_wire16(/(/                                      | test_frame
+END
+}
+
+# Compiles the mutated files alone: they take the place of their archive members. span.h belongs to raster.c.
+fails() { # file, sed, test
+    local object=$dir/mutant.o program=$B/tests/$3
+    rm -rf "$dir/core"
+    cp -r firmware/core "$dir/core" && rm -f "$object"
+    [ "$1" != raster.c ] || sed -i "$2" "$dir/core/span.h"
+    sed -i "$2" "$dir/core/$1"
+    ! diff -rq firmware/core "$dir/core" >/dev/null || { echo "changes nothing: $2" && return 1; }
+    $CC -std=c11 -O2 -w -I"$dir/core/portable" -I"$dir/core" -c "$dir/core/$1" -o "$object" || return 1
+    # shellcheck disable=SC2086 # a list of words
+    $CC "$program.o" "$object" "$B/libtests.a" "$B/libpinhole.a" -Wl,--as-needed $libs -lm -o "$dir/mutant" || return 1
+    ! timeout 120 "$dir/mutant" >/dev/null 2>&1 </dev/null || { echo "$3 did not notice" && return 1; }
+}
+
+libs="$(pkg-config --libs cmocka 2>/dev/null) $(pkg-config --libs osmesa 2>/dev/null)"
+[ "${libs/cmocka/}" != "$libs" ] || { echo "no cmocka: apt-get install libcmocka-dev" && exit 77; }
+for test in $(mutants | sed 's/.*| //' | sort -u); do
+    make -s B="$B" "$B/tests/$test" >"$dir/log" 2>&1 || { [ "$test" = test_mesa ] && continue; cat "$dir/log"; exit 1; }
+    check "${test}_passes_untouched" "$B/tests/$test"
+done
+while IFS='|' read -r what file change test; do
+    read -r test <<<"$test"
+    read -r file <<<"$file"
+    if [ -e "$B/tests/$test" ]; then
+        read -r what <<<"$what"
+        check "${test}_sees_${what//[ ,]/_}" fails "$file" "$(sed 's/^ *//; s/ *$//' <<<"$change")" "$test"
+    else
+        skip "$test: $what" "$test is not built here"
+    fi
+done < <(mutants)
+tap_end
