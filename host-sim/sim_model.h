@@ -51,7 +51,7 @@ struct sim_dbi {
     uint8_t code;
     uint32_t parameter_count;
     uint8_t parameters[80];
-    bool sleeping, on, inverted, odd_scan;
+    bool sleeping, on, inverted;
     uint8_t madctl, format;
     bool low_byte_first; /* ST7789 RAMCTRL */
     uint8_t scan;        /* GS, SS of the display function control */
