@@ -169,31 +169,31 @@ static void check_squares(double size, double tiles, enum ph_wrap wrap, double d
 static void magnified_textures_are_exact(void **state)
 {
     (void)state;
-    check_squares(2, 1, PH_WRAP_REPEAT, 2.5, .3, 1, .3);
+    check_squares(2, 1, PH_WRAP_REPEAT, 2.5, .3, 1, .1);
 }
 
 static void textures_over_the_borders_are_exact(void **state)
 {
     (void)state;
-    check_squares(8, 2, PH_WRAP_REPEAT, 3, 3, 1.2, 5);
+    check_squares(8, 2, PH_WRAP_REPEAT, 3, 3, 1.2, .1);
 }
 
 static void textures_through_the_near_plane_are_exact(void **state)
 {
     (void)state;
-    check_squares(8, 2, PH_WRAP_REPEAT, .7, 1, 1.5, 7);
+    check_squares(8, 2, PH_WRAP_REPEAT, .7, 1, 1.5, .1);
 }
 
 static void clamped_textures_are_exact(void **state)
 {
     (void)state;
-    check_squares(4, 2, PH_WRAP_CLAMP, 3, 1, 1.2, 1);
+    check_squares(4, 2, PH_WRAP_CLAMP, 3, 1, 1.2, .1);
 }
 
 static void many_repeats_are_exact(void **state)
 {
     (void)state;
-    check_squares(8, 16, PH_WRAP_REPEAT, 3, 3, 1.2, 12);
+    check_squares(8, 16, PH_WRAP_REPEAT, 3, 3, 1.2, .3);
 }
 
 int main(void)
