@@ -98,9 +98,8 @@ static int read_arguments(struct sheet *s, int argc, char *argv[])
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--out") == 0 && *value != '\0') {
             s->out = argv[++i];
-        } else if (strcmp(argv[i], "--width") == 0 && option_text_u32(value, 1, PPM_SIDE_MAX, &s->width)) {
-            i++;
-        } else if (strcmp(argv[i], "--gap") == 0 && option_text_u32(value, 0, 1024, &s->gap)) {
+        } else if ((strcmp(argv[i], "--width") == 0 && option_text_u32(value, 1, PPM_SIDE_MAX, &s->width)) ||
+                   (strcmp(argv[i], "--gap") == 0 && option_text_u32(value, 0, 1024, &s->gap))) {
             i++;
         } else if (argv[i][0] == '-') {
             return complain(EXIT_USAGE, "%s %s: wrong option or value; see --help", argv[i], value);

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 int ppm_write(FILE *file, const struct ppm *picture)
@@ -66,7 +67,9 @@ static int read_number(FILE *file, uint32_t max, uint32_t *out)
 static int read_picture(FILE *file, struct ppm *picture)
 {
     uint32_t maximum;
-    if (getc(file) != 'P' || getc(file) != '6' || read_number(file, PPM_SIDE_MAX, &picture->width) != 0 ||
+    char magic[2];
+    if (fread(magic, 1, sizeof magic, file) != sizeof magic || memcmp(magic, "P6", sizeof magic) != 0 ||
+        read_number(file, PPM_SIDE_MAX, &picture->width) != 0 ||
         read_number(file, PPM_SIDE_MAX, &picture->height) != 0 || read_number(file, 255, &maximum) != 0 ||
         maximum != 255) {
         errno = EINVAL;

@@ -27,8 +27,18 @@ warnings() { # compiler
     make -k -s -j"$processors" B="$B/lint-$1" CC="$1" CFLAGS='-O2 -Werror' all test-programs long-programs
 }
 
-tidy() { # a compiler's database is not needed: one set of include paths finds every header
-    sources -name '*.c' | xargs -r -P "$processors" -I{} clang-tidy --quiet {} -- -std=c11 "${include[@]}" 2>/dev/null
+# A file that was clean is read again when it, a header or the rules have changed.
+tidy_one() { # file, include paths
+    local file=$1 stamp=$B/tidy/${1//\//-}
+    [[ $stamp -nt $file && $stamp -nt $newest ]] || { clang-tidy --quiet "$file" -- -std=c11 "${@:2}" 2>/dev/null && touch "$stamp"; }
+}
+
+tidy() {
+    mkdir -p "$B/tidy"
+    newest=$(find "${folders[@]}" .clang-tidy \( -name '*.h' -o -name .clang-tidy \) -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d' ' -f2)
+    export newest
+    export -f tidy_one
+    sources -name '*.c' | xargs -r -P "$processors" -I{} bash -c 'tidy_one "$@"' - {} "${include[@]}"
 }
 
 check() {

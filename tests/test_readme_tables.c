@@ -23,7 +23,7 @@ struct row {
 
 static char *readme;
 
-static void add(struct row *row, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void add(struct row *row, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -69,6 +69,8 @@ static unsigned missing(const struct row *row)
     return 1;
 }
 
+enum { COLUMNS = 7 };
+
 static void wiring_is_that_of_the_boards(void **state)
 {
     (void)state;
@@ -76,12 +78,12 @@ static void wiring_is_that_of_the_boards(void **state)
     for (uint32_t i = 0; i < board_count; i++) {
         const struct board *board = board_list[i];
         const struct board_pins *pins = &board->pins;
-        const struct board_pin *const columns[] = {&pins->clock, &pins->data,  &pins->data_in,  &pins->select,
-                                                   &pins->dc,    &pins->reset, &pins->backlight};
+        const struct board_pin *const columns[COLUMNS] = {&pins->clock, &pins->data,  &pins->data_in,  &pins->select,
+                                                          &pins->dc,    &pins->reset, &pins->backlight};
         struct row row = {{0}, 0};
         if (is_kit(board)) {
             add(&row, "| [`%s`](%s) |", board->name, board->pinout);
-            for (size_t k = 0; k < sizeof columns / sizeof *columns; k++) {
+            for (size_t k = 0; k < COLUMNS; k++) {
                 add_pin(&row, board, columns[k]);
             }
             count += missing(&row);
@@ -116,7 +118,7 @@ static void panels_are_all_there(void **state)
         add(&row, "| `%s` | %s | %ux%u%s |", panel->name, panel->controller->name, panel->width, panel->height,
             panel->round ? ", round" : "");
         const char *separator = " ";
-        for (unsigned f = 0; f < sizeof formats / sizeof *formats; f++) {
+        for (unsigned f = 0; f < sizeof formats / sizeof formats[0]; f++) {
             if (panel->formats & PANEL_FORMAT_BIT(f)) {
                 add(&row, "%s%s", separator, formats[f]);
                 separator = ", ";
