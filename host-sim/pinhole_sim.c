@@ -145,6 +145,9 @@ static int run(const struct options *o, const struct player_setup *setup)
         return status;
     }
     status = player_open(&player, setup);
+    if (status == 0 && o->stats && sim_note(player.sim) != NULL) {
+        fprintf(stderr, "note: %s\n", sim_note(player.sim));
+    }
     for (uint32_t i = 0; i < o->frames && status == 0 && caught_signal == 0; i++) {
         status = show_frame(o, &out, &player, o->start + i);
     }

@@ -147,7 +147,9 @@ int player_close(struct player *p)
 {
     uint32_t complaints = 0;
     if (p->sim != NULL) {
-        panel_close(&p->driver);
+        if (p->driver.width != 0) { /* it was opened */
+            panel_close(&p->driver);
+        }
         complaints = print_complaints(p->sim);
         sim_close(p->sim);
     }

@@ -420,6 +420,13 @@ static void what_is_broken_is_refused(void **state)
     assert_refused(file_text("huge.obj", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "");
     assert_refused(file_text("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "");
     size_t n;
+    cube_ply_binary();
+    uint8_t *ply = file_read("cube-binary.ply", &n);
+    ply[n - 1] = 1; /* the last index has 2^24 more */
+    assert_refused(file_bytes("stray.ply", ply, n), "a vertex that is not there");
+    ply[n - 1] = 0;
+    assert_refused(file_bytes("head.ply", ply, 100), "a PLY header without its end");
+    free(ply);
     cube_glb(ONE_NODE);
     uint8_t *glb = file_read("cube.glb", &n);
     assert_refused(file_bytes("half.glb", glb, n / 2), "no model that can be read");

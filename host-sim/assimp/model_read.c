@@ -50,6 +50,22 @@ static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode
     return count;
 }
 
+/* assimp 5.2 looks at no index of a binary PLY file before it uses it. */
+static bool has_stray_index(const struct aiScene *scene)
+{
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+            for (unsigned i = 0; i < mesh->mFaces[f].mNumIndices; i++) {
+                if (mesh->mFaces[f].mIndices[i] >= mesh->mNumVertices) {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
 /* assimp 5.2 reads a PLY header without an end for ever. */
 static bool is_endless_ply(const char *path)
 {
@@ -124,6 +140,9 @@ bool model_read(struct model_shared *shared, const char *path)
     }
     if (count > MODEL_TRIANGLES_MAX) {
         return model_read_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
+    }
+    if (has_stray_index(scene)) {
+        return model_read_failed(shared, "is broken: a face has a vertex that is not there");
     }
     scene = aiApplyPostProcessing(scene, steps(scene, is_stl));
     if (scene == NULL) {
