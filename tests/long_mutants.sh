@@ -16,6 +16,7 @@ mutants() {
 pixels sampled 1/32 px further left      | setup.c   | s/32767u/34815u/                                     | test_raster
 left edges not owned                     | setup.c   | s/32767u/32768u/                                     | test_raster
 top edges not owned                      | setup.c   | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
+edges walked to 6 bits                   | setup.c   | s/t->long_edge = .*;/& t->long_edge.dx \&= ~1023;/   | test_coverage
 6 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~3;/                   | test_quality
 7 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~1;/                   | test_quality
 positions truncated, not rounded         | mesh.c    | s/(1 << down) >> 1;/0;/                              | test_quality
