@@ -19,7 +19,7 @@ static void unit_q14(const int32_t in[3], int16_t out[3])
 {
     uint32_t largest = 0;
     for (int i = 0; i < 3; i++) {
-        largest |= in[i] < 0 ? 0u - (uint32_t)in[i] : (uint32_t)in[i];
+        largest |= fx_magnitude(in[i]);
         out[i] = 0;
     }
     if (largest == 0) {

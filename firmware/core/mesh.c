@@ -70,11 +70,6 @@ static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int3
     return (uint8_t)(at < 0 ? below : at > (int64_t)size * 256 * w ? below * 2 : 0);
 }
 
-static uint32_t magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
 static void transform_vertex(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
                              struct ph_vertex *v)
 {
@@ -83,9 +78,9 @@ static void transform_vertex(const struct ph_renderer *r, const struct ph_clip_m
     const int32_t w = lens->kind == PH_PERSPECTIVE ? z : FX_ONE;
     const int32_t width = r->config.width, height = r->config.height;
     uint8_t code = z < lens->near_z ? PH_NEAR : z > lens->far_z ? PH_FAR : 0;
-    if (w < 0 || code == PH_NEAR || ((magnitude(x) | magnitude(y)) >> 31) != 0 ||
-        (magnitude(x) + 7) >> 3 > (uint32_t)w >> lens->guard_up ||
-        (magnitude(y) + 7) >> 3 > (uint32_t)w >> lens->guard_up) {
+    if (w < 0 || code == PH_NEAR || ((fx_magnitude(x) | fx_magnitude(y)) >> 31) != 0 ||
+        (fx_magnitude(x) + 7) >> 3 > (uint32_t)w >> lens->guard_up ||
+        (fx_magnitude(y) + 7) >> 3 > (uint32_t)w >> lens->guard_up) {
         code |= side_codes(x, w, lens, lens->centre_x, width, PH_LEFT);
         code |= side_codes(y, w, lens, lens->centre_y, height, PH_TOP);
         v->code = code | PH_GUARD;

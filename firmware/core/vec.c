@@ -61,14 +61,9 @@ static uint32_t sqrt_u64(uint64_t v)
     return (uint32_t)root;
 }
 
-static uint32_t magnitude(int32_t v)
-{
-    return v < 0 ? 0u - (uint32_t)v : (uint32_t)v;
-}
-
 fx_t fx_vec3_length_sat(struct fx_vec3 a)
 {
-    const uint32_t x = magnitude(a.x), y = magnitude(a.y), z = magnitude(a.z);
+    const uint32_t x = fx_magnitude(a.x), y = fx_magnitude(a.y), z = fx_magnitude(a.z);
     const uint64_t sum = fx_mul_wide_u(x, x) + fx_mul_wide_u(y, y) + fx_mul_wide_u(z, z); /* <= 3 * 2^62 */
     const uint32_t root = sqrt_u64(sum);
     const bool up = sum - fx_mul_wide_u(root, root) > root; /* nearer to root + 1 */
@@ -102,7 +97,7 @@ static bool unit_q30(const int64_t *in, int32_t *out, int n)
     }
     uint64_t sum = 0;
     for (int i = 0; i < n; i++) {
-        sum += fx_mul_wide_u(magnitude(out[i]), magnitude(out[i])); /* <= 4 * 2^58 */
+        sum += fx_mul_wide_u(fx_magnitude(out[i]), fx_magnitude(out[i])); /* <= 4 * 2^58 */
     }
     /* 32 bits of root: length in 2^-2 units of the components. */
     const int64_t length = sqrt_u64(sum << 4);
