@@ -1,22 +1,14 @@
 /* fx: sums, products, quotients. See fx.h. */
 #include "fx.h"
 
-static fx_t clamp64(int64_t v)
-{
-    if (v > FX_MAX) {
-        return FX_MAX;
-    }
-    return v < FX_MIN ? FX_MIN : (fx_t)v;
-}
-
 fx_t fx_add_sat(fx_t a, fx_t b)
 {
-    return clamp64((int64_t)a + b);
+    return fx_sat64((int64_t)a + b);
 }
 
 fx_t fx_sub_sat(fx_t a, fx_t b)
 {
-    return clamp64((int64_t)a - b);
+    return fx_sat64((int64_t)a - b);
 }
 
 fx_t fx_add_wrap(fx_t a, fx_t b)
@@ -41,7 +33,7 @@ fx_t fx_abs_sat(fx_t a)
 
 fx_t fx_mul_sat(fx_t a, fx_t b)
 {
-    return clamp64((fx_mul_wide(a, b) + FX_HALF) >> 16);
+    return fx_sat64((fx_mul_wide(a, b) + FX_HALF) >> 16);
 }
 
 fx_t fx_mul_wrap(fx_t a, fx_t b)
@@ -69,7 +61,7 @@ fx_t fx_div_sat(fx_t a, fx_t b)
         q++;
     }
     q += 2 * rest > d || (2 * rest == d && !negative); /* a tie goes up */
-    return clamp64(negative ? -(int64_t)q : (int64_t)q);
+    return fx_sat64(negative ? -(int64_t)q : (int64_t)q);
 }
 
 fx_t fx_rcp_sat(fx_t a)
@@ -90,7 +82,7 @@ fx_t fx_rcp_sat(fx_t a)
 fx_t fx_lerp_sat(fx_t a, fx_t b, fx_t t)
 {
     const int64_t product = ((int64_t)b - a) * t; /* at most (2^32 - 1) 2^31: fits, also with the half */
-    return clamp64(a + ((product + FX_HALF) >> 16));
+    return fx_sat64(a + ((product + FX_HALF) >> 16));
 }
 
 uint32_t fx_turn32_from_deg(fx_t deg)

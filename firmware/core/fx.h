@@ -38,6 +38,13 @@ fx_t fx_sub_wrap(fx_t a, fx_t b);
 fx_t fx_neg_sat(fx_t a);
 fx_t fx_abs_sat(fx_t a);
 
+/* v clamped to 32 bits: by comparing words, which is half the instructions of 64-bit comparisons. */
+static inline int32_t fx_sat64(int64_t v)
+{
+    const int32_t low = (int32_t)v, high = (int32_t)(v >> 32);
+    return high == low >> 31 ? low : high < 0 ? INT32_MIN : INT32_MAX;
+}
+
 /* |a| without a sign bit, hence also of FX_MIN. */
 static inline uint32_t fx_magnitude(int32_t a)
 {

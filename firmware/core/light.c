@@ -77,7 +77,7 @@ static struct fx_vec3 position_to_local(const struct ph_xform *to_world, struct 
                             (fx_mul_wide(to_world->r[1][j], from.y) >> 2) +
                             (fx_mul_wide(to_world->r[2][j], from.z) >> 2);
         const int64_t rotated = sum >> 28;
-        local[j] = fx_div_sat(rotated > FX_MAX ? FX_MAX : rotated < FX_MIN ? FX_MIN : (fx_t)rotated, scale);
+        local[j] = fx_div_sat(fx_sat64(rotated), scale);
     }
     return (struct fx_vec3){local[0], local[1], local[2]};
 }

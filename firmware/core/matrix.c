@@ -1,17 +1,12 @@
 /* 4x4 matrices as the documents write them: see camera.h. */
 #include "camera.h"
 
-static fx_t clamp_fx(int64_t v)
-{
-    return v > FX_MAX ? FX_MAX : v < FX_MIN ? FX_MIN : (fx_t)v;
-}
-
 /* Four products of up to 2^62: their low two bits go before the sum. */
 static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
 {
     const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
                             (fx_mul_wide(row[2], z) >> 2) + (fx_mul_wide(row[3], w) >> 2);
-    return clamp_fx((quarter >> 14) + ((quarter >> 13) & 1));
+    return fx_sat64((quarter >> 14) + ((quarter >> 13) & 1));
 }
 
 struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)

@@ -1,13 +1,6 @@
 /* Vertices and triangles of a mesh: transform, project, reject, cull. See pipeline.h. */
 #include "pipeline.h"
 
-/* Saturates by comparing words, which is half the instructions of 64-bit comparisons. */
-static int32_t clamp_i32(int64_t v)
-{
-    const int32_t low = (int32_t)v, high = (int32_t)(v >> 32);
-    return high == low >> 31 ? low : high < 0 ? INT32_MIN : INT32_MAX;
-}
-
 static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
                      int32_t scale)
 {
@@ -16,7 +9,7 @@ static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform 
     }
     const struct fx_vec3 t = object_to_view->t;
     const int32_t along = from == 0 ? t.x : from == 1 ? t.y : t.z;
-    out->t[row] = fx_mul_wide(clamp_i32((fx_mul_wide(along, scale) + (1 << 29)) >> 30), 1 << 28) + (1 << 27);
+    out->t[row] = fx_mul_wide(fx_sat64((fx_mul_wide(along, scale) + (1 << 29)) >> 30), 1 << 28) + (1 << 27);
 }
 
 /* Rotation, place, focal length and the direction of the screen's axes in one matrix. */
@@ -34,7 +27,7 @@ static int32_t row_times(const struct ph_clip_matrix *m, int row, const struct f
 {
     const int64_t sum =
         m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) + fx_mul_wide(m->m[row][2], p->z);
-    return clamp_i32(sum >> 28);
+    return fx_sat64(sum >> 28);
 }
 
 /* x / w of the reciprocal of w in 1/2^26; |x| <= 8 w. */

@@ -1,11 +1,6 @@
 /* Vectors and quaternions: see geom.h. */
 #include "geom.h"
 
-static fx_t clamp_fx(int64_t v)
-{
-    return v > FX_MAX ? FX_MAX : v < FX_MIN ? FX_MIN : (fx_t)v;
-}
-
 struct fx_vec3 fx_vec3_add_sat(struct fx_vec3 a, struct fx_vec3 b)
 {
     return (struct fx_vec3){fx_add_sat(a.x, b.x), fx_add_sat(a.y, b.y), fx_add_sat(a.z, b.z)};
@@ -30,7 +25,7 @@ struct fx_vec3 fx_vec3_lerp_sat(struct fx_vec3 a, struct fx_vec3 b, fx_t t)
 static fx_t cross_term(fx_t a, fx_t b, fx_t c, fx_t d)
 {
     const int64_t half_sum = (fx_mul_wide(a, b) >> 1) - (fx_mul_wide(c, d) >> 1);
-    return clamp_fx((half_sum + (1 << 14)) >> 15);
+    return fx_sat64((half_sum + (1 << 14)) >> 15);
 }
 
 struct fx_vec3 fx_vec3_cross_sat(struct fx_vec3 a, struct fx_vec3 b)
@@ -43,7 +38,7 @@ fx_t fx_vec3_dot_sat(struct fx_vec3 a, struct fx_vec3 b)
 {
     /* Three products of up to 2^62 do not fit 64 bits: the low two bits are dropped first. */
     const int64_t quarter = (fx_mul_wide(a.x, b.x) >> 2) + (fx_mul_wide(a.y, b.y) >> 2) + (fx_mul_wide(a.z, b.z) >> 2);
-    return clamp_fx((quarter + (1 << 13)) >> 14);
+    return fx_sat64((quarter + (1 << 13)) >> 14);
 }
 
 /* floor(sqrt(v)), bit by bit. */

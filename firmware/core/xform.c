@@ -4,17 +4,12 @@
 
 const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 
-static int32_t clamp_i32(int64_t v)
-{
-    return v > INT32_MAX ? INT32_MAX : v < INT32_MIN ? INT32_MIN : (int32_t)v;
-}
-
 /* Row times column plus c, Q30 factor first: products are at most 2^62, so their low two bits go before the sum. */
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
                             (fx_mul_wide(row[2], z) >> 2) + (int64_t)c * (1 << 28);
-    return clamp_i32((quarter + (1 << 27)) >> 28);
+    return fx_sat64((quarter + (1 << 27)) >> 28);
 }
 
 static struct ph_xform rotation(const int32_t r[3][3])
@@ -58,14 +53,14 @@ struct ph_xform ph_xform_translate(fx_t x, fx_t y, fx_t z)
 
 struct ph_xform ph_xform_scale(fx_t s)
 {
-    const int32_t k = clamp_i32((int64_t)s * (1 << 14));
+    const int32_t k = fx_sat64((int64_t)s * (1 << 14));
     return rotation((const int32_t[3][3]){{k, 0, 0}, {0, k, 0}, {0, 0, k}});
 }
 
 /* 2 (a b + c d) of Q2.30 numbers, Q2.30. */
 static int32_t twice_sum(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    return clamp_i32(((fx_mul_wide(a, b) >> 1) + (fx_mul_wide(c, d) >> 1) + (1 << 27)) >> 28);
+    return fx_sat64(((fx_mul_wide(a, b) >> 1) + (fx_mul_wide(c, d) >> 1) + (1 << 27)) >> 28);
 }
 
 struct ph_xform ph_xform_quat(struct fx_quat q, struct fx_vec3 t)
@@ -179,7 +174,7 @@ static int32_t ratio(int64_t a, int bits, int64_t b)
 /* (high + low) / (high - low) in Q16.16; the sum of two int32 times 2^16 fits 64 bits. */
 static fx_t shift_of(fx_t low, fx_t high)
 {
-    return clamp_i32(((int64_t)high + low) * FX_ONE / ((int64_t)high - low));
+    return fx_sat64(((int64_t)high + low) * FX_ONE / ((int64_t)high - low));
 }
 
 int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspect, fx_t near_z, fx_t far_z)
