@@ -153,13 +153,40 @@ fx_t ph_fov_of(fx_t height, fx_t distance)
     return (fx_t)(((uint64_t)high * 2 * 360 + ((uint64_t)1 << 15)) >> 16);
 }
 
+static bool parent_is_before(const struct ph_node *nodes, uint32_t i)
+{
+    return nodes[i].parent < (int32_t)i && nodes[i].parent >= -1;
+}
+
 int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform *world)
 {
     for (uint32_t i = 0; i < count; i++) {
-        if (nodes[i].parent >= (int32_t)i || nodes[i].parent < -1) {
+        if (!parent_is_before(nodes, i)) {
             return PH_ERR_INVAL;
         }
         world[i] = nodes[i].parent < 0 ? nodes[i].local : ph_xform_mul(&world[nodes[i].parent], &nodes[i].local);
+    }
+    return PH_OK;
+}
+
+int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (!parent_is_before(nodes, i) || camera >= count) {
+            return PH_ERR_INVAL;
+        }
+        seen[i] = (struct ph_xform){{{0}}, {0, 0, 0}}; /* not yet known: no rotation has a row of zeros */
+    }
+    struct ph_xform up = ph_xform_identity; /* from the camera towards its root, last the world */
+    for (int32_t i = count > 0 ? (int32_t)camera : -1; i >= 0; i = nodes[i].parent) {
+        const struct ph_xform inverse = ph_xform_inverse_rigid(&nodes[i].local);
+        seen[i] = up;
+        up = ph_xform_mul(&up, &inverse);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if ((seen[i].r[0][0] | seen[i].r[0][1] | seen[i].r[0][2]) == 0) {
+            seen[i] = ph_xform_mul(nodes[i].parent < 0 ? &up : &seen[nodes[i].parent], &nodes[i].local);
+        }
     }
     return PH_OK;
 }

@@ -104,4 +104,11 @@ struct ph_node {
 /* world[i] = world[parent] local[i], one pass. PH_ERR_INVAL: a parent does not stand before its child. */
 int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform *world);
 
+/*
+ * seen[i]: node i in the coordinates of node `camera`, to be drawn with ph_xform_identity as the view. What the two
+ * have in common never enters: moving an ancestor of both changes no bit of the picture (V5). The camera and its
+ * ancestors must be rigid. PH_ERR_INVAL: a parent does not stand before its child, or there is no such camera.
+ */
+int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen);
+
 #endif
