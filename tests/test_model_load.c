@@ -127,8 +127,9 @@ static void node_transforms_are_applied_in_their_order(void **state)
 {
     (void)state;
     /* A child 4 to the right of its parent's own cube, the parent turned a quarter about z: the child is above. */
-    struct model *model = open_good(cube_glb("[{\"mesh\":0,\"rotation\":[0,0,0.7071067811865476,0.7071067811865476],"
-                                             "\"children\":[1]},{\"mesh\":0,\"translation\":[4,0,0]}]"));
+    struct model *model = open_good(
+        cube_glb("[{\"mesh\":0,\"translation\":[5,6,7],\"rotation\":[0,0,0.7071067811865476,0.7071067811865476],"
+                 "\"children\":[1]},{\"mesh\":0,\"translation\":[4,0,0]}]"));
     int32_t width = 0, height = 0;
     for (uint32_t i = 0; i < model->meshes->vertex_count; i++) {
         width = abs(model->meshes->positions[i].x) > width ? abs(model->meshes->positions[i].x) : width;
@@ -145,6 +146,26 @@ static void mirrored_node_still_looks_outwards(void **state)
 {
     (void)state;
     open_cube(cube_gltf("[{\"mesh\":0,\"scale\":[-1,1,1]}]"), 8);
+}
+
+static void normals_of_the_file_follow_scaled_and_mirrored_nodes(void **state)
+{
+    (void)state;
+    /* The triangle (1,0,0) (0,1,0) (0,0,1) with the normal (1,1,1) at each corner. */
+    static const int places[12] = {0, 4, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
+    file_ones("slope.bin", places, 12, 72);
+    struct model *model = open_good(file_text(
+        "slope.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0,\"scale\":[1,4,-2]}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":1}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+        "\"min\":[0,0,0],\"max\":[1,1,1]},{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":72,\"uri\":\"slope.bin\"}]}"));
+    assert_sound(model);
+    assert_true(dot_of_face_and_normal(model->meshes, 0) > .999);
+    model_close(model);
 }
 
 static void n_gons_and_negative_indices_are_read(void **state)
@@ -289,28 +310,13 @@ static void a_texture_that_cannot_be_used_leaves_the_colour_and_a_note(void **st
     }
 }
 
-static char *base64(const uint8_t *bytes, size_t n)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    char *text = calloc(n / 3 * 4 + 5, 1);
-    for (size_t i = 0, out = 0; i < n; i += 3) {
-        const uint32_t v =
-            (uint32_t)bytes[i] << 16 | (i + 1 < n ? (uint32_t)bytes[i + 1] << 8 : 0) | (i + 2 < n ? bytes[i + 2] : 0);
-        text[out++] = digits[v >> 18];
-        text[out++] = digits[v >> 12 & 63];
-        text[out++] = i + 1 < n ? digits[v >> 6 & 63] : '=';
-        text[out++] = i + 2 < n ? digits[v & 63] : '=';
-    }
-    return text;
-}
-
 static void a_texture_inside_the_model_file_is_used(void **state)
 {
     (void)state;
     size_t n;
     write_png("inside.png");
     uint8_t *png = file_read("inside.png", &n);
-    char *text = base64(png, n), *gltf = malloc(8192);
+    char *text = file_base64(png, n), *gltf = malloc(8192);
     snprintf(
         gltf, 8192,
         "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
@@ -323,14 +329,9 @@ static void a_texture_inside_the_model_file_is_used(void **state)
         "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":24}],"
         "\"buffers\":[{\"byteLength\":60,\"uri\":\"tri.bin\"}]}",
         text);
-    /* Positions (0,0,0) (1,0,0) (0,1,0), coordinates (0,0) (1,0) (0,1): 1.0f is 0000803f. */
-    uint8_t data[60] = {0};
-    static const int ones[4] = {3, 7, 11, 14};
-    for (int i = 0; i < 4; i++) {
-        data[ones[i] * 4 + 2] = 0x80;
-        data[ones[i] * 4 + 3] = 0x3f;
-    }
-    file_bytes("tri.bin", data, sizeof data);
+    /* Positions (0,0,0) (1,0,0) (0,1,0), coordinates (0,0) (1,0) (0,1). */
+    static const int places[4] = {3, 7, 11, 14};
+    file_ones("tri.bin", places, 4, 60);
     struct model *model = open_good(file_text("inside.gltf", gltf));
     const struct ph_texture *texture = model->meshes->materials->texture;
     assert_non_null(texture);
@@ -550,6 +551,7 @@ int main(void)
         cmocka_unit_test(cube_scaled_and_moved_is_fitted),
         cmocka_unit_test(node_transforms_are_applied_in_their_order),
         cmocka_unit_test(mirrored_node_still_looks_outwards),
+        cmocka_unit_test(normals_of_the_file_follow_scaled_and_mirrored_nodes),
         cmocka_unit_test(n_gons_and_negative_indices_are_read),
         cmocka_unit_test(normals_of_the_file_are_kept),
         cmocka_unit_test(normals_are_smooth_below_the_crease_angle),

@@ -142,6 +142,14 @@ frustum_without_window_is_the_perspective() {
         differ --demo torus --size 40x40 --projection frustum=-.5,.5,-.5,.5 -- --demo torus --size 40x40 --projection frustum=-.2,.5,-.5,.5
 }
 
+model_has_an_effect() {
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/one.obj"
+    differ --model "$dir/one.obj" "${small[@]}" -- --demo turntable "${small[@]}" &&
+        differ --model "$dir/one.obj" "${small[@]}" --start 0 -- --model "$dir/one.obj" "${small[@]}" --start 32 &&
+        [ "$(stat_of dropped --model "$dir/one.obj" "${small[@]}")" = 0 ] && printf 'v 1 2 3\nv 3 2 1\nv 2 2 2\np 1 2 3\n' >"$dir/points.obj" &&
+        refuses 1 'no triangles' --model "$dir/points.obj" --crc
+}
+
 # ---- where frames go
 
 directory_gets_a_file_a_frame() {
@@ -206,6 +214,11 @@ check list_has_one_line_for_each list_has_one_line_for_each
 check everything_on_the_list_can_be_drawn everything_on_the_list_can_be_drawn
 check demo_has_an_effect differ --demo cube "${small[@]}" -- --demo torus "${small[@]}"
 check turntable_is_the_default same "${small[@]}" -- --demo turntable "${small[@]}"
+if "$sim" --model "$dir" --crc 2>&1 | grep -q 'without assimp'; then
+    skip model_has_an_effect "built without assimp"
+else
+    check model_has_an_effect model_has_an_effect
+fi
 check board_has_its_own_size board_has_its_own_size
 check size_is_the_picture_s size_is_the_picture_s
 check without_a_board_it_is_240x240 same --demo cube -- --demo cube --size 240x240
