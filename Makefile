@@ -23,7 +23,7 @@ ASSIMP := $(ASSIMP)
 PNG := $(PNG)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng))
-TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
+TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
 
 CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c)
 CORE := $(filter-out $(CORE_CPU:firmware/core/$(CPU)/%=firmware/core/%),$(wildcard firmware/core/*.c)) $(CORE_CPU)

@@ -10,6 +10,7 @@
 
 #include <GL/osmesa.h>
 
+#include "mesa.h"
 #include "ref_rig.h"
 
 #include <math.h>
@@ -42,8 +43,7 @@ struct difference {
 };
 
 static struct difference table[REF_SCENES];
-static uint8_t frame_buffer[PIXELS * 4];
-static OSMesaContext context;
+static struct mesa gl;
 
 /* ---- Mesa --------------------------------------------------------------------------------------------------- */
 
@@ -60,7 +60,6 @@ static void gl_texture(void)
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
 static void gl_camera(const struct ref_scene *scene, int frame)
@@ -71,7 +70,6 @@ static void gl_camera(const struct ref_scene *scene, int frame)
     for (int i = 0; i < 12; i++) {
         columns[4 * (i % 4) + i / 4] = pose[i / 4][i % 4];
     }
-    glViewport(0, 0, WIDTH, HEIGHT);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
     glFrustum(-right, right, -top, top, n, ref_benchmark.far_z);
@@ -81,8 +79,6 @@ static void gl_camera(const struct ref_scene *scene, int frame)
 
 static void mesa_draw(const struct ref_scene *scene, int frame, struct picture *out)
 {
-    static float depth[PIXELS];
-    static uint8_t rgb[PIXELS][3];
     gl_camera(scene, frame);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
@@ -95,17 +91,8 @@ static void mesa_draw(const struct ref_scene *scene, int frame, struct picture *
         glVertex3dv(v->p);
     }
     glEnd();
-    glFinish();
-    glReadPixels(0, 0, WIDTH, HEIGHT, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
-    glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGB, GL_UNSIGNED_BYTE, rgb);
+    mesa_read(&gl, out->depth, out->rgb);
     assert_int_equal(glGetError(), GL_NO_ERROR);
-    for (int i = 0; i < PIXELS; i++) {
-        int from = (HEIGHT - 1 - i / WIDTH) * WIDTH + i % WIDTH;
-        out->depth[i] = depth[from];
-        for (int k = 0; k < 3; k++) {
-            out->rgb[i][k] = rgb[from][k];
-        }
-    }
 }
 
 /* ---- comparing ---------------------------------------------------------------------------------------------- */
@@ -152,8 +139,7 @@ static int measure_all(void **state)
     static struct picture mesa;
     struct rig rig;
     (void)state;
-    context = OSMesaCreateContextExt(OSMESA_RGBA, 32, 0, 0, NULL);
-    if (!context || !OSMesaMakeCurrent(context, frame_buffer, GL_UNSIGNED_BYTE, WIDTH, HEIGHT)) {
+    if (!mesa_open(&gl, WIDTH, HEIGHT)) {
         return -1;
     }
     gl_texture();
@@ -186,7 +172,7 @@ static int measure_all(void **state)
 static int release(void **state)
 {
     (void)state;
-    OSMesaDestroyContext(context);
+    mesa_close(&gl);
     return 0;
 }
 
