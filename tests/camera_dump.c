@@ -26,9 +26,11 @@
 
 static int32_t next(void)
 {
-    int64_t v;
-    if (scanf("%" SCNd64, &v) != 1) {
-        fprintf(stderr, "camera_dump: standard input: a number is missing; see the top of camera_dump.c\n");
+    char word[24], *end = word;
+    const int got = scanf("%23s", word);
+    const long long v = got == 1 ? strtoll(word, &end, 10) : 0;
+    if (end == word || *end != '\0') {
+        fprintf(stderr, "camera_dump: standard input: an integer is missing; see the top of camera_dump.c\n");
         exit(1);
     }
     return (int32_t)(uint32_t)v;

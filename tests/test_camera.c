@@ -55,7 +55,7 @@ struct camera {
 static struct camera random_camera(void)
 {
     struct camera c;
-    double length = 0, v[4];
+    double length = 0, v[4] = {1, 0, 0, 0};
     while (length < .1 || length > 1) {
         length = 0;
         for (int k = 0; k < 4; k++) {
@@ -202,6 +202,17 @@ static double view_error(const struct camera *c, const struct ph_mat4 *m)
     return worst / LSB;
 }
 
+/* No element of two matrices differs by more than 1 LSB. */
+static void check_same(const struct ph_mat4 *a, const struct ph_mat4 *b, const char *of_a, const char *of_b)
+{
+    for (int e = 0; e < 16; e++) {
+        const fx_t x = a->m[e / 4][e % 4], y = b->m[e / 4][e % 4];
+        if (abs(x - y) > 1) {
+            fail_msg("row %d column %d: %s gives %d, %s %d", e / 4, e % 4, of_a, x, of_b, y);
+        }
+    }
+}
+
 /* Measured: .50 to .62 LSB from the exact matrix. */
 static void V1_to_V9_any_two_ways_agree_within_one_LSB(void **state)
 {
@@ -215,13 +226,8 @@ static void V1_to_V9_any_two_ways_agree_within_one_LSB(void **state)
             const struct ph_xform view = ways[k].view(&c);
             m[k] = ph_matrix_view(&view, PH_GL);
             worst[k] = fmax(worst[k], view_error(&c, &m[k]));
-            for (int e = 0; e < 16 * k; e++) {
-                const int row = e % 16 / 4, column = e % 4;
-                const fx_t a = m[k].m[row][column], b = m[e / 16].m[row][column];
-                if (abs(a - b) > 1) {
-                    fail_msg("case %d, row %d column %d: %s gives %d, %s %d", i, row, column, ways[k].name, a,
-                             ways[e / 16].name, b);
-                }
+            for (int other = 0; other < k; other++) {
+                check_same(&m[k], &m[other], ways[k].name, ways[other].name);
             }
         }
     }
@@ -458,7 +464,6 @@ static void V5_wrong_parents_are_refused(void **state)
         assert_int_equal(ph_nodes_world(nodes, 3, world), PH_ERR_INVAL);
         assert_int_equal(ph_nodes_world(nodes, 1, world), PH_OK); /* that one is not among them */
     }
-    assert_int_equal(ph_nodes_world(NULL, 0, world), PH_OK);
 }
 
 /* ---- refusals ------------------------------------------------------------------------------------------------ */

@@ -199,7 +199,8 @@ static void P6_focal_length_to_infinity_is_a_parallel_projection(void **state)
                      PH_OK);
     assert_int_equal(ph_matrix_projection(&parallel, &box, PH_GL), PH_OK);
     const struct ph_vec4 flat = ph_mat4_apply(&parallel, (struct ph_vec4){fx(point[0]), fx(point[1]), 0, FX_ONE});
-    for (double d = 4; d <= 1024; d *= 4) {
+    for (int i = 1; i <= 5; i++) {
+        const double d = pow(4, i);
         assert_int_equal(ph_projection_pinhole(&p, fx(d), FX_INT(6), FX_INT(4), FX_INT(1), fx(d + 2)), PH_OK);
         assert_int_equal(ph_matrix_projection(&m, &p, PH_GL), PH_OK);
         const struct ph_vec4 clip =

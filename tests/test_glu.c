@@ -22,8 +22,8 @@
 #define HEIGHT  240
 #define PIXELS  (WIDTH * HEIGHT)
 #define CAMERAS 40
-#define BOUND   5e-5 /* share of the pixels; measured: 1.2e-5. The demand is 5e-4. */
-#define STEP    1e-4 /* of Mesa's window depth between neighbours: enough to ask which is nearer */
+#define BOUND   5e-5  /* share of the pixels; measured: 1.2e-5. The demand is 5e-4. */
+#define STEP    1e-4F /* of Mesa's window depth between neighbours: enough to ask which is nearer */
 
 enum { TORUS, GROUND, MESHES };
 enum { PERSPECTIVE, FRUSTUM, ORTHO, KINDS };
@@ -139,7 +139,7 @@ static void draw_both(int kind)
 static void compare_order(struct difference *t, int a, int b)
 {
     if (rig.depth[a] == 0 || rig.depth[b] == 0 || mesa_depth[a] >= 1 || mesa_depth[b] >= 1 ||
-        fabs(mesa_depth[a] - mesa_depth[b]) < STEP) {
+        fabsf(mesa_depth[a] - mesa_depth[b]) < STEP) {
         return;
     }
     t->pairs++;
