@@ -136,9 +136,15 @@ static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, i
     return wide_plane(s, value, d1, d2, limit);
 }
 
+/* The plane through three unsigned values. */
 static struct ph_plane plane_of(const struct plane_base *s, const uint32_t v[3], int limit)
 {
-    return setup_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+    const uint32_t quarter = (uint32_t)1 << 29; /* halves that differ by less than this: differences below 2^30 */
+    if (s->small && (v[1] >> 1) - (v[0] >> 1) + quarter < 2 * quarter &&
+        (v[2] >> 1) - (v[0] >> 1) + quarter < 2 * quarter) {
+        return small_plane(s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]), limit);
+    }
+    return wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
 }
 
 static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
@@ -309,19 +315,21 @@ bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material
     if (area <= 0 || misses_columns(r, v)) {
         return false;
     }
-    struct ph_triangle t;
-    t.material = material;
-    if (!setup_edges(r, v, &t)) {
+    struct ph_triangle no_room;
+    const bool full = r->triangle_count >= r->config.triangle_max;
+    struct ph_triangle *t = full ? &no_room : &ph_triangles(r)[r->triangle_count];
+    t->material = material;
+    if (!setup_edges(r, v, t)) {
         return false;
     }
-    if (r->triangle_count >= r->config.triangle_max) {
+    if (full) {
         r->stats.triangles_dropped++;
         return true;
     }
     const struct plane_base base = plane_base(v[0], v[1], v[2], area);
-    setup_depth(r, &base, v, &t);
-    setup_shading(r, &base, v, &t);
-    ph_triangles(r)[r->triangle_count++] = t;
+    setup_depth(r, &base, v, t);
+    setup_shading(r, &base, v, t);
+    r->triangle_count++;
     r->stats.triangles_drawn++;
     return true;
 }
