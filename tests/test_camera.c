@@ -1,6 +1,6 @@
 /*
- * Every way to state a camera states the same camera: rows V1, V3 .. V9 of SEEDS.md against double arithmetic, the four
- * conventions' matrices against the definition of their depth, nodes of the scene graph, and refusals.
+ * Every way to state a camera states the same camera: rows V1, V3 .. V9 of SEEDS.md against double arithmetic; zoom
+ * (M2) and nodes of the scene graph (V5). Prints the bounds that it reached.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -299,60 +299,6 @@ static void V4_cameras_without_a_direction_are_rigid(void **state)
     assert_int_equal(all[10].t.z, FX_INT(-3));
 }
 
-/* ---- conventions -------------------------------------------------------------------------------------------- */
-
-/* NDC z at near and far plane: the table of camera.h. */
-static const double planes[4][2] = {[PH_GL] = {-1, 1}, [PH_D3D] = {0, 1}, [PH_LMU] = {1, -1}, [PH_REVERSED] = {1, 0}};
-
-/* NDC z of a point at `distance`, from the matrix, and how much half an LSB in each element moves it. */
-static double ndc_z(const struct ph_projection *p, enum ph_convention convention, double distance, double *moved)
-{
-    struct ph_mat4 m;
-    assert_int_equal(ph_matrix_projection(&m, p, convention), PH_OK);
-    const double z = convention == PH_D3D ? distance : -distance;
-    const double w = real(m.m[3][2]) * z + real(m.m[3][3]);
-    *moved = (distance + 1) * LSB / 2 / fabs(w);
-    return (real(m.m[2][2]) * z + real(m.m[2][3])) / w;
-}
-
-/* Each element is rounded once: NDC z is as far off as half an LSB of both elements makes it, no further. */
-static void near_and_far_planes_have_the_depths_of_the_table(void **state)
-{
-    (void)state;
-    ref_seed(4);
-    for (int i = 0; i < CASES; i++) {
-        const double n = real(ref_q16(exp(ref_uniform(log(.05), log(20))))),
-                     f = real(ref_q16(n * (1 + exp(ref_uniform(log(.05), log(100))))));
-        struct ph_projection p[2];
-        assert_int_equal(ph_projection_perspective(&p[0], FX_INT(60), FX_ONE, ref_q16(n), ref_q16(f)), PH_OK);
-        assert_int_equal(ph_projection_ortho(&p[1], -FX_ONE, FX_ONE, -FX_ONE, FX_ONE, ref_q16(n), ref_q16(f)), PH_OK);
-        for (int k = 0; k < 16; k++) {
-            const enum ph_convention convention = (enum ph_convention)(k / 4);
-            double moved;
-            const double z = ndc_z(&p[k % 2], convention, k % 4 < 2 ? n : f, &moved);
-            near_to(z, planes[convention][k % 4 / 2], 1.0001 * moved);
-        }
-    }
-}
-
-/* What is nearer stays nearer: depth order in every convention, over the whole range. */
-static void depth_runs_one_way_between_the_planes(void **state)
-{
-    (void)state;
-    struct ph_projection p;
-    double moved;
-    assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_HALF, FX_INT(50)), PH_OK);
-    for (int convention = PH_GL; convention <= PH_REVERSED; convention++) {
-        const double direction = planes[convention][1] - planes[convention][0];
-        double last = ndc_z(&p, (enum ph_convention)convention, .5, &moved);
-        for (int i = 1; i <= 495; i++) {
-            const double z = ndc_z(&p, (enum ph_convention)convention, .5 + i / 10., &moved);
-            assert_true((z - last) * direction > 0);
-            last = z;
-        }
-    }
-}
-
 /* D3D's view by hand, LMU's coordinates by hand: both come back as the camera that was written down. */
 static void cameras_come_back_from_every_convention(void **state)
 {
@@ -466,108 +412,17 @@ static void V5_wrong_parents_are_refused(void **state)
     }
 }
 
-/* ---- refusals ------------------------------------------------------------------------------------------------ */
-
-static void impossible_cameras_are_refused_and_change_nothing(void **state)
-{
-    (void)state;
-    const fx_t one = FX_ONE, ten = FX_INT(10), wide = FX_INT(180);
-    struct ph_projection p;
-    memset(&p, 0x5a, sizeof(p));
-    const struct ph_projection before = p;
-    const int refused[] = {
-        ph_projection_perspective(&p, 0, one, one, ten),
-        ph_projection_perspective(&p, wide, one, one, ten),
-        ph_projection_perspective(&p, -one, one, one, ten),
-        ph_projection_perspective(&p, FX_MAX, one, one, ten),
-        ph_projection_perspective(&p, ten, 0, one, ten),
-        ph_projection_perspective(&p, ten, -one, one, ten),
-        ph_projection_perspective(&p, ten, one, 0, ten),
-        ph_projection_perspective(&p, ten, one, -one, ten),
-        ph_projection_perspective(&p, ten, one, ten, ten),
-        ph_projection_perspective(&p, ten, one, ten, one),
-        ph_projection_pinhole(&p, 0, one, one, one, ten),
-        ph_projection_pinhole(&p, -one, one, one, one, ten),
-        ph_projection_pinhole(&p, one, 0, one, one, ten),
-        ph_projection_pinhole(&p, one, one, 0, one, ten),
-        ph_projection_pinhole(&p, one, -one, one, one, ten),
-        ph_projection_pinhole(&p, one, one, -one, one, ten),
-        ph_projection_pinhole(&p, one, one, one, 0, ten),
-        ph_projection_pinhole(&p, one, one, one, ten, ten),
-        ph_projection_pinhole(&p, one, one, one, ten, -one),
-        ph_projection_pinhole(&p, FX_MAX, 1, one, one, ten), /* more than Q12.20 */
-        ph_projection_pinhole(&p, 1, one, FX_MAX, one, ten), /* less */
-        ph_projection_resize(&p, 0),
-        ph_projection_resize(&p, -one),
-        ph_projection_resize(&p, 1),
-    };
-    for (size_t i = 0; i < sizeof(refused) / sizeof(refused[0]); i++) {
-        if (refused[i] != PH_ERR_INVAL) {
-            fail_msg("number %zu gives %d", i, refused[i]);
-        }
-    }
-    assert_memory_equal(&p, &before, sizeof(p));
-}
-
-static void matrices_without_room_in_Q16_16_are_refused_and_change_nothing(void **state)
-{
-    (void)state;
-    struct ph_projection p;
-    struct ph_mat4 m;
-    memset(&m, 0x5a, sizeof(m));
-    const struct ph_mat4 before = m;
-    for (int convention = PH_GL; convention <= PH_REVERSED; convention++) {
-        assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_INT(10), FX_INT(10) + 1), PH_OK);
-        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_RANGE);
-        assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, FX_MAX - 1, FX_MAX), PH_OK);
-        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_RANGE);
-        assert_int_equal(ph_projection_ortho(&p, -FX_ONE, FX_ONE, -FX_ONE, FX_ONE, FX_INT(10), FX_INT(10) + 1), PH_OK);
-        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_RANGE);
-        p.far_z = p.near_z;
-        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_INVAL);
-        assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, 1, FX_MAX), PH_OK); /* the longest fits */
-        struct ph_mat4 fits;
-        assert_int_equal(ph_matrix_projection(&fits, &p, (enum ph_convention)convention), PH_OK);
-    }
-    assert_memory_equal(&m, &before, sizeof(m));
-}
-
-static void impossible_volumes_of_a_convention_are_refused_and_change_nothing(void **state)
-{
-    (void)state;
-    static const fx_t distances[][2] = {{0, FX_ONE}, {-FX_ONE, FX_ONE}, {FX_ONE, FX_ONE}, {FX_ONE, FX_HALF}};
-    for (int k = 0; k < 16; k++) {
-        const enum ph_convention convention = (enum ph_convention)(k / 4);
-        const fx_t sign = convention == PH_LMU ? -1 : 1, near_z = sign * distances[k % 4][0],
-                   far_z = sign * distances[k % 4][1];
-        struct ph_xform view = ph_xform_rotate_y(12345);
-        const struct ph_xform before = view;
-        fx_t n = near_z, f = far_z;
-        assert_int_equal(ph_camera_from(convention, &view, &n, &f), PH_ERR_INVAL);
-        assert_memory_equal(&view, &before, sizeof(view));
-        assert_true(n == near_z && f == far_z);
-    }
-    struct ph_xform view = ph_xform_identity;
-    fx_t n = FX_ONE, f = FX_INT(10); /* distances given for LMU's coordinates */
-    assert_int_equal(ph_camera_from(PH_LMU, &view, &n, &f), PH_ERR_INVAL);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(V1_to_V9_any_two_ways_agree_within_one_LSB),
         cmocka_unit_test(V3_target_is_before_the_camera_and_on_plus_z_of_the_object),
         cmocka_unit_test(V4_cameras_without_a_direction_are_rigid),
-        cmocka_unit_test(near_and_far_planes_have_the_depths_of_the_table),
-        cmocka_unit_test(depth_runs_one_way_between_the_planes),
         cmocka_unit_test(cameras_come_back_from_every_convention),
         cmocka_unit_test(M2_field_of_view_fits_the_height),
         cmocka_unit_test(V5_thousand_nested_nodes_close_a_circle),
         cmocka_unit_test(V5_camera_rides_on_its_parent),
         cmocka_unit_test(V5_wrong_parents_are_refused),
-        cmocka_unit_test(impossible_cameras_are_refused_and_change_nothing),
-        cmocka_unit_test(matrices_without_room_in_Q16_16_are_refused_and_change_nothing),
-        cmocka_unit_test(impossible_volumes_of_a_convention_are_refused_and_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -330,6 +330,55 @@ static void V2_camera_matrix_of_exercise_2(void **state)
     check_matrix(&m, (const double[4][4]){{0, 0, 1, 5}, {0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1}});
 }
 
+/* The camera at (1, 2, 3) that looks along -x, stated by EECE's three ways and by LMU's quaternion. */
+static const double along_minus_x[4][4] = {{0, 0, -1, 3}, {0, 1, 0, -2}, {1, 0, 0, -1}, {0, 0, 0, 1}};
+
+static void check_view(struct ph_xform view, const double want[4][4])
+{
+    const struct ph_mat4 m = ph_matrix_view(&view, PH_GL);
+    check_matrix(&m, want);
+}
+
+/* EECE: glRotate(-theta, axis), glTranslate(-p). */
+static void V6_camera_turned_by_90_degrees_about_y(void **state)
+{
+    (void)state;
+    check_view(ph_view_rotate_translate(vec(0, 1, 0), 0x40000000, vec(1, 2, 3)), along_minus_x);
+    check_view(ph_view_rotate_translate(vec(0, -20, 0), 0xc0000000, vec(1, 2, 3)), along_minus_x); /* any length */
+}
+
+/* EECE: the view plane normal points at the viewer; VUP need not be across it. */
+static void V7_view_plane_normal_is_against_the_view(void **state)
+{
+    (void)state;
+    check_view(ph_view_phigs(vec(1, 2, 3), vec(1, 0, 0), vec(0, 1, 0)), along_minus_x);
+    check_view(ph_view_phigs(vec(1, 2, 3), vec(7, 0, 0), vec(-5, 2, 0)), along_minus_x);
+}
+
+/* EECE's words roll, pitch, yaw: each alone, then yaw before pitch. */
+static void V8_yaw_pitch_and_roll_turn_about_y_x_and_z(void **state)
+{
+    (void)state;
+    const uint32_t quarter = 0x40000000;
+    const struct fx_vec3 origin = {0, 0, 0};
+    const double up[4][4] = {{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 0, 0, 1}};
+    const double rolled[4][4] = {{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    const double yawed_up[4][4] = {{0, 0, -1, 0}, {1, 0, 0, 0}, {0, -1, 0, 0}, {0, 0, 0, 1}};
+    check_view(ph_view_yaw_pitch_roll(vec(1, 2, 3), quarter, 0, 0), along_minus_x);
+    check_view(ph_view_yaw_pitch_roll(origin, 0, quarter, 0), up);
+    check_view(ph_view_yaw_pitch_roll(origin, 0, 0, quarter), rolled);
+    check_view(ph_view_yaw_pitch_roll(origin, quarter, quarter, 0), yawed_up);
+}
+
+/* LMU: "how to do it using quaternions?" cos and sin of 45 degrees; its length does not matter, nor its sign. */
+static void V9_quaternion_of_90_degrees_about_y(void **state)
+{
+    (void)state;
+    const int32_t h = ref_q30(sqrt(.5)), third = FX_Q30_ONE / 3;
+    check_view(ph_view_quat((struct fx_quat){h, 0, h, 0}, vec(1, 2, 3)), along_minus_x);
+    check_view(ph_view_quat((struct fx_quat){-third, 0, -third, 0}, vec(1, 2, 3)), along_minus_x);
+}
+
 /* ---- from clip space to the screen ---------------------------------------------------------------------------- */
 
 /* HAW: x_s = w/2 x + w/2, y_s = -h/2 y + h/2. 4600: (1 - y) h/2. LMU: y up. A 240 x 135 panel. */
@@ -414,6 +463,10 @@ int main(void)
         cmocka_unit_test(P11_resized_camera_is_the_camera_built_anew),
         cmocka_unit_test(V1_look_at_has_the_rows_of_KAIST_LMU_and_4600),
         cmocka_unit_test(V2_camera_matrix_of_exercise_2),
+        cmocka_unit_test(V6_camera_turned_by_90_degrees_about_y),
+        cmocka_unit_test(V7_view_plane_normal_is_against_the_view),
+        cmocka_unit_test(V8_yaw_pitch_and_roll_turn_about_y_x_and_z),
+        cmocka_unit_test(V9_quaternion_of_90_degrees_about_y),
         cmocka_unit_test(G4_viewports_of_HAW_4600_and_LMU),
         cmocka_unit_test(G5_depth_of_exercise_5_runs_from_minus_1_to_1),
         cmocka_unit_test(G5_straight_lines_stay_straight),

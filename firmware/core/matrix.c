@@ -101,6 +101,11 @@ static void depth_row(const struct ph_projection *p, enum ph_convention conventi
     }
 }
 
+static fx_t from_q20(int32_t v)
+{
+    return (v >> 4) + ((v >> 3) & 1);
+}
+
 static bool fits(int64_t v)
 {
     return v <= FX_MAX && v >= FX_MIN;
@@ -116,18 +121,19 @@ int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enu
     if (!fits(z) || !fits(one)) {
         return PH_ERR_RANGE;
     }
-    const fx_t sx = (p->scale_x_q20 + 8) >> 4, sy = (p->scale_y_q20 + 8) >> 4;
+    const fx_t sx = from_q20(p->scale_x_q20), sy = from_q20(p->scale_y_q20);
+    const fx_t left = fx_neg_sat(p->shift_x), down = fx_neg_sat(p->shift_y);
     struct ph_mat4 m = {{{sx, 0, 0, 0}, {0, sy, 0, 0}, {0, 0, (fx_t)z, (fx_t)one}, {0, 0, 0, 0}}};
     if (p->kind == PH_ORTHOGRAPHIC) {
-        m.m[0][3] = -p->shift_x;
-        m.m[1][3] = -p->shift_y;
+        m.m[0][3] = left;
+        m.m[1][3] = down;
         m.m[3][3] = FX_ONE;
         *out = m;
         return PH_OK;
     }
     const bool forward = convention == PH_D3D || convention == PH_LMU; /* w = z */
-    m.m[0][2] = forward ? -p->shift_x : p->shift_x;
-    m.m[1][2] = forward ? -p->shift_y : p->shift_y;
+    m.m[0][2] = forward ? left : p->shift_x;
+    m.m[1][2] = forward ? down : p->shift_y;
     m.m[3][2] = forward ? FX_ONE : -FX_ONE;
     if (convention == PH_LMU) { /* the whole of clip space is negative for what is visible */
         m.m[0][0] = -sx;
