@@ -81,8 +81,9 @@ int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, 
 {
     struct ph_clip_vertex work[2][PH_CLIP_MAX];
     const struct ph_clip_vertex *from = in;
-    for (int plane = 0; plane < PLANES && n >= 2; plane++) {
-        struct ph_clip_vertex *to = plane == PLANES - 1 ? out : work[plane & 1];
+    const int planes = lens->kind == PH_FISHEYE ? PLANE_LEFT : PLANES;
+    for (int plane = 0; plane < planes && n >= 2; plane++) {
+        struct ph_clip_vertex *to = plane == planes - 1 ? out : work[plane & 1];
         n = clip_plane(lens, from, n, to, plane);
         from = to;
     }

@@ -1,4 +1,5 @@
 /* Renderer and frame set-up: see render.h. */
+#include "fisheye.h"
 #include "pipeline.h"
 
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
@@ -86,7 +87,9 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
         return PH_ERR_RANGE;
     }
     struct ph_lens lens = {.kind = (uint8_t)p->kind};
-    if (lens_focal(&lens, p, width, height) != PH_OK) {
+    if (p->kind == PH_FISHEYE) {
+        ph_fisheye_lens(&lens, p, height);
+    } else if (lens_focal(&lens, p, width, height) != PH_OK) {
         return PH_ERR_RANGE;
     }
     lens.centre_x = centre_of(width, -p->shift_x);

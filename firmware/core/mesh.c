@@ -1,4 +1,5 @@
 /* Vertices and triangles of a mesh: transform, project, reject, cull. See pipeline.h. */
+#include "fisheye.h"
 #include "pipeline.h"
 
 static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
@@ -13,7 +14,7 @@ static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform 
 }
 
 /* Rotation, place, focal length and the direction of the screen's axes in one matrix. */
-static struct ph_clip_matrix clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view)
+struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view)
 {
     struct ph_clip_matrix m;
     fold_row(&m, 0, object_to_view, 0, lens->focal_x);
@@ -63,11 +64,15 @@ static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int3
     return (uint8_t)(at < 0 ? below : at > (int64_t)size * 256 * w ? below * 2 : 0);
 }
 
-static void transform_vertex(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
-                             struct ph_vertex *v)
+static inline void transform_vertex(const struct ph_renderer *r, const struct ph_clip_matrix *m,
+                                    const struct fx_vec3 *p, struct ph_vertex *v)
 {
     const struct ph_lens *lens = &r->lens;
     const int32_t x = row_times(m, 0, p), y = row_times(m, 1, p), z = row_times(m, 2, p);
+    if (lens->kind == PH_FISHEYE) {
+        ph_fisheye_vertex(lens, x, y, z, v);
+        return;
+    }
     const int32_t w = lens->kind == PH_PERSPECTIVE ? z : FX_ONE;
     const int32_t width = r->config.width, height = r->config.height;
     uint8_t code = z < lens->near_z ? PH_NEAR : z > lens->far_z ? PH_FAR : 0;
@@ -83,6 +88,12 @@ static void transform_vertex(const struct ph_renderer *r, const struct ph_clip_m
     code |= v->x < 0 ? PH_LEFT : v->x > width * 256 ? PH_RIGHT : 0;
     code |= v->y < 0 ? PH_TOP : v->y > height * 256 ? PH_BOTTOM : 0;
     v->code = code;
+}
+
+void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
+                  struct ph_vertex *v)
+{
+    transform_vertex(r, m, p, v);
 }
 
 /* What the triangles of one part need. */
@@ -105,17 +116,22 @@ static void light_vertex(const struct part_context *c, uint32_t index)
     }
 }
 
+struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_clip_matrix *m, const struct fx_vec3 *p)
+{
+    const int32_t x = row_times(m, 0, p), y = row_times(m, 1, p), z = row_times(m, 2, p);
+    const int32_t w = lens->kind == PH_ORTHOGRAPHIC ? FX_ONE : z;
+    return (struct ph_clip_vertex){.x = x, .y = y, .w = w, .z = z};
+}
+
 static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t index)
 {
-    const struct fx_vec3 *p = &c->mesh->positions[index];
-    const fx_t *uv = c->mesh->uvs != NULL ? c->mesh->uvs[index] : (const fx_t[2]){0, 0};
-    const int32_t z = row_times(c->matrix, 2, p);
-    return (struct ph_clip_vertex){row_times(c->matrix, 0, p),
-                                   row_times(c->matrix, 1, p),
-                                   c->r->lens.kind == PH_PERSPECTIVE ? z : FX_ONE,
-                                   z,
-                                   c->vertices[index].light,
-                                   {uv[0], uv[1]}};
+    struct ph_clip_vertex v = ph_clip_place(&c->r->lens, c->matrix, &c->mesh->positions[index]);
+    v.light = c->vertices[index].light;
+    if (c->mesh->uvs != NULL) {
+        v.uv[0] = c->mesh->uvs[index][0];
+        v.uv[1] = c->mesh->uvs[index][1];
+    }
+    return v;
 }
 
 static struct ph_corner project_corner(const struct ph_lens *lens, const struct ph_clip_vertex *in)
@@ -125,9 +141,33 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
     return (struct ph_corner){v.x, v.y, v.depth, (uint16_t)in->light, {in->uv[0], in->uv[1]}};
 }
 
+void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3])
+{
+    if (r->lens.kind == PH_FISHEYE) {
+        ph_fisheye_triangle(r, material, in);
+        return;
+    }
+    struct ph_clip_vertex out[PH_CLIP_MAX];
+    const int n = ph_clip(&r->lens, in, 3, out);
+    r->stats.triangles_clipped++;
+    if (n < 3) {
+        r->stats.triangles_culled++;
+        return;
+    }
+    bool any = false;
+    const struct ph_corner first = project_corner(&r->lens, &out[0]);
+    struct ph_corner last = project_corner(&r->lens, &out[1]);
+    for (int i = 2; i < n; i++) {
+        const struct ph_corner next = project_corner(&r->lens, &out[i]);
+        any |= ph_setup_triangle(r, material, &first, &last, &next);
+        last = next;
+    }
+    r->stats.triangles_culled += !any;
+}
+
 static void draw_clipped(const struct part_context *c, const uint16_t index[3])
 {
-    struct ph_clip_vertex in[3], out[PH_CLIP_MAX];
+    struct ph_clip_vertex in[3];
     for (int i = 0; i < 3; i++) {
         light_vertex(c, index[i]);
         in[i] = clip_vertex(c, index[i]);
@@ -135,21 +175,7 @@ static void draw_clipped(const struct part_context *c, const uint16_t index[3])
     if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }
-    const int n = ph_clip(&c->r->lens, in, 3, out);
-    c->r->stats.triangles_clipped++;
-    if (n < 3) {
-        c->r->stats.triangles_culled++;
-        return;
-    }
-    bool any = false;
-    const struct ph_corner first = project_corner(&c->r->lens, &out[0]);
-    struct ph_corner last = project_corner(&c->r->lens, &out[1]);
-    for (int i = 2; i < n; i++) {
-        const struct ph_corner next = project_corner(&c->r->lens, &out[i]);
-        any |= ph_setup_triangle(c->r, c->material, &first, &last, &next);
-        last = next;
-    }
-    c->r->stats.triangles_culled += !any;
+    ph_draw_clipped(c->r, c->material, in);
 }
 
 static struct ph_corner corner_of(const struct part_context *c, uint32_t index)
@@ -171,7 +197,8 @@ static void draw_triangle(const struct part_context *c, const uint16_t index[3])
         c->r->stats.triangles_culled++;
         return;
     }
-    if (((v0->code | v1->code | v2->code) & PH_CLIP) != 0) {
+    if (((v0->code | v1->code | v2->code) & PH_CLIP) != 0 ||
+        (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v0, v1, v2))) {
         draw_clipped(c, index);
         return;
     }
@@ -185,8 +212,8 @@ static void draw_triangle(const struct part_context *c, const uint16_t index[3])
 
 /* A line as a parallelogram, one pixel wide across its longer axis: one pixel a column (or row), no raster code of its
  * own. */
-static void setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                       const struct ph_corner *b)
+void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                   const struct ph_corner *b)
 {
     const int32_t dx = fx_abs_sat(b->x - a->x), dy = fx_abs_sat(b->y - a->y);
     const int32_t side_x = dx >= dy ? 0 : 128, side_y = 128 - side_x;
@@ -203,10 +230,14 @@ static void setup_line(struct ph_renderer *r, const struct ph_material *material
 static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material,
                            const struct ph_clip_vertex ends[2])
 {
+    if (r->lens.kind == PH_FISHEYE) {
+        ph_fisheye_line(r, material, ends);
+        return;
+    }
     struct ph_clip_vertex out[PH_CLIP_MAX];
     if (ph_clip(&r->lens, ends, 2, out) == 2) {
         const struct ph_corner a = project_corner(&r->lens, &out[0]), b = project_corner(&r->lens, &out[1]);
-        setup_line(r, material, &a, &b);
+        ph_setup_line(r, material, &a, &b);
     }
 }
 
@@ -251,7 +282,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
         return PH_ERR_NOMEM;
     }
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
-    const struct ph_clip_matrix matrix = clip_matrix(&r->lens, &object_to_view);
+    const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
     struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = r->config.vertices};
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         transform_vertex(r, &matrix, &mesh->positions[i], &c.vertices[i]);
@@ -269,14 +300,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
 
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
 {
-    const struct ph_clip_matrix matrix = clip_matrix(&r->lens, &r->view);
-    struct ph_clip_vertex ends[2] = {{0}};
-    const struct fx_vec3 *points[2] = {&a, &b};
-    for (int i = 0; i < 2; i++) {
-        ends[i].x = row_times(&matrix, 0, points[i]);
-        ends[i].y = row_times(&matrix, 1, points[i]);
-        ends[i].z = row_times(&matrix, 2, points[i]);
-        ends[i].w = r->lens.kind == PH_PERSPECTIVE ? ends[i].z : FX_ONE;
-    }
+    const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
+    const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     draw_clip_line(r, material, ends);
 }

@@ -4,6 +4,7 @@
  *   mesh.c    vertices: transform, project, clip codes; triangles: reject, cull, light, hand on
  *   light.c   intensity of a vertex
  *   clip.c    the few that meet a clip plane
+ *   fisheye.c what curves under a fisheye, divided
  *   setup.c   edges and planes of a triangle, into the list
  *   raster.c  lists by band, clears, spans (span.h: flat and Gouraud; texture.c: textured)
  */
@@ -36,7 +37,7 @@ struct ph_vertex {
 
 /* Before the divide: screen x = centre + 2^focal_log2 x / w. */
 struct ph_clip_vertex {
-    int32_t x, y, w, z; /* Q16.16; z: distance along the view; w = z, or 1 for an orthographic projection */
+    int32_t x, y, w, z; /* Q16.16; z: distance along the view; w = z, or 1 if orthographic; fisheye: see fisheye.h */
     int32_t light;      /* 0 .. 65535 */
     fx_t uv[2];
 };
@@ -90,6 +91,15 @@ static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
     return (struct ph_triangle *)r->config.triangles;
 }
 
+/* Object to clip coordinates of the lens. */
+struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view);
+
+/* A point before the divide, without light and texture; and projected, with clip codes. */
+struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_clip_matrix *m,
+                                    const struct fx_vec3 *p);
+void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
+                  struct ph_vertex *v);
+
 /* Projects a vertex inside near plane and guard band: v->x, v->y, v->depth. */
 void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v);
 
@@ -115,6 +125,13 @@ int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, 
 /* Sets up and lists the triangle a, b, c; false if it faces away (and is not two-sided) or covers no pixel centre. */
 bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                        const struct ph_corner *b, const struct ph_corner *c);
+
+/* The same of a triangle that may meet clip planes, and of one that is curved; counts them. */
+void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3]);
+
+/* A line one pixel wide. */
+void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                   const struct ph_corner *b);
 
 /* The light of one mesh, in its own coordinates: see light.c. */
 struct ph_local_light {

@@ -108,7 +108,7 @@ struct ph_stats {
     uint32_t triangles_in;      /* given */
     uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
     uint32_t triangles_clipped; /* of these: met a clip plane */
-    uint32_t triangles_drawn;   /* set up and listed; a clipped one may give several, a line gives two */
+    uint32_t triangles_drawn;   /* set up and listed; a clipped or curved one may give several, a line gives two each */
     uint32_t triangles_dropped; /* did not fit the triangle budget */
     uint32_t vertices_dropped;  /* did not fit the vertex budget; the mesh was left out */
     uint32_t fragments;         /* pixels depth-tested */
@@ -149,6 +149,9 @@ struct ph_lens {
     uint32_t depth_scale; /* perspective: near plane, normalised; orthographic: 1 / (far - near), normalised */
     uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
     int8_t far_s;
+    uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
+    uint32_t chord_min2; /* fisheye: (1/256 px)^2; edges up to here are not divided */
+    int32_t chord_max;   /* fisheye: 1/256 px; longer ones are */
 };
 
 /* The state of one picture. Its fields are the renderer's own; read stats. Holds no pointer into itself. */
@@ -170,8 +173,8 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 /*
  * Starts a frame: forgets the triangles and the statistics. view is world-to-view and must be rigid.
  * light may be NULL (full ambient). background in wire order.
- * PH_ERR_INVAL: near_z <= 0 of a perspective, far_z <= near_z. PH_ERR_RANGE: the principal point is more than a
- * picture's width or height off the centre (|shift| > 2), or a focal length of 2^18 pixels or more.
+ * PH_ERR_INVAL: near_z <= 0 of a perspective or fisheye, far_z <= near_z. PH_ERR_RANGE: the principal point is more
+ * than a picture's width or height off the centre (|shift| > 2), or a focal length of 2^18 pixels or more.
  */
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background);

@@ -203,7 +203,7 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
     int64_t uv[2][3];
     const int range_u = texture_range(t->material->texture, v, 0, uv[0]);
     const int range = max_int(range_u, texture_range(t->material->texture, v, 1, uv[1]));
-    const bool perspective = r->lens.kind == PH_PERSPECTIVE;
+    const bool perspective = r->lens.kind != PH_ORTHOGRAPHIC;
     int least = v[0]->depth.s;
     least = v[1]->depth.s < least ? v[1]->depth.s : least;
     least = v[2]->depth.s < least ? v[2]->depth.s : least;
