@@ -1,6 +1,6 @@
 /*
- * What the documents say of pictures, measured on what was drawn: LMU's Hitchcock zoom (M2), straight lines (G5),
- * vanishing points of parallel lines (M7). Prints what it measured.
+ * What the documents say of pictures, measured on what was drawn: zoom and dolly (M1), LMU's Hitchcock zoom (M2),
+ * straight lines (G5), vanishing points of parallel lines (M7). Prints what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,6 +17,8 @@
 #define PI     3.14159265358979323846
 #define SIZE   240
 #define PIXELS (SIZE * SIZE)
+#define RED    1 /* colours in wire order, whatever they look like */
+#define BLUE   2
 
 static struct rig rig;
 
@@ -68,7 +70,7 @@ static void draw_square(double x, double half, uint16_t colour)
     static struct fx_vec3 corners[2][4];
     static struct ph_material materials[2];
     static const struct ph_part part = {0, 2, 0};
-    const int k = x < 0;
+    const int k = colour == BLUE; /* meshes and materials are referred to until the frame is drawn */
     const double at[4][2] = {{-1, 1}, {-1, -1}, {1, -1}, {1, 1}}; /* y up, z: right is -z as seen from +x */
     for (int i = 0; i < 4; i++) {
         corners[k][i] = vec(x, at[i][0] * half, at[i][1] * half);
@@ -93,6 +95,40 @@ static int rows_of(uint16_t colour, int column)
     return rows;
 }
 
+/* The camera on x at `distance`, looking along -x; a red square of side 1 at the origin, a blue one at `other`. */
+static void draw_along_x(double distance, double fov, double other, double half)
+{
+    const struct ph_xform view = ph_view_look_at(vec(distance, 0, 0), vec(distance - 1, 0, 0), vec(0, 1, 0));
+    const struct ph_projection p = perspective(fov, .1, 100);
+    begin(&view, &p);
+    draw_square(0, .5, RED);
+    draw_square(other, half, BLUE);
+    assert_true(rig_finish(&rig));
+}
+
+/* HAW: the field of view changes, the place stays; what is wider is seen smaller, by the tangents. */
+static void M1_zoom_changes_the_size_by_the_tangent_of_half_the_angle(void **state)
+{
+    (void)state;
+    for (int fov = 15; fov <= 120; fov += 5) {
+        draw_along_x(5, fov, -20, .1);
+        near_to(rows_of(RED, SIZE / 2), SIZE / (10 * tan(fov * PI / 360)), 1);
+    }
+}
+
+/* HAW: the camera moves along its own z, the angle stays; what was behind it comes into sight, once past the near
+ * plane. */
+static void M1_dolly_changes_the_size_by_the_distance(void **state)
+{
+    (void)state;
+    for (int i = 0; i <= 32; i++) {
+        const double distance = 2 + i / 4.;
+        draw_along_x(distance, 40, 7, .01); /* the blue square hides the middle at most */
+        near_to(rows_of(RED, SIZE / 2 + (int)(SIZE / (2 * distance))), SIZE / (2 * distance * tan(20 * PI / 180)), 1);
+        assert_true((rows_of(BLUE, SIZE / 2) > 0) == (distance > 7.1));
+    }
+}
+
 /*
  * LMU: fov = 2 atan(1 / distance), camera on x from 1.2 to 20 and back in 1000 frames. The subject at the origin, of
  * height 1, is half the picture's 240 lines; what is behind it grows from nothing to the whole picture.
@@ -100,7 +136,6 @@ static int rows_of(uint16_t colour, int column)
 static void M2_subject_keeps_its_height_over_the_hitchcock_zoom(void **state)
 {
     (void)state;
-    const uint16_t red = ph_rgb565(255, 0, 0), blue = ph_rgb565(0, 0, 255);
     int low = SIZE, high = 0, behind_low = SIZE, behind_high = 0;
     for (int frame = 0; frame < 1000; frame++) {
         const double path = frame < 500 ? frame / 500. : (1000 - frame) / 500., distance = 1.2 + 18.8 * path;
@@ -110,13 +145,13 @@ static void M2_subject_keeps_its_height_over_the_hitchcock_zoom(void **state)
             ph_projection_perspective(&p, ph_fov_of(FX_INT(2), ref_q16(distance)), FX_ONE, FX_ONE / 10, FX_INT(100)),
             PH_OK);
         begin(&view, &p);
-        draw_square(0, .5, red);
-        draw_square(-8, 2, blue);
+        draw_square(0, .5, RED);
+        draw_square(-8, 2, BLUE);
         assert_true(rig_finish(&rig));
-        const int rows = rows_of(red, SIZE / 2);
+        const int rows = rows_of(RED, SIZE / 2);
         low = rows < low ? rows : low;
         high = rows > high ? rows : high;
-        const int across = rows_of(blue, SIZE / 2) + rows;
+        const int across = rows_of(BLUE, SIZE / 2) + rows;
         behind_low = across < behind_low ? across : behind_low;
         behind_high = across > behind_high ? across : behind_high;
     }
@@ -264,6 +299,8 @@ static void M7_parallel_lines_stay_parallel_in_a_parallel_projection(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(M1_zoom_changes_the_size_by_the_tangent_of_half_the_angle),
+        cmocka_unit_test(M1_dolly_changes_the_size_by_the_distance),
         cmocka_unit_test(M2_subject_keeps_its_height_over_the_hitchcock_zoom),
         cmocka_unit_test(G5_lines_are_drawn_straight),
         cmocka_unit_test(M7_parallel_lines_meet_in_the_vanishing_point),

@@ -142,6 +142,9 @@ static void matrices_without_room_in_Q16_16_are_refused_and_change_nothing(void 
         p.far_z = p.near_z;
         assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_INVAL);
         assert_int_equal(ph_projection_perspective(&p, FX_INT(60), FX_ONE, 1, FX_MAX), PH_OK); /* the longest fits */
+        p.kind = PH_FISHEYE;                                                                   /* has no matrix */
+        assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_ERR_INVAL);
+        p.kind = PH_PERSPECTIVE;
         struct ph_mat4 fits;
         assert_int_equal(ph_matrix_projection(&fits, &p, (enum ph_convention)convention), PH_OK);
     }
