@@ -503,9 +503,28 @@ static void ramp_goes_from_black_over_the_colour_to_white(void **state)
     assert_int_equal(ramp[123], 0xffff);
 }
 
+/* A line has no back: sixteen directions round the middle, a one-sided material. */
+static void a_line_shows_in_every_direction(void **state)
+{
+    (void)state;
+    static const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xffff};
+    const struct fx_vec3 middle = {FX_INT(8), FX_INT(6), FX_INT(-2)};
+    for (uint32_t i = 0; i < 16; i++) {
+        int32_t sine, cosine;
+        fx_sincos_q30(i << 28, &sine, &cosine);
+        const struct fx_vec3 tip = {middle.x + cosine / 4096, middle.y + sine / 4096, FX_INT(-2)}; /* 4 pixels away */
+        struct drawing d;
+        drawing_open(&d);
+        ph_draw_line(&d.rig.r, middle, tip, &material);
+        assert_int_equal(d.rig.r.stats.triangles_drawn, 2);
+        drawing_close(&d);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_line_shows_in_every_direction),
         cmocka_unit_test(gouraud_light_is_linear_across_the_screen),
         cmocka_unit_test(flat_light_is_that_of_the_first_vertex),
         cmocka_unit_test(textures_repeat),

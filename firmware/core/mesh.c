@@ -215,9 +215,11 @@ static void draw_triangle(const struct part_context *c, const uint16_t index[3])
 void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                    const struct ph_corner *b)
 {
-    const int32_t dx = fx_abs_sat(b->x - a->x), dy = fx_abs_sat(b->y - a->y);
-    const int32_t side_x = dx >= dy ? 0 : 128, side_y = 128 - side_x;
-    struct ph_corner quad[4] = {*a, *b, *b, *a};
+    const bool wide = fx_abs_sat(b->x - a->x) >= fx_abs_sat(b->y - a->y);
+    const int32_t side_x = wide ? 0 : 128, side_y = 128 - side_x;
+    const bool turned = wide ? b->x > a->x : b->y < a->y; /* its front is what must be seen */
+    const struct ph_corner *const from = turned ? b : a, *const to = turned ? a : b;
+    struct ph_corner quad[4] = {*from, *to, *to, *from};
     for (int i = 0; i < 4; i++) {
         const int32_t sign = i < 2 ? -1 : 1;
         quad[i].x += sign * side_x;

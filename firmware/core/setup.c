@@ -307,9 +307,8 @@ static bool misses_columns(const struct ph_renderer *r, const struct ph_corner *
 bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                        const struct ph_corner *b, const struct ph_corner *c)
 {
-    const bool two_sided = material->two_sided != 0 || material->shading == PH_SHADE_WIRE;
     int64_t area = ph_area(a->x, a->y, b->x, b->y, c->x, c->y);
-    const bool turned = area < 0 && two_sided;
+    const bool turned = area < 0 && material->two_sided != 0;
     const struct ph_corner *const v[3] = {a, turned ? c : b, turned ? b : c};
     area = turned ? -area : area;
     if (area <= 0 || misses_columns(r, v)) {

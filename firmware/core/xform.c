@@ -171,10 +171,11 @@ static int32_t ratio(int64_t a, int bits, int64_t b)
     return q > INT32_MAX ? 0 : (int32_t)q;
 }
 
-/* (high + low) / (high - low) in Q16.16; the sum of two int32 times 2^16 fits 64 bits. */
+/* (high + low) / (high - low) in Q16.16, nearest; the sum of two int32 times 2^16 fits 64 bits. */
 static fx_t shift_of(fx_t low, fx_t high)
 {
-    return fx_sat64(((int64_t)high + low) * FX_ONE / ((int64_t)high - low));
+    const int64_t sum = ((int64_t)high + low) * FX_ONE, size = (int64_t)high - low;
+    return fx_sat64((sum >= 0 ? sum + size / 2 : sum - size / 2) / size);
 }
 
 int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspect, fx_t near_z, fx_t far_z)
