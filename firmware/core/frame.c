@@ -74,13 +74,12 @@ static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
     lens->far_s = far.s;
 }
 
-int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
-                   const struct ph_scene_light *light, uint16_t background)
+int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)
 {
     const int32_t width = r->config.width, height = r->config.height;
     const struct ph_projection *p = projection;
     if (p->far_z <= p->near_z || (p->kind != PH_ORTHOGRAPHIC && p->near_z <= 0) || p->scale_x_q20 <= 0 ||
-        p->scale_y_q20 <= 0 || (light != NULL && light->count > PH_LIGHTS_MAX)) {
+        p->scale_y_q20 <= 0) {
         return PH_ERR_INVAL;
     }
     if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
@@ -95,10 +94,22 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     lens.centre_x = centre_of(width, -p->shift_x);
     lens.centre_y = centre_of(height, p->shift_y);
     lens_depth(&lens, p);
-
-    static const struct ph_scene_light full = {.ambient = FX_ONE};
     r->lens = lens;
     r->view = *view;
+    return PH_OK;
+}
+
+int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
+                   const struct ph_scene_light *light, uint16_t background)
+{
+    if (light != NULL && light->count > PH_LIGHTS_MAX) {
+        return PH_ERR_INVAL;
+    }
+    const int status = ph_frame_camera(r, view, projection);
+    if (status != PH_OK) {
+        return status;
+    }
+    static const struct ph_scene_light full = {.ambient = FX_ONE};
     r->light = light != NULL ? *light : full;
     r->background = background;
     r->stats = (struct ph_stats){0};

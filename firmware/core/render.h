@@ -179,6 +179,12 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background);
 
+/*
+ * Another camera for what is drawn from now on in the same frame: several views in one picture. All share the depth
+ * buffer, so two views should not draw on the same pixels. Errors as ph_frame_begin; then the camera stays.
+ */
+int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
+
 /* Draws mesh placed by to_world (a rotation with a uniform scale below 2). Returns 0 or PH_ERR_NOMEM (left out,
  * counted). */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
