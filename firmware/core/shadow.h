@@ -23,14 +23,14 @@ struct ph_plane_equation {
  * drawn or before, and before ph_frame_bands(); the order does not matter but for speed.
  *
  * material: PH_SHADE_UNLIT in the colour of the shadow, for all parts of the mesh; it must live until the last band is
- *           drawn. two_sided = 0 draws what faces the light (enough for closed meshes) as seen from the light's side of
- *           the plane; two_sided = 1 everything, from both sides. depth_bias 16 is right for most scenes: the shadow is
- *           also moved 1/512 of its distance towards the viewer (orthographic: 1/2048 from near to far plane), which
- *           moves nothing on the screen. Overlapping triangles have one colour, so their order does not show.
- * Range:    objects within 512 of the light, so that a shadow 64 times as far away fits Q16.16. Shadow points are
- *           exact to 1 LSB, times their distance from the light in units of the object's (at most 64).
- * Returns 0, also where there is no shadow; PH_ERR_NOMEM (left out, counted) where the vertices do not fit the budget.
- * Statistics count as in ph_draw_mesh; parts of edges (PH_SHADE_WIRE) cast none.
+ *           drawn. two_sided = 0 draws what faces the light (enough for closed meshes), and only if the viewer is on
+ * the lit side of the plane; two_sided = 1 everything, seen from both sides. depth_bias 16 is right for most scenes:
+ * the shadow is also moved 1/512 of its distance towards the viewer (orthographic: 1/2048 from near to far plane;
+ * fisheye: 1/32, as its depth is that much coarser), which moves nothing on the screen. Overlapping triangles have one
+ * colour, so their order does not show. Range:    objects within 512 of the light, so that a shadow 64 times as far
+ * away fits Q16.16. Shadow points are exact to 1 LSB, times their distance from the light in units of the object's (at
+ * most 64). Returns 0, also where there is no shadow; PH_ERR_NOMEM (left out, counted) where the vertices do not fit
+ * the budget. Statistics count as in ph_draw_mesh; parts of edges (PH_SHADE_WIRE) cast none.
  */
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material);

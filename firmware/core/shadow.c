@@ -1,0 +1,211 @@
+/* Planar shadows: see shadow.h. Heights above the plane are Q18.46, so that none of their digits is lost. */
+#include "shadow.h"
+
+#include "fisheye.h"
+#include "pipeline.h"
+
+#define CUT         PH_LIT /* in a vertex' code: not between plane and light; shadows are not lit */
+#define POLYGON_MAX 5
+
+struct cast {
+    struct ph_renderer *r;
+    const struct ph_mesh *mesh;
+    const struct ph_xform *to_world;
+    const struct ph_plane_equation *plane;
+    const struct ph_material *material;
+    struct fx_vec3 light;
+    int64_t light_height, highest; /* of the light; of what casts a shadow */
+    struct ph_clip_matrix matrix;  /* world to clip coordinates, a hair nearer */
+    struct ph_vertex *vertices;
+};
+
+/* A point of the object. */
+struct caster {
+    struct fx_vec3 p;
+    int64_t height;
+};
+
+static int64_t height_of(const struct ph_plane_equation *plane, struct fx_vec3 p)
+{
+    const struct fx_vec3 n = plane->normal_q30;
+    return fx_mul_wide(n.x, p.x) + fx_mul_wide(n.y, p.y) + fx_mul_wide(n.z, p.z) + fx_mul_wide(plane->d, FX_Q30_ONE);
+}
+
+/* light + (p - light) whole / rest, rounded, saturated; 0 < rest <= whole < 2^30. */
+static fx_t along_ray(fx_t light, fx_t p, int32_t whole, int32_t rest)
+{
+    const int64_t scaled = fx_mul_wide(fx_sub_sat(p, light), whole);
+    return fx_sat64(light + (scaled + (scaled < 0 ? -rest : rest) / 2) / rest);
+}
+
+/* Where the ray from the light through a point below `highest` meets the plane. */
+static struct fx_vec3 shadow_of(const struct cast *c, const struct caster *v)
+{
+    int64_t whole = c->light_height, rest = whole - v->height;
+    while (whole >> 30 != 0) { /* at most 33 times */
+        whole >>= 1;
+        rest >>= 1;
+    }
+    const int32_t w = (int32_t)whole, k = rest > 0 ? (int32_t)rest : 1;
+    return (struct fx_vec3){along_ray(c->light.x, v->p.x, w, k), along_ray(c->light.y, v->p.y, w, k),
+                            along_ray(c->light.z, v->p.z, w, k)};
+}
+
+static struct caster caster_of(const struct cast *c, uint32_t index)
+{
+    struct caster v = {.p = ph_xform_point(c->to_world, c->mesh->positions[index])};
+    v.height = height_of(c->plane, v.p);
+    return v;
+}
+
+static void transform_vertices(const struct cast *c)
+{
+    for (uint32_t i = 0; i < c->mesh->vertex_count; i++) {
+        const struct caster v = caster_of(c, i);
+        c->vertices[i].code = CUT;
+        if (v.height >= 0 && v.height <= c->highest) {
+            const struct fx_vec3 s = shadow_of(c, &v);
+            ph_transform(c->r, &c->matrix, &s, &c->vertices[i]);
+        }
+        c->vertices[i].light = PH_LIGHT_ZERO;
+    }
+    c->r->stats.vertices += c->mesh->vertex_count;
+}
+
+/* ---- what reaches through the plane, or above the light --------------------------------------------------------- */
+
+/* Where an edge meets a height that lies between its ends; always counted from the same end. */
+static struct caster crossing(const struct caster *inside, const struct caster *outside, int64_t height)
+{
+    int64_t part = height - inside->height, whole = (outside->height >> 1) - (inside->height >> 1);
+    part >>= 1;
+    while (whole >= (int64_t)1 << 30 || whole <= -((int64_t)1 << 30)) { /* at most 33 times */
+        whole /= 2;
+        part /= 2;
+    }
+    const int64_t t = whole != 0 ? part * FX_Q30_ONE / whole : 0;
+    const int32_t t_q30 = t < 0 ? 0 : t > FX_Q30_ONE ? FX_Q30_ONE : (int32_t)t;
+    const fx_t from[3] = {inside->p.x, inside->p.y, inside->p.z};
+    const fx_t to[3] = {outside->p.x, outside->p.y, outside->p.z};
+    fx_t at[3];
+    for (int i = 0; i < 3; i++) {
+        at[i] = fx_sat64(from[i] + ((fx_mul_wide((to[i] >> 1) - (from[i] >> 1), t_q30) + (1 << 28)) >> 29));
+    }
+    return (struct caster){{at[0], at[1], at[2]}, height};
+}
+
+/* Cuts off what is below (sign 1) or above (sign -1) a height. */
+static int cut(const struct caster *in, int n, struct caster *out, int64_t height, int sign)
+{
+    int count = 0;
+    for (int i = 0; i < n; i++) {
+        const struct caster *a = &in[i], *b = &in[i + 1 < n ? i + 1 : 0];
+        const bool a_in = sign * a->height >= sign * height, b_in = sign * b->height >= sign * height;
+        if (a_in) {
+            out[count++] = *a;
+        }
+        if (a_in != b_in) {
+            out[count++] = a_in ? crossing(a, b, height) : crossing(b, a, height);
+        }
+    }
+    return count;
+}
+
+static void draw_cut(const struct cast *c, const uint16_t index[3])
+{
+    const struct caster in[3] = {caster_of(c, index[0]), caster_of(c, index[1]), caster_of(c, index[2])};
+    struct caster above[POLYGON_MAX], between[POLYGON_MAX];
+    const int n = cut(above, cut(in, 3, above, 0, 1), between, c->highest, -1);
+    struct ph_clip_vertex corners[POLYGON_MAX];
+    for (int i = 0; i < n; i++) {
+        const struct fx_vec3 s = shadow_of(c, &between[i]);
+        corners[i] = ph_clip_place(&c->r->lens, &c->matrix, &s);
+        corners[i].light = PH_LIGHT_ZERO;
+    }
+    c->r->stats.triangles_culled += n < 3;
+    for (int i = 2; i < n; i++) {
+        const struct ph_clip_vertex fan[3] = {corners[0], corners[i - 1], corners[i]};
+        ph_draw_clipped(c->r, c->material, fan);
+    }
+}
+
+/* ---- triangles ------------------------------------------------------------------------------------------------ */
+
+static struct ph_corner corner_of(const struct ph_vertex *v)
+{
+    return (struct ph_corner){v->x, v->y, v->depth, v->light, {0, 0}};
+}
+
+static void draw_triangle(const struct cast *c, const uint16_t index[3])
+{
+    const struct ph_vertex *v0 = &c->vertices[index[0]], *v1 = &c->vertices[index[1]], *v2 = &c->vertices[index[2]];
+    const unsigned all = v0->code & v1->code & v2->code, any = v0->code | v1->code | v2->code;
+    if ((all & PH_REJECT) != 0) {
+        c->r->stats.triangles_culled++;
+        return;
+    }
+    if ((any & (CUT | PH_CLIP)) != 0 ||
+        (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v0, v1, v2))) {
+        draw_cut(c, index);
+        return;
+    }
+    const struct ph_corner a = corner_of(v0), b = corner_of(v1), d = corner_of(v2);
+    c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, &a, &b, &d);
+}
+
+/* Towards the viewer: all of the matrix a little smaller, which the division takes out again; see shadow.h. */
+static void lift(struct ph_clip_matrix *m, const struct ph_lens *lens)
+{
+    if (lens->kind == PH_ORTHOGRAPHIC) {
+        m->t[2] -= fx_mul_wide(lens->far_z / 2048 - lens->near_z / 2048, 1 << 28);
+        return;
+    }
+    const int part = lens->kind == PH_FISHEYE ? 32 : 512;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            m->m[i][k] -= m->m[i][k] / part;
+        }
+        m->t[i] -= m->t[i] / part;
+    }
+}
+
+/* Whether the viewer is on the lit side of the plane: by the place of the eye, or parallel, by where it looks from. */
+static bool sees_lit_side(const struct ph_renderer *r, const struct ph_plane_equation *plane)
+{
+    const struct ph_xform camera = ph_xform_inverse_rigid(&r->view);
+    if (r->lens.kind != PH_ORTHOGRAPHIC) {
+        return height_of(plane, camera.t) > 0;
+    }
+    const struct fx_vec3 from = {camera.r[0][2] / 2, camera.r[1][2] / 2, camera.r[2][2] / 2};
+    return height_of(&(struct ph_plane_equation){plane->normal_q30, 0}, from) > 0;
+}
+
+int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
+                   struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material)
+{
+    struct cast c = {.r = r, .mesh = mesh, .to_world = to_world, .plane = plane, .material = material, .light = light};
+    c.light_height = height_of(plane, light);
+    c.highest = c.light_height - c.light_height / 64;
+    if (c.light_height <= 0 || (material->two_sided == 0 && !sees_lit_side(r, plane))) {
+        return PH_OK;
+    }
+    if (mesh->vertex_count > r->config.vertex_max) {
+        r->stats.vertices_dropped += mesh->vertex_count;
+        return PH_ERR_NOMEM;
+    }
+    c.matrix = ph_clip_matrix(&r->lens, &r->view);
+    lift(&c.matrix, &r->lens);
+    c.vertices = r->config.vertices;
+    transform_vertices(&c);
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const struct ph_part *part = &mesh->parts[i];
+        if (mesh->materials[part->material].shading == PH_SHADE_WIRE) {
+            continue;
+        }
+        r->stats.triangles_in += part->count;
+        for (uint32_t k = 0; k < part->count; k++) {
+            draw_triangle(&c, mesh->triangles[part->first + k]);
+        }
+    }
+    return PH_OK;
+}
