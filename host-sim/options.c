@@ -9,6 +9,8 @@
 
 #define FRAME_LIMIT 1000000000u
 #define SIZE_LIMIT  1024 /* struct ph_config */
+#define FOV_DEG     FX_INT(60)
+#define FISHEYE_DEG FX_INT(180)
 
 struct option {
     const char *name;     /* without "--" */
@@ -114,7 +116,7 @@ static bool set_distance(struct options *o, fx_t *out, const char *value)
 
 static bool set_fov(struct options *o, const char *value)
 {
-    return set_distance(o, &o->fov_deg, value) && o->fov_deg > 0 && o->fov_deg < FX_INT(180);
+    return set_distance(o, &o->fov_deg, value) && o->fov_deg > 0 && o->fov_deg <= FX_INT(240);
 }
 
 static bool set_near(struct options *o, const char *value)
@@ -129,14 +131,14 @@ static bool set_far(struct options *o, const char *value)
 
 static bool set_projection(struct options *o, const char *value)
 {
-    static const char *const names[] = {"perspective", "frustum", "ortho"};
+    static const char *const names[] = {"perspective", "frustum", "ortho", "fisheye"};
     char kind[16] = "";
     const size_t n = strcspn(value, "=");
     o->projection_set = true;
     o->window_set = value[n] == '=';
     memcpy(kind, value, n < sizeof kind ? n : sizeof kind - 1);
-    const int found = option_text_choice(kind, names, 3);
-    if (found < 0 || (found == OPTION_PERSPECTIVE && o->window_set)) {
+    const int found = option_text_choice(kind, names, 4);
+    if (found < 0 || (o->window_set && found != OPTION_FRUSTUM && found != OPTION_ORTHO)) {
         return false;
     }
     o->projection = (enum option_projection)found;
@@ -145,8 +147,10 @@ static bool set_projection(struct options *o, const char *value)
 
 static bool set_convention(struct options *o, const char *value)
 {
-    (void)o;
-    return strcmp(value, "gl") == 0;
+    static const char *const names[] = {[PH_GL] = "gl", [PH_D3D] = "d3d", [PH_LMU] = "lmu", [PH_REVERSED] = "reversed"};
+    const int convention = option_text_choice(value, names, 4);
+    o->convention = (uint8_t)(convention & 3);
+    return convention >= 0;
 }
 
 static bool set_depth(struct options *o, const char *value)
@@ -161,6 +165,12 @@ static bool set_crc(struct options *o, const char *value)
 {
     (void)value;
     return o->crc = true;
+}
+
+static bool set_matrix(struct options *o, const char *value)
+{
+    (void)value;
+    return o->matrix = true;
 }
 
 static bool set_stats(struct options *o, const char *value)
@@ -195,14 +205,21 @@ static const struct option option_table[] = {
     {"rotate", "0|90|180|270", "turns the picture on the glass, degrees clockwise; as the kit is held by default",
      set_rotate},
     {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]", "looks at the origin, y up, when not told", set_camera},
-    {"fov", "DEG", "vertical field of view, more than 0, less than 180; 60 by default", set_fov},
+    {"fov", "DEG", "vertical field of view, more than 0, less than 180; 60 by default; fisheye: 10 .. 240, 180",
+     set_fov},
     {"near", "N", "distance of the near plane, more than 0; 0.5 by default", set_near},
     {"far", "N", "distance of the far plane, beyond near; 100 by default", set_far},
-    {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]", "window at the near plane", set_projection},
-    {"convention", "gl", "right-handed, looks along -z", set_convention},
+    {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]|fisheye",
+     "window at the near plane; a fisheye is equidistant", set_projection},
+    {"convention", "gl|d3d|lmu|reversed",
+     "how the camera is written down; the picture is the same in all. gl by default: right-handed, along -z",
+     set_convention},
     {"depth", "fixed16|float16", "what the depth buffer holds; fixed16 by default", set_depth},
     {"band", "LINES", "height of a band, 1 .. 1024; the board's own by default", set_band},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", set_crc},
+    {"matrix", NULL,
+     "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
+     set_matrix},
     {"stats", NULL, "prints what each frame took, on stderr", set_stats},
     {"list", NULL, "prints demos and boards", set_list},
     {"help", NULL, "prints this", set_help},
@@ -239,8 +256,17 @@ static int check_together(const struct options *o)
     if (o->board != NULL && o->width != 0) {
         return complain(EXIT_USAGE, "--board and --size exclude each other");
     }
-    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats) {
-        return complain(EXIT_USAGE, "nothing to do: give --out, --crc or --stats (--help explains them)");
+    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix) {
+        return complain(EXIT_USAGE, "nothing to do: give --out, --crc, --stats or --matrix (--help explains them)");
+    }
+    if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
+        return complain(EXIT_USAGE, "--fov: must be less than 180 degrees; more only with --projection fisheye");
+    }
+    if (o->projection == OPTION_FISHEYE && o->fov_deg != 0 && o->fov_deg < FX_INT(10)) {
+        return complain(EXIT_USAGE, "--fov: must be 10 .. 240 degrees for a fisheye");
+    }
+    if (o->projection == OPTION_FISHEYE && o->matrix) {
+        return complain(EXIT_USAGE, "--matrix: a fisheye has no matrix; choose another --projection");
     }
     return 0;
 }
@@ -276,8 +302,7 @@ static int read_one(struct options *o, int argc, char *const argv[], int i)
 
 int options_read(struct options *o, int argc, char *const argv[])
 {
-    *o = (struct options){
-        .frames = 1, .up = {0, FX_ONE, 0}, .fov_deg = FX_INT(60), .near_z = FX_HALF, .far_z = FX_INT(100)};
+    *o = (struct options){.frames = 1, .up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
         i = read_one(o, argc, argv, i);
         if (i == 0) {
@@ -291,7 +316,7 @@ int options_read(struct options *o, int argc, char *const argv[])
 static fx_t half_height(const struct options *o, fx_t distance)
 {
     int32_t sine, cosine;
-    fx_sincos_q30(fx_turn32_from_deg(o->fov_deg) / 2, &sine, &cosine);
+    fx_sincos_q30(fx_turn32_from_deg(o->fov_deg != 0 ? o->fov_deg : FOV_DEG) / 2, &sine, &cosine);
     const int64_t half = ((int64_t)distance * sine + cosine / 2) / (cosine > 0 ? cosine : 1);
     return half > FX_MAX ? FX_MAX : (fx_t)half;
 }
@@ -300,7 +325,11 @@ int options_projection(const struct options *o, uint16_t width, uint16_t height,
 {
     const fx_t n = o->near_z, f = o->far_z;
     if (o->projection == OPTION_PERSPECTIVE) {
-        return ph_projection_perspective(p, o->fov_deg, (fx_t)(((uint32_t)width << 16) / height), n, f);
+        const fx_t fov = o->fov_deg != 0 ? o->fov_deg : FOV_DEG;
+        return ph_projection_perspective(p, fov, (fx_t)(((uint32_t)width << 16) / height), n, f);
+    }
+    if (o->projection == OPTION_FISHEYE) {
+        return ph_projection_fisheye(p, o->fov_deg != 0 ? o->fov_deg : FISHEYE_DEG, n, f);
     }
     fx_t distance = n;
     if (o->projection == OPTION_ORTHO) {

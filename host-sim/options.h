@@ -5,13 +5,13 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
-#include "geom.h"
+#include "camera.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 enum option_action { OPTION_RUN, OPTION_LIST, OPTION_HELP };
-enum option_projection { OPTION_PERSPECTIVE, OPTION_FRUSTUM, OPTION_ORTHO };
+enum option_projection { OPTION_PERSPECTIVE, OPTION_FRUSTUM, OPTION_ORTHO, OPTION_FISHEYE };
 
 struct options {
     enum option_action action;
@@ -20,12 +20,13 @@ struct options {
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
     uint32_t start, frames;
-    const char *out; /* directory, FILE.ppm, "-", or NULL */
-    bool rotate_set; /* else as the board is usually held */
-    uint8_t rotate;  /* quarter turns, 0 .. 3 */
-    uint16_t band;   /* lines, 0: the board's own */
-    uint8_t depth;   /* enum ph_depth_format */
-    bool crc, stats;
+    const char *out;    /* directory, FILE.ppm, "-", or NULL */
+    bool rotate_set;    /* else as the board is usually held */
+    uint8_t rotate;     /* quarter turns, 0 .. 3 */
+    uint16_t band;      /* lines, 0: the board's own */
+    uint8_t depth;      /* enum ph_depth_format */
+    uint8_t convention; /* enum ph_convention */
+    bool crc, stats, matrix;
 
     bool camera_set;
     struct fx_vec3 eye, target, up;
@@ -33,8 +34,8 @@ struct options {
     bool projection_set; /* any of the following was given */
     enum option_projection projection;
     bool window_set;
-    fx_t window[4]; /* left, right, bottom, top: at the near plane (frustum), of the volume (ortho) */
-    fx_t fov_deg, near_z, far_z;
+    fx_t window[4];              /* left, right, bottom, top: at the near plane (frustum), of the volume (ortho) */
+    fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given */
 };
 
 /* Reads the command line into *o. 0, or EXIT_USAGE when it was wrong and one line has said so. */

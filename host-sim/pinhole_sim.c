@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
+#include "matrix_print.h"
 #include "model.h"
 #include "options.h"
 #include "player.h"
@@ -64,6 +65,30 @@ static int choose_board(const struct options *o, struct sim_virtual *virtual_boa
     return 0;
 }
 
+/*
+ * Writes the camera down as the convention does, in its handedness and with its near and far plane, and takes it back
+ * from there: what is drawn has gone through the convention. 0 or PH_ERR_INVAL.
+ */
+static int through_convention(enum ph_convention convention, struct demo_camera *camera)
+{
+    fx_t near_z = camera->projection_set ? camera->projection.near_z : FX_ONE;
+    fx_t far_z = camera->projection_set ? camera->projection.far_z : FX_INT(2);
+    if (convention == PH_LMU) {
+        near_z = fx_neg_sat(near_z);
+        far_z = fx_neg_sat(far_z);
+    }
+    if (convention == PH_D3D) { /* its matrix, but in Q2.30, where nothing is rounded */
+        for (int j = 0; j < 3; j++) {
+            camera->view.r[2][j] = fx_neg_sat(camera->view.r[2][j]);
+        }
+        camera->view.t.z = fx_neg_sat(camera->view.t.z);
+    }
+    const int status = ph_camera_from(convention, &camera->view, &near_z, &far_z);
+    camera->projection.near_z = near_z;
+    camera->projection.far_z = far_z;
+    return status;
+}
+
 static int choose_camera(const struct options *o, const struct player_setup *setup, struct demo_camera *camera)
 {
     const struct panel *panel = setup->board->panel;
@@ -71,8 +96,12 @@ static int choose_camera(const struct options *o, const struct player_setup *set
     if (o->camera_set) {
         camera->view = ph_view_look_at(o->eye, o->target, o->up);
     }
-    if (o->projection_set && options_projection(o, panel_width(panel, setup->rotation),
-                                                panel_height(panel, setup->rotation), &camera->projection) != 0) {
+    int status = 0;
+    if (o->projection_set) {
+        status = options_projection(o, panel_width(panel, setup->rotation), panel_height(panel, setup->rotation),
+                                    &camera->projection);
+    }
+    if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
         return complain(EXIT_USAGE, "--near, --far, --fov, --projection: no such view volume; "
                                     "0 < near < far, left and right, bottom and top differ");
     }
@@ -119,6 +148,27 @@ static int choose(const struct options *o, struct chosen *chosen, struct player_
     return status != 0 ? status : choose_scene(o, chosen, setup);
 }
 
+/* Where lines about the frames go: not between the frames. */
+static FILE *report_file(const struct frame_out *out)
+{
+    return out->kind == FRAME_OUT_STREAM ? stderr : stdout;
+}
+
+static int show_matrices(const struct options *o, const struct frame_out *out, struct player *p)
+{
+    struct ph_xform view;
+    struct ph_projection projection;
+    if (player_camera(p, o->start, &view, &projection) != 0) {
+        return EXIT_FAILED;
+    }
+    const int status = matrix_print(report_file(out), &view, &projection, p->driver.width, p->driver.height,
+                                    (enum ph_convention)o->convention);
+    if (status == PH_ERR_RANGE) {
+        return complain(EXIT_USAGE, "--matrix: an element does not fit Q16.16; move --near and --far apart");
+    }
+    return status == 0 ? 0 : complain(EXIT_USAGE, "--matrix: this demo's camera has no matrix; give a --projection");
+}
+
 static int show_frame(const struct options *o, const struct frame_out *out, struct player *p, uint32_t frame)
 {
     int status = player_frame(p, frame);
@@ -127,8 +177,8 @@ static int show_frame(const struct options *o, const struct frame_out *out, stru
     }
     if (status == 0 && o->crc) {
         const size_t n = (size_t)p->picture.width * p->picture.height * 3;
-        FILE *file = out->kind == FRAME_OUT_STREAM ? stderr : stdout;
-        fprintf(file, "frame %u crc32 %08X\n", (unsigned)frame, (unsigned)crc32_update(0, p->picture.rgb, n));
+        fprintf(report_file(out), "frame %u crc32 %08X\n", (unsigned)frame,
+                (unsigned)crc32_update(0, p->picture.rgb, n));
     }
     if (status == 0 && o->stats) {
         player_print_stats(p, frame);
@@ -148,7 +198,11 @@ static int run(const struct options *o, const struct player_setup *setup)
     if (status == 0 && o->stats && sim_note(player.sim) != NULL) {
         fprintf(stderr, "note: %s\n", sim_note(player.sim));
     }
-    for (uint32_t i = 0; i < o->frames && status == 0 && caught_signal == 0; i++) {
+    if (status == 0 && o->matrix) {
+        status = show_matrices(o, &out, &player);
+    }
+    const uint32_t frames = o->out != NULL || o->crc || o->stats ? o->frames : 0; /* --matrix alone draws none */
+    for (uint32_t i = 0; i < frames && status == 0 && caught_signal == 0; i++) {
         status = show_frame(o, &out, &player, o->start + i);
     }
     const int closed = player_close(&player);

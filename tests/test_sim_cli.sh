@@ -55,7 +55,7 @@ help_names_every_option() {
     local option
     "$sim" --help >"$dir/help" || return 1
     for option in demo model board size frames start out rotate camera fov near far projection convention depth band crc \
-        stats list help; do
+        matrix stats list help; do
         grep -q "^  --$option\b" "$dir/help" || { echo "$option" && return 1; }
     done
 }
@@ -150,6 +150,63 @@ model_has_an_effect() {
         refuses 1 'no triangles' --model "$dir/points.obj" --crc
 }
 
+fisheye_sees_behind_itself() { # beyond what a perspective can
+    differ --demo torus "${small[@]}" --projection fisheye --fov 120 -- --demo torus "${small[@]}" --projection perspective --fov 120 &&
+        differ --demo torus "${small[@]}" --projection fisheye --fov 240 -- --demo torus "${small[@]}" --projection fisheye --fov 180 &&
+        same --demo torus "${small[@]}" --projection fisheye -- --demo torus "${small[@]}" --projection fisheye --fov 180
+}
+
+# A camera at an odd place, so that a sign that is lost somewhere shows.
+odd=(--demo cube "${small[@]}" --camera "eye=1,.75,2,target=.25,.1,-.5,up=.1,1,.2")
+
+conventions_draw_the_same_bytes() {
+    local convention projection
+    for projection in perspective ortho=-2,2.5,-1,1 frustum=-.5,.25,-.5,.5 fisheye; do
+        for convention in d3d lmu reversed; do
+            same "${odd[@]}" --projection "$projection" --near 1.5 --far 3 -- "${odd[@]}" --projection "$projection" --near 1.5 --far 3 --convention "$convention" || return 1
+        done
+    done
+    same "${odd[@]}" -- "${odd[@]}" --convention d3d
+}
+
+matrices() { # rows first..last, options...: those rows of --matrix
+    local rows=$1
+    shift
+    "$sim" --matrix "$@" | sed -n "${rows}p"
+}
+
+matrices_are_the_documents() { # HAW exercise 6; the others by hand: 4600 f/(f-n), -fn/(f-n); LMU (n+f)/(n-f), 2nf/(f-n)
+    local camera=(--camera "eye=0,0,5" --fov 90 --near 2 --far 10 --size 200x100) convention expected
+    while read -r convention expected; do
+        [ "$(matrices 6,10 "${camera[@]}" --convention "$convention" | tr '\n' ' ')" = "projection $expected " ] ||
+            { echo "$convention: expected $expected" && matrices 6,10 "${camera[@]}" --convention "$convention" && return 1; }
+    done <<'END'
+gl 0.5 0 0 0 0 1 0 0 0 0 -1.5 -5 0 0 -1 0
+d3d 0.5 0 0 0 0 1 0 0 0 0 1.25 -2.5 0 0 1 0
+lmu -0.5 0 0 0 0 -1 0 0 0 0 -1.5 -5 0 0 1 0
+reversed 0.5 0 0 0 0 1 0 0 0 0 0.25 2.5 0 0 -1 0
+END
+    [ "$(matrices 1,5 "${camera[@]}" | tr '\n' ' ')" = "view 1 0 0 0 0 1 0 0 0 0 1 -5 0 0 0 1 " ] &&
+        [ "$(matrices 4 "${camera[@]}" --convention d3d)" = "0 0 -1 5" ] &&
+        [ "$(matrices 11,15 "${camera[@]}" | tr '\n' ' ')" = "viewport 100 0 0 100 0 -50 0 50 0 0 1 0 0 0 0 1 " ] &&
+        [ "$(matrices 13 "${camera[@]}" --convention lmu)" = "0 50 0 50" ] && [ "$("$sim" --matrix "${camera[@]}" | wc -l)" = 15 ]
+}
+
+matrices_round_trip() { # what is printed is a whole number of 65536ths, exactly
+    "$sim" --matrix --demo cube --start 17 --size 77x31 "${odd[@]:4}" | grep '[0-9] ' | tr ' ' '\n' >"$dir/numbers" && [ "$(wc -l <"$dir/numbers")" = 48 ] &&
+        awk '{ if ($1 * 65536 != int($1 * 65536)) { print; exit 1 } }' "$dir/numbers"
+}
+
+matrix_of_a_demo_is_its_own() { # 60 degrees: 1 / tan 30, nearest of Q16.16
+    local scale
+    scale=$(matrices 8 --demo cube --size 64x64 | cut -d' ' -f2) && [ "$scale" = 1.7320556640625 ] || { echo "$scale" && return 1; }
+}
+
+matrix_needs_no_picture_and_takes_one() {
+    [ "$("$sim" --matrix "${small[@]}" --frames 5 | wc -l)" = 15 ] && [ "$("$sim" --matrix "${small[@]}" --crc --frames 5 | wc -l)" = 20 ] &&
+        "$sim" --matrix "${small[@]}" --out - 2>"$dir/stderr" | cmp - <("$sim" "${small[@]}" --out -) && [ "$(wc -l <"$dir/stderr")" = 15 ]
+}
+
 # ---- where frames go
 
 directory_gets_a_file_a_frame() {
@@ -233,6 +290,12 @@ check near_cuts near_cuts
 check far_cuts far_cuts
 check projection_has_an_effect differ --demo torus "${small[@]}" --projection ortho -- --demo torus "${small[@]}" --projection perspective
 check frustum_without_window_is_the_perspective frustum_without_window_is_the_perspective
+check fisheye_sees_behind_itself fisheye_sees_behind_itself
+check conventions_draw_the_same_bytes conventions_draw_the_same_bytes
+check matrices_are_the_documents matrices_are_the_documents
+check matrices_round_trip matrices_round_trip
+check matrix_of_a_demo_is_its_own matrix_of_a_demo_is_its_own
+check matrix_needs_no_picture_and_takes_one matrix_needs_no_picture_and_takes_one
 check convention_gl_is_the_default same --demo torus "${small[@]}" -- --demo torus "${small[@]}" --convention gl
 check depth_has_an_effect differ --demo turntable "${small[@]}" --near .0001 --far 30000 -- --demo turntable "${small[@]}" --near .0001 --far 30000 --depth float16
 check depth_is_fixed16_by_default same --demo turntable "${small[@]}" --near .0001 --far 30000 -- --demo turntable "${small[@]}" --near .0001 --far 30000 --depth fixed16
@@ -320,9 +383,16 @@ exclude|--board x --size 8x8 --crc
 --projection|--projection frustum=0,1,0 --crc
 --projection|--projection frustum=0,1,0,1x --crc
 --projection|--projection perspective=0,1,0,1 --crc
-frustum|--projection fisheye --crc
-must be gl|--convention d3d --crc
-must be gl|--convention lmu --crc
+frustum|--projection fisheye=0,1,0,1 --crc
+--fov|--projection fisheye --fov 9 --crc
+--fov|--projection fisheye --fov 240.5 --crc
+--fov|--fov 200 --projection ortho --crc
+--near|--projection ortho --near -1 --crc
+fisheye|--projection fisheye --matrix
+--matrix|--matrix --near 1 --far 1.00001
+takes no value|--matrix=1
+must be gl|--convention opengl --crc
+must be gl|--convention= --crc
 fixed16|--depth fixed24 --crc
 fixed16|--depth linear-w --crc
 --band|--band 0 --crc
