@@ -11,10 +11,13 @@
  * of it the radius is `strength` again. Orthographic: strength |z - focal| / (far - near). Empty pixels are infinitely
  * far away (orthographic: at the far plane). Below 1 px nothing is blurred.
  *
- * Two passes, along the lines and across them, each a weighted mean of at most 2 radius + 1 pixels. A pixel gets of its
- * neighbour what the neighbour's blur spreads that far; of a neighbour further away it gets no more than its own blur
- * lets through, so that a sharp object neither bleeds into a blurred background nor is smeared by it, while a blurred
- * foreground spreads over a sharp background.
+ * Two passes, along the lines and across them, each a weighted mean of at most 2 radius + 1 pixels. The nearer of two
+ * pixels decides how far they mix. So a sharp object neither bleeds into a blurred background nor is smeared by it,
+ * while a blurred foreground spreads over a sharp background and lets it shine through at its rim.
+ *
+ * Cost, measured with callgrind on x86-64 (gcc -O2, 240 x 240, nearly all of it blurred): 260 instructions a pixel at
+ * radius 1, 630 at radius 4, 900 at radius 7; that is several times what it costs to draw the pixel. On a Cortex-M0+ it
+ * is for stills or small pictures. No division, no 64-bit arithmetic per pixel.
  *
  * A line needs `radius` lines below it, so ph_blur_band draws ahead of what it gives out. The picture does not depend
  * on the band height.
@@ -43,11 +46,13 @@ struct ph_blur {
     uint32_t lines;
     uint32_t next_band; /* of the renderer */
     uint32_t drawn;     /* lines of the picture in the ring, and before */
-    uint8_t radius;
-    uint8_t depth_format;
-    int32_t focal_d;  /* d of the focal plane, see blur.c */
-    int32_t per_d;    /* 1/16 px per unit of d */
-    int32_t infinity; /* d of empty pixels */
+    uint8_t radius, depth_format;
+    uint8_t most;        /* largest radius, 1/16 px */
+    int8_t empty;        /* blur of empty pixels */
+    int32_t focal_d;     /* depth of the focal plane, see blur.c */
+    uint32_t per_d;      /* blur per depth */
+    uint32_t limit;      /* difference of depth from which on the blur is the largest */
+    uint16_t share[128]; /* of a neighbour, by radius */
 };
 
 /*

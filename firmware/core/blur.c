@@ -1,0 +1,175 @@
+/*
+ * Depth of field: see blur.h. The blur of a pixel is kept in 1/16 px, positive before the focal plane, so that the
+ * nearer of two pixels has the larger one.
+ *
+ * N/z is linear in the depth code (fixed16, and float16 once unpacked), and so is strength |1 - focal / z|: it is
+ * strength focal/N |d - d of focal|. d is used in units of 2^-20.
+ */
+#include "blur.h"
+
+#include "pipeline.h"
+#include "wire.h"
+
+#define WHOLE 2048 /* sum of the shares of a pixel */
+
+/* d of a depth code. */
+static inline int32_t depth_of(const struct ph_blur *b, uint32_t code)
+{
+    if (b->depth_format == PH_DEPTH_FIXED16) {
+        return ((int32_t)code - 16) * 16;
+    }
+    const uint32_t f = code > 8 ? code - 8 : 0, exponent = f >> 12;
+    return (int32_t)(exponent == 0 ? f >> 7 : ((f & 4095) + 4096) << (exponent - 1) >> 7);
+}
+
+static inline int8_t blur_of(const struct ph_blur *b, uint32_t code)
+{
+    if (code == 0) {
+        return b->empty;
+    }
+    const int32_t d = depth_of(b, code) - b->focal_d;
+    const uint32_t size = fx_magnitude(d);
+    const uint32_t radius = size >= b->limit ? b->most : (size * b->per_d) >> 24;
+    return (int8_t)(d < 0 ? -(int32_t)radius : (int32_t)radius);
+}
+
+static int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struct ph_focus *focus)
+{
+    const fx_t z = focus->distance < lens->near_z  ? lens->near_z
+                   : focus->distance > lens->far_z ? lens->far_z
+                                                   : focus->distance;
+    b->focal_d = (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
+    const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
+    const int64_t over = parallel ? FX_ONE : z, under = parallel ? FX_ONE : lens->near_z;
+    const int64_t per_d = (int64_t)focus->strength * over / (under - (under >> 9)) >> 8; /* 256 per px */
+    b->per_d = per_d < 1 ? 1 : per_d > 1 << 24 ? 1 << 24 : (uint32_t)per_d;
+    b->most = (uint8_t)(16 * focus->radius + 15);
+    b->limit = ((uint32_t)b->most << 24) / b->per_d;
+    const int32_t far = (focus->strength + 2048) >> 12;
+    b->empty = (int8_t)(parallel ? blur_of(b, 1) : -smaller(far, b->most));
+}
+
+int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scratch, size_t bytes,
+                  const struct ph_focus *focus)
+{
+    const uint32_t width = r->config.width;
+    if (scratch == NULL || focus->distance <= 0 || focus->strength < 0 || focus->strength > FX_INT(64) ||
+        focus->radius < 1 || focus->radius > PH_BLUR_RADIUS_MAX) {
+        return PH_ERR_INVAL;
+    }
+    if (bytes < PH_BLUR_BYTES(width, r->config.band_height, focus->radius)) {
+        return PH_ERR_NOMEM;
+    }
+    struct ph_blur b = {.colours = scratch, .radius = focus->radius, .depth_format = r->config.depth_format};
+    b.lines = (uint32_t)PH_BLUR_LINES(r->config.band_height, focus->radius);
+    b.blurs = (int8_t *)(b.colours + width * b.lines);
+    set_scale(&b, &r->lens, focus);
+    for (uint32_t c = 17; c < 128; c++) {
+        b.share[c] = (uint16_t)((uint32_t)WHOLE * 256 / (2 * c - 16));
+    }
+    *blur = b;
+    return PH_OK;
+}
+
+/* A pixel being mixed: red and blue, green, and what is left for the pixel itself. */
+struct mix {
+    uint32_t red_blue, green;
+    uint32_t rest;
+};
+
+static inline uint32_t red_blue_of(uint32_t colour)
+{
+    return (colour & 0xf800) << 5 | (colour & 31);
+}
+
+/*
+ * A neighbour k16 / 16 pixels away gives of its colour what the blur of the nearer of the two spreads that far: all of
+ * its pixels up to the radius alike, the last in part; that is 2 radius - 1 pixels in all.
+ */
+static inline void add(struct mix *m, const struct ph_blur *b, int32_t own, int32_t other, int32_t k16, uint32_t colour)
+{
+    const int32_t nearer = own > other ? own : other, radius = nearer < 0 ? -nearer : nearer, over = radius - k16;
+    if (over > 0) {
+        uint32_t share = ((uint32_t)(over < 16 ? over : 16) * b->share[radius]) >> 8;
+        share = share < m->rest ? share : m->rest;
+        m->red_blue += red_blue_of(colour) * share;
+        m->green += (colour >> 5 & 63) * share;
+        m->rest -= share;
+    }
+}
+
+static inline uint16_t finish(const struct mix *m, uint32_t colour)
+{
+    const uint32_t red_blue = m->red_blue + red_blue_of(colour) * m->rest + WHOLE / 2 * 0x10001u;
+    const uint32_t green = m->green + (colour >> 5 & 63) * m->rest + WHOLE / 2;
+    return (uint16_t)((red_blue >> 27) << 11 | (green >> 11) << 5 | (red_blue >> 11 & 31));
+}
+
+/* Blurs a line of the picture along itself into the ring. */
+static void take_line(struct ph_blur *b, const uint16_t *pixels, const uint16_t *depth, int32_t width)
+{
+    const uint32_t line = b->drawn++ % b->lines;
+    uint16_t *out = b->colours + line * (uint32_t)width;
+    int8_t *blurs = b->blurs + line * (uint32_t)width;
+    for (int32_t x = 0; x < width; x++) {
+        blurs[x] = blur_of(b, depth[x]);
+    }
+    for (int32_t x = 0; x < width; x++) {
+        struct mix m = {0, 0, WHOLE};
+        for (int32_t k = 1; k <= b->radius; k++) {
+            if (x >= k) {
+                add(&m, b, blurs[x], blurs[x - k], 16 * k, ph_wire16(pixels[x - k]));
+            }
+            if (x + k < width) {
+                add(&m, b, blurs[x], blurs[x + k], 16 * k, ph_wire16(pixels[x + k]));
+            }
+        }
+        out[x] = finish(&m, ph_wire16(pixels[x]));
+    }
+}
+
+/* Blurs line y of the ring across. */
+static void give_line(const struct ph_blur *b, uint32_t y, uint32_t height, uint32_t width, uint16_t *pixels)
+{
+    uint32_t at[2 * PH_BLUR_RADIUS_MAX + 1]; /* of the lines y, y - 1, y + 1, y - 2 .. in the ring */
+    uint32_t away[2 * PH_BLUR_RADIUS_MAX + 1], count = 0;
+    for (uint32_t k = 0; k <= b->radius; k++) {
+        for (uint32_t side = 0; side < (k > 0 ? 2u : 1u); side++) {
+            const uint32_t line = side == 0 ? y - k : y + k; /* above the picture it wraps to a large number */
+            if (line < height) {
+                away[count] = k;
+                at[count++] = line % b->lines * width;
+            }
+        }
+    }
+    for (uint32_t x = 0; x < width; x++) {
+        struct mix m = {0, 0, WHOLE};
+        const int32_t own = b->blurs[at[0] + x];
+        for (uint32_t i = 1; i < count; i++) {
+            add(&m, b, own, b->blurs[at[i] + x], (int32_t)(16 * away[i]), b->colours[at[i] + x]);
+        }
+        pixels[x] = ph_wire16(finish(&m, b->colours[at[0] + x]));
+    }
+}
+
+uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const uint32_t width = r->config.width, height = r->config.height, lines = r->config.band_height;
+    const uint32_t y0 = band * lines, y1 = y0 + lines < height ? y0 + lines : height;
+    const uint32_t needed = y1 + blur->radius < height ? y1 + blur->radius : height;
+    while (blur->drawn < needed) { /* a band each time */
+        const uint32_t come = ph_draw_band(r, blur->next_band++, pixels);
+        for (uint32_t i = 0; i < come; i++) {
+            take_line(blur, pixels + i * width, r->config.depth + i * width, (int32_t)width);
+        }
+    }
+    for (uint32_t y = y0; y < y1; y++) {
+        give_line(blur, y, height, width, pixels + (y - y0) * width);
+    }
+    return y1 - y0;
+}
