@@ -5,6 +5,7 @@
 #ifndef DEMO_H
 #define DEMO_H
 
+#include "blur.h"
 #include "render.h"
 
 /* Memory for a demo's meshes, 8-byte aligned, given once; only scratch inside one call is given back. */
@@ -24,26 +25,57 @@ struct demo_camera {
     struct ph_projection projection;
 };
 
+/* Zero-initialised but for arena, width and height. */
 struct demo_context {
     struct demo_arena arena;
     void *state; /* the demo's own, from the arena */
     uint16_t width, height;
     struct demo_camera camera;
+    const char *view; /* one of the demo's views; NULL: the first */
+    uint32_t buttons; /* pressed during this frame, enum hal_button: see demo_input() */
+    uint32_t orbit;   /* turn32 by which the camera is moved around the scene, from above counter-clockwise */
+    fx_t dolly;       /* share of its distance by which it is moved away, -DEMO_DOLLY_MAX .. DEMO_DOLLY_MAX */
+    void *scratch;    /* demo_scratch_bytes(), 2-byte aligned; NULL: the demo does without */
+    size_t scratch_bytes;
+    struct ph_blur blur;
 };
 
 struct demo {
     const char *name;
     const char *summary;               /* one line for --list */
+    const char *const *views;          /* names of its views, NULL at the end; NULL: it has but one */
     uint32_t loop_frames;              /* the animation repeats after this many frames */
     size_t arena_bytes;                /* what init takes at most */
     uint32_t vertex_max, triangle_max; /* budgets with which nothing is dropped */
+    uint8_t blur_radius;               /* px; not 0: it wants scratch memory */
 
     /* Builds meshes. 0 or PH_ERR_NOMEM. */
     int (*init)(struct demo_context *context);
 
     /* ph_frame_begin and ph_draw_* for frame number `frame` (any value). */
     int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
+
+    /* As ph_draw_band, which it is where this is NULL; called through demo_draw_band(). */
+    uint32_t (*band)(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 };
+
+/* ph_draw_band with what the demo draws over it or does to it. All bands in order, after ph_frame_bands(). */
+uint32_t demo_draw_band(const struct demo *demo, struct demo_context *context, struct ph_renderer *r, uint32_t band,
+                        uint16_t *pixels);
+
+/* Scratch memory that the demo wants for a picture of this width in bands of this height; 0 for most. */
+size_t demo_scratch_bytes(const struct demo *demo, uint16_t width, uint16_t band_height);
+
+/* Whether the demo has a view of this name. */
+bool demo_has_view(const struct demo *demo, const char *view);
+
+/*
+ * What the buttons (enum hal_button) pressed during this frame do to the camera; call it once a frame, before
+ * demo->frame. Left and right orbit, 256 frames a turn; up comes nearer, down goes away. Demos with a camera that one
+ * can walk around follow: turntable, wireframe, ball (outside), solar (outside), snake (outside), shadow, conventions.
+ */
+#define DEMO_DOLLY_MAX FX_HALF
+void demo_input(struct demo_context *context, uint32_t buttons);
 
 /*
  * turntable and wireframe take a coarser teapot where the arena is smaller than they ask for. A board that gives them

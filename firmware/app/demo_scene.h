@@ -5,7 +5,8 @@
 #include "demo.h"
 
 extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, demo_fill, demo_icosphere, demo_ground,
-    demo_wireframe;
+    demo_wireframe, demo_solar, demo_snake, demo_ball, demo_hitchcock, demo_shadow, demo_parallel, demo_fisheye,
+    demo_focus, demo_conventions, demo_zfight;
 
 /*
  * A perspective with 60 degrees across the smaller side of the picture (so vertically for square and landscape ones);
@@ -30,5 +31,44 @@ struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mes
 /* ph_frame_begin with the user's camera where there is one, with the demo's otherwise. */
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                const struct ph_projection *projection, const struct ph_scene_light *light, uint16_t background);
+
+/* Another camera for what is drawn from now on, likewise. */
+int demo_camera(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
+                const struct ph_projection *projection);
+
+/* Moves a camera that looks at the origin as context->orbit and dolly say; near and far plane go with it. */
+void demo_orbit(const struct demo_context *context, struct ph_xform *view, struct ph_projection *projection);
+
+/* Camera of the demo's view number `i` is asked for (0: no view named). */
+bool demo_view_is(const struct demo_context *context, const struct demo *demo, uint32_t i);
+
+/* A camera at eye that looks at target, y up. */
+struct ph_xform demo_look(fx_t eye_x, fx_t eye_y, fx_t eye_z, fx_t target_x, fx_t target_y, fx_t target_z);
+
+/* b placed at (x, y, z), turned about y. */
+struct ph_xform demo_place(fx_t x, fx_t y, fx_t z, uint32_t turn32);
+
+/* The ball's centre in the eye's coordinates; its frustum and size (demo_ball.c). */
+#define DEMO_BALL_RADIUS (FX_ONE / 2)
+struct fx_vec3 demo_ball_position(uint32_t frame);
+
+/* Colours of the rails and of the vanishing point's cross (demo_parallel.c). */
+#define DEMO_RAIL_COLOUR 210, 225, 245
+#define DEMO_MARK_COLOUR 255, 70, 90
+
+/* A wave of `loop` frames (a power of two) between 0 and 1, smooth, 0 at frame 0, FX_ONE half way. */
+fx_t demo_swing(uint32_t frame, uint32_t loop);
+
+/* A lit material: a quarter ambient, the rest diffuse. The ramp is filled. */
+struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], enum ph_shading shading, uint8_t red, uint8_t green,
+                            uint8_t blue);
+struct ph_material demo_unlit(uint8_t red, uint8_t green, uint8_t blue);
+
+/* Ambient light and one lamp far away, up on the left behind the viewer. */
+extern const struct ph_scene_light demo_daylight;
+
+/* Draws text over band number `band` at (x, y) of the picture. */
+void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
+               const char *text);
 
 #endif

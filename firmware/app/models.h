@@ -46,6 +46,32 @@ int model_cube(struct demo_arena *arena, struct ph_mesh *mesh);
 #define MODEL_GROUND_TRIANGLES(cells) (2 * (cells) * (cells))
 int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells);
 
+/* The same ground flat, its squares alternately of material 0 and 1. */
+#define MODEL_FLOOR_BYTES(cells)                                                                                       \
+    (MODEL_BYTES(MODEL_GROUND_VERTICES(cells), MODEL_GROUND_TRIANGLES(cells)) +                                        \
+     MODEL_ROUND8(2 * sizeof(struct ph_part)))
+int model_floor(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells, const struct ph_material materials[2]);
+
+/* Box of the given half sizes, without texture coordinates. Arena: MODEL_BOX_BYTES. */
+#define MODEL_BOX_BYTES (MODEL_CUBE_BYTES + 288)
+int model_box(struct demo_arena *arena, struct ph_mesh *mesh, fx_t x, fx_t y, fx_t z);
+
+/*
+ * Surface of revolution about the y axis: `points` (2 .. 64) of a profile, from the bottom to the top, each a ring of
+ * `sides` (3 .. 64) vertices. Where a point stands twice there is a sharp edge. Radius 0 closes an end.
+ * `stripes` materials alternate around the axis (1: one; sides must be a multiple of it).
+ */
+struct model_point {
+    fx_t radius, y;
+};
+#define MODEL_LATHE_VERTICES(sides, points)  ((sides) * (points))
+#define MODEL_LATHE_TRIANGLES(sides, points) (2 * (sides) * ((points)-1))
+#define MODEL_LATHE_BYTES(sides, points, stripes)                                                                      \
+    (MODEL_BYTES(MODEL_LATHE_VERTICES(sides, points), MODEL_LATHE_TRIANGLES(sides, points)) +                          \
+     MODEL_ROUND8((stripes) * sizeof(struct ph_part)))
+int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct model_point *profile, uint32_t points,
+                uint32_t sides, uint32_t stripes, const struct ph_material *materials);
+
 /*
  * Newell's teapot from its Bezier patches, each divided into segments x segments quads (2 .. 8). y is up, the axis of
  * the pot is the y axis, the lid's top is at .63 and the bottom at -.63, the spout points along +x; within 1.42 of the

@@ -1,0 +1,106 @@
+/* Cameras, materials and text of the demos: see demo_scene.h. */
+#include "demo_scene.h"
+#include "hal.h"
+
+#include <string.h>
+
+const struct ph_scene_light demo_daylight = {
+    .ambient = FX_ONE,
+    .count = 1,
+    .lights = {{.kind = PH_LIGHT_DIRECTIONAL,
+                .intensity = FX_ONE,
+                .to_light_q30 = {-536870912, 759250125, 536870912}}}, /* (-1, sqrt 2, 1) / 2 */
+};
+
+struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], enum ph_shading shading, uint8_t red, uint8_t green,
+                            uint8_t blue)
+{
+    ph_material_ramp(ramp, red, green, blue, 0);
+    return (struct ph_material){.shading = (uint8_t)shading,
+                                .ambient = FX_ONE / 4,
+                                .diffuse = FX_ONE * 3 / 4,
+                                .colour = ph_rgb565(red, green, blue),
+                                .ramp = ramp};
+}
+
+struct ph_material demo_unlit(uint8_t red, uint8_t green, uint8_t blue)
+{
+    return (struct ph_material){.shading = PH_SHADE_UNLIT, .colour = ph_rgb565(red, green, blue)};
+}
+
+struct ph_xform demo_look(fx_t eye_x, fx_t eye_y, fx_t eye_z, fx_t target_x, fx_t target_y, fx_t target_z)
+{
+    return ph_view_look_at((struct fx_vec3){eye_x, eye_y, eye_z}, (struct fx_vec3){target_x, target_y, target_z},
+                           (struct fx_vec3){0, FX_ONE, 0});
+}
+
+struct ph_xform demo_place(fx_t x, fx_t y, fx_t z, uint32_t turn32)
+{
+    struct ph_xform at = ph_xform_rotate_y(turn32);
+    at.t = (struct fx_vec3){x, y, z};
+    return at;
+}
+
+fx_t demo_swing(uint32_t frame, uint32_t loop)
+{
+    int32_t s, c;
+    fx_sincos_q30((frame % loop) * (uint32_t)(((uint64_t)1 << 32) / loop), &s, &c);
+    return (FX_Q30_ONE - c) >> 15;
+}
+
+bool demo_has_view(const struct demo *demo, const char *view)
+{
+    bool found = false;
+    for (uint32_t i = 0; demo->views && demo->views[i]; i++) {
+        found = found || strcmp(demo->views[i], view) == 0;
+    }
+    return found;
+}
+
+bool demo_view_is(const struct demo_context *context, const struct demo *demo, uint32_t i)
+{
+    return context->view ? strcmp(context->view, demo->views[i]) == 0 : i == 0;
+}
+
+void demo_input(struct demo_context *context, uint32_t buttons)
+{
+    const uint32_t step = 1u << 24;
+    const fx_t further = FX_ONE / 64;
+    context->buttons = buttons;
+    context->orbit += (buttons & HAL_BUTTON_RIGHT ? step : 0) - (buttons & HAL_BUTTON_LEFT ? step : 0);
+    context->dolly += (buttons & HAL_BUTTON_DOWN ? further : 0) - (buttons & HAL_BUTTON_UP ? further : 0);
+    context->dolly = context->dolly > DEMO_DOLLY_MAX ? DEMO_DOLLY_MAX : context->dolly;
+    context->dolly = context->dolly < -DEMO_DOLLY_MAX ? -DEMO_DOLLY_MAX : context->dolly;
+}
+
+void demo_orbit(const struct demo_context *context, struct ph_xform *view, struct ph_projection *projection)
+{
+    if (context->orbit != 0) {
+        const struct ph_xform turn = ph_xform_rotate_y(0u - context->orbit);
+        *view = ph_xform_mul(view, &turn);
+    }
+    const fx_t away = fx_mul_sat(-view->t.z, context->dolly);
+    const fx_t nearest = projection->near_z / 4 + 1;
+    view->t.z -= away;
+    projection->near_z = projection->near_z + away > nearest ? projection->near_z + away : nearest;
+    projection->far_z += away;
+}
+
+int demo_camera(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
+                const struct ph_projection *projection)
+{
+    const struct demo_camera *const user = &context->camera;
+    return ph_frame_camera(r, user->view_set ? &user->view : view,
+                           user->projection_set ? &user->projection : projection);
+}
+
+size_t demo_scratch_bytes(const struct demo *demo, uint16_t width, uint16_t band_height)
+{
+    return demo->blur_radius ? PH_BLUR_BYTES(width, band_height, demo->blur_radius) : 0;
+}
+
+uint32_t demo_draw_band(const struct demo *demo, struct demo_context *context, struct ph_renderer *r, uint32_t band,
+                        uint16_t *pixels)
+{
+    return demo->band ? demo->band(context, r, band, pixels) : ph_draw_band(r, band, pixels);
+}

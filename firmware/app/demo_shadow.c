@@ -1,0 +1,103 @@
+/* shadow: a teapot and a ring throw shadows on the floor by a lamp that circles above them (SEEDS row P8). */
+#include "shadow.h"
+#include "demo_scene.h"
+#include "models.h"
+
+#define LOOP_FRAMES 256
+#define SEGMENTS    3
+#define CELLS       14
+#define BELOW_POT   (FX_ONE * 63 / 100)
+
+struct shadows {
+    struct ph_mesh pot, ring, lamp, floor;
+    struct ph_material china, gold, glow, tiles[2], shade;
+    uint16_t ramps[4][PH_RAMP_SIZE];
+};
+
+static void shadow_colours(struct shadows *s)
+{
+    s->china = demo_lit(s->ramps[0], PH_SHADE_GOURAUD, 110, 170, 235);
+    s->gold = demo_lit(s->ramps[1], PH_SHADE_GOURAUD, 250, 190, 60);
+    s->tiles[0] = demo_lit(s->ramps[2], PH_SHADE_GOURAUD, 235, 225, 205);
+    s->tiles[1] = demo_lit(s->ramps[3], PH_SHADE_GOURAUD, 200, 180, 155);
+    s->glow = demo_unlit(255, 245, 190);
+    s->shade = demo_unlit(52, 46, 52);
+    s->shade.depth_bias = 16;
+}
+
+static int shadow_init(struct demo_context *context)
+{
+    struct demo_arena *const arena = &context->arena;
+    struct shadows *const s = demo_alloc(arena, sizeof(*s));
+    if (!s) {
+        return PH_ERR_NOMEM;
+    }
+    shadow_colours(s);
+    context->state = s;
+    if (model_teapot(arena, &s->pot, SEGMENTS) != PH_OK || model_material(arena, &s->pot, &s->china) != PH_OK ||
+        model_torus(arena, &s->ring, 16, 8, 1 << 27, 1 << 25) != PH_OK ||
+        model_material(arena, &s->ring, &s->gold) != PH_OK || model_icosphere(arena, &s->lamp, 1) != PH_OK ||
+        model_material(arena, &s->lamp, &s->glow) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    return model_floor(arena, &s->floor, CELLS, s->tiles);
+}
+
+/* On a circle above the scene, three units wide. */
+static struct fx_vec3 lamp_at(uint32_t frame)
+{
+    int32_t sin, cos;
+    fx_sincos_q30(frame << 24, &sin, &cos);
+    return (struct fx_vec3){(cos >> 14) * 5 / 4, FX_ONE * 3, (sin >> 14) * 5 / 4};
+}
+
+static int shadow_begin(const struct demo_context *context, struct ph_renderer *r, struct fx_vec3 lamp)
+{
+    const struct ph_scene_light light = {
+        .ambient = FX_ONE,
+        .count = 1,
+        .lights = {{.kind = PH_LIGHT_POINT, .intensity = FX_ONE * 5 / 4, .position = lamp, .reach = FX_INT(7)}}};
+    struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_ONE, FX_INT(24));
+    struct ph_xform view = demo_look(0, FX_ONE * 3, FX_ONE * 5, 0, FX_ONE * 3 / 4, 0);
+    demo_orbit(context, &view, &projection);
+    return demo_begin(context, r, &view, &projection, &light, ph_rgb565(24, 26, 36));
+}
+
+static int draw_with_shadow(struct ph_renderer *r, const struct shadows *s, const struct ph_mesh *mesh,
+                            const struct ph_xform *place, struct fx_vec3 lamp)
+{
+    const struct ph_plane_equation ground = {{0, FX_Q30_ONE, 0}, 0};
+    const int status = ph_draw_mesh(r, mesh, place);
+    return status ? status : ph_draw_shadow(r, mesh, place, lamp, &ground, &s->shade);
+}
+
+static int shadow_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct shadows *const s = context->state;
+    const struct fx_vec3 lamp = lamp_at(frame);
+    const struct ph_xform pot = demo_place(-FX_ONE / 2, BELOW_POT, 0, 0u - (frame << 24));
+    const struct ph_xform tilt = ph_xform_rotate_x(frame << 25);
+    struct ph_xform ring = demo_place(FX_ONE * 13 / 10, FX_ONE * 9 / 10, FX_ONE * 3 / 10, frame << 24);
+    ring = ph_xform_mul(&ring, &tilt);
+    struct ph_xform bulb = ph_xform_scale(FX_ONE / 8);
+    bulb.t = lamp;
+    int status = shadow_begin(context, r, lamp);
+    status = status ? status : draw_with_shadow(r, s, &s->pot, &pot, lamp);
+    status = status ? status : draw_with_shadow(r, s, &s->ring, &ring, lamp);
+    status = status ? status : ph_draw_mesh(r, &s->lamp, &bulb);
+    return status ? status : ph_draw_mesh(r, &s->floor, &ph_xform_identity);
+}
+
+const struct demo demo_shadow = {
+    .name = "shadow",
+    .summary = "shadows of a teapot and a ring by a lamp that circles above them",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = MODEL_ROUND8(sizeof(struct shadows)) + 3 * MODEL_ROUND8(sizeof(struct ph_part)) +
+                   MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)) +
+                   MODEL_BYTES(MODEL_TORUS_VERTICES(16, 8), MODEL_TORUS_TRIANGLES(16, 8)) +
+                   MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(1), MODEL_ICOSPHERE_TRIANGLES(1)) + MODEL_FLOOR_BYTES(CELLS),
+    .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
+    .triangle_max = 1280,
+    .init = shadow_init,
+    .frame = shadow_frame,
+};
