@@ -327,26 +327,32 @@ static void build_wall(struct scene *s, const double origin[3], const double u[3
     }
 }
 
+/* Rooms of 2 units, and of .03, in which a divided edge's last bit is a visible part of a pixel. */
 static void tessellated_walls_have_no_holes(void **state)
 {
     struct scene *s = malloc(sizeof(*s));
     (void)state;
     assert_non_null(s);
     ref_seed(29);
-    for (int i = 0; i < 8; i++) {
-        static const double axes[4][3] = {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 0}};
+    for (int i = 0; i < 16; i++) {
+        const double half = i < 8 ? 1 : .015, side = 2 * half;
+        const double axes[4][3] = {{side, 0, 0}, {0, side, 0}, {0, 0, side}, {side, 0, 0}};
         struct camera c;
         struct rig rig;
         s->quads = 0;
         for (int axis = 0; axis < 3; axis++) { /* edges of walls meet: the same corners, not moved along the rim */
-            double high[3] = {-1, -1, -1};
-            high[axis] = 1;
-            build_wall(s, (const double[3]){-1, -1, -1}, axes[(axis + 1) % 3], axes[(axis + 2) % 3], 1 + i);
-            build_wall(s, high, axes[(axis + 2) % 3], axes[(axis + 1) % 3], 1 + i);
+            double high[3] = {-half, -half, -half};
+            high[axis] = half;
+            build_wall(s, (const double[3]){-half, -half, -half}, axes[(axis + 1) % 3], axes[(axis + 2) % 3],
+                       1 + i % 8);
+            build_wall(s, high, axes[(axis + 2) % 3], axes[(axis + 1) % 3], 1 + i % 8);
         }
         open_scene(&rig, 200, 160, 160, PH_DEPTH_FIXED16);
-        place_camera(&c, (const double[3]){ref_uniform(-.6, .6), ref_uniform(-.6, .6), ref_uniform(-.6, .6)}, PI, 230);
-        c.near = .01;
+        place_camera(
+            &c,
+            (const double[3]){half * ref_uniform(-.6, .6), half * ref_uniform(-.6, .6), half * ref_uniform(-.6, .6)},
+            PI, 230);
+        c.near = half / 100;
         draw_scene(&rig, s, &c);
         for (int k = 0; k < 200 * 160; k++) {
             double q[3];
