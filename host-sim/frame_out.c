@@ -36,6 +36,15 @@ static int make_directories(const char *path)
     return S_ISDIR(status.st_mode) ? 0 : -1;
 }
 
+/* A name like a picture's, of a format that is not written here; "name.x/" is a directory, and so is what is one. */
+static bool is_other_picture(const char *target)
+{
+    const char *slash = strrchr(target, '/'), *name = slash == NULL ? target : slash + 1;
+    const char *dot = strrchr(name, '.');
+    struct stat status;
+    return dot != NULL && dot != name && dot[1] != '\0' && (stat(target, &status) != 0 || !S_ISDIR(status.st_mode));
+}
+
 int frame_out_open(struct frame_out *out, const char *target, bool several)
 {
     const size_t n = target == NULL ? 0 : strlen(target);
@@ -46,6 +55,10 @@ int frame_out_open(struct frame_out *out, const char *target, bool several)
         out->kind = FRAME_OUT_STREAM;
     } else if (n > 4 && strcmp(target + n - 4, ".ppm") == 0) {
         out->kind = several ? FRAME_OUT_FILES : FRAME_OUT_FILE;
+    } else if (is_other_picture(target)) {
+        return complain(EXIT_USAGE,
+                        "--out %s: only .ppm pictures are written; a new directory with a dot needs a / behind",
+                        target);
     } else {
         out->kind = FRAME_OUT_DIRECTORY;
         if (make_directories(target) != 0) {

@@ -15,7 +15,8 @@ struct frame_out {
 
 /*
  * target: NULL (nowhere), "-", a name that ends in ".ppm", or a directory (made when missing, with those above it).
- * Several frames and FILE.ppm become FILE-NNNN.ppm. 0, or EXIT_FAILED when one line has said why.
+ * Several frames and FILE.ppm become FILE-NNNN.ppm. 0, or when one line has said why EXIT_FAILED, or EXIT_USAGE for
+ * another extension.
  */
 int frame_out_open(struct frame_out *out, const char *target, bool several);
 

@@ -16,6 +16,7 @@ struct option {
     const char *name;     /* without "--" */
     const char *argument; /* as --help shows it; NULL: takes none */
     const char *help;
+    const char *allowed; /* its values in words; NULL: takes none */
     /* Reads the value (NULL where the option takes none) into *o; false: the value is wrong. */
     bool (*set)(struct options *o, const char *value);
 };
@@ -194,35 +195,48 @@ static bool set_help(struct options *o, const char *value)
 }
 
 static const struct option option_table[] = {
-    {"demo", "NAME", "a scene of ours (--list shows them); turntable without --demo and --model", set_demo},
-    {"model", "FILE", "an OBJ, STL, PLY, glTF or GLB file on the turntable", set_model},
-    {"board", "NAME", "a kit (--list shows them)", set_board},
-    {"size", "WxH", "instead of a kit: a plain panel of this size, 1x1 .. 1024x1024", set_size},
-    {"frames", "N", "frames to draw, 1 .. 1000000000; 1 by default", set_frames},
-    {"start", "N", "number of the first frame, 0 .. 1000000000; 0 by default", set_start},
+    {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows", set_demo},
+    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file", set_model},
+    {"board", "NAME", "a kit", "a name that --list shows", set_board},
+    {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", set_size},
+    {"frames", "N", "frames to draw; 1 by default", "a whole number, 1 .. 1000000000", set_frames},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", set_start},
     {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
-     set_out},
-    {"rotate", "0|90|180|270", "turns the picture on the glass, degrees clockwise; as the kit is held by default",
-     set_rotate},
-    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]", "looks at the origin, y up, when not told", set_camera},
-    {"fov", "DEG", "vertical field of view, more than 0, less than 180; 60 by default; fisheye: 10 .. 240, 180",
-     set_fov},
-    {"near", "N", "distance of the near plane, more than 0; 0.5 by default", set_near},
-    {"far", "N", "distance of the far plane, beyond near; 100 by default", set_far},
+     "a directory, a file that ends in .ppm, or -", set_out},
+    {"rotate", "0|90|180|270",
+     "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
+     "        board's own by default. The glass is shown as you would then hold it, the picture upright: 90 and 270\n"
+     "        swap width and height of 0 and 180; else only the bytes on the wire differ",
+     "0, 90, 180 or 270 degrees", set_rotate},
+    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
+     "looks at the origin, y up, when not told. The demo's own view without it, and the demo's own lens\n"
+     "        where none of --camera, --fov, --near, --far, --projection is given",
+     "eye=X,Y,Z and, if wanted, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99", set_camera},
+    {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
+     "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", set_fov},
+    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", set_near},
+    {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99", set_far},
     {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]|fisheye",
-     "window at the near plane; a fisheye is equidistant", set_projection},
+     "window at the near plane; a fisheye is equidistant; perspective by default",
+     "perspective, ortho, ortho=L,R,B,T, frustum, frustum=L,R,B,T or fisheye", set_projection},
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all. gl by default: right-handed, along -z",
-     set_convention},
-    {"depth", "fixed16|float16", "what the depth buffer holds; fixed16 by default", set_depth},
-    {"band", "LINES", "height of a band, 1 .. 1024; the board's own by default", set_band},
-    {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", set_crc},
+     "gl, d3d, lmu or reversed", set_convention},
+    {"depth", "fixed16|float16", "what the depth buffer holds; fixed16 by default", "fixed16 or float16", set_depth},
+    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
+    {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
+     set_crc},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
-     set_matrix},
-    {"stats", NULL, "prints what each frame took, on stderr", set_stats},
-    {"list", NULL, "prints demos and boards", set_list},
-    {"help", NULL, "prints this", set_help},
+     NULL, set_matrix},
+    {"stats", NULL,
+     "prints what each frame took, on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
+     "        outside the view volume or between the pixels; clipped: cut at its border; drawn: listed (what was\n"
+     "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
+     "        wire, bus: bytes and time of the frame on the SPI bus",
+     NULL, set_stats},
+    {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL, set_list},
+    {"help", NULL, "prints this, as does -h", NULL, set_help},
 };
 
 #define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
@@ -234,6 +248,9 @@ void options_help(void)
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const struct option *p = &option_table[i];
         printf("  --%s%s%s\n        %s\n", p->name, p->argument ? " " : "", p->argument ? p->argument : "", p->help);
+        if (p->allowed != NULL) {
+            printf("        takes: %s\n", p->allowed);
+        }
     }
     puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
 }
@@ -274,7 +291,7 @@ static int check_together(const struct options *o)
 /* Reads argv[i] and its value; returns the index of the next option, or 0 when it was wrong. */
 static int read_one(struct options *o, int argc, char *const argv[], int i)
 {
-    const char *text = argv[i];
+    const char *text = strcmp(argv[i], "-h") == 0 ? "--help" : argv[i];
     const size_t length = strcspn(text, "=");
     const struct option *p = strncmp(text, "--", 2) == 0 && length > 2 ? find_option(text + 2, length - 2) : NULL;
     if (p == NULL) {
@@ -294,7 +311,7 @@ static int read_one(struct options *o, int argc, char *const argv[], int i)
         }
     }
     if (!p->set(o, value)) {
-        complain(EXIT_USAGE, "--%s '%s': must be %s, %s", p->name, value, p->argument, p->help);
+        complain(EXIT_USAGE, "--%s '%s': must be %s", p->name, value, p->allowed);
         return 0;
     }
     return i + 1;

@@ -41,7 +41,10 @@ static void catch_signals(void)
 static void print_list(void)
 {
     for (uint32_t i = 0; i < demo_count; i++) {
-        printf("demo   %-26s %s\n", demo_list[i]->name, demo_list[i]->summary);
+        char loop[24];
+        snprintf(loop, sizeof loop, "%u frame%s", (unsigned)demo_list[i]->loop_frames,
+                 demo_list[i]->loop_frames == 1 ? "" : "s");
+        printf("demo   %-26s %-11s %s\n", demo_list[i]->name, loop, demo_list[i]->summary);
     }
     for (uint32_t i = 0; i < board_count; i++) {
         const struct panel *panel = board_list[i]->panel;
@@ -92,18 +95,22 @@ static int through_convention(enum ph_convention convention, struct demo_camera 
 static int choose_camera(const struct options *o, const struct player_setup *setup, struct demo_camera *camera)
 {
     const struct panel *panel = setup->board->panel;
-    *camera = (struct demo_camera){.view_set = o->camera_set, .projection_set = o->projection_set};
+    /* A demo's own near and far planes fit its own view only. */
+    const bool lens_set = o->projection_set || o->camera_set;
+    *camera = (struct demo_camera){.view_set = o->camera_set, .projection_set = lens_set};
     if (o->camera_set) {
         camera->view = ph_view_look_at(o->eye, o->target, o->up);
     }
     int status = 0;
-    if (o->projection_set) {
+    if (lens_set) {
         status = options_projection(o, panel_width(panel, setup->rotation), panel_height(panel, setup->rotation),
                                     &camera->projection);
     }
     if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
-        return complain(EXIT_USAGE, "--near, --far, --fov, --projection: no such view volume; "
-                                    "0 < near < far, left and right, bottom and top differ");
+        const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
+        return planes ? complain(EXIT_USAGE, "--near, --far: near must be more than 0, and far more than near")
+                      : complain(EXIT_USAGE, "--projection, --fov: no such view volume; left and right, bottom and top "
+                                             "must differ, and near, far and the angle be less extreme");
     }
     return 0;
 }

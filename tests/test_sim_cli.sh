@@ -62,8 +62,16 @@ help_names_every_option() {
 
 list_has_one_line_for_each() {
     "$sim" --list >"$dir/list" || return 1
-    ! grep -vE '^(demo|board)  +[a-z0-9-]+ +[^ ]' "$dir/list" && [ "$(grep -c ^demo "$dir/list")" -ge 8 ] &&
+    ! grep -vE '^(demo  +[a-z0-9-]+ +[0-9]+ frames?|board  +[a-z0-9-]+ +[0-9]+x[0-9]+) +[^ ]' "$dir/list" && [ "$(grep -c ^demo "$dir/list")" -ge 8 ] &&
         [ "$(grep -c ^board "$dir/list")" -ge 5 ]
+}
+
+loops_are_as_long_as_the_list_says() {
+    local name frames
+    while read -r _ name frames _; do
+        same --demo "$name" "${small[@]}" -- --demo "$name" "${small[@]}" --start "$frames" || { echo "$name $frames" && return 1; }
+        [ "$frames" = 1 ] || differ --demo "$name" "${small[@]}" --start 1 -- --demo "$name" "${small[@]}" --start $((frames / 2 + 1)) || return 1
+    done < <(grep -E '^demo +(turntable|testcard|torus|cube|fill|wireframe) ' "$dir/list")
 }
 
 everything_on_the_list_can_be_drawn() {
@@ -135,6 +143,26 @@ crc_is_the_one_of_gzip() {
     "$sim" --demo cube "${small[@]}" --out "$dir/crc.ppm" --crc >"$dir/crc" || return 1
     expected=$(tail -c $((48 * 40 * 3)) "$dir/crc.ppm" | gzip -c | tail -c 8 | head -c 4 | od -An -tx1 | awk '{ print toupper($4 $3 $2 $1) }')
     [ "$(cat "$dir/crc")" = "frame 0 crc32 $expected" ] || { cat "$dir/crc" && echo "$expected" && return 1; }
+}
+
+# With any option of the camera all that is not given is what --help says, and not the demo's own.
+lens_is_the_documented_one_or_the_demo_s() {
+    local demo one lens=(--fov 60 --near 0.5 --far 100 --projection perspective)
+    for demo in turntable torus cube wireframe; do
+        for one in --fov=60 --near=0.5 --far=100 --projection=perspective; do
+            same --demo "$demo" "${small[@]}" "$one" -- --demo "$demo" "${small[@]}" "${lens[@]}" || return 1
+        done
+        for one in eye=0,2,9 eye=0,0,.9; do
+            same --demo "$demo" "${small[@]}" --camera "$one" -- --demo "$demo" "${small[@]}" --camera "$one" "${lens[@]}" || return 1
+        done
+        [ "$(stat_of drawn --demo "$demo" "${small[@]}" --camera eye=0,5,15)" -gt 0 ] || { echo "$demo: empty" && return 1; }
+        differ --demo "$demo" "${small[@]}" -- --demo "$demo" "${small[@]}" --near 2.9 || return 1
+    done
+    differ --demo turntable "${small[@]}" -- --demo turntable "${small[@]}" --fov 60
+}
+
+h_is_help() {
+    "$sim" -h | cmp - <("$sim" --help)
 }
 
 frustum_without_window_is_the_perspective() {
@@ -234,6 +262,13 @@ ffmpeg_reads_the_stream() {
         [ "$frames" = 3 ] || { echo "$frames" && return 1; }
 }
 
+names_with_a_dot_are_directories_when_they_say_so() {
+    mkdir -p "$dir/v1.5" && "$sim" --demo cube "${small[@]}" --out "$dir/v1.5" && [ -s "$dir/v1.5/frame-0000.ppm" ] &&
+        "$sim" --demo cube "${small[@]}" --out "$dir/v1.6/" && [ -s "$dir/v1.6/frame-0000.ppm" ] &&
+        "$sim" --demo cube "${small[@]}" --out "$dir/.hidden" && [ -s "$dir/.hidden/frame-0000.ppm" ] &&
+        refuses 2 'only .ppm pictures' --out "$dir/foo.png" --demo cube && [ ! -e "$dir/foo.png" ]
+}
+
 a_signal_leaves_no_part_of_a_file() { # signal, exit status
     local pid i
     "$sim" --demo torus "${small[@]}" --frames 1000000 --out "$dir/$1" &
@@ -268,6 +303,8 @@ impossible_places_are_told() {
 
 check help_names_every_option help_names_every_option
 check list_has_one_line_for_each list_has_one_line_for_each
+check loops_are_as_long_as_the_list_says loops_are_as_long_as_the_list_says
+check h_is_help h_is_help
 check everything_on_the_list_can_be_drawn everything_on_the_list_can_be_drawn
 check demo_has_an_effect differ --demo cube "${small[@]}" -- --demo torus "${small[@]}"
 check turntable_is_the_default same "${small[@]}" -- --demo turntable "${small[@]}"
@@ -286,6 +323,7 @@ check camera_target_has_an_effect differ --demo torus "${small[@]}" --camera eye
 check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera up=1,0,0,eye=0,0,1
 check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,target=0,0,0,up=0,0,0 --crc
 check fov_has_an_effect differ --demo torus "${small[@]}" --fov 60 -- --demo torus "${small[@]}" --fov 30
+check lens_is_the_documented_one_or_the_demo_s lens_is_the_documented_one_or_the_demo_s
 check near_cuts near_cuts
 check far_cuts far_cuts
 check projection_has_an_effect differ --demo torus "${small[@]}" --projection ortho -- --demo torus "${small[@]}" --projection perspective
@@ -306,6 +344,7 @@ check stats_add_up stats_add_up
 check crc_is_the_one_of_gzip crc_is_the_one_of_gzip
 check a_value_may_follow_an_equals_sign same --demo=cube --size=48x40 -- --demo cube "${small[@]}"
 check directory_gets_a_file_a_frame directory_gets_a_file_a_frame
+check names_with_a_dot_are_directories_when_they_say_so names_with_a_dot_are_directories_when_they_say_so
 check several_frames_get_numbered_files several_frames_get_numbered_files
 check stream_is_the_files_one_after_the_other stream_is_the_files_one_after_the_other
 if command -v identify >/dev/null; then check imagemagick_reads_the_stream imagemagick_reads_the_stream; else skip imagemagick_reads_the_stream "no ImageMagick"; fi
@@ -377,9 +416,11 @@ exclude|--board x --size 8x8 --crc
 --near|--near -1 --crc
 --near|--near 1,5 --crc
 --far|--far 40000 --crc
---far|--near 5 --far 5 --crc
---far|--near 5 --far 4 --crc
---projection|--projection frustum=1,1,0,1 --crc
+--near, --far: near must|--near 5 --far 5 --crc
+--near, --far: near must|--near 5 --far 4 --crc
+--projection, --fov|--projection frustum=1,1,0,1 --crc
+only .ppm pictures|--out foo.png
+only .ppm pictures|--out foo.PPM
 --projection|--projection frustum=0,1,0 --crc
 --projection|--projection frustum=0,1,0,1x --crc
 --projection|--projection perspective=0,1,0,1 --crc
@@ -395,7 +436,7 @@ must be gl|--convention opengl --crc
 must be gl|--convention= --crc
 fixed16|--depth fixed24 --crc
 fixed16|--depth linear-w --crc
---band|--band 0 --crc
+--band '0': must be a whole number of lines, 1 .. 1024$|--band 0 --crc
 --band|--band 1025 --crc
 --band|--band 16px --crc
 LIST

@@ -226,7 +226,7 @@ const struct demo demo_cube = {
 
 const struct demo demo_fill = {
     .name = "fill",
-    .summary = "benchmark 3: eight quads that fill the picture, four of them hidden",
+    .summary = "benchmark 3: eight quads that fill the picture, four of them hidden; one plain colour is right",
     .loop_frames = 1,
     .arena_bytes = sizeof(struct fill),
     .vertex_max = 4 * FILL_PARTS,
