@@ -30,6 +30,9 @@ static struct show show_open(const struct demo *demo, uint16_t width, uint16_t h
     struct show s = {.demo = demo, .context = {.width = width, .height = height}};
     s.context.arena = (struct demo_arena){malloc(demo->arena_bytes), demo->arena_bytes, 0};
     assert_non_null(s.context.arena.base);
+    s.context.scratch_bytes = demo_scratch_bytes(demo, width, height);
+    s.context.scratch = malloc(s.context.scratch_bytes + 1);
+    assert_non_null(s.context.scratch);
     assert_int_equal(demo->init(&s.context), PH_OK);
     rig_open(&s.rig, width, height, height, PH_DEPTH_FIXED16, (int)demo->vertex_max, (int)demo->triangle_max);
     return s;
@@ -38,6 +41,7 @@ static struct show show_open(const struct demo *demo, uint16_t width, uint16_t h
 static void show_close(struct show *s)
 {
     rig_close(&s->rig);
+    free(s->context.scratch);
     free(s->context.arena.base);
 }
 
@@ -63,14 +67,14 @@ static uint16_t pixel(const struct show *s, int x, int y)
 static void demos_stand_in_the_stated_order_and_are_found_by_name(void **state)
 {
     (void)state;
-    static const char *const names[] = {"turntable", "testcard",  "torus",     "cube",   "fill",
-                                        "icosphere", "ground",    "wireframe", "solar",  "snake",
-                                        "ball",      "hitchcock", "parallel",  "shadow", "fisheye"};
+    static const char *const names[] = {"turntable", "testcard",  "torus",   "cube",  "fill",        "icosphere",
+                                        "ground",    "wireframe", "solar",   "snake", "ball",        "hitchcock",
+                                        "parallel",  "shadow",    "fisheye", "focus", "conventions", "zfight"};
     assert_int_equal(demo_count, sizeof(names) / sizeof(names[0]));
     for (uint32_t i = 0; i < demo_count; i++) {
         assert_string_equal(demo_list[i]->name, names[i]);
         assert_ptr_equal(demo_find(names[i]), demo_list[i]);
-        assert_true(strlen(demo_list[i]->summary) > 10 && strlen(demo_list[i]->summary) < 80);
+        assert_true(strlen(demo_list[i]->summary) > 10 && strlen(demo_list[i]->summary) < 100);
         assert_null(strchr(demo_list[i]->summary, '\n'));
         assert_true(demo_list[i]->loop_frames > 0);
     }

@@ -45,7 +45,7 @@ fx_t demo_swing(uint32_t frame, uint32_t loop)
 {
     int32_t s, c;
     fx_sincos_q30((frame % loop) * (uint32_t)(((uint64_t)1 << 32) / loop), &s, &c);
-    return (FX_Q30_ONE - c) >> 15;
+    return (FX_ONE - (c >> 14)) / 2;
 }
 
 bool demo_has_view(const struct demo *demo, const char *view)

@@ -127,7 +127,9 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     const struct ph_xform to_axis = ph_xform_translate(-t->centre.x, -t->centre.y, -t->centre.z);
     const struct ph_xform turn = ph_xform_rotate_y((frame << 24) - (1u << 28));
     const struct ph_xform to_world = ph_xform_mul(&turn, &to_axis);
-    int status = demo_begin(context, r, &t->camera.view, &t->camera.projection, &light, ph_rgb565(20, 26, 38));
+    struct demo_fit camera = t->camera;
+    demo_orbit(context, &camera.view, &camera.projection);
+    int status = demo_begin(context, r, &camera.view, &camera.projection, &light, ph_rgb565(20, 26, 38));
     for (uint32_t i = 0; i < t->mesh_count && status == PH_OK; i++) {
         status = ph_draw_mesh(r, &t->meshes[i], &to_world);
     }

@@ -70,7 +70,9 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
 {
     const struct wireframe *const w = context->state;
     const struct ph_xform turn = ph_xform_rotate_y((frame << 24) - (1u << 28));
-    int status = demo_begin(context, r, &w->camera.view, &w->camera.projection, NULL, w->background);
+    struct demo_fit camera = w->camera;
+    demo_orbit(context, &camera.view, &camera.projection);
+    int status = demo_begin(context, r, &camera.view, &camera.projection, NULL, w->background);
     if (status == PH_OK) {
         status = ph_draw_mesh(r, &w->faces, &turn);
     }

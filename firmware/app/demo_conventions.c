@@ -1,0 +1,102 @@
+/*
+ * conventions: one scene, its camera written down as OpenGL, Direct3D, the LMU tutorial and reversed z would write it,
+ * each in a quarter of the picture. The quarters are the same to the last pixel (camera.h).
+ */
+#include "camera.h"
+#include "demo_scene.h"
+#include "models.h"
+#include "overlay.h"
+
+#define LOOP_FRAMES 256
+#define SEGMENTS    2
+#define QUARTERS    4
+#define NEAR_Z      FX_ONE
+#define FAR_Z       FX_INT(12)
+
+struct conventions {
+    struct ph_mesh pot;
+    struct ph_material china;
+    uint16_t ramp[PH_RAMP_SIZE];
+};
+
+static int conventions_init(struct demo_context *context)
+{
+    struct conventions *const c = demo_alloc(&context->arena, sizeof(*c));
+    if (!c || model_teapot(&context->arena, &c->pot, SEGMENTS) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, 235, 150, 70);
+    context->state = c;
+    return model_material(&context->arena, &c->pot, &c->china);
+}
+
+/* Looks at the pot from above: as each convention writes it. D3D looks along +z, LMU's planes are coordinates. */
+static int written_in(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
+{
+    *view = demo_look(0, FX_ONE * 12 / 10, FX_ONE * 4, 0, 0, 0);
+    *near_z = convention == PH_LMU ? -NEAR_Z : NEAR_Z;
+    *far_z = convention == PH_LMU ? -FAR_Z : FAR_Z;
+    if (convention == PH_D3D) { /* 4600 notes: rows right, up, forward */
+        for (int k = 0; k < 3; k++) {
+            view->r[2][k] = -view->r[2][k];
+        }
+        view->t.z = -view->t.z;
+    }
+    return ph_camera_from(convention, view, near_z, far_z);
+}
+
+/* A quarter of the picture as the whole one's projection: half the scale, half the picture's half off the middle. */
+static struct ph_projection in_quarter(const struct demo_context *context, uint32_t i, fx_t near_z, fx_t far_z)
+{
+    struct ph_projection p = demo_perspective(context, DEMO_SCALE_60_Q20 * 3 / 2, near_z, far_z);
+    p.scale_x_q20 /= 2;
+    p.scale_y_q20 /= 2;
+    p.shift_x = i & 1 ? -FX_HALF : FX_HALF;
+    p.shift_y = i & 2 ? FX_HALF : -FX_HALF;
+    return p;
+}
+
+static int conventions_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct conventions *const c = context->state;
+    const struct ph_xform turn = ph_xform_rotate_y(frame << 24);
+    int status = PH_OK;
+    for (uint32_t i = 0; i < QUARTERS && status == PH_OK; i++) {
+        struct ph_xform view;
+        fx_t near_z, far_z;
+        status = written_in((enum ph_convention)i, &view, &near_z, &far_z);
+        if (status != PH_OK) {
+            break;
+        }
+        const struct ph_projection projection = in_quarter(context, i, near_z, far_z);
+        status = i == 0 ? demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(24, 32, 48))
+                        : demo_camera(context, r, &view, &projection);
+        status = status ? status : ph_draw_mesh(r, &c->pot, &turn);
+    }
+    return status;
+}
+
+static uint32_t conventions_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    static const char *const names[QUARTERS] = {"GL", "D3D", "LMU", "REVERSED"};
+    const uint32_t lines = ph_draw_band(r, band, pixels);
+    for (uint32_t i = 0; i < QUARTERS; i++) {
+        const int32_t middle = context->width * (i & 1 ? 3 : 1) / 4;
+        const int32_t top = (i & 2 ? context->height / 2 : 0) + 2 + context->height / 48;
+        demo_text(r, band, lines, pixels, middle - ph_overlay_width(names[i], 1) / 2, top, names[i]);
+    }
+    return lines;
+}
+
+const struct demo demo_conventions = {
+    .name = "conventions",
+    .summary = "one camera as OpenGL, Direct3D, LMU and reversed z write it: one picture",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
+                   MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
+    .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
+    .triangle_max = 660,
+    .init = conventions_init,
+    .frame = conventions_frame,
+    .band = conventions_band,
+};

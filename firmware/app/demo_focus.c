@@ -1,0 +1,107 @@
+/*
+ * focus: a row of skittles that stretches away, and a lens whose focus wanders along it (SEEDS row M6). Without scratch
+ * memory (struct demo_context) everything is sharp.
+ */
+#include "demo_scene.h"
+#include "models.h"
+
+#define LOOP_FRAMES 256
+#define SIDES       10
+#define POINTS      8
+#define SKITTLES    7
+#define CELLS       16
+#define RADIUS      5 /* px, at 240; the largest blur */
+#define NEAREST     (FX_ONE * 22 / 10)
+#define FURTHEST    FX_INT(9)
+
+static const struct model_point profile[POINTS] = {
+    {FX_ONE * 28 / 100, 0},
+    {FX_ONE * 40 / 100, FX_ONE * 30 / 100},
+    {FX_ONE * 42 / 100, FX_ONE * 55 / 100},
+    {FX_ONE * 18 / 100, FX_ONE * 105 / 100},
+    {FX_ONE * 16 / 100, FX_ONE * 120 / 100},
+    {FX_ONE * 25 / 100, FX_ONE * 140 / 100},
+    {FX_ONE * 18 / 100, FX_ONE * 158 / 100},
+    {0, FX_ONE * 165 / 100},
+};
+
+struct focus {
+    struct ph_mesh skittle, floor;
+    struct ph_material colours[SKITTLES], tiles[2];
+    uint16_t ramps[SKITTLES][PH_RAMP_SIZE];
+    struct ph_focus focus;
+    bool sharp; /* no memory to blur with */
+};
+
+static int focus_init(struct demo_context *context)
+{
+    static const uint8_t colours[SKITTLES][3] = {{235, 70, 60},  {245, 150, 50},  {245, 220, 80}, {90, 200, 100},
+                                                 {70, 170, 235}, {150, 110, 230}, {240, 240, 235}};
+    struct focus *const f = demo_alloc(&context->arena, sizeof(*f));
+    if (!f) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < SKITTLES; i++) {
+        f->colours[i] = demo_lit(f->ramps[i], PH_SHADE_GOURAUD, colours[i][0], colours[i][1], colours[i][2]);
+    }
+    f->tiles[0] = demo_unlit(70, 84, 100);
+    f->tiles[1] = demo_unlit(150, 160, 165);
+    context->state = f;
+    if (model_lathe(&context->arena, &f->skittle, profile, POINTS, SIDES, 1, f->colours) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    return model_floor(&context->arena, &f->floor, CELLS, f->tiles);
+}
+
+/* Along the row's depth and back; the blur is a share of the picture's size. */
+static struct ph_focus focus_at(const struct demo_context *context, uint32_t frame)
+{
+    const int32_t smaller = context->width < context->height ? context->width : context->height;
+    const fx_t strength = FX_ONE * smaller / 30;
+    return (struct ph_focus){.distance = fx_lerp_sat(NEAREST, FURTHEST, demo_swing(frame, LOOP_FRAMES)),
+                             .strength = strength < FX_INT(64) ? strength : FX_INT(64),
+                             .radius = RADIUS};
+}
+
+static int focus_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    struct focus *const f = context->state;
+    const struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(24));
+    const struct ph_xform view = demo_look(0, FX_ONE * 13 / 10, FX_ONE * 3, 0, FX_ONE * 8 / 10, 0);
+    int status = demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(120, 150, 190));
+    for (int32_t i = 0; i < SKITTLES && status == PH_OK; i++) {
+        struct ph_mesh mesh = f->skittle;
+        const struct ph_xform place =
+            ph_xform_translate(i * (FX_ONE * 6 / 10) - FX_ONE * 9 / 10, 0, FX_ONE - i * (FX_ONE * 11 / 10));
+        mesh.materials = &f->colours[i];
+        status = ph_draw_mesh(r, &mesh, &place);
+    }
+    f->focus = focus_at(context, frame);
+    const struct ph_xform below = ph_xform_translate(0, 0, -FX_INT(4));
+    return status ? status : ph_draw_mesh(r, &f->floor, &below);
+}
+
+static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    struct focus *const f = context->state;
+    if (band == 0) {
+        f->sharp = ph_blur_begin(&context->blur, r, context->scratch, context->scratch_bytes, &f->focus) != PH_OK;
+    }
+    if (f->sharp) {
+        return ph_draw_band(r, band, pixels);
+    }
+    return ph_blur_band(&context->blur, r, band, pixels);
+}
+
+const struct demo demo_focus = {
+    .name = "focus",
+    .summary = "a row of skittles through a lens whose focus wanders: depth of field",
+    .loop_frames = LOOP_FRAMES,
+    .arena_bytes = MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS),
+    .vertex_max = MODEL_GROUND_VERTICES(CELLS),
+    .triangle_max = 1000,
+    .blur_radius = RADIUS,
+    .init = focus_init,
+    .frame = focus_frame,
+    .band = focus_band,
+};
