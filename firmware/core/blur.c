@@ -136,24 +136,26 @@ static void take_line(struct ph_blur *b, const uint16_t *pixels, const uint16_t 
 /* Blurs line y of the ring across. */
 static void give_line(const struct ph_blur *b, uint32_t y, uint32_t height, uint32_t width, uint16_t *pixels)
 {
-    uint32_t at[2 * PH_BLUR_RADIUS_MAX + 1]; /* of the lines y, y - 1, y + 1, y - 2 .. in the ring */
-    uint32_t away[2 * PH_BLUR_RADIUS_MAX + 1], count = 0;
-    for (uint32_t k = 0; k <= b->radius; k++) {
-        for (uint32_t side = 0; side < (k > 0 ? 2u : 1u); side++) {
+    const uint32_t here = y % b->lines * width;
+    uint32_t at[2 * PH_BLUR_RADIUS_MAX]; /* of the lines y - 1, y + 1, y - 2 .. in the ring */
+    int32_t away16[2 * PH_BLUR_RADIUS_MAX];
+    uint32_t count = 0;
+    for (uint32_t k = 1; k <= b->radius; k++) {
+        for (uint32_t side = 0; side < 2; side++) {
             const uint32_t line = side == 0 ? y - k : y + k; /* above the picture it wraps to a large number */
             if (line < height) {
-                away[count] = k;
+                away16[count] = (int32_t)(16 * k);
                 at[count++] = line % b->lines * width;
             }
         }
     }
     for (uint32_t x = 0; x < width; x++) {
         struct mix m = {0, 0, WHOLE};
-        const int32_t own = b->blurs[at[0] + x];
-        for (uint32_t i = 1; i < count; i++) {
-            add(&m, b, own, b->blurs[at[i] + x], (int32_t)(16 * away[i]), b->colours[at[i] + x]);
+        const int32_t own = b->blurs[here + x];
+        for (uint32_t i = 0; i < count; i++) {
+            add(&m, b, own, b->blurs[at[i] + x], away16[i], b->colours[at[i] + x]);
         }
-        pixels[x] = ph_wire16(finish(&m, b->colours[at[0] + x]));
+        pixels[x] = ph_wire16(finish(&m, b->colours[here + x]));
     }
 }
 

@@ -16,7 +16,7 @@
 
 #define LONG        20                 /* edges longer than this part of a turn are divided always */
 #define SHORT       ((int64_t)1 << 48) /* edges below 2^-5 radian are not; squared Q29 */
-#define DEPTH       24
+#define DEPTH       20
 #define POOL        (DEPTH + 3)            /* vertices alive */
 #define SPLITS_MAX  4096                   /* of one triangle */
 #define REACH       (2048 * 256)           /* set-up takes coordinates up to here, 1/256 px from the centre */

@@ -120,7 +120,8 @@ int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bot
 /*
  * A fisheye that sees fov_deg, 10 .. 240 degrees, from the top of the picture to its bottom; a wider picture sees in
  * proportion more to the sides. Nothing is drawn within 10 degrees of the direction straight backwards (which only
- * pictures much wider than high show). PH_ERR_INVAL: fov_deg out of its range, near_z <= 0, far_z <= near_z.
+ * pictures much wider than high show). Drawing takes 4 KiB of stack on 32 bits, and many triangles: a room of six
+ * walls becomes 1200 at 180 degrees, 2400 at 240. PH_ERR_INVAL: fov_deg out of its range, near_z <= 0, far_z <= near_z.
  */
 int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z);
 
