@@ -6,7 +6,7 @@
 
 const struct board board_ft232h_ili9341 = {
     .name = "ft232h-ili9341",
-    .title = "FT232H on USB with an ILI9341 320x240 breakout",
+    .title = "FT232H on USB with an ILI9341 240x320 breakout",
     .pinout = "https://learn.adafruit.com/adafruit-ft232h-breakout/pinouts",
     .panel = &panel_ili9341_240x320,
     .rotation = PANEL_R0,

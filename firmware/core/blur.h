@@ -1,5 +1,5 @@
 /*
- * blur: depth of field (SEEDS row M6). Pixels are blurred by their distance from the focal depth, which is read from
+ * blur: depth of field. Pixels are blurred by their distance from the focal depth, which is read from
  * the depth buffer, band after band; there is no copy of the picture.
  *
  *   ph_frame_begin, ph_draw_..., ph_frame_bands as always

@@ -12,8 +12,9 @@
  *   PH_REVERSED   right    -z            -z                   1 -> 0              distances            down
  *
  * A matrix stands as in the documents: rows first, applied to column vectors, Q16.16, each element rounded once.
- * Sources: GL: gluPerspective, glFrustum, glOrtho; D3D: 4600 notes 4.1; LMU: tutorial 4; see also SEEDS rows P1 .. V9
- * in tests/test_camera.c.
+ * Sources: GL: gluPerspective, glFrustum, glOrtho; D3D: course 4600, notes 4.1, virtual cameras; LMU: Munich, computer
+ * graphics, summer 2020, tutorial 4. Also K. Juenemann, HAW Hamburg, chapter 9, camera models and the view pipeline;
+ * S.-E. Yoon, Rendering, KAIST, ch. 4; EECE 478, viewing and projection.
  */
 #ifndef PH_CAMERA_H
 #define PH_CAMERA_H
@@ -55,41 +56,41 @@ int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *n
 
 /* ---- views: all world-to-camera, rigid ---------------------------------------------------------------------- */
 
-/* V6, OpenGL's glRotate(-turn, axis), glTranslate(-position). */
+/* OpenGL's glRotate(-turn, axis), glTranslate(-position). */
 struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position);
 
-/* V7, PHIGS: view reference point, view plane normal (towards the viewer), view up vector; as ph_view_look_at else. */
+/* PHIGS: view reference point, view plane normal (towards the viewer), view up vector; as ph_view_look_at else. */
 struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_vec3 vup);
 
-/* V8: the camera turned by yaw about y, then pitch about its x, then roll about its z. */
+/* The camera turned by yaw about y, then pitch about its x, then roll about its z. */
 struct ph_xform ph_view_yaw_pitch_roll(struct fx_vec3 position, uint32_t yaw, uint32_t pitch, uint32_t roll);
 
-/* V9: the camera's orientation as a quaternion. */
+/* The camera's orientation as a quaternion. */
 struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position);
 
-/* V5: from a camera node's world transform; a scale in it is taken out. */
+/* From a camera node's world transform; a scale in it is taken out. */
 struct ph_xform ph_view_of_node(const struct ph_xform *world);
 
-/* V3: placement of an object at `position` whose +z points at `target` (three.js Object3D.lookAt). */
+/* Placement of an object at `position` whose +z points at `target` (three.js Object3D.lookAt). */
 struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up);
 
 /* ---- projections ---------------------------------------------------------------------------------------------- */
 
-/* P6: a pinhole with an image of width x height at distance focal from it. As ph_projection_perspective else. */
+/* A pinhole with an image of width x height at distance focal from it. As ph_projection_perspective else. */
 int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t height, fx_t near_z, fx_t far_z);
 
-/* P11: the same camera for a picture of another aspect (width / height): the vertical extent stays. */
+/* The same camera for a picture of another aspect (width / height): the vertical extent stays. */
 int ph_projection_resize(struct ph_projection *p, fx_t aspect);
 
-/* P10: width and height of the view volume at distance z along the view, Q16.16, saturates. */
+/* Width and height of the view volume at distance z along the view, Q16.16, saturates. */
 void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height);
 
-/* M1, M2: vertical field of view in degrees under which a height h at distance z fills the picture: 2 atan(h / 2z). */
+/* Vertical field of view in degrees under which a height h at distance z fills the picture: 2 atan(h / 2z). */
 fx_t ph_fov_of(fx_t height, fx_t distance);
 
 /*
- * P7: projection from the origin onto the plane n.p + d = 0, n a unit vector in Q2.30: Q = [dE 0; -n^T 0], Q Q = d Q
- * (HAW).
+ * Projection from the origin onto the plane n.p + d = 0, n a unit vector in Q2.30: Q = [dE 0; -n^T 0], Q Q = d Q
+ * (source: Juenemann, HAW, chapter 9).
  */
 struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal_q30, fx_t d);
 
@@ -106,7 +107,7 @@ int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform 
 
 /*
  * seen[i]: node i in the coordinates of node `camera`, to be drawn with ph_xform_identity as the view. What the two
- * have in common never enters: moving an ancestor of both changes no bit of the picture (V5). The camera and its
+ * have in common never enters: moving an ancestor of both changes no bit of the picture. The camera and its
  * ancestors must be rigid. PH_ERR_INVAL: a parent does not stand before its child, or there is no such camera.
  */
 int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen);

@@ -47,7 +47,10 @@ struct fx_quat {
 
 extern const struct fx_quat fx_quat_identity;
 
-/* Rotation by turn32 about axis (any length; the zero axis gives the identity). */
+/*
+ * Rotation about axis (any length; the zero axis gives the identity) by turn32: an angle in 2^-32 of a turn, so that
+ * 0x40000000 is a quarter and angles wrap by themselves; counter-clockwise seen from the tip of the axis.
+ */
 struct fx_quat fx_quat_axis(struct fx_vec3 axis, uint32_t turn32);
 
 /* a after b, normalised. */
@@ -86,9 +89,9 @@ struct fx_vec3 ph_xform_point(const struct ph_xform *a, struct fx_vec3 p);
 struct fx_vec3 ph_xform_direction_q30(const struct ph_xform *a, struct fx_vec3 d_q30);
 
 /*
- * World-to-view transform of a camera at eye that looks at target (source: KAIST ch. 4, V1; gluLookAt).
- * Defined for every input: eye = target looks along -z; up parallel to the view, or zero, is replaced by the
- * coordinate axis (y, else z) that is not.
+ * World-to-view transform of a camera at eye that looks at target; as gluLookAt (source: S.-E. Yoon,
+ * Rendering, KAIST, ch. 4). Defined for every input: eye = target looks along -z; up parallel to the view, or zero, is
+ * replaced by the coordinate axis (y, else z) that is not.
  */
 struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struct fx_vec3 up);
 
@@ -97,7 +100,7 @@ enum ph_projection_kind { PH_PERSPECTIVE, PH_ORTHOGRAPHIC, PH_FISHEYE };
 /*
  * A view volume. scale_x = 2n/(r-l) for a perspective, 2/(r-l) for an orthographic projection, in Q12.20;
  * shift_x = (r+l)/(r-l) in Q16.16 likewise in y (the elements of the OpenGL matrix, their signs as there).
- * A fisheye (SEEDS row P9; no matrix) is equidistant: a point at the angle theta from the view direction lies at the
+ * A fisheye (which has no matrix) is equidistant: a point at the angle theta from the view direction lies at the
  * distance f theta from the centre, both axes with the same f. Its scales are half heights of the picture per radian;
  * its depth, near_z and far_z are distances from the eye in all directions. See fisheye.c.
  */

@@ -1,10 +1,11 @@
 /*
  * render: meshes in, bands of RGB565 pixels out.
  *
- *   ph_frame_begin(r, view, projection)      camera, lights, background of this frame
- *   ph_draw_mesh(r, mesh, to_world) ...      transform, light, cull, clip, set up, list
- *   ph_frame_bands(r)                        sort the list into bands
- *   ph_draw_band(r, 0), ph_draw_band(r, 1).. clear and rasterize one band after the other, top to bottom
+ *   ph_renderer_init(r, config)                            once: size of the picture, memory
+ *   ph_frame_begin(r, view, projection, light, background) camera, lights, background of this frame
+ *   ph_draw_mesh(r, mesh, to_world) ...                    transform, light, cull, clip, set up, list
+ *   ph_frame_bands(r)                                      sort the list into bands
+ *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clear and rasterize one band after the other, top to bottom
  *
  * A band is band_height lines of the picture (the last one may be shorter). Its colour and depth buffers belong
  * to the caller, as does all other memory (struct ph_config). The picture does not depend on the band height.
@@ -14,8 +15,9 @@
  * pixel exactly once. Screen positions have 8 sub-pixel bits.
  *
  * Colour: RGB565 in wire order, that is the byte with red first in memory, on every machine.
- * Light: one white intensity a vertex (ambient, Lambert, Blinn; viewer at infinity) that indexes the material's ramp of
- * 128 colours. Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the first drawn stays.
+ * Light: one white intensity a vertex (ambient, Lambert, Blinn; viewer at infinity) that indexes the material's ramp,
+ * a table of 128 colours from dark to light. Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the
+ * first drawn stays.
  *
  * What does not fit into the caller's budgets is left out and counted in ph_stats.
  */
@@ -117,7 +119,7 @@ struct ph_stats {
 struct ph_vertex;   /* a transformed vertex, see pipeline.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see pipeline.h */
 
-/* Sizes, for budgets: PH_VERTEX_BYTES * vertices, PH_TRIANGLE_BYTES * triangles. */
+/* Sizes, for budgets: ph_vertex_bytes * vertices, ph_triangle_bytes * triangles. */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 
 struct ph_config {
@@ -129,7 +131,7 @@ struct ph_config {
     uint32_t vertex_max;
     void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above */
     uint32_t triangle_max;
-    uint32_t *bins; /* one per band: (height + band_height - 1) / band_height */
+    uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
     uint16_t *depth; /* width * band_height */
 };

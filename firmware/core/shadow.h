@@ -1,5 +1,6 @@
 /*
- * shadow: the shadow that a mesh casts on a plane by a point light (SEEDS row P8, with HAW's projection P7).
+ * shadow: the shadow that a mesh casts on a plane by a point light (source: K. Juenemann, HAW Hamburg,
+ * chapter 9: projection onto any plane).
  *
  * Seen from the light, shadow and object are the same picture: every vertex is moved along its ray from the light L
  * onto the plane, s = L + (p - L) H / (H - h), h and H the heights of vertex and light above the plane, and what comes
