@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
 unset MAKEFLAGS
 B=${B:-build}
-stack_max=3072 # bytes, deepest path below any public function
+stack_max=6144 # bytes, deepest path below any public function; the fisheye's stack of waiting pieces takes the most
 library_stack=80 # bytes, taken for each call into libgcc or libc: __udivmoddi4, the deepest, takes 64 on M0+
 
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi" && exit 77; }
@@ -48,10 +48,13 @@ stack_faults() { # call graph files
         }
         /^edge:/ {
             f = name_after("targetname")
-            if (f == "__indirect_call") { print "call through a pointer: " name_after("sourcename") }
-            calls[name_after("sourcename")] = calls[name_after("sourcename")] f "\n"
+            from = name_after("sourcename")
+            if (f == "__indirect_call" && from == "demo_draw_band") { next } # any of the functions *_band, see END
+            if (f == "__indirect_call") { print "call through a pointer: " from }
+            calls[from] = calls[from] f "\n"
         }
         END {
+            for (f in frame) { if (f ~ /\/demo_[a-z]*\.c:[a-z]*_band$/) { calls["demo_draw_band"] = calls["demo_draw_band"] f "\n" } }
             for (f in frame) {
                 d = depth(f)
                 if (d > worst) { worst = d; who = f }
@@ -90,7 +93,7 @@ objects_to() { # pattern in what it says, "symbols" | "stack" | "written", C tex
 check "the_check_sees_floating_point" objects_to __aeabi_fmul symbols 'float f(float x); float f(float x) { return x * x; }'
 check "the_check_sees_the_heap" objects_to malloc symbols 'void *malloc(unsigned); void *f(void); void *f(void) { return malloc(4); }'
 check "the_check_sees_recursion" objects_to recursion stack 'int g(int); int f(int n); int f(int n) { return n ? g(f(n - 1)) : 0; }'
-check "the_check_sees_a_large_frame" objects_to 'stack: f' stack 'void g(char *); void f(void); void f(void) { char big[3100]; g(big); }'
+check "the_check_sees_a_large_frame" objects_to 'stack: f' stack 'void g(char *); void f(void); void f(void) { char big[6200]; g(big); }'
 check "the_check_sees_a_VLA" objects_to dynamic stack 'void g(char *); void f(int n); void f(int n) { char big[n]; g(big); }'
 check "the_check_sees_a_static_variable" objects_to count written 'int f(void); int f(void) { static int count; return count++; }'
 
