@@ -9,6 +9,7 @@
 
 #include "crc32.h"
 #include "demo.h"
+#include "hal.h"
 #include "models.h"
 #include "ref_rig.h"
 
@@ -84,28 +85,62 @@ static void demos_stand_in_the_stated_order_and_are_found_by_name(void **state)
 
 /* ---- budgets --------------------------------------------------------------------------------------------------- */
 
+/* Draws the loop of a view at one size; the largest numbers. */
+static void measure(const struct demo *demo, const char *view, const uint16_t size[2], uint32_t step,
+                    uint32_t *vertices, uint32_t *triangles)
+{
+    struct show s = show_open(demo, size[0], size[1]);
+    s.context.view = view;
+    for (uint32_t frame = 0; frame < demo->loop_frames; frame += step) {
+        assert_int_equal(demo->frame(&s.context, &s.rig.r, frame), PH_OK);
+        const struct ph_stats *const stats = &s.rig.r.stats;
+        if (stats->triangles_dropped || stats->vertices_dropped) {
+            fail_msg("%s %s drops at %ux%u, frame %u", demo->name, view ? view : "", size[0], size[1], frame);
+        }
+        *triangles = stats->triangles_drawn > *triangles ? stats->triangles_drawn : *triangles;
+        *vertices = stats->vertices > *vertices ? stats->vertices : *vertices;
+    }
+    show_close(&s);
+}
+
 static void nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful(void **state)
 {
     (void)state;
     static const uint16_t widest[2] = {1024, 64};
+    static const char *const only[] = {NULL, NULL};
     for (uint32_t d = 0; d < demo_count; d++) {
+        const char *const *const views = demo_list[d]->views ? demo_list[d]->views : only;
         uint32_t vertices = 0;
         uint32_t triangles = 0;
-        for (size_t i = 0; i <= SIZES; i++) {
-            const uint16_t *const size = i < SIZES ? sizes[i] : widest;
-            struct show s = show_open(demo_list[d], size[0], size[1]);
-            for (uint32_t frame = 0; frame < s.demo->loop_frames; frame += i == 0 || i == SIZES ? 2 : 7) {
-                assert_int_equal(s.demo->frame(&s.context, &s.rig.r, frame), PH_OK);
-                const struct ph_stats *const stats = &s.rig.r.stats;
-                assert_int_equal(stats->triangles_dropped, 0);
-                assert_int_equal(stats->vertices_dropped, 0);
-                triangles = stats->triangles_drawn > triangles ? stats->triangles_drawn : triangles;
-                vertices = stats->vertices > vertices ? stats->vertices : vertices;
+        for (size_t v = 0; v == 0 || views[v]; v++) {
+            for (size_t i = 0; i <= SIZES; i++) {
+                const bool closely = i == 0 || i == SIZES;
+                measure(demo_list[d], views[v], i < SIZES ? sizes[i] : widest, closely ? 2 : 7, &vertices, &triangles);
             }
-            show_close(&s);
         }
-        assert_true(demo_list[d]->triangle_max <= triangles * 3 / 2);
+        if (demo_list[d]->triangle_max > triangles * 3 / 2) {
+            fail_msg("%s draws %u triangles", demo_list[d]->name, triangles);
+        }
         assert_true(demo_list[d]->vertex_max <= vertices);
+    }
+}
+
+static void views_have_names_and_differ(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < demo_count; d++) {
+        struct show s = show_open(demo_list[d], 120, 100);
+        const uint32_t first = show_frame(&s, 9);
+        uint32_t before = 0;
+        for (size_t v = 0; s.demo->views && s.demo->views[v]; v++) {
+            assert_true(demo_has_view(s.demo, s.demo->views[v]));
+            s.context.view = s.demo->views[v];
+            const uint32_t now = show_frame(&s, 9);
+            assert_true(v == 0 ? now == first : now != before);
+            before = now;
+        }
+        assert_false(demo_has_view(s.demo, "none"));
+        show_close(&s);
     }
 }
 
@@ -264,6 +299,71 @@ static void a_given_camera_replaces_the_demo_s_own(void **state)
     }
 }
 
+static void buttons_walk_around_and_come_back(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"turntable", "wireframe", "solar", "ball", "shadow"};
+    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
+        struct show s = show_open(demo_find(names[i]), 120, 100);
+        const uint32_t own = show_frame(&s, 5);
+        demo_input(&s.context, HAL_BUTTON_LEFT);
+        const uint32_t left = show_frame(&s, 5);
+        demo_input(&s.context, HAL_BUTTON_RIGHT);
+        assert_int_equal(show_frame(&s, 5), own);
+        demo_input(&s.context, HAL_BUTTON_RIGHT);
+        assert_true(left != own && show_frame(&s, 5) != own && show_frame(&s, 5) != left);
+        for (int k = 1; k < 256; k++) { /* a whole turn */
+            demo_input(&s.context, HAL_BUTTON_RIGHT);
+        }
+        assert_int_equal(show_frame(&s, 5), own);
+        demo_input(&s.context, HAL_BUTTON_UP);
+        assert_true(show_frame(&s, 5) != own);
+        demo_input(&s.context, HAL_BUTTON_DOWN);
+        assert_int_equal(show_frame(&s, 5), own);
+        show_close(&s);
+    }
+}
+
+/* The focus is read from the depth buffer: with scratch memory the picture differs, by the blur alone. */
+static void without_scratch_memory_the_focus_is_sharp(void **state)
+{
+    (void)state;
+    struct show s = show_open(demo_find("focus"), 120, 100);
+    const uint32_t blurred = show_frame(&s, 7);
+    const size_t bytes = s.context.scratch_bytes;
+    assert_true(bytes > 0);
+    s.context.scratch_bytes = bytes - 1;
+    const uint32_t sharp = show_frame(&s, 7);
+    assert_true(sharp != blurred);
+    assert_int_equal(show_frame(&s, 7), sharp);
+    s.context.scratch_bytes = bytes;
+    assert_int_equal(show_frame(&s, 7), blurred);
+    show_close(&s);
+}
+
+static void the_four_conventions_draw_the_same_quarter(void **state)
+{
+    (void)state;
+    const struct demo *const demo = demo_find("conventions");
+    struct demo plain = *demo; /* without the labels */
+    plain.band = NULL;
+    struct show s = show_open(demo, 240, 200);
+    s.demo = &plain;
+    int drawn = 0;
+    show_frame(&s, 33);
+    for (int y = 0; y < 100; y++) {
+        for (int x = 0; x < 120; x++) {
+            const uint16_t gl = pixel(&s, x, y);
+            drawn += gl != s.rig.r.background;
+            assert_int_equal(pixel(&s, x + 120, y), gl);
+            assert_int_equal(pixel(&s, x, y + 100), gl);
+            assert_int_equal(pixel(&s, x + 120, y + 100), gl);
+        }
+    }
+    assert_true(drawn > 1500);
+    show_close(&s);
+}
+
 /* Background on all outermost pixels; below, only where asked. */
 static void assert_inside(const struct show *s, bool below_too)
 {
@@ -325,6 +425,31 @@ static int drawn_width(const struct show *s, int *height)
     }
     *height = y1 - y0 + 1;
     return x1 - x0 + 1;
+}
+
+/* Up comes nearer: the pot grows, and shrinks again to less than it was; at the ends of the way it stops. */
+static void up_and_down_change_the_pot_s_size_within_limits(void **state)
+{
+    (void)state;
+    struct show s = show_open(demo_find("wireframe"), 240, 240);
+    int height, near_height, far_height;
+    show_frame(&s, 0);
+    const int own = drawn_width(&s, &height);
+    for (int k = 0; k < 1000; k++) {
+        demo_input(&s.context, HAL_BUTTON_DOWN);
+    }
+    show_frame(&s, 0);
+    assert_true(drawn_width(&s, &far_height) < own * 3 / 4 && drawn_width(&s, &far_height) > own / 2);
+    for (int k = 0; k < 32; k++) {
+        demo_input(&s.context, HAL_BUTTON_UP);
+    }
+    show_frame(&s, 0);
+    assert_int_equal(drawn_width(&s, &near_height), own);
+    demo_input(&s.context, HAL_BUTTON_UP);
+    show_frame(&s, 0);
+    drawn_width(&s, &near_height);
+    assert_true(near_height >= height && far_height < height);
+    show_close(&s);
 }
 
 /* The turntable with a box of the given half sizes, `shift` off the origin. */
@@ -554,6 +679,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(demos_stand_in_the_stated_order_and_are_found_by_name),
         cmocka_unit_test(nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful),
+        cmocka_unit_test(views_have_names_and_differ),
+        cmocka_unit_test(up_and_down_change_the_pot_s_size_within_limits),
+        cmocka_unit_test(buttons_walk_around_and_come_back),
+        cmocka_unit_test(without_scratch_memory_the_focus_is_sharp),
+        cmocka_unit_test(the_four_conventions_draw_the_same_quarter),
         cmocka_unit_test(the_arena_is_never_exceeded),
         cmocka_unit_test(the_stated_arena_is_not_wasteful),
         cmocka_unit_test(a_smaller_arena_gives_a_coarser_teapot_within_the_stated_lists),

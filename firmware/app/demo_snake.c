@@ -7,14 +7,14 @@
 #include "models.h"
 
 #define LOOP_FRAMES 512
-#define BALLS       40
-#define SPACING     0x04c00000u /* between two balls of the body, in turns of the path */
+#define BALLS       38
+#define SPACING     0x05000000u /* between two balls of the body, in turns of the path */
 #define NOSE        (5u << 24)  /* before the camera */
 #define APPLES      8
 #define TREES       10
 #define TREE_SIDES  6
 #define TREE_POINTS 5
-#define CELLS       16
+#define CELLS       10
 #define RADIUS      (FX_ONE * 32 / 100)
 #define SPREAD      FX_INT(5)
 
@@ -23,6 +23,12 @@ static const struct model_point tree_profile[TREE_POINTS] = {{FX_ONE / 8, 0},
                                                              {FX_ONE * 7 / 10, FX_HALF},
                                                              {FX_ONE * 3 / 10, FX_ONE * 7 / 5},
                                                              {0, FX_ONE * 11 / 5}};
+
+/* A ball of eight sides. */
+#define BALL_SIDES  8
+#define BALL_POINTS 5
+static const struct model_point ball_profile[BALL_POINTS] = {
+    {0, -FX_ONE}, {46341, -46341}, {FX_ONE, 0}, {46341, 46341}, {0, FX_ONE}};
 
 struct snake {
     struct ph_mesh light_ball, dark_ball, head, apple, tree, floor;
@@ -61,8 +67,7 @@ static int snake_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     snake_colours(s);
-    if (model_icosphere(arena, &s->light_ball, 1) != PH_OK ||
-        model_material(arena, &s->light_ball, &s->skin[0]) != PH_OK ||
+    if (model_lathe(arena, &s->light_ball, ball_profile, BALL_POINTS, BALL_SIDES, 1, &s->skin[0]) != PH_OK ||
         model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves) != PH_OK ||
         model_floor(arena, &s->floor, CELLS, s->tiles) != PH_OK) {
         return PH_ERR_NOMEM;
@@ -119,7 +124,8 @@ static int draw_garden(struct ph_renderer *r, const struct snake *s)
         status = draw_at(r, &s->tree, (struct fx_vec3){FX_INT(places[i][0]), 0, FX_INT(places[i][1])},
                          FX_ONE + (fx_t)(i % 3) * (FX_ONE / 4));
     }
-    return status ? status : ph_draw_mesh(r, &s->floor, &ph_xform_identity);
+    const struct ph_xform lawn = ph_xform_scale(FX_ONE * 17 / 10);
+    return status ? status : ph_draw_mesh(r, &s->floor, &lawn);
 }
 
 static int snake_camera(const struct demo_context *context, struct ph_renderer *r, uint32_t head, bool outside)
@@ -155,11 +161,10 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct snake)) + MODEL_ROUND8(sizeof(struct ph_part)) +
-                   MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(1), MODEL_ICOSPHERE_TRIANGLES(1)) +
+    .arena_bytes = MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +
                    MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS),
     .vertex_max = MODEL_GROUND_VERTICES(CELLS),
-    .triangle_max = 1500,
+    .triangle_max = 1600,
     .init = snake_init,
     .frame = snake_frame,
 };
