@@ -4,10 +4,11 @@
 
 frames() {
     local demo board depth
-    for demo in turntable testcard torus cube fill icosphere ground wireframe; do
+    for demo in turntable testcard torus cube fill icosphere ground wireframe solar snake ball hitchcock parallel shadow \
+        fisheye focus conventions zfight; do
         "$@" --demo $demo --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 fixed16 /" || return 1
     done
-    for demo in torus cube ground wireframe; do
+    for demo in torus cube ground wireframe fisheye zfight; do
         depth=float16
         "$@" --demo $demo --size 320x240 --start 40 --depth $depth --crc | sed "s/^/$demo 320x240 $depth /" || return 1
     done

@@ -7,61 +7,15 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "crc32.h"
 #include "demo.h"
-#include "hal.h"
 #include "models.h"
-#include "ref_rig.h"
+#include "show.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static const uint16_t sizes[][2] = {{240, 240}, {135, 240}, {240, 135}, {128, 64}, {320, 240}, {80, 160}, {320, 480}};
 #define SIZES (sizeof(sizes) / sizeof(sizes[0]))
-
-/* A demo on a stage of its own. */
-struct show {
-    const struct demo *demo;
-    struct demo_context context;
-    struct rig rig;
-};
-
-static struct show show_open(const struct demo *demo, uint16_t width, uint16_t height)
-{
-    struct show s = {.demo = demo, .context = {.width = width, .height = height}};
-    s.context.arena = (struct demo_arena){malloc(demo->arena_bytes), demo->arena_bytes, 0};
-    assert_non_null(s.context.arena.base);
-    s.context.scratch_bytes = demo_scratch_bytes(demo, width, height);
-    s.context.scratch = malloc(s.context.scratch_bytes + 1);
-    assert_non_null(s.context.scratch);
-    assert_int_equal(demo->init(&s.context), PH_OK);
-    rig_open(&s.rig, width, height, height, PH_DEPTH_FIXED16, (int)demo->vertex_max, (int)demo->triangle_max);
-    return s;
-}
-
-static void show_close(struct show *s)
-{
-    rig_close(&s->rig);
-    free(s->context.scratch);
-    free(s->context.arena.base);
-}
-
-static uint32_t show_frame(struct show *s, uint32_t frame)
-{
-    assert_int_equal(s->demo->frame(&s->context, &s->rig.r, frame), PH_OK);
-    uint32_t row = 0;
-    const uint32_t bands = ph_frame_bands(&s->rig.r);
-    for (uint32_t band = 0; band < bands; band++) {
-        row += demo_draw_band(s->demo, &s->context, &s->rig.r, band, s->rig.pixels + row * (uint32_t)s->rig.width);
-    }
-    assert_int_equal(row, s->rig.height);
-    return crc32_update(0, (const uint8_t *)s->rig.pixels, 2 * (size_t)s->rig.width * (size_t)s->rig.height);
-}
-
-static uint16_t pixel(const struct show *s, int x, int y)
-{
-    return s->rig.pixels[y * s->rig.width + x];
-}
 
 /* ---- the list -------------------------------------------------------------------------------------------------- */
 
@@ -122,25 +76,6 @@ static void nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful(void 
             fail_msg("%s draws %u triangles", demo_list[d]->name, triangles);
         }
         assert_true(demo_list[d]->vertex_max <= vertices);
-    }
-}
-
-static void views_have_names_and_differ(void **state)
-{
-    (void)state;
-    for (uint32_t d = 0; d < demo_count; d++) {
-        struct show s = show_open(demo_list[d], 120, 100);
-        const uint32_t first = show_frame(&s, 9);
-        uint32_t before = 0;
-        for (size_t v = 0; s.demo->views && s.demo->views[v]; v++) {
-            assert_true(demo_has_view(s.demo, s.demo->views[v]));
-            s.context.view = s.demo->views[v];
-            const uint32_t now = show_frame(&s, 9);
-            assert_true(v == 0 ? now == first : now != before);
-            before = now;
-        }
-        assert_false(demo_has_view(s.demo, "none"));
-        show_close(&s);
     }
 }
 
@@ -299,71 +234,6 @@ static void a_given_camera_replaces_the_demo_s_own(void **state)
     }
 }
 
-static void buttons_walk_around_and_come_back(void **state)
-{
-    (void)state;
-    static const char *const names[] = {"turntable", "wireframe", "solar", "ball", "shadow"};
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
-        struct show s = show_open(demo_find(names[i]), 120, 100);
-        const uint32_t own = show_frame(&s, 5);
-        demo_input(&s.context, HAL_BUTTON_LEFT);
-        const uint32_t left = show_frame(&s, 5);
-        demo_input(&s.context, HAL_BUTTON_RIGHT);
-        assert_int_equal(show_frame(&s, 5), own);
-        demo_input(&s.context, HAL_BUTTON_RIGHT);
-        assert_true(left != own && show_frame(&s, 5) != own && show_frame(&s, 5) != left);
-        for (int k = 1; k < 256; k++) { /* a whole turn */
-            demo_input(&s.context, HAL_BUTTON_RIGHT);
-        }
-        assert_int_equal(show_frame(&s, 5), own);
-        demo_input(&s.context, HAL_BUTTON_UP);
-        assert_true(show_frame(&s, 5) != own);
-        demo_input(&s.context, HAL_BUTTON_DOWN);
-        assert_int_equal(show_frame(&s, 5), own);
-        show_close(&s);
-    }
-}
-
-/* The focus is read from the depth buffer: with scratch memory the picture differs, by the blur alone. */
-static void without_scratch_memory_the_focus_is_sharp(void **state)
-{
-    (void)state;
-    struct show s = show_open(demo_find("focus"), 120, 100);
-    const uint32_t blurred = show_frame(&s, 7);
-    const size_t bytes = s.context.scratch_bytes;
-    assert_true(bytes > 0);
-    s.context.scratch_bytes = bytes - 1;
-    const uint32_t sharp = show_frame(&s, 7);
-    assert_true(sharp != blurred);
-    assert_int_equal(show_frame(&s, 7), sharp);
-    s.context.scratch_bytes = bytes;
-    assert_int_equal(show_frame(&s, 7), blurred);
-    show_close(&s);
-}
-
-static void the_four_conventions_draw_the_same_quarter(void **state)
-{
-    (void)state;
-    const struct demo *const demo = demo_find("conventions");
-    struct demo plain = *demo; /* without the labels */
-    plain.band = NULL;
-    struct show s = show_open(demo, 240, 200);
-    s.demo = &plain;
-    int drawn = 0;
-    show_frame(&s, 33);
-    for (int y = 0; y < 100; y++) {
-        for (int x = 0; x < 120; x++) {
-            const uint16_t gl = pixel(&s, x, y);
-            drawn += gl != s.rig.r.background;
-            assert_int_equal(pixel(&s, x + 120, y), gl);
-            assert_int_equal(pixel(&s, x, y + 100), gl);
-            assert_int_equal(pixel(&s, x + 120, y + 100), gl);
-        }
-    }
-    assert_true(drawn > 1500);
-    show_close(&s);
-}
-
 /* Background on all outermost pixels; below, only where asked. */
 static void assert_inside(const struct show *s, bool below_too)
 {
@@ -407,49 +277,6 @@ static void the_teapot_stays_whole_in_wide_pictures(void **state)
         }
         show_close(&s);
     }
-}
-
-/* Width and height of what is not background, and whether it is there at all. */
-static int drawn_width(const struct show *s, int *height)
-{
-    int x0 = s->rig.width, x1 = -1, y0 = s->rig.height, y1 = -1;
-    for (int i = 0; i < s->rig.width * s->rig.height; i++) {
-        const int x = i % s->rig.width;
-        const int y = i / s->rig.width;
-        if (s->rig.pixels[i] != s->rig.r.background) {
-            x0 = x < x0 ? x : x0;
-            x1 = x > x1 ? x : x1;
-            y0 = y < y0 ? y : y0;
-            y1 = y > y1 ? y : y1;
-        }
-    }
-    *height = y1 - y0 + 1;
-    return x1 - x0 + 1;
-}
-
-/* Up comes nearer: the pot grows, and shrinks again to less than it was; at the ends of the way it stops. */
-static void up_and_down_change_the_pot_s_size_within_limits(void **state)
-{
-    (void)state;
-    struct show s = show_open(demo_find("wireframe"), 240, 240);
-    int height, near_height, far_height;
-    show_frame(&s, 0);
-    const int own = drawn_width(&s, &height);
-    for (int k = 0; k < 1000; k++) {
-        demo_input(&s.context, HAL_BUTTON_DOWN);
-    }
-    show_frame(&s, 0);
-    assert_true(drawn_width(&s, &far_height) < own * 3 / 4 && drawn_width(&s, &far_height) > own / 2);
-    for (int k = 0; k < 32; k++) {
-        demo_input(&s.context, HAL_BUTTON_UP);
-    }
-    show_frame(&s, 0);
-    assert_int_equal(drawn_width(&s, &near_height), own);
-    demo_input(&s.context, HAL_BUTTON_UP);
-    show_frame(&s, 0);
-    drawn_width(&s, &near_height);
-    assert_true(near_height >= height && far_height < height);
-    show_close(&s);
 }
 
 /* The turntable with a box of the given half sizes, `shift` off the origin. */
@@ -679,11 +506,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(demos_stand_in_the_stated_order_and_are_found_by_name),
         cmocka_unit_test(nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful),
-        cmocka_unit_test(views_have_names_and_differ),
-        cmocka_unit_test(up_and_down_change_the_pot_s_size_within_limits),
-        cmocka_unit_test(buttons_walk_around_and_come_back),
-        cmocka_unit_test(without_scratch_memory_the_focus_is_sharp),
-        cmocka_unit_test(the_four_conventions_draw_the_same_quarter),
         cmocka_unit_test(the_arena_is_never_exceeded),
         cmocka_unit_test(the_stated_arena_is_not_wasteful),
         cmocka_unit_test(a_smaller_arena_gives_a_coarser_teapot_within_the_stated_lists),
