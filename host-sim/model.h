@@ -2,11 +2,12 @@
  * model: a model file (OBJ, STL, PLY, glTF, GLB, and what else assimp reads) as meshes for the renderer, and as a demo.
  *
  * The model is triangulated (n-gons by ears), its node transforms are applied, points and lines are left out, normals
- * are made where there are none (OBJ, STL: creases above 66 degrees stay sharp; PLY and glTF share vertices, which then
- * are smooth), meshes are split at 65535 vertices. It is moved and scaled so that it touches a sphere of radius 1
- * around the origin from inside. The diffuse colour of a material
- * becomes its ramp; a PNG texture is resampled to a power of two of at most 1024. A texture that cannot be used (JPEG,
- * missing, broken) leaves the colour, and a note.
+ * are made where there are none (OBJ, STL: smooth, but creases above 66 degrees stay sharp; PLY, glTF and what else
+ * shares vertices: flat, as glTF asks), meshes are split at 65535 vertices. It is moved and scaled so that it touches a
+ * sphere of radius 1 around the origin from inside. The diffuse colour of a material becomes its ramp; a PNG texture is
+ * resampled to a power of two of at most 1024. A texture that cannot be used (JPEG, missing, broken) leaves the colour.
+ * A note says so, and what else was changed or ignored: missing material files, sizes of textures, vertex colours,
+ * transparency.
  *
  * assimp/ does it with libassimp, noassimp/ says what to install; the Makefile picks. Reading happens in a child
  * process, into memory shared with it: a file that makes the reader crash or hang costs one line, not the program.

@@ -10,7 +10,7 @@
 int png_in_file(const char *path, struct ppm *picture);
 int png_in_memory(const void *bytes, size_t n, struct ppm *picture);
 
-/* Why a PNG is refused: "no PNG", or that libpng was missing. */
+/* Why a PNG is refused ("is ..."): broken, or libpng was missing. */
 extern const char png_in_reason[];
 
 #endif

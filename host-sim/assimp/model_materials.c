@@ -57,14 +57,67 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-static int load_picture(const struct aiScene *scene, const char *model_path, const char *name, struct ppm *picture)
+void model_note_missing_mtl(struct model_shared *shared, const char *model_path)
+{
+    static const char keyword[] = "mtllib ";
+    char line[1024], path[PATH_BYTES];
+    FILE *model = fopen(model_path, "r");
+    while (model != NULL && fgets(line, sizeof line, model) != NULL) {
+        if (strncmp(line, keyword, sizeof keyword - 1) != 0) {
+            continue;
+        }
+        const char *name = line + sizeof keyword - 1;
+        line[strcspn(line, "\r\n")] = '\0';
+        FILE *file = beside(path, model_path, name) ? fopen(path, "r") : NULL;
+        if (file == NULL) {
+            model_read_note(shared, "materials %.100s cannot be opened", name);
+        } else {
+            fclose(file);
+        }
+    }
+    if (model != NULL) {
+        fclose(model);
+    }
+}
+
+/* Why a picture was not read, from its first bytes. */
+static const char *why_unread(const uint8_t *bytes, size_t n)
+{
+    if (n >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
+        return "is JPEG: only PNG is read";
+    }
+    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? png_in_reason : "is no PNG: only PNG is read";
+}
+
+static const char *why_file_unread(const char *path)
+{
+    uint8_t bytes[4];
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        return "cannot be opened";
+    }
+    const size_t n = fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    return why_unread(bytes, n);
+}
+
+/* NULL, or why there is no picture. */
+static const char *load_picture(const struct aiScene *scene, const char *model_path, const char *name,
+                                struct ppm *picture)
 {
     const struct aiTexture *embedded = find_embedded(scene, name);
     if (embedded != NULL) { /* a height of 0 marks a file in memory; its width is its bytes */
-        return embedded->mHeight == 0 ? png_in_memory(embedded->pcData, embedded->mWidth, picture) : -1;
+        if (embedded->mHeight != 0) {
+            return "is raw: only PNG is read";
+        }
+        const int status = png_in_memory(embedded->pcData, embedded->mWidth, picture);
+        return status == 0 ? NULL : why_unread((const uint8_t *)embedded->pcData, embedded->mWidth);
     }
     char path[PATH_BYTES];
-    return beside(path, model_path, name) ? png_in_file(path, picture) : -1;
+    if (!beside(path, model_path, name)) {
+        return "has too long a name";
+    }
+    return png_in_file(path, picture) == 0 ? NULL : why_file_unread(path);
 }
 
 static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
@@ -85,19 +138,37 @@ static const struct ph_texture *read_texture(struct model_shared *shared, const 
         return NULL;
     }
     struct ppm picture;
-    if (load_picture(scene, model_path, name.data, &picture) != 0) {
-        snprintf(shared->note, sizeof shared->note, "texture %.100s is left out: %s", name.data, png_in_reason);
+    const char *why = load_picture(scene, model_path, name.data, &picture);
+    if (why != NULL) {
+        model_read_note(shared, "texture %.100s is left out: it %s", name.data, why);
         return NULL;
     }
     struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
     const int status = texture != NULL ? texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
     free(picture.rgb);
     if (status != 0) {
-        snprintf(shared->note, sizeof shared->note, "texture %.100s is left out: no memory", name.data);
+        model_read_note(shared, "texture %.100s is left out: no memory", name.data);
         return NULL;
+    }
+    const unsigned width = 1u << texture->log2_width, height = 1u << texture->log2_height;
+    if (width != picture.width || height != picture.height) {
+        model_read_note(shared, "texture %.100s is resized from %ux%u to %ux%u", name.data, (unsigned)picture.width,
+                        (unsigned)picture.height, width, height);
     }
     texture->wrap = wrap_of(from, type);
     return texture;
+}
+
+/* glTF says by a mode whether alpha counts; OBJ and others give the opacity itself. */
+static bool is_transparent(const struct aiMaterial *from)
+{
+    struct aiString mode;
+    ai_real opacity = 1;
+    if (aiGetMaterialString(from, "$mat.gltf.alphaMode", 0, 0, &mode) == aiReturn_SUCCESS) {
+        return strcmp(mode.data, "OPAQUE") != 0;
+    }
+    aiGetMaterialFloatArray(from, AI_MATKEY_OPACITY, &opacity, NULL);
+    return opacity < 1 || aiGetMaterialTextureCount(from, aiTextureType_OPACITY) > 0;
 }
 
 static bool read_material(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
@@ -115,6 +186,9 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
         aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &c);
     }
     aiGetMaterialIntegerArray(from, AI_MATKEY_TWOSIDED, &two_sided, NULL);
+    if (is_transparent(from)) {
+        model_read_note(shared, "transparency is ignored");
+    }
     const uint8_t r = channel(c.r, is_linear), g = channel(c.g, is_linear), b = channel(c.b, is_linear);
     ph_material_ramp(ramp, r, g, b, GLOSS);
     *to = (struct ph_material){.shading = PH_SHADE_GOURAUD,

@@ -56,58 +56,78 @@ static void set_normal(int16_t normal[3], double x, double y, double z)
     normal[2] = has_direction ? (int16_t)lround(z / length * 16384) : 0;
 }
 
-static void copy_vertices(const struct model_place *from, const struct fit *fit, double (*points)[3],
+/* What becomes one mesh: all of a place, or where it has no normals some of its faces, with vertices of their own. */
+struct piece {
+    const struct model_place *place;
+    unsigned first, count; /* faces */
+    bool is_flat;
+    uint32_t vertex_count;
+};
+
+#define FLAT_FACES (MODEL_VERTICES_MAX / 3)
+
+static bool is_triangle(const struct aiMesh *mesh, unsigned f)
+{
+    const struct aiFace *face = &mesh->mFaces[f];
+    return face->mNumIndices == 3 && face->mIndices[0] < mesh->mNumVertices && face->mIndices[1] < mesh->mNumVertices &&
+           face->mIndices[2] < mesh->mNumVertices;
+}
+
+/* Vertex i of the piece in the place's mesh. */
+static unsigned vertex_of(const struct piece *piece, unsigned i)
+{
+    const struct aiMesh *mesh = piece->place->mesh;
+    if (!piece->is_flat) {
+        return i;
+    }
+    const unsigned f = piece->first + i / 3;
+    return is_triangle(mesh, f) ? mesh->mFaces[f].mIndices[i % 3] : 0;
+}
+
+static void copy_vertices(const struct piece *from, const struct fit *fit, double (*points)[3],
                           struct fx_vec3 *positions, int16_t (*normals)[3])
 {
-    for (unsigned i = 0; i < from->mesh->mNumVertices; i++) {
+    for (unsigned i = 0; i < from->vertex_count; i++) {
         double *p = points[i], n[3];
-        model_place_point(from, i, p);
+        model_place_point(from->place, vertex_of(from, i), p);
         positions[i].x = fixed((p[0] - fit->centre[0]) * fit->scale);
         positions[i].y = fixed((p[1] - fit->centre[1]) * fit->scale);
         positions[i].z = fixed((p[2] - fit->centre[2]) * fit->scale);
-        if (from->mesh->mNormals != NULL) {
-            model_place_normal(from, i, n);
+        if (!from->is_flat) {
+            model_place_normal(from->place, i, n);
             set_normal(normals[i], n[0], n[1], n[2]);
         }
     }
 }
 
-/* Twice the area of a triangle times its normal, of points that are not rounded: small triangles have one too. */
-static void add_face(double (*points)[3], const uint16_t corners[3], double (*sums)[3])
-{
-    const double *p = points[corners[0]], *q = points[corners[1]], *r = points[corners[2]];
-    for (int axis = 0; axis < 3; axis++) {
-        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-        const double cross = (q[a] - p[a]) * (r[b] - p[b]) - (q[b] - p[b]) * (r[a] - p[a]);
-        for (int i = 0; i < 3; i++) {
-            sums[corners[i]][axis] += cross;
-        }
-    }
-}
-
-/* Normals of a mesh whose file has none: the mean over the faces at a vertex, by area. sums: zeros. */
-static void make_normals(const struct ph_mesh *mesh, double (*points)[3], double (*sums)[3], int16_t (*normals)[3])
+/* Normals of a flat piece, of points that are not rounded: small triangles have one too. */
+static void make_normals(const struct ph_mesh *mesh, double (*points)[3], int16_t (*normals)[3])
 {
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
-        add_face(points, mesh->triangles[t], sums);
-    }
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        set_normal(normals[i], sums[i][0], sums[i][1], sums[i][2]);
+        const uint16_t *corners = mesh->triangles[t];
+        const double *p = points[corners[0]], *q = points[corners[1]], *r = points[corners[2]];
+        double cross[3];
+        for (int axis = 0; axis < 3; axis++) {
+            const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+            cross[axis] = (q[a] - p[a]) * (r[b] - p[b]) - (q[b] - p[b]) * (r[a] - p[a]);
+        }
+        for (int i = 0; i < 3; i++) {
+            set_normal(normals[corners[i]], cross[0], cross[1], cross[2]);
+        }
     }
 }
 
 /* Faces that are no triangle of this mesh's vertices are left out; what is mirrored is turned over. */
-static uint32_t copy_triangles(const struct aiMesh *from, bool mirrors, uint16_t (*to)[3])
+static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
 {
     uint32_t count = 0;
-    for (unsigned f = 0; f < from->mNumFaces; f++) {
-        const struct aiFace *face = &from->mFaces[f];
-        if (face->mNumIndices != 3 || face->mIndices[0] >= from->mNumVertices ||
-            face->mIndices[1] >= from->mNumVertices || face->mIndices[2] >= from->mNumVertices) {
+    for (unsigned f = 0; f < from->count; f++) {
+        if (!is_triangle(from->place->mesh, from->first + f)) {
             continue;
         }
-        for (int i = 0; i < 3; i++) {
-            to[count][mirrors ? 2 - i : i] = (uint16_t)face->mIndices[i];
+        for (unsigned i = 0; i < 3; i++) {
+            const unsigned index = from->is_flat ? 3 * f + i : from->place->mesh->mFaces[from->first + f].mIndices[i];
+            to[count][from->place->mirrors ? 2 - i : i] = (uint16_t)index;
         }
         count++;
     }
@@ -115,12 +135,13 @@ static uint32_t copy_triangles(const struct aiMesh *from, bool mirrors, uint16_t
 }
 
 /* The mesh's own copy of its material: with texture only where there are coordinates for it. */
-static bool copy_material(struct model_shared *shared, const struct aiMesh *from, const struct ph_material *materials,
+static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *materials,
                           struct ph_mesh *to)
 {
+    const struct aiMesh *from = piece->place->mesh;
     struct ph_material *material = demo_alloc(&shared->arena, sizeof *material);
     struct ph_part *part = demo_alloc(&shared->arena, sizeof *part);
-    fx_t(*uvs)[2] = demo_alloc(&shared->arena, sizeof *uvs * from->mNumVertices);
+    fx_t(*uvs)[2] = demo_alloc(&shared->arena, sizeof *uvs * piece->vertex_count);
     if (material == NULL || part == NULL || uvs == NULL) {
         return false;
     }
@@ -133,9 +154,10 @@ static bool copy_material(struct model_shared *shared, const struct aiMesh *from
         material->texture = NULL;
         return true;
     }
-    for (unsigned i = 0; i < from->mNumVertices; i++) {
-        uvs[i][0] = fixed(from->mTextureCoords[0][i].x);
-        uvs[i][1] = fixed(from->mTextureCoords[0][i].y);
+    for (unsigned i = 0; i < piece->vertex_count; i++) {
+        const struct aiVector3D *uv = &from->mTextureCoords[0][vertex_of(piece, i)];
+        uvs[i][0] = fixed(uv->x);
+        uvs[i][1] = fixed(uv->y);
     }
     to->uvs = (const fx_t(*)[2])uvs;
     material->shading = PH_SHADE_TEXTURE_LIT;
@@ -143,32 +165,31 @@ static bool copy_material(struct model_shared *shared, const struct aiMesh *from
 }
 
 /* Positions, triangles and normals into arrays of the right size. false: no memory. */
-static bool copy_shape(const struct model_place *from, const struct fit *fit, struct fx_vec3 *positions,
+static bool copy_shape(const struct piece *from, const struct fit *fit, struct fx_vec3 *positions,
                        int16_t (*normals)[3], struct ph_mesh *to)
 {
-    double(*points)[3] = calloc(to->vertex_count, 2 * sizeof *points);
+    double(*points)[3] = calloc(to->vertex_count, sizeof *points);
     if (points == NULL) {
         return false;
     }
     copy_vertices(from, fit, points, positions, normals);
-    if (from->mesh->mNormals == NULL) {
-        make_normals(to, points, points + to->vertex_count, normals);
+    if (from->is_flat) {
+        make_normals(to, points, normals);
     }
     free(points);
     return true;
 }
 
-static bool copy_mesh(struct model_shared *shared, const struct model_place *place, const struct fit *fit,
+static bool copy_mesh(struct model_shared *shared, const struct piece *from, const struct fit *fit,
                       const struct ph_material *materials, struct ph_mesh *to)
 {
-    const struct aiMesh *from = place->mesh;
-    const uint32_t n = from->mNumVertices;
+    const uint32_t n = from->vertex_count;
     if (n == 0 || n > MODEL_VERTICES_MAX) {
         return model_read_failed(shared, "is broken: a mesh of %u vertices", n);
     }
     struct fx_vec3 *positions = demo_alloc(&shared->arena, sizeof *positions * n);
     int16_t(*normals)[3] = demo_alloc(&shared->arena, sizeof *normals * n);
-    uint16_t(*triangles)[3] = demo_alloc(&shared->arena, sizeof *triangles * from->mNumFaces);
+    uint16_t(*triangles)[3] = demo_alloc(&shared->arena, sizeof *triangles * from->count);
     if (positions == NULL || normals == NULL || triangles == NULL) {
         return model_read_failed(shared, "needs too much memory");
     }
@@ -176,9 +197,51 @@ static bool copy_mesh(struct model_shared *shared, const struct model_place *pla
                            .normals = (const int16_t(*)[3])normals,
                            .triangles = (const uint16_t(*)[3])triangles,
                            .vertex_count = n,
-                           .triangle_count = copy_triangles(from, place->mirrors, triangles)};
-    return (copy_shape(place, fit, positions, normals, to) && copy_material(shared, from, materials, to)) ||
+                           .triangle_count = copy_triangles(from, triangles)};
+    return (copy_shape(from, fit, positions, normals, to) && copy_material(shared, from, materials, to)) ||
            model_read_failed(shared, "needs too much memory");
+}
+
+/* The piece of a place that starts with face `first`. */
+static struct piece next_piece(const struct model_place *place, unsigned first)
+{
+    const struct aiMesh *mesh = place->mesh;
+    const unsigned rest = mesh->mNumFaces - first;
+    if (mesh->mNormals != NULL) {
+        return (struct piece){place, 0, rest, false, mesh->mNumVertices};
+    }
+    const unsigned count = rest < FLAT_FACES ? rest : FLAT_FACES;
+    return (struct piece){place, first, count, true, 3 * count};
+}
+
+static size_t count_pieces(const struct model_places *places)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < places->count; i++) {
+        count += places->list[i].mesh->mNumFaces / FLAT_FACES + 1;
+    }
+    return count;
+}
+
+static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct fit *fit,
+                       const struct ph_material *materials)
+{
+    struct model *model = &shared->model;
+    for (unsigned first = 0; first < place->mesh->mNumFaces;) {
+        const struct piece piece = next_piece(place, first);
+        struct ph_mesh *mesh = &model->meshes[model->mesh_count];
+        if (!copy_mesh(shared, &piece, fit, materials, mesh)) {
+            return false;
+        }
+        model->mesh_count += mesh->triangle_count > 0;
+        model->triangle_count += mesh->triangle_count;
+        model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
+        first += piece.count;
+    }
+    if (place->mesh->mColors[0] != NULL) {
+        model_read_note(shared, "vertex colours are ignored");
+    }
+    return true;
 }
 
 static bool copy_meshes(struct model_shared *shared, const struct model_places *places,
@@ -189,18 +252,14 @@ static bool copy_meshes(struct model_shared *shared, const struct model_places *
     if (!find_fit(places, &fit)) {
         return model_read_failed(shared, "has coordinates that are no numbers, or all points in one place");
     }
-    model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * places->count);
+    model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * count_pieces(places));
     if (model->meshes == NULL) {
         return model_read_failed(shared, "needs too much memory");
     }
     for (size_t i = 0; i < places->count; i++) {
-        struct ph_mesh *mesh = &model->meshes[model->mesh_count];
-        if (!copy_mesh(shared, &places->list[i], &fit, materials, mesh)) {
+        if (!copy_place(shared, &places->list[i], &fit, materials)) {
             return false;
         }
-        model->mesh_count += mesh->triangle_count > 0;
-        model->triangle_count += mesh->triangle_count;
-        model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
     }
     return model->triangle_count > 0 || model_read_failed(shared, "has no triangles");
 }

@@ -5,6 +5,7 @@
 #include <assimp/postprocess.h>
 
 #include <ctype.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,6 +19,19 @@ bool model_read_failed(struct model_shared *shared, const char *format, ...)
     vsnprintf(shared->error, sizeof shared->error, format, arguments);
     va_end(arguments);
     return false;
+}
+
+void model_read_note(struct model_shared *shared, const char *format, ...)
+{
+    char text[sizeof shared->note];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    const size_t used = strlen(shared->note);
+    if (strstr(shared->note, text) == NULL && used + strlen(text) + 3 <= sizeof shared->note) {
+        snprintf(shared->note + used, sizeof shared->note - used, "%s%s", used > 0 ? "; " : "", text);
+    }
 }
 
 static bool has_suffix(const char *path, const char *suffix)
@@ -95,9 +109,61 @@ static const struct aiScene *import(const char *path, bool is_stl)
     return scene;
 }
 
+/* The largest coordinate of any mesh, or 0. */
+static float find_extent(const struct aiScene *scene)
+{
+    float extent = 0;
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+            const struct aiVector3D *v = &mesh->mVertices[i];
+            extent = fmaxf(extent, fmaxf(fabsf(v->x), fmaxf(fabsf(v->y), fabsf(v->z))));
+        }
+    }
+    return extent;
+}
+
+static void scale_nodes(struct aiNode *node, float scale)
+{
+    node->mTransformation.a4 *= scale;
+    node->mTransformation.b4 *= scale;
+    node->mTransformation.c4 *= scale;
+    for (unsigned i = 0; i < node->mNumChildren; i++) {
+        scale_nodes(node->mChildren[i], scale);
+    }
+}
+
+/*
+ * assimp joins vertices that are 1e-5 apart, whatever the size of the model, and squares lengths in float: what is
+ * smaller than 1 or larger than 2^24 is scaled to there by a power of two. The model is fitted later anyway.
+ */
+static void scale_to_reason(const struct aiScene *scene)
+{
+    const float extent = find_extent(scene);
+    const int log2 = extent > 0 && isfinite(extent) ? ilogbf(extent) : 0;
+    const int shift = log2 < 0 ? -log2 : log2 > 24 ? 24 - log2 : 0;
+    if (shift == 0) {
+        return;
+    }
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+            struct aiVector3D *v = &mesh->mVertices[i];
+            *v = (struct aiVector3D){ldexpf(v->x, shift), ldexpf(v->y, shift), ldexpf(v->z, shift)};
+        }
+    }
+    scale_nodes(scene->mRootNode, ldexpf(1, shift));
+}
+
+/* glTF asks for flat shading where a file has no normals, and PLY says nothing: model_read_meshes makes those. */
+static bool is_flat_without_normals(const char *path)
+{
+    return has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
+}
+
 /*
  * assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Of faces that share vertices
- * (PLY, glTF) it would keep the last one's normal: model_read_meshes makes those.
+ * it would keep the last one's normal: those are flat, too.
  */
 static bool shares_vertices(const struct aiScene *scene)
 {
@@ -115,11 +181,11 @@ static bool shares_vertices(const struct aiScene *scene)
 }
 
 /* An STL file has the normals of its facets only, which say nothing that the facets do not. */
-static unsigned steps(const struct aiScene *scene, bool is_stl)
+static unsigned steps(const struct aiScene *scene, bool is_stl, bool is_flat)
 {
     return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices |
            aiProcess_SplitLargeMeshes | aiProcess_ImproveCacheLocality |
-           (shares_vertices(scene) ? 0u : (unsigned)aiProcess_GenSmoothNormals) |
+           (is_flat || shares_vertices(scene) ? 0u : (unsigned)aiProcess_GenSmoothNormals) |
            (is_stl ? (unsigned)aiProcess_RemoveComponent : 0u);
 }
 
@@ -144,9 +210,13 @@ bool model_read(struct model_shared *shared, const char *path)
     if (has_stray_index(scene)) {
         return model_read_failed(shared, "is broken: a face has a vertex that is not there");
     }
-    scene = aiApplyPostProcessing(scene, steps(scene, is_stl));
+    scale_to_reason(scene);
+    scene = aiApplyPostProcessing(scene, steps(scene, is_stl, is_flat_without_normals(path)));
     if (scene == NULL) {
         return model_read_failed(shared, "is broken: %s", aiGetErrorString());
+    }
+    if (has_suffix(path, ".obj")) {
+        model_note_missing_mtl(shared, path);
     }
     const struct ph_material *materials = model_read_materials(shared, scene, path, is_linear);
     if (materials == NULL) {

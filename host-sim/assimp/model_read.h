@@ -13,7 +13,7 @@ struct model_shared {
     struct model model;
     struct demo_arena arena; /* behind this struct */
     char error[256];         /* why it failed, one line */
-    char note[256];
+    char note[512];          /* what was left out or changed; see model_read_note */
 };
 
 /* Reads path into shared->model. false: shared->error says why. */
@@ -21,6 +21,12 @@ bool model_read(struct model_shared *shared, const char *path);
 
 /* For the parts below: writes shared->error and returns false. */
 bool model_read_failed(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Adds to shared->note what is not said there yet; what has no room is left out. */
+void model_read_note(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Notes the material files that an OBJ file names and that cannot be opened. */
+void model_note_missing_mtl(struct model_shared *shared, const char *path);
 
 /* Materials of the scene, ready for the meshes' parts; NULL when the arena is full. is_linear: glTF's colours. */
 struct ph_material *model_read_materials(struct model_shared *shared, const struct aiScene *scene, const char *path,

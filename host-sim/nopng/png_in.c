@@ -1,6 +1,6 @@
 #include "png_in.h"
 
-const char png_in_reason[] = "built without libpng; install libpng-dev (Debian) and make again";
+const char png_in_reason[] = "is a PNG, and this was built without libpng; install libpng-dev (Debian) and make again";
 
 int png_in_file(const char *path, struct ppm *picture)
 {

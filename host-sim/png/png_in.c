@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char png_in_reason[] = "no PNG that can be read";
+const char png_in_reason[] = "is a PNG that cannot be read: broken or too large";
 
 /* Alpha is dropped: nothing is transparent here. */
 static int finish(png_image *image, struct ppm *picture)
