@@ -19,10 +19,13 @@ STD = -std=c11 $(WARN)
 have = $(shell pkg-config --exists $(1) 2>/dev/null && echo y)
 ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
+SDL ?= $(if $(call have,sdl2),sdl,nosdl)
 ASSIMP := $(ASSIMP)
 PNG := $(PNG)
+SDL := $(SDL)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
-            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng))
+            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
+            $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2))
 TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
 
 CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c)
@@ -30,7 +33,8 @@ CORE := $(filter-out $(CORE_CPU:firmware/core/$(CPU)/%=firmware/core/%),$(wildca
 APP := $(wildcard firmware/app/*.c)
 HAL := $(wildcard hal/*.c hal/null/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
-SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c))
+SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
+                                             host-sim/$(SDL)/*.c))
 PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(wildcard host-sim/pinhole_*.c))
 
 LIB := $(CORE) $(APP) $(HAL) $(BOARDS) $(SIM)
@@ -80,7 +84,7 @@ $(B)/libtests.a: $(TEST_OBJ) $(B)/flags
 
 $(B)/pinhole-%: $(B)/host-sim/pinhole_%.o $(B)/libpinhole.a
 	$(SAY) LD $@
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(SIM_LIBS) -lm -o $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(SIM_LIBS) -lm -o $@
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
 	$(SAY) LD $@

@@ -32,6 +32,22 @@ static bool set_demo(struct options *o, const char *value)
     return set_text(&o->demo, value);
 }
 
+static bool set_view(struct options *o, const char *value)
+{
+    return set_text(&o->view, value);
+}
+
+static bool set_keys(struct options *o, const char *value)
+{
+    return set_text(&o->keys, value);
+}
+
+static bool set_window(struct options *o, const char *value)
+{
+    (void)value;
+    return o->show_window = true;
+}
+
 static bool set_model(struct options *o, const char *value)
 {
     return set_text(&o->model, value);
@@ -196,10 +212,12 @@ static bool set_help(struct options *o, const char *value)
 
 static const struct option option_table[] = {
     {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows", set_demo},
+    {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows", set_view},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file", set_model},
     {"board", "NAME", "a kit", "a name that --list shows", set_board},
     {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", set_size},
-    {"frames", "N", "frames to draw; 1 by default", "a whole number, 1 .. 1000000000", set_frames},
+    {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
+     set_frames},
     {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", set_start},
     {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
      "a directory, a file that ends in .ppm, or -", set_out},
@@ -226,6 +244,12 @@ static const struct option option_table[] = {
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
      set_crc},
+    {"keys", "FILE",
+     "presses buttons: lines FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
+     "        left and right orbit, up comes nearer, down goes away, select takes the next demo",
+     "a file", set_keys},
+    {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
+     set_window},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
      NULL, set_matrix},
@@ -273,8 +297,8 @@ static int check_together(const struct options *o)
     if (o->board != NULL && o->width != 0) {
         return complain(EXIT_USAGE, "--board and --size exclude each other");
     }
-    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix) {
-        return complain(EXIT_USAGE, "nothing to do: give --out, --crc, --stats or --matrix (--help explains them)");
+    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix && !o->show_window) {
+        return complain(EXIT_USAGE, "nothing to do: give --out, --crc, --stats, --matrix or --window (see --help)");
     }
     if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
         return complain(EXIT_USAGE, "--fov: must be less than 180 degrees; more only with --projection fisheye");
@@ -319,12 +343,15 @@ static int read_one(struct options *o, int argc, char *const argv[], int i)
 
 int options_read(struct options *o, int argc, char *const argv[])
 {
-    *o = (struct options){.frames = 1, .up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
+    *o = (struct options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
         i = read_one(o, argc, argv, i);
         if (i == 0) {
             return EXIT_USAGE;
         }
+    }
+    if (o->frames == 0) {
+        o->frames = o->show_window ? UINT32_MAX : 1;
     }
     return check_together(o);
 }

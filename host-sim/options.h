@@ -16,17 +16,19 @@ enum option_projection { OPTION_PERSPECTIVE, OPTION_FRUSTUM, OPTION_ORTHO, OPTIO
 struct options {
     enum option_action action;
     const char *demo;       /* NULL: none asked for */
+    const char *view;       /* of the demo, or NULL */
     const char *model;      /* path of a model file, or NULL */
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
-    uint32_t start, frames;
-    const char *out;    /* directory, FILE.ppm, "-", or NULL */
-    bool rotate_set;    /* else as the board is usually held */
-    uint8_t rotate;     /* quarter turns, 0 .. 3 */
-    uint16_t band;      /* lines, 0: the board's own */
-    uint8_t depth;      /* enum ph_depth_format */
-    uint8_t convention; /* enum ph_convention */
-    bool crc, stats, matrix;
+    uint32_t start, frames; /* frames: UINT32_MAX with a window that nothing but its user closes */
+    const char *keys;       /* path of a script of presses, or NULL */
+    const char *out;        /* directory, FILE.ppm, "-", or NULL */
+    bool rotate_set;        /* else as the board is usually held */
+    uint8_t rotate;         /* quarter turns, 0 .. 3 */
+    uint16_t band;          /* lines, 0: the board's own */
+    uint8_t depth;          /* enum ph_depth_format */
+    uint8_t convention;     /* enum ph_convention */
+    bool crc, stats, matrix, show_window;
 
     bool camera_set;
     struct fx_vec3 eye, target, up;

@@ -7,10 +7,12 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
+#include "keys.h"
 #include "matrix_print.h"
 #include "model.h"
 #include "options.h"
 #include "player.h"
+#include "window.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -19,6 +21,8 @@
 
 #define DEFAULT_DEMO "turntable"
 #define DEFAULT_SIDE 240 /* pixels of the plain square panel that is used when no kit is named */
+
+#define SHORTEST_NS (1000000000u / 60) /* a window shows no more frames than most screens do */
 
 /* The only mutable object at file scope: a signal handler can reach nothing else. */
 static volatile sig_atomic_t caught_signal;
@@ -38,13 +42,25 @@ static void catch_signals(void)
     sigaction(SIGTERM, &action, NULL);
 }
 
+/* Names of the demo's views, with a space before each. */
+static void view_names(const struct demo *demo, char *text, size_t size)
+{
+    size_t n = 0;
+    text[0] = '\0';
+    for (size_t i = 0; demo->views != NULL && demo->views[i] != NULL && n < size; i++) {
+        n += (size_t)snprintf(text + n, size - n, " %s", demo->views[i]);
+    }
+}
+
 static void print_list(void)
 {
     for (uint32_t i = 0; i < demo_count; i++) {
-        char loop[24];
+        char loop[24], views[200];
+        view_names(demo_list[i], views, sizeof views);
         snprintf(loop, sizeof loop, "%u frame%s", (unsigned)demo_list[i]->loop_frames,
                  demo_list[i]->loop_frames == 1 ? "" : "s");
-        printf("demo   %-26s %-11s %s\n", demo_list[i]->name, loop, demo_list[i]->summary);
+        printf("demo   %-26s %-11s %s%s%s\n", demo_list[i]->name, loop, demo_list[i]->summary,
+               views[0] != '\0' ? "; --view" : "", views);
     }
     for (uint32_t i = 0; i < board_count; i++) {
         const struct panel *panel = board_list[i]->panel;
@@ -122,12 +138,28 @@ struct chosen {
     struct demo model_demo;
 };
 
+static int choose_view(const struct options *o, struct player_setup *setup)
+{
+    char names[200];
+    setup->view = o->view;
+    if (o->view == NULL || demo_has_view(setup->demo, o->view)) {
+        return 0;
+    }
+    view_names(setup->demo, names, sizeof names);
+    return complain(EXIT_USAGE, "--view '%s': %s has %s%s", o->view, setup->demo->name,
+                    names[0] != '\0' ? "the views" : "but one view", names);
+}
+
 static int choose_scene(const struct options *o, struct chosen *chosen, struct player_setup *setup)
 {
     if (o->model == NULL) {
         const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
         setup->demo = demo_find(name);
-        return setup->demo != NULL ? 0 : complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
+        return setup->demo != NULL ? choose_view(o, setup)
+                                   : complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
+    }
+    if (o->view != NULL) {
+        return complain(EXIT_USAGE, "--view '%s': a model has but one view", o->view);
     }
     const int status = model_open(&chosen->model, o->model);
     if (status != 0) {
@@ -193,25 +225,63 @@ static int show_frame(const struct options *o, const struct frame_out *out, stru
     return status;
 }
 
+/* What the frames of a run go to and come from, beside the player. */
+struct stage {
+    struct frame_out out;
+    struct keys keys;
+    struct window *window; /* NULL: none asked for */
+};
+
+/* Sets the kit's buttons as script and keyboard say. False: the window was closed. */
+static bool press(struct stage *stage, struct player *p, uint32_t frame)
+{
+    uint32_t buttons = 0;
+    const bool go_on = stage->window == NULL || window_buttons(stage->window, &buttons);
+    sim_buttons_set(p->sim, buttons | keys_at(&stage->keys, frame));
+    return go_on;
+}
+
+static int run_frames(const struct options *o, struct stage *stage, struct player *p)
+{
+    const bool drawn = o->out != NULL || o->crc || o->stats || o->show_window; /* --matrix alone draws none */
+    int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
+    for (uint32_t i = 0; drawn && i < o->frames && status == 0 && caught_signal == 0; i++) {
+        if (!press(stage, p, o->start + i)) {
+            break;
+        }
+        status = show_frame(o, &stage->out, p, o->start + i);
+        if (status == 0 && stage->window != NULL) {
+            const uint64_t ns = player_bus_ns(p);
+            window_show(stage->window, p->picture.rgb, ns > SHORTEST_NS ? ns : SHORTEST_NS);
+        }
+    }
+    return status;
+}
+
 static int run(const struct options *o, const struct player_setup *setup)
 {
-    struct frame_out out;
+    struct stage stage = {.window = NULL};
     struct player player;
-    int status = frame_out_open(&out, o->out, o->frames > 1);
+    int status = keys_read(&stage.keys, o->keys);
+    if (status == 0) {
+        status = frame_out_open(&stage.out, o->out, o->frames > 1);
+    }
     if (status != 0) {
+        keys_free(&stage.keys);
         return status;
     }
     status = player_open(&player, setup);
     if (status == 0 && o->stats && sim_note(player.sim) != NULL) {
         fprintf(stderr, "note: %s\n", sim_note(player.sim));
     }
-    if (status == 0 && o->matrix) {
-        status = show_matrices(o, &out, &player);
+    if (status == 0 && o->show_window) {
+        status = window_open(&stage.window, setup->board->title, player.picture.width, player.picture.height);
     }
-    const uint32_t frames = o->out != NULL || o->crc || o->stats ? o->frames : 0; /* --matrix alone draws none */
-    for (uint32_t i = 0; i < frames && status == 0 && caught_signal == 0; i++) {
-        status = show_frame(o, &out, &player, o->start + i);
+    if (status == 0) {
+        status = run_frames(o, &stage, &player);
     }
+    window_close(stage.window);
+    keys_free(&stage.keys);
     const int closed = player_close(&player);
     return status != 0 ? status : closed;
 }

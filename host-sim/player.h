@@ -17,23 +17,25 @@ struct player_setup {
     uint16_t band_height; /* lines; more than the picture has: the whole picture */
     uint8_t depth_format; /* enum ph_depth_format */
     const struct demo *demo;
-    void *state; /* what the demo finds in context->state, or NULL */
+    void *state;      /* what the demo finds in context->state, or NULL */
+    const char *view; /* one of the demo's views, or NULL: the first */
     struct demo_camera camera;
 };
 
 /* Owns all its memory. */
 struct player {
-    const struct demo *demo;
+    struct player_setup setup;
+    const struct demo *demo; /* setup.demo first; the select button takes the next on the list */
     struct demo_context context;
     struct ph_renderer renderer;
     struct panel_driver driver;
     struct hal hal;
     struct sim *sim;
-    unsigned rotation;
+    uint32_t buttons; /* held during the last frame */
     void *vertices, *triangles;
     uint32_t *bins;
     uint16_t *depth, *band;
-    uint8_t *scratch;
+    uint8_t *wire;                /* scratch of the panel driver */
     struct ppm picture;           /* the last frame as it is seen */
     struct sim_counters counters; /* before the last frame */
 };
@@ -41,12 +43,16 @@ struct player {
 /* Powers the kit on and builds the scene. 0, or EXIT_FAILED when one line has said why. Close it in any case. */
 int player_open(struct player *p, const struct player_setup *setup);
 
-/* Draws and sends frame number `frame`; p->picture is what is seen then. 0, or EXIT_FAILED as above. */
+/* Gives the demo the buttons that the kit says are held, draws and sends frame number `frame`; p->picture is what is
+ * seen then. 0, or EXIT_FAILED as above. */
 int player_frame(struct player *p, uint32_t frame);
 
 /* The camera with which frame number `frame` is drawn; the last one where the demo uses several. The demo's own is to
  * 1/256 px where it is off-centre. 0, or EXIT_FAILED as above. */
 int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
+
+/* Time that the last frame took on the bus. */
+uint64_t player_bus_ns(const struct player *p);
 
 /* Prints what the last frame took, one line on stderr. */
 void player_print_stats(const struct player *p, uint32_t frame);

@@ -55,7 +55,7 @@ help_names_every_option() {
     local option
     "$sim" --help >"$dir/help" || return 1
     for option in demo model board size frames start out rotate camera fov near far projection convention depth band crc \
-        matrix stats list help; do
+        view keys window matrix stats list help; do
         grep -q "^  --$option\b" "$dir/help" || { echo "$option" && return 1; }
     done
 }
@@ -235,6 +235,70 @@ matrix_needs_no_picture_and_takes_one() {
         "$sim" --matrix "${small[@]}" --out - 2>"$dir/stderr" | cmp - <("$sim" "${small[@]}" --out -) && [ "$(wc -l <"$dir/stderr")" = 15 ]
 }
 
+# ---- views and buttons
+
+views_are_different_pictures() {
+    same --demo solar "${small[@]}" -- --demo solar "${small[@]}" --view outside &&
+        differ --demo solar "${small[@]}" --view moon -- --demo solar "${small[@]}" --view sun
+}
+
+list_names_the_views() {
+    "$sim" --list | grep -q '^demo  *solar .*--view outside sun moon fixed$'
+}
+
+# Presses the lines of $1 (; between them) in 40 frames of the turntable.
+pressed() {
+    "$sim" --demo turntable "${small[@]}" --frames 40 --crc --keys <(tr ';' '\n' <<<"$1")
+}
+
+without_presses_nothing_changes() {
+    diff <("$sim" --demo turntable "${small[@]}" --frames 40 --crc) <(pressed '# nothing;  ;50 up+left 9 # too late')
+}
+
+buttons_change_frames_from_their_own_on() { # and what goes there and back is where it was
+    local button
+    for button in left right up down; do
+        cmp <(pressed "#") <(pressed "10 $button 3") >"$dir/cmp"
+        [ "$(sed 's/.*line //' "$dir/cmp")" = 11 ] || { echo "$button" && cat "$dir/cmp" && return 1; }
+    done
+    diff <(pressed '#' | tail -n 20) <(pressed '5 left+up 4; 9 down+right 4' | tail -n 20) &&
+        diff <(pressed '#' | tail -n 20) <(pressed '5 left+right 4' | tail -n 20)
+}
+
+lines_of_a_script_add_up() {
+    diff <(pressed '10 left;12 left;11	left') <(pressed '10 left 3') && diff <(pressed '10 left+up 2') <(pressed '10 up 2;10 left 2') &&
+        ! cmp -s <(pressed '10 left 3') <(pressed '10 left 2')
+}
+
+left_is_the_other_way_than_right() {
+    ! cmp -s <(pressed '10 left') <(pressed '10 right') && ! cmp -s <(pressed '10 up') <(pressed '10 down')
+}
+
+select_takes_the_next_demo_on_the_list() { # and after the last the first; once, however long it is held
+    local demos n
+    mapfile -t demos < <("$sim" --list | sed -n 's/^demo *\([^ ]*\).*/\1/p')
+    n=${#demos[@]}
+    seq 1 2 $((2 * n)) | sed 's/$/ select 1/' >"$dir/round"
+    "$sim" "${small[@]}" --demo "${demos[0]}" --keys "$dir/round" --frames $((2 * n + 1)) --crc >"$dir/round.crc" || return 1
+    local i
+    for ((i = 1; i <= n; i++)); do
+        [ "$(sed -n $((2 * i))p "$dir/round.crc")" = "$("$sim" "${small[@]}" --demo "${demos[i % n]}" --start $((2 * i - 1)) --crc)" ] ||
+            { echo "${demos[i % n]}" && return 1; }
+    done
+    diff <(pressed '10 select') <(pressed '10 select 20')
+}
+
+wrong_scripts_are_told() {
+    local line
+    for line in 1 'x up' '1 up 0' '1 up+' '1 +up' '1 up++left' '1 up left' '-1 up' '1 up 2 3' '1 fire' '1 Up' '1.5 up' '4294967297 up' \
+        '1 up 1x'; do
+        printf '# a comment\n\n2 up\n%s\n' "$line" >"$dir/wrong"
+        refuses 2 "wrong:4: " --crc --keys "$dir/wrong" || { echo "$line" && return 1; }
+    done
+    printf '1 up\0 2\n' >"$dir/wrong" && refuses 2 "wrong:1: " --crc --keys "$dir/wrong" &&
+        refuses 1 "No such file" --crc --keys "$dir/missing" && refuses 1 "directory" --crc --keys "$dir"
+}
+
 # ---- where frames go
 
 directory_gets_a_file_a_frame() {
@@ -343,6 +407,14 @@ check bands_are_what_is_sent_at_a_time bands_are_what_is_sent_at_a_time
 check stats_add_up stats_add_up
 check crc_is_the_one_of_gzip crc_is_the_one_of_gzip
 check a_value_may_follow_an_equals_sign same --demo=cube --size=48x40 -- --demo cube "${small[@]}"
+check views_are_different_pictures views_are_different_pictures
+check list_names_the_views list_names_the_views
+check without_presses_nothing_changes without_presses_nothing_changes
+check buttons_change_frames_from_their_own_on buttons_change_frames_from_their_own_on
+check lines_of_a_script_add_up lines_of_a_script_add_up
+check left_is_the_other_way_than_right left_is_the_other_way_than_right
+check select_takes_the_next_demo_on_the_list select_takes_the_next_demo_on_the_list
+check wrong_scripts_are_told wrong_scripts_are_told
 check directory_gets_a_file_a_frame directory_gets_a_file_a_frame
 check names_with_a_dot_are_directories_when_they_say_so names_with_a_dot_are_directories_when_they_say_so
 check several_frames_get_numbered_files several_frames_get_numbered_files
@@ -432,6 +504,11 @@ frustum|--projection fisheye=0,1,0,1 --crc
 fisheye|--projection fisheye --matrix
 --matrix|--matrix --near 1 --far 1.00001
 takes no value|--matrix=1
+the views outside sun moon fixed|--demo solar --view pluto --crc
+but one view|--demo cube --view outside --crc
+--view|--view= --crc
+--keys|--keys= --crc
+takes no value|--window=1
 must be gl|--convention opengl --crc
 must be gl|--convention= --crc
 fixed16|--depth fixed24 --crc
