@@ -29,6 +29,49 @@ program_prints_what_is_shown() {
         "$dir/hello" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
 }
 
+# What the README's board.c and show() do on a simulated kit: the whole glass gets the background, nobody complains.
+cat >"$dir/main.c" <<'END'
+#include "board.h"
+#include "render.h"
+#include "sim.h"
+
+#include <stdlib.h>
+
+static int show(struct ph_renderer *r, const struct board *board, const struct hal *hal, uint16_t *pixels);
+extern const struct board board_mine;
+int main(void)
+{
+    enum { SIDE = 240, BAND = 16, BANDS = SIDE / BAND };
+    static uint16_t depth[SIDE * BAND], pixels[SIDE * BAND];
+    static uint8_t seen[SIDE * SIDE * 3];
+    uint32_t bins[BANDS], red = 0;
+    const struct ph_config config = {SIDE, SIDE, BAND, PH_DEPTH_FIXED16, malloc(3 * ph_vertex_bytes), 3,
+                                     malloc(ph_triangle_bytes), 1, bins, BANDS, depth};
+    struct ph_projection lens;
+    struct ph_renderer r;
+    struct hal hal;
+    struct sim *sim = sim_open(&board_mine, &hal);
+    if (sim == NULL || ph_projection_perspective(&lens, FX_INT(45), FX_ONE, FX_HALF, FX_INT(10)) ||
+        ph_renderer_init(&r, &config) || ph_frame_begin(&r, &ph_xform_identity, &lens, NULL, ph_rgb565(255, 0, 0)) ||
+        show(&r, &board_mine, &hal, pixels)) {
+        return 1;
+    }
+    sim_pixels(sim, board_mine.rotation, seen);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        red += seen[3 * i] == 255 && seen[3 * i + 1] == 0 && seen[3 * i + 2] == 0;
+    }
+    return red == SIDE * SIDE && sim_complaint_count(sim) == 0 ? 0 : 2;
+}
+END
+
+board_and_show_fill_the_glass() {
+    block c 'struct board board_mine' >"$dir/board.c"
+    { cat "$dir/main.c" && block c 'panel_open'; } >"$dir/show.c"
+    [ -s "$dir/board.c" ] && grep -q panel_frame_end "$dir/show.c" && make -s B="$B" all || return 1
+    cc -std=c11 -Wall -Wextra -Werror -Ihal -Iboards -Ihost-sim -Ifirmware/core/portable -Ifirmware/core "$dir/board.c" "$dir/show.c" \
+        "$B/libpinhole.a" -o "$dir/show" && "$dir/show"
+}
+
 commands_run() {
     block sh '--board' | grep -E '^build/pinhole-sim [^|]*$' | grep -v -- '--model' | sed 's/ *#.*//' >"$dir/commands"
     [ -s "$dir/commands" ] || return 1
@@ -63,6 +106,7 @@ EOF
 }
 
 check "the_program_prints_what_is_shown" program_prints_what_is_shown
+check "the_board_and_show_fill_the_glass" board_and_show_fill_the_glass
 check "the_commands_run" commands_run
 check "the_links_lead_somewhere" links_exist
 check "the_make_targets_exist" targets_exist
