@@ -4,7 +4,8 @@
  * place with one normal exist once, so that each is transformed once and no crack can open between triangles.
  *
  * All functions return 0, PH_ERR_NOMEM (the arena is too small; what was taken of it is not given back) or
- * PH_ERR_INVAL (an argument outside its range). They leave mesh->parts and mesh->materials to model_material().
+ * PH_ERR_INVAL (an argument outside its range). They leave mesh->parts and mesh->materials to model_material(), unless
+ * they take materials themselves.
  *
  * Memory: MODEL_BYTES(vertices, triangles) for positions, normals and triangles, on top of it what the function states.
  * "Scratch" is taken at the arena's end and given back before the return.
