@@ -37,7 +37,7 @@ no clamp at the left border              | raster.c  | s/left.x < 0 ? 0 : left.x
 one triangle over the budget             | setup.c   | s/triangle_count >= r->config/triangle_count > r->config/ | test_frame
 dropped triangles not counted            | setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | setup.c   | s/v\[1\]->light << 16/v[0]->light << 16/             | test_frame
-lines too thin                           | mesh.c    | s/dx >= dy ? 0 : 128/dx >= dy ? 0 : 64/              | test_frame
+lines too thin                           | mesh.c    | s/wide ? 0 : 128/wide ? 0 : 64/              | test_frame
 clamped textures repeat                  | texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
 texture slope left out                   | texture.c | s/p.du = .*/p.du = 0;/                               | test_texture
 ambient light lost                       | light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
