@@ -56,7 +56,7 @@ static void buttons_walk_around_and_come_back(void **state)
 static void without_scratch_memory_the_focus_is_sharp(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("focus"), 120, 100);
+    struct show s = show_open(demo_find("focus"), 240, 240);
     const uint32_t blurred = show_frame(&s, 7);
     const size_t bytes = s.context.scratch_bytes;
     assert_true(bytes > 0);

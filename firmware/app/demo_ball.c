@@ -185,7 +185,7 @@ static int ball_camera(const struct demo_context *context, struct ph_renderer *r
     struct ph_projection projection = demo_perspective(context, FX_ONE << 4, FX_HALF, FX_INT(5)); /* 90 degrees */
     struct ph_xform view = ph_xform_translate(0, 0, -MIDDLE);
     if (outside) {
-        const struct ph_xform above = demo_look(0, FX_INT(4), FX_INT(9), 0, 0, 0);
+        const struct ph_xform above = demo_look(0, FX_ONE * 21 / 5, FX_ONE * 19 / 2, 0, 0, 0);
         const struct ph_xform turn = ph_xform_rotate_y(0x28000000u + ((uint32_t)demo_swing(frame, LOOP_FRAMES) << 13));
         projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_INT(4), FX_INT(20));
         view = ph_xform_mul(&above, &turn);

@@ -10,7 +10,7 @@
 #define POINTS      8
 #define SKITTLES    7
 #define CELLS       16
-#define RADIUS      5 /* px, at 240; the largest blur */
+#define RADIUS      5 /* px, the largest blur; less on small pictures */
 #define NEAREST     (FX_ONE * 22 / 10)
 #define FURTHEST    FX_INT(9)
 
@@ -58,9 +58,10 @@ static struct ph_focus focus_at(const struct demo_context *context, uint32_t fra
 {
     const int32_t smaller = context->width < context->height ? context->width : context->height;
     const fx_t strength = FX_ONE * smaller / 30;
+    const int32_t radius = smaller / 32 < RADIUS ? smaller / 32 : RADIUS;
     return (struct ph_focus){.distance = fx_lerp_sat(NEAREST, FURTHEST, demo_swing(frame, LOOP_FRAMES)),
                              .strength = strength < FX_INT(64) ? strength : FX_INT(64),
-                             .radius = RADIUS};
+                             .radius = (uint8_t)(radius > 1 ? radius : 1)};
 }
 
 static int focus_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
