@@ -15,7 +15,7 @@ struct show {
 struct show show_open(const struct demo *demo, uint16_t width, uint16_t height);
 void show_close(struct show *s);
 
-/* Draws the frame into s->rig.pixels, in one band; the pixels' CRC. */
+/* Draws the frame into s->rig.pixels; the CRC of the pixels. */
 uint32_t show_frame(struct show *s, uint32_t frame);
 
 /* Pixel in column x, row y, wire order. */

@@ -117,6 +117,21 @@ static void up_and_down_change_the_pot_s_size_within_limits(void **state)
     show_close(&s);
 }
 
+/* Text and blur too. */
+static void no_picture_depends_on_the_height_of_bands(void **state)
+{
+    (void)state;
+    for (uint32_t d = 0; d < demo_count; d++) {
+        const struct demo *const demo = demo_list[d];
+        struct show s = show_open(demo, 121, 99);
+        const uint32_t whole = show_frame(&s, 40);
+        rig_close(&s.rig);
+        rig_open(&s.rig, 121, 99, 7, PH_DEPTH_FIXED16, (int)demo->vertex_max, (int)demo->triangle_max);
+        assert_int_equal(show_frame(&s, 40), whole);
+        show_close(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -124,6 +139,7 @@ int main(void)
         cmocka_unit_test(buttons_walk_around_and_come_back),
         cmocka_unit_test(up_and_down_change_the_pot_s_size_within_limits),
         cmocka_unit_test(without_scratch_memory_the_focus_is_sharp),
+        cmocka_unit_test(no_picture_depends_on_the_height_of_bands),
         cmocka_unit_test(the_four_conventions_draw_the_same_quarter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -58,7 +58,7 @@ static struct ph_xform wall(uint32_t i)
     return i < 2 ? lie : ph_xform_mul(&turn, &lie);
 }
 
-static int draw_room(struct ph_renderer *r, const struct fisheye *f, uint32_t frame)
+static int draw_room(struct ph_renderer *r, const struct fisheye *f)
 {
     int status = PH_OK;
     for (uint32_t i = 0; i < WALLS && status == PH_OK; i++) {
@@ -74,7 +74,6 @@ static int draw_room(struct ph_renderer *r, const struct fisheye *f, uint32_t fr
         mesh.materials = &f->things[i];
         status = ph_draw_mesh(r, &mesh, &place);
     }
-    (void)frame;
     return status;
 }
 
@@ -90,7 +89,7 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
     const fx_t fov = context->height > context->width ? FX_INT(200) : FX_INT(180);
     int status = ph_projection_fisheye(&projection, fov, FX_ONE / 8, FX_INT(12));
     status = status ? status : demo_begin(context, r, &view, &projection, &demo_daylight, 0);
-    return status ? status : draw_room(r, context->state, frame);
+    return status ? status : draw_room(r, context->state);
 }
 
 const struct demo demo_fisheye = {
