@@ -67,8 +67,11 @@ static bool make_room(struct keys *keys)
     }
     const size_t room = keys->count == 0 ? 1 : 2 * keys->count;
     struct key_press *presses = realloc(keys->presses, room * sizeof *presses);
-    keys->presses = presses != NULL ? presses : keys->presses;
-    return presses != NULL;
+    if (presses == NULL) {
+        return false;
+    }
+    keys->presses = presses;
+    return true;
 }
 
 static int add_line(struct keys *keys, const char *path, unsigned number, char *line, size_t length)

@@ -16,7 +16,7 @@ int window_open(struct window **window, const char *title, uint16_t width, uint1
 
 /* What was pressed since the last call or is held now, enum hal_button: the arrows, Enter or space as select.
  * False: the user has closed the window or pressed Esc. */
-bool window_buttons(struct window *window, uint32_t *buttons);
+bool window_buttons(const struct window *window, uint32_t *buttons);
 
 /* Shows a picture (RGB888 rows), frame_ns after the one before: a slower machine shows it at once. */
 void window_show(struct window *window, const uint8_t *rgb, uint64_t frame_ns);

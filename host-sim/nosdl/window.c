@@ -14,7 +14,7 @@ int window_open(struct window **window, const char *title, uint16_t width, uint1
     return complain(EXIT_FAILED, "--window: built without SDL2; install libsdl2-dev, then run make again");
 }
 
-bool window_buttons(struct window *window, uint32_t *buttons)
+bool window_buttons(const struct window *window, uint32_t *buttons)
 {
     (void)window;
     *buttons = 0;

@@ -88,7 +88,7 @@ static uint32_t button_of(SDL_Scancode key)
     return button;
 }
 
-bool window_buttons(struct window *window, uint32_t *buttons)
+bool window_buttons(const struct window *window, uint32_t *buttons)
 {
     bool open = window != NULL;
     *buttons = 0;
