@@ -73,7 +73,7 @@ board_and_show_fill_the_glass() {
 }
 
 commands_run() {
-    block sh '--board' | grep -E '^build/pinhole-sim [^|]*$' | grep -v -- '--model' | sed 's/ *#.*//' >"$dir/commands"
+    block sh '--board' | grep -E '^build/pinhole-sim [^|]*$' | grep -Ev -- '--model|--window' | sed 's/ *#.*//' >"$dir/commands"
     [ -s "$dir/commands" ] || return 1
     mkdir -p "$dir/build" && ln -sf "$(realpath "$B")/pinhole-sim" "$dir/build" && (cd "$dir" && bash -e commands)
 }

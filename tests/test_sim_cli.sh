@@ -261,7 +261,8 @@ buttons_change_frames_from_their_own_on() { # and what goes there and back is wh
         cmp <(pressed "#") <(pressed "10 $button 3") >"$dir/cmp"
         [ "$(sed 's/.*line //' "$dir/cmp")" = 11 ] || { echo "$button" && cat "$dir/cmp" && return 1; }
     done
-    diff <(pressed '#' | tail -n 20) <(pressed '5 left+up 4; 9 down+right 4' | tail -n 20) &&
+    diff <(pressed '#' | tail -n 10) <(pressed '5 left 4;20 right;22 right;24 right;26 right' | tail -n 10) &&
+        diff <(pressed '#' | tail -n 20) <(pressed '5 left+up 4; 9 down+right 4' | tail -n 20) &&
         diff <(pressed '#' | tail -n 20) <(pressed '5 left+right 4' | tail -n 20)
 }
 
