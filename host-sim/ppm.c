@@ -6,6 +6,7 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 int ppm_write(FILE *file, const struct ppm *picture)
@@ -17,32 +18,39 @@ int ppm_write(FILE *file, const struct ppm *picture)
     return fwrite(picture->rgb, 1, n, file) == n && fflush(file) == 0 ? 0 : -1;
 }
 
+/* The whole picture under this name, closed. 0, or -1 with errno set. */
+static int write_file(const char *name, const struct ppm *picture)
+{
+    FILE *file = fopen(name, "wb");
+    if (file == NULL) {
+        return -1;
+    }
+    const int result = ppm_write(file, picture), error = errno;
+    if (fclose(file) != 0 && result == 0) {
+        return -1;
+    }
+    errno = error;
+    return result;
+}
+
 int ppm_save(const char *path, const struct ppm *picture)
 {
+    struct stat status;
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) { /* a pipe or device must stay what it is */
+        return write_file(path, picture);
+    }
     char part[PATH_MAX];
     if (snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof part) {
         errno = ENAMETOOLONG;
         return -1;
     }
-    FILE *file = fopen(part, "wb");
-    if (file == NULL) {
-        return -1;
+    if (write_file(part, picture) == 0 && rename(part, path) == 0) {
+        return 0;
     }
-    int result = ppm_write(file, picture);
-    int error = errno;
-    if (fclose(file) != 0 && result == 0) {
-        error = errno;
-        result = -1;
-    }
-    if (result == 0 && rename(part, path) != 0) {
-        error = errno;
-        result = -1;
-    }
-    if (result != 0) {
-        remove(part);
-        errno = error;
-    }
-    return result;
+    const int error = errno;
+    remove(part);
+    errno = error;
+    return -1;
 }
 
 /* The next number of a header: white space and comments before it. */

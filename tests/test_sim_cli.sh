@@ -351,6 +351,13 @@ a_closed_pipe_ends_it() {
     [ "$status" = 141 ] || [ "$status" = 1 ] || { echo "exit $status" && return 1; }
 }
 
+a_pipe_stays_a_pipe() { # and gets the picture; a file put in its place would break whoever reads it
+    rm -f "$dir/pipe.ppm"
+    mkfifo "$dir/pipe.ppm" && { cat "$dir/pipe.ppm" >"$dir/read.ppm" & } || return 1
+    "$sim" --demo cube "${small[@]}" --out "$dir/pipe.ppm" && wait && [ -p "$dir/pipe.ppm" ] &&
+        "$sim" --demo cube "${small[@]}" --out "$dir/file.ppm" && cmp "$dir/read.ppm" "$dir/file.ppm"
+}
+
 a_full_disk_is_told() {
     local status=0
     "$sim" --demo cube "${small[@]}" --out - >/dev/full 2>"$dir/stderr" || status=$?
@@ -425,6 +432,7 @@ if command -v ffmpeg >/dev/null; then check ffmpeg_reads_the_stream ffmpeg_reads
 check sigint_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file INT 130
 check sigterm_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file TERM 143
 check a_closed_pipe_ends_it a_closed_pipe_ends_it
+check a_pipe_stays_a_pipe a_pipe_stays_a_pipe
 check a_full_disk_is_told a_full_disk_is_told
 check impossible_places_are_told impossible_places_are_told
 
