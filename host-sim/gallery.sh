@@ -30,6 +30,14 @@ picture wireframe --demo wireframe --board rpi-display-hat-mini --start 8
 picture torus --demo torus --board rpi-display-hat-mini --start 8
 picture cube --demo cube --board rpi-display-hat-mini --start 12
 picture ground --demo ground --board rpi-display-hat-mini --start 8
+all=
+for demo in $("$B/pinhole-sim" --list | sed -n 's/^demo *\([^ ]*\).*/\1/p'); do
+    "$B/pinhole-sim" --demo "$demo" --board waveshare-pico-lcd-1in3 --start 40 --out "$work/all-$demo.ppm"
+    all="$all $work/all-$demo.ppm"
+done
+# shellcheck disable=SC2086 # names without spaces, one word each
+"$B/pinhole-sheet" --width 1524 --out "$work/demos.ppm" $all
+save "$work/demos.ppm"
 B=$B host-sim/demo.sh >"$work/log"
 cp "$B/demo/contact-sheet.ppm" "$work"
 save "$work/contact-sheet.ppm"
