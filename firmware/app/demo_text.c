@@ -1,6 +1,7 @@
 #include "demo_scene.h"
 #include "overlay.h"
 
+// NOLINTNEXTLINE(readability-non-const-parameter): the pixels are written through the struct
 void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
                const char *text)
 {
