@@ -2,11 +2,14 @@
  * pinhole-sheet: puts PPM pictures of any sizes on one sheet, in rows of at most a given width, with the same gap
  * everywhere between them. A row is as high as its highest picture; pictures stand in its middle.
  */
+#define _XOPEN_SOURCE 700 /* SIGXFSZ */
+
 #include "complain.h"
 #include "option_text.h"
 #include "ppm.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,9 +119,10 @@ int main(int argc, char *argv[])
 {
     struct sheet sheet = {.width = 1024, .gap = 12};
     complain_as("pinhole-sheet");
+    signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
         print_help();
-        return EXIT_DONE;
+        return fflush(stdout) == 0 ? EXIT_DONE : complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
     }
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
     int status = sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : EXIT_FAILED;

@@ -2,7 +2,7 @@
  * pinhole-sim: draws demos and models on a simulated display kit and shows what its glass shows.
  * The options are in options.c (--help).
  */
-#define _POSIX_C_SOURCE 200809L /* sigaction, isatty */
+#define _XOPEN_SOURCE 700 /* sigaction, isatty, SIGXFSZ */
 
 #include "complain.h"
 #include "crc32.h"
@@ -32,7 +32,7 @@ static void note_signal(int number)
     caught_signal = number;
 }
 
-/* SIGINT and SIGTERM end the run between two frames, when no file is half-written. */
+/* SIGINT, SIGTERM and SIGHUP end the run between two frames, when no file is half-written. */
 static void catch_signals(void)
 {
     struct sigaction action;
@@ -40,6 +40,8 @@ static void catch_signals(void)
     action.sa_handler = note_signal;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+    signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
 }
 
 /* Names of the demo's views, with a space before each. */
@@ -121,6 +123,10 @@ static int choose_camera(const struct options *o, const struct player_setup *set
     if (lens_set) {
         status = options_projection(o, panel_width(panel, setup->rotation), panel_height(panel, setup->rotation),
                                     &camera->projection);
+    }
+    const fx_t off_x = fx_abs_sat(camera->projection.shift_x), off_y = fx_abs_sat(camera->projection.shift_y);
+    if (status == 0 && lens_set && (off_x > 2 * FX_ONE || off_y > 2 * FX_ONE)) {
+        return complain(EXIT_USAGE, "--projection: the window lies more than its own size off the middle");
     }
     if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
         const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;

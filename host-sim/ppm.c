@@ -1,9 +1,10 @@
-#define _POSIX_C_SOURCE 200809L /* getpid */
+#define _XOPEN_SOURCE 700 /* getpid, sigprocmask, SIGXCPU */
 
 #include "ppm.h"
 
 #include <errno.h>
 #include <limits.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -17,6 +18,8 @@ int ppm_write(FILE *file, const struct ppm *picture)
     }
     return fwrite(picture->rgb, 1, n, file) == n && fflush(file) == 0 ? 0 : -1;
 }
+
+static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM, SIGXCPU};
 
 /* The whole picture under this name, closed. 0, or -1 with errno set. */
 static int write_file(const char *name, const struct ppm *picture)
@@ -44,13 +47,20 @@ int ppm_save(const char *path, const struct ppm *picture)
         errno = ENAMETOOLONG;
         return -1;
     }
-    if (write_file(part, picture) == 0 && rename(part, path) == 0) {
-        return 0;
+    sigset_t ending, before; /* a signal that ends the program waits until nothing half-written is left */
+    sigemptyset(&ending);
+    for (size_t i = 0; i < sizeof ending_signals / sizeof ending_signals[0]; i++) {
+        sigaddset(&ending, ending_signals[i]);
     }
+    sigprocmask(SIG_BLOCK, &ending, &before);
+    const int result = write_file(part, picture) == 0 && rename(part, path) == 0 ? 0 : -1;
     const int error = errno;
-    remove(part);
+    if (result != 0) {
+        remove(part);
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
     errno = error;
-    return -1;
+    return result;
 }
 
 /* The next number of a header: white space and comments before it. */

@@ -87,8 +87,8 @@ static struct ph_projection in_half(struct ph_projection half, bool upright, boo
 /* The orthographic projection 2.2 units wide and 5.6 high, or as much more as the half picture's shape asks for. */
 static struct ph_projection all_rails(const struct demo_context *half)
 {
-    const int32_t w = half->width;
-    const int32_t h = half->height;
+    const int32_t w = half->width > 0 ? half->width : 1; /* half of a single pixel */
+    const int32_t h = half->height > 0 ? half->height : 1;
     const int32_t across = w * 28 < h * 11 ? w * 28 : h * 11; /* pixels a unit, times 61.6 */
     return (struct ph_projection){.kind = PH_ORTHOGRAPHIC,
                                   .scale_x_q20 = (int32_t)(((int64_t)across << 20) * 10 / 308 / w),

@@ -112,7 +112,7 @@ int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t 
 
 int ph_projection_resize(struct ph_projection *p, fx_t aspect)
 {
-    if (aspect <= 0) {
+    if (aspect <= 0 || p->scale_y_q20 <= 0) {
         return PH_ERR_INVAL;
     }
     const int64_t x = (((int64_t)p->scale_y_q20 << 16) + aspect / 2) / aspect;
@@ -125,6 +125,9 @@ int ph_projection_resize(struct ph_projection *p, fx_t aspect)
 
 static fx_t size_at(int32_t scale_q20, int64_t twice_z)
 {
+    if (scale_q20 <= 0) { /* no such volume */
+        return FX_MAX;
+    }
     const int64_t size = ((twice_z << 20) + scale_q20 / 2) / scale_q20;
     return size > FX_MAX ? FX_MAX : (fx_t)size;
 }

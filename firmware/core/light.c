@@ -9,9 +9,10 @@ static int32_t dot_q14(const int16_t a[3], const int16_t b[3])
     return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
 }
 
-static int32_t clamp_q14(fx_t v)
+/* Q16.16 to Q2.14, within 0 .. most. */
+static int32_t clamp_q14(fx_t v, fx_t most)
 {
-    return (v < 0 ? 0 : v > 4 * FX_ONE ? 4 * FX_ONE : v) >> 2;
+    return (v < 0 ? 0 : v > most ? most : v) >> 2;
 }
 
 /* A vector with components below 2^31 as a unit vector in Q1.14; zero stays zero. */
@@ -86,8 +87,8 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
                       const struct ph_material *material)
 {
     const struct ph_scene_light *scene = &r->light;
-    const int32_t diffuse = clamp_q14(material->diffuse), specular = clamp_q14(material->specular);
-    local->ambient = (clamp_q14(scene->ambient) * clamp_q14(material->ambient)) >> 14;
+    const int32_t diffuse = clamp_q14(material->diffuse, FX_ONE), specular = clamp_q14(material->specular, FX_ONE);
+    local->ambient = (clamp_q14(scene->ambient, FX_ONE) * clamp_q14(material->ambient, FX_ONE)) >> 14;
     local->shininess_log2 = material->shininess_log2;
     local->count = scene->count;
     local->scale = (PH_LIGHT_SPAN << 14) / (16384 + specular);
@@ -97,8 +98,8 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
         const struct ph_light *light = &scene->lights[i];
         struct ph_local_light *l = &local->light[i];
         l->point = light->kind == PH_LIGHT_POINT;
-        l->diffuse = (diffuse * clamp_q14(light->intensity)) >> 14;
-        l->specular = (specular * clamp_q14(light->intensity)) >> 14;
+        l->diffuse = (diffuse * clamp_q14(light->intensity, 4 * FX_ONE)) >> 14;
+        l->specular = (specular * clamp_q14(light->intensity, 4 * FX_ONE)) >> 14;
         if (l->point) {
             const fx_t scale = scale_square(to_world);
             l->position = position_to_local(to_world, light->position, scale);

@@ -9,6 +9,7 @@
 #include <signal.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -63,6 +64,9 @@ static void child(struct model_shared *shared, const char *path)
     const rlim_t most = CPU_SECONDS + (rlim_t)(status.st_size >> 20) * CPU_SECONDS_PER_MIB;
     const struct rlimit seconds = {most, most}, no_core = {0, 0};
     setrlimit(RLIMIT_CPU, &seconds);
+    signal(SIGALRM, SIG_DFL);
+    alarm((unsigned)(3 * most));      /* it may also wait, which costs no CPU */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for it then */
     setrlimit(RLIMIT_CORE, &no_core);
     silence();
     for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {
@@ -89,7 +93,8 @@ static int read_in_child(struct model_shared *shared, const char *path)
     if (WIFEXITED(status) && shared->error[0] != '\0') {
         return complain(EXIT_FAILED, "--model %s: %s", path, shared->error);
     }
-    return complain(EXIT_FAILED, "--model %s: is broken: the reader crashed or hung on it", path);
+    return complain(EXIT_FAILED,
+                    "--model %s: is broken, or too large for this machine: the reader crashed or hung on it", path);
 }
 
 int model_open(struct model **model, const char *path)
