@@ -178,6 +178,12 @@ static bool set_depth(struct options *o, const char *value)
     return format >= 0;
 }
 
+static bool set_overlay(struct options *o, const char *value)
+{
+    (void)value;
+    return o->overlay = true;
+}
+
 static bool set_crc(struct options *o, const char *value)
 {
     (void)value;
@@ -242,6 +248,7 @@ static const struct option option_table[] = {
      "gl, d3d, lmu or reversed", set_convention},
     {"depth", "fixed16|float16", "what the depth buffer holds; fixed16 by default", "fixed16 or float16", set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
+    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
      set_crc},
     {"keys", "FILE",

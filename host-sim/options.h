@@ -28,7 +28,7 @@ struct options {
     uint16_t band;          /* lines, 0: the board's own */
     uint8_t depth;          /* enum ph_depth_format */
     uint8_t convention;     /* enum ph_convention */
-    bool crc, stats, matrix, show_window;
+    bool crc, stats, overlay, matrix, show_window;
 
     bool camera_set;
     struct fx_vec3 eye, target, up;

@@ -1,6 +1,7 @@
 #include "player.h"
 
 #include "complain.h"
+#include "overlay.h"
 
 #include <stdlib.h>
 
@@ -151,6 +152,20 @@ static int read_buttons(struct player *p)
     return status;
 }
 
+/* Frame time and triangles, top left; twice as large where there is room. */
+static void draw_overlay(const struct player *p, uint32_t band, uint32_t lines)
+{
+    char text[PH_OVERLAY_STATS_SIZE];
+    const struct board *board = p->setup.board;
+    const uint32_t us = panel_frame_us(board->panel, board->format, p->setup.rotation, p->driver.clock_hz);
+    ph_overlay_stats(text, us, p->renderer.stats.triangles_drawn);
+    const struct ph_overlay_band over = {p->band, p->driver.width, (int32_t)(band * p->renderer.config.band_height),
+                                         (int32_t)lines};
+    const uint8_t scale = ph_overlay_width(text, 2) + 8 <= p->driver.width ? 2 : 1;
+    const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), scale};
+    ph_overlay_text(&over, 2 * scale, 2 * scale, text, &style);
+}
+
 /* One band buffer: it is drawn, sent, waited for, drawn again. */
 static int send_bands(struct player *p)
 {
@@ -158,6 +173,9 @@ static int send_bands(struct player *p)
     const uint32_t bands = ph_frame_bands(&p->renderer);
     for (uint32_t band = 0; band < bands && status == 0; band++) {
         const uint32_t lines = demo_draw_band(p->demo, &p->context, &p->renderer, band, p->band);
+        if (p->setup.overlay) {
+            draw_overlay(p, band, lines);
+        }
         status = panel_rows(&p->driver, p->band, lines);
         if (status == 0) {
             status = panel_wait(&p->driver);

@@ -351,6 +351,12 @@ a_closed_pipe_ends_it() {
     [ "$status" = 141 ] || [ "$status" = 1 ] || { echo "exit $status" && return 1; }
 }
 
+a_file_limit_leaves_nothing() { # 10 KiB, the picture takes 48
+    local status=0
+    mkdir -p "$dir/limit" && (ulimit -f 10 && exec "$sim" --demo cube --size 128x128 --out "$dir/limit/a.ppm") 2>"$dir/stderr" || status=$?
+    [ "$status" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ -z "$(ls "$dir/limit")" ]
+}
+
 a_pipe_stays_a_pipe() { # and gets the picture; a file put in its place would break whoever reads it
     rm -f "$dir/pipe.ppm"
     mkfifo "$dir/pipe.ppm" && { cat "$dir/pipe.ppm" >"$dir/read.ppm" & } || return 1
@@ -390,6 +396,8 @@ check size_is_the_picture_s size_is_the_picture_s
 check without_a_board_it_is_240x240 same --demo cube -- --demo cube --size 240x240
 check frames_and_start_count frames_and_start_count
 check frames_move differ --demo torus "${small[@]}" --start 0 -- --demo torus "${small[@]}" --start 5
+check overlay_has_an_effect differ --demo torus --size 160x60 --overlay -- --demo torus --size 160x60
+check overlay_does_not_depend_on_bands same --demo torus --size 160x60 --overlay --band 1 -- --demo torus --size 160x60 --overlay --band 60
 check camera_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera eye=2,0,2
 check camera_target_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,2 -- --demo torus "${small[@]}" --camera eye=0,0,2,target=.5,0,-3
 check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera up=1,0,0,eye=0,0,1
@@ -432,6 +440,8 @@ if command -v ffmpeg >/dev/null; then check ffmpeg_reads_the_stream ffmpeg_reads
 check sigint_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file INT 130
 check sigterm_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file TERM 143
 check a_closed_pipe_ends_it a_closed_pipe_ends_it
+check a_window_off_the_middle_is_wrong_usage refuses 2 "off the middle" --crc --projection frustum=5,6,5,6
+check a_file_limit_leaves_nothing a_file_limit_leaves_nothing
 check a_pipe_stays_a_pipe a_pipe_stays_a_pipe
 check a_full_disk_is_told a_full_disk_is_told
 check impossible_places_are_told impossible_places_are_told
