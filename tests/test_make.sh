@@ -51,9 +51,9 @@ the_core_cannot_include_the_hal() {
 }
 
 installs_and_uninstalls() {
-    run install DESTDIR="$dir/root" PREFIX=/usr && [ -x "$dir/root/usr/bin/pinhole-sim" ] &&
-        "$dir/root/usr/bin/pinhole-sim" --help && run uninstall DESTDIR="$dir/root" PREFIX=/usr &&
-        [ -z "$(find "$dir/root" -type f)" ]
+    run install DESTDIR="$dir/stage" PREFIX=/usr && [ -x "$dir/stage/usr/bin/pinhole-sim" ] &&
+        "$dir/stage/usr/bin/pinhole-sim" --help && run uninstall DESTDIR="$dir/stage" PREFIX=/usr &&
+        [ -z "$(find "$dir/stage" -type f)" ]
 }
 
 needs_no_library() {
