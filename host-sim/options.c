@@ -253,7 +253,7 @@ static const struct option option_table[] = {
      set_crc},
     {"keys", "FILE",
      "presses buttons: lines FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
-     "        left and right orbit, up comes nearer, down goes away, select takes the next demo",
+     "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
      "a file", set_keys},
     {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
      set_window},

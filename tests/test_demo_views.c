@@ -8,6 +8,8 @@
 #include "hal.h"
 #include "show.h"
 
+#include <stdlib.h>
+
 static void views_have_names_and_differ(void **state)
 {
     (void)state;
@@ -132,6 +134,132 @@ static void no_picture_depends_on_the_height_of_bands(void **state)
     }
 }
 
+/* ---- the snake's buttons --------------------------------------------------------------------------------------- */
+
+static uint32_t press(struct show *s, uint32_t frame, uint32_t buttons)
+{
+    s->context.buttons = 0;
+    demo_input(&s->context, buttons);
+    return show_frame(s, frame);
+}
+
+/* What the camera is told: its place in the world and its direction, from the renderer's view. */
+struct eye {
+    fx_t x, z, forward_x, forward_z;
+};
+
+static struct eye eye_of(const struct show *s)
+{
+    const struct ph_xform camera = ph_xform_inverse_rigid(&s->rig.r.view);
+    return (struct eye){camera.t.x, camera.t.z, -(camera.r[0][2] >> 14), -(camera.r[2][2] >> 14)};
+}
+
+static void the_snake_plays_itself_until_left_or_right(void **state)
+{
+    (void)state;
+    struct show own = show_open(demo_find("snake"), 80, 60);
+    struct show other = show_open(demo_find("snake"), 80, 60);
+    for (uint32_t frame = 0; frame < 600; frame += 3) {
+        const uint32_t crc = show_frame(&own, frame);
+        assert_int_equal(press(&other, frame, frame % 2 ? HAL_BUTTON_UP : HAL_BUTTON_DOWN), crc);
+    }
+    other.context.view = "outside";
+    other.context.dolly = 0;
+    own.context.view = "outside";
+    press(&other, 601, HAL_BUTTON_LEFT); /* orbits, does not steer */
+    other.context.orbit = 0;
+    assert_int_equal(show_frame(&other, 640), show_frame(&own, 640));
+    show_close(&own);
+    show_close(&other);
+}
+
+/* A cell takes 16 frames, the first from the first press on; held, it counts once. */
+static void left_and_right_turn_the_snake_by_a_quarter(void **state)
+{
+    (void)state;
+    for (int side = 0; side < 2; side++) {
+        const uint32_t button = side ? HAL_BUTTON_RIGHT : HAL_BUTTON_LEFT;
+        struct show own = show_open(demo_find("snake"), 80, 60);
+        struct show s = show_open(demo_find("snake"), 80, 60);
+        for (uint32_t frame = 0; frame < 20; frame++) {
+            assert_int_equal(press(&s, frame, 0), show_frame(&own, frame));
+        }
+        const struct eye path = eye_of(&s);
+        for (uint32_t frame = 20; frame <= 36; frame++) {
+            const uint32_t crc = press(&s, frame, button);
+            assert_true(frame == 20 || crc != show_frame(&own, frame));
+        }
+        const struct eye first = eye_of(&s);
+        const int sign = side ? -1 : 1;
+        /* left of (x, z), seen from above, is (z, -x) */
+        assert_true(sign * (fx_mul_sat(first.forward_x, path.forward_z) - fx_mul_sat(first.forward_z, path.forward_x)) >
+                    FX_HALF);
+        press(&s, 37, 0);
+        press(&s, 38, button);
+        for (uint32_t frame = 39; frame < 68; frame++) {
+            press(&s, frame, button);
+        }
+        press(&s, 68, button);
+        const struct eye second = eye_of(&s);
+        assert_true(abs(second.forward_x - sign * first.forward_z) < 200);
+        assert_true(abs(second.forward_z + sign * first.forward_x) < 200);
+        assert_true(abs(first.forward_x) < 200 || abs(first.forward_z) < 200);
+        show_close(&own);
+        show_close(&s);
+    }
+}
+
+/* Four turns to the left: it runs into itself, and plays by itself as if nothing had been. */
+static void a_snake_that_bites_itself_plays_by_itself_again(void **state)
+{
+    (void)state;
+    struct show own = show_open(demo_find("snake"), 80, 60);
+    struct show s = show_open(demo_find("snake"), 80, 60);
+    uint32_t back = 0;
+    for (uint32_t frame = 40; frame < 200; frame++) {
+        const bool down = frame == 40 || (frame < 104 && frame % 16 == 0);
+        const bool same = press(&s, frame, down ? HAL_BUTTON_LEFT : 0) == show_frame(&own, frame);
+        back = back == 0 && same && frame > 40 ? frame : back;
+        assert_true(back == 0 || same);
+    }
+    assert_int_equal(back, 40 + 4 * 16);
+    show_close(&own);
+    show_close(&s);
+}
+
+static void a_steered_snake_stays_in_its_field_and_its_budget_and_repeats_itself(void **state)
+{
+    (void)state;
+    struct show s[2] = {show_open(demo_find("snake"), 96, 96), show_open(demo_find("snake"), 96, 96)};
+    const size_t used = s[0].context.arena.used;
+    const fx_t border_x = FX_ONE * 45 / 8;
+    const fx_t border_z = FX_ONE * 35 / 8;
+    uint32_t seed = 1;
+    uint32_t most = 0;
+    for (uint32_t frame = 0; frame < 3000; frame++) {
+        seed = seed * 1664525u + 1013904223u;
+        const uint32_t buttons = (seed >> 24) < 12 ? HAL_BUTTON_LEFT : (seed >> 24) < 24 ? HAL_BUTTON_RIGHT : 0;
+        const uint32_t crc = press(&s[0], frame, buttons);
+        const struct ph_stats *const stats = &s[0].rig.r.stats;
+        assert_int_equal(press(&s[1], frame, buttons), crc);
+        assert_int_equal(stats->triangles_dropped, 0);
+        assert_int_equal(stats->vertices_dropped, 0);
+        most = stats->triangles_drawn > most ? stats->triangles_drawn : most;
+        const struct eye e = eye_of(&s[0]);
+        assert_true(e.x < border_x && e.x > -border_x && e.z < border_z && e.z > -border_z);
+        s[0].context.buttons ^= HAL_BUTTON_LEFT; /* drawn again: nothing counts */
+        assert_int_equal(show_frame(&s[0], frame), crc);
+        s[0].context.view = "outside";
+        show_frame(&s[0], frame);
+        assert_int_equal(stats->triangles_dropped, 0);
+        s[0].context.view = NULL;
+    }
+    assert_int_equal(s[0].context.arena.used, used);
+    assert_true(most > 200);
+    show_close(&s[0]);
+    show_close(&s[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -141,6 +269,10 @@ int main(void)
         cmocka_unit_test(without_scratch_memory_the_focus_is_sharp),
         cmocka_unit_test(no_picture_depends_on_the_height_of_bands),
         cmocka_unit_test(the_four_conventions_draw_the_same_quarter),
+        cmocka_unit_test(the_snake_plays_itself_until_left_or_right),
+        cmocka_unit_test(left_and_right_turn_the_snake_by_a_quarter),
+        cmocka_unit_test(a_snake_that_bites_itself_plays_by_itself_again),
+        cmocka_unit_test(a_steered_snake_stays_in_its_field_and_its_budget_and_repeats_itself),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,8 @@ bool demo_has_view(const struct demo *demo, const char *view);
 /*
  * What the buttons (enum hal_button) pressed during this frame do to the camera; call it once a frame, before
  * demo->frame. Left and right orbit, 256 frames a turn; up comes nearer, down goes away. Demos with a camera that one
- * can walk around follow: turntable, wireframe, ball (outside), solar (outside), snake (outside), shadow.
+ * can walk around follow: turntable, wireframe, ball (outside), solar (outside), snake (outside), shadow. In the
+ * snake's view from its head left and right steer it instead.
  */
 #define DEMO_DOLLY_MAX FX_HALF
 void demo_input(struct demo_context *context, uint32_t buttons);

@@ -2,14 +2,23 @@
  * snake: seen from a camera on its head, looking where it moves (SEEDS row M5). It plays itself: a closed path, a
  * figure of eight that crosses over itself on a hump, with apples on the way; what was eaten grows again behind it.
  * View `outside` looks at it all from above.
+ *
+ * Left and right, pressed in the view from the head, steer it. From the first press on it leaves that path within one
+ * cell of a field of 9 x 7 and goes on from cell to cell; a press turns it by a quarter in the next cell, the last one
+ * counts. It never leaves the field: a turn out of it is ignored, and before the border it turns by itself to where
+ * there is more room. Apples make it longer; when it runs into itself it plays by itself again.
  */
 #include "demo_scene.h"
+#include "hal.h"
 #include "models.h"
 
+#include <string.h>
+
 #define LOOP_FRAMES 512
+#define PATH_SHIFT  23 /* a frame is so much of a turn of the path */
 #define BALLS       38
-#define SPACING     0x05000000u /* between two balls of the body, in turns of the path */
-#define NOSE        (5u << 24)  /* before the camera */
+#define SPACING     10u /* frames between two balls of the body */
+#define NOSE        10u /* frames before the camera */
 #define APPLES      8
 #define TREES       10
 #define TREE_SIDES  6
@@ -17,6 +26,14 @@
 #define CELLS       10
 #define RADIUS      (FX_ONE * 32 / 100)
 #define SPREAD      FX_INT(5)
+
+/* The field when steered; cells are counted from its middle. */
+#define CELL        (FX_ONE * 5 / 4)
+#define CELL_FRAMES 16u
+#define CELLS_X     4 /* -4 .. 4 */
+#define CELLS_Z     3
+#define TRAIL       32u /* cells remembered, more than the longest body takes */
+#define SHORTEST    10u /* balls */
 
 static const struct model_point tree_profile[TREE_POINTS] = {{FX_ONE / 8, 0},
                                                              {FX_ONE / 8, FX_HALF},
@@ -30,7 +47,32 @@ static const struct model_point tree_profile[TREE_POINTS] = {{FX_ONE / 8, 0},
 static const struct model_point ball_profile[BALL_POINTS] = {
     {0, -FX_ONE}, {46341, -46341}, {FX_ONE, 0}, {46341, 46341}, {0, FX_ONE}};
 
+struct cell {
+    int8_t x, z;
+};
+
+/* Directions are quarter turns, seen from above counter-clockwise from -z. */
+struct passage {
+    struct cell cell;
+    uint8_t in, out;
+};
+
+/* All zero while it plays by itself. */
+struct steering {
+    bool on;
+    int8_t turn;     /* asked for the next cell: 1 left, -1 right */
+    uint32_t origin; /* the frame in which it left the path */
+    uint32_t time;   /* frames since then */
+    uint32_t length; /* balls */
+    uint32_t random;
+    struct passage trail[TRAIL]; /* the cell entered at time t in [t / CELL_FRAMES % TRAIL] */
+    struct cell apples[APPLES];
+    uint32_t born[APPLES]; /* time */
+};
+
 struct snake {
+    struct steering steering;
+    uint32_t frame, buttons; /* of the frame before */
     struct ph_mesh light_ball, dark_ball, head, apple, tree, floor;
     struct ph_material skin[2], face, red, leaves, tiles[2];
     uint16_t ramps[5][PH_RAMP_SIZE];
@@ -47,6 +89,195 @@ static struct fx_vec3 path(uint32_t turn32)
     return (struct fx_vec3){fx_mul_sat(SPREAD, s >> 14), RADIUS + fx_mul_sat(FX_ONE * 3 / 2, hump),
                             fx_mul_sat(FX_ONE * 32 / 10, s2 >> 14)};
 }
+
+/* ---- steering -------------------------------------------------------------------------------------------------- */
+
+static struct fx_vec3 middle_of(struct cell c)
+{
+    return (struct fx_vec3){c.x * CELL, RADIUS, c.z * CELL};
+}
+
+static struct fx_vec3 heading(uint32_t turn32, fx_t length)
+{
+    int32_t s, c;
+    fx_sincos_q30(turn32, &s, &c);
+    return (struct fx_vec3){-fx_mul_sat(s >> 14, length), 0, -fx_mul_sat(c >> 14, length)};
+}
+
+static struct fx_vec3 plus(struct fx_vec3 a, struct fx_vec3 b)
+{
+    return (struct fx_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/* From `a` to `b` in the first cell after the path. */
+static struct fx_vec3 blend(struct fx_vec3 a, struct fx_vec3 b, uint32_t time)
+{
+    const fx_t part = time < CELL_FRAMES ? (fx_t)time * (FX_ONE / (fx_t)CELL_FRAMES) : FX_ONE;
+    return (struct fx_vec3){fx_lerp_sat(a.x, b.x, part), fx_lerp_sat(a.y, b.y, part), fx_lerp_sat(a.z, b.z, part)};
+}
+
+/* In the cell of that time, straight or along a quarter of a circle, and then `ahead` frames straight on. */
+static struct fx_vec3 track(const struct steering *s, uint32_t time, uint32_t ahead)
+{
+    const struct passage *const p = &s->trail[time / CELL_FRAMES % TRAIL];
+    const fx_t step = CELL / (fx_t)CELL_FRAMES;
+    const fx_t done = (fx_t)(time % CELL_FRAMES);
+    const uint32_t from = (uint32_t)p->in << 30;
+    const uint32_t left = 1u << 30;
+    const fx_t side = p->in == p->out ? 0 : ((p->in + 1) & 3) == p->out ? CELL / 2 : -CELL / 2;
+    const uint32_t part = (uint32_t)done * (left / CELL_FRAMES);
+    const uint32_t now = side == 0 ? from : side > 0 ? from + part : from - part;
+    struct fx_vec3 at = plus(middle_of(p->cell), heading(from, -CELL / 2 + (side == 0 ? step * done : 0)));
+    at = plus(at, plus(heading(from + left, side), heading(now + left, -side))); /* around the corner */
+    return plus(at, heading(now, step * (fx_t)ahead));
+}
+
+/* Where the head was or is at a time (steered: since it left the path), and what it would reach `ahead` frames later.
+ */
+static struct fx_vec3 spot(const struct steering *s, uint32_t time, uint32_t ahead)
+{
+    const struct fx_vec3 own = path((s->origin + time + ahead) << PATH_SHIFT);
+    return s->on && (int32_t)time >= 0 ? blend(own, track(s, time, ahead), time) : own;
+}
+
+/* Steered, it is shorter, but not at once. */
+static uint32_t balls(const struct steering *s)
+{
+    if (!s->on) {
+        return BALLS;
+    }
+    return s->time + s->length < BALLS ? BALLS - s->time : s->length;
+}
+
+/* Cells up to the border. */
+static int32_t room(struct cell c, uint32_t direction)
+{
+    const int32_t cells[4] = {CELLS_Z + c.z, CELLS_X + c.x, CELLS_Z - c.z, CELLS_X - c.x};
+    return cells[direction & 3];
+}
+
+/* Whether one of the last `count` cells before this one was c. */
+static bool was_at(const struct steering *s, struct cell c, uint32_t count)
+{
+    const uint32_t now = s->time / CELL_FRAMES;
+    for (uint32_t i = 1; i <= count && i <= now; i++) {
+        const struct cell old = s->trail[(now - i) % TRAIL].cell;
+        if (old.x == c.x && old.z == c.z) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static uint32_t apple_at(const struct steering *s, struct cell c)
+{
+    uint32_t i = 0;
+    while (i < APPLES && (s->apples[i].x != c.x || s->apples[i].z != c.z)) {
+        i++;
+    }
+    return i;
+}
+
+/* A new one grows in a free cell; there is one, as snake and apples take at most TRAIL + APPLES of 63. */
+static void eat(struct steering *s, uint32_t apple)
+{
+    const struct cell old = s->apples[apple];
+    s->random = s->random * 1664525u + 1013904223u;
+    uint32_t place = (s->random >> 16) % 63;
+    struct cell c = old;
+    for (uint32_t i = 0; i < 63 && (apple_at(s, c) < APPLES || was_at(s, c, TRAIL - 1)); i++) {
+        place = place == 62 ? 0 : place + 1;
+        c = (struct cell){(int8_t)(place % 9 - CELLS_X), (int8_t)(place / 9 - CELLS_Z)};
+    }
+    s->apples[apple] = c;
+    s->born[apple] = s->time;
+    s->length += s->length < BALLS ? 1 : 0;
+}
+
+/* The head is in cell c: where it will go from there, and what it eats. */
+static void enter(struct steering *s, struct cell c, uint8_t in)
+{
+    const uint32_t asked = in + (uint32_t)s->turn;
+    uint32_t out = room(c, asked) > 0 ? asked : in;
+    if (room(c, out) == 0) {
+        out = room(c, in + 1u) > room(c, in + 3u) ? in + 1u : in + 3u;
+    }
+    s->turn = 0;
+    s->trail[s->time / CELL_FRAMES % TRAIL] = (struct passage){c, in, (uint8_t)(out & 3)};
+    const uint32_t apple = apple_at(s, c);
+    if (apple < APPLES) {
+        eat(s, apple);
+    }
+}
+
+static struct cell cell_at(struct fx_vec3 p)
+{
+    const fx_t x = (p.x + 16 * CELL + CELL / 2) / CELL - 16;
+    const fx_t z = (p.z + 16 * CELL + CELL / 2) / CELL - 16;
+    return (struct cell){(int8_t)(x < -CELLS_X  ? -CELLS_X
+                                  : x > CELLS_X ? CELLS_X
+                                                : x),
+                         (int8_t)(z < -CELLS_Z  ? -CELLS_Z
+                                  : z > CELLS_Z ? CELLS_Z
+                                                : z)};
+}
+
+/* Into the nearest cell before it; the apples settle in the cells below them. */
+static void leave_path(struct steering *s, uint32_t frame, int8_t turn)
+{
+    const struct fx_vec3 at = path(frame << PATH_SHIFT);
+    const struct fx_vec3 next = path((frame + 1) << PATH_SHIFT);
+    const fx_t x = next.x - at.x;
+    const fx_t z = next.z - at.z;
+    const uint8_t in = fx_abs_sat(x) > fx_abs_sat(z) ? (x < 0 ? 1 : 3) : (z < 0 ? 0 : 2);
+    *s = (struct steering){.on = true, .turn = turn, .origin = frame, .length = SHORTEST, .random = frame};
+    for (uint32_t i = 0; i < APPLES; i++) {
+        s->apples[i] = cell_at(path((2 * i + 1) << 28));
+        s->born[i] = 0u - 2 * CELL_FRAMES;
+    }
+    enter(s, cell_at(plus(at, heading((uint32_t)in << 30, CELL / 2))), in);
+}
+
+/* One frame further. */
+static void steer_on(struct steering *s)
+{
+    static const struct cell steps[4] = {{0, -1}, {-1, 0}, {0, 1}, {1, 0}};
+    const struct passage last = s->trail[s->time / CELL_FRAMES % TRAIL];
+    s->time++;
+    if (s->time % CELL_FRAMES != 0) {
+        return;
+    }
+    const struct cell c = {(int8_t)(last.cell.x + steps[last.out].x), (int8_t)(last.cell.z + steps[last.out].z)};
+    if (was_at(s, c, balls(s) * SPACING / CELL_FRAMES)) {
+        *s = (struct steering){.on = false};
+        return;
+    }
+    enter(s, c, last.out);
+}
+
+/* A frame drawn again changes nothing; some left out are caught up with; a jump (the loop's end) counts as one. */
+static void snake_input(struct snake *s, uint32_t frame, uint32_t buttons)
+{
+    const uint32_t passed = frame - s->frame;
+    const uint32_t pressed = buttons & ~s->buttons & (HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT);
+    if (passed == 0) {
+        return;
+    }
+    s->frame = frame;
+    s->buttons = buttons;
+    for (uint32_t i = 0; s->steering.on && i < (passed <= CELL_FRAMES ? passed : 1); i++) {
+        steer_on(&s->steering);
+    }
+    if (pressed == HAL_BUTTON_LEFT || pressed == HAL_BUTTON_RIGHT) {
+        const int8_t turn = pressed == HAL_BUTTON_LEFT ? 1 : -1;
+        s->steering.turn = turn;
+        if (!s->steering.on) {
+            leave_path(&s->steering, frame, turn);
+        }
+    }
+}
+
+/* ---- the scene ------------------------------------------------------------------------------------------------- */
 
 static void snake_colours(struct snake *s)
 {
@@ -66,6 +297,9 @@ static int snake_init(struct demo_context *context)
     if (!s) {
         return PH_ERR_NOMEM;
     }
+    memset(&s->steering, 0, sizeof(s->steering));
+    s->buttons = 0;
+    s->frame = UINT32_MAX;
     snake_colours(s);
     if (model_lathe(arena, &s->light_ball, ball_profile, BALL_POINTS, BALL_SIDES, 1, &s->skin[0]) != PH_OK ||
         model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves) != PH_OK ||
@@ -88,25 +322,36 @@ static int draw_at(struct ph_renderer *r, const struct ph_mesh *mesh, struct fx_
 }
 
 /* Thinner towards the tail; the camera on the head sees its nose. */
-static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t head, bool outside)
+static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t now, bool outside)
 {
-    int status = draw_at(r, &s->head, path(outside ? head : head + NOSE), outside ? RADIUS * 6 / 5 : RADIUS * 3 / 4);
-    for (uint32_t i = 1; i <= BALLS && status == PH_OK; i++) {
+    int status =
+        draw_at(r, &s->head, spot(&s->steering, now, outside ? 0 : NOSE), outside ? RADIUS * 6 / 5 : RADIUS * 3 / 4);
+    for (uint32_t i = 1; i <= balls(&s->steering) && status == PH_OK; i++) {
         const fx_t size = RADIUS - (fx_t)(i * i) * (RADIUS / (BALLS * BALLS * 2));
-        status = draw_at(r, (i >> 1) & 1 ? &s->light_ball : &s->dark_ball, path(head - i * SPACING), size);
+        status =
+            draw_at(r, (i >> 1) & 1 ? &s->light_ball : &s->dark_ball, spot(&s->steering, now - i * SPACING, 0), size);
     }
     return status;
 }
 
-/* They hover over the path; eaten when the nose is there, whole again three quarters of the way later. */
-static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t head)
+/*
+ * They hover over the path; eaten when the nose is there, whole again three quarters of the way later. Steered, they
+ * hover over cells and grow within two of them.
+ */
+static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t now)
 {
+    const struct steering *const steering = &s->steering;
     int status = PH_OK;
     for (uint32_t i = 0; i < APPLES && status == PH_OK; i++) {
         const uint32_t at = (2 * i + 1) << 28;
-        const uint32_t since = (head + NOSE - at) >> 16; /* 65536: one time around */
-        const uint32_t grown = since < 24576 ? 0 : since < 49152 ? since - 24576 : 24576;
+        const uint32_t since = (((now + NOSE) << PATH_SHIFT) - at) >> 16; /* 65536: one time around */
+        uint32_t grown = since < 24576 ? 0 : since < 49152 ? since - 24576 : 24576;
         struct fx_vec3 p = path(at);
+        if (steering->on) {
+            const uint32_t age = now - steering->born[i];
+            grown = age < 2 * CELL_FRAMES ? age * (24576 / (2 * CELL_FRAMES)) : 24576;
+            p = blend(p, middle_of(steering->apples[i]), now);
+        }
         if (grown > 0) {
             p.y += FX_ONE / 6;
             status = draw_at(r, &s->apple, p, (fx_t)(grown * 2 / 3) + 256);
@@ -128,11 +373,12 @@ static int draw_garden(struct ph_renderer *r, const struct snake *s)
     return status ? status : ph_draw_mesh(r, &s->floor, &lawn);
 }
 
-static int snake_camera(const struct demo_context *context, struct ph_renderer *r, uint32_t head, bool outside)
+static int snake_camera(const struct demo_context *context, struct ph_renderer *r, uint32_t now, bool outside)
 {
+    const struct snake *const s = context->state;
     struct ph_projection projection = demo_perspective(context, FX_ONE << 4, FX_ONE / 8, FX_INT(40)); /* 90 degrees */
-    const struct fx_vec3 at = path(head);
-    const struct fx_vec3 next = path(head + (1u << 25));
+    const struct fx_vec3 at = spot(&s->steering, now, 0);
+    const struct fx_vec3 next = spot(&s->steering, now, 4);
     const fx_t up = FX_HALF;
     struct ph_xform view = demo_look(at.x, at.y + up, at.z, next.x, next.y + up - FX_ONE / 32, next.z);
     if (outside) {
@@ -145,12 +391,13 @@ static int snake_camera(const struct demo_context *context, struct ph_renderer *
 
 static int snake_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    const struct snake *const s = context->state;
-    const uint32_t head = frame << 23;
+    struct snake *const s = context->state;
     const bool outside = demo_view_is(context, &demo_snake, 1);
-    int status = snake_camera(context, r, head, outside);
-    status = status ? status : draw_body(r, s, head, outside);
-    status = status ? status : draw_apples(r, s, head);
+    snake_input(s, frame, outside ? 0 : context->buttons);
+    const uint32_t now = s->steering.on ? s->steering.time : frame;
+    int status = snake_camera(context, r, now, outside);
+    status = status ? status : draw_body(r, s, now, outside);
+    status = status ? status : draw_apples(r, s, now);
     return status ? status : draw_garden(r, s);
 }
 
