@@ -192,40 +192,14 @@ static int make_frame(struct player *p, uint32_t frame)
                                   (unsigned)frame, status);
 }
 
-/* focal / 2^30 2^focal_log2 px as a scale of a picture of `size` px; what frame.c cut off is far below half a unit. */
-static int32_t scale_of(int32_t focal, int focal_log2, int32_t size)
-{
-    return (int32_t)(((((int64_t)focal << focal_log2) >> 9) + size / 2) / size);
-}
-
-/* How far the principal point (1/256 px) is from the middle, in halves of `size` px. */
-static fx_t shift_of(int32_t centre, int32_t size)
-{
-    return (fx_t)(((int64_t)centre * 512) / size - FX_ONE);
-}
-
-/* The renderer keeps a lens, not the projection that it was made of: this is the way back. */
-static struct ph_projection projection_of(const struct ph_renderer *r)
-{
-    const struct ph_lens *lens = &r->lens;
-    const int32_t width = r->config.width, height = r->config.height;
-    return (struct ph_projection){.kind = (enum ph_projection_kind)lens->kind,
-                                  .scale_x_q20 = scale_of(lens->focal_x, lens->focal_log2, width),
-                                  .scale_y_q20 = scale_of(lens->focal_y, lens->focal_log2, height),
-                                  .shift_x = -shift_of(lens->centre_x, width),
-                                  .shift_y = shift_of(lens->centre_y, height),
-                                  .near_z = lens->near_z,
-                                  .far_z = lens->far_z};
-}
-
 int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)
 {
     if (make_frame(p, frame) != 0) {
         return EXIT_FAILED;
     }
-    const struct demo_camera *user = &p->context.camera;
+    const struct demo_camera *user = &p->context.camera; /* a demo with several cameras makes its own of it */
     *view = p->renderer.view;
-    *projection = user->projection_set ? user->projection : projection_of(&p->renderer);
+    *projection = user->projection_set ? user->projection : p->renderer.projection;
     return 0;
 }
 

@@ -48,8 +48,8 @@ int player_open(struct player *p, const struct player_setup *setup);
  * seen then. 0, or EXIT_FAILED as above. */
 int player_frame(struct player *p, uint32_t frame);
 
-/* The camera with which frame number `frame` is drawn; the last one where the demo uses several. The demo's own is to
- * 1/256 px where it is off-centre. 0, or EXIT_FAILED as above. */
+/* The camera with which frame number `frame` is drawn; the last one where the demo uses several.
+ * 0, or EXIT_FAILED as above. */
 int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
 
 /* Time that the last frame took on the bus. */

@@ -27,9 +27,18 @@ static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex 
     }
 }
 
-static int32_t between(int32_t a, int32_t b, int32_t t_q30)
+static int32_t lerp_q30(int32_t a, int32_t b, int32_t t_q30)
 {
     return (int32_t)(a + ((((int64_t)b - a) * t_q30 + (1 << 29)) >> 30));
+}
+
+struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const struct ph_clip_vertex *b, int32_t t_q30)
+{
+    return (struct ph_clip_vertex){
+        lerp_q30(a->x, b->x, t_q30),         lerp_q30(a->y, b->y, t_q30),
+        lerp_q30(a->w, b->w, t_q30),         lerp_q30(a->z, b->z, t_q30),
+        lerp_q30(a->light, b->light, t_q30), {lerp_q30(a->uv[0], b->uv[0], t_q30), lerp_q30(a->uv[1], b->uv[1], t_q30)},
+    };
 }
 
 /* Where the edge from inside (distance from >= 0) to outside (to < 0) meets the plane. */
@@ -42,14 +51,7 @@ static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct p
         from >>= 1;
     }
     const int32_t t = (int32_t)(((uint64_t)from << 30) / whole);
-    struct ph_clip_vertex v = {
-        between(inside->x, outside->x, t),
-        between(inside->y, outside->y, t),
-        between(inside->w, outside->w, t),
-        between(inside->z, outside->z, t),
-        between(inside->light, outside->light, t),
-        {between(inside->uv[0], outside->uv[0], t), between(inside->uv[1], outside->uv[1], t)},
-    };
+    struct ph_clip_vertex v = ph_clip_between(inside, outside, t);
     if (plane == PLANE_NEAR || plane == PLANE_FAR) { /* exactly on it, whatever the rounding */
         v.z = plane == PLANE_NEAR ? lens->near_z : lens->far_z;
         v.w = lens->kind == PH_PERSPECTIVE ? v.z : v.w;

@@ -182,11 +182,6 @@ static bool is_before(const struct ph_clip_vertex *a, const struct ph_clip_verte
     return a->x != b->x ? a->x < b->x : a->y != b->y ? a->y < b->y : a->w < b->w;
 }
 
-static int32_t between(int32_t a, int32_t b, int32_t t_q30)
-{
-    return (int32_t)(a + ((((int64_t)b - a) * t_q30 + (1 << 29)) >> 30));
-}
-
 /* Where the edge is divided: at t = |a| / (|a| + |b|), from the end that comes first whoever asks. */
 static struct vertex divide(const struct ph_lens *lens, const struct vertex *v, const struct vertex *w)
 {
@@ -195,11 +190,7 @@ static struct vertex divide(const struct ph_lens *lens, const struct vertex *v, 
     int shift;
     const uint32_t reciprocal = fx_rcp_norm((uint32_t)a->z + (uint32_t)b->z, &shift);
     const int32_t t = (int32_t)fx_mulhi_u32((uint32_t)a->z << shift, reciprocal);
-    const struct ph_clip_vertex middle = {
-        between(a->x, b->x, t),         between(a->y, b->y, t),
-        between(a->w, b->w, t),         0,
-        between(a->light, b->light, t), {between(a->uv[0], b->uv[0], t), between(a->uv[1], b->uv[1], t)},
-    };
+    const struct ph_clip_vertex middle = ph_clip_between(a, b, t); /* its distance is not on the chord: vertex_of */
     return vertex_of(lens, &middle);
 }
 

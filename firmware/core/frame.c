@@ -95,6 +95,7 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
     lens.centre_y = centre_of(height, p->shift_y);
     lens_depth(&lens, p);
     r->lens = lens;
+    r->projection = *projection;
     r->view = *view;
     return PH_OK;
 }

@@ -243,8 +243,7 @@ static void draw_clip_line(struct ph_renderer *r, const struct ph_material *mate
     }
 }
 
-/* Edges carry no light; their ends are given in one order, whatever the edge's, so that they always cover the same
- * pixels. */
+/* Each edge of the mesh once, as a line of its own. */
 static void draw_edges(const struct part_context *c)
 {
     for (uint32_t i = 0; i < c->mesh->edge_count; i++) {

@@ -118,6 +118,9 @@ static inline int64_t ph_area(int32_t ax, int32_t ay, int32_t bx, int32_t by, in
     return fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
 }
 
+/* a + (b - a) t, t in Q2.30, of all that a vertex carries before the divide; each rounded once. */
+struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const struct ph_clip_vertex *b, int32_t t_q30);
+
 /* Clips a polygon of n = 2 (a line) or 3 corners; out has room for PH_CLIP_MAX. Returns the number of corners left. */
 #define PH_CLIP_MAX 9
 int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out);

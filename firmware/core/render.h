@@ -161,7 +161,8 @@ struct ph_renderer {
     struct ph_config config;
     struct ph_stats stats;
     struct ph_lens lens;
-    struct ph_xform view; /* world to view */
+    struct ph_projection projection; /* as given; lens is made of it */
+    struct ph_xform view;            /* world to view */
     struct ph_scene_light light;
     uint32_t band_count;
     uint32_t triangle_count;
