@@ -135,69 +135,148 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
     return d->clock_hz < 0 ? d->clock_hz : HAL_OK;
 }
 
-/* One border after the other, high byte first. */
-static int send_border(const struct panel_driver *d, uint8_t command, uint32_t first, uint32_t last)
+/* Bytes that stay where they are until the next write has started: nothing to wait for. */
+static int stream(struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
-    uint8_t wide[4] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
-    uint8_t narrow[2] = {(uint8_t)first, (uint8_t)last};
-    if (d->config.panel->controller->address_bytes == 1) {
-        return send_command(d, command, narrow, sizeof narrow);
+    d->frame_bytes += (uint32_t)n;
+    return d->hal.ops->bus_write(d->hal.context, dc, bytes, n);
+}
+
+/*
+ * One border after the other, high byte first; `sent` keeps them while they are on the wire: it is written to only when
+ * the command before them, and so everything earlier, has left its buffer. `again`: even if the controller has it.
+ */
+static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t first, uint32_t last, uint8_t sent[4],
+                       bool again)
+{
+    const struct panel_controller *c = d->config.panel->controller;
+    const uint8_t wide[4] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
+    const uint8_t narrow[4] = {(uint8_t)first, (uint8_t)last, 0, 0};
+    const uint8_t *bytes = c->address_bytes == 1 ? narrow : wide;
+    if (!again && memcmp(sent, bytes, sizeof wide) == 0) {
+        return HAL_OK;
     }
-    return send_command(d, command, wide, sizeof wide);
+    int status = stream(d, HAL_COMMAND, command, 1);
+    if (status < 0) {
+        return status;
+    }
+    memcpy(sent, bytes, sizeof wide);
+    return stream(d, c->parameters_are_commands ? HAL_COMMAND : HAL_DATA, sent, 2U * c->address_bytes);
+}
+
+/* `again`: borders are sent even if the controller has them. */
+static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool again)
+{
+    const struct panel_controller *c = d->config.panel->controller;
+    struct panel_place place = panel_place(d->config.panel, d->config.rotation);
+    bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the glass's columns are the picture's lines */
+    uint32_t height = d->bottom - y;
+    uint32_t column = place.column + (swap ? y : x);
+    uint32_t row = place.row + (swap ? x : y);
+    uint32_t columns = swap ? height : d->span;
+    uint32_t rows = swap ? d->span : height;
+    int status = send_border(d, &c->set_column, column / c->column_pixels, (column + columns - 1) / c->column_pixels,
+                             d->column_sent, again);
+    if (status < 0) {
+        return status;
+    }
+    status = send_border(d, &c->set_row, row, row + rows - 1, d->row_sent, again);
+    return status < 0 || c->memory_write == 0 ? status : stream(d, HAL_COMMAND, &c->memory_write, 1);
+}
+
+static int window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height, bool again)
+{
+    d->x = (uint16_t)x;
+    d->span = (uint16_t)width;
+    d->row = (uint16_t)y;
+    d->bottom = (uint16_t)(y + height);
+    d->filled = 0;
+    d->carry_full = false;
+    int status = open_window(d, x, y, again);
+    d->in_frame = status >= 0;
+    return status < 0 ? status : HAL_OK;
 }
 
 int panel_frame_begin(struct panel_driver *d)
 {
-    const struct panel *panel = d->config.panel;
-    const struct panel_controller *c = panel->controller;
-    struct panel_place place = panel_place(panel, d->config.rotation);
-    uint32_t columns = c->window_turns ? d->width : panel->width;
-    uint32_t rows = c->window_turns ? d->height : panel->height;
-
-    d->row = 0;
-    d->in_frame = false;
-    d->filled = 0;
-    d->carry_full = false;
-    int status =
-        send_border(d, c->set_column, place.column / c->column_pixels, (place.column + columns - 1) / c->column_pixels);
-    if (status < 0) {
-        return status;
-    }
-    status = send_border(d, c->set_row, place.row, place.row + rows - 1);
-    if (status < 0) {
-        return status;
-    }
-    if (c->memory_write != 0) {
-        status = send_command(d, c->memory_write, NULL, 0);
-        if (status < 0) {
-            return status;
-        }
-    }
-    d->in_frame = true;
-    return HAL_OK;
+    d->frame_bytes = 0;
+    return window(d, 0, 0, d->width, d->height, true);
 }
 
-int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+/* Do first and end lie between bytes? What lies beside the picture does not count. */
+static bool between_bytes(const struct panel_driver *d, uint32_t first, uint32_t end, uint32_t size)
 {
-    if (!d->in_frame || lines > (uint32_t)(d->height - d->row)) {
+    return (first == 0 || ((first + d->lead) & 1U) == 0) && (end == size || ((end + d->lead) & 1U) == 0);
+}
+
+int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height)
+{
+    d->in_frame = false;
+    if (width == 0 || height == 0 || x >= d->width || y >= d->height || width > d->width - x ||
+        height > d->height - y) {
         return HAL_EINVAL;
     }
-    const uint8_t *bytes = (const uint8_t *)pixels;
-    size_t line_bytes = 2U * d->width;
-    int status = HAL_OK;
-    if (d->config.format == PANEL_RGB565) {
-        status = lines == 0 ? HAL_OK : d->hal.ops->bus_write(d->hal.context, HAL_DATA, bytes, lines * line_bytes);
-        d->row = (uint16_t)(d->row + lines);
-    } else {
-        for (uint32_t i = 0; i < lines && status >= 0; i++) {
-            status = panel_pack_line(d, bytes + i * line_bytes);
-            d->row++;
-        }
+    if (d->config.format == PANEL_GREY4 &&
+        !(d->pair_lines ? between_bytes(d, y, y + height, d->height) : between_bytes(d, x, x + width, d->width))) {
+        return HAL_EINVAL;
     }
+    /* Without a memory write command it is the borders that take the controller back to the window's start. */
+    return window(d, x, y, width, height, d->config.panel->controller->memory_write == 0);
+}
+
+uint32_t panel_border_bytes(const struct panel_controller *c)
+{
+    return 1 + 2U * c->address_bytes;
+}
+
+uint32_t panel_start_bytes(const struct panel_controller *c)
+{
+    return c->memory_write != 0;
+}
+
+/* Straight from where they are, in one piece if they are one. */
+static int send_lines(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
+{
+    uint32_t pieces = stride == d->span ? 1 : lines;
+    size_t n = 2U * d->span * (size_t)(lines / pieces);
+    int status = HAL_OK;
+    for (uint32_t i = 0; i < pieces && status >= 0; i++) {
+        status = stream(d, HAL_DATA, bytes + 2 * (size_t)stride * i, n);
+    }
+    d->row = (uint16_t)(d->row + lines);
+    return status;
+}
+
+static int pack_lines(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
+{
+    int status = HAL_OK;
+    for (uint32_t i = 0; i < lines && status >= 0; i++) {
+        status = panel_pack_line(d, bytes + 2 * (size_t)stride * i);
+        d->row++;
+    }
+    return status >= 0 && d->row == d->bottom ? panel_pack_end(d) : status;
+}
+
+int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t stride, uint32_t lines)
+{
+    if (!d->in_frame || stride < d->span || lines > (uint32_t)(d->bottom - d->row)) {
+        return HAL_EINVAL;
+    }
+    if (lines == 0) {
+        return HAL_OK;
+    }
+    bool straight = d->config.format == PANEL_RGB565 && (stride == d->span || d->half_bytes == 0);
+    const uint8_t *bytes = (const uint8_t *)pixels;
+    int status = straight ? send_lines(d, bytes, stride, lines) : pack_lines(d, bytes, stride, lines);
     if (status < 0) {
         d->in_frame = false;
     }
     return status;
+}
+
+int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+{
+    return panel_window_rows(d, pixels, d->span, lines);
 }
 
 int panel_wait(struct panel_driver *d)
@@ -207,12 +286,11 @@ int panel_wait(struct panel_driver *d)
 
 int panel_frame_end(struct panel_driver *d)
 {
-    bool complete = d->in_frame && d->row == d->height;
+    bool complete = d->in_frame && d->row == d->bottom;
     d->in_frame = false;
-    int status = complete ? panel_pack_end(d) : HAL_OK;
-    int waited = panel_wait(d);
-    if (status < 0 || waited < 0) {
-        return status < 0 ? status : waited;
+    int status = panel_wait(d);
+    if (status < 0) {
+        return status;
     }
     if (!complete) {
         return HAL_EINVAL;

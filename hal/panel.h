@@ -5,6 +5,7 @@
  *   panel_frame_begin(d)            window and memory write, once a frame
  *   panel_rows(d, pixels, lines)    the picture from its top, any number of lines at a time
  *   panel_frame_end(d)              waits for the last bit; after the FIRST frame display and backlight go on
+ *   panel_window(d, x, y, w, h)     a part of the picture instead of panel_frame_begin's whole; see panel_diff.h
  *   panel_close(d)                  display and backlight off, sleep
  *
  * Pixels in: RGB565 in wire order, that is the byte with red first in memory (firmware/core's bands), rows of
@@ -129,15 +130,19 @@ struct panel_driver {
     struct panel_config config;
     uint16_t width, height; /* of the picture */
     int32_t clock_hz;       /* full speed got */
-    uint16_t row;           /* lines given in this frame */
-    bool in_frame;
-    bool lit;            /* display and backlight are on */
-    bool pair_lines;     /* GREY4 turned by 90 or 270: a byte holds the pixels of two lines */
-    uint8_t lead;        /* GREY4: 1 if the first byte's first four bits lie beside the glass */
-    uint8_t half;        /* half of scratch that is filled next */
-    uint32_t half_bytes; /* size of a half */
-    uint32_t filled;     /* bytes in it */
-    uint8_t carry;       /* 4 bits that wait for their byte's other half */
+    uint16_t x, span;       /* first column and width of the window */
+    uint16_t row, bottom;   /* next line, and the one below the window */
+    bool in_frame;          /* a window is open */
+    uint8_t column_sent[4]; /* parameters as they are on the wire or were sent last */
+    uint8_t row_sent[4];
+    uint32_t frame_bytes; /* on the wire since panel_frame_begin, or since the caller set it to 0 */
+    bool lit;             /* display and backlight are on */
+    bool pair_lines;      /* GREY4 turned by 90 or 270: a byte holds the pixels of two lines */
+    uint8_t lead;         /* GREY4: 1 if the first byte's first four bits lie beside the glass */
+    uint8_t half;         /* half of scratch that is filled next */
+    uint32_t half_bytes;  /* size of a half */
+    uint32_t filled;      /* bytes in it */
+    uint8_t carry;        /* 4 bits that wait for their byte's other half */
     bool carry_full;
 };
 
@@ -156,6 +161,24 @@ int panel_frame_begin(struct panel_driver *d);
  * Errors: HAL_EINVAL outside of a frame or for more lines than the frame has (nothing is sent then).
  */
 int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
+
+/*
+ * A window on the picture, in its pixels; the lines that follow are those of the window. Borders that the controller
+ * still has from the last window are not sent again (they are after panel_frame_begin): at most panel_window_bytes().
+ * Two pixels that share a byte (GREY4: columns of the glass 2n, 2n + 1) are both inside or both outside.
+ * Errors: HAL_EINVAL outside of the picture, empty, or in the middle of a byte; or the backend's.
+ */
+int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height);
+
+/*
+ * The window's next lines out of a picture in memory: `pixels` is the first of them in the window, `stride` the pixels
+ * from one line to the one below (>= the window's width). The pixels stay the driver's as with panel_rows.
+ */
+int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t stride, uint32_t lines);
+
+/* Bytes of a border (command and parameters), and of the memory write command, which may be 0. */
+uint32_t panel_border_bytes(const struct panel_controller *c);
+uint32_t panel_start_bytes(const struct panel_controller *c);
 
 /* Waits until the bus is idle: every buffer is the caller's again. */
 int panel_wait(struct panel_driver *d);

@@ -4,6 +4,8 @@
  */
 #include "panel_pack.h"
 
+#include <string.h>
+
 /* Most bytes that one pixel can add. */
 #define PIXEL_BYTES_MAX 3
 
@@ -26,8 +28,8 @@ int panel_pack_init(struct panel_driver *d)
     const struct panel_config *config = &d->config;
     d->pair_lines =
         config->format == PANEL_GREY4 && config->panel->controller->column_pixels == 2 && (config->rotation & 1) != 0;
-    if (config->format == PANEL_RGB565) {
-        return HAL_OK;
+    if (config->format == PANEL_RGB565 && (config->scratch == NULL || config->scratch_bytes < PANEL_SCRATCH_MIN)) {
+        return HAL_OK; /* windows go out line by line */
     }
     size_t kept = d->pair_lines ? d->width : 0; /* the upper line of a pair, at the end of scratch */
     if (config->scratch_bytes < kept + 2 * PIXEL_BYTES_MAX) {
@@ -53,6 +55,7 @@ static int flush(struct panel_driver *d)
     }
     uint8_t *half = d->config.scratch + d->half * d->half_bytes;
     int status = d->hal.ops->bus_write(d->hal.context, HAL_DATA, half, d->filled);
+    d->frame_bytes += d->filled;
     d->half ^= 1;
     d->filled = 0;
     return status;
@@ -115,7 +118,10 @@ static void pack(struct panel_driver *d, const uint8_t *in, uint32_t x, uint32_t
 {
     uint8_t *start = d->config.scratch + d->half * d->half_bytes + d->filled;
     uint8_t *end;
-    if (d->config.format == PANEL_RGB666) {
+    if (d->config.format == PANEL_RGB565) {
+        memcpy(start, in, 2 * (size_t)n);
+        end = start + 2 * n;
+    } else if (d->config.format == PANEL_RGB666) {
         end = pack_rgb666(start, in, n);
     } else if (d->config.format == PANEL_RGB444) {
         end = pack_rgb444(d, start, in, n);
@@ -145,11 +151,11 @@ static int pack_rest(struct panel_driver *d)
 int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
 {
     uint32_t x = 0;
-    if (d->config.format == PANEL_GREY4 && !d->pair_lines && d->lead != 0) {
+    if (d->config.format == PANEL_GREY4 && !d->pair_lines && d->lead != 0 && d->x == 0) {
         d->carry = 0;
         d->carry_full = true;
     }
-    while (x < d->width) {
+    while (x < d->span) {
         uint32_t fit = (d->half_bytes - d->filled) / PIXEL_BYTES_MAX;
         if (fit == 0) {
             int status = flush(d);
@@ -158,8 +164,8 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
             }
             continue;
         }
-        uint32_t n = d->width - x < fit ? d->width - x : fit;
-        pack(d, pixels + 2 * x, x, n);
+        uint32_t n = d->span - x < fit ? d->span - x : fit;
+        pack(d, pixels + 2 * x, d->x + x, n);
         x += n;
     }
     return d->config.format == PANEL_GREY4 ? pack_rest(d) : HAL_OK;
@@ -168,7 +174,7 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
 /* A last line that has its byte for itself, when two lines share one. */
 static int pack_last_line(struct panel_driver *d)
 {
-    for (uint32_t x = 0; x < d->width; x++) {
+    for (uint32_t x = d->x; x < (uint32_t)d->x + d->span; x++) {
         if (d->filled == d->half_bytes) {
             int status = flush(d);
             if (status < 0) {
@@ -182,6 +188,6 @@ static int pack_last_line(struct panel_driver *d)
 
 int panel_pack_end(struct panel_driver *d)
 {
-    int status = d->pair_lines && ((d->height + d->lead) & 1U) != 0 ? pack_last_line(d) : pack_rest(d);
+    int status = d->pair_lines && ((d->bottom + d->lead) & 1U) != 0 ? pack_last_line(d) : pack_rest(d);
     return status < 0 ? status : flush(d);
 }
