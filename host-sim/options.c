@@ -170,11 +170,19 @@ static bool set_convention(struct options *o, const char *value)
     return convention >= 0;
 }
 
+static const char *const depth_names[PH_DEPTH_FORMATS] = {
+    [PH_DEPTH_AUTO] = "auto",       [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",
+    [PH_DEPTH_FIXED24] = "fixed24", [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w"};
+
+const char *options_depth_name(uint8_t format)
+{
+    return depth_names[format];
+}
+
 static bool set_depth(struct options *o, const char *value)
 {
-    static const char *const names[] = {[PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16"};
-    const int format = option_text_choice(value, names, 2);
-    o->depth = (uint8_t)(format & 1);
+    const int format = option_text_choice(value, depth_names, PH_DEPTH_FORMATS);
+    o->depth = (uint8_t)(format >= 0 ? format : 0);
     return format >= 0;
 }
 
@@ -246,7 +254,8 @@ static const struct option option_table[] = {
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", set_convention},
-    {"depth", "fixed16|float16", "what the depth buffer holds; fixed16 by default", "fixed16 or float16", set_depth},
+    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w", "what the depth buffer holds; fixed16 by default",
+     "auto, fixed16, float16, fixed24, float24 or linear-w", set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
     {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
@@ -350,7 +359,7 @@ static int read_one(struct options *o, int argc, char *const argv[], int i)
 
 int options_read(struct options *o, int argc, char *const argv[])
 {
-    *o = (struct options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
+    *o = (struct options){.depth = PH_DEPTH_FIXED16, .up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
         i = read_one(o, argc, argv, i);
         if (i == 0) {

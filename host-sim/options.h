@@ -43,6 +43,9 @@ struct options {
 /* Reads the command line into *o. 0, or EXIT_USAGE when it was wrong and one line has said so. */
 int options_read(struct options *o, int argc, char *const argv[]);
 
+/* How --depth names a format (enum ph_depth_format). */
+const char *options_depth_name(uint8_t format);
+
 /* Prints what --help prints. */
 void options_help(void);
 

@@ -1,6 +1,7 @@
 #include "player.h"
 
 #include "complain.h"
+#include "options.h"
 #include "overlay.h"
 
 #include <stdlib.h>
@@ -43,7 +44,7 @@ static int open_picture(struct player *p)
     const uint16_t width = p->driver.width, height = p->driver.height;
     const size_t lines = lines_of(p);
     p->bins = malloc(sizeof *p->bins * height);
-    p->depth = malloc(sizeof *p->depth * width * lines);
+    p->depth = malloc(ph_depth_bytes(p->setup.depth_format) * width * lines);
     p->band = malloc(sizeof *p->band * width * lines);
     p->picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     const bool all = p->bins != NULL && p->depth != NULL && p->band != NULL && p->picture.rgb != NULL;
@@ -231,9 +232,11 @@ void player_print_stats(const struct player *p, uint32_t frame)
             (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
             (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped);
     fprintf(stderr,
-            "vertices dropped %u; fragments %u; wire %llu bytes, writes %u, bus %.0f us at %u Hz, %.1f frames/s\n",
-            (unsigned)s->vertices_dropped, (unsigned)s->fragments, (unsigned long long)(now.bytes - p->counters.bytes),
-            (unsigned)(now.writes - p->counters.writes), bus_us, (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
+            "vertices dropped %u; fragments %u, depth %s; wire %llu bytes, writes %u, bus %.0f us at %u Hz, %.1f "
+            "frames/s\n",
+            (unsigned)s->vertices_dropped, (unsigned)s->fragments, options_depth_name(s->depth_format),
+            (unsigned long long)(now.bytes - p->counters.bytes), (unsigned)(now.writes - p->counters.writes), bus_us,
+            (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
 }
 
 static uint32_t print_complaints(const struct sim *sim)

@@ -29,7 +29,7 @@ void rig_open(struct rig *rig, int width, int height, int band_height, enum ph_d
     rig->height = height;
     rig->pixels = get_memory(pixels, sizeof(*rig->pixels));
     rig->depth = get_memory(pixels, sizeof(*rig->depth));
-    rig->band_depth = get_memory((size_t)width * (size_t)band_height, sizeof(*rig->band_depth));
+    rig->band_depth = get_memory((size_t)width * (size_t)band_height, ph_depth_bytes(format));
     rig->vertices = get_memory((size_t)vertex_max, ph_vertex_bytes);
     rig->triangles = get_memory((size_t)triangle_max, ph_triangle_bytes);
     rig->bins = get_memory(bands, sizeof(*rig->bins));
@@ -71,7 +71,11 @@ bool rig_finish(struct rig *rig)
         if (lines == 0 || lines > (uint32_t)rig->height - row) {
             return false;
         }
-        memcpy(rig->depth + at, rig->band_depth, lines * (size_t)rig->width * sizeof(*rig->depth));
+        for (size_t i = 0; i < lines * (size_t)rig->width; i++) {
+            rig->depth[at + i] = ph_depth_bytes(rig->r.config.depth_format) == 4
+                                     ? ((const uint32_t *)rig->band_depth)[i]
+                                     : ((const uint16_t *)rig->band_depth)[i];
+        }
         row += lines;
     }
     return row == (uint32_t)rig->height;
@@ -106,7 +110,7 @@ void rig_rgb(const struct rig *rig, int x, int y, double rgb[3])
 }
 
 /* See depth.h: the middle of the interval of N/z - N/f that has this code. */
-static double complementary(enum ph_depth_format format, uint16_t code)
+static double complementary(enum ph_depth_format format, uint32_t code)
 {
     if (format == PH_DEPTH_FIXED16) {
         return (code + .5 - 16) / 65536;
@@ -116,10 +120,10 @@ static double complementary(enum ph_depth_format format, uint16_t code)
     return exponent < 1 ? ldexp(f, -27) : ldexp(f - 4096 * (exponent - 1), exponent - 28);
 }
 
-double rig_distance(const struct rig *rig, uint16_t code, double near_z, double far_z)
+double rig_distance(const struct rig *rig, uint32_t code, double near_z, double far_z)
 {
     double n = near_z * (1 - 1. / 512);
-    return n / (complementary((enum ph_depth_format)rig->r.config.depth_format, code) + n / far_z);
+    return n / (complementary((enum ph_depth_format)rig->r.stats.depth_format, code) + n / far_z);
 }
 
 uint16_t rig_fill_colour(int quad)

@@ -12,10 +12,10 @@ struct rig {
     struct ph_renderer r;
     int width, height;
     uint16_t *pixels; /* the whole picture, wire order */
-    uint16_t *depth;  /* the whole picture's depth codes, collected band by band */
+    uint32_t *depth;  /* the whole picture's depth codes, collected band by band */
     void *vertices, *triangles;
     uint32_t *bins;
-    uint16_t *band_depth;
+    void *band_depth;
 };
 
 /* Aborts when out of memory or when the renderer refuses the configuration. */
@@ -33,7 +33,7 @@ void rig_begin(struct rig *rig);
 void rig_rgb(const struct rig *rig, int x, int y, double rgb[3]);
 
 /* The distance along the view that a depth code stands for (see depth.h), computed in double; code not 0. */
-double rig_distance(const struct rig *rig, uint16_t code, double near_z, double far_z);
+double rig_distance(const struct rig *rig, uint32_t code, double near_z, double far_z);
 
 struct rig_mesh {
     struct ph_mesh mesh;

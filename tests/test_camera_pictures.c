@@ -236,7 +236,8 @@ static void draw_scene(const struct ph_xform *view, const struct ph_projection *
 }
 
 struct kept {
-    uint16_t pixels[PIXELS], depth[PIXELS];
+    uint16_t pixels[PIXELS];
+    uint32_t depth[PIXELS];
 };
 
 static void keep(struct kept *k)

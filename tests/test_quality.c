@@ -19,6 +19,7 @@
 #include <cmocka.h>
 
 #include "demo.h"
+#include "options.h"
 #include "ref_rig.h"
 
 #include <math.h>
@@ -41,7 +42,9 @@ struct quality {
     double texels, wrong;
 };
 
-static struct quality table[SOURCES][REF_SCENES][2];
+#define FORMATS PH_DEPTH_FLOAT16 /* the formats 1 .. FORMATS are measured */
+
+static struct quality table[SOURCES][REF_SCENES][PH_DEPTH_FORMATS];
 
 /* ---- measuring one picture ------------------------------------------------------------------------------ */
 
@@ -106,7 +109,7 @@ static void measure_smooth(const struct rig *rig, const struct ref_pixel *pixel,
 static void measure(const struct rig *rig, const struct ref_scene *scene, const struct ref_picture *ref,
                     enum source source)
 {
-    struct quality *q = &table[source][scene->id][rig->r.config.depth_format];
+    struct quality *q = &table[source][scene->id][rig->r.stats.depth_format];
     q->frames++;
     for (int y = 0; y < HEIGHT; y++) {
         for (int x = 0; x < WIDTH; x++) {
@@ -143,12 +146,8 @@ static void count_draws(struct rig *rig, const struct rig_mesh *mesh, const stru
             continue;
         }
         assert_true(rig_finish(rig));
-        for (int p = 0; p < PIXELS; p += 4) {
-            uint64_t four;
-            memcpy(&four, rig->depth + p, sizeof(four));
-            for (int k = p; four && k < p + 4; k++) {
-                count[k] = (uint8_t)(count[k] + (rig->depth[k] != 0));
-            }
+        for (int p = 0; p < PIXELS; p++) {
+            count[p] = (uint8_t)(count[p] + (rig->depth[p] != 0));
         }
     }
 }
@@ -230,20 +229,23 @@ static void measure_frame(struct stage *stage, const struct ref_scene *scene, co
 
 static void measure_scene(const struct ref_scene *scene)
 {
-    struct stage stages[2];
+    struct stage stages[PH_DEPTH_FORMATS];
     struct rig_mesh mesh;
     rig_mesh_build(&mesh, scene);
-    stage_open(&stages[PH_DEPTH_FIXED16], scene, PH_DEPTH_FIXED16);
-    stage_open(&stages[PH_DEPTH_FLOAT16], scene, PH_DEPTH_FLOAT16);
+    for (int format = 1; format <= FORMATS; format++) {
+        stage_open(&stages[format], scene, (enum ph_depth_format)format);
+    }
     for (int frame = 0; frame <= LAST; frame += STEP) {
         struct ref_picture ref;
         ref_draw(&ref, &ref_benchmark, scene, frame);
-        measure_frame(&stages[PH_DEPTH_FIXED16], scene, &mesh, &ref, frame, PH_DEPTH_FIXED16);
-        measure_frame(&stages[PH_DEPTH_FLOAT16], scene, &mesh, &ref, frame, PH_DEPTH_FLOAT16);
+        for (int format = 1; format <= FORMATS; format++) {
+            measure_frame(&stages[format], scene, &mesh, &ref, frame, format);
+        }
         ref_picture_free(&ref);
     }
-    stage_close(&stages[PH_DEPTH_FIXED16]);
-    stage_close(&stages[PH_DEPTH_FLOAT16]);
+    for (int format = 1; format <= FORMATS; format++) {
+        stage_close(&stages[format]);
+    }
     rig_mesh_free(&mesh);
 }
 
@@ -287,12 +289,12 @@ static int print_table(void **state)
     (void)state;
     printf("%-10s %-5s %-8s %10s %6s %6s %10s %10s %8s %7s\n", "scene", "mesh", "depth", "coverage", "twice", "holes",
            "depth RMS", "dist. RMS", "wrong", "colour");
-    for (int i = 0; i < REF_SCENES * SOURCES * 2; i++) {
-        int scene = i / (SOURCES * 2), source = i / 2 % SOURCES, format = i % 2;
+    for (int i = 0; i < REF_SCENES * SOURCES * FORMATS; i++) {
+        int scene = i / (SOURCES * FORMATS), source = i / FORMATS % SOURCES, format = 1 + i % FORMATS;
         const struct quality *q = &table[source][scene][format];
         printf("%-10s %-5s %-8s %8.4f %% %6.0f %6.0f %10.2e %10.2e %6.3f %% %7.2f\n", names[scene],
-               source == DEMO ? "demo" : "own", format == PH_DEPTH_FLOAT16 ? "float16" : "fixed16", coverage_percent(q),
-               q->twice, q->holes, depth_rms(q), distance_rms(q), q->texels > 0 ? wrong_percent(q) : 0,
+               source == DEMO ? "demo" : "own", options_depth_name((uint8_t)format), coverage_percent(q), q->twice,
+               q->holes, depth_rms(q), distance_rms(q), q->texels > 0 ? wrong_percent(q) : 0,
                scene == REF_CUBE || scene == REF_FILL ? 0 : sqrt(q->colour_square / q->smooth));
     }
     return 0;
@@ -311,10 +313,10 @@ static void all_frames_were_measured(void **state)
 {
     static const double covered[REF_SCENES] = {22390, 36919, 76800, 16929, 57839};
     (void)state;
-    for (int i = 0; i < REF_SCENES * SOURCES * 2; i++) {
-        const struct quality *q = &table[i / 2 % SOURCES][i / (SOURCES * 2)][i % 2];
+    for (int i = 0; i < REF_SCENES * SOURCES * FORMATS; i++) {
+        const struct quality *q = &table[i / FORMATS % SOURCES][i / (SOURCES * FORMATS)][1 + i % FORMATS];
         assert_true(q->frames == 8);
-        assert_true(fabs(q->covered / 8 - covered[i / (SOURCES * 2)]) < 1);
+        assert_true(fabs(q->covered / 8 - covered[i / (SOURCES * FORMATS)]) < 1);
         assert_true(q->smooth > .5 * q->covered);
     }
 }
@@ -323,9 +325,10 @@ static void coverage_is_that_of_the_reference(void **state)
 {
     static const double bars[REF_SCENES] = {.02, .02, 0, .02, .005};
     (void)state;
-    for (int i = 0; i < REF_SCENES * SOURCES * 2; i++) {
-        int scene = i / (SOURCES * 2);
-        at_most("coverage %", scene, coverage_percent(&table[i / 2 % SOURCES][scene][i % 2]), bars[scene]);
+    for (int i = 0; i < REF_SCENES * SOURCES * FORMATS; i++) {
+        int scene = i / (SOURCES * FORMATS);
+        at_most("coverage %", scene, coverage_percent(&table[i / FORMATS % SOURCES][scene][1 + i % FORMATS]),
+                bars[scene]);
     }
 }
 
@@ -358,9 +361,9 @@ static void float16_distance_is_that_of_the_reference(void **state)
 static void texels_are_those_of_the_reference(void **state)
 {
     (void)state;
-    for (int i = 0; i < SOURCES * 2; i++) {
-        assert_true(table[i / 2][REF_CUBE][i % 2].texels > 200000);
-        at_most("wrong texels %", REF_CUBE, wrong_percent(&table[i / 2][REF_CUBE][i % 2]), .6);
+    for (int i = 0; i < SOURCES * FORMATS; i++) {
+        assert_true(table[i / FORMATS][REF_CUBE][1 + i % FORMATS].texels > 200000);
+        at_most("wrong texels %", REF_CUBE, wrong_percent(&table[i / FORMATS][REF_CUBE][1 + i % FORMATS]), .6);
     }
 }
 
@@ -377,9 +380,10 @@ static void gouraud_light_is_that_of_the_reference(void **state)
     static const int lit[3] = {REF_TORUS, REF_SPHERE, REF_GROUND};
     static const double bars[3] = {2.5, 2.5, 4.5};
     (void)state;
-    for (int i = 0; i < 3 * SOURCES * 2; i++) {
-        const struct quality *q = &table[i / 2 % SOURCES][lit[i / (SOURCES * 2)]][i % 2];
-        at_most("colour RMS", lit[i / (SOURCES * 2)], sqrt(q->colour_square / q->smooth), bars[i / (SOURCES * 2)]);
+    for (int i = 0; i < 3 * SOURCES * FORMATS; i++) {
+        const struct quality *q = &table[i / FORMATS % SOURCES][lit[i / (SOURCES * FORMATS)]][1 + i % FORMATS];
+        at_most("colour RMS", lit[i / (SOURCES * FORMATS)], sqrt(q->colour_square / q->smooth),
+                bars[i / (SOURCES * FORMATS)]);
     }
 }
 

@@ -283,7 +283,8 @@ static void bands_of_any_height_give_the_same_bytes(void **state)
                                           {'d', {{-9, 3, -2}, {3, 40, 1}, {30, 5, .7}}},
                                           {'e', {{0, 11.25}, {8, 11.75}, {16, 11.25}}},
                                           {'f', {{0, 0}, {0, 1}, {16, 1}}}};
-    uint16_t pixels[HEIGHT * WIDTH], depth[HEIGHT * WIDTH];
+    uint16_t pixels[HEIGHT * WIDTH];
+    uint32_t depth[HEIGHT * WIDTH];
     uint32_t fragments = 0;
     (void)state;
     for (int format = PH_DEPTH_FIXED16; format <= PH_DEPTH_FLOAT16; format++) {

@@ -119,7 +119,7 @@ static int zfight_frame(struct demo_context *context, struct ph_renderer *r, uin
 static uint32_t zfight_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    const char *const format = r->config.depth_format == PH_DEPTH_FLOAT16 ? "FLOAT16 1/64 APART" : "FIXED16 1/64 APART";
+    const char *const format = r->stats.depth_format == PH_DEPTH_FLOAT16 ? "FLOAT16 1/64 APART" : "FIXED16 1/64 APART";
     const int32_t columns = context->width > context->height * 3 / 2 ? PAIRS / 2 : COLUMNS;
     const int32_t rows = PAIRS / columns + 1;
     demo_text(r, band, lines, pixels, (context->width - ph_overlay_width(format, 1)) / 2, 1 + context->height / 40,
@@ -138,7 +138,7 @@ const struct demo demo_zfight = {
     .name = "zfight",
     .summary = "pairs of plates at growing distances: where the depth buffer gives up",
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = sizeof(struct zfight),
+    DEMO_ARENA(sizeof(struct zfight), 0),
     .vertex_max = 4,
     .triangle_max = 4 * PAIRS,
     .init = zfight_init,

@@ -65,7 +65,7 @@ int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scrat
     if (bytes < PH_BLUR_BYTES(width, r->config.band_height, focus->radius)) {
         return PH_ERR_NOMEM;
     }
-    struct ph_blur b = {.colours = scratch, .radius = focus->radius, .depth_format = r->config.depth_format};
+    struct ph_blur b = {.colours = scratch, .radius = focus->radius, .depth_format = r->stats.depth_format};
     b.lines = (uint32_t)PH_BLUR_LINES(r->config.band_height, focus->radius);
     b.blurs = (int8_t *)(b.colours + width * b.lines);
     set_scale(&b, &r->lens, focus);
@@ -167,7 +167,7 @@ uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band
     while (blur->drawn < needed) { /* a band each time */
         const uint32_t come = ph_draw_band(r, blur->next_band++, pixels);
         for (uint32_t i = 0; i < come; i++) {
-            take_line(blur, pixels + i * width, r->config.depth + i * width, (int32_t)width);
+            take_line(blur, pixels + i * width, (const uint16_t *)r->config.depth + i * width, (int32_t)width);
         }
     }
     for (uint32_t y = y0; y < y1; y++) {

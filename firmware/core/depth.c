@@ -1,6 +1,20 @@
 /* Depth of a vertex: see depth.h. */
 #include "depth.h"
 
+size_t ph_depth_bytes(unsigned format)
+{
+    return format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24 ? sizeof(uint32_t) : sizeof(uint16_t);
+}
+
+enum ph_depth_format ph_depth_choose(const struct ph_projection *projection)
+{
+    if (projection->kind == PH_ORTHOGRAPHIC ||
+        projection->far_z <= (int64_t)projection->near_z * PH_DEPTH_FIXED16_RATIO) {
+        return PH_DEPTH_FIXED16;
+    }
+    return PH_DEPTH_FLOAT16;
+}
+
 /* (f - z) / (f - n) as a quotient with s = 0, q = 0 .. 2^30 (1 - 2^-9). */
 static struct ph_quotient ortho_quotient(const struct ph_lens *lens, fx_t z)
 {

@@ -5,15 +5,21 @@
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
 const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
 
+static bool depth_is_usable(const struct ph_config *config)
+{
+    return config->depth != NULL && config->depth_format <= PH_DEPTH_FLOAT16 &&
+           (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
+}
+
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
 {
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     if (width < 1 || width > 1024 || height < 1 || height > 1024 || lines < 1 || lines > height ||
-        config->depth_format > PH_DEPTH_FLOAT16) {
+        !depth_is_usable(config)) {
         return PH_ERR_INVAL;
     }
     const uint32_t bands = (height + lines - 1) / lines;
-    if (config->vertices == NULL || config->triangles == NULL || config->bins == NULL || config->depth == NULL ||
+    if (config->vertices == NULL || config->triangles == NULL || config->bins == NULL ||
         config->triangle_max == PH_NONE) {
         return PH_ERR_INVAL;
     }
@@ -113,7 +119,9 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     static const struct ph_scene_light full = {.ambient = FX_ONE};
     r->light = light != NULL ? *light : full;
     r->background = background;
-    r->stats = (struct ph_stats){0};
+    const unsigned format = r->config.depth_format;
+    r->stats =
+        (struct ph_stats){.depth_format = (uint8_t)(format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : format)};
     r->triangle_count = 0;
     r->carried = PH_NONE;
     return PH_OK;

@@ -103,7 +103,30 @@ struct ph_scene_light {
 
 /* ---- the renderer --------------------------------------------------------------------------------------- */
 
-enum ph_depth_format { PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16 };
+/* What a pixel of the depth buffer holds; what each resolves: depth.h. */
+enum ph_depth_format {
+    PH_DEPTH_AUTO,     /* the one that ph_depth_choose() takes for the frame's camera */
+    PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
+    PH_DEPTH_FLOAT16,  /* the same as an unsigned float, 4 bits of exponent and 12 of mantissa */
+    PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
+    PH_DEPTH_FLOAT24,  /* as FLOAT16, 20 bits of mantissa */
+    PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits: a reciprocal per pixel, slow */
+};
+
+#define PH_DEPTH_FORMATS 6
+
+/*
+ * Bytes of the depth buffer per pixel: 4 with FIXED24 and FLOAT24 (a uint32_t, the code in its low 24 bits), 2 with all
+ * others (a uint16_t), AUTO among them.
+ */
+size_t ph_depth_bytes(unsigned format);
+
+/*
+ * What AUTO takes: FIXED16 for an orthographic projection, and where far <= PH_DEPTH_FIXED16_RATIO near; else FLOAT16.
+ * There FIXED16 still resolves 1/1000 of the distance everywhere (it does up to 65.4), and costs a little less.
+ */
+#define PH_DEPTH_FIXED16_RATIO 64
+enum ph_depth_format ph_depth_choose(const struct ph_projection *projection);
 
 struct ph_stats {
     uint32_t vertices;          /* transformed */
@@ -114,6 +137,7 @@ struct ph_stats {
     uint32_t triangles_dropped; /* did not fit the triangle budget */
     uint32_t vertices_dropped;  /* did not fit the vertex budget; the mesh was left out */
     uint32_t fragments;         /* pixels depth-tested */
+    uint8_t depth_format;       /* in use in this frame: enum ph_depth_format, never AUTO */
 };
 
 struct ph_vertex;   /* a transformed vertex, see pipeline.h */
@@ -133,7 +157,7 @@ struct ph_config {
     uint32_t triangle_max;
     uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
-    uint16_t *depth; /* width * band_height */
+    void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
 };
 
 /*
@@ -174,7 +198,8 @@ struct ph_renderer {
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 
 /*
- * Starts a frame: forgets the triangles and the statistics. view is world-to-view and must be rigid.
+ * Starts a frame: forgets the triangles and the statistics, chooses the depth format where it is AUTO. view is
+ * world-to-view and must be rigid.
  * light may be NULL (full ambient). background in wire order.
  * PH_ERR_INVAL: near_z <= 0 of a perspective or fisheye, far_z <= near_z. PH_ERR_RANGE: the principal point is more
  * than a picture's width or height off the centre (|shift| > 2), or a focal length of 2^18 pixels or more.
@@ -184,7 +209,8 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 
 /*
  * Another camera for what is drawn from now on in the same frame: several views in one picture. All share the depth
- * buffer, so two views should not draw on the same pixels. Errors as ph_frame_begin; then the camera stays.
+ * buffer and its format, so two views should not draw on the same pixels. Errors as ph_frame_begin; then the camera
+ * stays.
  */
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
 

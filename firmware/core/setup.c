@@ -153,7 +153,7 @@ static void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
     const uint32_t bias = t->material->depth_bias < 56 ? t->material->depth_bias : 56;
     uint32_t d[3];
     t->block = PH_BLOCK_NONE;
-    if (r->config.depth_format == PH_DEPTH_FIXED16) {
+    if (r->stats.depth_format == PH_DEPTH_FIXED16) {
         for (int i = 0; i < 3; i++) {
             d[i] = ph_depth_at(&r->lens, v[i]->depth, 0) + PH_DEPTH_BIAS_FIXED16 + (bias << 16);
         }
