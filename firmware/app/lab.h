@@ -1,0 +1,64 @@
+/*
+ * lab: what the depth pipeline resolves, measured with integers alone, so that the host program (pinhole-depth) and a
+ * firmware image print the same bytes.
+ *
+ *   lab_pairs(lab)    adjacent-pair test:  format,bits,near,far,spacing,count,equal,swap,max_wrong_m
+ *   lab_resolve(lab)  smallest separation: format,bits,near,far,z_m,ideal_m,measured_m,ratio
+ *
+ * Everything is said about distances w along the view, in LSBs of Q16.16, and a code that is larger for what is nearer.
+ * The renderer's formats are measured by drawing: a triangle that faces the camera at distance w goes through
+ * ph_draw_mesh and ph_draw_band into a picture of one pixel, and its code is read from the depth buffer.
+ *
+ * What others do, with N the near, F the far plane, w, N, F rounded to Q16.16, S = 2^bits - 1, and round() to the
+ * nearest, ties up:
+ *   ndc-q16    see lab_wrong.c   matrix, clip z and ndc in Q16.16
+ *   recip-q16  see lab_wrong.c   the same, times a Q16.16 reciprocal of w instead of the divide
+ *   clip-q16   see lab_wrong.c   clip z in Q16.16, divide in 64 bits
+ *   log        S ln(F/w) / ln(F/N), rounded down: the best that any code of that many bits can do for dz/z
+ */
+#ifndef LAB_H
+#define LAB_H
+
+#include "render.h"
+
+enum lab_kind { LAB_DRAWN, LAB_NDC_Q16, LAB_RECIP_Q16, LAB_CLIP_Q16, LAB_LOG };
+
+struct lab_format {
+    const char *name;
+    uint8_t kind;   /* enum lab_kind */
+    uint8_t bits;   /* of the stored code */
+    uint8_t format; /* LAB_DRAWN: enum ph_depth_format */
+};
+
+/* The rows of the tables, in the order in which they are printed. Names repeat where a kind has two widths. */
+extern const struct lab_format lab_formats[];
+extern const uint32_t lab_format_count; /* at most 32 */
+
+enum lab_spacing { LAB_LINEAR, LAB_LOG_SPACED };
+
+/* Receives text in pieces. */
+typedef void lab_put(void *context, const char *text);
+
+struct lab {
+    fx_t near_z, far_z; /* 0 < near_z < far_z */
+    uint32_t formats;   /* bit i: row i of lab_formats */
+    uint32_t count;     /* pairs: number of pairs, 1 .. LAB_COUNT_MAX */
+    uint8_t spacing;    /* enum lab_spacing */
+    const fx_t *at;     /* resolve: distances, each near_z .. far_z; NULL: those of lab_distances */
+    uint32_t at_count;
+    void *memory; /* 8-byte aligned, lab_bytes(lab) or more; the lab's while it runs */
+    size_t memory_bytes;
+    lab_put *put;
+    void *context; /* put's */
+};
+
+#define LAB_COUNT_MAX 1000000u
+
+/* Memory that this machine needs. */
+size_t lab_bytes(const struct lab *lab);
+
+/* Both print a header line and one line a result. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: memory_bytes is too small. */
+int lab_pairs(const struct lab *lab);
+int lab_resolve(const struct lab *lab);
+
+#endif

@@ -1,0 +1,112 @@
+#include "depth_ieee.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+struct ieee {
+    const char *name;
+    bool infinite, reversed, gl, int24;
+};
+
+static const struct ieee formats[DEPTH_IEEE_FORMATS] = {
+    {"ieee32-standard", false, false, false, false}, {"ieee32-infinite", true, false, false, false},
+    {"ieee32-reversed", false, true, false, false},  {"ieee32-infinite-reversed", true, true, false, false},
+    {"ieee32-gl", false, false, true, false},        {"ieee32-gl-infinite", true, false, true, false},
+    {"int24-standard", false, false, false, true},   {"int24-infinite", true, false, false, true},
+    {"int24-reversed", false, true, false, true},    {"int24-infinite-reversed", true, true, false, true},
+    {"int24-gl", false, false, true, true},          {"int24-gl-infinite", true, false, true, true},
+};
+
+const char *depth_ieee_name(uint32_t format)
+{
+    return formats[format].name;
+}
+
+/* Scale and bias of z, so that d = (z scale + bias) / z; in double, for one rounding. */
+static void constants(const struct ieee *p, double n, double f, float *scale, float *bias)
+{
+    double s = p->infinite ? 1 : f / (f - n), b = p->infinite ? -n : -f * n / (f - n);
+    if (p->gl) {
+        s = p->infinite ? 1 : (f + n) / (f - n);
+        b = p->infinite ? -2 * n : -2 * f * n / (f - n);
+    }
+    if (p->reversed) {
+        s = p->infinite ? 0 : -n / (f - n);
+        b = -b;
+    }
+    *scale = (float)s;
+    *bias = (float)b;
+}
+
+/* Through memory after each operation: whatever the machine computes with, the value is a float32. */
+static float rounded(float value)
+{
+    volatile float stored = value;
+    return stored;
+}
+
+static float depth_of(const struct ieee *p, float z, float scale, float bias)
+{
+    float d = rounded(rounded(rounded(z * scale) + bias) / z);
+    if (p->gl) {
+        d = rounded(rounded(d * 0.5f) + 0.5f);
+    }
+    if (p->int24) {
+        d = floorf(rounded(rounded(d * 16777215.0f) + 0.5f));
+    }
+    return p->reversed ? -d : d;
+}
+
+static float distance_of(double n, double f, uint8_t spacing, uint32_t i, uint32_t count)
+{
+    const float near_z = (float)n, far_z = (float)f;
+    if (spacing == LAB_LOG_SPACED) {
+        return (float)(n * pow(f / n, (double)i / count));
+    }
+    return rounded(near_z + rounded(rounded(far_z - near_z) * rounded((float)i / (float)count)));
+}
+
+/* The largest z[j] - z[i], i < j, that is not ordered: d[j] <= d[i]. most: the largest d so far, least: from there on.
+ */
+static double widest(const float *z, const float *most, const float *least, uint32_t count)
+{
+    double best = 0;
+    for (uint32_t i = 0, j = 0; j <= count; j++) {
+        while (i < j && most[i] < least[j]) {
+            i++;
+        }
+        while (j < count && most[i] >= least[j + 1]) {
+            j++;
+        }
+        const double apart = (double)z[j] - z[i];
+        best = i < j && apart > best ? apart : best;
+    }
+    return best;
+}
+
+int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spacing, uint32_t count,
+                     struct depth_ieee_count *out)
+{
+    const struct ieee *p = &formats[format];
+    float *z = malloc(3 * sizeof *z * ((size_t)count + 1));
+    if (z == NULL) {
+        return -1;
+    }
+    float *most = z + count + 1, *least = most + count + 1, scale, bias;
+    constants(p, near_z, far_z, &scale, &bias);
+    *out = (struct depth_ieee_count){0, 0, 0};
+    for (uint32_t i = 0; i <= count; i++) {
+        z[i] = distance_of(near_z, far_z, spacing, i, count);
+        const float d = depth_of(p, z[i], scale, bias);
+        out->equal += i > 0 && d == least[i - 1];
+        out->swap += i > 0 && d < least[i - 1];
+        least[i] = d;
+        most[i] = i > 0 && most[i - 1] > d ? most[i - 1] : d;
+    }
+    for (uint32_t i = count; i-- > 0;) {
+        least[i] = least[i] > least[i + 1] ? least[i + 1] : least[i];
+    }
+    out->max_wrong = widest(z, most, least, count);
+    free(z);
+    return 0;
+}

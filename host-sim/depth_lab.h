@@ -1,0 +1,65 @@
+/*
+ * depth_lab: what the commands of pinhole-depth share. A command writes CSV, its first line the names of the columns,
+ * to lab->rows; the program then shows it as a table, or hands it on as it is (--csv). Lines that start with '#' are
+ * remarks: they stand below the table and are no part of the CSV.
+ */
+#ifndef DEPTH_LAB_H
+#define DEPTH_LAB_H
+
+#include "camera.h"
+#include "lab.h"
+
+#include <stdio.h>
+
+#define DEPTH_AT_MAX 64
+
+struct depth_lab {
+    fx_t near_z, far_z;     /* --near, --far: 0 < near_z < far_z */
+    uint32_t formats;       /* --format: bit i is row i of lab_formats */
+    uint32_t host_formats;  /* --format: bit i is row i of depth_ieee_formats (pairs alone) */
+    fx_t fov_deg;           /* --fov, vertical */
+    uint16_t width, height; /* --size */
+    const char *csv;        /* --csv: a file, "-", or NULL: a table for people */
+    uint32_t count;         /* --count */
+    uint8_t spacing;        /* --spacing, enum lab_spacing */
+    fx_t at[DEPTH_AT_MAX];  /* --at */
+    uint32_t at_count;      /* 0: not given */
+    fx_t separation;        /* --separation, 0: not given */
+    fx_t separate;          /* --separate, 0: not given */
+    fx_t tilt_deg;          /* --tilt, -89 .. 89 */
+    bool tilt_set;          /* --tilt was given */
+    bool far_set;           /* --far was given; likewise near_set */
+    bool near_set;
+    uint32_t bits;    /* --bits, 0: not given */
+    const char *out;  /* --out: a file or directory, or NULL */
+    const char *kind; /* plot's KIND, or NULL */
+    FILE *rows;       /* where the command writes; what is there after an error is thrown away */
+};
+
+/* Commands: 0, or EXIT_FAILED or EXIT_USAGE when one line has said why. */
+int depth_pairs(const struct depth_lab *lab);
+int depth_resolve(const struct depth_lab *lab);
+int depth_monotone(const struct depth_lab *lab);
+int depth_advise(const struct depth_lab *lab);
+int depth_anchors(const struct depth_lab *lab);
+int depth_budget(const struct depth_lab *lab);
+int depth_planes(const struct depth_lab *lab);
+int depth_plot(const struct depth_lab *lab);
+int depth_report(const struct depth_lab *lab); /* `all` */
+
+/* The perspective of the lab's camera. Its volume is possible: the options were checked. */
+struct ph_projection depth_lab_projection(const struct depth_lab *lab);
+
+/* Runs a command with its rows into memory: *csv is a string to free(), also after an error. Returns what run does. */
+int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);
+
+/*
+ * Prints CSV as a table with aligned columns, remarks below it. headings: the columns' names for people, with commas
+ * between them, as many as the CSV has (all of them say predicted or measured where that is a question), or NULL.
+ */
+void depth_table_print(FILE *file, const char *csv, const char *headings);
+
+/* Writes length bytes to path: the whole of them or what was there before. 0, or EXIT_FAILED and one line. */
+int depth_save(const char *path, const char *bytes, size_t length);
+
+#endif

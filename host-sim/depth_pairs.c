@@ -1,0 +1,33 @@
+#include "complain.h"
+#include "depth_ieee.h"
+#include "lab_num.h"
+
+#include <stdlib.h>
+
+/* Near and far as they are printed, so that 0.1 means 0.1 here and not the nearest number of Q16.16. */
+static int ieee_row(const struct depth_lab *lab, uint32_t format)
+{
+    struct depth_ieee_count found;
+    char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE];
+    lab_fx_text(lab->near_z, near_text);
+    lab_fx_text(lab->far_z, far_text);
+    if (depth_ieee_pairs(format, atof(near_text), atof(far_text), lab->spacing, lab->count, &found) != 0) {
+        return complain(EXIT_FAILED, "out of memory; make --count smaller");
+    }
+    fprintf(lab->rows, "%s,%d,%s,%s,%s,%u,%u,%u,%.6g\n", depth_ieee_name(format), format < 6 ? 32 : 24, near_text,
+            far_text, lab->spacing == LAB_LINEAR ? "linear" : "log", (unsigned)lab->count, (unsigned)found.equal,
+            (unsigned)found.swap, found.max_wrong);
+    return 0;
+}
+
+int depth_pairs(const struct depth_lab *lab)
+{
+    int status = 0;
+    fputs("format,bits,near,far,spacing,count,equal,swap,max_wrong_m\n", lab->rows);
+    for (uint32_t i = 0; i < DEPTH_IEEE_FORMATS && status == 0; i++) {
+        if ((lab->host_formats >> i & 1) != 0) {
+            status = ieee_row(lab, i);
+        }
+    }
+    return status;
+}

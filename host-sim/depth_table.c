@@ -1,0 +1,129 @@
+#define _XOPEN_SOURCE 700 /* open_memstream */
+
+#include "complain.h"
+#include "depth_lab.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define COLUMNS_MAX 24
+
+/* Widens the columns to what a line needs; a cell ends at a comma or at the end of the line. */
+static void measure(const char *line, size_t width[COLUMNS_MAX])
+{
+    for (int column = 0; column < COLUMNS_MAX; column++) {
+        const size_t n = strcspn(line, ",\n");
+        width[column] = n > width[column] ? n : width[column];
+        line += n;
+        if (*line++ != ',') {
+            return;
+        }
+    }
+}
+
+/* The first column is text, and on the left. */
+static void print_line(FILE *file, const char *line, const size_t width[COLUMNS_MAX])
+{
+    for (int column = 0; column < COLUMNS_MAX; column++) {
+        const size_t n = strcspn(line, ",\n");
+        const int pad = (int)(width[column] - n);
+        if (column == 0) {
+            fprintf(file, "%.*s%*s", (int)n, line, pad, "");
+        } else {
+            fprintf(file, "  %*s%.*s", pad, "", (int)n, line);
+        }
+        line += n;
+        if (*line++ != ',') {
+            break;
+        }
+    }
+    fputc('\n', file);
+}
+
+static const char *next_line(const char *line)
+{
+    const char *end = strchr(line, '\n');
+    return end != NULL ? end + 1 : line + strlen(line);
+}
+
+void depth_table_print(FILE *file, const char *csv, const char *headings)
+{
+    size_t width[COLUMNS_MAX] = {0};
+    const char *rows = headings != NULL ? next_line(csv) : csv;
+    if (headings != NULL) {
+        measure(headings, width);
+    }
+    for (const char *line = rows; *line != '\0'; line = next_line(line)) {
+        if (*line != '#') {
+            measure(line, width);
+        }
+    }
+    if (headings != NULL) {
+        print_line(file, headings, width);
+    }
+    for (const char *line = rows; *line != '\0'; line = next_line(line)) {
+        if (*line != '#') {
+            print_line(file, line, width);
+        }
+    }
+    for (const char *line = rows; *line != '\0'; line = next_line(line)) {
+        if (*line == '#') {
+            const char *text = line + strspn(line, "# ");
+            fprintf(file, "%.*s\n", (int)strcspn(text, "\n"), text);
+        }
+    }
+}
+
+int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)
+{
+    size_t length;
+    struct depth_lab copy = *lab;
+    *csv = NULL;
+    copy.rows = open_memstream(csv, &length);
+    if (copy.rows == NULL) {
+        return complain(EXIT_FAILED, "out of memory");
+    }
+    const int status = run(&copy);
+    if (fclose(copy.rows) != 0 && status == 0) {
+        return complain(EXIT_FAILED, "out of memory");
+    }
+    return status;
+}
+
+static bool write_all(const char *path, const char *bytes, size_t length)
+{
+    FILE *file = fopen(path, "wb");
+    if (file == NULL) {
+        return false;
+    }
+    const bool written = fwrite(bytes, 1, length, file) == length;
+    const int error = errno;
+    if (fclose(file) != 0 || !written) {
+        errno = written ? errno : error;
+        return false;
+    }
+    return true;
+}
+
+int depth_save(const char *path, const char *bytes, size_t length)
+{
+    struct stat status;
+    char part[PATH_MAX];
+    const bool special = stat(path, &status) == 0 && !S_ISREG(status.st_mode); /* a pipe or device stays what it is */
+    const int n = snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
+    if (n >= (int)sizeof part) {
+        return complain(EXIT_FAILED, "%s: %s; choose a shorter name", path, strerror(ENAMETOOLONG));
+    }
+    if (special ? !write_all(path, bytes, length) : !write_all(part, bytes, length) || rename(part, path) != 0) {
+        const int error = errno;
+        if (!special) {
+            remove(part);
+        }
+        return complain(EXIT_FAILED, "%s: cannot be written: %s", path, strerror(error));
+    }
+    return 0;
+}

@@ -1,0 +1,82 @@
+/* pinhole-depth: what depth resolves; see depth_lab.h. */
+#define _XOPEN_SOURCE 700
+
+#include "complain.h"
+#include "depth_options.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct depth_command commands[] = {
+    {"pairs", "adjacent-pair test: depths in order from near to far, how many neighbours are equal or swapped",
+     " near far format count spacing csv ",
+     "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
+     depth_pairs},
+};
+
+#define COMMAND_COUNT (sizeof commands / sizeof commands[0])
+
+struct ph_projection depth_lab_projection(const struct depth_lab *lab)
+{
+    struct ph_projection projection = {.kind = PH_PERSPECTIVE};
+    ph_projection_perspective(&projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
+                              lab->near_z, lab->far_z);
+    return projection;
+}
+
+/* Takes the remarks out: what is left is CSV. */
+static void drop_remarks(char *csv)
+{
+    char *to = csv;
+    for (const char *line = csv; *line != '\0';) {
+        const char *end = strchr(line, '\n');
+        const size_t n = end != NULL ? (size_t)(end - line) + 1 : strlen(line);
+        if (*line != '#') {
+            memmove(to, line, n);
+            to += n;
+        }
+        line += n;
+    }
+    *to = '\0';
+}
+
+static int show(const struct depth_command *command, const struct depth_lab *lab, char *csv)
+{
+    if (lab->csv == NULL) {
+        depth_table_print(stdout, csv, command->headings);
+        return 0;
+    }
+    drop_remarks(csv);
+    if (strcmp(lab->csv, "-") != 0) {
+        return depth_save(lab->csv, csv, strlen(csv));
+    }
+    fputs(csv, stdout);
+    return 0;
+}
+
+int main(int argc, char *argv[])
+{
+    struct depth_lab lab;
+    const struct depth_command *command;
+    complain_as("pinhole-depth");
+    int status = depth_options_read(&lab, &command, commands, COMMAND_COUNT, argc, argv);
+    if (status != 0) {
+        return status;
+    }
+    if (command == NULL) {
+        depth_options_help(commands, COMMAND_COUNT);
+    } else {
+        char *csv;
+        status = depth_lab_capture(&lab, command->run, &csv);
+        if (csv != NULL && (status == 0 || *csv != '\0')) { /* a failed anchor is shown too */
+            const int shown = show(command, &lab, csv);
+            status = status != 0 ? status : shown;
+        }
+        free(csv);
+    }
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
+        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
+    }
+    return status;
+}
