@@ -1,5 +1,5 @@
 /*
- * pinhole-wire: shows what a panel makes of the events on its wires (wire.h has their format): a line a frame,
+ * pinhole-wire: shows what a panel makes of the events on its wires (wire_events.h has their format): a line a frame,
  * pictures, and whatever a real panel would have resented.
  */
 #define _XOPEN_SOURCE 700 /* getline, SIGXFSZ */
@@ -8,7 +8,7 @@
 #include "crc32.h"
 #include "frame_out.h"
 #include "option_text.h"
-#include "wire.h"
+#include "wire_events.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -29,7 +29,8 @@ static void print_help(void)
 {
     puts(
         "pinhole-wire --board NAME [options] [FILE]\n"
-        "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire.h has their format), prints\n"
+        "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire_events.h has their format), "
+        "prints\n"
         "`frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a panel would have resented\n"
         "anything: each complaint is a line on stderr.\n"
         "  --board NAME     the kit (pinhole-sim --list)\n"

@@ -1,5 +1,5 @@
-/* See wire.h. */
-#include "wire.h"
+/* See wire_events.h. */
+#include "wire_events.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /*
- * wire: what happened on a display kit's wires, as text, so that virtual kits and emulators can tell and pinhole-wire
- * can show it.
+ * wire_events: what happened on a display kit's wires, as text, so that virtual kits and emulators can tell and
+ * pinhole-wire can show it.
  *
  * One event a line, words separated by one space, times in ns from any start and never falling:
  *
@@ -21,8 +21,8 @@
  * Empty lines and those that begin with '#' are skipped. A transfer may be split anywhere into several. TIME and
  * END_TIME may be the same (a kit whose wire takes no time): the wire's time then is counted at GOT.
  */
-#ifndef WIRE_H
-#define WIRE_H
+#ifndef WIRE_EVENTS_H
+#define WIRE_EVENTS_H
 
 #include "board.h"
 
