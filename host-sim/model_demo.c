@@ -14,6 +14,7 @@ struct demo model_demo(const struct model *model)
                          .summary = "a model file on the turntable",
                          .loop_frames = demo_find("turntable")->loop_frames,
                          .arena_bytes = DEMO_TURNTABLE_BYTES,
+                         .arena_bytes_32 = DEMO_TURNTABLE_BYTES,
                          .vertex_max = vertices > DEMO_TURNTABLE_VERTICES ? vertices : DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
                          .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES,

@@ -1,13 +1,12 @@
 /*
  * player: one demo on one simulated kit. The picture has one way out, the one that it has on a real kit:
  * demo -> bands -> panel driver -> HAL backend -> model of the controller -> what is seen on the glass.
+ * The kit has the board's memory, not this machine's: what the board would have to leave out is left out here.
  */
 #ifndef PLAYER_H
 #define PLAYER_H
 
-#include "board.h"
-#include "demo.h"
-#include "panel.h"
+#include "kit.h"
 #include "ppm.h"
 #include "sim.h"
 
@@ -26,19 +25,13 @@ struct player_setup {
 /* Owns all its memory. */
 struct player {
     struct player_setup setup;
-    const struct demo *demo; /* setup.demo first; the select button takes the next on the list */
-    struct demo_context context;
-    struct ph_renderer renderer;
-    struct panel_driver driver;
+    struct kit kit;
     struct hal hal;
     struct sim *sim;
-    uint32_t buttons; /* held during the last frame */
-    void *vertices, *triangles;
-    uint32_t *bins;
-    uint16_t *depth, *band;
-    uint8_t *wire;                /* scratch of the panel driver */
+    void *memory;                 /* the kit's */
     struct ppm picture;           /* the last frame as it is seen */
     struct sim_counters counters; /* before the last frame */
+    bool drops_told;
 };
 
 /* Powers the kit on and builds the scene. 0, or EXIT_FAILED when one line has said why. Close it in any case. */

@@ -40,14 +40,32 @@ struct demo_context {
     struct ph_blur blur;
 };
 
+/*
+ * Memory with which nothing is dropped. arena_bytes: what init takes at most on this machine; arena_bytes_32: on a
+ * 32-bit target, 0: the same (a demo for targets only). Set both by DEMO_ARENA().
+ */
+struct demo_level {
+    size_t arena_bytes;
+    uint32_t arena_bytes_32;
+    uint32_t vertex_max, triangle_max;
+};
+
+/* Does not compile for a 32-bit target whose size is another. */
+#define DEMO_ARENA(here, on_32)                                                                                        \
+    .arena_bytes = (here),                                                                                             \
+    .arena_bytes_32 = (on_32) + 0 * (uint32_t)sizeof(char[sizeof(void *) > 4 || (here) == (on_32) ? 1 : -1])
+
 struct demo {
     const char *name;
-    const char *summary;               /* one line for --list */
-    const char *const *views;          /* names of its views, NULL at the end; NULL: it has but one */
-    uint32_t loop_frames;              /* the animation repeats after this many frames */
-    size_t arena_bytes;                /* what init takes at most */
-    uint32_t vertex_max, triangle_max; /* budgets with which nothing is dropped */
-    uint8_t blur_radius;               /* px; not 0: it wants scratch memory */
+    const char *summary;      /* one line for --list */
+    const char *const *views; /* names of its views, NULL at the end; NULL: it has but one */
+    uint32_t loop_frames;     /* the animation repeats after this many frames */
+    size_t arena_bytes;       /* these four as struct demo_level, at its finest */
+    uint32_t arena_bytes_32;
+    uint32_t vertex_max, triangle_max;
+    const struct demo_level *coarser; /* what init makes of smaller arenas, the finest first */
+    uint32_t coarser_count;
+    uint8_t blur_radius; /* px; not 0: it wants scratch memory */
 
     /* Builds meshes. 0 or PH_ERR_NOMEM. */
     int (*init)(struct demo_context *context);
@@ -78,16 +96,6 @@ bool demo_has_view(const struct demo *demo, const char *view);
 #define DEMO_DOLLY_MAX FX_HALF
 void demo_input(struct demo_context *context, uint32_t buttons);
 
-/*
- * turntable and wireframe take a coarser teapot where the arena is smaller than they ask for. A board that gives them
- * one can also give less for the lists (segments as in models.h; bytes of the arena, a little less on 32 bits):
- *
- *   turntable  segments  arena  vertices  triangles     wireframe  segments  arena  vertices  triangles
- *                     5  28760       822       1152                       3  17728       302       1594
- *                     4  20000       530        787                       2   8184       138        717
- *                     3  13160       302        502
- *                     2   8240       138        297
- */
 extern const struct demo *const demo_list[];
 extern const uint32_t demo_count;
 

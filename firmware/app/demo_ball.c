@@ -222,8 +222,9 @@ const struct demo demo_ball = {
     .summary = "a ball reflected inside a view frustum, seen from outside and from its eye",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
+    DEMO_ARENA(MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
+               5272),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
     .triangle_max = 300,
     .init = ball_init,

@@ -96,8 +96,9 @@ const struct demo demo_fisheye = {
     .name = "fisheye",
     .summary = "a room through a fisheye: straight walls, curved edges",
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(THING_SIDES, THING_POINTS, 1) +
+    DEMO_ARENA(MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(THING_SIDES, THING_POINTS, 1) +
                    MODEL_FLOOR_BYTES(CELLS),
+               4904),
     .vertex_max = MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS),
     .triangle_max = 2200,
     .init = fisheye_init,

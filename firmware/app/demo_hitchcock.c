@@ -119,8 +119,9 @@ const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(TOP_SIDES, TOP_POINTS, TOP_STRIPES) +
+    DEMO_ARENA(MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(TOP_SIDES, TOP_POINTS, TOP_STRIPES) +
                    MODEL_LATHE_BYTES(COLUMN_SIDES, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS),
+               14056),
     .vertex_max = MODEL_GROUND_VERTICES(CELLS),
     .triangle_max = 1000,
     .init = hitchcock_init,

@@ -92,10 +92,11 @@ const struct demo demo_shadow = {
     .name = "shadow",
     .summary = "shadows of a teapot and a ring by a lamp that circles above them",
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct shadows)) + 3 * MODEL_ROUND8(sizeof(struct ph_part)) +
+    DEMO_ARENA(MODEL_ROUND8(sizeof(struct shadows)) + 3 * MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)) +
                    MODEL_BYTES(MODEL_TORUS_VERTICES(16, 8), MODEL_TORUS_TRIANGLES(16, 8)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(1), MODEL_ICOSPHERE_TRIANGLES(1)) + MODEL_FLOOR_BYTES(CELLS),
+               21920),
     .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = 1280,
     .init = shadow_init,

@@ -408,8 +408,9 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +
+    DEMO_ARENA(MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +
                    MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS),
+               7320),
     .vertex_max = MODEL_GROUND_VERTICES(CELLS),
     .triangle_max = 1600,
     .init = snake_init,

@@ -217,8 +217,9 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +
+    DEMO_ARENA(MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
+               12256),
     .vertex_max = 3 * STARS,
     .triangle_max = 720,
     .init = solar_init,

@@ -164,15 +164,26 @@ static int turntable_init(struct demo_context *context)
     return PH_ERR_NOMEM;
 }
 
+#define ARENA(n)                                                                                                       \
+    (MODEL_ROUND8(sizeof(struct pot)) + MODEL_ROUND8(sizeof(struct turntable)) +                                       \
+     MODEL_ROUND8(sizeof(struct ph_part)) + MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)))
+#define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + DEMO_TURNTABLE_TRIANGLES)
+
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA(4), 19904), .vertex_max = MODEL_TEAPOT_VERTICES(4), .triangle_max = LISTED(4)},
+    {DEMO_ARENA(ARENA(3), 13064), .vertex_max = MODEL_TEAPOT_VERTICES(3), .triangle_max = LISTED(3)},
+    {DEMO_ARENA(ARENA(2), 8144), .vertex_max = MODEL_TEAPOT_VERTICES(2), .triangle_max = LISTED(2)},
+};
+
 const struct demo demo_turntable = {
     .name = "turntable",
     .summary = "the teapot, slowly turning in the light",
     .loop_frames = LOOP_FRAMES,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct pot)) + MODEL_ROUND8(sizeof(struct turntable)) +
-                   MODEL_ROUND8(sizeof(struct ph_part)) +
-                   MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
+    DEMO_ARENA(ARENA(SEGMENTS), 28664),
     .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
-    .triangle_max = MODEL_TEAPOT_TRIANGLES(SEGMENTS) * 5 / 8 + DEMO_TURNTABLE_TRIANGLES,
+    .triangle_max = LISTED(SEGMENTS),
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = turntable_init,
     .frame = demo_turntable_frame,
 };

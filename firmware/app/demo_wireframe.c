@@ -5,10 +5,7 @@
 #include "demo_scene.h"
 #include "models.h"
 
-#define SEGMENTS  3
-#define VERTICES  MODEL_TEAPOT_VERTICES(SEGMENTS)
-#define TRIANGLES MODEL_TEAPOT_TRIANGLES(SEGMENTS)
-#define EDGES     MODEL_TEAPOT_QUAD_EDGES(SEGMENTS)
+#define SEGMENTS 3
 
 struct wireframe {
     struct ph_mesh faces, lines;
@@ -79,14 +76,24 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
     return status ? status : ph_draw_mesh(r, &w->lines, &turn);
 }
 
+#define ARENA(n)                                                                                                       \
+    (MODEL_ROUND8(sizeof(struct wireframe)) + MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)) +       \
+     MODEL_EDGES_SCRATCH(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)) +                                        \
+     MODEL_EDGES_BYTES(MODEL_TEAPOT_QUAD_EDGES(n)))
+#define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + 2 * MODEL_TEAPOT_QUAD_EDGES(n))
+
+static const struct demo_level coarser = {DEMO_ARENA(ARENA(2), 8104), .vertex_max = MODEL_TEAPOT_VERTICES(2),
+                                          .triangle_max = LISTED(2)};
+
 const struct demo demo_wireframe = {
     .name = "wireframe",
     .summary = "the teapot as lines, hidden ones removed",
     .loop_frames = 256,
-    .arena_bytes = MODEL_ROUND8(sizeof(struct wireframe)) + MODEL_BYTES(VERTICES, TRIANGLES) +
-                   MODEL_EDGES_SCRATCH(VERTICES, TRIANGLES) + MODEL_EDGES_BYTES(EDGES),
-    .vertex_max = VERTICES,
-    .triangle_max = TRIANGLES * 5 / 8 + 2 * EDGES,
+    DEMO_ARENA(ARENA(SEGMENTS), 17648),
+    .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
+    .triangle_max = LISTED(SEGMENTS),
+    .coarser = &coarser,
+    .coarser_count = 1,
     .init = wireframe_init,
     .frame = wireframe_frame,
 };

@@ -138,7 +138,7 @@ const struct demo demo_zfight = {
     .name = "zfight",
     .summary = "pairs of plates at growing distances: where the depth buffer gives up",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(sizeof(struct zfight), 0),
+    DEMO_ARENA(sizeof(struct zfight), 1184),
     .vertex_max = 4,
     .triangle_max = 4 * PAIRS,
     .init = zfight_init,

@@ -4,10 +4,16 @@
  *
  *   kit_open(kit, &hal, &config)   wakes the panel, builds the scene
  *   kit_frame(kit, n)              buttons, draws and sends frame n; while one band is sent the next is drawn
+ *   kit_finish(kit)                waits until that frame is on the glass
  *   kit_close(kit)                 display and backlight off; the HAL stays open
  *
+ * kit_frame returns while the last bands are still on the wire, so that the next frame's scene is made meanwhile. It is
+ * kit_buttons, kit_scene and kit_send, for whoever wants to know which of them failed.
+ *
  * Budgets are counted in the sizes of a 32-bit target on every machine, so that a board's simulator leaves out what the
- * board itself would have to leave out, and the pictures are the same bytes.
+ * board itself would have to leave out, and the pictures are the same bytes. A scene for which there is no room is
+ * taken at the coarsest of its levels (demo.h); then its list of triangles is cut, which the renderer's statistics
+ * count. Memory for blur is given only where all else fits.
  */
 #ifndef KIT_H
 #define KIT_H
@@ -16,14 +22,17 @@
 #include "demo.h"
 #include "panel.h"
 
+/* What an image needs beside the kit's memory: stack and variables. A board's budget for the kit is without it. */
+#define KIT_OTHER_BYTES 8192
+
 struct kit_config {
     const struct board *board;
     uint8_t rotation;        /* enum panel_rotation */
     uint8_t depth_format;    /* enum ph_depth_format */
     uint16_t band_height;    /* lines; more than the picture has: the whole picture */
     uint32_t clock_hz;       /* bus clock asked for; 0: the board's */
-    uint32_t budget_bytes;   /* of a 32-bit target, for everything; what does not fit is left out of the lists */
-    const struct demo *demo; /* first; the select button takes the next on demo_list */
+    uint32_t budget_bytes;   /* of a 32-bit target, for all that lies in memory; see kit_budget() */
+    const struct demo *demo; /* first; the select button takes the next on demo_list that fits */
     void *state;             /* what that demo finds in context->state, or NULL */
     const char *view;        /* one of its views, or NULL: the first */
     struct demo_camera camera;
@@ -32,7 +41,7 @@ struct kit_config {
     size_t memory_bytes; /* kit_bytes() or more */
 };
 
-/* Read-only for the caller: demo, renderer.stats, driver. Holds no pointer into itself. */
+/* Read-only for the caller: demo, context, renderer.stats, driver. Holds no pointer into itself. */
 struct kit {
     struct kit_config config;
     const struct demo *demo;
@@ -41,22 +50,38 @@ struct kit {
     struct panel_driver driver;
     struct hal hal;
     uint16_t *bands[2];
-    uint16_t *depth;
+    void *depth;
     uint32_t *bins;
-    uint8_t *wire;  /* scratch of the panel driver */
     uint8_t *scene; /* what is left of memory: lists, arena, scratch of the demo */
-    size_t scene_bytes;
+    uint32_t band_next;
     uint32_t buttons; /* held during the last frame */
+    bool sending;     /* a frame's last bands may still be on the wire */
 };
 
-/* Memory that this machine needs for config (its memory fields are not read). */
+/* What a board gives to its kit: ram_bytes without KIT_OTHER_BYTES. */
+uint32_t kit_budget(const struct board *board);
+
+/*
+ * Memory that this machine needs for config (its memory fields are not read), whichever demo is selected: on a 32-bit
+ * machine at most budget_bytes.
+ */
 size_t kit_bytes(const struct kit_config *config);
 
-/* 0; PH_ERR_NOMEM: memory_bytes or budget_bytes is too small even for the bands; or an error of the panel (HAL_E..). */
+/* 0; PH_ERR_NOMEM: memory_bytes or budget_bytes is too small for the bands and the scene's meshes; PH_ERR_INVAL: no
+ * such picture; or an error of the panel (HAL_E..). */
 int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *config);
 
 /* 0, or an error of the renderer (PH_ERR_..) or the panel (HAL_E..). */
 int kit_frame(struct kit *kit, uint32_t frame);
+
+/* The steps of kit_frame. kit_buttons: 0, or PH_ERR_NOMEM as kit_open. kit_scene: PH_ERR_... kit_send: HAL_E... */
+int kit_buttons(struct kit *kit);
+int kit_scene(struct kit *kit, uint32_t frame);
+int kit_send(struct kit *kit);
+
+/* Waits for the last bit; after the first frame display and backlight go on. 0 (also when nothing is sent) or HAL_E...
+ */
+int kit_finish(struct kit *kit);
 
 int kit_close(struct kit *kit);
 
