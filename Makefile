@@ -16,22 +16,31 @@ STD = -std=c11 $(WARN)
 
 # A target is chosen by path: a file under firmware/core/$(CPU)/ replaces the portable one of the same name, and a
 # library that this machine lacks is replaced by the folder that does without it.
-have = $(shell pkg-config --exists $(1) 2>/dev/null && echo y)
+have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
 ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
 SDL ?= $(if $(call have,sdl2),sdl,nosdl)
 ASSIMP := $(ASSIMP)
 PNG := $(PNG)
 SDL := $(SDL)
+GPIOD ?= $(if $(call have,libgpiod),$(if $(call have,libgpiod >= 2),gpiod2,gpiod1),nogpiod)
+USB ?= $(if $(call have,libusb-1.0),usb,nousb)
+GPIOD := $(GPIOD)
+USB := $(USB)
+GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags libgpiod))
+SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
-            $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2))
+            $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
+            $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
+            $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
 TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
 
 CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c)
 CORE := $(filter-out $(CORE_CPU:firmware/core/$(CPU)/%=firmware/core/%),$(wildcard firmware/core/*.c)) $(CORE_CPU)
 APP := $(wildcard firmware/app/*.c)
-HAL := $(wildcard hal/*.c hal/null/*.c)
+HAL := $(wildcard hal/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
+                  hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
 SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
                                              host-sim/$(SDL)/*.c))
@@ -54,9 +63,10 @@ $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-c
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
 $(B)/firmware/app/%.o: INC = $(INC_CORE) -Ifirmware/app -Ihal -Iboards
 $(B)/hal/%.o: INC = -Ihal
+$(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
 $(B)/boards/%.o: INC = -Ihal -Iboards
 
-ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(LDFLAGS) $(SIM_LIBS) $(LIB)
+ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE

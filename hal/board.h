@@ -55,13 +55,15 @@ struct board {
     const char *title;  /* one line for people */
     const char *pinout; /* address of the public page with the wiring */
     const struct panel *panel;
-    uint8_t rotation;   /* enum panel_rotation: as the kit is usually held */
-    uint8_t format;     /* enum panel_format on the wire */
-    uint8_t spi_mode;   /* 0; 3 for modules without chip select */
-    uint8_t spi_bus;    /* number of the SPI unit, or of /dev/spidevN */
-    uint8_t spi_select; /* /dev/spidev.N */
-    uint32_t spi_hz;    /* full speed: what the kit's maker or its usual driver sets */
-    bool over_limit;    /* spi_hz is knowingly above the datasheet's write limit (panel->controller->write_hz) */
+    uint8_t rotation;        /* enum panel_rotation: as the kit is usually held */
+    uint8_t format;          /* enum panel_format on the wire */
+    uint8_t spi_mode;        /* 0; 3 for modules without chip select */
+    uint8_t spi_bus;         /* number of the SPI unit, or of /dev/spidevN */
+    uint8_t spi_select;      /* /dev/spidev.N */
+    const char *gpio_labels; /* Linux: chips (labels, separated by spaces) whose line n is "GPIOn" where lines have no
+                                names; or NULL */
+    uint32_t spi_hz;         /* full speed: what the kit's maker or its usual driver sets */
+    bool over_limit;         /* spi_hz is knowingly above the datasheet's write limit (panel->controller->write_hz) */
     struct board_pins pins;
     struct board_button buttons[BOARD_BUTTONS_MAX];
     uint8_t button_count;

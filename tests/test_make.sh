@@ -9,7 +9,7 @@ B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng SDL=nosdl "$@"; }
+run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb "$@"; }
 
 help_names_the_targets() {
     local target text
@@ -57,7 +57,7 @@ installs_and_uninstalls() {
 }
 
 needs_no_library() {
-    run all && ! ldd "$B/make/pinhole-sim" | grep -E 'assimp|png|SDL'
+    run all && ! ldd "$B/make/pinhole-sim" | grep -E 'assimp|png|SDL|gpiod|usb'
 }
 
 size_fails_over_the_budget() {

@@ -1,0 +1,410 @@
+/* See linux.h: the operations; what they do to the bus is in spi.c, to the lines in lines.c. */
+#define _POSIX_C_SOURCE 200809L
+#include "linux.h"
+
+#include "debounce.h"
+#include "fail.h"
+#include "lines.h"
+#include "spi.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { SETTLE_US = 8000, EDGES_MAX = 256 };
+
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000U + (uint64_t)now.tv_nsec;
+}
+
+static bool wired(const struct linux_line *line)
+{
+    return line->request != NULL;
+}
+
+static int set_line(struct linux_hal *h, struct linux_line *line, const char *what, bool level)
+{
+    const int status = gpio_set(line, level != line->active_low);
+    return status == 0
+               ? HAL_OK
+               : linux_fail(h->error, linux_status(-status), "the %s line cannot be set: %s", what, strerror(-status));
+}
+
+/* ---- sending ------------------------------------------------------------------------------------ */
+
+static void measure(struct linux_hal *h, size_t n, uint64_t start_ns)
+{
+    if (n >= LINUX_MEASURED_BYTES) {
+        h->sent_bytes += n;
+        h->sent_ns += now_ns() - start_ns;
+    }
+}
+
+/* Nothing is on the wire when this starts nor when it returns, so D/C may move first. */
+static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    int status = HAL_OK;
+    if (h->dc_now != (int)dc) {
+        status = set_line(h, &h->dc, "D/C", dc == HAL_DATA);
+        h->dc_now = status == HAL_OK ? (int)dc : -1;
+    }
+    while (n > 0 && status == HAL_OK) {
+        const size_t piece = spi_piece(n, h->bufsiz);
+        const uint64_t start_ns = now_ns();
+        status = spi_send(h, bytes, piece, h->error);
+        measure(h, piece, start_ns);
+        bytes += piece;
+        n -= piece;
+    }
+    return status;
+}
+
+static void *sender(void *context)
+{
+    struct linux_hal *h = context;
+    pthread_mutex_lock(&h->mutex);
+    while (!h->quit) {
+        if (!h->busy) {
+            pthread_cond_wait(&h->changed, &h->mutex);
+            continue;
+        }
+        pthread_mutex_unlock(&h->mutex);
+        const int status =
+            send_bytes(h, h->job_dc, h->job_bytes, h->job_size); /* the kit is this thread's while busy */
+        pthread_mutex_lock(&h->mutex);
+        h->job_status = status;
+        h->busy = false;
+        pthread_cond_broadcast(&h->changed);
+    }
+    pthread_mutex_unlock(&h->mutex);
+    return NULL;
+}
+
+/* Waits until the thread is idle; its error, once. */
+static int idle(struct linux_hal *h)
+{
+    pthread_mutex_lock(&h->mutex);
+    while (h->busy) { /* ends: the kernel's SPI drivers time out */
+        pthread_cond_wait(&h->changed, &h->mutex);
+    }
+    const int status = h->job_status;
+    h->job_status = HAL_OK;
+    pthread_mutex_unlock(&h->mutex);
+    return status;
+}
+
+static int start_sender(struct linux_hal *h)
+{
+    sigset_t all;
+    sigset_t before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* signals are for the program's own threads */
+    const int number = pthread_create(&h->thread, NULL, sender, h);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    h->threaded = number == 0;
+    return number == 0 ? HAL_OK : linux_fail(h->error, HAL_EIO, "no thread for sending: %s", strerror(number));
+}
+
+static void stop_sender(struct linux_hal *h)
+{
+    if (!h->threaded) {
+        return;
+    }
+    pthread_mutex_lock(&h->mutex);
+    while (h->busy) {
+        pthread_cond_wait(&h->changed, &h->mutex);
+    }
+    h->quit = true;
+    pthread_cond_broadcast(&h->changed);
+    pthread_mutex_unlock(&h->mutex);
+    pthread_join(h->thread, NULL);
+    h->threaded = false;
+}
+
+/* ---- open and close ----------------------------------------------------------------------------- */
+
+static void linux_close(void *context)
+{
+    struct linux_hal *h = context;
+    if (!h->opened) {
+        return;
+    }
+    stop_sender(h);
+    if (wired(&h->backlight)) {
+        gpio_set(&h->backlight, h->backlight.active_low);
+    }
+    for (uint32_t i = 0; i < BOARD_BUTTONS_MAX; i++) {
+        gpio_release(&h->buttons[i].line);
+    }
+    gpio_release(&h->tearing);
+    gpio_release(&h->backlight);
+    gpio_release(&h->reset);
+    gpio_release(&h->dc);
+    if (h->spi >= 0) {
+        close(h->spi);
+    }
+    pthread_cond_destroy(&h->changed);
+    pthread_mutex_destroy(&h->mutex);
+    h->spi = -1;
+    h->opened = false;
+}
+
+static int open_bus(struct linux_hal *h)
+{
+    const size_t bufsiz = linux_spi_bufsiz();
+    spi_name(h->spi_name, h->board, h->spi_path);
+    h->spi = spi_open(h->spi_name, h->board->spi_mode, h->error);
+    h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
+    return h->spi < 0 ? h->spi : HAL_OK;
+}
+
+/* An output, first at `level` in the sense of hal.h. */
+static int open_output(struct linux_hal *h, struct linux_line *line, const struct board_pin *pin, bool level)
+{
+    const struct gpio_want want = {.use = GPIO_OUT, .level = level != pin->active_low};
+    return line_open(line, h->board, pin, &want, h->error);
+}
+
+static int open_lines(struct linux_hal *h)
+{
+    const struct board_pins *pins = &h->board->pins;
+    const struct gpio_want edges = {.use = pins->tearing.active_low ? GPIO_IN_BOTH : GPIO_IN_RISING};
+    if (!pins->dc.wired) {
+        return linux_fail(h->error, HAL_EINVAL, "board %s has no D/C line", h->board->name);
+    }
+    int status = open_output(h, &h->dc, &pins->dc, false);
+    status = status < 0 ? status : open_output(h, &h->reset, &pins->reset, true);
+    status = status < 0 ? status : open_output(h, &h->backlight, &pins->backlight, false);
+    return status < 0 ? status : line_open(&h->tearing, h->board, &pins->tearing, &edges, h->error);
+}
+
+/* A button connects its line to ground (active low) or to the supply; the other level is the pull-up's or -down's. */
+static int open_buttons(struct linux_hal *h)
+{
+    for (uint32_t i = 0; i < h->board->button_count && i < BOARD_BUTTONS_MAX; i++) {
+        const struct board_pin *pin = &h->board->buttons[i].pin;
+        struct linux_button *button = &h->buttons[i];
+        const struct gpio_want want = {
+            .use = GPIO_IN_BOTH, .pull_up = pin->active_low, .pull_down = !pin->active_low, .debounce_us = SETTLE_US};
+        int status = line_open(&button->line, h->board, pin, &want, h->error);
+        if (status == HAL_OK && wired(&button->line)) {
+            const int level = gpio_get(&button->line);
+            debounce_start(button, level >= 0 && (level > 0) != pin->active_low, now_ns());
+        }
+        if (status < 0) {
+            return status;
+        }
+    }
+    return HAL_OK;
+}
+
+static int linux_open(void *context, const struct board *board)
+{
+    struct linux_hal *h = context;
+    linux_close(h);
+    const char *path = h->spi_path;
+    memset(h, 0, sizeof *h);
+    h->spi_path = path;
+    h->board = board;
+    h->spi = -1;
+    h->dc_now = HAL_COMMAND;
+    h->opened = true;
+    pthread_mutex_init(&h->mutex, NULL);
+    pthread_cond_init(&h->changed, NULL);
+    int status = open_bus(h);
+    status = status < 0 ? status : open_lines(h);
+    status = status < 0 ? status : open_buttons(h);
+    status = status < 0 ? status : start_sender(h);
+    if (status < 0) {
+        linux_close(h);
+    }
+    return status;
+}
+
+/* ---- the other operations ----------------------------------------------------------------------- */
+
+static int32_t linux_bus_clock(void *context, uint32_t hz)
+{
+    struct linux_hal *h = context;
+    const int status = idle(h);
+    if (status < 0) {
+        return status;
+    }
+    if (hz == 0) {
+        return linux_fail(h->error, HAL_EINVAL, "%s: a clock of 0 Hz was asked for", h->spi_name);
+    }
+    const int32_t got = spi_clock(h->spi, h->spi_name, hz, h->error);
+    h->clock_hz = got > 0 ? (uint32_t)got : h->clock_hz;
+    return got;
+}
+
+static int linux_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    struct linux_hal *h = context;
+    const int status = idle(h);
+    if (status < 0 || n == 0) {
+        return status;
+    }
+    if (n <= LINUX_INLINE_BYTES) {
+        return send_bytes(h, dc, bytes, n);
+    }
+    pthread_mutex_lock(&h->mutex);
+    h->job_dc = dc;
+    h->job_bytes = bytes;
+    h->job_size = n;
+    h->busy = true;
+    pthread_cond_broadcast(&h->changed);
+    pthread_mutex_unlock(&h->mutex);
+    return HAL_OK;
+}
+
+static int linux_bus_wait(void *context)
+{
+    return idle(context);
+}
+
+static int linux_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t n)
+{
+    struct linux_hal *h = context;
+    int status = idle(h);
+    if (status < 0) {
+        return status;
+    }
+    if (!h->board->pins.data_in.wired) {
+        return linux_fail(h->error, HAL_ENOSYS, "board %s has no data line from the panel", h->board->name);
+    }
+    if (n == 0 || n > spi_piece(n, h->bufsiz)) {
+        return linux_fail(h->error, HAL_EINVAL, "%s: %zu bytes cannot be read at once", h->spi_name, n);
+    }
+    if (h->dc_now != HAL_COMMAND) {
+        status = set_line(h, &h->dc, "D/C", false);
+        h->dc_now = status == HAL_OK ? HAL_COMMAND : -1;
+    }
+    return status < 0 ? status : spi_read(h, command, bytes, n, h->error);
+}
+
+static int linux_pin_set(void *context, enum hal_pin pin, bool level)
+{
+    struct linux_hal *h = context;
+    struct linux_line *line = pin == HAL_PIN_RESET ? &h->reset : &h->backlight;
+    const int status = idle(h);
+    if (status < 0 || !wired(line)) {
+        return status;
+    }
+    return set_line(h, line, pin == HAL_PIN_RESET ? "reset" : "backlight", level);
+}
+
+static bool edge_waits(struct linux_line *line, int timeout_ms)
+{
+    struct pollfd waiting = {.fd = gpio_descriptor(line), .events = POLLIN};
+    return poll(&waiting, 1, timeout_ms) > 0 && (waiting.revents & POLLIN) != 0;
+}
+
+static int linux_te_wait(void *context, uint32_t timeout_us)
+{
+    struct linux_hal *h = context;
+    uint64_t time_ns = 0;
+    const int status = idle(h);
+    if (status < 0) {
+        return status;
+    }
+    if (!wired(&h->tearing)) {
+        return HAL_ENOSYS;
+    }
+    for (int i = 0; i < EDGES_MAX && edge_waits(&h->tearing, 0); i++) {
+        gpio_edge(&h->tearing, &time_ns); /* of frames that are over */
+    }
+    const uint64_t end_ns = now_ns() + 1000ULL * timeout_us;
+    for (uint64_t now = now_ns(); now < end_ns; now = now_ns()) {
+        if (edge_waits(&h->tearing, (int)((end_ns - now + 999999) / 1000000))) {
+            const int rising = gpio_edge(&h->tearing, &time_ns);
+            if (rising < 0) {
+                return linux_fail(h->error, linux_status(-rising), "the TE line cannot be read: %s", strerror(-rising));
+            }
+            if ((rising > 0) != h->tearing.active_low) {
+                return HAL_OK;
+            }
+        }
+    }
+    return linux_fail(h->error, HAL_ETIMEDOUT,
+                      "no edge on the TE line for %u ms; look at its wire, or leave the line out",
+                      (unsigned)(timeout_us / 1000));
+}
+
+static uint32_t linux_time_us(void *context)
+{
+    (void)context;
+    return (uint32_t)(now_ns() / 1000);
+}
+
+/* From the last bit on: an error of the bus stays for the next write or wait. */
+static void linux_delay_us(void *context, uint32_t us)
+{
+    struct linux_hal *h = context;
+    struct timespec end;
+    pthread_mutex_lock(&h->mutex);
+    while (h->busy) {
+        pthread_cond_wait(&h->changed, &h->mutex);
+    }
+    pthread_mutex_unlock(&h->mutex);
+    const uint64_t end_ns = now_ns() + 1000ULL * us;
+    end.tv_sec = (time_t)(end_ns / 1000000000U);
+    end.tv_nsec = (long)(end_ns % 1000000000U);
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &end, NULL) == EINTR) {
+    }
+}
+
+static uint32_t linux_buttons(void *context)
+{
+    struct linux_hal *h = context;
+    const uint64_t settle_ns = gpio_debounces() ? 0 : 1000ULL * SETTLE_US;
+    uint32_t held = 0;
+    for (uint32_t i = 0; i < BOARD_BUTTONS_MAX; i++) {
+        struct linux_button *button = &h->buttons[i];
+        uint64_t time_ns = 0;
+        for (int k = 0; k < EDGES_MAX && wired(&button->line) && edge_waits(&button->line, 0); k++) {
+            const int rising = gpio_edge(&button->line, &time_ns);
+            if (rising < 0) {
+                break;
+            }
+            debounce_edge(button, (rising > 0) != button->line.active_low, time_ns, settle_ns);
+        }
+        if (wired(&button->line) && debounce_look(button, now_ns(), settle_ns)) {
+            held |= h->board->buttons[i].button;
+        }
+    }
+    return held;
+}
+
+const struct hal_ops linux_ops = {
+    .name = "linux",
+    .open = linux_open,
+    .bus_clock = linux_bus_clock,
+    .bus_write = linux_bus_write,
+    .bus_wait = linux_bus_wait,
+    .bus_read = linux_bus_read,
+    .pin_set = linux_pin_set,
+    .te_wait = linux_te_wait,
+    .time_us = linux_time_us,
+    .delay_us = linux_delay_us,
+    .buttons = linux_buttons,
+    .close = linux_close,
+};
+
+const char *linux_hal_error(const struct linux_hal *h)
+{
+    return h->error;
+}
+
+uint32_t linux_hal_bits_per_second(const struct linux_hal *h)
+{
+    const uint64_t us = h->sent_ns / 1000;
+    const uint64_t rate = us == 0 ? 0 : h->sent_bytes * 8000000U / us;
+    return rate > UINT32_MAX ? UINT32_MAX : (uint32_t)rate;
+}

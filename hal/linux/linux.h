@@ -1,0 +1,127 @@
+/*
+ * linux: display kits on single-board computers: pixels through spidev, all other lines through libgpiod.
+ *
+ *   static struct linux_hal context;                  all zeros; .spi_path may be set
+ *   struct hal hal = {&linux_ops, &context};
+ *   if (hal.ops->open(&context, board) < 0) { puts(linux_hal_error(&context)); }
+ *
+ * The board may be one of boards/ or made up by the caller at run time; it must stay as long as the kit is open. Of its
+ * pins the kernel's SPI driver moves clock, data and select; D/C, reset, backlight, TE and buttons are lines, named as
+ *
+ *   "GPIO25"            a line that the kernel calls so, on any chip
+ *   "gpiochip0:25"      line 25 of /dev/gpiochip0 (or "/dev/gpiochip0:25")
+ *   "pinctrl-rp1:25"    line 25 of the chip with this label
+ *
+ * Where the kernel gives lines no names, "GPIOn" is line n of the first chip whose label stands in board->gpio_labels.
+ * A pin without a name (BOARD_PIN) is refused: chips are numbered differently from one kernel to the next.
+ *
+ * Writes of more than LINUX_INLINE_BYTES are sent by a thread of the kit while the caller goes on; D/C is moved by
+ * whoever sends. An error of such a write is returned by the next bus_write or bus_wait, once. The functions of one kit
+ * are for one thread at a time; kits do not know of each other.
+ *
+ * Without libgpiod (its folder is chosen when Pinhole is built) a board with lines cannot be opened, and says so.
+ */
+#ifndef HAL_LINUX_H
+#define HAL_LINUX_H
+
+#include "board.h"
+#include "hal.h"
+
+#include <pthread.h>
+
+#define LINUX_INLINE_BYTES 64 /* a thread takes longer to wake up than these take to go out */
+#define LINUX_ERROR_SIZE   384
+#define LINUX_PATH_SIZE    64
+
+/* One line that is ours. Private; gpio_lines.h. */
+struct linux_line {
+    void *chip, *request, *events; /* libgpiod's; request NULL: not wired */
+    unsigned offset;
+    bool active_low;
+};
+
+/* One button's contacts, debounced. Private; debounce.h. */
+struct linux_button {
+    struct linux_line line;
+    bool raw;         /* level at its last edge */
+    bool held;        /* what the user is told */
+    bool was_held;    /* pressed since the user was last told */
+    uint64_t edge_ns; /* time of the last edge */
+    uint64_t held_ns; /* time of the last change of held */
+};
+
+/* All of it is private but spi_path. */
+struct linux_hal {
+    const char *spi_path; /* set before open; NULL: /dev/spidevBUS.SELECT of the board */
+
+    const struct board *board;
+    char spi_name[LINUX_PATH_SIZE]; /* the path that was opened */
+    int spi;                        /* descriptor */
+    uint32_t clock_hz;
+    size_t bufsiz;
+    struct linux_line dc, reset, backlight, tearing;
+    struct linux_button buttons[BOARD_BUTTONS_MAX];
+    int dc_now; /* enum hal_dc on the line; -1: not known */
+
+    bool opened, threaded;
+    pthread_t thread;
+    pthread_mutex_t mutex; /* of the members below */
+    pthread_cond_t changed;
+    bool quit, busy;
+    enum hal_dc job_dc;
+    const uint8_t *job_bytes;
+    size_t job_size;
+    int job_status;      /* first error since it was last returned */
+    uint64_t sent_bytes; /* in ioctls of LINUX_MEASURED_BYTES or more */
+    uint64_t sent_ns;    /* ... and the time they took */
+
+    char error[LINUX_ERROR_SIZE];
+};
+
+/* bus_read and te_wait return HAL_ENOSYS where data_in or tearing is not wired. */
+extern const struct hal_ops linux_ops;
+
+/* One line on the last error: what, where, what to do. "" if there was none. */
+const char *linux_hal_error(const struct linux_hal *h);
+
+#define LINUX_MEASURED_BYTES 2048
+
+/*
+ * Bits per second that large writes have had so far, pauses of the kernel included: a lower bound of the clock on the
+ * wire, which spidev does not tell. 0: none were sent. Call it while no write is under way (after bus_wait).
+ */
+uint32_t linux_hal_bits_per_second(const struct linux_hal *h);
+
+/* ---- for `pinhole-panel doctor`: looks, takes nothing -------------------------------------------- */
+
+/* spidev's limit on one message, bytes; 0: spidev is not there. */
+size_t linux_spi_bufsiz(void);
+
+struct linux_spi_look {
+    char path[LINUX_PATH_SIZE];
+    uint32_t asked_hz, got_hz; /* got: what spidev keeps of what was asked */
+};
+
+/*
+ * Opens the board's SPI device (or path, if not NULL), sets mode and clock as linux_ops would, and closes it.
+ * 0, or the error that open would return, with its line in error.
+ */
+int linux_spi_look(const struct board *board, const char *path, struct linux_spi_look *look,
+                   char error[LINUX_ERROR_SIZE]);
+
+struct linux_line_look {
+    char chip[LINUX_PATH_SIZE]; /* "/dev/gpiochip0" */
+    char label[32], name[32];   /* as the kernel says */
+    unsigned offset;
+    bool taken;
+    char holder[32]; /* who has it, if taken: the consumer's name, "" if it gave none */
+};
+
+/* Finds the line of a wired pin of the board. 0, or the error that open would return, with its line in error. */
+int linux_line_look(const struct board *board, const struct board_pin *pin, struct linux_line_look *look,
+                    char error[LINUX_ERROR_SIZE]);
+
+/* "1.6.3"; NULL: built without libgpiod. */
+const char *linux_gpiod_version(void);
+
+#endif

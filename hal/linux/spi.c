@@ -1,0 +1,154 @@
+/* See spi.h. Source: Linux, Documentation/spi/spidev.rst. */
+#define _POSIX_C_SOURCE 200809L
+#include "spi.h"
+
+#include "fail.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/spi/spidev.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+enum { BUFSIZ_DEFAULT = 4096, ALIGNMENT = 128, ALIGNMENT_LEAST = 8 };
+
+size_t spi_piece(size_t left, size_t bufsiz)
+{
+    const size_t alignment = bufsiz >= ALIGNMENT ? ALIGNMENT : ALIGNMENT_LEAST;
+    const size_t most = bufsiz > alignment ? bufsiz - bufsiz % alignment : bufsiz;
+    return left < most ? left : most;
+}
+
+size_t linux_spi_bufsiz(void)
+{
+    unsigned long bytes = 0;
+    FILE *file = fopen("/sys/module/spidev/parameters/bufsiz", "r");
+    if (file == NULL) {
+        return 0;
+    }
+    if (fscanf(file, "%9lu", &bytes) != 1 || bytes == 0) { /* NOLINT(cert-err34-c): 9 digits fit */
+        bytes = BUFSIZ_DEFAULT;
+    }
+    fclose(file);
+    return bytes;
+}
+
+void spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path)
+{
+    if (path != NULL) {
+        snprintf(name, LINUX_PATH_SIZE, "%s", path);
+    } else {
+        snprintf(name, LINUX_PATH_SIZE, "/dev/spidev%u.%u", board->spi_bus, board->spi_select);
+    }
+}
+
+static int refused(const char *name, int number, char error[LINUX_ERROR_SIZE])
+{
+    const int status = linux_status(number);
+    switch (number) {
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+        return linux_fail(error, status,
+                          "%s is not there: SPI is off; on a Raspberry Pi add dtparam=spi=on to config.txt and restart "
+                          "(other boards: their device tree overlay)",
+                          name);
+    case EACCES:
+    case EPERM:
+        return linux_fail(
+            error, status,
+            "%s: no permission; add yourself to the group spi (usermod -aG spi NAME, then log in again) or "
+            "install boards/udev/60-pinhole.rules",
+            name);
+    case ENOMEM:
+        return linux_fail(error, status, "%s: no memory for its buffers; make spidev.bufsiz smaller (it is %zu)", name,
+                          linux_spi_bufsiz());
+    default:
+        return linux_fail(error, status, "%s cannot be opened: %s", name, strerror(number));
+    }
+}
+
+int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE])
+{
+    uint8_t mode_bits = (uint8_t)mode;
+    uint8_t word_bits = 8;
+    const int spi = open(name, O_RDWR | O_CLOEXEC);
+    if (spi < 0) {
+        return refused(name, errno, error);
+    }
+    if (ioctl(spi, SPI_IOC_WR_MODE, &mode_bits) < 0 || ioctl(spi, SPI_IOC_WR_BITS_PER_WORD, &word_bits) < 0) {
+        const int number = errno;
+        close(spi);
+        return number == ENOTTY ? linux_fail(error, HAL_ENODEV, "%s is no SPI device; give a /dev/spidev", name)
+                                : linux_fail(error, linux_status(number), "%s: SPI mode %u is refused: %s", name, mode,
+                                             strerror(number));
+    }
+    return spi;
+}
+
+int32_t spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE])
+{
+    uint32_t got = hz > INT32_MAX ? INT32_MAX : hz;
+    if (ioctl(spi, SPI_IOC_WR_MAX_SPEED_HZ, &got) < 0 || ioctl(spi, SPI_IOC_RD_MAX_SPEED_HZ, &got) < 0) {
+        return linux_fail(error, linux_status(errno), "%s: a clock of %u Hz cannot be set: %s", name, (unsigned)hz,
+                          strerror(errno));
+    }
+    return got > 0 && got <= hz && got <= INT32_MAX
+               ? (int32_t)got
+               : linux_fail(error, HAL_EINVAL, "%s: no clock as slow as %u Hz", name, (unsigned)hz);
+}
+
+static int message_failed(const struct linux_hal *h, size_t n, char error[LINUX_ERROR_SIZE])
+{
+    const int number = errno;
+    const int status = linux_status(number);
+    if (status == HAL_ENODEV) {
+        return linux_fail(error, status, "%s is gone: the SPI device was removed while in use; start again",
+                          h->spi_name);
+    }
+    return linux_fail(error, status, "%s: sending %zu bytes at %u Hz failed: %s; dmesg may say more", h->spi_name, n,
+                      (unsigned)h->clock_hz, strerror(number));
+}
+
+static struct spi_ioc_transfer transfer_of(const struct linux_hal *h, const void *out, void *in, size_t n)
+{
+    struct spi_ioc_transfer transfer;
+    memset(&transfer, 0, sizeof transfer);
+    transfer.tx_buf = (uintptr_t)out;
+    transfer.rx_buf = (uintptr_t)in;
+    transfer.len = (uint32_t)n;
+    transfer.speed_hz = h->clock_hz;
+    transfer.bits_per_word = 8;
+    return transfer;
+}
+
+int spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
+{
+    struct spi_ioc_transfer transfer = transfer_of(h, bytes, NULL, n);
+    return ioctl(h->spi, SPI_IOC_MESSAGE(1), &transfer) < 0 ? message_failed(h, n, error) : HAL_OK;
+}
+
+int spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
+{
+    struct spi_ioc_transfer transfers[2] = {transfer_of(h, &command, NULL, 1), transfer_of(h, NULL, bytes, n)};
+    return ioctl(h->spi, SPI_IOC_MESSAGE(2), transfers) < 0 ? message_failed(h, n + 1, error) : HAL_OK;
+}
+
+int linux_spi_look(const struct board *board, const char *path, struct linux_spi_look *look,
+                   char error[LINUX_ERROR_SIZE])
+{
+    error[0] = 0;
+    spi_name(look->path, board, path);
+    look->asked_hz = board->spi_hz;
+    look->got_hz = 0;
+    const int spi = spi_open(look->path, board->spi_mode, error);
+    if (spi < 0) {
+        return spi;
+    }
+    const int32_t got = spi_clock(spi, look->path, board->spi_hz, error);
+    close(spi);
+    look->got_hz = got < 0 ? 0 : (uint32_t)got;
+    return got < 0 ? (int)got : HAL_OK;
+}

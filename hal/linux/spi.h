@@ -1,0 +1,29 @@
+/* spi: the bytes' way through spidev. Private to hal/linux. Results: 0 or a status of hal.h with its line in error. */
+#ifndef HAL_LINUX_SPI_H
+#define HAL_LINUX_SPI_H
+
+#include "linux.h"
+
+/*
+ * Bytes of the next transfer when `left` (> 0) are left. spidev limits the SUM of a message's transfers to bufsiz, each
+ * rounded up to the alignment of DMA buffers (at most 128 bytes; 8 on machines whose bufsiz is set below that): one
+ * transfer as long as that allows is the best message.
+ */
+size_t spi_piece(size_t left, size_t bufsiz);
+
+/* The device of the board, or path if not NULL. */
+void spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path);
+
+/* Opens it and sets mode and bits a word; returns the descriptor. */
+int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE]);
+
+/* Sets the clock; returns what spidev keeps of it. hz: > 0 */
+int32_t spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE]);
+
+/* Sends one piece (spi_piece). */
+int spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
+
+/* Sends a command byte, then reads n bytes, under one chip select. */
+int spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
+
+#endif
