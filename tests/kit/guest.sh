@@ -55,16 +55,15 @@ unpack_kernel() { # image, file
 
 # First process and the modules that reach the host's files, as QEMU's -initrd wants them.
 make_initrd() { # version, directory
-    local number=10 path
+    local number=10 path name
     mkdir -p "$2/initrd/modules"
     gcc -std=c11 -O1 -Wall -Wextra -Werror -static -o "$2/initrd/init" "$tests/guest_init.c" || return 1
     modprobe -S "$1" -a --show-depends virtio_pci 9pnet_virtio 9p overlay | awk '$1 == "insmod" && !seen[$2]++ { print $2 }' >"$2/list"
     while read -r path; do
         number=$((number + 1))
-        case $path in
-        *.xz) unxz <"$path" >"$2/initrd/modules/$number-$(basename "$path" .xz)" ;;
-        *) cp "$path" "$2/initrd/modules/$number-$(basename "$path")" ;;
-        esac || return 1
+        name=$2/initrd/modules/$number-$(basename "$path")
+        cp "$path" "$name" || return 1
+        [[ $name != *.xz ]] || unxz "$name" || return 1
     done <"$2/list"
     (cd "$2/initrd" && find . | cpio -o -H newc --quiet) >"$2/initrd.cpio"
 }
@@ -77,7 +76,10 @@ find_kernel() {
     [ "$kernel/initrd.cpio" -nt "$tests/guest_init.c" ] && [ "$kernel/vmlinux" -nt "/boot/vmlinuz-$version" ] && return
     mkdir -p "$B/kit"
     new=$(mktemp -d "$B/kit/new.XXXXXX") || return 1
-    unpack_kernel "/boot/vmlinuz-$version" "$new/vmlinux" && make_initrd "$version" "$new" || { rm -rf "$new" && return 1; }
+    if ! unpack_kernel "/boot/vmlinuz-$version" "$new/vmlinux" || ! make_initrd "$version" "$new"; then
+        rm -rf "$new"
+        return 1
+    fi
     rm -rf "$kernel"
     mv -T "$new" "$kernel" 2>/dev/null || rm -rf "$new" # somebody else was faster
 }

@@ -92,16 +92,17 @@ static void redirect(const char *path, int flags, int target)
     close(file);
 }
 
-static int run_command(void)
+/* Exit status of a shell that is given two arguments. */
+static int run(const char *option, const char *command, const char *out, const char *error)
 {
     const pid_t child = fork();
     must(child, "fork");
     if (child == 0) {
         redirect("/dev/null", O_RDONLY, STDIN_FILENO);
-        redirect("/run/kit/stdout", O_WRONLY | O_CREAT | O_APPEND, STDOUT_FILENO);
-        redirect("/run/kit/stderr", O_WRONLY | O_CREAT | O_APPEND, STDERR_FILENO);
+        redirect(out, O_WRONLY | O_CREAT | O_APPEND, STDOUT_FILENO);
+        redirect(error, O_WRONLY | O_CREAT | O_APPEND, STDERR_FILENO);
         setsid();
-        execl("/bin/bash", "bash", "/run/kit/command", (char *)NULL);
+        execl("/bin/bash", "bash", option, command, (char *)NULL);
         _exit(127);
     }
     int status = 0;
@@ -114,8 +115,8 @@ int main(void)
 {
     insert_modules();
     make_root();
-    const int status = run_command();
-    must(system("dmesg >/run/kit/kernel.log 2>&1"), "dmesg");
+    const int status = run("--", "/run/kit/command", "/run/kit/stdout", "/run/kit/stderr");
+    run("-c", "dmesg", "/run/kit/kernel.log", "/run/kit/kernel.log");
     FILE *file = fopen("/run/kit/status", "w");
     if (file != NULL) {
         fprintf(file, "%d\n", status);
