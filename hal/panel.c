@@ -203,6 +203,14 @@ int panel_frame_begin(struct panel_driver *d)
     return window(d, 0, 0, d->width, d->height, true);
 }
 
+void panel_windows_begin(struct panel_driver *d)
+{
+    d->frame_bytes = 0;
+    d->in_frame = false;
+    memset(d->column_sent, UINT8_MAX, sizeof d->column_sent); /* no window is there */
+    memset(d->row_sent, UINT8_MAX, sizeof d->row_sent);
+}
+
 /* Do first and end lie between bytes? What lies beside the picture does not count. */
 static bool between_bytes(const struct panel_driver *d, uint32_t first, uint32_t end, uint32_t size)
 {

@@ -162,9 +162,12 @@ int panel_frame_begin(struct panel_driver *d);
  */
 int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
+/* Begins a frame of windows only: the first one's borders are sent in any case. End it with panel_wait(). */
+void panel_windows_begin(struct panel_driver *d);
+
 /*
  * A window on the picture, in its pixels; the lines that follow are those of the window. Borders that the controller
- * still has from the last window are not sent again (they are after panel_frame_begin): at most panel_window_bytes().
+ * still has from the last window are not sent again.
  * Two pixels that share a byte (GREY4: columns of the glass 2n, 2n + 1) are both inside or both outside.
  * Errors: HAL_EINVAL outside of the picture, empty, or in the middle of a byte; or the backend's.
  */

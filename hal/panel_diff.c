@@ -1,0 +1,483 @@
+/*
+ * See panel_diff.h.
+ *
+ * Lines, columns and areas below are in units: a unit is a pixel, or the two pixels that share a byte. Lines count from
+ * the first that is not yet decided. bits[0] has a bit for each unit, line by line, bits[1] the same column by column;
+ * what works on one of them works on the other with x and y exchanged. Costs are in half bytes, because RGB444 has
+ * pixels of one and a half.
+ */
+#include "panel_diff.h"
+
+#include <string.h>
+
+#define DECIDE_LINES 32 /* fewer are kept until the next call */
+#define SLAB_LINES   64 /* highest slab: bounds the time */
+
+struct area {
+    uint32_t x0, x1, y0, y1; /* x1, y1: one past the end */
+};
+
+static size_t rounded(size_t n)
+{
+    return (n + 7) / 8 * 8;
+}
+
+static uint32_t words_of(uint32_t width)
+{
+    return (width + 31) / 32;
+}
+
+static uint32_t lesser(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static uint32_t larger(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Memory is cut into these, in this order; the last three twice. */
+static size_t shown_bytes(uint32_t width, uint32_t height)
+{
+    return rounded(sizeof(uint16_t) * width * height);
+}
+
+static size_t bits_bytes(uint32_t width, uint32_t height)
+{
+    return rounded(sizeof(uint32_t) * words_of(width) * height);
+}
+
+static size_t cost_bytes(uint32_t width, uint32_t height)
+{
+    return rounded(sizeof(uint32_t) * (larger(width, height) + 1U));
+}
+
+static size_t next_bytes(uint32_t width, uint32_t height)
+{
+    return rounded(sizeof(uint16_t) * (larger(width, height) + 1U));
+}
+
+static size_t merged_bytes(uint32_t width, uint32_t height)
+{
+    return bits_bytes(larger(width, height), 1);
+}
+
+size_t panel_diff_bytes(uint16_t width, uint16_t height)
+{
+    return shown_bytes(width, height) + bits_bytes(width, height) + bits_bytes(height, width) +
+           2 * (cost_bytes(width, height) + next_bytes(width, height) + merged_bytes(width, height));
+}
+
+static void cut_memory(struct panel_diff *diff, uint8_t *memory)
+{
+    const uint32_t width = diff->width, height = diff->height;
+    diff->shown = (uint16_t *)(void *)memory;
+    memory += shown_bytes(width, height);
+    diff->bits[0] = (uint32_t *)(void *)memory;
+    memory += bits_bytes(width, height);
+    diff->bits[1] = (uint32_t *)(void *)memory;
+    memory += bits_bytes(height, width);
+    for (int i = 0; i < 2; i++) {
+        diff->cost[i] = (uint32_t *)(void *)memory;
+        memory += cost_bytes(width, height);
+        diff->next[i] = (uint16_t *)(void *)memory;
+        memory += next_bytes(width, height);
+        diff->merged[i] = (uint32_t *)(void *)memory;
+        memory += merged_bytes(width, height);
+    }
+}
+
+int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,
+                    size_t bytes)
+{
+    static const uint8_t unit_costs[] = {[PANEL_RGB565] = 4, [PANEL_RGB666] = 6, [PANEL_RGB444] = 3, [PANEL_GREY4] = 2};
+    const struct panel_controller *c = d->config.panel->controller;
+    if (bytes < panel_diff_bytes(d->width, d->height)) {
+        return HAL_EINVAL;
+    }
+    const bool grey = d->config.format == PANEL_GREY4;
+    memset(diff, 0, sizeof *diff);
+    diff->refresh_frames = refresh_frames;
+    diff->width = d->width;
+    diff->height = d->height;
+    diff->pair_x = grey && !d->pair_lines;
+    diff->pair_y = d->pair_lines;
+    diff->lead = d->lead;
+    diff->units_x = diff->pair_x ? (d->width + d->lead + 1U) / 2 : d->width;
+    diff->words[0] = words_of(diff->units_x);
+    diff->words[1] = words_of(d->height);
+    diff->unit_cost = unit_costs[d->config.format];
+    diff->open_cost = 2 * (2 * panel_border_bytes(c) + panel_start_bytes(c));
+    diff->beside_cost = c->memory_write == 0 ? diff->open_cost : diff->open_cost - 2 * panel_border_bytes(c);
+    diff->unknown = true;
+    cut_memory(diff, memory);
+    return HAL_OK;
+}
+
+/* ---- what changed ------------------------------------------------------------------------------- */
+
+/* Unit line of a line of the picture. */
+static uint32_t unit_line(const struct panel_diff *diff, uint32_t y)
+{
+    return diff->pair_y ? (y + diff->lead) / 2 - (diff->first + diff->lead) / 2U : y - diff->first;
+}
+
+static uint32_t unit_lines(const struct panel_diff *diff)
+{
+    return diff->row == diff->first ? 0 : unit_line(diff, diff->row - 1U) + 1;
+}
+
+/* Do two pixels differ on the glass? */
+static bool differ(const struct panel_diff *diff, const uint8_t *a, const uint8_t *b, uint32_t x, uint32_t y)
+{
+    switch (diff->unit_cost) {
+    case 3: /* RGB444 */
+        return (((a[0] ^ b[0]) & 0xF7) | ((a[1] ^ b[1]) & 0x9E)) != 0;
+    case 2: /* GREY4 */
+        return (a[0] != b[0] || a[1] != b[1]) && panel_grey4(a[0], a[1], x, y) != panel_grey4(b[0], b[1], x, y);
+    default:
+        return a[0] != b[0] || a[1] != b[1];
+    }
+}
+
+/* Compares line diff->row with what is shown there, and keeps it. */
+static void take_line(struct panel_diff *diff, const uint16_t *pixels)
+{
+    uint16_t *shown = diff->shown + (size_t)diff->row * diff->width;
+    const uint32_t line = unit_line(diff, diff->row);
+    uint32_t *bits = diff->bits[0] + (size_t)line * diff->words[0];
+    if (diff->row == diff->first || line != unit_line(diff, diff->row - 1U)) {
+        memset(bits, 0, sizeof *bits * diff->words[0]);
+    }
+    if (memcmp(shown, pixels, sizeof *pixels * diff->width) != 0) {
+        for (uint32_t x = 0; x < diff->width; x++) {
+            if (differ(diff, (const uint8_t *)(shown + x), (const uint8_t *)(pixels + x), x, diff->row)) {
+                const uint32_t unit = diff->pair_x ? (x + diff->lead) / 2 : x;
+                bits[unit / 32] |= 1U << unit % 32;
+            }
+        }
+        memcpy(shown, pixels, sizeof *pixels * diff->width);
+    }
+    diff->row++;
+}
+
+static uint32_t find_bit(const uint32_t *bits, uint32_t from, uint32_t end, bool value);
+
+static void turn_bits(struct panel_diff *diff, const struct area *all)
+{
+    memset(diff->bits[1], 0, sizeof *diff->bits[1] * diff->words[1] * diff->units_x);
+    for (uint32_t y = 0; y < all->y1; y++) {
+        const uint32_t *line = diff->bits[0] + (size_t)y * diff->words[0];
+        for (uint32_t x = find_bit(line, 0, all->x1, true); x < all->x1; x = find_bit(line, x + 1, all->x1, true)) {
+            diff->bits[1][(size_t)x * diff->words[1] + y / 32] |= 1U << y % 32;
+        }
+    }
+}
+
+/* ---- which windows ------------------------------------------------------------------------------ */
+
+/* First unit from `from` on whose bit is `value`, or end. */
+static uint32_t find_bit(const uint32_t *bits, uint32_t from, uint32_t end, bool value)
+{
+    const uint32_t flip = value ? 0 : UINT32_MAX;
+    while (from < end) {
+        const uint32_t rest = (bits[from / 32] ^ flip) >> from % 32;
+        if (rest != 0) {
+            const uint32_t found = from + (uint32_t)__builtin_ctz(rest);
+            return found < end ? found : end;
+        }
+        from = (from / 32 + 1) * 32;
+    }
+    return end;
+}
+
+/* The next window of a slab of `lines` lines: runs whose gap costs more to leave out than to send. False: no more. */
+static bool next_window(const struct panel_diff *diff, const uint32_t *bits, uint32_t lines, struct area *window,
+                        uint32_t from, uint32_t end)
+{
+    const uint32_t gap = diff->beside_cost / (lines * diff->unit_cost);
+    window->x0 = find_bit(bits, from, end, true);
+    if (window->x0 == end) {
+        return false;
+    }
+    uint32_t next = window->x0;
+    do {
+        window->x1 = find_bit(bits, next, end, false);
+        next = find_bit(bits, window->x1, end, true);
+    } while (next < end && next - window->x1 <= gap);
+    return true;
+}
+
+static uint32_t slab_cost(const struct panel_diff *diff, const uint32_t *bits, uint32_t lines, const struct area *area)
+{
+    struct area window = {0, area->x0, 0, 0};
+    uint32_t cost = 0;
+    while (next_window(diff, bits, lines, &window, window.x1, area->x1)) {
+        cost += cost == 0 ? diff->open_cost : diff->beside_cost;
+        cost += (window.x1 - window.x0) * lines * diff->unit_cost;
+    }
+    return cost;
+}
+
+/* Adds line y to the union of lines, over the words that the area lies in. */
+static void merge_line(const struct panel_diff *diff, int turned, const struct area *area, uint32_t y, bool first)
+{
+    const uint32_t *bits = diff->bits[turned] + (size_t)y * diff->words[turned];
+    uint32_t *merged = diff->merged[turned];
+    for (uint32_t i = area->x0 / 32; i <= (area->x1 - 1) / 32; i++) {
+        merged[i] = (first ? 0 : merged[i]) | bits[i];
+    }
+}
+
+/*
+ * Cuts an area into slabs such that windows as wide as each slab needs are cheapest: from the last line up, the
+ * cheapest way on from line y is a slab of some lines and the cheapest way on from its end. next[turned] tells the
+ * slabs; returns the cost.
+ */
+static uint32_t plan(struct panel_diff *diff, int turned, const struct area *area)
+{
+    uint32_t *cost = diff->cost[turned];
+    const uint32_t *merged = diff->merged[turned];
+    cost[area->y1] = 0;
+    for (uint32_t y = area->y1; y-- > area->y0;) {
+        const uint32_t last = area->y1 - y < SLAB_LINES ? area->y1 : y + SLAB_LINES;
+        uint32_t best = UINT32_MAX;
+        for (uint32_t end = y + 1; end <= last; end++) {
+            merge_line(diff, turned, area, end - 1, end == y + 1);
+            const uint32_t slab = slab_cost(diff, merged, end - y, area);
+            if (slab >= best) {
+                break; /* it only grows */
+            }
+            if (slab + cost[end] < best) {
+                best = slab + cost[end];
+                diff->next[turned][y] = (uint16_t)end;
+            }
+            if (slab == 0) {
+                break; /* nothing changed in this line: it needs no window */
+            }
+        }
+        cost[y] = best;
+    }
+    return cost[area->y0];
+}
+
+/* ---- sending ------------------------------------------------------------------------------------ */
+
+static uint32_t pixel_of(uint32_t unit, bool pairs, uint32_t lead, uint32_t origin, uint32_t size)
+{
+    if (!pairs) {
+        return origin + unit;
+    }
+    const uint32_t pixel = (origin + lead) / 2 * 2 + 2 * unit;
+    return pixel < lead ? 0 : pixel - lead < size ? pixel - lead : size;
+}
+
+/* What a window will be on the wire: after another of the same columns or lines it needs no border there. */
+static uint32_t predict(struct panel_diff *diff, const struct area *px)
+{
+    const struct panel_controller *c = diff->out->config.panel->controller;
+    const bool again = c->memory_write == 0;
+    const bool columns = again || diff->last[0] != px->x0 || diff->last[1] != px->x1;
+    const bool lines = again || diff->last[2] != px->y0 || diff->last[3] != px->y1;
+    const uint32_t width = px->x1 - px->x0, height = px->y1 - px->y0;
+    const uint32_t lead = (uint32_t)diff->lead * ((diff->pair_x ? px->x0 : px->y0) == 0);
+    const uint32_t cells = diff->pair_x   ? (width + lead + 1) / 2 * height
+                           : diff->pair_y ? (height + lead + 1) / 2 * width
+                                          : width * height;
+    diff->last[0] = (uint16_t)px->x0;
+    diff->last[1] = (uint16_t)px->x1;
+    diff->last[2] = (uint16_t)px->y0;
+    diff->last[3] = (uint16_t)px->y1;
+    return ((uint32_t)columns + lines) * panel_border_bytes(c) + panel_start_bytes(c) +
+           (cells * diff->unit_cost + 1) / 2;
+}
+
+static void send_window(struct panel_diff *diff, const struct area *window)
+{
+    const struct area px = {pixel_of(window->x0, diff->pair_x, diff->lead, 0, diff->width),
+                            pixel_of(window->x1, diff->pair_x, diff->lead, 0, diff->width),
+                            pixel_of(window->y0, diff->pair_y, diff->lead, diff->first, diff->height),
+                            pixel_of(window->y1, diff->pair_y, diff->lead, diff->first, diff->height)};
+    if (diff->status < 0) {
+        return;
+    }
+    diff->windows++;
+    diff->bytes += predict(diff, &px);
+    diff->status = panel_window(diff->out, px.x0, px.y0, px.x1 - px.x0, px.y1 - px.y0);
+    if (diff->status >= 0) {
+        diff->status =
+            panel_window_rows(diff->out, diff->shown + (size_t)px.y0 * diff->width + px.x0, diff->width, px.y1 - px.y0);
+    }
+}
+
+/* The window of slab y .. end that follows *window (x1: where to look from). False: no more. */
+static bool slab_window(struct panel_diff *diff, int turned, const struct area *area, struct area *window)
+{
+    for (uint32_t y = window->y0; y < window->y1; y++) {
+        merge_line(diff, turned, area, y, y == window->y0);
+    }
+    return next_window(diff, diff->merged[turned], window->y1 - window->y0, window, window->x1, area->x1);
+}
+
+static struct area turn(const struct area *area)
+{
+    return (struct area){area->y0, area->y1, area->x0, area->x1};
+}
+
+static void send_turned(struct panel_diff *diff, int turned, const struct area *area)
+{
+    const struct area upright = turn(area);
+    send_window(diff, turned ? &upright : area);
+}
+
+/* A window of the first cut: whole, or cut the other way. */
+static void send_or_cut(struct panel_diff *diff, int turned, const struct area *window)
+{
+    const uint32_t whole = diff->open_cost + (window->x1 - window->x0) * (window->y1 - window->y0) * diff->unit_cost;
+    const struct area area = turn(window);
+    const int other = !turned;
+    if (window->y1 - window->y0 == 1 || plan(diff, other, &area) >= whole) {
+        send_turned(diff, turned, window);
+        return;
+    }
+    for (uint32_t y = area.y0; y < area.y1; y = diff->next[other][y]) {
+        struct area part = {0, area.x0, y, diff->next[other][y]};
+        while (slab_window(diff, other, &area, &part)) {
+            send_turned(diff, other, &part);
+        }
+    }
+}
+
+/* Sends what plan() has found. */
+static void send_plan(struct panel_diff *diff, int turned, const struct area *area)
+{
+    for (uint32_t y = area->y0; y < area->y1; y = diff->next[turned][y]) {
+        struct area window = {0, area->x0, y, diff->next[turned][y]};
+        while (slab_window(diff, turned, area, &window)) {
+            send_or_cut(diff, turned, &window);
+        }
+    }
+}
+
+/* The next columns, side by side, between which nothing changed in any line. False: no more. */
+static bool next_group(struct panel_diff *diff, int turned, const struct area *all, struct area *group)
+{
+    struct area window = {0, group->x1, all->y0, all->y1};
+    const bool found = slab_window(diff, turned, all, &window);
+    group->x0 = window.x0;
+    group->x1 = window.x1;
+    return found;
+}
+
+/* Cost of the groups, each planned for itself. */
+static uint32_t plan_groups(struct panel_diff *diff, int turned, const struct area *all)
+{
+    struct area group = *all;
+    uint32_t cost = 0;
+    for (group.x1 = 0; next_group(diff, turned, all, &group);) {
+        cost += plan(diff, turned, &group);
+    }
+    return cost;
+}
+
+static void send_groups(struct panel_diff *diff, int turned, const struct area *all)
+{
+    struct area group = *all;
+    for (group.x1 = 0; next_group(diff, turned, all, &group);) {
+        plan(diff, turned, &group);
+        send_plan(diff, turned, &group);
+    }
+}
+
+/* What changed in the lines that are not yet decided: in slabs of lines or of columns, in groups or all together. */
+static void decide(struct panel_diff *diff)
+{
+    const struct area upright = {0, diff->units_x, 0, unit_lines(diff)};
+    const struct area all[2] = {upright, turn(&upright)};
+    uint32_t cost[2], apart[2];
+    turn_bits(diff, &upright);
+    for (int turned = 0; turned < 2; turned++) {
+        apart[turned] = plan_groups(diff, turned, &all[turned]);
+        cost[turned] = plan(diff, turned, &all[turned]);
+    }
+    const int turned = lesser(cost[1], apart[1]) < lesser(cost[0], apart[0]);
+    if (apart[turned] < cost[turned]) {
+        send_groups(diff, turned, &all[turned]);
+    } else {
+        plan(diff, turned, &all[turned]);
+        send_plan(diff, turned, &all[turned]);
+    }
+    diff->first = diff->row;
+}
+
+/* ---- frames ------------------------------------------------------------------------------------- */
+
+int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d)
+{
+    diff->whole = diff->unknown || (diff->refresh_frames != 0 && ++diff->frames >= diff->refresh_frames);
+    diff->frames = diff->whole ? 0 : diff->frames;
+    diff->unknown = true; /* until the frame has ended well */
+    diff->first = diff->row = 0;
+    diff->windows = diff->bytes = 0;
+    memset(diff->last, 0, sizeof diff->last);
+    diff->status = HAL_OK;
+    if (diff->whole) {
+        diff->windows = 1;
+        diff->bytes = panel_frame_bytes(d->config.panel, d->config.format, d->config.rotation);
+        diff->status = panel_frame_begin(d);
+    } else {
+        panel_windows_begin(d);
+    }
+    return diff->status;
+}
+
+static void send_whole(struct panel_diff *diff, const uint16_t *pixels, uint32_t lines)
+{
+    uint16_t *shown = diff->shown + (size_t)diff->row * diff->width;
+    memcpy(shown, pixels, sizeof *pixels * diff->width * lines);
+    diff->row = (uint16_t)(diff->row + lines);
+    diff->status = panel_rows(diff->out, shown, lines);
+}
+
+static void send_changes(struct panel_diff *diff, const uint16_t *pixels, uint32_t lines)
+{
+    for (uint32_t i = 0; i < lines; i++) {
+        take_line(diff, pixels + (size_t)i * diff->width);
+    }
+    const bool last = diff->row == diff->height;
+    const bool between = !diff->pair_y || ((diff->row + diff->lead) & 1U) == 0;
+    if (diff->row > diff->first && (last || (between && diff->row - diff->first >= DECIDE_LINES))) {
+        decide(diff);
+    }
+}
+
+int panel_diff_rows(struct panel_diff *diff, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+{
+    if (diff->status < 0 || lines > (uint32_t)(diff->height - diff->row)) {
+        return diff->status < 0 ? diff->status : HAL_EINVAL;
+    }
+    diff->out = d;
+    if (lines == 0) {
+        return HAL_OK;
+    }
+    if (diff->whole) {
+        send_whole(diff, pixels, lines);
+    } else {
+        send_changes(diff, pixels, lines);
+    }
+    return diff->status;
+}
+
+int panel_diff_end(struct panel_diff *diff, struct panel_driver *d)
+{
+    const int status = diff->whole ? panel_frame_end(d) : panel_wait(d);
+    if (status < 0 || diff->status < 0) {
+        return diff->status < 0 ? diff->status : status;
+    }
+    if (diff->row != diff->height) {
+        return HAL_EINVAL;
+    }
+    diff->unknown = false;
+    return HAL_OK;
+}

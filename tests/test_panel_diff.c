@@ -1,0 +1,358 @@
+/*
+ * panel_diff on every panel, rotation and format: the picture on the model's glass is the whole one's, the bytes on the
+ * wire are those that were predicted, and not many more than a search without hurry finds.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "cover_search.h"
+#include "panel_diff.h"
+#include "panel_picture.h"
+#include "panels.h"
+#include "player.h"
+#include "spy_hal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static uint16_t picture[PICTURE_PIXELS];
+static uint8_t seen[3 * PICTURE_PIXELS], expected[3 * PICTURE_PIXELS];
+
+/* A panel on the simulator, with the spy between if wanted. */
+struct rig {
+    struct board board;
+    struct sim *sim;
+    struct hal hal;
+    struct spy spy;
+    struct panel_driver d;
+    struct panel_diff diff;
+    void *memory;
+    uint8_t scratch[512];
+};
+
+static void rig_open(struct rig *rig, const struct panel *panel, unsigned rotation, unsigned format, bool spied)
+{
+    rig->board = (struct board){.name = "test",
+                                .panel = panel,
+                                .spi_hz = panel->controller->write_hz,
+                                .pins = {.reset = BOARD_PIN(0), .backlight = BOARD_PIN(1)}};
+    rig->sim = sim_open(&rig->board, &rig->hal);
+    assert_non_null(rig->sim);
+    if (spied) {
+        rig->spy = (struct spy){.sim = rig->hal};
+        rig->hal = (struct hal){&spy_ops, &rig->spy};
+    }
+    const struct panel_config config = {panel,        (uint8_t)rotation,  (uint8_t)format, rig->board.spi_hz,
+                                        rig->scratch, sizeof rig->scratch};
+    assert_int_equal(panel_open(&rig->d, &rig->hal, &config), 0);
+    const size_t bytes = panel_diff_bytes(rig->d.width, rig->d.height);
+    rig->memory = malloc(bytes);
+    assert_int_equal(panel_diff_init(&rig->diff, &rig->d, 0, rig->memory, bytes - 1), HAL_EINVAL);
+    assert_int_equal(panel_diff_init(&rig->diff, &rig->d, 0, rig->memory, bytes), 0);
+}
+
+static void rig_close(struct rig *rig, const char *what)
+{
+    assert_int_equal(panel_close(&rig->d), 0);
+    picture_no_complaint(rig->sim, what);
+    sim_close(rig->sim);
+    free(rig->memory);
+}
+
+/* The picture `lines` lines at a time, each from a buffer that is spoilt as soon as it is the caller's again. */
+static int show(struct rig *rig, uint32_t lines)
+{
+    static uint16_t band[PICTURE_PIXELS];
+    int status = panel_diff_begin(&rig->diff, &rig->d);
+    for (uint32_t y = 0; y < rig->d.height && status >= 0; y += lines) {
+        const uint32_t n = rig->d.height - y < lines ? rig->d.height - y : lines;
+        memcpy(band, picture + y * rig->d.width, sizeof *band * n * rig->d.width);
+        status = panel_diff_rows(&rig->diff, &rig->d, band, n);
+        memset(band, 0x5A, sizeof *band * n * rig->d.width);
+    }
+    const int ended = panel_diff_end(&rig->diff, &rig->d);
+    return status < 0 ? status : ended;
+}
+
+static void check_seen(struct rig *rig, const char *what)
+{
+    const struct panel_config *c = &rig->d.config;
+    sim_pixels(rig->sim, c->rotation, seen);
+    picture_expect(picture, rig->d.width, rig->d.height, c->format, c->panel->round, expected);
+    picture_compare(seen, expected, rig->d.width, rig->d.height, what);
+}
+
+static uint32_t random_state;
+
+static uint32_t draw(uint32_t below)
+{
+    random_state = random_state * 1664525U + 1013904223U;
+    return (uint32_t)((uint64_t)random_state * below >> 32);
+}
+
+/* Boxes, lines and dots of noise, some of them only in the lowest bits; at step 3 nothing, at step 5 everything. */
+static void change(uint32_t width, uint32_t height, uint32_t step)
+{
+    if (step == 0 || step == 5) {
+        picture_fill(picture, width, height, step);
+        return;
+    }
+    for (uint32_t i = 0; i < 12 && step != 3; i++) {
+        const uint32_t w = 1 + draw(i % 3 == 0 ? width : 3), h = 1 + draw(i % 3 == 1 ? height : 3);
+        const uint32_t x0 = draw(width), y0 = draw(height);
+        for (uint32_t y = y0; y < y0 + h && y < height; y++) {
+            for (uint32_t x = x0; x < x0 + w && x < width; x++) {
+                picture[y * width + x] ^= (uint16_t)(i == 11 ? 0x0100 : draw(0x10000));
+            }
+        }
+    }
+}
+
+static void show_sequence(const struct panel *panel, unsigned rotation, unsigned format, uint32_t lines, bool spied)
+{
+    static struct rig rig;
+    char what[100];
+    random_state = lines + 10 * rotation;
+    rig_open(&rig, panel, rotation, format, spied);
+    for (uint32_t step = 0; step < 8; step++) {
+        snprintf(what, sizeof what, "%s, rotation %u, format %u, %u lines, step %u", panel->name, rotation * 90, format,
+                 lines, step);
+        change(rig.d.width, rig.d.height, step);
+        rig.spy.count = 0;
+        const uint64_t before = sim_counters(rig.sim).bytes;
+        assert_int_equal(show(&rig, lines), 0);
+        const uint64_t bytes = sim_counters(rig.sim).bytes - before;
+        check_seen(&rig, what);
+        if (step > 0) { /* the first frame also turns the display on */
+            assert_int_equal(bytes, rig.diff.bytes);
+        }
+        assert_int_equal(rig.d.frame_bytes, rig.diff.bytes);
+        if (step == 3) {
+            assert_int_equal(bytes, 0);
+        }
+    }
+    rig_close(&rig, what);
+}
+
+static void every_panel_shows_the_exact_picture_in_every_rotation_and_format(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < panel_count; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            for (unsigned format = PANEL_RGB565; format <= PANEL_GREY4; format++) {
+                if (panel_list[i]->formats & PANEL_FORMAT_BIT(format)) {
+                    show_sequence(panel_list[i], rotation, format, 60, false);
+                }
+            }
+        }
+    }
+}
+
+static void any_number_of_lines_at_a_time_will_do(void **state)
+{
+    (void)state;
+    static const uint32_t lines[] = {1, 7, 32, 33, 240};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        for (unsigned rotation = 0; rotation < 4; rotation++) {
+            show_sequence(&panel_ssd0323_128x64, rotation, PANEL_GREY4, lines[i], false);
+        }
+        show_sequence(&panel_st7789_135x240, PANEL_R90, PANEL_RGB565, lines[i], false);
+        show_sequence(&panel_st7735s_80x160, PANEL_R0, PANEL_RGB444, lines[i], false);
+    }
+}
+
+/* Pixels that share a byte with one beside the glass. */
+static void odd_greys_are_exact_too(void **state)
+{
+    (void)state;
+    struct panel panel = panel_ssd0323_128x64;
+    panel.width = 127;
+    for (unsigned rotation = 0; rotation < 4; rotation++) {
+        static struct rig rig;
+        static uint8_t whole[3 * 128 * 64];
+        rig_open(&rig, &panel, rotation, PANEL_GREY4, false);
+        random_state = rotation;
+        for (uint32_t step = 0; step < 8; step++) {
+            change(rig.d.width, rig.d.height, step);
+            assert_int_equal(show(&rig, 10), 0);
+            sim_pixels(rig.sim, rotation, seen);
+            assert_int_equal(picture_draw(&rig.d, picture, 9), 0); /* all of it, as without panel_diff */
+            sim_pixels(rig.sim, rotation, whole);
+            assert_memory_equal(seen, whole, sizeof whole);
+        }
+        rig_close(&rig, "odd greys");
+    }
+}
+
+static void no_buffer_is_touched_before_it_is_sent(void **state)
+{
+    (void)state;
+    for (unsigned rotation = 0; rotation < 4; rotation++) {
+        show_sequence(&panel_st7735s_80x160, rotation, PANEL_RGB565, 20, true);
+        show_sequence(&panel_st7735s_80x160, rotation, PANEL_RGB666, 20, true);
+        show_sequence(&panel_ssd1351_128x128, rotation, PANEL_RGB565, 16, true);
+        show_sequence(&panel_ssd0323_128x64, rotation, PANEL_GREY4, 5, true);
+    }
+}
+
+static void a_frame_in_which_all_changes_costs_at_most_one_percent_more(void **state)
+{
+    (void)state;
+    static struct rig rig;
+    for (uint32_t lines = 1; lines <= 240; lines = 3 * lines + 1) {
+        rig_open(&rig, &panel_st7789_240x240, PANEL_R0, PANEL_RGB565, false);
+        for (uint32_t step = 0; step < 3; step++) {
+            picture_fill(picture, 240, 240, step);
+            for (uint32_t i = 0; i < 240 * 240; i++) { /* no pixel stays by chance */
+                picture[i] = (uint16_t)((picture[i] & 0xFFFC) | step);
+            }
+            assert_int_equal(show(&rig, lines), 0);
+            assert_in_range(rig.diff.bytes, 2 * 240 * 240, 2 * 240 * 240 * 101 / 100);
+        }
+        rig_close(&rig, "all changes");
+    }
+}
+
+static void all_is_sent_again_every_so_many_frames(void **state)
+{
+    (void)state;
+    static struct rig rig;
+    rig_open(&rig, &panel_st7735s_80x160, PANEL_R0, PANEL_RGB565, false);
+    rig.diff.refresh_frames = 4;
+    picture_fill(picture, 80, 160, 1);
+    for (uint32_t frame = 0; frame < 12; frame++) {
+        assert_int_equal(show(&rig, 16), 0);
+        assert_int_equal(rig.diff.bytes, frame % 4 == 0 ? panel_frame_bytes(&panel_st7735s_80x160, 0, 0) : 0);
+    }
+    rig_close(&rig, "refresh");
+}
+
+/* Wherever the wire fails, the frame after it is right. */
+static void after_an_error_the_next_frame_is_whole(void **state)
+{
+    (void)state;
+    static struct rig rig;
+    for (uint32_t n = 1; n < 30; n++) {
+        rig_open(&rig, &panel_st7735s_80x160, PANEL_R90, PANEL_RGB565, false);
+        random_state = n;
+        change(160, 80, 0);
+        assert_int_equal(show(&rig, 16), 0);
+        change(160, 80, 1);
+        sim_fault(rig.sim, SIM_FAULT_WRITE, n);
+        const int status = show(&rig, 16);
+        sim_fault(rig.sim, SIM_FAULT_NONE, 0);
+        change(160, 80, 2);
+        assert_int_equal(show(&rig, 16), 0);
+        assert_int_equal(status, HAL_EIO);
+        assert_int_equal(rig.diff.bytes, panel_frame_bytes(&panel_st7735s_80x160, 0, 1));
+        check_seen(&rig, "after an error");
+        panel_close(&rig.d);
+        sim_close(rig.sim);
+        free(rig.memory);
+    }
+}
+
+static void wrong_use_is_refused(void **state)
+{
+    (void)state;
+    static struct rig rig;
+    rig_open(&rig, &panel_st7735s_80x160, PANEL_R0, PANEL_RGB565, false);
+    assert_int_equal(panel_diff_begin(&rig.diff, &rig.d), 0);
+    assert_int_equal(panel_diff_rows(&rig.diff, &rig.d, picture, 161), HAL_EINVAL);
+    assert_int_equal(panel_diff_end(&rig.diff, &rig.d), HAL_EINVAL); /* lines are missing */
+    assert_int_equal(panel_window(&rig.d, 0, 0, 81, 1), HAL_EINVAL);
+    assert_int_equal(panel_window(&rig.d, 80, 0, 1, 1), HAL_EINVAL);
+    assert_int_equal(panel_window(&rig.d, 0, 159, 1, 2), HAL_EINVAL);
+    assert_int_equal(panel_window(&rig.d, 0, 0, 0, 1), HAL_EINVAL);
+    assert_int_equal(panel_window_rows(&rig.d, picture, 80, 1), HAL_EINVAL);
+    rig_close(&rig, "wrong use");
+    rig_open(&rig, &panel_ssd0323_128x64, PANEL_R0, PANEL_GREY4, false);
+    assert_int_equal(panel_window(&rig.d, 1, 0, 3, 1), HAL_EINVAL); /* in the middle of a byte */
+    assert_int_equal(panel_window(&rig.d, 2, 1, 2, 1), 0);
+    panel_close(&rig.d);
+    sim_close(rig.sim);
+    free(rig.memory);
+}
+
+/* ---- how few bytes -------------------------------------------------------------------------------- */
+
+#define SIDE 40
+
+static void take_picture(const struct player *p)
+{
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        const uint8_t *rgb = p->picture.rgb + 3 * i;
+        const uint8_t bytes[2] = {(uint8_t)((rgb[0] & 0xF8) | rgb[1] >> 5),
+                                  (uint8_t)((rgb[1] << 3 & 0xE0) | rgb[2] >> 3)};
+        memcpy(&picture[i], bytes, 2);
+    }
+}
+
+/* Bytes of eight frames `step` apart on a small panel, and of the best covers that the search finds. */
+static void compare_with_search(const char *name, uint32_t step, uint64_t bytes[2])
+{
+    static struct rig rig;
+    struct sim_virtual small;
+    struct player player;
+    uint16_t before[SIDE * SIDE];
+    uint8_t changed[SIDE * SIDE];
+    assert_int_equal(sim_virtual(&small, SIDE, SIDE), 0);
+    const struct player_setup setup = {.board = &small.board, .band_height = SIDE, .demo = demo_find(name)};
+    assert_int_equal(player_open(&player, &setup), 0);
+    rig_open(&rig, &small.panel, PANEL_R0, PANEL_RGB565, false);
+    const struct cover_costs costs = {5, 1, 2};
+    bytes[0] = bytes[1] = 0;
+    for (uint32_t frame = 0; frame < 9; frame++) {
+        memcpy(before, picture, sizeof before);
+        assert_int_equal(player_frame(&player, frame * step), 0);
+        take_picture(&player);
+        assert_int_equal(show(&rig, SIDE), 0);
+        for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+            changed[i] = before[i] != picture[i];
+        }
+        if (frame > 0) {
+            bytes[0] += rig.diff.bytes;
+            bytes[1] += cover_search(changed, SIDE, SIDE, &costs, 20000);
+        }
+    }
+    rig_close(&rig, name);
+    player_close(&player);
+}
+
+static void bytes_are_within_ten_percent_of_the_best_cover_found(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        uint32_t step;
+    } sequences[] = {{"turntable", 1}, {"turntable", 4}, {"wireframe", 1}, {"solar", 1},
+                     {"snake", 2},     {"ball", 3},      {"shadow", 1},    {"fisheye", 1}};
+    for (size_t i = 0; i < sizeof sequences / sizeof sequences[0]; i++) {
+        uint64_t bytes[2];
+        compare_with_search(sequences[i].name, sequences[i].step, bytes);
+        print_message("%s, every %u.: %llu bytes, search %llu: %.1f %% more\n", sequences[i].name, sequences[i].step,
+                      (unsigned long long)bytes[0], (unsigned long long)bytes[1],
+                      100.0 * (double)bytes[0] / (double)bytes[1] - 100);
+        assert_true(bytes[1] > 0);
+        assert_true(bytes[0] * 100 <= bytes[1] * 110);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_panel_shows_the_exact_picture_in_every_rotation_and_format),
+        cmocka_unit_test(any_number_of_lines_at_a_time_will_do),
+        cmocka_unit_test(odd_greys_are_exact_too),
+        cmocka_unit_test(no_buffer_is_touched_before_it_is_sent),
+        cmocka_unit_test(a_frame_in_which_all_changes_costs_at_most_one_percent_more),
+        cmocka_unit_test(all_is_sent_again_every_so_many_frames),
+        cmocka_unit_test(after_an_error_the_next_frame_is_whole),
+        cmocka_unit_test(wrong_use_is_refused),
+        cmocka_unit_test(bytes_are_within_ten_percent_of_the_best_cover_found),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
