@@ -300,3 +300,11 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
     }
     return check_together(lab, *command);
 }
+
+struct ph_projection depth_lab_projection(const struct depth_lab *lab)
+{
+    struct ph_projection projection = {.kind = PH_PERSPECTIVE};
+    ph_projection_perspective(&projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
+                              lab->near_z, lab->far_z);
+    return projection;
+}

@@ -13,17 +13,17 @@ static const struct depth_command commands[] = {
      " near far format count spacing csv ",
      "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
      depth_pairs},
+    {"resolve", "the smallest separation that is ordered right at each distance, and the largest of them",
+     " near far format at csv ",
+     "format,bits,near [m],far [m],z [m],ideal step [m] (predicted),S_eff [m] (measured),ratio", depth_resolve},
+    {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
+     " near far format fov size at tilt separation out csv ",
+     "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
+     "from [m] (measured),measured / predicted",
+     depth_planes},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
-
-struct ph_projection depth_lab_projection(const struct depth_lab *lab)
-{
-    struct ph_projection projection = {.kind = PH_PERSPECTIVE};
-    ph_projection_perspective(&projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
-                              lab->near_z, lab->far_z);
-    return projection;
-}
 
 /* Takes the remarks out: what is left is CSV. */
 static void drop_remarks(char *csv)

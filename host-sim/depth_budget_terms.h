@@ -1,0 +1,60 @@
+/*
+ * depth_budget_terms: what the depth pipeline is predicted to resolve, in metres along the view, from formulas alone.
+ * Nothing here looks at the renderer; what is measured stands beside it (depth_planes, depth_budget).
+ *
+ * Each share is the smallest separation of two surfaces, at distance z, that this part of the pipeline keeps apart:
+ *   input          a vertex stands on a grid of 2^-16 m
+ *   matrix         w is rounded to 2^-16 m, the matrix's elements to 2^-29
+ *   divide         N/w is exact to 2^-30 of itself, and scaled once more
+ *   store          one step of the depth code
+ *   interpolation  gradients are rounded to the guard bits and stepped over the whole picture
+ *   sub-pixel      a vertex stands on a grid of 2^-8 px: s_xy = sqrt(2) 2^-8 p z, p the slope of a pixel
+ * All of them: S_min = sqrt((s_xy + s_z tan phi)^2 + s_z^2), s_z the sum of those along z, phi the angle of the ray off
+ * the axis (after Akeley and Su, Minimum triangle separation for correct z-buffer occlusion, 2006).
+ */
+#ifndef DEPTH_BUDGET_TERMS_H
+#define DEPTH_BUDGET_TERMS_H
+
+#include "depth_lab.h"
+
+enum depth_share {
+    DEPTH_SHARE_INPUT,
+    DEPTH_SHARE_MATRIX,
+    DEPTH_SHARE_DIVIDE,
+    DEPTH_SHARE_STORE,
+    DEPTH_SHARE_INTERPOLATION,
+    DEPTH_SHARE_SUBPIXEL,
+    DEPTH_SHARES,
+};
+
+extern const char *const depth_share_names[DEPTH_SHARES];
+
+#define DEPTH_SUBPIXEL_BITS 8
+
+static inline double depth_metres(fx_t v)
+{
+    return v / 65536.0;
+}
+
+static inline double depth_radians(double degrees)
+{
+    return degrees * (3.14159265358979323846 / 180);
+}
+
+/* Slope of a pixel: how far apart the rays of two rows are at a distance of 1 m. */
+double depth_pixel_slope(const struct depth_lab *lab);
+
+/* The depth step at distance z that the format's definition gives. */
+double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
+
+/* The code at distance z by the format's definition, before it is cut to a whole number; larger is nearer. */
+double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z);
+
+/* sqrt(2) 2^-bits p z. */
+double depth_subpixel_m(const struct depth_lab *lab, int bits, double z);
+
+double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z);
+
+double depth_s_min_m(double s_xy, double s_z, double tan_phi);
+
+#endif

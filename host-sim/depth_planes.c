@@ -1,0 +1,249 @@
+/* pinhole-depth planes: two parallel planes through the renderer. See depth_planes_scene.h and depth_planes_count.h. */
+#include "depth_planes_count.h"
+
+#include "complain.h"
+#include "depth_budget_terms.h"
+#include "ppm.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define GAP_PX       4
+#define TILT_DEFAULT 75.0
+#define OCTAVES      17 /* of a distance in Q16.16: below 1/2 m, and 1/2 m .. 2^15 m */
+
+static double at_default(const struct depth_lab *lab, uint32_t i)
+{
+    return lab->at_count > 0 ? depth_metres(lab->at[i]) : (depth_metres(lab->near_z) + depth_metres(lab->far_z)) / 2;
+}
+
+/* ---- the picture, and what it counts -------------------------------------------------------------------- */
+
+struct band {
+    uint32_t samples, wrong, codes;
+    uint32_t predicted; /* codes */
+    double nearest_m, farthest_m;
+};
+
+struct picture {
+    struct ppm ppm;
+    uint32_t column; /* where the next format's picture begins */
+};
+
+/* Black where nothing is counted, blue where right, orange where wrong: three greys even to the colour-blind. */
+static void paint(struct picture *picture, const struct depth_lab *lab, const uint8_t *verdicts)
+{
+    static const uint8_t colours[][3] = {
+        [PLANES_UNCOUNTED] = {16, 16, 20}, [PLANES_RIGHT] = {0, 92, 146}, [PLANES_WRONG] = {245, 190, 60}};
+    for (uint32_t y = 0; y < lab->height && picture->ppm.rgb != NULL; y++) {
+        uint8_t *to = picture->ppm.rgb + ((size_t)y * picture->ppm.width + picture->column) * 3;
+        for (uint32_t x = 0; x < lab->width; x++, to += 3) {
+            memcpy(to, colours[verdicts[y * lab->width + x]], 3);
+        }
+    }
+    picture->column += lab->width + GAP_PX;
+}
+
+static int compare_codes(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+static uint32_t distinct(uint32_t *codes, uint32_t n)
+{
+    uint32_t count = n > 0;
+    qsort(codes, n, sizeof *codes, compare_codes);
+    for (uint32_t i = 1; i < n; i++) {
+        count += codes[i] != codes[i - 1];
+    }
+    return count;
+}
+
+static int octave_of(double distance_m)
+{
+    const int octave = ilogb(distance_m) + 2;
+    return octave < 0 ? 0 : octave >= OCTAVES ? OCTAVES - 1 : octave;
+}
+
+/* Adds what a row holds; all of it is at one distance. */
+static void add_row(struct band *band, const struct planes_canvas *canvas, uint32_t y, uint32_t *codes)
+{
+    const uint32_t width = canvas->lab->width;
+    for (uint32_t i = y * width; i < (y + 1) * width; i++) {
+        if (canvas->verdicts[i] != PLANES_UNCOUNTED) {
+            codes[band->samples++] = planes_code(canvas, i);
+            band->wrong += canvas->verdicts[i] == PLANES_WRONG;
+        }
+    }
+}
+
+/* One octave of distance, or all of them (-1), in what was drawn last: the plane behind, alone. */
+static struct band count_band(const struct planes_canvas *canvas, const struct planes_quad *behind, int octave,
+                              uint32_t *codes)
+{
+    const struct depth_lab *lab = canvas->lab;
+    struct band band = {.nearest_m = HUGE_VAL};
+    double last = -1;
+    for (uint32_t y = 0; y < lab->height; y++) {
+        const uint32_t before = band.samples;
+        const double distance = planes_distance_m(canvas, behind, y);
+        if (!(distance > 0) || (octave >= 0 && octave_of(distance) != octave)) {
+            continue;
+        }
+        add_row(&band, canvas, y, codes);
+        if (band.samples > before) {
+            const double code =
+                floor(depth_code_at((enum ph_depth_format)canvas->renderer.config.depth_format, lab, distance));
+            band.predicted += code != last;
+            last = code;
+            band.nearest_m = fmin(band.nearest_m, distance);
+            band.farthest_m = fmax(band.farthest_m, distance);
+        }
+    }
+    band.codes = distinct(codes, band.samples);
+    return band;
+}
+
+static int show_bands(struct planes_canvas *canvas, const struct lab_format *format, const struct planes_pair *pair)
+{
+    const struct depth_lab *lab = canvas->lab;
+    uint32_t *const codes = malloc((size_t)lab->width * lab->height * sizeof *codes);
+    if (codes == NULL) {
+        return complain(EXIT_FAILED, "planes: no memory for a picture of %ux%u", lab->width, lab->height);
+    }
+    planes_draw(canvas, &pair->behind, NULL);
+    for (int i = 0; i <= OCTAVES; i++) {
+        const int octave = i < OCTAVES ? i : -1;
+        const struct band band = count_band(canvas, &pair->behind, octave, codes);
+        if (band.samples > 0) {
+            fprintf(lab->rows, "# %-9s %-6s %10.4f %10.4f %9u %17u %17u %18u\n", format->name,
+                    octave < 0 ? "all" : "one", band.nearest_m, band.farthest_m, (unsigned)band.samples,
+                    (unsigned)band.wrong, (unsigned)band.codes, (unsigned)band.predicted);
+        }
+    }
+    free(codes);
+    return 0;
+}
+
+static int show_format(const struct depth_lab *lab, const struct lab_format *format, const struct planes_pair *pair,
+                       struct picture *picture)
+{
+    struct planes_canvas canvas;
+    int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    if (status == 0) {
+        planes_count(&canvas, pair, canvas.verdicts);
+        paint(picture, lab, canvas.verdicts);
+        status = show_bands(&canvas, format, pair);
+    }
+    planes_close(&canvas);
+    return status;
+}
+
+static bool is_drawn(const struct depth_lab *lab, uint32_t i)
+{
+    return (lab->formats >> i & 1) != 0 && lab_formats[i].kind == LAB_DRAWN;
+}
+
+static uint32_t drawn_formats(const struct depth_lab *lab)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        count += is_drawn(lab, i);
+    }
+    return count;
+}
+
+static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
+{
+    const double at = at_default(lab, 0), tilt = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEFAULT;
+    const double separation =
+        lab->separation != 0 ? depth_metres(lab->separation) : depth_step_m(PH_DEPTH_FIXED16, lab, at);
+    const struct planes_place place = planes_whole(lab, at, tilt, separation);
+    if (!planes_make(lab, &place, pair)) {
+        return complain(EXIT_USAGE, "--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at,
+                        tilt, separation);
+    }
+    if (!planes_front_is_nearer(pair)) {
+        return complain(EXIT_USAGE, "--separation %g: rounds to nothing in Q16.16; take 0.00002 or more", separation);
+    }
+    fprintf(lab->rows, "# Two planes %.6g m apart, tilted by %g degrees, the one behind %g m away in the middle:\n",
+            planes_separation_m(pair), tilt, at);
+    fputs("# format    octave   from [m]     to [m]   samples  wrong (measured)  codes (measured)  codes (predicted)\n",
+          lab->rows);
+    return 0;
+}
+
+static int save_picture(const struct depth_lab *lab, struct picture *picture)
+{
+    if (picture->ppm.rgb == NULL || ppm_save(lab->out, &picture->ppm) == 0) {
+        return 0;
+    }
+    return complain(EXIT_FAILED, "--out %s: cannot be written: %s", lab->out, strerror(errno));
+}
+
+static int show_pictures(const struct depth_lab *lab)
+{
+    struct planes_pair pair;
+    struct picture picture = {.ppm = {drawn_formats(lab) * (lab->width + GAP_PX) - GAP_PX, lab->height, NULL}};
+    int status = make_pair(lab, &pair);
+    if (status == 0 && lab->out != NULL) {
+        picture.ppm.rgb = calloc((size_t)picture.ppm.width * picture.ppm.height, 3);
+        if (picture.ppm.rgb == NULL) {
+            return complain(EXIT_FAILED, "planes: no memory for the error picture");
+        }
+    }
+    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        status = is_drawn(lab, i) ? show_format(lab, &lab_formats[i], &pair, &picture) : 0;
+    }
+    if (status == 0) {
+        status = save_picture(lab, &picture);
+    }
+    free(picture.ppm.rgb);
+    return status;
+}
+
+/* ---- the sweep ------------------------------------------------------------------------------------------ */
+
+static void sweep_row(const struct depth_lab *lab, const struct lab_format *format, struct planes_canvas *canvas,
+                      double at, double tilt)
+{
+    const struct planes_sweep sweep = planes_sweep(canvas, (enum ph_depth_format)format->format, at, tilt);
+    fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%g,%.4g,%.4g,%.4g,%.3f\n", format->name, format->bits,
+            depth_metres(lab->near_z), depth_metres(lab->far_z), at, tilt, sweep.s_min_m, sweep.at_tilt_m,
+            sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
+}
+
+static int sweep_format(const struct depth_lab *lab, const struct lab_format *format)
+{
+    static const double tilts[] = {0, 15, 30, 45, 60, 75};
+    const uint32_t tilt_count = lab->tilt_set ? 1 : sizeof tilts / sizeof tilts[0];
+    struct planes_canvas canvas;
+    const int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    for (uint32_t i = 0; status == 0 && (i < lab->at_count || i == 0); i++) {
+        for (uint32_t k = 0; k < tilt_count; k++) {
+            sweep_row(lab, format, &canvas, at_default(lab, i), lab->tilt_set ? depth_metres(lab->tilt_deg) : tilts[k]);
+        }
+    }
+    planes_close(&canvas);
+    return status;
+}
+
+int depth_planes(const struct depth_lab *lab)
+{
+    const size_t length = lab->out != NULL ? strlen(lab->out) : 0;
+    if (lab->out != NULL && (length < 5 || strcmp(lab->out + length - 4, ".ppm") != 0)) {
+        return complain(EXIT_USAGE, "--out %s: the error picture is a .ppm", lab->out);
+    }
+    if (drawn_formats(lab) == 0) {
+        return complain(EXIT_USAGE, "--format: planes draws with the renderer's own formats; --help lists them");
+    }
+    fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio\n", lab->rows);
+    int status = 0;
+    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        status = is_drawn(lab, i) ? sweep_format(lab, &lab_formats[i]) : 0;
+    }
+    return status != 0 ? status : show_pictures(lab);
+}

@@ -1,0 +1,39 @@
+/* depth_planes_count: how often the renderer shows the wrong one of two planes, and from which separation on never. */
+#ifndef DEPTH_PLANES_COUNT_H
+#define DEPTH_PLANES_COUNT_H
+
+#include "depth_planes_scene.h"
+
+enum planes_verdict { PLANES_UNCOUNTED, PLANES_RIGHT, PLANES_WRONG };
+
+struct planes_count {
+    uint32_t samples; /* pixels that both planes cover */
+    uint32_t wrong;   /* of these: showed the plane that is exactly behind */
+};
+
+/* Draws each plane alone, then both. verdicts: one byte a pixel, enum planes_verdict. */
+struct planes_count planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts);
+
+/*
+ * Predicted at distance z for planes of this tilt, on the ray of this slope y / z: a depth step along the ray, seen
+ * along the planes' normal, and a sub-pixel step up: s_z (cos(tilt) - slope sin(tilt)) + 2^-8 p z |sin(tilt)|.
+ */
+double planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
+                          double tilt_deg);
+
+/* One row of the sweep. The predictions are those of the row of the picture that needs most. */
+struct planes_sweep {
+    double s_min_m;    /* predicted: S_min, whatever the tilt */
+    double at_tilt_m;  /* predicted at this tilt */
+    double measured_m; /* smallest separation from which on no pixel was wrong; HUGE_VAL: none found */
+};
+
+/*
+ * Smallest separation of planes tilt_deg to the screen of which at_m is the furthest distance drawn: from well above
+ * S_min down in steps of 2^(1/16), each tried in 32 places that differ by parts of a pixel and of a depth step, half of
+ * them small in the middle of the picture, half as wide as the picture.
+ */
+struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
+                                 double tilt_deg);
+
+#endif

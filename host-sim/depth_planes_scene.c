@@ -1,0 +1,171 @@
+#include "depth_planes_scene.h"
+
+#include "complain.h"
+#include "depth_budget_terms.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define CORNER_MAX 1073741824.0 /* 2^30: numerators then fit 64 bits */
+#define GUARD      3.9          /* half pictures that a corner may lie off the middle without being clipped */
+
+static const struct ph_material materials[] = {
+    {0},
+    {.shading = PH_SHADE_UNLIT, .two_sided = 1, .colour = PLANES_FRONT},
+    {.shading = PH_SHADE_UNLIT, .two_sided = 1, .colour = PLANES_BEHIND},
+};
+
+int planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format)
+{
+    const size_t area = (size_t)lab->width * lab->height;
+    const size_t vertices = 8 * ph_vertex_bytes, triangles = 8 * ph_triangle_bytes;
+    *canvas = (struct planes_canvas){.lab = lab, .projection = depth_lab_projection(lab)};
+    char *memory = malloc(vertices + triangles + 8 + area * (4 + sizeof *canvas->pixels + 1));
+    canvas->memory = memory;
+    if (memory == NULL) {
+        return complain(EXIT_FAILED, "planes: no memory for a picture of %ux%u", lab->width, lab->height);
+    }
+    char *const depth = memory + vertices + triangles + 8;
+    canvas->pixels = (uint16_t *)(void *)(depth + area * 4);
+    canvas->verdicts = (uint8_t *)(canvas->pixels + area);
+    const struct ph_config config = {.width = lab->width,
+                                     .height = lab->height,
+                                     .band_height = lab->height,
+                                     .depth_format = (uint8_t)format,
+                                     .vertices = memory,
+                                     .vertex_max = 8,
+                                     .triangles = memory + vertices,
+                                     .triangle_max = 8,
+                                     .bins = (uint32_t *)(void *)(memory + vertices + triangles),
+                                     .bin_max = 1,
+                                     .depth = (void *)depth};
+    return ph_renderer_init(&canvas->renderer, &config) == PH_OK
+               ? 0
+               : complain(EXIT_FAILED, "planes: the renderer does not draw this format");
+}
+
+void planes_close(struct planes_canvas *canvas)
+{
+    free(canvas->memory);
+    canvas->memory = NULL;
+}
+
+static double clamp(double v, double least, double most)
+{
+    return v < least ? least : v > most ? most : v;
+}
+
+struct planes_place planes_whole(const struct depth_lab *lab, double at_m, double tilt_deg, double separation_m)
+{
+    const double lean = tan(depth_radians(tilt_deg)), half = depth_pixel_slope(lab) * lab->height / 2;
+    const double nearest = depth_metres(lab->near_z) + separation_m + 2.0 / 65536, farthest = depth_metres(lab->far_z);
+    struct planes_place place = {at_m, tilt_deg, separation_m, -half, half, half * lab->width / lab->height};
+    /* D = at / (1 - s lean) from nearest to farthest */
+    const double at_near = lean != 0 ? (1 - at_m / nearest) / lean : 0;
+    const double at_far = lean != 0 ? (1 - at_m / farthest) / lean : 0;
+    if (lean > 0) {
+        place.slope_low = clamp(at_near, -half, half);
+        place.slope_high = clamp(at_far, -half, half);
+    } else if (lean < 0) {
+        place.slope_low = clamp(at_far, -half, half);
+        place.slope_high = clamp(at_near, -half, half);
+    }
+    return place;
+}
+
+static fx_t to_fx(double v)
+{
+    return (fx_t)floor(v * 65536 + 0.5);
+}
+
+static bool is_inside(const struct depth_lab *lab, const struct planes_quad *quad)
+{
+    const int64_t d0 = -(int64_t)quad->a.z, d1 = d0 - quad->vz;
+    return d0 >= lab->near_z && d0 <= lab->far_z && d1 >= lab->near_z && d1 <= lab->far_z;
+}
+
+bool planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair)
+{
+    const double angle = depth_radians(place->tilt_deg), lean = tan(angle);
+    const double d0 = place->at_m / (1 - place->slope_low * lean), d1 = place->at_m / (1 - place->slope_high * lean);
+    const double nearest = d0 < d1 ? d0 : d1, farthest = d0 < d1 ? d1 : d0;
+    const double pixel = depth_pixel_slope(lab);
+    const double side = fmin(place->slope_side * farthest, GUARD * pixel * lab->width / 2 * nearest);
+    const double largest = fmax(fmax(farthest, side * 2), farthest * pixel * lab->height / 2) * 65536;
+    if (!(nearest > 0) || !(largest < CORNER_MAX)) {
+        return false;
+    }
+    struct planes_quad *const behind = &pair->behind;
+    behind->a = (struct fx_vec3){to_fx(-side), to_fx(place->slope_low * d0), to_fx(-d0)};
+    behind->ux = to_fx(2 * side);
+    behind->vy = to_fx(place->slope_high * d1) - behind->a.y;
+    behind->vz = to_fx(-d1) - behind->a.z;
+    pair->front = *behind;
+    pair->front.a.y += to_fx(place->separation_m * sin(angle));
+    pair->front.a.z += to_fx(place->separation_m * cos(angle));
+    return behind->ux > 0 && behind->vy > 0 && is_inside(lab, behind) && is_inside(lab, &pair->front);
+}
+
+static void draw_quad(struct ph_renderer *r, const struct planes_quad *quad, uint16_t material)
+{
+    static const uint16_t triangles[][3] = {{0, 1, 2}, {0, 2, 3}};
+    const struct fx_vec3 a = quad->a;
+    const struct fx_vec3 corners[] = {a,
+                                      {a.x + quad->ux, a.y, a.z},
+                                      {a.x + quad->ux, a.y + quad->vy, a.z + quad->vz},
+                                      {a.x, a.y + quad->vy, a.z + quad->vz}};
+    const struct ph_part part = {.count = 2, .material = material};
+    const struct ph_mesh mesh = {.positions = corners,
+                                 .vertex_count = 4,
+                                 .triangles = triangles,
+                                 .triangle_count = 2,
+                                 .parts = &part,
+                                 .part_count = 1,
+                                 .materials = materials};
+    ph_draw_mesh(r, &mesh, &ph_xform_identity);
+}
+
+void planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front)
+{
+    struct ph_renderer *const r = &canvas->renderer;
+    ph_frame_begin(r, &ph_xform_identity, &canvas->projection, NULL, PLANES_NONE);
+    if (behind != NULL) {
+        draw_quad(r, behind, PLANES_BEHIND);
+    }
+    if (front != NULL) {
+        draw_quad(r, front, PLANES_FRONT);
+    }
+    ph_frame_bands(r);
+    ph_draw_band(r, 0, canvas->pixels);
+}
+
+uint32_t planes_code(const struct planes_canvas *canvas, uint32_t pixel)
+{
+    const struct ph_config *const config = &canvas->renderer.config;
+    return ph_depth_bytes(config->depth_format) == 4 ? ((const uint32_t *)config->depth)[pixel]
+                                                     : ((const uint16_t *)config->depth)[pixel];
+}
+
+static int64_t numerator(const struct planes_quad *quad)
+{
+    return (int64_t)quad->vz * quad->a.y - (int64_t)quad->a.z * quad->vy;
+}
+
+double planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t row)
+{
+    const double height = canvas->lab->height;
+    const double slope = (height - 1 - 2.0 * row) * 1048576 / (canvas->projection.scale_y_q20 * height);
+    return (double)numerator(quad) / (quad->vy + slope * quad->vz) / 65536;
+}
+
+bool planes_front_is_nearer(const struct planes_pair *pair)
+{
+    const int64_t front = numerator(&pair->front), behind = numerator(&pair->behind);
+    return front >= 0 ? front < behind : front > behind;
+}
+
+double planes_separation_m(const struct planes_pair *pair)
+{
+    const double apart = (double)(numerator(&pair->behind) - numerator(&pair->front));
+    return apart / hypot(pair->behind.vy, pair->behind.vz) / 65536;
+}
