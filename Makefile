@@ -38,7 +38,7 @@ TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(she
 
 CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c)
 CORE := $(filter-out $(CORE_CPU:firmware/core/$(CPU)/%=firmware/core/%),$(wildcard firmware/core/*.c)) $(CORE_CPU)
-APP := $(wildcard firmware/app/*.c)
+APP_SRC := $(filter-out firmware/app/image_%,$(wildcard firmware/app/*.c))
 HAL := $(wildcard hal/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
@@ -46,7 +46,7 @@ SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP
                                              host-sim/$(SDL)/*.c))
 PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(wildcard host-sim/pinhole_*.c))
 
-LIB := $(CORE) $(APP) $(HAL) $(BOARDS) $(SIM)
+LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(SIM)
 OBJ = $(LIB:%.c=$(B)/%.o)
 
 # Programs in tests/ are named after what runs them; what remains there they share.
@@ -101,9 +101,11 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
 core-objects: $(CORE:%.c=$(B)/%.o)
-firmware-objects: core-objects $(APP:%.c=$(B)/%.o)
+firmware-objects: core-objects $(patsubst %.c,$(B)/%.o,$(APP_SRC) $(wildcard hal/*.c))
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
+
+-include firmware/firmware.mk
 
 demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
 	$(Q)B='$(B)' sh host-sim/demo.sh
@@ -117,8 +119,8 @@ test-exhaustive: ## the long tests: every input of the unary functions, long fuz
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/lint.sh
 
-size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget
-	$(Q)B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh
+size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget. BOARD=x: of its image
+	$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh)
 
 gallery: all ## makes the README's pictures again
 	$(Q)B='$(B)' host-sim/gallery.sh
@@ -137,7 +139,7 @@ clean: ## removes build/
 	rm -rf '$(B)'
 
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
 	@echo 'Variables: CC CFLAGS CPU=portable|armv6m|armv7m B=build V=1 PREFIX DESTDIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(PROGRAMS:$(B)/pinhole-%=$(B)/host-sim/pinhole_%.d)

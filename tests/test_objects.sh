@@ -23,46 +23,7 @@ foreign_symbols() { # objects: what is used but not defined in them, nor allowed
 
 written_objects() { arm-none-eabi-nm "$@" | grep -E ' [bBdDC] '; }
 
-# Reads gcc's call graphs. Prints a line for each recursion, dynamic stack frame, call through a pointer, path over the bound.
-stack_faults() { # call graph files
-    awk -v most="$stack_max" -v library="$library_stack" '
-        function name_after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }
-        function depth(f,    i, n, callee, d, deepest) {
-            if (f in known) { return known[f] }
-            if (f in open) { print "recursion: " f; return 0 }
-            if (!(f in frame)) { return library }
-            open[f]
-            n = split(calls[f], callee, "\n")
-            deepest = 0
-            for (i = 1; i < n; i++) { d = depth(callee[i]); if (d > deepest) { deepest = d } }
-            delete open[f]
-            return known[f] = frame[f] + deepest
-        }
-        /^node:/ {
-            if (match($0, /[0-9]+ bytes \([a-z,]*\)/)) {
-                split(substr($0, RSTART, RLENGTH), word, " ")
-                f = name_after("title")
-                frame[f] = word[1]
-                if (word[3] ~ /dynamic/) { print "dynamic stack: " f }
-            }
-        }
-        /^edge:/ {
-            f = name_after("targetname")
-            from = name_after("sourcename")
-            if (f == "__indirect_call" && from == "demo_draw_band") { next } # any of the functions *_band, see END
-            if (f == "__indirect_call") { print "call through a pointer: " from }
-            calls[from] = calls[from] f "\n"
-        }
-        END {
-            for (f in frame) { if (f ~ /\/demo_[a-z]*\.c:[a-z]*_band$/) { calls["demo_draw_band"] = calls["demo_draw_band"] f "\n" } }
-            for (f in frame) {
-                d = depth(f)
-                if (d > worst) { worst = d; who = f }
-                if (d > most) { print "stack: " f " takes " d " bytes, " most " allowed" }
-            }
-            print "# deepest: " who ", " worst " bytes of stack" > "/dev/stderr"
-        }' "$@"
-}
+stack_faults() { awk -v most="$stack_max" -v library="$library_stack" -f firmware/stack.awk "$@"; } # call graph files
 
 build() { # CPU, -mcpu=
     make -s -j"$(nproc)" B="$B/objects-$1" CC=arm-none-eabi-gcc CPU="$1" \
@@ -101,7 +62,7 @@ for cpu in "armv6m cortex-m0plus" "armv7m cortex-m3"; do
     read -r folder core <<<"$cpu"
     rm -rf "$B/objects-$folder"
     check "the_firmware_compiles_for_$core" build "$folder" "$core"
-    mapfile -t objects < <(find "$B/objects-$folder/firmware" -name '*.o')
+    mapfile -t objects < <(find "$B/objects-$folder/firmware" "$B/objects-$folder/hal" -name '*.o')
     check "no_floating_point_no_heap_no_io_on_$core" none foreign_symbols "${objects[@]}"
     check "nothing_is_mutable_at_file_scope_on_$core" none written_objects "${objects[@]}"
     check "no_recursion_and_at_most_${stack_max}_bytes_of_stack_on_$core" none stack_faults "${objects[@]/%.o/.ci}"

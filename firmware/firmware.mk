@@ -1,0 +1,119 @@
+# Images for microcontroller kits. Included by the Makefile.
+#
+#   make firmware BOARD=pico-display              build/firmware/pico-display-demos.elf .bin .uf2 .map, and what they take
+#   make firmware BOARD=lm3s6965evb APP=depth     another program: firmware/app/image_depth.c; or a file, APP=mine.c
+#   make size BOARD=pico-display                  the image's size by module
+#   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in its emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
+#
+# A board of this kind has, beside board.c (its data), a boards/NAME/board.mk with
+#   PORT              folder below hal/
+#   CHIP_FLASH_BYTES  of the board
+#   CHIP_RAM_BYTES    of the chip; what an image may take of it is board.c's ram_bytes, stack included
+# and a port has, beside its C and assembler files, a hal/PORT/port.mk with
+#   PORT_CPU          firmware/core's folder: armv6m, armv7m
+#   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
+#   PORT_SRC          its .c and .S files; those of a shared folder too, e.g. hal/cortexm
+#   PORT_LD           linker script; -L hal/PORT and -L hal/cortexm are searched for what it includes
+#   PORT_STACK_BYTES  reserved; the linker script gets it as the symbol stack_bytes
+#   PORT_STACK_EXTRA  bytes that the call graph does not show: frames of interrupts
+#   PORT_FINISH       optional shell command between linking and objcopy; finds the ELF in "$1" (a checksum, e.g.)
+#   UF2_FAMILY        number of the chip's family; UF2_BASE: address of the BIN's first byte in flash
+#   EMULATE           command of `make emulate`, called with the ELF, an empty folder for frames, and FRAMES
+# A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
+# All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h, kit.h.
+#
+# KIT_BYTES is defined for an image's main: bytes of the static memory of its kit (board.c's ram_bytes less
+# KIT_OTHER_BYTES), and CORES (make's CORES=1|2) is passed to a port's make lines.
+
+CROSS ?= arm-none-eabi-
+HOSTCC ?= cc
+APP ?= demos
+FRAMES ?= 4
+CORES ?= 1
+BOARD_DIR ?= boards/$(BOARD)
+
+.PHONY: firmware emulate image image-size
+
+ifneq ($(BOARD),)
+ifeq ($(wildcard $(BOARD_DIR)/board.mk),)
+$(error BOARD=$(BOARD): no $(BOARD_DIR)/board.mk; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
+endif
+include $(BOARD_DIR)/board.mk
+include hal/$(PORT)/port.mk
+APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
+IMAGE_NAME := $(BOARD)-$(basename $(notdir $(APP)))$(if $(filter-out 1,$(CORES)),-cores$(CORES))
+IMAGE := $(B)/firmware/$(IMAGE_NAME)
+RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_DIR)/board.c)
+
+# The image is built by a make of its own, which has the target's compiler where this one has the computer's.
+image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(IMAGE_NAME)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
+             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_DIR='$(BOARD_DIR)' CORES='$(CORES)' APP='$(APP)' \
+             CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
+else
+image_make = @echo 'BOARD= is missing; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk))' >&2; exit 2 \#
+endif
+
+firmware: ## BOARD=x [APP=demos|depth|FILE.c]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
+	$(Q)$(image_make) image
+
+emulate: firmware ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
+	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
+	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
+
+# ---- within that make -----------------------------------------------------------------------------------------------
+ifneq ($(OUT),)
+IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_DIR)/board.c
+IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main.o $(B)/board_here.o
+LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
+
+image: $(OUT).bin $(OUT).uf2
+	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)'
+
+image-size: $(OUT).elf
+	$(Q)firmware/modules.sh '$(OUT).map'
+
+# The renderer's loops are worth the bytes; frames are the same at every level.
+$(B)/firmware/core/%.o: override CFLAGS += -O3
+
+$(B)/%.o: %.S $(B)/flags
+	@mkdir -p $(@D)
+	$(SAY) AS $<
+	$(Q)$(CC) $(CFLAGS) -c $< -o $@
+
+$(B)/main.o: $(APP_FILE) $(B)/flags
+	@mkdir -p $(@D)
+	$(SAY) CC $<
+	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) -DKIT_BYTES='(($(RAM_BYTES)) - KIT_OTHER_BYTES)' $(INC_CORE) -Ifirmware/app -Ihal -Iboards \
+	    -MMD -MP -c $< -o $@
+
+$(B)/board_here.c: FORCE
+	@mkdir -p $(@D)
+	@printf '#include "port.h"\n#include "board.h"\nextern const struct board board_%s;\nconst struct board *const board_here = &board_%s;\n' \
+	    '$(subst -,_,$(BOARD))' '$(subst -,_,$(BOARD))' | cmp -s - $@ || \
+	    printf '#include "port.h"\n#include "board.h"\nextern const struct board board_%s;\nconst struct board *const board_here = &board_%s;\n' \
+	    '$(subst -,_,$(BOARD))' '$(subst -,_,$(BOARD))' >$@
+
+$(B)/board_here.o: $(B)/board_here.c
+	$(Q)$(CC) $(STD) $(CFLAGS) -Ihal -c $< -o $@
+
+$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
+	@mkdir -p $(@D)
+	$(SAY) LD $@
+	$(Q)$(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings,-Map='$(OUT).map' \
+	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ) -o $@.part
+	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
+	$(Q)mv $@.part $@
+
+$(OUT).bin: $(OUT).elf
+	$(Q)$(CROSS)objcopy -O binary $< $@
+
+$(B)/image-uf2: firmware/image_uf2.c
+	@mkdir -p $(@D)
+	$(Q)$(HOSTCC) -O2 -o $@ $<
+
+$(OUT).uf2: $(OUT).bin $(B)/image-uf2
+	$(Q)$(B)/image-uf2 '$(UF2_FAMILY)' '$(UF2_BASE)' $< $@
+
+-include $(IMAGE_OBJ:.o=.d)
+endif

@@ -1,0 +1,76 @@
+/*
+ * Usage: image-uf2 FAMILY ADDRESS IMAGE.bin IMAGE.uf2
+ * Packs a flash image into UF2 blocks (https://github.com/microsoft/uf2): 512 bytes each, 256 of them payload, with the
+ * chip's family number. Runs on the computer that builds the image.
+ */
+#include <errno.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PAYLOAD 256
+#define BLOCK   512
+
+static void put32(uint8_t *to, uint32_t value)
+{
+    for (int i = 0; i < 4; i++) {
+        to[i] = (uint8_t)(value >> (8 * i));
+    }
+}
+
+static void fill(uint8_t block[BLOCK], uint32_t number, uint32_t count, uint32_t address, uint32_t family)
+{
+    put32(block, 0x0A324655);
+    put32(block + 4, 0x9E5D5157);
+    put32(block + 8, 0x00002000); /* a family number is present */
+    put32(block + 12, address);
+    put32(block + 16, PAYLOAD);
+    put32(block + 20, number);
+    put32(block + 24, count);
+    put32(block + 28, family);
+    put32(block + BLOCK - 4, 0x0AB16F30);
+}
+
+static int pack(FILE *in, FILE *out, uint32_t family, uint32_t address)
+{
+    if (fseek(in, 0, SEEK_END) != 0) {
+        return -1;
+    }
+    const long size = ftell(in);
+    const uint32_t count = (uint32_t)((size + PAYLOAD - 1) / PAYLOAD);
+    rewind(in);
+    for (uint32_t i = 0; i < count; i++) {
+        uint8_t block[BLOCK] = {0};
+        if (fread(block + 32, 1, PAYLOAD, in) == 0) {
+            return -1;
+        }
+        fill(block, i, count, address + i * PAYLOAD, family);
+        if (fwrite(block, BLOCK, 1, out) != 1) {
+            return -1;
+        }
+    }
+    return 0;
+}
+
+int main(int argc, char *argv[])
+{
+    if (argc != 5) {
+        fprintf(stderr, "usage: image-uf2 FAMILY ADDRESS IMAGE.bin IMAGE.uf2\n");
+        return 2;
+    }
+    FILE *in = fopen(argv[3], "rb"), *out = in != NULL ? fopen(argv[4], "wb") : NULL;
+    int status =
+        out != NULL ? pack(in, out, (uint32_t)strtoul(argv[1], NULL, 0), (uint32_t)strtoul(argv[2], NULL, 0)) : -1;
+    if (out != NULL && fclose(out) != 0) {
+        status = -1;
+    }
+    if (in != NULL) {
+        fclose(in);
+    }
+    if (status != 0) {
+        fprintf(stderr, "image-uf2: %s: %s\n", argv[out != NULL ? 4 : 3], strerror(errno));
+        remove(argv[4]);
+    }
+    return status == 0 ? 0 : 1;
+}
