@@ -34,7 +34,9 @@ static struct picture picture_of(const struct kit_config *config)
     p.band_bytes = (uint32_t)ROUND8(2 * pixels);
     p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels);
     p.bin_bytes = (uint32_t)ROUND8(4 * p.bands);
-    if (config->board->format != PANEL_RGB565) { /* half a band of the smallest format */
+    if (config->diff != NULL) { /* windows are collected there */
+        p.wire_bytes = WIRE_MAX;
+    } else if (config->board->format != PANEL_RGB565) { /* half a band of the smallest format */
         const uint32_t wire = (uint32_t)ROUND8(pixels / 2);
         const uint32_t least = wire < PANEL_SCRATCH_MIN ? PANEL_SCRATCH_MIN : wire;
         p.wire_bytes = least < WIRE_MAX ? least : WIRE_MAX;
@@ -253,11 +255,31 @@ static uint32_t draw_band(struct kit *kit, uint32_t band)
 }
 
 /* A panel that gives no edge is drawn without. */
-static int wait_for_edge(const struct kit *kit)
+static int wait_for_edge(struct kit *kit)
 {
     const struct hal *hal = &kit->hal;
     const int status = hal->ops->te_wait != NULL ? hal->ops->te_wait(hal->context, TE_WAIT_US) : HAL_OK;
+    kit->edges_missed += status == HAL_ETIMEDOUT;
     return status == HAL_ETIMEDOUT ? HAL_OK : status;
+}
+
+/* All of the picture, or what changed. */
+static int frame_begin(struct kit *kit)
+{
+    struct panel_diff *diff = kit->config.diff;
+    return diff != NULL ? panel_diff_begin(diff, &kit->driver) : panel_frame_begin(&kit->driver);
+}
+
+static int frame_rows(struct kit *kit, const uint16_t *pixels, uint32_t lines)
+{
+    struct panel_diff *diff = kit->config.diff;
+    return diff != NULL ? panel_diff_rows(diff, &kit->driver, pixels, lines) : panel_rows(&kit->driver, pixels, lines);
+}
+
+static int frame_end(struct kit *kit)
+{
+    struct panel_diff *diff = kit->config.diff;
+    return diff != NULL ? panel_diff_end(diff, &kit->driver) : panel_frame_end(&kit->driver);
 }
 
 int kit_send(struct kit *kit)
@@ -269,11 +291,11 @@ int kit_send(struct kit *kit)
         status = wait_for_edge(kit);
     }
     if (status == HAL_OK) {
-        status = panel_frame_begin(&kit->driver);
+        status = frame_begin(kit);
     }
     for (uint32_t band = 0; band < bands && status == HAL_OK; band++) {
         lines = band > 0 ? draw_band(kit, band) : lines;
-        status = panel_rows(&kit->driver, kit->bands[kit->band_next], lines);
+        status = frame_rows(kit, kit->bands[kit->band_next], lines);
         kit->band_next ^= 1; /* free again: its panel_rows was the one before */
     }
     kit->sending = status == HAL_OK;
@@ -286,7 +308,7 @@ int kit_finish(struct kit *kit)
         return HAL_OK;
     }
     kit->sending = false;
-    return panel_frame_end(&kit->driver);
+    return frame_end(kit);
 }
 
 int kit_frame(struct kit *kit, uint32_t frame)

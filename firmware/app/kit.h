@@ -20,7 +20,7 @@
 
 #include "board.h"
 #include "demo.h"
-#include "panel.h"
+#include "panel_diff.h"
 
 /* What an image needs beside the kit's memory: stack and variables. A board's budget for the kit is without it. */
 #define KIT_OTHER_BYTES 8192
@@ -36,9 +36,10 @@ struct kit_config {
     void *state;             /* what that demo finds in context->state, or NULL */
     const char *view;        /* one of its views, or NULL: the first */
     struct demo_camera camera;
-    bool overlay;        /* frame time of the bus and triangles over the picture */
-    void *memory;        /* 8-byte aligned; the kit's until kit_close */
-    size_t memory_bytes; /* kit_bytes() or more */
+    bool overlay;            /* frame time of the bus and triangles over the picture */
+    struct panel_diff *diff; /* sends only what changed: panel_diff_init() after kit_open(); NULL: all is sent */
+    void *memory;            /* 8-byte aligned; the kit's until kit_close */
+    size_t memory_bytes;     /* kit_bytes() or more */
 };
 
 /* Read-only for the caller: demo, context, renderer.stats, driver. Holds no pointer into itself. */
@@ -54,8 +55,9 @@ struct kit {
     uint32_t *bins;
     uint8_t *scene; /* what is left of memory: lists, arena, scratch of the demo */
     uint32_t band_next;
-    uint32_t buttons; /* held during the last frame */
-    bool sending;     /* a frame's last bands may still be on the wire */
+    uint32_t buttons;      /* held during the last frame */
+    uint32_t edges_missed; /* frames that waited in vain for the tearing-effect line, and were drawn without */
+    bool sending;          /* a frame's last bands may still be on the wire */
 };
 
 /* What a board gives to its kit: ram_bytes without KIT_OTHER_BYTES. */
