@@ -258,7 +258,8 @@ static uint32_t draw_band(struct kit *kit, uint32_t band)
 static int wait_for_edge(struct kit *kit)
 {
     const struct hal *hal = &kit->hal;
-    const int status = hal->ops->te_wait != NULL ? hal->ops->te_wait(hal->context, TE_WAIT_US) : HAL_OK;
+    const bool wired = kit->config.board->pins.tearing.wired && hal->ops->te_wait != NULL;
+    const int status = wired ? hal->ops->te_wait(hal->context, TE_WAIT_US) : HAL_OK;
     kit->edges_missed += status == HAL_ETIMEDOUT;
     return status == HAL_ETIMEDOUT ? HAL_OK : status;
 }
