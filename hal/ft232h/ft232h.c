@@ -1,0 +1,295 @@
+/* See ft232h.h: the operations as MPSSE commands; their way to the chip is link.h. */
+#define _POSIX_C_SOURCE 200809L
+#include "ft232h.h"
+
+#include "link.h"
+#include "mpsse.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+enum { PIN_CLOCK = 1, PIN_DATA = 2, PIN_DATA_IN = 4 }; /* bits of AD0, AD1, AD2 */
+
+__attribute__((format(printf, 3, 4))) static int fail(struct ft232h *h, int status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(h->error, sizeof h->error, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+/* ---- pins --------------------------------------------------------------------------------------- */
+
+static uint16_t bit_of(const struct board_pin *pin)
+{
+    const int number = pin->wired && pin->line != NULL ? mpsse_pin(pin->line) : -1;
+    return number < 0 ? 0 : (uint16_t)(1U << number);
+}
+
+/* The pin's level as hal.h means it; goes into the stream if it changes. */
+static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
+{
+    uint8_t commands[MPSSE_PINS_MAX];
+    const uint16_t bit = bit_of(pin);
+    const uint16_t levels = (uint16_t)(level != pin->active_low ? h->levels | bit : h->levels & ~bit);
+    const uint16_t changed = levels ^ h->levels;
+    h->levels = levels;
+    return link_put(h->usb, commands, mpsse_pins(commands, levels, h->outputs, changed));
+}
+
+/* A pin that is wired must be one that the engine can use: `fixed` (a bit), or 0: any that is not the engine's own. */
+static int check_pin(struct ft232h *h, const char *what, const struct board_pin *pin, uint16_t fixed)
+{
+    const uint16_t bit = bit_of(pin);
+    if (!pin->wired || (fixed != 0 ? bit == fixed : (bit & ~(PIN_CLOCK | PIN_DATA | PIN_DATA_IN)) != 0)) {
+        return HAL_OK;
+    }
+    return fail(h, HAL_EINVAL, "board %s: %s cannot be pin %s of an FT232H; it is %s", h->board->name, what,
+                pin->line == NULL ? "without a name" : pin->line,
+                fixed == PIN_CLOCK     ? "AD0"
+                : fixed == PIN_DATA    ? "AD1"
+                : fixed == PIN_DATA_IN ? "AD2"
+                                       : "one of AD3 to AD7, AC0 to AC7");
+}
+
+static int check_board(struct ft232h *h)
+{
+    const struct board_pins *pins = &h->board->pins;
+    int status = check_pin(h, "clock", &pins->clock, PIN_CLOCK);
+    status = status < 0 ? status : check_pin(h, "data", &pins->data, PIN_DATA);
+    status = status < 0 ? status : check_pin(h, "data in", &pins->data_in, PIN_DATA_IN);
+    status = status < 0 ? status : check_pin(h, "select", &pins->select, 0);
+    status = status < 0 ? status : check_pin(h, "D/C", &pins->dc, 0);
+    status = status < 0 ? status : check_pin(h, "reset", &pins->reset, 0);
+    status = status < 0 ? status : check_pin(h, "backlight", &pins->backlight, 0);
+    for (uint32_t i = 0; i < h->board->button_count && status == HAL_OK; i++) {
+        status = check_pin(h, "a button", &h->board->buttons[i].pin, 0);
+    }
+    if (status == HAL_OK && (!pins->dc.wired || (h->board->spi_mode != 0 && h->board->spi_mode != 3))) {
+        return fail(h, HAL_EINVAL, "board %s: an FT232H needs a D/C pin, and SPI mode 0 or 3", h->board->name);
+    }
+    return status;
+}
+
+/* ---- the stream --------------------------------------------------------------------------------- */
+
+/* Until the engine has done all of it: the answer to the last command is back. */
+static int finish(struct ft232h *h)
+{
+    static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_SEND_NOW};
+    uint8_t low = 0;
+    if (!h->unfinished) {
+        return HAL_OK;
+    }
+    int status = link_put(h->usb, ask, sizeof ask);
+    status = status < 0 ? status : link_flush(h->usb);
+    status = status < 0 ? status : link_get(h->usb, &low, 1);
+    h->unfinished = status < 0;
+    return status;
+}
+
+static int put_bytes(struct ft232h *h, const uint8_t *bytes, size_t n)
+{
+    uint8_t head[MPSSE_BLOCK];
+    int status = HAL_OK;
+    while (n > 0 && status == HAL_OK) {
+        const size_t piece = n < MPSSE_BLOCK_MAX ? n : MPSSE_BLOCK_MAX;
+        mpsse_block(head, MPSSE_OUT, piece);
+        status = link_put(h->usb, head, sizeof head);
+        status = status < 0 ? status : link_put(h->usb, bytes, piece);
+        bytes += piece;
+        n -= piece;
+    }
+    return status;
+}
+
+/* D/C, then select: the panel takes D/C as it is with each byte's last bit. */
+static int begin(struct ft232h *h, enum hal_dc dc)
+{
+    h->unfinished = true;
+    const int status = set_pin(h, &h->board->pins.dc, dc == HAL_DATA);
+    return status < 0 ? status : set_pin(h, &h->board->pins.select, true);
+}
+
+static int ft232h_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    struct ft232h *h = context;
+    if (n == 0) {
+        return HAL_OK;
+    }
+    int status = begin(h, dc);
+    status = status < 0 ? status : put_bytes(h, bytes, n);
+    status = status < 0 ? status : set_pin(h, &h->board->pins.select, false);
+    return status < 0 || n < FT232H_FLUSH_BYTES ? status : link_flush(h->usb);
+}
+
+static int ft232h_bus_wait(void *context)
+{
+    return finish(context);
+}
+
+static int ft232h_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t n)
+{
+    struct ft232h *h = context;
+    uint8_t head[MPSSE_BLOCK + 1] = {0, 0, 0, MPSSE_SEND_NOW};
+    if (!h->board->pins.data_in.wired) {
+        return fail(h, HAL_ENOSYS, "board %s has no data line from the panel", h->board->name);
+    }
+    if (n == 0 || n > MPSSE_BLOCK_MAX) {
+        return fail(h, HAL_EINVAL, "FT232H: %zu bytes cannot be read at once", n);
+    }
+    int status = finish(h);
+    status = status < 0 ? status : begin(h, HAL_COMMAND);
+    status = status < 0 ? status : put_bytes(h, &command, 1);
+    mpsse_block(head, MPSSE_IN, n);
+    status = status < 0 ? status : link_put(h->usb, head, sizeof head);
+    status = status < 0 ? status : set_pin(h, &h->board->pins.select, false);
+    status = status < 0 ? status : link_flush(h->usb);
+    return status < 0 ? status : link_get(h->usb, bytes, n);
+}
+
+static int ft232h_pin_set(void *context, enum hal_pin pin, bool level)
+{
+    struct ft232h *h = context;
+    const int status = set_pin(h, pin == HAL_PIN_RESET ? &h->board->pins.reset : &h->board->pins.backlight, level);
+    h->unfinished = true;
+    return status < 0 ? status : finish(h);
+}
+
+static int32_t ft232h_bus_clock(void *context, uint32_t hz)
+{
+    struct ft232h *h = context;
+    uint8_t command[MPSSE_CLOCK];
+    const uint32_t got = mpsse_clock(command, hz);
+    if (got == 0) {
+        return fail(h, HAL_EINVAL, "FT232H: no clock as slow as %u Hz; the slowest is 458 Hz", (unsigned)hz);
+    }
+    int status = finish(h);
+    link_pace(h->usb, got);
+    status = status < 0 ? status : link_put(h->usb, command, sizeof command);
+    h->unfinished = true;
+    return status < 0 ? status : (int32_t)got;
+}
+
+/* ---- time and buttons --------------------------------------------------------------------------- */
+
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000U + (uint64_t)now.tv_nsec;
+}
+
+static uint32_t ft232h_time_us(void *context)
+{
+    (void)context;
+    return (uint32_t)(now_ns() / 1000);
+}
+
+/* From the last bit on; its error comes again with the next operation. */
+static void ft232h_delay_us(void *context, uint32_t us)
+{
+    struct timespec end;
+    finish(context);
+    const uint64_t end_ns = now_ns() + 1000ULL * us;
+    end.tv_sec = (time_t)(end_ns / 1000000000U);
+    end.tv_nsec = (long)(end_ns % 1000000000U);
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &end, NULL) == EINTR) {
+    }
+}
+
+/* Asks for all pins; a contact that bounces while it is looked at is right the next time. */
+static uint32_t ft232h_buttons(void *context)
+{
+    static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_GET_HIGH, MPSSE_SEND_NOW};
+    struct ft232h *h = context;
+    uint8_t levels[2] = {0, 0};
+    uint32_t held = 0;
+    if (h->board->button_count == 0 || finish(h) < 0 || link_put(h->usb, ask, sizeof ask) < 0 ||
+        link_flush(h->usb) < 0 || link_get(h->usb, levels, sizeof levels) < 0) {
+        return 0;
+    }
+    for (uint32_t i = 0; i < h->board->button_count; i++) {
+        const struct board_pin *pin = &h->board->buttons[i].pin;
+        const bool high = (bit_of(pin) & (levels[0] | levels[1] << 8)) != 0;
+        held |= pin->wired && high != pin->active_low ? h->board->buttons[i].button : 0U;
+    }
+    return held;
+}
+
+/* ---- open and close ----------------------------------------------------------------------------- */
+
+static void add_output(struct ft232h *h, const struct board_pin *pin, bool level)
+{
+    const uint16_t bit = bit_of(pin);
+    h->outputs |= bit;
+    h->levels |= level != pin->active_low ? bit : 0U;
+}
+
+/* Panel selected by nothing, running, dark; the clock at rest. */
+static int start(struct ft232h *h)
+{
+    static const uint8_t modes[] = {MPSSE_60_MHZ, MPSSE_ADAPTIVE_OFF, MPSSE_LOOPBACK_OFF};
+    uint8_t commands[MPSSE_PINS_MAX];
+    const struct board_pins *pins = &h->board->pins;
+    h->outputs = PIN_CLOCK | PIN_DATA;
+    h->levels = h->board->spi_mode == 3 ? PIN_CLOCK : 0;
+    add_output(h, &pins->select, false);
+    add_output(h, &pins->dc, false);
+    add_output(h, &pins->reset, true);
+    add_output(h, &pins->backlight, false);
+    int status = link_put(h->usb, modes, sizeof modes);
+    status = status < 0 ? status : link_put(h->usb, commands, mpsse_pins(commands, h->levels, h->outputs, UINT16_MAX));
+    h->unfinished = true;
+    return status < 0 ? status : finish(h);
+}
+
+static void ft232h_close(void *context)
+{
+    struct ft232h *h = context;
+    if (h->usb != NULL) {
+        ft232h_pin_set(h, HAL_PIN_BACKLIGHT, false);
+        link_close(h->usb);
+        h->usb = NULL;
+    }
+}
+
+static int ft232h_open(void *context, const struct board *board)
+{
+    struct ft232h *h = context;
+    ft232h_close(h);
+    const char *serial = h->serial;
+    memset(h, 0, sizeof *h);
+    h->serial = serial;
+    h->board = board;
+    int status = check_board(h);
+    status = status < 0 ? status : link_open(&h->usb, serial, h->error);
+    status = status < 0 ? status : start(h);
+    if (status < 0) {
+        ft232h_close(h);
+    }
+    return status;
+}
+
+const struct hal_ops ft232h_ops = {
+    .name = "ft232h",
+    .open = ft232h_open,
+    .bus_clock = ft232h_bus_clock,
+    .bus_write = ft232h_bus_write,
+    .bus_wait = ft232h_bus_wait,
+    .bus_read = ft232h_bus_read,
+    .pin_set = ft232h_pin_set,
+    .time_us = ft232h_time_us,
+    .delay_us = ft232h_delay_us,
+    .buttons = ft232h_buttons,
+    .close = ft232h_close,
+};
+
+const char *ft232h_error(const struct ft232h *h)
+{
+    return h->error;
+}

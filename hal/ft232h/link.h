@@ -1,0 +1,32 @@
+/*
+ * link: the USB side of an FT232H: bytes to its engine in order, bytes from it. usb/ does it with libusb, nousb/
+ * refuses. Private to hal/ft232h. Results: 0 or a status of hal.h, with its line in the error of link_open. Nothing
+ * waits for ever.
+ */
+#ifndef HAL_FT232H_LINK_H
+#define HAL_FT232H_LINK_H
+
+#include "ft232h.h"
+
+/*
+ * Finds the FT232H (serial: NULL for the only one), takes it from the kernel's serial driver and starts its MPSSE.
+ * error must stay until link_close.
+ */
+int link_open(struct ft232h_usb **link, const char *serial, char *error);
+
+/* The clock from here on, for the time-outs; link_get must have returned everything asked for before. */
+void link_pace(struct ft232h_usb *link, uint32_t hz);
+
+/* Copies bytes into the stream; waits while two transfers are under way and a third is full. */
+int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n);
+
+/* Starts the transfer of what is left in the stream. */
+int link_flush(struct ft232h_usb *link);
+
+/* Reads exactly n bytes of answers. */
+int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n);
+
+/* The pins float, the serial driver is back. NULL is fine. */
+void link_close(struct ft232h_usb *link);
+
+#endif

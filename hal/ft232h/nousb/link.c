@@ -1,0 +1,60 @@
+/* See link.h. Built without libusb. */
+#include "ft232h/link.h"
+
+#include <stdio.h>
+
+int link_open(struct ft232h_usb **link, const char *serial, char *error)
+{
+    (void)serial;
+    *link = NULL;
+    snprintf(error, FT232H_ERROR_SIZE, "FT232H: built without libusb; install libusb-1.0-0-dev and make again");
+    return HAL_ENOSYS;
+}
+
+void link_pace(struct ft232h_usb *link, uint32_t hz)
+{
+    (void)link;
+    (void)hz;
+}
+
+int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
+{
+    (void)link;
+    (void)bytes;
+    (void)n;
+    return HAL_ENOSYS;
+}
+
+int link_flush(struct ft232h_usb *link)
+{
+    (void)link;
+    return HAL_ENOSYS;
+}
+
+int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
+{
+    (void)link;
+    if (n > 0) {
+        bytes[0] = 0;
+    }
+    return HAL_ENOSYS;
+}
+
+void link_close(struct ft232h_usb *link)
+{
+    (void)link;
+}
+
+int ft232h_list(struct ft232h_look *looks, int max)
+{
+    if (max > 0) {
+        looks[0] = (struct ft232h_look){.status = HAL_ENOSYS};
+    }
+    return HAL_ENOSYS;
+}
+
+const char *ft232h_libusb_version(char text[FT232H_VERSION_SIZE])
+{
+    text[0] = 0;
+    return NULL;
+}

@@ -1,0 +1,18 @@
+/* find: the FT232Hs on USB, and what libusb's errors mean. Private to hal/ft232h/usb. */
+#ifndef HAL_FT232H_FIND_H
+#define HAL_FT232H_FIND_H
+
+#include "ft232h/ft232h.h"
+
+#include <libusb-1.0/libusb.h>
+
+/* libusb's error (< 0) as a status of hal.h. */
+int usb_status(int error);
+
+/* Writes the line, cut to what fits, and returns status. */
+int usb_fail(char *error, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* Opens the FT232H of this serial number (NULL: the only one). */
+int usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error);
+
+#endif
