@@ -15,9 +15,10 @@
 #   PORT_SRC          its .c and .S files; those of a shared folder too, e.g. hal/cortexm
 #   PORT_LD           linker script; -L hal/PORT and -L hal/cortexm are searched for what it includes
 #   PORT_STACK_BYTES  reserved; the linker script gets it as the symbol stack_bytes
+#   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes (code that runs from RAM, say)
 #   PORT_STACK_EXTRA  bytes that the call graph does not show: frames of interrupts
 #   PORT_FINISH       optional shell command between linking and objcopy; finds the ELF in "$1" (a checksum, e.g.)
-#   UF2_FAMILY        number of the chip's family; UF2_BASE: address of the BIN's first byte in flash
+#   UF2_FAMILY        number of the chip's family, empty: there is none; UF2_BASE: address of the BIN's first byte
 #   EMULATE           command of `make emulate`, called with the ELF, an empty folder for frames, and FRAMES
 # A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
 # All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h, kit.h.
@@ -66,8 +67,8 @@ IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_DIR)/boa
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main.o $(B)/board_here.o
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
-image: $(OUT).bin $(OUT).uf2
-	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES)))" chip_ram='$(CHIP_RAM_BYTES)' \
+image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
+	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)'
 
 image-size: $(OUT).elf
