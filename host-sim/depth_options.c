@@ -86,7 +86,7 @@ static bool set_count(struct depth_lab *lab, const char *value)
 
 static bool set_spacing(struct depth_lab *lab, const char *value)
 {
-    static const char *const names[] = {[LAB_LINEAR] = "linear", [LAB_LOG_SPACED] = "log"};
+    static const char *const names[] = {[LAB_LINEAR_SPACED] = "linear", [LAB_LOG_SPACED] = "log"};
     const int spacing = option_text_choice(value, names, 2);
     lab->spacing = (uint8_t)(spacing & 1);
     return spacing >= 0;

@@ -15,19 +15,50 @@ static int ieee_row(const struct depth_lab *lab, uint32_t format)
         return complain(EXIT_FAILED, "out of memory; make --count smaller");
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%u,%u,%u,%.6g\n", depth_ieee_name(format), format < 6 ? 32 : 24, near_text,
-            far_text, lab->spacing == LAB_LINEAR ? "linear" : "log", (unsigned)lab->count, (unsigned)found.equal,
+            far_text, lab->spacing == LAB_LINEAR_SPACED ? "linear" : "log", (unsigned)lab->count, (unsigned)found.equal,
             (unsigned)found.swap, found.max_wrong);
     return 0;
 }
 
+static void put_text(void *context, const char *text)
+{
+    fputs(text, context);
+}
+
+/* Runs a measurement of lab.h into lab->rows. */
+static int measure(const struct depth_lab *lab, int (*run)(const struct lab *))
+{
+    struct lab mine = {.near_z = lab->near_z,
+                       .far_z = lab->far_z,
+                       .formats = lab->formats,
+                       .count = lab->count,
+                       .spacing = lab->spacing,
+                       .at = lab->at_count > 0 ? lab->at : NULL,
+                       .at_count = lab->at_count,
+                       .put = put_text,
+                       .context = lab->rows};
+    mine.memory_bytes = lab_bytes(&mine);
+    mine.memory = malloc(mine.memory_bytes);
+    if (mine.memory == NULL) {
+        return complain(EXIT_FAILED, "out of memory; make --count smaller");
+    }
+    const int status = run(&mine);
+    free(mine.memory);
+    return status == 0 ? 0 : complain(EXIT_FAILED, "the renderer refuses this camera (error %d)", status);
+}
+
 int depth_pairs(const struct depth_lab *lab)
 {
-    int status = 0;
-    fputs("format,bits,near,far,spacing,count,equal,swap,max_wrong_m\n", lab->rows);
+    int status = measure(lab, lab_pairs);
     for (uint32_t i = 0; i < DEPTH_IEEE_FORMATS && status == 0; i++) {
         if ((lab->host_formats >> i & 1) != 0) {
             status = ieee_row(lab, i);
         }
     }
     return status;
+}
+
+int depth_resolve(const struct depth_lab *lab)
+{
+    return measure(lab, lab_resolve);
 }

@@ -9,19 +9,28 @@
  * The renderer's formats are measured by drawing: a triangle that faces the camera at distance w goes through
  * ph_draw_mesh and ph_draw_band into a picture of one pixel, and its code is read from the depth buffer.
  *
- * What others do, with N the near, F the far plane, w, N, F rounded to Q16.16, S = 2^bits - 1, and round() to the
- * nearest, ties up:
- *   ndc-q16    see lab_wrong.c   matrix, clip z and ndc in Q16.16
- *   recip-q16  see lab_wrong.c   the same, times a Q16.16 reciprocal of w instead of the divide
- *   clip-q16   see lab_wrong.c   clip z in Q16.16, divide in 64 bits
- *   log        S ln(F/w) / ln(F/N), rounded down: the best that any code of that many bits can do for dz/z
+ * S_eff(z), "measured", is the smallest separation that is ordered right at z: the longest plateau or inversion there,
+ * see lab_search.h. "ideal" is the step of a perfect code of as many bits, with n, f the planes, S = 2^bits - 1:
+ *   fixed, and all -q16: z^2 (f - n) / (f n S)      linear-w: (f - n) / S      log: z ln(f / n) / S
+ *   float: z^2 / N times the last bit of d, where N and d are those of depth.h; over-w: likewise, d = n/w
+ * A ratio of 1 is perfect. What is finer than Q16.16 itself is measured as one LSB, 0.0000153 m.
+ *
+ * What others do, every named quantity a Q16.16 number that saturates:
+ *   scale = f / (f - n) and bias = f n / (f - n) to the nearest, clip = scale w - bias, the product to the nearest;
+ *   ndc-q16    ndc = clip / w towards 0; the code is ndc shifted, up to S
+ *   recip-q16  r = 1 / w rounded down; ndc = clip r to the nearest; likewise
+ *   clip-q16   the code is S clip / w to the nearest, in 64 bits
+ *   log        S ln(f / w) / ln(f / n) rounded down: no code of as many bits does better in dz/z
+ * Theirs are turned round, so that here too a larger code is nearer. Two more for comparison:
+ *   linear-w   with 24 bits: S (f - w) / (f - n) rounded down
+ *   over-w     n/w as an unsigned float with 4 bits of exponent, rounded down
  */
 #ifndef LAB_H
 #define LAB_H
 
 #include "render.h"
 
-enum lab_kind { LAB_DRAWN, LAB_NDC_Q16, LAB_RECIP_Q16, LAB_CLIP_Q16, LAB_LOG };
+enum lab_kind { LAB_DRAWN, LAB_NDC_Q16, LAB_RECIP_Q16, LAB_CLIP_Q16, LAB_LINEAR, LAB_OVER_W, LAB_LOG };
 
 struct lab_format {
     const char *name;
@@ -34,7 +43,7 @@ struct lab_format {
 extern const struct lab_format lab_formats[];
 extern const uint32_t lab_format_count; /* at most 32 */
 
-enum lab_spacing { LAB_LINEAR, LAB_LOG_SPACED };
+enum lab_spacing { LAB_LINEAR_SPACED, LAB_LOG_SPACED };
 
 /* Receives text in pieces. */
 typedef void lab_put(void *context, const char *text);
@@ -44,7 +53,7 @@ struct lab {
     uint32_t formats;   /* bit i: row i of lab_formats */
     uint32_t count;     /* pairs: number of pairs, 1 .. LAB_COUNT_MAX */
     uint8_t spacing;    /* enum lab_spacing */
-    const fx_t *at;     /* resolve: distances, each near_z .. far_z; NULL: those of lab_distances */
+    const fx_t *at;     /* resolve: distances, each near_z .. far_z; NULL: 1, 2, 5 of each decade, and the planes */
     uint32_t at_count;
     void *memory; /* 8-byte aligned, lab_bytes(lab) or more; the lab's while it runs */
     size_t memory_bytes;

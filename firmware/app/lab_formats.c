@@ -4,6 +4,9 @@
 const struct lab_format lab_formats[] = {
     {"fixed16", LAB_DRAWN, 16, PH_DEPTH_FIXED16},
     {"float16", LAB_DRAWN, 16, PH_DEPTH_FLOAT16},
+    {"linear-w", LAB_LINEAR, 24, 0},
+    {"over-w", LAB_OVER_W, 16, 0},
+    {"over-w", LAB_OVER_W, 24, 0},
     {"ndc-q16", LAB_NDC_Q16, 16, 0},
     {"ndc-q16", LAB_NDC_Q16, 24, 0},
     {"recip-q16", LAB_RECIP_Q16, 16, 0},

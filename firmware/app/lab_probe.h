@@ -1,0 +1,42 @@
+/*
+ * lab_probe: the depth code of a plane that faces the camera at a distance, in each of the lab's formats. For drawn
+ * formats it is what a pixel of the depth buffer holds after a triangle at this distance went through ph_draw_mesh,
+ * ph_frame_bands and ph_draw_band; for the others a formula in integers, see lab.h.
+ */
+#ifndef LAB_PROBE_H
+#define LAB_PROBE_H
+
+#include "lab.h"
+
+/* Holds pointers into itself once it is open: it stays where it is. */
+struct lab_probe {
+    const struct lab_format *format;
+    fx_t near_z, far_z;
+    uint32_t largest;   /* 2^bits - 1 */
+    fx_t scale, bias;   /* clip z = scale w - bias */
+    uint64_t log_far;   /* lab_log2_q56 */
+    uint64_t log_range; /* .. of far less that of near */
+    struct ph_projection lens;
+    struct ph_renderer renderer;
+    uint64_t vertices[16], triangles[32]; /* room for three and one */
+    uint32_t bin;
+    union {
+        uint16_t narrow;
+        uint32_t wide;
+    } depth; /* ph_depth_bytes of it */
+    uint16_t pixel;
+};
+
+/* 0, PH_ERR_INVAL, or PH_ERR_NOMEM where the renderer's triangles are larger than foreseen here. */
+int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t near_z, fx_t far_z);
+
+/* w from near_z to far_z; larger is nearer. */
+uint32_t lab_code(struct lab_probe *p, fx_t w);
+
+/* Whether the code never rises with w, so that a search may bisect. The drawn ones are proved by `monotone`. */
+static inline bool lab_is_monotone(const struct lab_format *format)
+{
+    return format->kind != LAB_NDC_Q16 && format->kind != LAB_RECIP_Q16 && format->kind != LAB_CLIP_Q16;
+}
+
+#endif
