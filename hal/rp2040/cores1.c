@@ -1,0 +1,13 @@
+/* See port.h: the second core stays in its sleep. */
+#include "port.h"
+
+bool port_core_run(void (*run)(void *argument), void *argument)
+{
+    (void)run;
+    (void)argument;
+    return false;
+}
+
+void port_core_join(void)
+{
+}

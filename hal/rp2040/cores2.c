@@ -1,0 +1,100 @@
+/*
+ * See port.h: the second core waits for a function and its argument on the FIFO between the cores, runs it and answers
+ * with a word. RP2040 datasheet 2.3.1.4 (FIFO), 2.8.2 (how core 1 is started), 2.13 (power-on state machine).
+ *
+ * Whoever pushes sends an event: who waits on an empty FIFO sleeps.
+ */
+#include "port.h"
+#include "registers.h"
+
+#define PSM_FRCE_OFF 0x40010004
+enum { PSM_PROC1 = 1 << 16 };
+
+#define STACK_BYTES 2048 /* a band takes the least of all, see the image's stack report */
+
+static uint64_t stack[STACK_BYTES / 8];
+
+static struct {
+    bool started, busy;
+} core1;
+
+static void push(uint32_t word)
+{
+    while ((REG(SIO_FIFO_ST) & FIFO_WRITABLE) == 0) {
+    }
+    REG(SIO_FIFO_WR) = word;
+    __asm volatile("sev" ::: "memory");
+}
+
+static uint32_t pull(void)
+{
+    while ((REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
+        __asm volatile("wfe" ::: "memory");
+    }
+    return REG(SIO_FIFO_RD);
+}
+
+static void drain(void)
+{
+    while ((REG(SIO_FIFO_ST) & FIFO_READABLE) != 0) {
+        (void)REG(SIO_FIFO_RD);
+    }
+}
+
+static _Noreturn void serve(void)
+{
+    for (;;) {
+        void (*const run)(void *) = (void (*)(void *))pull();
+        void *const argument = (void *)pull();
+        run(argument);
+        push(0);
+    }
+}
+
+/* Core 1 into its ROM's waiting loop, wherever it was. */
+static void reset_core1(void)
+{
+    REG_SET(PSM_FRCE_OFF) = PSM_PROC1;
+    while ((REG(PSM_FRCE_OFF) & PSM_PROC1) == 0) {
+    }
+    REG_CLEAR(PSM_FRCE_OFF) = PSM_PROC1;
+}
+
+/* The ROM echoes each word of the sequence; a wrong echo starts it again. */
+static void start_core1(void)
+{
+    const uint32_t vector_table = REG(0xe000ed08);
+    const uint32_t words[] = {0, 0, 1, vector_table, (uint32_t)(uintptr_t)(stack + STACK_BYTES / 8), (uint32_t)serve};
+    reset_core1();
+    for (uint32_t i = 0; i < sizeof words / sizeof *words;) {
+        if (words[i] == 0) {
+            drain();
+            __asm volatile("sev");
+        }
+        push(words[i]);
+        i = pull() == words[i] ? i + 1 : 0;
+    }
+    core1.started = true;
+}
+
+bool port_core_run(void (*run)(void *argument), void *argument)
+{
+    if (core1.busy) {
+        return false;
+    }
+    if (!core1.started) {
+        start_core1();
+    }
+    push((uint32_t)run);
+    push((uint32_t)argument);
+    core1.busy = true;
+    return true;
+}
+
+void port_core_join(void)
+{
+    if (core1.busy) {
+        (void)pull();
+        core1.busy = false;
+    }
+}

@@ -1,0 +1,192 @@
+/* See rp2040.h and port.h. */
+#include "rp2040.h"
+#include "port.h"
+#include "registers.h"
+
+#include <stddef.h>
+
+#define ALARM_MIN_US 100 /* shorter, an alarm could be set too late */
+
+void rp2040_pin_write(uint32_t pin, bool level)
+{
+    REG(level ? SIO_GPIO_OUT_SET : SIO_GPIO_OUT_CLR) = 1U << pin;
+}
+
+void rp2040_pin_function(uint32_t pin, uint32_t function)
+{
+    REG(IO_BANK0_CTRL(pin)) = function;
+}
+
+/* The level is there before the pin drives it. */
+void rp2040_pin_output(uint32_t pin, bool level)
+{
+    rp2040_pin_write(pin, level);
+    REG(SIO_GPIO_OE_SET) = 1U << pin;
+    REG(PADS_BANK0(pin)) = PAD_SCHMITT | PAD_8_MA | PAD_INPUT;
+    rp2040_pin_function(pin, FUNCTION_SIO);
+}
+
+void rp2040_pin_input(uint32_t pin)
+{
+    REG(SIO_GPIO_OE_CLR) = 1U << pin;
+    REG(PADS_BANK0(pin)) = PAD_SCHMITT | PAD_PULL_UP | PAD_INPUT;
+    rp2040_pin_function(pin, FUNCTION_SIO);
+}
+
+static void set_pin(const struct board_pin *pin, bool level)
+{
+    if (pin->wired) {
+        rp2040_pin_write(pin->number, level != pin->active_low);
+    }
+}
+
+static void open_output(const struct board_pin *pin, bool level)
+{
+    if (pin->wired) {
+        rp2040_pin_output(pin->number, level != pin->active_low);
+    }
+}
+
+static int rp2040_open(void *context, const struct board *board)
+{
+    const struct board **open = context;
+    *open = board;
+    open_output(&board->pins.backlight, false);
+    open_output(&board->pins.reset, true);
+    for (uint32_t i = 0; i < board->button_count; i++) {
+        rp2040_pin_input(board->buttons[i].pin.number);
+    }
+    if (board->pins.tearing.wired) {
+        rp2040_pin_input(board->pins.tearing.number);
+    }
+    REG(TIMER_INTE) = 1;
+    REG(NVIC_ISER) = 1U << IRQ_TIMER_0;
+    rp2040_spi_open(board);
+    return HAL_OK;
+}
+
+static int32_t rp2040_bus_clock(void *context, uint32_t hz)
+{
+    (void)context;
+    return rp2040_spi_clock(hz);
+}
+
+static int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    (void)context;
+    rp2040_spi_write(dc, bytes, (uint32_t)n);
+    return HAL_OK;
+}
+
+static int rp2040_bus_wait(void *context)
+{
+    (void)context;
+    rp2040_spi_wait();
+    return HAL_OK;
+}
+
+static int rp2040_pin_set(void *context, enum hal_pin pin, bool level)
+{
+    const struct board *const *open = context;
+    const struct board_pins *pins = &(*open)->pins;
+    set_pin(pin == HAL_PIN_RESET ? &pins->reset : &pins->backlight, level);
+    return HAL_OK;
+}
+
+static uint32_t rp2040_time_us(void *context)
+{
+    (void)context;
+    return REG(TIMER_TIMERAWL);
+}
+
+/* Sleeps until an alarm where it is worth it; it only wakes. One more: the first microsecond has begun already. */
+static void rp2040_delay_us(void *context, uint32_t us)
+{
+    const uint32_t start = rp2040_time_us(context);
+    const bool sleep = us >= ALARM_MIN_US;
+    if (sleep) {
+        REG(TIMER_ALARM0) = start + us + 2; /* surely after the loop has its time */
+    }
+    while (rp2040_time_us(context) - start <= us) {
+        if (sleep) {
+            __asm volatile("wfe");
+        }
+    }
+}
+
+void rp2040_timer_interrupt(void)
+{
+    REG(TIMER_INTR) = 1;
+}
+
+/* The pin's edge is latched: what came before this call is forgotten first. */
+static int rp2040_te_wait(void *context, uint32_t timeout_us)
+{
+    const struct board *const *open = context;
+    const uint32_t pin = (*open)->pins.tearing.number, start = rp2040_time_us(context);
+    REG(IO_BANK0_INTR(pin)) = INTR_EDGE_HIGH(pin);
+    while ((REG(IO_BANK0_INTR(pin)) & INTR_EDGE_HIGH(pin)) == 0) {
+        if (rp2040_time_us(context) - start > timeout_us) {
+            return HAL_ETIMEDOUT;
+        }
+    }
+    return HAL_OK;
+}
+
+static uint32_t rp2040_buttons(void *context)
+{
+    const struct board *const *open = context;
+    const uint32_t levels = REG(SIO_GPIO_IN);
+    uint32_t pressed = 0;
+    for (uint32_t i = 0; i < (*open)->button_count; i++) {
+        const struct board_button *b = &(*open)->buttons[i];
+        const bool high = (levels >> b->pin.number & 1) != 0;
+        pressed |= high != b->pin.active_low ? b->button : 0;
+    }
+    return pressed;
+}
+
+static void rp2040_close(void *context)
+{
+    rp2040_spi_close();
+    rp2040_pin_set(context, HAL_PIN_BACKLIGHT, false);
+}
+
+#define RP2040_OPS(te)                                                                                                 \
+    {                                                                                                                  \
+        .name = "rp2040", .open = rp2040_open, .bus_clock = rp2040_bus_clock, .bus_write = rp2040_bus_write,           \
+        .bus_wait = rp2040_bus_wait, .pin_set = rp2040_pin_set, .te_wait = (te), .time_us = rp2040_time_us,            \
+        .delay_us = rp2040_delay_us, .buttons = rp2040_buttons, .close = rp2040_close,                                 \
+    }
+
+static const struct hal_ops ops = RP2040_OPS(NULL), ops_with_te = RP2040_OPS(rp2040_te_wait);
+
+struct hal port_hal(void)
+{
+    static const struct board *open_board;
+    return (struct hal){board_here->pins.tearing.wired ? &ops_with_te : &ops, &open_board};
+}
+
+void rp2040_dark(void)
+{
+    set_pin(&board_here->pins.backlight, false);
+    set_pin(&board_here->pins.reset, false);
+}
+
+typedef void *lookup_fn(const uint16_t *table, uint32_t code);
+typedef void reset_usb_boot_fn(uint32_t activity_pins, uint32_t disabled_interfaces);
+
+/* A halfword of the ROM's first words; the compiler does not believe in objects down there. */
+static uintptr_t rom_word(uintptr_t address)
+{
+    __asm("" : "+r"(address));
+    return *(const uint16_t *)address;
+}
+
+/* The ROM's reset_usb_boot(), found by its letters (RP2040 datasheet 2.8.3). */
+void port_boot_loader(void)
+{
+    lookup_fn *const lookup = (lookup_fn *)rom_word(0x18);
+    rp2040_dark();
+    ((reset_usb_boot_fn *)lookup((const uint16_t *)rom_word(0x14), 'U' | 'B' << 8))(0, 0);
+}
