@@ -29,5 +29,5 @@ const struct board board_pico_display = {
         },
     .button_count = 4,
     .band_height = 16,
-    .ram_bytes = 200 * 1024,
+    .ram_bytes = 146 * 1024,
 };

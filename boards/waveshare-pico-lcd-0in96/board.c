@@ -32,5 +32,5 @@ const struct board board_waveshare_pico_lcd_0in96 = {
         },
     .button_count = 5,
     .band_height = 16,
-    .ram_bytes = 200 * 1024,
+    .ram_bytes = 146 * 1024,
 };

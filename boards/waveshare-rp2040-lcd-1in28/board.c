@@ -23,5 +23,5 @@ const struct board board_waveshare_rp2040_lcd_1in28 = {
             .backlight = BOARD_PIN(25),
         },
     .band_height = 16,
-    .ram_bytes = 200 * 1024,
+    .ram_bytes = 146 * 1024,
 };
