@@ -2,7 +2,7 @@
  * wire_events: what happened on a display kit's wires, as text, so that virtual kits and emulators can tell and
  * pinhole-wire can show it.
  *
- * One event a line, words separated by one space, times in ns from any start and never falling:
+ * One event a line, words separated by one space, times in ns from any start, never falling but in names and notes:
  *
  *   TIME name BIT TEXT      line BIT (0 .. 63) is called TEXT: "dc", "reset", "backlight", "select", or as the board
  *                           names its pin ("GPIO25", "AC0"). A line without a name is its number: BOARD_PIN(17) is 17

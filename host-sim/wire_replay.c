@@ -341,7 +341,9 @@ static void transfer(struct wire *w, const struct wire_event *event)
 
 int wire_event(struct wire *w, const struct wire_event *event)
 {
-    time_passes(w, event->time_ns);
+    if (event->kind != WIRE_NAME && event->kind != WIRE_NOTE) {
+        time_passes(w, event->time_ns);
+    }
     switch (event->kind) {
     case WIRE_NAME:
         snprintf(w->names[event->number], NAME_MAX_BYTES, "%s", event->text);

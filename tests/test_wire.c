@@ -237,9 +237,9 @@ static void replay(struct heard *h, struct recorder *r)
     for (char *line = strtok_r(r->stream, "\n", &rest); line != NULL; line = strtok_r(NULL, "\n", &rest)) {
         struct wire_event event;
         const char *error = NULL;
-        const int parsed = wire_parse(line, &event, &error);
-        assert_true(parsed >= 0);
-        assert_true(parsed == 0 || wire_event(w, &event) == 0);
+        const int n = wire_parse(line, &event, &error);
+        assert_true(n >= 0);
+        assert_true(n == 0 || wire_event(w, &event) == 0);
     }
     assert_int_equal(wire_end(w), 0);
     assert_int_equal(wire_frames(w), h->frames);
@@ -422,7 +422,7 @@ static void lines_are_read_strictly(void **state)
 static void lost_events_and_time_going_back_are_resented(void **state)
 {
     (void)state;
-    static const char *const lines[] = {"5 lost 3", "4 note back"};
+    static const char *const lines[] = {"5 lost 3", "4 level 0"};
     const struct board board = wired(board_find("rpi-waveshare-1in3"));
     struct heard h = listener(&board, PANEL_R0);
     h.config.resent = hear_complaint;
