@@ -136,7 +136,7 @@ else
     trap 'rm -rf "$out"' EXIT
 fi
 out=$(cd "$out" && pwd)
-rm -f "$out/status"
+rm -f "$out/status" "$out/kernel.log"
 : >"$out/stdout"
 : >"$out/stderr"
 write_command "${command[@]}"

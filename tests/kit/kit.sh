@@ -1,0 +1,78 @@
+# shellcheck shell=bash
+# The virtual board of tests/kit/board, for scripts on both sides: `. tests/kit/kit.sh`. Environment: B.
+#
+# On the host:
+#   kit_why                  why there can be no virtual board here, for `skip`; nothing when there can
+#   kit_build                builds the kernel module for the guest's kernel (once), and the device daemons
+#   kit_guest OPTION... -- COMMAND...   tests/kit/guest.sh
+# In the guest, COMMAND being a script that has this file as well:
+#   kit_board [PARAMETER=VALUE...]      plugs the board in (board/kit.h has the parameters)
+#   kit_do COMMAND                      a fault or an input: kit_do set 5 0; kit_do spi-error 100 5 (board/kit.h)
+#   kit_events                          the events so far (for pinhole-wire), to stdout
+#   kit_follow FILE / kit_follow_end    writes events to FILE while they come (for runs longer than the log)
+#   kit_usb ft232h|bootsel OPTION...    plugs a USB device in and waits for it; sets kit_device to its daemon's pid
+#                                       (tests/kit/usb_main.c has the options); `kill $kit_device` unplugs it
+# Typically:
+#   tests/kit/guest.sh --bufsiz 4096 --out DIR -- bash -c '. tests/kit/kit.sh; kit_board; PROGRAM; kit_events >$KIT/events'
+#   pinhole-wire --board rpi-waveshare-1in3 --order DIR/events
+kit_tests=$(dirname "${BASH_SOURCE[0]}")
+
+kit_guest() { "$kit_tests/guest.sh" "$@"; }
+
+kit_kernel() {
+    local image
+    for image in $(printf '%s\n' /boot/vmlinuz-* | sort -rV); do
+        [ -d "/lib/modules/${image#/boot/vmlinuz-}/kernel" ] && echo "${image#/boot/vmlinuz-}" && return
+    done
+}
+
+kit_why() {
+    "$kit_tests/guest.sh" --why || return 0
+    [ -e "/lib/modules/$(kit_kernel)/build/Makefile" ] || echo "no headers for kernel $(kit_kernel) (linux-headers-amd64)"
+}
+
+kit_module() { echo "${B:-build}/kit/board-$(kit_kernel)/pinhole_kit.ko"; }
+
+kit_build_module() {
+    local module folder new
+    module=$(kit_module)
+    folder=$(dirname "$module")
+    [ -z "$(find "$kit_tests/board" -newer "$module" 2>&1)" ] && return
+    mkdir -p "$folder"
+    new=$(mktemp -d "$folder/new.XXXXXX") || return 1
+    cp "$kit_tests"/board/* "$new"
+    make -s -C "/lib/modules/$(kit_kernel)/build" M="$(cd "$new" && pwd)" KCFLAGS=-Werror modules >"$new/log" 2>&1 || {
+        cat "$new/log" >&2
+        rm -rf "$new"
+        return 1
+    }
+    touch "$new/pinhole_kit.ko"
+    mv "$new/pinhole_kit.ko" "$module"
+    rm -rf "$new"
+}
+
+kit_build_usb() {
+    local program=${B:-build}/kit/usb
+    [ -e "$kit_tests/usb_main.c" ] || return 0
+    [ -x "$program" ] && [ -z "$(find "$kit_tests" -maxdepth 1 -name 'usb*' -newer "$program")" ] && return
+    gcc -std=c11 -O2 -g -Wall -Wextra -Werror -o "$program.$$" "$kit_tests"/usb_*.c && mv "$program.$$" "$program"
+}
+
+kit_build() { kit_build_module && kit_build_usb; }
+
+kit_board() { insmod "$(kit_module)" "$@"; }
+
+kit_do() { printf '%s\n' "$*" >/dev/pinhole-kit; }
+
+kit_events() { cat /dev/pinhole-kit; }
+
+kit_follow() {
+    kit_do follow
+    cat /dev/pinhole-kit >"$1" &
+    kit_follower=$!
+}
+
+kit_follow_end() {
+    kit_do end
+    wait "$kit_follower"
+}
