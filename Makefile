@@ -6,7 +6,7 @@ CPU ?= portable
 B ?= build
 V ?= 0
 PREFIX ?= /usr/local
-BUDGET_CORE_BYTES ?= 38912
+BUDGET_CORE_BYTES ?= 40960
 Q = $(if $(filter 1,$(V)),,@)
 SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
 

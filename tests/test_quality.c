@@ -42,7 +42,7 @@ struct quality {
     double texels, wrong;
 };
 
-#define FORMATS PH_DEPTH_FLOAT16 /* the formats 1 .. FORMATS are measured */
+#define FORMATS (PH_DEPTH_FORMATS - 1) /* 1 .. FORMATS are measured */
 
 static struct quality table[SOURCES][REF_SCENES][PH_DEPTH_FORMATS];
 
@@ -358,6 +358,30 @@ static void float16_distance_is_that_of_the_reference(void **state)
     }
 }
 
+/* What remains is the 1/256 px of the screen positions: on the ground, seen at a low angle, that is more. */
+static void depth_of_24_bits_is_that_of_the_reference(void **state)
+{
+    static const double depth[REF_SCENES] = {2e-6, 2e-6, 2e-8, 2e-6, 1e-5};
+    static const double distance[REF_SCENES] = {1e-5, 1e-5, 2e-7, 1e-5, 3e-5};
+    (void)state;
+    for (int i = 0; i < REF_SCENES * SOURCES * 2; i++) {
+        const int scene = i / 2 / SOURCES;
+        const struct quality *q = &table[i / 2 % SOURCES][scene][i % 2 ? PH_DEPTH_FLOAT24 : PH_DEPTH_FIXED24];
+        at_most("depth RMS", scene, depth_rms(q), depth[scene]);
+        at_most("distance RMS", scene, distance_rms(q), distance[scene]);
+    }
+}
+
+/* Its step is 1.5 mm everywhere, of distances from 0.5 (ground) or 2 (the others) on. */
+static void linear_w_distance_is_that_of_the_reference(void **state)
+{
+    (void)state;
+    for (int i = 0; i < REF_SCENES * SOURCES; i++) {
+        at_most("distance RMS", i / 2, distance_rms(&table[i % 2][i / 2][PH_DEPTH_LINEAR_W]),
+                i / 2 == REF_GROUND ? 5e-4 : 2.5e-4);
+    }
+}
+
 static void texels_are_those_of_the_reference(void **state)
 {
     (void)state;
@@ -418,6 +442,8 @@ int main(void)
         cmocka_unit_test(no_pixel_is_drawn_twice_or_left_out),
         cmocka_unit_test(fixed16_depth_is_that_of_the_reference),
         cmocka_unit_test(float16_distance_is_that_of_the_reference),
+        cmocka_unit_test(depth_of_24_bits_is_that_of_the_reference),
+        cmocka_unit_test(linear_w_distance_is_that_of_the_reference),
         cmocka_unit_test(texels_are_those_of_the_reference),
         cmocka_unit_test(nearest_quad_fills_the_picture),
         cmocka_unit_test(gouraud_light_is_that_of_the_reference),

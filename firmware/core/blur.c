@@ -2,8 +2,8 @@
  * Depth of field: see blur.h. The blur of a pixel is kept in 1/16 px, positive before the focal plane, so that the
  * nearer of two pixels has the larger one.
  *
- * N/z is linear in the depth code (fixed16, and float16 once unpacked), and so is strength |1 - focal / z|: it is
- * strength focal/N |d - d of focal|. d is used in units of 2^-20.
+ * N/z is linear in the depth code (the fixed formats, and the floats once unpacked), and so is strength
+ * |1 - focal / z|: it is strength focal/N |d - d of focal|. d is used in units of 2^-20; of 24-bit codes 16 bits do.
  */
 #include "blur.h"
 
@@ -12,11 +12,28 @@
 
 #define WHOLE 2048 /* sum of the shares of a pixel */
 
+/* d of a linear-w code, by way of the distance. */
+static int32_t depth_of_linear(const struct ph_blur *b, uint32_t code)
+{
+    const struct ph_lens *lens = &b->lens;
+    const uint32_t range = (uint32_t)lens->far_z - (uint32_t)lens->near_z, top = 65408; /* 65536 (1 - 2^-9) */
+    const uint32_t share = code < 16 ? 0 : code - 16 < top ? code - 16 : top;
+    const uint32_t before_far = fx_mulhi_u32(range, (share << 16) + (share << 7)); /* / 65408, less than 2^-16 off */
+    const fx_t z = (fx_t)((uint32_t)lens->far_z - before_far);
+    return (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
+}
+
 /* d of a depth code. */
 static inline int32_t depth_of(const struct ph_blur *b, uint32_t code)
 {
-    if (b->depth_format == PH_DEPTH_FIXED16) {
-        return ((int32_t)code - 16) * 16;
+    if (b->wide) {
+        code >>= 8;
+    }
+    if (b->depth_format == PH_DEPTH_FIXED16 || b->depth_format == PH_DEPTH_FIXED24) {
+        return (int32_t)code * 16 - 260;
+    }
+    if (b->depth_format == PH_DEPTH_LINEAR_W) {
+        return depth_of_linear(b, code);
     }
     const uint32_t f = code > 8 ? code - 8 : 0, exponent = f >> 12;
     return (int32_t)(exponent == 0 ? f >> 7 : ((f & 4095) + 4096) << (exponent - 1) >> 7);
@@ -65,7 +82,9 @@ int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scrat
     if (bytes < PH_BLUR_BYTES(width, r->config.band_height, focus->radius)) {
         return PH_ERR_NOMEM;
     }
-    struct ph_blur b = {.colours = scratch, .radius = focus->radius, .depth_format = r->stats.depth_format};
+    struct ph_blur b = {
+        .colours = scratch, .radius = focus->radius, .depth_format = r->stats.depth_format, .lens = r->lens};
+    b.wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     b.lines = (uint32_t)PH_BLUR_LINES(r->config.band_height, focus->radius);
     b.blurs = (int8_t *)(b.colours + width * b.lines);
     set_scale(&b, &r->lens, focus);
@@ -111,13 +130,13 @@ static inline uint16_t finish(const struct mix *m, uint32_t colour)
 }
 
 /* Blurs a line of the picture along itself into the ring. */
-static void take_line(struct ph_blur *b, const uint16_t *pixels, const uint16_t *depth, int32_t width)
+static void take_line(struct ph_blur *b, const uint16_t *pixels, const void *depth, int32_t width)
 {
     const uint32_t line = b->drawn++ % b->lines;
     uint16_t *out = b->colours + line * (uint32_t)width;
     int8_t *blurs = b->blurs + line * (uint32_t)width;
     for (int32_t x = 0; x < width; x++) {
-        blurs[x] = blur_of(b, depth[x]);
+        blurs[x] = blur_of(b, b->wide ? ((const uint32_t *)depth)[x] : ((const uint16_t *)depth)[x]);
     }
     for (int32_t x = 0; x < width; x++) {
         struct mix m = {0, 0, WHOLE};
@@ -167,7 +186,8 @@ uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band
     while (blur->drawn < needed) { /* a band each time */
         const uint32_t come = ph_draw_band(r, blur->next_band++, pixels);
         for (uint32_t i = 0; i < come; i++) {
-            take_line(blur, pixels + i * width, (const uint16_t *)r->config.depth + i * width, (int32_t)width);
+            const uint8_t *depth = r->config.depth;
+            take_line(blur, pixels + i * width, depth + i * width * (blur->wide ? 4 : 2), (int32_t)width);
         }
     }
     for (uint32_t y = y0; y < y1; y++) {

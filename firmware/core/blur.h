@@ -47,6 +47,8 @@ struct ph_blur {
     uint32_t next_band; /* of the renderer */
     uint32_t drawn;     /* lines of the picture in the ring, and before */
     uint8_t radius, depth_format;
+    bool wide;           /* 4 bytes of depth a pixel */
+    struct ph_lens lens; /* linear-w: from its codes back to distances */
     uint8_t most;        /* largest radius, 1/16 px */
     int8_t empty;        /* blur of empty pixels */
     int32_t focal_d;     /* depth of the focal plane, see blur.c */

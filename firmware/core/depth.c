@@ -35,14 +35,23 @@ struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w)
 
 uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block)
 {
-    const int up = 2 + block - quotient.s, far_up = 2 + block - lens->far_s;
-    const uint32_t at = up >= 0 ? quotient.q << up : quotient.q >> -up;
-    const uint32_t far = far_up >= 0 ? lens->far_q << far_up : far_up > -32 ? lens->far_q >> -far_up : 0;
-    return at > far ? at - far : 0;
+    return ph_depth_before(quotient, ph_depth_far(lens, block), block);
 }
 
-int ph_depth_octave(uint32_t d, int block)
+/* w of a quotient in the unit of 2^(far_s - 31) N. */
+static uint32_t w_of(const struct ph_lens *lens, struct ph_quotient quotient)
 {
-    const int zeros = fx_clz32(d);
-    return zeros + block < 14 ? zeros : 14 - block;
+    int shift;
+    const uint32_t reciprocal = fx_rcp_norm(quotient.q >> 2, &shift);
+    const int down = lens->far_s - quotient.s;
+    return down > 31 ? 0 : reciprocal >> down;
+}
+
+struct ph_linear ph_depth_linear_of(const struct ph_lens *lens)
+{
+    const uint32_t far = w_of(lens, (struct ph_quotient){lens->far_q, lens->far_s});
+    int up;
+    const uint32_t scale = fx_rcp_norm(far - w_of(lens, ph_depth_quotient(lens, lens->near_z)), &up);
+    return (struct ph_linear){far, scale - (scale >> 9), (uint8_t)up, PH_DEPTH_BIAS_FIXED16 >> 16,
+                              (int8_t)(lens->far_s + 3)};
 }

@@ -23,7 +23,7 @@
 
 #include "render.h"
 
-#define PH_DEPTH_BIAS_FIXED16 ((uint32_t)16 << 16)
+#define PH_DEPTH_BIAS_FIXED16 ((uint32_t)65 << 14)
 #define PH_DEPTH_BIAS_FLOAT16 ((uint32_t)8 << 16)
 
 /* Quotient of N/w for a view distance; see above. */
@@ -42,14 +42,39 @@ static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens
     return q < (uint32_t)1 << 30 ? (struct ph_quotient){q << 1, (int8_t)(s + 1)} : (struct ph_quotient){q, (int8_t)s};
 }
 
-/* d of a vertex in units of 2^-(32 + block); block is 0 or below s - 1. */
+/* N/f in units of 2^-(32 + block), and d of a vertex in front of it; block is 0 or below s - 1. */
+static inline uint32_t ph_depth_far(const struct ph_lens *lens, int block)
+{
+    const int up = 2 + block - lens->far_s;
+    return up >= 0 ? lens->far_q << up : up > -32 ? lens->far_q >> -up : 0;
+}
+
+static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far, int block)
+{
+    const int up = 2 + block - quotient.s;
+    const uint32_t at = up >= 0 ? quotient.q << up : quotient.q >> -up;
+    return at > far ? at - far : 0;
+}
+
+/* Both in one. */
 uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block);
 
 /*
  * Octave of a d in units of 2^-(32 + block): leading zeros of it, the octaves below 2^-15 counted as one with
  * 2^-15 .. 2^-14. May be negative where the whole block lies below 2^-15.
  */
-int ph_depth_octave(uint32_t d, int block);
+static inline int ph_depth_octave(uint32_t d, int block)
+{
+    const int zeros = fx_clz32(d);
+    return zeros + block < 14 ? zeros : 14 - block;
+}
+
+/* Whether d lies in that octave of another d: cheaper than asking for its own. */
+static inline bool ph_depth_in_octave(uint32_t d, int octave, int block)
+{
+    const uint32_t lowest = octave + block >= 14;
+    return (d >> (octave > 0 ? 31 - octave : 31) | lowest) == 1;
+}
 
 /* d of one octave in 16.16 codes of float16, without the octave's constant; the same for a gradient of d. */
 static inline uint32_t ph_depth_float16_value(uint32_t d, int octave)
@@ -59,13 +84,30 @@ static inline uint32_t ph_depth_float16_value(uint32_t d, int octave)
 
 static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int octave)
 {
-    return octave >= 3 ? gradient << (octave - 3) : (uint32_t)((int32_t)gradient >> (3 - octave));
+    return octave >= 3 ? gradient << (octave - 3)
+                       : (uint32_t)(((int32_t)gradient + ((int32_t)1 << (2 - octave))) >> (3 - octave));
 }
 
 /* The octave's constant, and the bias. */
 static inline uint32_t ph_depth_float16_offset(int octave, int block)
 {
     return ((uint32_t)(14 - octave - block) << 28) + PH_DEPTH_BIAS_FLOAT16;
+}
+
+/* See struct ph_linear: that of a camera, for the lowest exponent `least` = 0. */
+struct ph_linear ph_depth_linear_of(const struct ph_lens *lens);
+
+/* 16.16 code of linear-w from N/w in units of 2^-(28 + least). */
+static inline uint32_t ph_depth_linear(const struct ph_linear *linear, uint32_t over_w)
+{
+    const uint32_t nearest = ((uint32_t)1 << 30) - ((uint32_t)1 << 21), most = UINT32_MAX >> linear->up;
+    int shift;
+    const uint32_t reciprocal = fx_rcp_norm(over_w, &shift);
+    const int down = linear->down - shift;
+    const uint32_t w = down < 0 ? linear->far : down > 31 ? 0 : reciprocal >> down;
+    const uint32_t before = w < linear->far ? linear->far - w : 0;
+    const uint32_t d = fx_mulhi_u32((before < most ? before : most) << linear->up, linear->scale);
+    return ((d < nearest ? d : nearest) << 2) + ((uint32_t)linear->bias << 16);
 }
 
 #endif

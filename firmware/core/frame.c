@@ -7,7 +7,7 @@ const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
 
 static bool depth_is_usable(const struct ph_config *config)
 {
-    return config->depth != NULL && config->depth_format <= PH_DEPTH_FLOAT16 &&
+    return config->depth != NULL && config->depth_format < PH_DEPTH_FORMATS &&
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
@@ -78,6 +78,7 @@ static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
     const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
     lens->far_q = far.q;
     lens->far_s = far.s;
+    lens->linear = ph_depth_linear_of(lens);
 }
 
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)

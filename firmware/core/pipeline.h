@@ -74,17 +74,24 @@ struct ph_triangle {
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
-    int8_t block;                   /* float16: block exponent of depth where it must be split, else PH_BLOCK_NONE */
-    uint8_t range_log2;             /* texture: |u|, |v| below 2^this */
-    uint16_t colour;                /* flat: wire order; texture: light 0 .. 32 */
+    int8_t block; /* floats: block exponent of depth where it must be split; PH_BLOCK_LINEAR; else PH_BLOCK_NONE */
+    uint8_t range_log2; /* texture: |u|, |v| below 2^this */
+    uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
     struct ph_edge long_edge, upper, lower;
     struct ph_plane depth;
-    struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+    union {
+        struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+        struct {
+            struct ph_plane first_two[2];
+            struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` is then */
+        };
+    };
     const struct ph_material *material;
 };
 
-#define PH_NONE       UINT32_MAX
-#define PH_BLOCK_NONE 127
+#define PH_NONE         UINT32_MAX
+#define PH_BLOCK_NONE   127
+#define PH_BLOCK_LINEAR 126
 
 static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
 {
@@ -162,7 +169,9 @@ uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t norm
 
 /* Draws rows y0 .. y1 - 1 of a textured triangle: see texture.c. */
 struct ph_band {
-    uint16_t *pixels, *depth; /* of row y0 */
+    uint16_t *pixels; /* of row y0 */
+    void *depth;      /* the same; uint32_t where wide, else uint16_t */
+    bool wide;
     int32_t y0, y1, width;
 };
 

@@ -9,15 +9,17 @@
 
 /* One row of a triangle: columns from .. from + n - 1, pixels and depths of its first one. */
 struct row {
-    uint16_t *pixels, *depth;
+    uint16_t *pixels;
+    void *depth;        /* see struct ph_band */
     uint32_t n, d;      /* d: depth at the first pixel, in units of the plane */
     uint32_t attribute; /* Gouraud: light at the first pixel */
 };
 
 typedef void span_fn(const struct ph_triangle *t, const struct row *row, uint32_t gd);
 
-/* A float16 span that may cross octaves: piece by piece. */
-static inline __attribute__((always_inline)) void split_span(const struct ph_triangle *t, struct row row, span_fn *span)
+/* A span that may be of several pieces. */
+static inline __attribute__((always_inline)) void split_span(const struct ph_triangle *t, struct row row, bool wide,
+                                                             span_fn *span)
 {
     uint32_t left = row.n, d = row.d;
     while (left > 0) { /* each turn draws at least one pixel */
@@ -26,7 +28,7 @@ static inline __attribute__((always_inline)) void split_span(const struct ph_tri
         row.d = piece.d;
         span(t, &row, piece.gd);
         row.pixels += row.n;
-        row.depth += row.n;
+        row.depth = ph_depth_from(row.depth, row.n, wide);
         row.attribute += t->attribute[0].gx * row.n;
         d += t->depth.gx * row.n;
         left -= row.n;
@@ -43,13 +45,37 @@ static void gouraud_span(const struct ph_triangle *t, const struct row *row, uin
     ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, row->attribute, t->attribute[0].gx, t->material->ramp);
 }
 
+static void flat24_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
+{
+    ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+}
+
+static void gouraud24_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
+{
+    ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, row->attribute, t->attribute[0].gx,
+                      t->material->ramp);
+}
+
+static void flat_linear_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
+{
+    ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, t->colour);
+}
+
+static void gouraud_linear_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
+{
+    ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, row->attribute, t->attribute[0].gx,
+                           t->material->ramp);
+}
+
 /* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
 static inline __attribute__((always_inline)) uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band,
                                                                 int32_t y, int32_t y_end, struct ph_edge left,
-                                                                struct ph_edge right, bool split, span_fn *span)
+                                                                struct ph_edge right, bool split, bool wide,
+                                                                span_fn *span)
 {
     const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)band->width;
-    uint16_t *pixels = band->pixels + start, *depth = band->depth + start;
+    uint16_t *pixels = band->pixels + start;
+    void *depth = ph_depth_from(band->depth, start, wide);
     uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
     uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
     for (; y < y_end; y++) {
@@ -57,11 +83,11 @@ static inline __attribute__((always_inline)) uint32_t walk_rows(const struct ph_
         const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
         if (from < to) {
             const uint32_t x = (uint32_t)from;
-            const struct row row = {pixels + x, depth + x, (uint32_t)(to - from), d + x * t->depth.gx,
-                                    attribute + x * t->attribute[0].gx};
+            const struct row row = {pixels + x, ph_depth_from(depth, x, wide), (uint32_t)(to - from),
+                                    d + x * t->depth.gx, attribute + x * t->attribute[0].gx};
             count += row.n;
             if (split) {
-                split_span(t, row, span);
+                split_span(t, row, wide, span);
             } else {
                 span(t, &row, t->depth.gx);
             }
@@ -69,7 +95,7 @@ static inline __attribute__((always_inline)) uint32_t walk_rows(const struct ph_
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
         right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
         pixels += band->width;
-        depth += band->width;
+        depth = ph_depth_from(depth, (uint32_t)band->width, wide);
         d += t->depth.gy;
         attribute += t->attribute[0].gy;
     }
@@ -77,14 +103,14 @@ static inline __attribute__((always_inline)) uint32_t walk_rows(const struct ph_
 }
 
 static inline __attribute__((always_inline)) uint32_t walk(const struct ph_triangle *t, const struct ph_band *band,
-                                                           bool split, span_fn *span)
+                                                           bool split, bool wide, span_fn *span)
 {
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
         int32_t y, y_end;
         struct ph_edge left, right;
         if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
-            count += walk_rows(t, band, y, y_end, left, right, split, span);
+            count += walk_rows(t, band, y, y_end, left, right, split, wide, span);
         }
     }
     return count;
@@ -92,34 +118,74 @@ static inline __attribute__((always_inline)) uint32_t walk(const struct ph_trian
 
 static uint32_t draw_flat(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return walk(t, band, false, flat_span);
+    return walk(t, band, false, false, flat_span);
 }
 
 static uint32_t draw_gouraud(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return walk(t, band, false, gouraud_span);
+    return walk(t, band, false, false, gouraud_span);
 }
 
 static uint32_t draw_flat_split(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return walk(t, band, true, flat_span);
+    return walk(t, band, true, false, flat_span);
 }
 
 static uint32_t draw_gouraud_split(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return walk(t, band, true, gouraud_span);
+    return walk(t, band, true, false, gouraud_span);
+}
+
+/* The 24-bit formats, split or not. */
+static uint32_t draw_flat24(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, true, true, flat24_span);
+}
+
+static uint32_t draw_gouraud24(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, true, true, gouraud24_span);
+}
+
+static uint32_t draw_flat_linear(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, false, false, flat_linear_span);
+}
+
+static uint32_t draw_gouraud_linear(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return walk(t, band, false, false, gouraud_linear_span);
+}
+
+static uint32_t draw_flat_of(const struct ph_triangle *t, const struct ph_band *band)
+{
+    if (band->wide) {
+        return draw_flat24(t, band);
+    }
+    return t->block == PH_BLOCK_NONE     ? draw_flat(t, band)
+           : t->block == PH_BLOCK_LINEAR ? draw_flat_linear(t, band)
+                                         : draw_flat_split(t, band);
+}
+
+static uint32_t draw_gouraud_of(const struct ph_triangle *t, const struct ph_band *band)
+{
+    if (band->wide) {
+        return draw_gouraud24(t, band);
+    }
+    return t->block == PH_BLOCK_NONE     ? draw_gouraud(t, band)
+           : t->block == PH_BLOCK_LINEAR ? draw_gouraud_linear(t, band)
+                                         : draw_gouraud_split(t, band);
 }
 
 static uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const bool split = t->block != PH_BLOCK_NONE;
     switch (t->kind) {
     case PH_KIND_TEXTURE:
         return ph_draw_textured(t, band);
     case PH_KIND_GOURAUD:
-        return split ? draw_gouraud_split(t, band) : draw_gouraud(t, band);
+        return draw_gouraud_of(t, band);
     default:
-        return split ? draw_flat_split(t, band) : draw_flat(t, band);
+        return draw_flat_of(t, band);
     }
 }
 
@@ -155,10 +221,11 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
-    const struct ph_band rows = {pixels, r->config.depth, y0, y1, r->config.width};
+    const bool wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
+    const struct ph_band rows = {pixels, r->config.depth, wide, y0, y1, r->config.width};
     const uint32_t area = (uint32_t)(y1 - y0) * r->config.width;
     fill(pixels, r->background, area);
-    fill(r->config.depth, 0, area);
+    fill(r->config.depth, 0, wide ? 2 * area : area);
 
     struct ph_triangle *triangles = ph_triangles(r);
     uint32_t begun = r->carried, fresh = r->config.bins[band], *carry = &r->carried;

@@ -160,6 +160,15 @@ struct ph_config {
     void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
 };
 
+/* linear-w: how 1/w becomes a code, see depth.h. The unit of w puts the far plane just below 2^31. */
+struct ph_linear {
+    uint32_t far;   /* w at the far plane */
+    uint32_t scale; /* 1 / (far - near), normalised, less the head room */
+    uint8_t up;     /* leading zeros of far - near */
+    uint8_t bias;   /* codes */
+    int8_t down;    /* right shift of the reciprocal of 1/w to the unit of w, before the reciprocal's own shift */
+};
+
 /*
  * The camera of a frame, ready for vertices: screen x = centre_x + 2^focal_log2 x' / w with x' = row 0 of the matrix.
  * Private to the renderer.
@@ -175,6 +184,7 @@ struct ph_lens {
     uint32_t depth_scale; /* perspective: near plane, normalised; orthographic: 1 / (far - near), normalised */
     uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
     int8_t far_s;
+    struct ph_linear linear;
     uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
     uint32_t chord_min2; /* fisheye: (1/256 px)^2; edges up to here are not divided */
     int32_t chord_max;   /* fisheye: 1/256 px; longer ones are */

@@ -87,11 +87,15 @@ static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, in
     return (struct ph_plane){value + whole + part, (uint32_t)gx, (uint32_t)gy};
 }
 
+struct gradient {
+    int32_t x, y;
+};
+
 /*
- * Plane through the value at the first corner and the differences d1, d2 (below 2^32) at the others. A gradient beyond
- * 2^limit per pixel is halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped.
+ * Gradient from the differences d1, d2 (below 2^32) of the second and third corner to the first. Beyond 2^limit per
+ * pixel it is halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped.
  */
-static struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
+static struct gradient wide_gradient(const struct plane_base *s, int64_t d1, int64_t d2, int limit)
 {
     const int64_t nx = d2 * s->dy1 - d1 * s->dy2, ny = d1 * s->dx2 - d2 * s->dx1;
     const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
@@ -99,7 +103,14 @@ static struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, in
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
     const int down = max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit);
     const int64_t half = down > 0 ? (int64_t)1 << (down - 1) : 0;
-    return hang_plane(s, value, (int32_t)((px + half) >> down), (int32_t)((py + half) >> down));
+    return (struct gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
+}
+
+/* Plane through the value at the first corner. */
+static struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
+{
+    const struct gradient g = wide_gradient(s, d1, d2, limit);
+    return hang_plane(s, value, g.x, g.y);
 }
 
 static uint32_t size_of(int32_t v)
@@ -147,36 +158,91 @@ static struct ph_plane plane_of(const struct plane_base *s, const uint32_t v[3],
     return wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
 }
 
+/* The plane through three unsigned values to its last bit, for formats that keep 24 bits of them. */
+static struct ph_plane exact_plane(const struct plane_base *s, const uint32_t v[3], int limit)
+{
+    const struct gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+    const uint32_t right = (uint32_t)(fx_mul_wide(g.x, s->x) >> 8), down = (uint32_t)(fx_mul_wide(g.y, s->y) >> 8);
+    return (struct ph_plane){v[0] + right + down, (uint32_t)g.x, (uint32_t)g.y};
+}
+
+static struct ph_plane depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t v[3],
+                                   int limit)
+{
+    return r->stats.depth_format >= PH_DEPTH_FIXED24 ? exact_plane(s, v, limit) : plane_of(s, v, limit);
+}
+
+static int least_exponent(const struct ph_corner *const v[3])
+{
+    const int a = v[0]->depth.s < v[1]->depth.s ? v[0]->depth.s : v[1]->depth.s;
+    return v[2]->depth.s < a ? v[2]->depth.s : a;
+}
+
+/* N/w to the exponent `least` of the nearest corner, in units of 2^-(28 + least): below 2^29. */
+static uint32_t over_w(const struct ph_corner *v, int least)
+{
+    const int down = v->depth.s - least + 2;
+    return down < 32 ? v->depth.q >> down : 0;
+}
+
+static void setup_fixed(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+                        uint32_t bias, struct ph_triangle *t)
+{
+    const uint32_t far = ph_depth_far(&r->lens, 0), offset = PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    uint32_t d[3];
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_before(v[i]->depth, far, 0) + offset;
+    }
+    t->depth = depth_plane(r, s, d, 28);
+}
+
+static void setup_float(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+                        uint32_t bias, struct ph_triangle *t)
+{
+    const int block = max_int(least_exponent(v) - 2, 0);
+    const uint32_t far = ph_depth_far(&r->lens, block);
+    uint32_t d[3];
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_before(v[i]->depth, far, block);
+    }
+    const int octave = ph_depth_octave(d[0], block);
+    if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
+        t->block = (int8_t)block;
+        t->depth = depth_plane(r, s, d, 27);
+        return;
+    }
+    const uint32_t offset = ph_depth_float16_offset(octave, block) + (bias << 13);
+    for (int i = 0; i < 3; i++) { /* all in one octave: no different from the fixed formats */
+        d[i] = ph_depth_float16_value(d[i], octave) + offset;
+    }
+    t->depth = depth_plane(r, s, d, 27);
+}
+
+static void setup_linear(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+                         uint32_t bias, struct ph_triangle *t)
+{
+    const int least = least_exponent(v);
+    const uint32_t w[3] = {over_w(v[0], least), over_w(v[1], least), over_w(v[2], least)};
+    t->block = PH_BLOCK_LINEAR;
+    t->depth = exact_plane(s, w, 29);
+    t->linear = r->lens.linear;
+    t->linear.bias = (uint8_t)(t->linear.bias + bias);
+    t->linear.down = (int8_t)(t->linear.down - least);
+}
+
 static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
                         struct ph_triangle *t)
 {
     const uint32_t bias = t->material->depth_bias < 56 ? t->material->depth_bias : 56;
-    uint32_t d[3];
+    const unsigned format = r->stats.depth_format;
     t->block = PH_BLOCK_NONE;
-    if (r->stats.depth_format == PH_DEPTH_FIXED16) {
-        for (int i = 0; i < 3; i++) {
-            d[i] = ph_depth_at(&r->lens, v[i]->depth, 0) + PH_DEPTH_BIAS_FIXED16 + (bias << 16);
-        }
-        t->depth = plane_of(s, d, 28);
-        return;
+    if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
+        setup_float(r, s, v, bias, t);
+    } else if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
+        setup_linear(r, s, v, bias, t);
+    } else {
+        setup_fixed(r, s, v, bias, t);
     }
-    int block = v[0]->depth.s;
-    block = v[1]->depth.s < block ? v[1]->depth.s : block;
-    block = max_int((v[2]->depth.s < block ? v[2]->depth.s : block) - 2, 0);
-    int octave[3];
-    for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_at(&r->lens, v[i]->depth, block);
-        octave[i] = ph_depth_octave(d[i], block);
-    }
-    if (octave[0] != octave[1] || octave[0] != octave[2]) {
-        t->block = (int8_t)block;
-        t->depth = plane_of(s, d, 27);
-        return;
-    }
-    for (int i = 0; i < 3; i++) { /* all in one octave: no different from fixed16 */
-        d[i] = ph_depth_float16_value(d[i], octave[i]) + ph_depth_float16_offset(octave[i], block) + (bias << 13);
-    }
-    t->depth = plane_of(s, d, 27);
 }
 
 /* u or v of the corners, in Q16.16 from a whole number of repeats; returns the log2 of their range. */
@@ -204,13 +270,10 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
     const int range_u = texture_range(t->material->texture, v, 0, uv[0]);
     const int range = max_int(range_u, texture_range(t->material->texture, v, 1, uv[1]));
     const bool perspective = r->lens.kind != PH_ORTHOGRAPHIC;
-    int least = v[0]->depth.s;
-    least = v[1]->depth.s < least ? v[1]->depth.s : least;
-    least = v[2]->depth.s < least ? v[2]->depth.s : least;
+    const int least = least_exponent(v);
     uint32_t w[3]; /* 1/w to a common exponent, up to 2^29 */
     for (int i = 0; i < 3; i++) {
-        const int down = v[i]->depth.s - least + 2;
-        w[i] = perspective ? (down < 32 ? v[i]->depth.q >> down : 0) : (uint32_t)1 << 28;
+        w[i] = perspective ? over_w(v[i], least) : (uint32_t)1 << 28;
     }
     for (int axis = 0; axis < 2; axis++) {
         int64_t over_w[3]; /* (u / 2^range) / w */
@@ -219,7 +282,9 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
         }
         t->attribute[axis] = setup_plane(s, (uint32_t)over_w[0], over_w[1] - over_w[0], over_w[2] - over_w[0], 31);
     }
-    t->attribute[2] = plane_of(s, w, 31);
+    if (t->block != PH_BLOCK_LINEAR) { /* it is there already */
+        t->attribute[2] = plane_of(s, w, 31);
+    }
     t->range_log2 = (uint8_t)range;
 }
 

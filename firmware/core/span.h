@@ -36,6 +36,23 @@ static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d
     }
 }
 
+/* The same of a 24-bit code. */
+static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
+{
+    const uint32_t code = d >> 8;
+    if (code <= *depth) {
+        return false;
+    }
+    *depth = code;
+    return true;
+}
+
+/* A depth buffer from pixel n on. */
+static inline void *ph_depth_from(void *depth, uint32_t n, bool wide)
+{
+    return wide ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
+}
+
 /* One colour; four pixels a turn. */
 static inline void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint16_t colour)
 {
@@ -56,6 +73,44 @@ static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n
 {
     for (; n > 0; n--, d += gd, light += glight) {
         ph_pixel_gouraud(pixels++, depth++, d, light, ramp);
+    }
+}
+
+static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                  uint16_t colour)
+{
+    for (; n > 0; n--, d += gd, pixels++, depth++) {
+        if (ph_nearer24(depth, d)) {
+            *pixels = colour;
+        }
+    }
+}
+
+static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                     uint32_t light, uint32_t glight, const uint16_t *ramp)
+{
+    for (; n > 0; n--, d += gd, light += glight, pixels++, depth++) {
+        if (ph_nearer24(depth, d)) {
+            *pixels = ramp[light >> 25];
+        }
+    }
+}
+
+/* linear-w: d, gd of the plane of 1/w. */
+static inline void ph_span_flat_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                       const struct ph_linear *linear, uint16_t colour)
+{
+    for (; n > 0; n--, d += gd) {
+        ph_pixel_flat(pixels++, depth++, ph_depth_linear(linear, d), colour);
+    }
+}
+
+static inline void ph_span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
+                                          const struct ph_linear *linear, uint32_t light, uint32_t glight,
+                                          const uint16_t *ramp)
+{
+    for (; n > 0; n--, d += gd, light += glight) {
+        ph_pixel_gouraud(pixels++, depth++, ph_depth_linear(linear, d), light, ramp);
     }
 }
 
@@ -106,18 +161,21 @@ struct ph_piece {
 };
 
 /*
- * The run that begins at a pixel with depth d (in units of the triangle's plane): the whole span, but where a float16
+ * The run that begins at a pixel with depth d (in units of the triangle's plane): the whole span, but where a float
  * triangle crosses octaves *n is cut down to the pixels of the first one.
  */
 static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
 {
-    if (t->block == PH_BLOCK_NONE) {
+    if (t->block >= PH_BLOCK_LINEAR) {
         return (struct ph_piece){d, t->depth.gx};
     }
     const bool wrapped = d >= PH_DEPTH_WRAPPED;
     const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
     const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
-    *n = ph_octave_pixels(d, t->depth.gx, octave, t->block, *n);
+    const uint32_t last = d + t->depth.gx * (*n - 1);
+    if (wrapped || last >= PH_DEPTH_WRAPPED || !ph_depth_in_octave(last, octave, t->block)) { /* takes a division */
+        *n = ph_octave_pixels(d, t->depth.gx, octave, t->block, *n);
+    }
     return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave) +
                                  ph_depth_float16_offset(octave, t->block) + bias,
                              wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};

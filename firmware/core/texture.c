@@ -28,7 +28,14 @@ struct sampler {
     uint32_t light; /* 0 .. 32 */
     int32_t limit;  /* coordinate of the texture's far side */
     bool clamp;
+    bool wide; /* struct ph_band */
 };
+
+/* linear-w has the plane of 1/w in place of the depth. */
+static const struct ph_plane *over_w(const struct ph_triangle *t)
+{
+    return t->block == PH_BLOCK_LINEAR ? &t->depth : &t->attribute[2];
+}
 
 static int32_t mulhi(int32_t a, int32_t b)
 {
@@ -48,7 +55,7 @@ static struct texture_point divide(const struct ph_triangle *t, const struct tex
 {
     int shift;
     const uint32_t w = row->w - 4 < ((uint32_t)1 << 30) - 4 ? row->w : 4; /* 2^29 with head room */
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1), gw = (int32_t)t->attribute[2].gx;
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1), gw = (int32_t)over_w(t)->gx;
     shift -= 2; /* a 2^shift times the reciprocal, high word: a 2^27 / w */
     struct texture_point p;
     p.u = mulhi(shift_left(row->u, shift), reciprocal);
@@ -64,7 +71,7 @@ static void advance(const struct ph_triangle *t, struct texture_row *row, uint32
 {
     row->u = (int32_t)((uint32_t)row->u + t->attribute[0].gx * pixels);
     row->v = (int32_t)((uint32_t)row->v + t->attribute[1].gx * pixels);
-    row->w += t->attribute[2].gx * pixels;
+    row->w += over_w(t)->gx * pixels;
 }
 
 /* A parabola in steps: value, first difference, second difference; all modulo 2^32. */
@@ -105,24 +112,35 @@ static uint16_t shade(uint16_t wire, uint32_t light)
     return ph_wire16((uint16_t)(lit | lit >> 16));
 }
 
+/* The texel at u, v, clamped or repeated, lit or as it is. */
+static inline __attribute__((always_inline)) uint16_t sample(const struct sampler *s, uint32_t u, uint32_t v,
+                                                             bool clamp, bool lit)
+{
+    const int32_t tu = (int32_t)u >> s->u_down, tv = (int32_t)v >> s->v_down;
+    const uint32_t column = clamp ? clamp_texel(tu, s->u_mask) : (uint32_t)tu & s->u_mask;
+    const uint32_t line = clamp ? clamp_texel(tv, s->v_mask) : (uint32_t)tv & s->v_mask;
+    const uint16_t texel = s->texels[line << s->log2_width | column];
+    return lit ? shade(texel, s->light) : texel;
+}
+
+static inline __attribute__((always_inline)) void step(struct parabola *p)
+{
+    p->at += p->step;
+    p->step += p->bend;
+}
+
 static inline __attribute__((always_inline)) void draw_block(const struct sampler *s, uint16_t *pixels, uint16_t *depth,
                                                              uint32_t n, uint32_t d, uint32_t gd, struct parabola u,
                                                              struct parabola v, bool clamp, bool lit)
 {
     for (uint32_t i = 0; i < n; i++) {
         if (d >> 16 > depth[i]) {
-            const int32_t tu = (int32_t)u.at >> s->u_down, tv = (int32_t)v.at >> s->v_down;
-            const uint32_t column = clamp ? clamp_texel(tu, s->u_mask) : (uint32_t)tu & s->u_mask;
-            const uint32_t line = clamp ? clamp_texel(tv, s->v_mask) : (uint32_t)tv & s->v_mask;
-            const uint16_t texel = s->texels[line << s->log2_width | column];
             depth[i] = (uint16_t)(d >> 16);
-            pixels[i] = lit ? shade(texel, s->light) : texel;
+            pixels[i] = sample(s, u.at, v.at, clamp, lit);
         }
         d += gd;
-        u.at += u.step;
-        u.step += u.bend;
-        v.at += v.step;
-        v.step += v.bend;
+        step(&u);
+        step(&v);
     }
 }
 
@@ -146,6 +164,36 @@ static void draw_lit(const struct sampler *s, uint16_t *pixels, uint16_t *depth,
     }
 }
 
+/* The 24-bit formats. */
+static void draw_wide(const struct sampler *s, uint16_t *pixels, uint32_t *depth, uint32_t n, struct ph_piece piece,
+                      struct parabola u, struct parabola v, bool clamp)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        if (ph_nearer24(&depth[i], piece.d)) {
+            pixels[i] = sample(s, u.at, v.at, clamp, s->light < 32);
+        }
+        piece.d += piece.gd;
+        step(&u);
+        step(&v);
+    }
+}
+
+/* linear-w: over_w is 1/w at the first pixel and per pixel. */
+static void draw_linear(const struct sampler *s, uint16_t *pixels, uint16_t *depth, uint32_t n, struct ph_piece over_w,
+                        const struct ph_linear *linear, struct parabola u, struct parabola v, bool clamp)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t code = ph_depth_linear(linear, over_w.d) >> 16;
+        if (code > depth[i]) {
+            depth[i] = (uint16_t)code;
+            pixels[i] = sample(s, u.at, v.at, clamp, s->light < 32);
+        }
+        over_w.d += over_w.gd;
+        step(&u);
+        step(&v);
+    }
+}
+
 /* Whether the distance changes by more than about a quarter along a block: a parabola does not follow it then. */
 static bool is_steep(uint32_t w, uint32_t change)
 {
@@ -153,36 +201,55 @@ static bool is_steep(uint32_t w, uint32_t change)
     return size > w >> 2;
 }
 
-static void textured_span(const struct ph_triangle *t, const struct sampler *s, uint16_t *pixels, uint16_t *depth,
+/* n pixels of a block whose depth is one piece. */
+static void draw_piece(const struct ph_triangle *t, const struct sampler *s, uint16_t *pixels, void *depth, uint32_t n,
+                       struct ph_piece piece, struct parabola u, struct parabola v, bool clamp)
+{
+    if (s->wide) {
+        draw_wide(s, pixels, depth, n, piece, u, v, clamp);
+    } else if (t->block == PH_BLOCK_LINEAR) {
+        draw_linear(s, pixels, depth, n, piece, &t->linear, u, v, clamp);
+    } else if (s->light < 32) {
+        draw_lit(s, pixels, depth, n, piece.d, piece.gd, u, v, clamp);
+    } else {
+        draw_plain(s, pixels, depth, n, piece.d, piece.gd, u, v, clamp);
+    }
+}
+
+static void textured_span(const struct ph_triangle *t, const struct sampler *s, uint16_t *pixels, void *depth,
                           uint32_t n, uint32_t d, struct texture_row row)
 {
     struct texture_point from = divide(t, &row);
+    struct ph_piece piece = {0, 0};
+    uint32_t run = 0; /* pixels left of the piece */
     while (n > 0) {
+        if (run == 0) {
+            run = n;
+            piece = ph_depth_piece(t, d, &run);
+        }
         uint32_t k = n < BLOCK ? n : BLOCK;
-        while (k > 4 && is_steep(row.w, t->attribute[2].gx * k)) {
+        while (k > 4 && is_steep(row.w, over_w(t)->gx * k)) {
             k >>= 1;
         }
-        const struct ph_piece piece = ph_depth_piece(t, d, &k);
+        k = k < run ? k : run;
         const uint32_t m = k < n ? k : k - 1; /* never past the last pixel of the span */
         advance(t, &row, m);
         const struct texture_point to = m > 0 ? divide(t, &row) : from;
         const bool clamp =
             s->clamp && !(inside(from.u, from.du, to.u, m, s->limit) && inside(from.v, from.dv, to.v, m, s->limit));
         const struct parabola u = parabola(from.u, from.du, to.u, m), v = parabola(from.v, from.dv, to.v, m);
-        if (s->light < 32) {
-            draw_lit(s, pixels, depth, k, piece.d, piece.gd, u, v, clamp);
-        } else {
-            draw_plain(s, pixels, depth, k, piece.d, piece.gd, u, v, clamp);
-        }
+        draw_piece(t, s, pixels, depth, k, piece, u, v, clamp);
         from = to;
         pixels += k;
-        depth += k;
+        depth = ph_depth_from(depth, k, s->wide);
+        piece.d += piece.gd * k;
         d += t->depth.gx * k;
+        run -= k;
         n -= k;
     }
 }
 
-static struct sampler sampler_of(const struct ph_triangle *t)
+static struct sampler sampler_of(const struct ph_triangle *t, bool wide)
 {
     const struct ph_texture *texture = t->material->texture;
     const int down = 27 - t->range_log2;
@@ -194,7 +261,8 @@ static struct sampler sampler_of(const struct ph_triangle *t)
                             texture->log2_width,
                             t->colour,
                             (int32_t)1 << down,
-                            texture->wrap == PH_WRAP_CLAMP};
+                            texture->wrap == PH_WRAP_CLAMP,
+                            wide};
 }
 
 static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *band, const struct sampler *s, int32_t y,
@@ -208,9 +276,10 @@ static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *ban
             const uint32_t x = (uint32_t)from, at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
             const struct texture_row row = {(int32_t)ph_plane_at(&t->attribute[0], x, (uint32_t)y),
                                             (int32_t)ph_plane_at(&t->attribute[1], x, (uint32_t)y),
-                                            ph_plane_at(&t->attribute[2], x, (uint32_t)y)};
+                                            ph_plane_at(over_w(t), x, (uint32_t)y)};
             const uint32_t n = (uint32_t)(to - from);
-            textured_span(t, s, band->pixels + at, band->depth + at, n, ph_plane_at(&t->depth, x, (uint32_t)y), row);
+            textured_span(t, s, band->pixels + at, ph_depth_from(band->depth, at, s->wide), n,
+                          ph_plane_at(&t->depth, x, (uint32_t)y), row);
             count += n;
         }
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
@@ -221,7 +290,7 @@ static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *ban
 
 uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const struct sampler s = sampler_of(t);
+    const struct sampler s = sampler_of(t, band->wide);
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
         int32_t y, y_end;
