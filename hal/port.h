@@ -25,6 +25,9 @@ void port_boot_loader(void);
 /* Ends the image: under an emulator it exits with status, on silicon it waits for ever with the panel dark. */
 void port_exit(int status);
 
+/* Bytes of stack used since the start, at most; 0 where that is not known. */
+uint32_t port_stack_used(void);
+
 /*
  * Runs `run(argument)` on the other core; false where there is none or it is busy. port_core_join waits until run has
  * returned.

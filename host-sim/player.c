@@ -80,7 +80,7 @@ int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struc
 int player_frame(struct player *p, uint32_t frame)
 {
     p->counters = sim_counters(p->sim);
-    if (kit_buttons(&p->kit) != 0) {
+    if (kit_buttons(&p->kit, 0) != 0) {
         return refuse(&p->setup, PH_ERR_NOMEM);
     }
     if (make_frame(p, frame) != 0) {

@@ -28,6 +28,6 @@ const struct board board_lm3s6965evb = {
             {HAL_BUTTON_SELECT, BOARD_PIN_LOW(BOARD_PORT('F', 1))},
         },
     .button_count = 5,
-    .band_height = 16,
-    .ram_bytes = 56 * 1024,
+    .band_height = 8,
+    .ram_bytes = 38 * 1024,
 };

@@ -26,10 +26,12 @@ struct turntable {
     uint32_t mesh_count;
     struct fx_vec3 centre;
     struct demo_fit camera;
-    struct platter platter;
+    struct platter *platter; /* NULL: there was no room for it */
 };
 
-_Static_assert(sizeof(struct turntable) <= DEMO_TURNTABLE_BYTES, "DEMO_TURNTABLE_BYTES is too small");
+#define BARE_BYTES MODEL_ROUND8(sizeof(struct turntable))
+#define FULL_BYTES (BARE_BYTES + MODEL_ROUND8(sizeof(struct platter)))
+_Static_assert(FULL_BYTES <= DEMO_TURNTABLE_BYTES, "DEMO_TURNTABLE_BYTES is too small");
 
 struct pot {
     struct ph_mesh mesh;
@@ -116,7 +118,10 @@ int demo_turntable_init(struct demo_context *context, const struct ph_mesh *mesh
     t->mesh_count = mesh_count;
     t->centre = centre;
     t->camera = demo_fit(context, meshes, mesh_count, centre);
-    make_platter(&t->platter, fx_mul_sat(t->camera.radius, FX_ONE * 9 / 10), t->camera.bottom);
+    t->platter = demo_alloc(&context->arena, sizeof(*t->platter));
+    if (t->platter) {
+        make_platter(t->platter, fx_mul_sat(t->camera.radius, FX_ONE * 9 / 10), t->camera.bottom);
+    }
     context->state = t;
     return PH_OK;
 }
@@ -133,10 +138,10 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     for (uint32_t i = 0; i < t->mesh_count && status == PH_OK; i++) {
         status = ph_draw_mesh(r, &t->meshes[i], &to_world);
     }
-    return status ? status : ph_draw_mesh(r, &t->platter.mesh, &turn);
+    return status || !t->platter ? status : ph_draw_mesh(r, &t->platter->mesh, &turn);
 }
 
-/* The finest teapot for which the arena has room. */
+/* The finest teapot for which the arena has room; the coarsest may stand without the platter. */
 static int turntable_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;
@@ -164,24 +169,25 @@ static int turntable_init(struct demo_context *context)
     return PH_ERR_NOMEM;
 }
 
-#define ARENA(n)                                                                                                       \
-    (MODEL_ROUND8(sizeof(struct pot)) + MODEL_ROUND8(sizeof(struct turntable)) +                                       \
-     MODEL_ROUND8(sizeof(struct ph_part)) + MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)))
-#define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + DEMO_TURNTABLE_TRIANGLES)
+#define ARENA(n, around)                                                                                               \
+    (MODEL_ROUND8(sizeof(struct pot)) + (around) + MODEL_ROUND8(sizeof(struct ph_part)) +                              \
+     MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)))
+#define LISTED(n)       (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8)
+#define WITH_PLATTER(n) .vertex_max = MODEL_TEAPOT_VERTICES(n), .triangle_max = LISTED(n) + DEMO_TURNTABLE_TRIANGLES
 
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(4), 19904), .vertex_max = MODEL_TEAPOT_VERTICES(4), .triangle_max = LISTED(4)},
-    {DEMO_ARENA(ARENA(3), 13064), .vertex_max = MODEL_TEAPOT_VERTICES(3), .triangle_max = LISTED(3)},
-    {DEMO_ARENA(ARENA(2), 8144), .vertex_max = MODEL_TEAPOT_VERTICES(2), .triangle_max = LISTED(2)},
+    {DEMO_ARENA(ARENA(4, FULL_BYTES), 19912), WITH_PLATTER(4)},
+    {DEMO_ARENA(ARENA(3, FULL_BYTES), 13072), WITH_PLATTER(3)},
+    {DEMO_ARENA(ARENA(2, FULL_BYTES), 8152), WITH_PLATTER(2)},
+    {DEMO_ARENA(ARENA(2, BARE_BYTES), 4528), .vertex_max = MODEL_TEAPOT_VERTICES(2), .triangle_max = LISTED(2)},
 };
 
 const struct demo demo_turntable = {
     .name = "turntable",
     .summary = "the teapot, slowly turning in the light",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(SEGMENTS), 28664),
-    .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
-    .triangle_max = LISTED(SEGMENTS),
+    DEMO_ARENA(ARENA(SEGMENTS, FULL_BYTES), 28672),
+    WITH_PLATTER(SEGMENTS),
     .coarser = coarser,
     .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = turntable_init,

@@ -212,9 +212,9 @@ static int select_next(struct kit *kit)
     return status;
 }
 
-int kit_buttons(struct kit *kit)
+int kit_buttons(struct kit *kit, uint32_t more)
 {
-    const uint32_t buttons = kit->hal.ops->buttons(kit->hal.context);
+    const uint32_t buttons = kit->hal.ops->buttons(kit->hal.context) | more;
     const bool select = (buttons & ~kit->buttons & HAL_BUTTON_SELECT) != 0; /* one that is held selects but once */
     kit->buttons = buttons;
     const int status = select ? select_next(kit) : PH_OK;
@@ -314,7 +314,7 @@ int kit_finish(struct kit *kit)
 
 int kit_frame(struct kit *kit, uint32_t frame)
 {
-    int status = kit_buttons(kit);
+    int status = kit_buttons(kit, 0);
     if (status == PH_OK) {
         status = kit_scene(kit, frame);
     }

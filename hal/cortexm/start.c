@@ -1,0 +1,199 @@
+/* Start, time, faults: see start.h. Registers as in the ARMv7-M Architecture Reference Manual, B3. */
+#include "cortexm/start.h"
+
+#include "panel.h"
+#include "board.h"
+#include "port.h"
+
+#define SYST_CSR REG32(0xE000E010)
+#define SYST_RVR REG32(0xE000E014)
+#define SYST_CVR REG32(0xE000E018)
+#define ICSR     REG32(0xE000ED04)
+#define CFSR     REG32(0xE000ED28)
+#define BFAR     REG32(0xE000ED38)
+#define SHCSR    REG32(0xE000ED24)
+
+#define TICK_US     1000
+#define STACK_PAINT 0x57AC57ACu
+
+/* From the linker script. */
+extern uint32_t data_start[], data_end[], data_load[], bss_start[], bss_end[], stack_start[], stack_top[];
+
+int main(void);
+void start(void);
+void fault(void);
+void fault_report(const uint32_t *frame);
+void tick(void);
+
+static struct {
+    uint32_t tick_us_at; /* time at the last tick */
+    uint32_t clocks;     /* of the CPU in a microsecond */
+    bool ending;
+} machine;
+
+void tick(void)
+{
+    machine.tick_us_at += TICK_US;
+}
+
+/* In a fault SysTick's interrupt has to wait. */
+static void tick_in_fault(void)
+{
+    if ((ICSR & 511) != 0 && (SYST_CSR & 1U << 16) != 0) {
+        tick();
+    }
+}
+
+uint32_t cortexm_time_us(void)
+{
+    uint32_t before, left;
+    tick_in_fault();
+    do { /* again if a tick came in between */
+        before = *(volatile uint32_t *)&machine.tick_us_at;
+        left = SYST_CVR;
+    } while (before != *(volatile uint32_t *)&machine.tick_us_at);
+    return before + (TICK_US * machine.clocks - 1 - left) / machine.clocks;
+}
+
+void cortexm_delay_us(uint32_t us)
+{
+    const uint32_t from = cortexm_time_us();
+    while (cortexm_time_us() - from <= us) {
+    }
+}
+
+static void start_time(uint32_t clock_hz)
+{
+    machine.clocks = clock_hz / 1000000;
+    SYST_RVR = TICK_US * machine.clocks - 1;
+    SYST_CVR = 0;
+    SYST_CSR = 7; /* on, interrupt, CPU clock */
+}
+
+static void fill(uint32_t *to, const uint32_t *end, uint32_t value)
+{
+    while (to < end) {
+        *to++ = value;
+    }
+}
+
+/* Not into the frame of this very function. */
+static __attribute__((noinline)) void paint_stack(void)
+{
+    fill(stack_start, (uint32_t *)__builtin_frame_address(0) - 16, STACK_PAINT);
+}
+
+uint32_t port_stack_used(void)
+{
+    const uint32_t *low = stack_start;
+    while (low < stack_top && *low == STACK_PAINT) {
+        low++;
+    }
+    return (uint32_t)((const uint8_t *)stack_top - (const uint8_t *)low);
+}
+
+void start(void)
+{
+    const uint32_t *from = data_load;
+    for (uint32_t *to = data_start; to < data_end; to++) {
+        *to = *from++;
+    }
+    fill(bss_start, bss_end, 0);
+    paint_stack();
+    SHCSR |= 7U << 16; /* memory, bus and usage faults have handlers of their own */
+    start_time(port_start());
+    port_exit(main());
+}
+
+/* ---- the end -------------------------------------------------------------------------------------- */
+
+/* A debugger's or emulator's exit: SYS_EXIT_EXTENDED of the Arm semihosting specification. */
+static void semihosting_exit(int status)
+{
+    const uint32_t block[2] = {0x20026, (uint32_t)status}; /* ADP_Stopped_ApplicationExit */
+    register uint32_t operation __asm__("r0") = 0x20;
+    register const uint32_t *parameters __asm__("r1") = block;
+    __asm__ volatile("bkpt 0xAB" : "+r"(operation) : "r"(parameters) : "memory");
+}
+
+/* The display off and asleep, whatever state the driver was in. */
+static void darken(void)
+{
+    struct panel_driver d = {.hal = port_hal(), .config = {.panel = board_here->panel}};
+    port_bus_stop();
+    panel_close(&d);
+}
+
+/* Without a debugger or emulator the exit is a fault itself, which ends here, too. */
+void port_exit(int status)
+{
+    if (!machine.ending) {
+        machine.ending = true;
+        darken();
+        semihosting_exit(status);
+    }
+    for (;;) {
+        __asm__ volatile("wfi");
+    }
+}
+
+/* ---- faults ---------------------------------------------------------------------------------------- */
+
+static void log_hex(const char *name, uint32_t value)
+{
+    char text[] = " 00000000";
+    for (int i = 8; i > 0; i--, value >>= 4) {
+        text[i] = "0123456789ABCDEF"[value & 15];
+    }
+    port_log(name);
+    port_log(text);
+}
+
+void fault_report(const uint32_t *frame)
+{
+    if (machine.ending) {
+        port_exit(1);
+    }
+    log_hex("\r\nfault", ICSR & 511);
+    log_hex(": pc", frame[6]);
+    log_hex(", lr", frame[5]);
+    log_hex(", cause", CFSR);
+    log_hex(", address", BFAR);
+    port_log("\r\n");
+    port_exit(1);
+}
+
+/* On a stack of its own: the old one may be full. r0: what the exception has saved. */
+__attribute__((naked)) void fault(void)
+{
+    __asm__ volatile("mrs r0, msp\n"
+                     "ldr r1, =stack_start\n"
+                     "cmp r0, r1\n"
+                     "it lo\n"
+                     "movlo r0, r1\n" /* it ran over: what was saved is lost */
+                     "ldr r1, =stack_top\n"
+                     "mov sp, r1\n"
+                     "b fault_report\n");
+}
+
+#define SYSTEM_VECTORS 16
+typedef void handler(void);
+
+__attribute__((section(".vectors"), used)) static handler *const vectors[SYSTEM_VECTORS] = {
+    (handler *)stack_top,
+    start,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    fault,
+    tick,
+};

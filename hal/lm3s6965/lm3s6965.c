@@ -1,0 +1,297 @@
+/*
+ * Port to the Stellaris LM3S6965: SSI0, GPIO, UART0. Register addresses and bits are those of the LM3S6965 data sheet.
+ *
+ * bus_write sends while it is called: a frame of this kit's panel is 4 KB, and the chip has no DMA.
+ */
+#include "board.h"
+#include "port.h"
+#include "cortexm/start.h"
+
+#define RIS   REG32(0x400FE050)
+#define RCC   REG32(0x400FE060)
+#define RCGC1 REG32(0x400FE104)
+#define RCGC2 REG32(0x400FE108)
+
+#define SSI_CR0  REG32(0x40008000)
+#define SSI_CR1  REG32(0x40008004)
+#define SSI_DR   REG32(0x40008008)
+#define SSI_SR   REG32(0x4000800C)
+#define SSI_CPSR REG32(0x40008010)
+#define SR_TNF   2U
+#define SR_RNE   4U
+#define SR_BSY   16U
+
+#define UART_DR   REG32(0x4000C000)
+#define UART_FR   REG32(0x4000C018)
+#define UART_IBRD REG32(0x4000C024)
+#define UART_FBRD REG32(0x4000C028)
+#define UART_LCRH REG32(0x4000C02C)
+#define UART_CTL  REG32(0x4000C030)
+#define FR_BUSY   8U
+#define FR_RXFE   16U
+#define FR_TXFF   32U
+
+#define GPIO_DIR   0x400
+#define GPIO_AFSEL 0x420
+#define GPIO_PUR   0x510
+#define GPIO_DEN   0x51C
+
+#define CLOCK_HZ 50000000U
+
+#define CARD_SELECT BOARD_PORT('D', 0) /* the SD card's, on the same bus: high */
+
+static struct {
+    const struct board *board;
+    uint32_t stuck; /* buttons down since the start: they count once they have been up */
+} kit;
+
+/* ---- pins ------------------------------------------------------------------------------------------ */
+
+static uint32_t gpio_base(uint32_t pin)
+{
+    const uint32_t port = pin / 32;
+    return port < 4 ? 0x40004000U + 0x1000 * port : 0x40024000U + 0x1000 * (port - 4);
+}
+
+static void gpio_set_bit(uint32_t pin, uint32_t offset)
+{
+    REG32(gpio_base(pin) + offset) |= 1U << pin % 32;
+}
+
+/* The data register is addressed by the mask of the pins that are meant. */
+static void gpio_write(uint32_t pin, bool high)
+{
+    REG32(gpio_base(pin) + (4U << pin % 32)) = high ? 0xFF : 0;
+}
+
+static bool gpio_read(uint32_t pin)
+{
+    return REG32(gpio_base(pin) + (4U << pin % 32)) != 0;
+}
+
+static void gpio_output(uint32_t pin, bool high)
+{
+    gpio_set_bit(pin, GPIO_DEN);
+    gpio_write(pin, high);
+    gpio_set_bit(pin, GPIO_DIR);
+}
+
+static void gpio_function(uint32_t pin)
+{
+    gpio_set_bit(pin, GPIO_AFSEL);
+    gpio_set_bit(pin, GPIO_DEN);
+}
+
+/* ---- start, log ------------------------------------------------------------------------------------- */
+
+/* 8 MHz crystal, PLL, 200 MHz / 4. */
+static void start_clock(void)
+{
+    const uint32_t bypass = 1U << 11, use_divider = 1U << 22, fields = 15U << 23 | 1U << 13 | 15U << 6 | 3U << 4 | 3U;
+    RCC = (RCC | bypass) & ~use_divider;
+    RCC = (RCC & ~fields) | 3U << 23 | 14U << 6 | 2U; /* main oscillator, the internal one off, PLL on */
+    RCC |= use_divider;
+    for (uint32_t i = 0; i < 100000 && (RIS & 64) == 0; i++) { /* PLL lock: 0.5 ms */
+    }
+    RCC &= ~bypass;
+}
+
+static void start_uart(void)
+{
+    UART_CTL = 0;
+    UART_IBRD = 27; /* 50 MHz / 16 / 115200 = 27 + 8 / 64 */
+    UART_FBRD = 8;
+    UART_LCRH = 0x70; /* 8N1, FIFO */
+    UART_CTL = 0x301;
+    gpio_function(BOARD_PORT('A', 0));
+    gpio_function(BOARD_PORT('A', 1));
+}
+
+uint32_t port_start(void)
+{
+    start_clock();
+    RCGC1 |= 0x11; /* UART0, SSI0 */
+    RCGC2 |= 0x3F; /* ports A .. F */
+    (void)RCGC2;   /* three clocks before the first access */
+    (void)RCGC2;
+    start_uart();
+    return CLOCK_HZ;
+}
+
+void port_log(const char *text)
+{
+    for (; *text != '\0'; text++) {
+        while ((UART_FR & FR_TXFF) != 0) {
+        }
+        UART_DR = (uint8_t)*text;
+    }
+}
+
+int port_log_read(void)
+{
+    return (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255);
+}
+
+void port_boot_loader(void)
+{
+}
+
+bool port_core_run(void (*run)(void *argument), void *argument)
+{
+    (void)run;
+    (void)argument;
+    return false;
+}
+
+void port_core_join(void)
+{
+}
+
+/* ---- the kit ---------------------------------------------------------------------------------------- */
+
+static uint32_t buttons_down(void)
+{
+    uint32_t down = 0;
+    for (uint32_t i = 0; i < kit.board->button_count; i++) {
+        const struct board_button *button = &kit.board->buttons[i];
+        down |= gpio_read(button->pin.number) != button->pin.active_low ? button->button : 0U;
+    }
+    return down;
+}
+
+static void open_buttons(void)
+{
+    for (uint32_t i = 0; i < kit.board->button_count; i++) {
+        const struct board_pin *pin = &kit.board->buttons[i].pin;
+        gpio_set_bit(pin->number, GPIO_DEN);
+        gpio_set_bit(pin->number, GPIO_PUR);
+    }
+    cortexm_delay_us(10); /* the pull-ups against the lines' capacitance */
+    kit.stuck = buttons_down();
+}
+
+static int lm3s6965_open(void *context, const struct board *board)
+{
+    const struct board_pins *pins = &board->pins;
+    (void)context;
+    kit.board = board;
+    gpio_output(CARD_SELECT, true);
+    gpio_output(pins->select.number, !pins->select.active_low);
+    gpio_output(pins->dc.number, false);
+    gpio_function(pins->clock.number);
+    gpio_function(pins->data.number);
+    SSI_CR1 = 0;
+    SSI_CR0 = board->spi_mode == 3 ? 0xC7 : 0x07; /* 8 bits, Freescale format */
+    SSI_CPSR = 254;
+    SSI_CR1 = 2; /* on */
+    open_buttons();
+    return HAL_OK;
+}
+
+/* CLOCK / (CPSR (1 + SCR)), CPSR even: with SCR = 0 .. 255 every rate from 769 Hz on is there. */
+static int32_t lm3s6965_bus_clock(void *context, uint32_t hz)
+{
+    (void)context;
+    for (uint32_t cpsr = 2; hz != 0 && cpsr <= 254; cpsr += 2) {
+        const uint32_t divisor = (CLOCK_HZ + hz - 1) / hz, scr = (divisor + cpsr - 1) / cpsr;
+        if (scr <= 256) {
+            const uint32_t minus_1 = scr > 0 ? scr - 1 : 0;
+            SSI_CPSR = cpsr;
+            SSI_CR0 = (SSI_CR0 & 0xFF) | minus_1 << 8;
+            return (int32_t)(CLOCK_HZ / (cpsr * (minus_1 + 1)));
+        }
+    }
+    return HAL_EINVAL;
+}
+
+/* What comes in is read and dropped: a transmitter whose receive FIFO is full may stop (QEMU's does). */
+static void drain(void)
+{
+    while ((SSI_SR & SR_RNE) != 0) {
+        (void)SSI_DR;
+    }
+}
+
+static int lm3s6965_bus_wait(void *context)
+{
+    (void)context;
+    while ((SSI_SR & SR_BSY) != 0) {
+        drain();
+    }
+    drain();
+    return HAL_OK;
+}
+
+static int lm3s6965_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    lm3s6965_bus_wait(context); /* D/C may move now */
+    gpio_write(kit.board->pins.dc.number, dc == HAL_DATA);
+    for (size_t i = 0; i < n; i++) {
+        while ((SSI_SR & SR_TNF) == 0) {
+            drain();
+        }
+        SSI_DR = bytes[i];
+        drain();
+    }
+    return HAL_OK;
+}
+
+/* The panel is reset with the CPU and has no backlight. */
+static int lm3s6965_pin_set(void *context, enum hal_pin pin, bool level)
+{
+    (void)context;
+    (void)pin;
+    (void)level;
+    return HAL_OK;
+}
+
+static uint32_t lm3s6965_time_us(void *context)
+{
+    (void)context;
+    return cortexm_time_us();
+}
+
+static void lm3s6965_delay_us(void *context, uint32_t us)
+{
+    (void)context;
+    cortexm_delay_us(us);
+}
+
+static uint32_t lm3s6965_buttons(void *context)
+{
+    const uint32_t down = buttons_down();
+    (void)context;
+    kit.stuck &= down;
+    return down & ~kit.stuck;
+}
+
+static void lm3s6965_close(void *context)
+{
+    (void)context;
+    gpio_write(kit.board->pins.select.number, kit.board->pins.select.active_low);
+    SSI_CR1 = 0;
+}
+
+void port_bus_stop(void)
+{
+    if (kit.board == NULL) { /* not open yet: what follows needs the board's pins */
+        lm3s6965_open(NULL, board_here);
+    }
+}
+
+struct hal port_hal(void)
+{
+    static const struct hal_ops ops = {
+        .name = "lm3s6965",
+        .open = lm3s6965_open,
+        .bus_clock = lm3s6965_bus_clock,
+        .bus_write = lm3s6965_bus_write,
+        .bus_wait = lm3s6965_bus_wait,
+        .pin_set = lm3s6965_pin_set,
+        .time_us = lm3s6965_time_us,
+        .delay_us = lm3s6965_delay_us,
+        .buttons = lm3s6965_buttons,
+        .close = lm3s6965_close,
+    };
+    return (struct hal){&ops, NULL};
+}

@@ -1,0 +1,9 @@
+# Stellaris LM3S6965; see firmware/firmware.mk for what these are. There is no UF2 family of this chip.
+PORT_CPU := armv7m
+PORT_FLAGS := -mcpu=cortex-m3 -mthumb
+PORT_SRC := hal/lm3s6965/lm3s6965.c hal/cortexm/start.c
+PORT_LD := hal/lm3s6965/lm3s6965.ld
+PORT_STACK_BYTES := 6656
+PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
+UF2_BASE := 0x0
+EMULATE = $(B)/pinhole-emulate --board $(BOARD)
