@@ -1,0 +1,30 @@
+/*
+ * option_table: command lines as tables. Options are `--name value`, `--name=value` or `--name`; what is wrong with one
+ * is told in one line (complain.h).
+ */
+#ifndef OPTION_TABLE_H
+#define OPTION_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct option_row {
+    const char *name;     /* without "--" */
+    const char *argument; /* as --help shows it; "[X]": may be left out; NULL: takes none */
+    const char *help;
+    const char *allowed;                           /* its values in words; NULL: takes none */
+    bool (*set)(void *options, const char *value); /* value: NULL if it has none; false: the value is wrong */
+};
+
+struct option_table {
+    const struct option_row *rows;
+    size_t count;
+};
+
+/* Reads argv[i], an option, and its value; returns the index of what follows, or 0 when it was wrong. */
+int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i);
+
+/* Prints the rows as --help shows them. */
+void option_table_help(const struct option_table *table);
+
+#endif

@@ -1,0 +1,115 @@
+#include "panel_kit.h"
+
+#include "complain.h"
+
+#include <string.h>
+
+/* The boards whose wiring stands in where there is but a panel. */
+#define PLAIN_SPI "sbc-generic"
+#define PLAIN_USB "ft232h-st7789"
+
+/* "AD0" .. "AC7": pins of an FT232H. */
+static bool is_usb_line(const char *line)
+{
+    return line != NULL && line[0] == 'A' && (line[1] == 'C' || line[1] == 'D') && line[2] >= '0' && line[2] <= '7';
+}
+
+bool panel_kit_has(const struct board *board)
+{
+    return board->pins.dc.wired && board->pins.dc.line != NULL;
+}
+
+static int choose_board(const struct panel_wiring *w, const struct board **board)
+{
+    const char *plain = w->usb ? PLAIN_USB : PLAIN_SPI;
+    const char *name = w->board != NULL ? w->board : plain;
+    *board = board_find(name);
+    if (*board == NULL) {
+        return complain(EXIT_USAGE, "--board '%s': no such board; `pinhole-panel list` shows them", name);
+    }
+    if (!panel_kit_has(*board)) {
+        return complain(EXIT_USAGE,
+                        "--board '%s': no kit for this machine's SPI bus or USB; `pinhole-panel list` "
+                        "shows those",
+                        name);
+    }
+    if (w->usb != is_usb_line((*board)->pins.dc.line) && w->usb) {
+        return complain(EXIT_USAGE, "--usb: '%s' is no kit for an FT232H", name);
+    }
+    return 0;
+}
+
+/* Another glass on this board: in the first format it has, no faster than its datasheet allows. */
+static int change_panel(struct board *board, const char *name)
+{
+    const struct panel *panel = panel_find(name);
+    if (panel == NULL) {
+        return complain(EXIT_USAGE, "--panel '%s': no such panel; `pinhole-panel list` shows them", name);
+    }
+    uint8_t format = PANEL_RGB565;
+    while ((panel->formats & PANEL_FORMAT_BIT(format)) == 0) {
+        format++;
+    }
+    board->panel = panel;
+    board->format = format;
+    board->rotation = PANEL_R0;
+    board->over_limit = false;
+    const uint32_t limit = panel->controller->write_hz;
+    board->spi_hz = board->spi_hz < limit ? board->spi_hz : limit;
+    return 0;
+}
+
+static int change_line(struct panel_kit *kit, enum panel_line which, const char *line)
+{
+    static const char *const names[] = {"dc", "reset", "backlight", "te"};
+    struct board_pins *pins = &kit->board.pins;
+    struct board_pin *const pin[] = {&pins->dc, &pins->reset, &pins->backlight, &pins->tearing};
+    if (line == NULL) {
+        return 0;
+    }
+    if (strcmp(line, "-") == 0) {
+        *pin[which] = (struct board_pin){.wired = false};
+        return 0;
+    }
+    if (kit->usb && !is_usb_line(line)) {
+        return complain(EXIT_USAGE, "--%s '%s': a pin of the FT232H is AD0 .. AD7 or AC0 .. AC7", names[which], line);
+    }
+    if (kit->usb && which == PANEL_TE) {
+        return complain(EXIT_USAGE, "--te: an FT232H has no line that waits for an edge");
+    }
+    *pin[which] = (struct board_pin){.wired = true, .line = line};
+    return 0;
+}
+
+int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
+{
+    const struct board *board = NULL;
+    int status = choose_board(w, &board);
+    if (status != 0) {
+        return status;
+    }
+    memset(kit, 0, sizeof *kit);
+    kit->board = *board;
+    kit->usb = is_usb_line(board->pins.dc.line);
+    if (w->panel != NULL) {
+        status = change_panel(&kit->board, w->panel);
+    }
+    for (int i = 0; i < PANEL_LINES && status == 0; i++) {
+        status = change_line(kit, (enum panel_line)i, w->lines[i]);
+    }
+    if (status == 0 && w->spi != NULL && kit->usb) {
+        status = complain(EXIT_USAGE, "--spi %s: '%s' hangs on USB", w->spi, board->name);
+    }
+    kit->board.rotation = w->rotate_set ? w->rotate : kit->board.rotation;
+    kit->board.spi_hz = w->speed_hz != 0 ? w->speed_hz : kit->board.spi_hz;
+    kit->board.spi_mode = w->mode_set ? w->mode : kit->board.spi_mode;
+    kit->linux.spi_path = w->spi;
+    kit->ft232h.serial = w->serial;
+    kit->hal = kit->usb ? (struct hal){&ft232h_ops, &kit->ft232h} : (struct hal){&linux_ops, &kit->linux};
+    return status;
+}
+
+const char *panel_kit_error(const struct panel_kit *kit)
+{
+    return kit->usb ? ft232h_error(&kit->ft232h) : linux_hal_error(&kit->linux);
+}

@@ -1,0 +1,295 @@
+#include "panel_options.h"
+
+#include "complain.h"
+#include "option_table.h"
+#include "option_text.h"
+#include "options.h"
+#include "render.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define FRAME_LIMIT 1000000000u
+#define LINES_LIMIT 1024
+#define HZ_LIMIT    200000000u
+
+/* The display that the options now speak of: that of the last --board or --panel. */
+static struct panel_wiring *wiring(struct panel_options *o)
+{
+    o->kit_count = o->kit_count == 0 ? 1 : o->kit_count;
+    return &o->kits[o->kit_count - 1];
+}
+
+static bool set_text(const char **out, const char *value)
+{
+    *out = value;
+    return *value != '\0';
+}
+
+/* A second --board starts another display. */
+static bool set_board(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    if (wiring(o)->board != NULL && o->kit_count++ == PANEL_KITS_MAX) {
+        return false;
+    }
+    return set_text(&wiring(o)->board, value);
+}
+
+static bool set_panel(void *to, const char *value)
+{
+    return set_text(&wiring(to)->panel, value);
+}
+
+static bool set_spi(void *to, const char *value)
+{
+    return set_text(&wiring(to)->spi, value);
+}
+
+static bool set_dc(void *to, const char *value)
+{
+    return set_text(&wiring(to)->lines[PANEL_DC], value) && strcmp(value, "-") != 0;
+}
+
+static bool set_reset(void *to, const char *value)
+{
+    return set_text(&wiring(to)->lines[PANEL_RESET], value);
+}
+
+static bool set_backlight(void *to, const char *value)
+{
+    return set_text(&wiring(to)->lines[PANEL_BACKLIGHT], value);
+}
+
+static bool set_te(void *to, const char *value)
+{
+    return set_text(&wiring(to)->lines[PANEL_TE], value);
+}
+
+static bool set_usb(void *to, const char *serial)
+{
+    wiring(to)->usb = true;
+    wiring(to)->serial = serial;
+    return serial == NULL || *serial != '\0';
+}
+
+static bool set_mode(void *to, const char *value)
+{
+    static const char *const names[] = {"0", "3"};
+    const int found = option_text_choice(value, names, 2);
+    wiring(to)->mode = found > 0 ? 3 : 0;
+    wiring(to)->mode_set = true;
+    return found >= 0;
+}
+
+static bool set_rotate(void *to, const char *value)
+{
+    static const char *const names[] = {"0", "90", "180", "270"};
+    const int turns = option_text_choice(value, names, 4);
+    wiring(to)->rotate = (uint8_t)(turns & 3);
+    wiring(to)->rotate_set = true;
+    return turns >= 0;
+}
+
+static bool set_speed(void *to, const char *value)
+{
+    return option_text_u32(value, 1, HZ_LIMIT, &wiring(to)->speed_hz);
+}
+
+static bool set_demo(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return set_text(&o->demo, value);
+}
+
+static bool set_view(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return set_text(&o->view, value);
+}
+
+static bool set_model(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return set_text(&o->model, value);
+}
+
+static bool set_frames(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
+}
+
+static bool set_start(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
+}
+
+static bool set_fps(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return option_text_u32(value, 1, 1000, &o->fps);
+}
+
+static bool set_band(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    uint32_t lines = 0;
+    const bool right = option_text_u32(value, 1, LINES_LIMIT, &lines);
+    o->band = (uint16_t)lines;
+    return right;
+}
+
+static bool set_depth(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    for (uint8_t format = 0; format < PH_DEPTH_FORMATS; format++) {
+        if (strcmp(value, options_depth_name(format)) == 0) {
+            o->depth = format;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool set_diff(void *to, const char *value)
+{
+    static const char *const names[] = {"off", "on"};
+    struct panel_options *o = to;
+    const int found = option_text_choice(value, names, 2);
+    o->diff = found == 1;
+    return found >= 0;
+}
+
+static bool set_refresh(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    return option_text_u32(value, 1, FRAME_LIMIT, &o->refresh);
+}
+
+static bool set_stats(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    (void)value;
+    return o->stats = true;
+}
+
+static bool set_overlay(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    (void)value;
+    return o->overlay = true;
+}
+
+static bool set_help(void *to, const char *value)
+{
+    struct panel_options *o = to;
+    (void)value;
+    o->command = PANEL_HELP;
+    return true;
+}
+
+#define LINE_ALLOWED "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H; - for not wired"
+
+static const struct option_row rows[] = {
+    {"board", "NAME", "a kit; given twice: two displays, in step. What follows it speaks of this display",
+     "a name that `pinhole-panel list` shows, at most 4 times", set_board},
+    {"panel", "NAME", "the glass of a home-wired display, with or without --board",
+     "a name that `pinhole-panel list` shows", set_panel},
+    {"spi", "PATH", "the SPI device", "a path like /dev/spidev0.0", set_spi},
+    {"usb", "[SERIAL]", "the display hangs on an FT232H; with several the one of this serial number",
+     "nothing or a serial number", set_usb},
+    {"dc", "LINE", "the display's D/C line",
+     "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H", set_dc},
+    {"reset", "LINE", "its reset line", LINE_ALLOWED, set_reset},
+    {"backlight", "LINE", "its backlight", LINE_ALLOWED, set_backlight},
+    {"te", "LINE", "its tearing-effect line: each frame begins at its edge", LINE_ALLOWED, set_te},
+    {"mode", "0|3", "SPI mode; 3 for displays without chip select", "0 or 3", set_mode},
+    {"speed", "HZ", "the bus clock asked for; the board's own by default", "a whole number, 1 .. 200000000", set_speed},
+    {"rotate", "0|90|180|270", "how far the picture is turned clockwise on the glass; the board's own by default",
+     "0, 90, 180 or 270 degrees", set_rotate},
+    {"demo", "NAME", "a scene of ours; turntable by default", "a name that `pinhole-sim --list` shows", set_demo},
+    {"view", "NAME", "one of the demo's views; the first by default", "a name that `pinhole-sim --list` shows",
+     set_view},
+    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file", set_model},
+    {"frames", "N", "ends after N frames; else when it is stopped (Ctrl-C)", "a whole number, 1 .. 1000000000",
+     set_frames},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", set_start},
+    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", set_fps},
+    {"diff", "on|off", "sends only what changed; off by default", "on or off", set_diff},
+    {"refresh", "N", "with --diff on: all of the picture every N frames", "a whole number, 1 .. 1000000000",
+     set_refresh},
+    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
+    {"depth", "FORMAT", "what the depth buffer holds; fixed16 by default",
+     "auto, fixed16, float16, fixed24, float24 or linear-w", set_depth},
+    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
+    {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL, set_stats},
+    {"help", NULL, "prints this, as does -h", NULL, set_help},
+};
+
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+void panel_options_help(void)
+{
+    puts("pinhole-panel [COMMAND] [options]: shows a scene on a display at this machine's SPI bus or USB.\n"
+         "\n"
+         "Commands (none: shows the scene until it is stopped):\n"
+         "  list       the boards and the panels\n"
+         "  doctor     checks what a display needs here, a line each, with what to do about a failure\n"
+         "  probe      asks the display which controller it has, where its data line back is wired\n"
+         "  testcard   corner dots, ring, arrow up, colour bars: what is wrong with a panel\n"
+         "  speedtest  shows the test card at one bus clock after the other\n"
+         "\n"
+         "Options:");
+    option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed; 2 wrong usage; 130, 143, 129 stopped by Ctrl-C, SIGTERM, SIGHUP.");
+}
+
+static bool read_command(struct panel_options *o, const char *word)
+{
+    static const char *const names[] = {"run", "list", "doctor", "probe", "testcard", "speedtest"};
+    const int found = option_text_choice(word, names, 6);
+    o->command = found >= 0 ? (enum panel_command)found : PANEL_RUN;
+    return found >= 0;
+}
+
+static int check_together(const struct panel_options *o)
+{
+    if (o->demo != NULL && o->model != NULL) {
+        return complain(EXIT_USAGE, "--demo and --model exclude each other");
+    }
+    const bool scene = o->demo != NULL || o->model != NULL || o->view != NULL;
+    if (scene && o->command != PANEL_RUN) {
+        return complain(EXIT_USAGE, "--demo, --view and --model are for showing a scene, not for this command");
+    }
+    if (o->command == PANEL_RUN || o->command == PANEL_TESTCARD) {
+        return o->kit_count > 0 ? 0
+                                : complain(EXIT_USAGE, "no display: give --board NAME (`pinhole-panel list` shows "
+                                                       "them), or --panel NAME and its wiring (see --help)");
+    }
+    if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST) && o->kit_count != 1) {
+        return complain(EXIT_USAGE, "one display at a time: give one --board NAME, or --panel NAME and its wiring");
+    }
+    return 0;
+}
+
+int panel_options_read(struct panel_options *o, int argc, char *const argv[])
+{
+    *o = (struct panel_options){.depth = PH_DEPTH_FIXED16};
+    int i = 1;
+    if (argc > 1 && argv[1][0] != '-') {
+        if (!read_command(o, argv[1])) {
+            return complain(EXIT_USAGE, "'%s': no such command; run, list, doctor, probe, testcard or speedtest",
+                            argv[1]);
+        }
+        i = 2;
+    }
+    while (i < argc) {
+        i = option_table_read(&table, o, argc, argv, i);
+        if (i == 0) {
+            return EXIT_USAGE;
+        }
+    }
+    return o->command == PANEL_HELP ? 0 : check_together(o);
+}

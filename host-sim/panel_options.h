@@ -1,0 +1,55 @@
+/* panel_options: the command line of pinhole-panel. Its values point into argv. */
+#ifndef PANEL_OPTIONS_H
+#define PANEL_OPTIONS_H
+
+#include "board.h"
+
+#define PANEL_KITS_MAX 4
+
+enum panel_command {
+    PANEL_RUN,
+    PANEL_LIST,
+    PANEL_DOCTOR,
+    PANEL_PROBE,
+    PANEL_TESTCARD,
+    PANEL_SPEEDTEST,
+    PANEL_HELP,
+};
+
+enum panel_line { PANEL_DC, PANEL_RESET, PANEL_BACKLIGHT, PANEL_TE, PANEL_LINES };
+
+/* One display: a board, or a panel with its wiring; NULL and 0: as the board has it. */
+struct panel_wiring {
+    const char *board;
+    const char *panel;
+    const char *spi;                /* path of a spidev */
+    const char *lines[PANEL_LINES]; /* "-": not wired */
+    bool usb;
+    const char *serial; /* of the FT232H, or NULL: the only one */
+    bool mode_set;
+    uint8_t mode; /* SPI mode, 0 or 3 */
+    bool rotate_set;
+    uint8_t rotate; /* enum panel_rotation */
+    uint32_t speed_hz;
+};
+
+struct panel_options {
+    enum panel_command command;
+    struct panel_wiring kits[PANEL_KITS_MAX];
+    int kit_count;
+    const char *demo, *view, *model; /* NULL: not given */
+    uint32_t start, frames;          /* frames 0: until it is stopped */
+    uint32_t fps;                    /* 0: as fast as it goes */
+    uint16_t band;                   /* lines, 0: the board's own */
+    uint8_t depth;                   /* enum ph_depth_format */
+    bool diff;                       /* send only what changed */
+    uint32_t refresh;                /* and all of it every so many frames; 0: never */
+    bool stats, overlay;
+};
+
+/* 0, or EXIT_USAGE when one line has said what is wrong. */
+int panel_options_read(struct panel_options *o, int argc, char *const argv[]);
+
+void panel_options_help(void);
+
+#endif

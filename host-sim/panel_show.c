@@ -1,0 +1,236 @@
+#define _POSIX_C_SOURCE 200809L /* clock_nanosleep */
+
+#include "panel_show.h"
+
+#include "complain.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#define SECOND_NS 1000000000u
+
+uint64_t panel_show_now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * SECOND_NS + (uint64_t)now.tv_nsec;
+}
+
+const char *panel_show_text(const struct panel_display *display, int status)
+{
+    const char *why = display->why != NULL ? display->why(display->why_context) : "";
+    if (why[0] != '\0') {
+        return why;
+    }
+    switch (status) {
+    case HAL_EINVAL:
+        return "the panel has not this format, size or clock";
+    case HAL_EIO:
+        return "the display cannot be written to";
+    case HAL_ETIMEDOUT:
+        return "the bus does not answer";
+    default:
+        return "it failed";
+    }
+}
+
+/* ---- opening and closing ------------------------------------------------------------------------ */
+
+static int open_memory(struct panel_display *d, struct kit_config *config)
+{
+    const struct board *board = d->board;
+    config->memory_bytes = kit_bytes(config);
+    config->memory = d->memory = malloc(config->memory_bytes);
+    const size_t diff_bytes =
+        panel_diff_bytes(panel_width(board->panel, board->rotation), panel_height(board->panel, board->rotation));
+    d->diff_memory = config->diff != NULL ? malloc(diff_bytes) : NULL;
+    if (d->memory == NULL || (config->diff != NULL && d->diff_memory == NULL)) {
+        return complain(EXIT_FAILED, "%s: not enough memory for this scene", board->name);
+    }
+    return 0;
+}
+
+static int fail(const struct panel_display *d, const char *what, int status)
+{
+    return complain(EXIT_FAILED, "%s: %s%s", d->board->name, what, panel_show_text(d, status));
+}
+
+static int open_kit(struct panel_display *d, const struct kit_config *config)
+{
+    int status = d->hal.ops->open(d->hal.context, d->board);
+    if (status < 0) {
+        return fail(d, "", status);
+    }
+    d->hal_open = true;
+    status = kit_open(&d->kit, &d->hal, config);
+    d->kit_open = d->kit.driver.config.panel != NULL; /* also half awake it must go dark */
+    if (status == PH_ERR_NOMEM) {
+        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s' with bands of %u lines; take fewer (--band)",
+                        d->board->name, (unsigned)(d->board->ram_bytes / 1024), config->demo->name,
+                        (unsigned)config->band_height);
+    }
+    return status == 0 ? 0 : fail(d, "the panel does not wake up: ", status);
+}
+
+static int open_display(struct panel_display *d, const struct panel_scene *scene)
+{
+    const struct board *board = d->board;
+    struct kit_config config = {.board = board,
+                                .rotation = board->rotation,
+                                .depth_format = scene->depth,
+                                .band_height = scene->band != 0 ? scene->band : board->band_height,
+                                .budget_bytes = kit_budget(board),
+                                .demo = scene->demo,
+                                .state = scene->state,
+                                .view = scene->view,
+                                .overlay = scene->overlay,
+                                .diff = scene->diff ? &d->diff : NULL};
+    int status = open_memory(d, &config);
+    if (status == 0) {
+        status = open_kit(d, &config);
+    }
+    if (status == 0 && scene->diff) {
+        const size_t bytes = panel_diff_bytes(d->kit.driver.width, d->kit.driver.height);
+        status = panel_diff_init(&d->diff, &d->kit.driver, scene->refresh, d->diff_memory, bytes);
+    }
+    return status;
+}
+
+/* Dark and released, whatever happened before: what fails here has been told already, or concerns nobody any more. */
+static void close_display(struct panel_display *d)
+{
+    if (d->kit_open) {
+        kit_finish(&d->kit);
+        kit_close(&d->kit);
+    }
+    if (d->hal_open) {
+        d->hal.ops->close(d->hal.context);
+    }
+    free(d->diff_memory);
+    free(d->memory);
+    d->memory = d->diff_memory = NULL;
+    d->kit_open = d->hal_open = false;
+}
+
+/* ---- frames ------------------------------------------------------------------------------------- */
+
+/* Once each: nothing is lost silently. */
+static void tell_losses(struct panel_display *d, uint32_t frame)
+{
+    const struct ph_stats *s = &d->kit.renderer.stats;
+    if (!d->drops_told && (s->triangles_dropped != 0 || s->vertices_dropped != 0)) {
+        d->drops_told = true;
+        complain(EXIT_DONE, "%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
+                 d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
+                 d->kit.demo->name, (unsigned)(d->board->ram_bytes / 1024));
+    }
+    if (!d->edge_told && d->kit.edges_missed != 0) {
+        d->edge_told = true;
+        complain(EXIT_DONE,
+                 "%s: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check "
+                 "its wire, or use --te -",
+                 d->board->name);
+    }
+}
+
+static int show_frame(struct panel_display *d, const struct panel_scene *scene, uint32_t frame)
+{
+    char what[40];
+    int status = scene->before != NULL ? scene->before(scene->before_context, d, frame) : 0;
+    if (status != 0) {
+        return status;
+    }
+    status = kit_frame(&d->kit, frame);
+    d->bytes += d->kit.driver.frame_bytes;
+    if (status != 0) {
+        snprintf(what, sizeof what, "frame %u: ", (unsigned)frame);
+        return fail(d, what, status);
+    }
+    tell_losses(d, frame);
+    return 0;
+}
+
+struct report {
+    uint64_t since_ns;
+    uint32_t frames;
+};
+
+/* fps, bytes and the share of the time in which the bus was busy, by its clock. */
+static void print_stats(const struct panel_display *d, uint32_t frames, double seconds)
+{
+    const double bits = 8.0 * (double)d->bytes;
+    fprintf(stderr, "%s: %.1f frames/s, %.0f bytes/frame, %.0f kB/s, bus %.0f %% of %d Hz, %u triangles\n",
+            d->board->name, frames / seconds, frames > 0 ? (double)d->bytes / frames : 0.0,
+            (double)d->bytes / seconds / 1000, 100 * bits / seconds / d->kit.driver.clock_hz,
+            (int)d->kit.driver.clock_hz, (unsigned)d->kit.renderer.stats.triangles_drawn);
+}
+
+static void report_stats(struct panel_display *displays, int count, struct report *report, bool now)
+{
+    const uint64_t time_ns = panel_show_now_ns();
+    const double seconds = (double)(time_ns - report->since_ns) / SECOND_NS;
+    if (report->frames == 0 || (!now && time_ns - report->since_ns < SECOND_NS)) {
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        print_stats(&displays[i], report->frames, seconds);
+        displays[i].bytes = 0;
+    }
+    *report = (struct report){time_ns, 0};
+}
+
+/* Sleeps until the next frame is due; a signal ends it. A frame that is late already moves those after it. */
+static void pace(uint64_t *due_ns, uint32_t fps)
+{
+    if (fps == 0) {
+        return;
+    }
+    const uint64_t now = panel_show_now_ns();
+    *due_ns = *due_ns + SECOND_NS / fps > now ? *due_ns + SECOND_NS / fps : now;
+    const struct timespec due = {(time_t)(*due_ns / SECOND_NS), (long)(*due_ns % SECOND_NS)};
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, NULL);
+}
+
+static int run_frames(struct panel_display *displays, int count, const struct panel_scene *scene)
+{
+    struct report report = {panel_show_now_ns(), 0};
+    uint64_t due_ns = report.since_ns;
+    int status = 0;
+    for (uint32_t i = 0; (scene->frames == 0 || i < scene->frames) && status == 0 && *scene->stop == 0; i++) {
+        for (int k = 0; k < count && status == 0; k++) {
+            status = show_frame(&displays[k], scene, scene->start + i);
+        }
+        report.frames += status == 0;
+        if (scene->stats) {
+            report_stats(displays, count, &report, false);
+        }
+        if (status == 0 && *scene->stop == 0) {
+            pace(&due_ns, scene->fps);
+        }
+    }
+    status = status == PANEL_SHOW_OVER ? 0 : status;
+    for (int k = 0; k < count && status == 0; k++) {
+        const int finished = kit_finish(&displays[k].kit); /* the last frame is out, too */
+        status = finished == 0 ? 0 : fail(&displays[k], "the last frame: ", finished);
+    }
+    if (scene->stats) {
+        report_stats(displays, count, &report, true);
+    }
+    return status;
+}
+
+int panel_show_run(struct panel_display *displays, int count, const struct panel_scene *scene)
+{
+    int status = 0;
+    for (int i = 0; i < count && status == 0 && *scene->stop == 0; i++) {
+        status = open_display(&displays[i], scene);
+    }
+    if (status == 0 && *scene->stop == 0) {
+        status = run_frames(displays, count, scene);
+    }
+    for (int i = count; i-- > 0;) {
+        close_display(&displays[i]);
+    }
+    return status;
+}

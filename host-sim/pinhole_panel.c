@@ -1,0 +1,326 @@
+/*
+ * pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. The options are in
+ * panel_options.c (--help).
+ */
+#define _XOPEN_SOURCE 700 /* sigaction */
+
+#include "complain.h"
+#include "model.h"
+#include "panel_doctor.h"
+#include "panel_kit.h"
+#include "panel_probe.h"
+#include "panel_show.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The only mutable object at file scope: a signal handler can reach nothing else. */
+static volatile sig_atomic_t caught_signal;
+
+static void note_signal(int number)
+{
+    caught_signal = number;
+}
+
+/* They end the run between two frames. A pipe that nobody reads is an error of the write. */
+static void catch_signals(void)
+{
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = note_signal;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+    signal(SIGPIPE, SIG_IGN);
+}
+
+/* ---- what is shown where ------------------------------------------------------------------------ */
+
+struct stage {
+    struct panel_kit kits[PANEL_KITS_MAX];
+    struct panel_display displays[PANEL_KITS_MAX];
+    int count;
+    struct model *model;
+    struct demo model_demo;
+};
+
+static const char *kit_error(const void *context)
+{
+    return panel_kit_error(context);
+}
+
+static int choose_kits(struct stage *stage, const struct panel_options *o)
+{
+    for (stage->count = 0; stage->count < o->kit_count; stage->count++) {
+        struct panel_kit *kit = &stage->kits[stage->count];
+        const int status = panel_kit_choose(kit, &o->kits[stage->count]);
+        if (status != 0) {
+            return status;
+        }
+        stage->displays[stage->count] =
+            (struct panel_display){.board = &kit->board, .hal = kit->hal, .why = kit_error, .why_context = kit};
+    }
+    return 0;
+}
+
+static int choose_demo(const struct panel_options *o, const char *name, struct panel_scene *scene)
+{
+    scene->demo = demo_find(name);
+    scene->view = o->view;
+    if (scene->demo == NULL) {
+        return complain(EXIT_USAGE, "--demo '%s': no such demo; `pinhole-sim --list` shows them", name);
+    }
+    if (o->view != NULL && !demo_has_view(scene->demo, o->view)) {
+        return complain(EXIT_USAGE, "--view '%s': %s has no such view; `pinhole-sim --list` shows them", o->view, name);
+    }
+    return 0;
+}
+
+static int choose_scene(struct stage *stage, const struct panel_options *o, struct panel_scene *scene)
+{
+    if (o->command != PANEL_RUN) {
+        return choose_demo(o, "testcard", scene);
+    }
+    if (o->model == NULL) {
+        return choose_demo(o, o->demo != NULL ? o->demo : "turntable", scene);
+    }
+    if (o->view != NULL) {
+        return complain(EXIT_USAGE, "--view '%s': a model has but one view", o->view);
+    }
+    const int status = model_open(&stage->model, o->model);
+    if (status != 0) {
+        return status;
+    }
+    if (stage->model->note != NULL) {
+        complain(EXIT_DONE, "--model %s: %s", o->model, stage->model->note);
+    }
+    stage->model_demo = model_demo(stage->model);
+    scene->demo = &stage->model_demo;
+    scene->state = stage->model;
+    return 0;
+}
+
+static struct panel_scene plain_scene(const struct panel_options *o)
+{
+    return (struct panel_scene){.start = o->start,
+                                .frames = o->frames,
+                                .fps = o->fps,
+                                .band = o->band,
+                                .depth = o->depth,
+                                .diff = o->diff,
+                                .refresh = o->refresh,
+                                .overlay = o->overlay,
+                                .stats = o->stats,
+                                .stop = &caught_signal};
+}
+
+static int show(struct stage *stage, const struct panel_options *o)
+{
+    struct panel_scene scene = plain_scene(o);
+    int status = choose_kits(stage, o);
+    if (status == 0) {
+        status = choose_scene(stage, o, &scene);
+    }
+    if (status == 0) {
+        status = panel_show_run(stage->displays, stage->count, &scene);
+    }
+    model_close(stage->model);
+    return status;
+}
+
+/* ---- speedtest ---------------------------------------------------------------------------------- */
+
+#define STEP_NS 1000000000u /* for each clock, where --frames does not say how many */
+
+static const uint32_t steps_hz[] = {4000000,  8000000,  10000000, 15000000, 16000000, 20000000, 24000000,
+                                    30000000, 32000000, 40000000, 48000000, 62500000, 80000000, 100000000};
+#define STEPS (sizeof steps_hz / sizeof steps_hz[0])
+
+struct speedtest {
+    uint32_t most_hz, frames_a_step;
+    unsigned step;  /* the next one */
+    int32_t got_hz; /* now; 0: before the first step */
+    uint32_t frames;
+    uint64_t since_ns;
+};
+
+static void print_step(const struct speedtest *t, const struct panel_display *d)
+{
+    const double seconds = (double)(panel_show_now_ns() - t->since_ns) / 1e9;
+    const uint32_t limit = d->board->panel->controller->write_hz;
+    if (t->got_hz > 0) {
+        printf("asked %9u Hz, got %9d Hz: %6.1f frames/s%s\n", (unsigned)steps_hz[t->step - 1], (int)t->got_hz,
+               t->frames / seconds, (uint32_t)t->got_hz > limit ? ", above the datasheet's limit" : "");
+        fflush(stdout);
+    }
+}
+
+/* Before a frame: time for the next clock? */
+static int next_clock(void *context, struct panel_display *d, uint32_t frame)
+{
+    struct speedtest *t = context;
+    const bool over =
+        t->frames_a_step != 0 ? t->frames >= t->frames_a_step : panel_show_now_ns() - t->since_ns >= STEP_NS;
+    (void)frame;
+    if (t->got_hz > 0 && !over) {
+        t->frames++;
+        return 0;
+    }
+    int status = kit_finish(&d->kit);
+    if (status == 0) {
+        print_step(t, d);
+        if (t->step == STEPS || steps_hz[t->step] > t->most_hz) {
+            return PANEL_SHOW_OVER;
+        }
+        const int32_t before_hz = t->got_hz;
+        status = t->got_hz = d->hal.ops->bus_clock(d->hal.context, steps_hz[t->step++]);
+        if (status > 0 && status == before_hz) {
+            return PANEL_SHOW_OVER; /* there is no faster one */
+        }
+    }
+    if (status < 0) {
+        return complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
+    }
+    t->frames = 1;
+    t->since_ns = panel_show_now_ns();
+    return 0;
+}
+
+static int speedtest(struct stage *stage, const struct panel_options *o)
+{
+    struct panel_scene scene = plain_scene(o);
+    struct speedtest test = {.most_hz = o->kits[0].speed_hz != 0 ? o->kits[0].speed_hz : UINT32_MAX,
+                             .frames_a_step = o->frames};
+    scene.frames = 0;
+    scene.before = next_clock;
+    scene.before_context = &test;
+    int status = choose_kits(stage, o);
+    if (status == 0) {
+        status = choose_scene(stage, o, &scene);
+    }
+    if (status == 0) {
+        puts("The test card at one clock after the other: the last one that looks right is the display's.");
+        status = panel_show_run(stage->displays, stage->count, &scene);
+    }
+    return status;
+}
+
+/* ---- probe and list ----------------------------------------------------------------------------- */
+
+static void print_bytes(const char *command, const uint8_t bytes[PROBE_BYTES])
+{
+    printf("%s", command);
+    for (int i = 0; i < PROBE_BYTES; i++) {
+        printf(" %02X", bytes[i]);
+    }
+    printf("\n");
+}
+
+static int tell_controller(const struct board *board, const struct panel_answers *answers)
+{
+    const char *name = panel_probe_name(answers);
+    print_bytes("04h RDDID:", answers->id);
+    print_bytes("D3h RDID4:", answers->id4);
+    if (name != NULL) {
+        const bool same = strcmp(name, board->panel->controller->name) == 0;
+        printf("controller: %s%s\n", name, same ? "" : ", but the board says otherwise: give --panel");
+        return same ? EXIT_DONE : EXIT_FAILED;
+    }
+    if (panel_probe_answered(answers)) {
+        return complain(EXIT_FAILED, "%s: a controller that is not known answers; its datasheet has these bytes",
+                        board->name);
+    }
+    return complain(EXIT_FAILED,
+                    "%s: nothing answers: check power, chip select and the data line back (MISO); many "
+                    "displays do not have it",
+                    board->name);
+}
+
+static int probe(struct stage *stage, const struct panel_options *o)
+{
+    int status = choose_kits(stage, o);
+    if (status != 0) {
+        return status;
+    }
+    const struct panel_display *d = &stage->displays[0];
+    if (!d->board->pins.data_in.wired) {
+        return complain(EXIT_FAILED,
+                        "%s: this kit has no data line back (MISO): its display cannot be asked; try "
+                        "`pinhole-panel testcard`",
+                        d->board->name);
+    }
+    struct panel_answers answers;
+    status = d->hal.ops->open(d->hal.context, d->board);
+    if (status == 0) {
+        status = panel_probe_read(&d->hal, d->board, &answers);
+        if (status < 0) {
+            complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
+        }
+        d->hal.ops->close(d->hal.context);
+        return status < 0 ? EXIT_FAILED : tell_controller(d->board, &answers);
+    }
+    return complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
+}
+
+static int list(void)
+{
+    for (uint32_t i = 0; i < board_count; i++) {
+        const struct board *board = board_list[i];
+        if (panel_kit_has(board)) {
+            printf("board  %-22s %-20s %s\n", board->name, board->panel->name, board->title);
+        }
+    }
+    for (uint32_t i = 0; i < panel_count; i++) {
+        const struct panel *panel = panel_list[i];
+        printf("panel  %-22s %-20s at most %.1f MHz\n", panel->name, panel->controller->name,
+               panel->controller->write_hz / 1e6);
+    }
+    return EXIT_DONE;
+}
+
+/* ---- */
+
+static int obey(struct stage *stage, const struct panel_options *o)
+{
+    switch (o->command) {
+    case PANEL_HELP:
+        panel_options_help();
+        return EXIT_DONE;
+    case PANEL_LIST:
+        return list();
+    case PANEL_DOCTOR:
+        return panel_doctor(o);
+    case PANEL_PROBE:
+        return probe(stage, o);
+    case PANEL_SPEEDTEST:
+        return speedtest(stage, o);
+    default:
+        return show(stage, o);
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    struct panel_options options;
+    complain_as("pinhole-panel");
+    int status = panel_options_read(&options, argc, argv);
+    if (status != 0) {
+        return status;
+    }
+    struct stage *stage = calloc(1, sizeof *stage);
+    if (stage == NULL) {
+        return complain(EXIT_FAILED, "not enough memory");
+    }
+    catch_signals();
+    status = obey(stage, &options);
+    free(stage);
+    if (caught_signal != 0) {
+        return 128 + caught_signal;
+    }
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
+    }
+    return status;
+}
