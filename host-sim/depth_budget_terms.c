@@ -7,6 +7,15 @@
 const char *const depth_share_names[DEPTH_SHARES] = {"input", "matrix",        "divide",
                                                      "store", "interpolation", "sub-pixel"};
 
+uint32_t depth_drawn_formats(const struct depth_lab *lab)
+{
+    uint32_t rows = 0;
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        rows |= lab_formats[i].kind == LAB_DRAWN ? (uint32_t)1 << i : 0;
+    }
+    return rows & lab->formats;
+}
+
 double depth_pixel_slope(const struct depth_lab *lab)
 {
     return 2 * tan(depth_radians(depth_metres(lab->fov_deg) / 2)) / lab->height;

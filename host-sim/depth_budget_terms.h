@@ -4,7 +4,7 @@
  *
  * Each share is the smallest separation of two surfaces, at distance z, that this part of the pipeline keeps apart:
  *   input          a vertex stands on a grid of 2^-16 m
- *   matrix         w is rounded to 2^-16 m, the matrix's elements to 2^-29
+ *   matrix         w and the object's place are rounded to 2^-16 m, the matrix's elements to 2^-28
  *   divide         N/w is exact to 2^-30 of itself, and scaled once more
  *   store          one step of the depth code
  *   interpolation  gradients are rounded to the guard bits and stepped over the whole picture
@@ -40,6 +40,9 @@ static inline double depth_radians(double degrees)
 {
     return degrees * (3.14159265358979323846 / 180);
 }
+
+/* The rows of lab_formats that were asked for and that the renderer draws, as bits. */
+uint32_t depth_drawn_formats(const struct depth_lab *lab);
 
 /* Slope of a pixel: how far apart the rays of two rows are at a distance of 1 m. */
 double depth_pixel_slope(const struct depth_lab *lab);

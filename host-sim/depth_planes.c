@@ -142,20 +142,6 @@ static int show_format(const struct depth_lab *lab, const struct lab_format *for
     return status;
 }
 
-static bool is_drawn(const struct depth_lab *lab, uint32_t i)
-{
-    return (lab->formats >> i & 1) != 0 && lab_formats[i].kind == LAB_DRAWN;
-}
-
-static uint32_t drawn_formats(const struct depth_lab *lab)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < lab_format_count; i++) {
-        count += is_drawn(lab, i);
-    }
-    return count;
-}
-
 static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
 {
     const double at = at_default(lab, 0), tilt = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEFAULT;
@@ -186,8 +172,13 @@ static int save_picture(const struct depth_lab *lab, struct picture *picture)
 
 static int show_pictures(const struct depth_lab *lab)
 {
+    const uint32_t rows = depth_drawn_formats(lab);
+    uint32_t pictures = 0;
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        pictures += rows >> i & 1;
+    }
     struct planes_pair pair;
-    struct picture picture = {.ppm = {drawn_formats(lab) * (lab->width + GAP_PX) - GAP_PX, lab->height, NULL}};
+    struct picture picture = {.ppm = {pictures * (lab->width + GAP_PX) - GAP_PX, lab->height, NULL}};
     int status = make_pair(lab, &pair);
     if (status == 0 && lab->out != NULL) {
         picture.ppm.rgb = calloc((size_t)picture.ppm.width * picture.ppm.height, 3);
@@ -196,7 +187,7 @@ static int show_pictures(const struct depth_lab *lab)
         }
     }
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        status = is_drawn(lab, i) ? show_format(lab, &lab_formats[i], &pair, &picture) : 0;
+        status = (rows >> i & 1) != 0 ? show_format(lab, &lab_formats[i], &pair, &picture) : 0;
     }
     if (status == 0) {
         status = save_picture(lab, &picture);
@@ -237,13 +228,14 @@ int depth_planes(const struct depth_lab *lab)
     if (lab->out != NULL && (length < 5 || strcmp(lab->out + length - 4, ".ppm") != 0)) {
         return complain(EXIT_USAGE, "--out %s: the error picture is a .ppm", lab->out);
     }
-    if (drawn_formats(lab) == 0) {
+    const uint32_t rows = depth_drawn_formats(lab);
+    if (rows == 0) {
         return complain(EXIT_USAGE, "--format: planes draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio\n", lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        status = is_drawn(lab, i) ? sweep_format(lab, &lab_formats[i]) : 0;
+        status = (rows >> i & 1) != 0 ? sweep_format(lab, &lab_formats[i]) : 0;
     }
     return status != 0 ? status : show_pictures(lab);
 }

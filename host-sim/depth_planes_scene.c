@@ -19,7 +19,7 @@ int planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum 
 {
     const size_t area = (size_t)lab->width * lab->height;
     const size_t vertices = 8 * ph_vertex_bytes, triangles = 8 * ph_triangle_bytes;
-    *canvas = (struct planes_canvas){.lab = lab, .projection = depth_lab_projection(lab)};
+    *canvas = (struct planes_canvas){.lab = lab, .view = ph_xform_identity, .projection = depth_lab_projection(lab)};
     char *memory = malloc(vertices + triangles + 8 + area * (4 + sizeof *canvas->pixels + 1));
     canvas->memory = memory;
     if (memory == NULL) {
@@ -128,7 +128,7 @@ static void draw_quad(struct ph_renderer *r, const struct planes_quad *quad, uin
 void planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front)
 {
     struct ph_renderer *const r = &canvas->renderer;
-    ph_frame_begin(r, &ph_xform_identity, &canvas->projection, NULL, PLANES_NONE);
+    ph_frame_begin(r, &canvas->view, &canvas->projection, NULL, PLANES_NONE);
     if (behind != NULL) {
         draw_quad(r, behind, PLANES_BEHIND);
     }

@@ -40,6 +40,7 @@ struct planes_place {
 struct planes_canvas {
     const struct depth_lab *lab;
     struct ph_renderer renderer;
+    struct ph_xform view; /* the identity; who measures may turn it about z */
     struct ph_projection projection;
     uint16_t *pixels;  /* PLANES_NONE, PLANES_FRONT or PLANES_BEHIND */
     uint8_t *verdicts; /* room for a byte a pixel, for whoever counts */

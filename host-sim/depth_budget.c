@@ -1,0 +1,132 @@
+/* pinhole-depth budget: which part of the pipeline limits what depth resolves. See depth_budget_terms.h. */
+#include "complain.h"
+#include "depth_budget_measure.h"
+#include "depth_planes_count.h"
+#include "lab_search.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define ALL DEPTH_SHARES
+
+/* Predicted and measured, the parts and then all of them together. */
+struct budget {
+    double predicted_m[DEPTH_SHARES + 1], measured_m[DEPTH_SHARES + 1];
+};
+
+static void predict(const struct depth_lab *lab, enum ph_depth_format format, double z, struct budget *budget)
+{
+    for (int i = 0; i < DEPTH_SHARES; i++) {
+        budget->predicted_m[i] = depth_share_m((enum depth_share)i, format, lab, z);
+    }
+}
+
+/* All parts together, on planes whose farthest row is at z: what the row that needs most needs. */
+static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
+{
+    static const double tilts[] = {0, 30, 60, 80};
+    double s_min = 0, measured = 0;
+    for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
+        const struct planes_sweep sweep = planes_sweep(canvas, format, z, tilts[i]);
+        s_min = fmax(s_min, sweep.s_min_m);
+        measured = fmax(measured, sweep.measured_m);
+    }
+    budget->predicted_m[ALL] = s_min + budget->predicted_m[DEPTH_SHARE_INPUT] +
+                               budget->predicted_m[DEPTH_SHARE_MATRIX] + budget->predicted_m[DEPTH_SHARE_DIVIDE] +
+                               budget->predicted_m[DEPTH_SHARE_INTERPOLATION];
+    budget->measured_m[ALL] = measured;
+}
+
+/* S_eff at z of what faces the camera, as `resolve` measures it. 0, or EXIT_FAILED and one line. */
+static int measure_store(const struct depth_lab *lab, const struct lab_format *format, fx_t z, double *out)
+{
+    struct work {
+        struct lab_probe probe;
+        struct lab_search search;
+    } *const work = malloc(sizeof *work);
+    if (work == NULL || lab_probe_open(&work->probe, format, lab->near_z, lab->far_z) != PH_OK) {
+        free(work);
+        return complain(EXIT_FAILED, "budget: %s cannot be measured here", format->name);
+    }
+    lab_search_open(&work->search, &work->probe);
+    *out = lab_search_at(&work->search, &work->probe, z) / 65536.0;
+    free(work);
+    return 0;
+}
+
+static void measure(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
+{
+    double *const measured = budget->measured_m;
+    measured[DEPTH_SHARE_INPUT] = budget_input_m(canvas, z);
+    measured[DEPTH_SHARE_MATRIX] = budget_matrix_m(canvas, z);
+    measured[DEPTH_SHARE_DIVIDE] = budget_divide_m(canvas, z);
+    measured[DEPTH_SHARE_INTERPOLATION] = budget_interpolation_m(canvas, z);
+    measured[DEPTH_SHARE_SUBPIXEL] = budget_subpixel_m(canvas, z);
+    sweep_tilts(canvas, format, z, budget);
+}
+
+static int largest(const double parts[DEPTH_SHARES])
+{
+    int index = 0;
+    for (int i = 1; i < DEPTH_SHARES; i++) {
+        index = parts[i] > parts[index] ? i : index;
+    }
+    return index;
+}
+
+static void print_budget(const struct depth_lab *lab, const struct lab_format *format, double z,
+                         const struct budget *budget)
+{
+    const int dominant = largest(budget->measured_m);
+    for (int i = 0; i <= DEPTH_SHARES; i++) {
+        fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%s,%.4g,%.4g,%s\n", format->name, format->bits,
+                depth_metres(lab->near_z), depth_metres(lab->far_z), z, i < ALL ? depth_share_names[i] : "all",
+                budget->predicted_m[i], budget->measured_m[i], i == dominant ? "dominates" : "");
+    }
+}
+
+static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *at, uint32_t count)
+{
+    const struct lab_format *format = &lab_formats[row];
+    struct planes_canvas canvas;
+    struct budget budget;
+    int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    for (uint32_t i = 0; i < count && status == 0; i++) {
+        const double z = depth_metres(at[i]);
+        status = measure_store(lab, format, at[i], &budget.measured_m[DEPTH_SHARE_STORE]);
+        if (status == 0) {
+            predict(lab, (enum ph_depth_format)format->format, z, &budget);
+            measure(&canvas, (enum ph_depth_format)format->format, z, &budget);
+            print_budget(lab, format, z, &budget);
+        }
+    }
+    planes_close(&canvas);
+    return status;
+}
+
+/* Without --at: twice the near plane, every decade of it, and the far plane. */
+static uint32_t default_distances(const struct depth_lab *lab, fx_t at[DEPTH_AT_MAX])
+{
+    uint32_t count = 0;
+    for (int64_t z = 2 * (int64_t)lab->near_z; z < lab->far_z && count < DEPTH_AT_MAX - 1; z *= 10) {
+        at[count++] = (fx_t)z;
+    }
+    at[count++] = lab->far_z;
+    return count;
+}
+
+int depth_budget(const struct depth_lab *lab)
+{
+    fx_t distances[DEPTH_AT_MAX];
+    const uint32_t count = lab->at_count > 0 ? lab->at_count : default_distances(lab, distances);
+    const uint32_t rows = depth_drawn_formats(lab);
+    if (rows == 0) {
+        return complain(EXIT_USAGE, "--format: budget draws with the renderer's own formats; --help lists them");
+    }
+    fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
+    int status = 0;
+    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        status = (rows >> i & 1) != 0 ? budget_format(lab, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
+    }
+    return status;
+}

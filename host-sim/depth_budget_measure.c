@@ -1,0 +1,244 @@
+#include "depth_budget_measure.h"
+
+#include "pipeline.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define TRIES       2000
+#define TILT_DEG    45.0
+#define ROLLS       8
+#define ROLL_TURN32 0x14f1bbcdu /* 29.5 degrees: no multiple of anything on the screen */
+
+/* How far values lie apart. */
+struct spread {
+    double least, most;
+};
+
+static void widen(struct spread *spread, double value)
+{
+    spread->least = fmin(spread->least, value);
+    spread->most = fmax(spread->most, value);
+}
+
+static const struct spread nothing = {HUGE_VAL, -HUGE_VAL};
+
+/* The same numbers on every run and machine. */
+static uint32_t next_random(uint32_t *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 17;
+    *state ^= *state << 5;
+    return *state;
+}
+
+/* -1 .. 1 */
+static double next_signed(uint32_t *state)
+{
+    return (int32_t)next_random(state) / 2147483648.0;
+}
+
+static fx_t to_fx(double v)
+{
+    return (fx_t)floor(v * 65536 + 0.5);
+}
+
+static void begin(struct planes_canvas *canvas, const struct ph_xform *view)
+{
+    ph_frame_begin(&canvas->renderer, view, &canvas->projection, NULL, 0);
+}
+
+double budget_input_m(struct planes_canvas *canvas, double z)
+{
+    begin(canvas, &ph_xform_identity);
+    const struct ph_clip_matrix matrix = ph_clip_matrix(&canvas->renderer.lens, &ph_xform_identity);
+    const struct fx_vec3 here = {0, 0, -to_fx(z)}, nearer = {0, 0, here.z + 1};
+    const struct ph_lens *lens = &canvas->renderer.lens;
+    return depth_metres(ph_clip_place(lens, &matrix, &here).w - ph_clip_place(lens, &matrix, &nearer).w);
+}
+
+/* The third row of the rotation by b about x, then by a about y, exactly. */
+static void third_row(uint32_t a, uint32_t b, double row[3])
+{
+    const double ya = a / 4294967296.0 * 2 * depth_radians(180), xb = b / 4294967296.0 * 2 * depth_radians(180);
+    row[0] = -sin(ya);
+    row[1] = cos(ya) * sin(xb);
+    row[2] = cos(ya) * cos(xb);
+}
+
+double budget_matrix_m(struct planes_canvas *canvas, double z)
+{
+    struct spread spread = nothing;
+    uint32_t random = 1;
+    begin(canvas, &ph_xform_identity);
+    for (int i = 0; i < TRIES; i++) {
+        const uint32_t a = next_random(&random), b = next_random(&random);
+        const struct ph_xform ry = ph_xform_rotate_y(a), rx = ph_xform_rotate_x(b);
+        struct ph_xform turned = ph_xform_mul(&ry, &rx);
+        double row[3];
+        third_row(a, b, row);
+        const struct fx_vec3 p = {to_fx(z * next_signed(&random) / 2), to_fx(z * next_signed(&random) / 2),
+                                  to_fx(z * next_signed(&random) / 2)};
+        const double turned_z = row[0] * p.x + row[1] * p.y + row[2] * p.z;
+        turned.t.z = to_fx(-z - turned_z / 65536);
+        const struct ph_clip_matrix matrix = ph_clip_matrix(&canvas->renderer.lens, &turned);
+        widen(&spread, ph_clip_place(&canvas->renderer.lens, &matrix, &p).w + (turned_z + turned.t.z));
+    }
+    return (spread.most - spread.least) / 65536;
+}
+
+double budget_divide_m(struct planes_canvas *canvas, double z)
+{
+    struct spread spread = nothing;
+    begin(canvas, &ph_xform_identity);
+    const struct ph_lens *lens = &canvas->renderer.lens;
+    for (int i = 0; i < TRIES; i++) {
+        const fx_t w = to_fx(z) - 7 * i; /* towards the camera: z may be the far plane */
+        if (w < lens->near_z) {
+            break;
+        }
+        const struct ph_quotient quotient = ph_depth_quotient(lens, w);
+        widen(&spread, ldexp((double)quotient.q * w, -30 - quotient.s) / lens->near_z);
+    }
+    return (spread.most - spread.least) * z;
+}
+
+double budget_subpixel_m(struct planes_canvas *canvas, double z)
+{
+    const struct depth_lab *lab = canvas->lab;
+    struct spread x = nothing, y = nothing;
+    uint32_t random = 1;
+    begin(canvas, &ph_xform_identity);
+    const struct ph_clip_matrix matrix = ph_clip_matrix(&canvas->renderer.lens, &ph_xform_identity);
+    const double half = depth_pixel_slope(lab) / 2, reach = z * half * 0.9;
+    for (int i = 0; i < TRIES; i++) {
+        const struct fx_vec3 p = {to_fx(next_signed(&random) * reach * lab->width),
+                                  to_fx(next_signed(&random) * reach * lab->height), -to_fx(z)};
+        struct ph_vertex v;
+        ph_transform(&canvas->renderer, &matrix, &p, &v);
+        const double at_x = (double)p.x / -p.z * canvas->projection.scale_x_q20 / 1048576;
+        const double at_y = (double)p.y / p.z * canvas->projection.scale_y_q20 / 1048576;
+        widen(&x, v.x - 128.0 * lab->width * (1 + at_x));
+        widen(&y, v.y - 128.0 * lab->height * (1 + at_y));
+    }
+    return hypot(x.most - x.least, y.most - y.least) / 256 * depth_pixel_slope(lab) * z;
+}
+
+/* ---- interpolation -------------------------------------------------------------------------------------- */
+
+struct sample {
+    double distance;
+    uint32_t code;
+};
+
+/* A corner as the rasterizer sees it, and 1 / w. */
+struct corner {
+    double x, y, inverse;
+};
+
+/* 1 / w of the plane through three corners at a point of the screen. */
+static double plane_at(const struct corner *a, const struct corner *b, const struct corner *c, double x, double y)
+{
+    const double area = (b->x - a->x) * (c->y - a->y) - (c->x - a->x) * (b->y - a->y);
+    const double s = ((x - a->x) * (c->y - a->y) - (c->x - a->x) * (y - a->y)) / area;
+    const double t = ((b->x - a->x) * (y - a->y) - (x - a->x) * (b->y - a->y)) / area;
+    return a->inverse + s * (b->inverse - a->inverse) + t * (c->inverse - a->inverse);
+}
+
+static void snapped_corners(const struct planes_canvas *canvas, const struct planes_quad *quad,
+                            struct corner corners[4])
+{
+    const struct ph_renderer *r = &canvas->renderer;
+    const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
+    for (int i = 0; i < 4; i++) {
+        const bool right = i == 1 || i == 2, top = i >= 2;
+        const struct fx_vec3 p = {quad->a.x + (right ? quad->ux : 0), quad->a.y + (top ? quad->vy : 0),
+                                  quad->a.z + (top ? quad->vz : 0)};
+        struct ph_vertex v;
+        ph_transform(r, &matrix, &p, &v);
+        corners[i] = (struct corner){v.x, v.y, -65536.0 / p.z}; /* the camera rolls: w is exactly -z */
+    }
+}
+
+/* Every pixel of the quad that was drawn: its distance, and its code. Corners 0, 2 are the diagonal. */
+static uint32_t take_samples(const struct planes_canvas *canvas, const struct corner c[4], struct sample *samples)
+{
+    const uint32_t width = canvas->lab->width, height = canvas->lab->height;
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < width * height; i++) {
+        if (canvas->pixels[i] == PLANES_NONE) {
+            continue;
+        }
+        const double x = i % width * 256.0 + 128, y = (double)(i / width) * 256 + 128;
+        const double side = (c[2].x - c[0].x) * (y - c[0].y) - (x - c[0].x) * (c[2].y - c[0].y);
+        const double other = (c[2].x - c[0].x) * (c[1].y - c[0].y) - (c[1].x - c[0].x) * (c[2].y - c[0].y);
+        const struct corner *const third = side * other > 0 ? &c[1] : &c[3];
+        samples[n].distance = 1 / plane_at(&c[0], &c[2], third, x, y);
+        samples[n++].code = planes_code(canvas, i);
+    }
+    return n;
+}
+
+static int compare_samples(const void *a, const void *b)
+{
+    const double x = ((const struct sample *)a)->distance, y = ((const struct sample *)b)->distance;
+    return (x > y) - (x < y);
+}
+
+/* The largest distance from a sample to one behind it that has a larger code, hence looks nearer. */
+static double largest_inversion(struct sample *samples, uint32_t n)
+{
+    double largest = 0;
+    uint32_t first = 0;
+    qsort(samples, n, sizeof *samples, compare_samples);
+    uint32_t *const least = malloc((size_t)n * sizeof *least); /* index of the least code up to here */
+    for (uint32_t i = 0; i < n && least != NULL; i++) {
+        first = samples[i].code < samples[first].code ? i : first;
+        least[i] = first;
+        uint32_t low = 0, high = i;
+        while (low < high) { /* the first one before i with a smaller code */
+            const uint32_t middle = (low + high) / 2;
+            if (samples[least[middle]].code < samples[i].code) {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        if (low < i) {
+            largest = fmax(largest, samples[i].distance - samples[least[low]].distance);
+        }
+    }
+    free(least);
+    return largest;
+}
+
+/* Rolls the camera a little further each time; what the triangles of all turns say must agree. */
+static uint32_t roll_and_sample(struct planes_canvas *canvas, const struct planes_quad *quad, struct sample *samples)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 1; i <= ROLLS; i++) {
+        struct corner corners[4];
+        canvas->view = ph_xform_rotate_z(i * ROLL_TURN32);
+        planes_draw(canvas, quad, NULL);
+        snapped_corners(canvas, quad, corners);
+        n += take_samples(canvas, corners, samples + n);
+    }
+    canvas->view = ph_xform_identity;
+    return n;
+}
+
+double budget_interpolation_m(struct planes_canvas *canvas, double z)
+{
+    const struct depth_lab *lab = canvas->lab;
+    struct planes_place place = planes_whole(lab, z, TILT_DEG, 1.0 / 65536);
+    struct planes_pair pair;
+    place.slope_high = 0;
+    struct sample *const samples = malloc((size_t)lab->width * lab->height * ROLLS * sizeof *samples);
+    if (samples == NULL || !planes_make(lab, &place, &pair)) {
+        free(samples);
+        return NAN;
+    }
+    const double inversion = largest_inversion(samples, roll_and_sample(canvas, &pair.behind, samples));
+    free(samples);
+    return inversion;
+}
