@@ -1,0 +1,22 @@
+/*
+ * bench: what the benchmark (bench.c) needs of a machine: machine_arm.c is an emulated Cortex-M that counts
+ * instructions, machine_host.c this computer under callgrind.
+ */
+#ifndef BENCH_H
+#define BENCH_H
+
+#include <stdint.h>
+
+/* The instructions between the two are counted; stop reports them as one line: the words of `what`, the count. */
+void machine_start(void);
+void machine_stop(const char *const what[3], uint32_t frame);
+
+/* A loop of a million turns, two instructions each where the machine is a Cortex-M. */
+void machine_known_loop(void);
+
+void machine_print(const char *text);
+
+/* Words of the command line; "" past the last. */
+const char *machine_word(unsigned i);
+
+#endif
