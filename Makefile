@@ -6,6 +6,7 @@ CPU ?= portable
 B ?= build
 V ?= 0
 PREFIX ?= /usr/local
+BOARD_DIR ?=
 BUDGET_CORE_BYTES ?= 40960
 Q = $(if $(filter 1,$(V)),,@)
 SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
@@ -42,12 +43,15 @@ APP_SRC := $(filter-out firmware/app/image_%,$(wildcard firmware/app/*.c))
 HAL := $(wildcard hal/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
+# Boards from elsewhere: BOARD_DIR/NAME/board.c defines board_NAME (with _ for -), as a folder of boards/ does.
+BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard $(BOARD_DIR)/*/board.c)))
+$(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
 SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
                                              host-sim/$(SDL)/*.c))
 PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(wildcard host-sim/pinhole_*.c))
 
 LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(SIM)
-OBJ = $(LIB:%.c=$(B)/%.o)
+OBJ = $(LIB:%.c=$(B)/%.o) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 
 # Programs in tests/ are named after what runs them; what remains there they share.
 TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/test_*.c))
@@ -57,16 +61,17 @@ TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out tests/test_% tests/exhaustive_%
 
 # Includes run one way: what a folder may not know about, it does not find.
 INC_CORE = -Ifirmware/core/$(CPU) -Ifirmware/core
-INC_ALL = $(INC_CORE) -Ifirmware/app -Ihal -Iboards -Ihost-sim -Itests
+INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
+INC_ALL = $(INC_CORE) -Ifirmware/app -Ihal -Iboards $(INC_MORE) -Ihost-sim -Itests
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
 $(B)/firmware/app/%.o: INC = $(INC_CORE) -Ifirmware/app -Ihal -Iboards
 $(B)/hal/%.o: INC = -Ihal
 $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
-$(B)/boards/%.o: INC = -Ihal -Iboards
+$(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 
-ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB)
+ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 .PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
@@ -83,6 +88,19 @@ $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -c $< -o $@
+
+ifneq ($(BOARDS_MORE),)
+$(B)/boards/boards.o: $(B)/boards_more/boards_more.h
+$(B)/boards_more/boards_more.h: $(B)/flags
+	@mkdir -p $(@D)
+	@{ $(foreach b,$(BOARDS_MORE),echo 'extern const struct board board_$(subst -,_,$(b));';) \
+	   echo '#define BOARDS_MORE $(foreach b,$(BOARDS_MORE),&board_$(subst -,_,$(b)),)'; } >$@
+
+$(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
+	@mkdir -p $(@D)
+	$(SAY) CC $<
+	$(Q)$(COMPILE) -c $< -o $@
+endif
 
 $(B)/libpinhole.a: $(OBJ)
 	$(SAY) AR $@
@@ -128,18 +146,23 @@ gallery: all ## makes the README's pictures again
 golden: all ## writes the frame CRCs that the tests compare with again (look at the pictures first)
 	$(Q)B='$(B)' tests/golden.sh
 
-install: all ## programs into $(DESTDIR)$(PREFIX)/bin
-	install -d '$(DESTDIR)$(PREFIX)/bin'
+RULES = $(DESTDIR)$(PREFIX)/lib/udev/rules.d
+UNITS = $(DESTDIR)$(PREFIX)/lib/systemd/system
+
+install: all ## programs into $(DESTDIR)$(PREFIX)/bin, udev rules and systemd unit into .../lib
+	install -d '$(DESTDIR)$(PREFIX)/bin' '$(RULES)' '$(UNITS)'
 	install -m 755 $(PROGRAMS) '$(DESTDIR)$(PREFIX)/bin'
+	install -m 644 boards/udev/60-pinhole.rules '$(RULES)'
+	sed 's|/usr/local/|$(PREFIX)/|' boards/systemd/pinhole.service >'$(UNITS)/pinhole.service'
 
 uninstall: ## takes them away again
-	rm -f $(PROGRAMS:$(B)/%='$(DESTDIR)$(PREFIX)/bin/%')
+	rm -f $(PROGRAMS:$(B)/%='$(DESTDIR)$(PREFIX)/bin/%') '$(RULES)/60-pinhole.rules' '$(UNITS)/pinhole.service'
 
 clean: ## removes build/
 	rm -rf '$(B)'
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|armv6m|armv7m B=build V=1 PREFIX DESTDIR'
+	@echo 'Variables: CC CFLAGS CPU=portable|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(PROGRAMS:$(B)/pinhole-%=$(B)/host-sim/pinhole_%.d)

@@ -31,24 +31,24 @@ HOSTCC ?= cc
 APP ?= demos
 FRAMES ?= 4
 CORES ?= 1
-BOARD_DIR ?= boards/$(BOARD)
+BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
 .PHONY: firmware emulate image image-size
 
 ifneq ($(BOARD),)
-ifeq ($(wildcard $(BOARD_DIR)/board.mk),)
-$(error BOARD=$(BOARD): no $(BOARD_DIR)/board.mk; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
+ifeq ($(wildcard $(BOARD_HOME)/board.mk),)
+$(error BOARD=$(BOARD): no $(BOARD_HOME)/board.mk; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
 endif
-include $(BOARD_DIR)/board.mk
+include $(BOARD_HOME)/board.mk
 include hal/$(PORT)/port.mk
 APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
 IMAGE_NAME := $(BOARD)-$(basename $(notdir $(APP)))$(if $(filter-out 1,$(CORES)),-cores$(CORES))
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
-RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_DIR)/board.c)
+RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_HOME)/board.c)
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
 image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(IMAGE_NAME)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_DIR='$(BOARD_DIR)' CORES='$(CORES)' APP='$(APP)' \
+             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 image_make = @echo 'BOARD= is missing; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk))' >&2; exit 2 \#
@@ -63,7 +63,7 @@ emulate: firmware ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames
 
 # ---- within that make -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
-IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_DIR)/board.c
+IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main.o $(B)/board_here.o
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 

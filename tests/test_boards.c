@@ -30,6 +30,7 @@ static void kits_are_found_by_name(void **state)
                                         "rpi-pitft-2in8",
                                         "rpi-mini-pitft-1in14",
                                         "rpi-mini-pitft-1in3",
+                                        "sbc-generic",
                                         "ft232h-st7789",
                                         "ft232h-ili9341",
                                         "sim-ili9488",

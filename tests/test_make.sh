@@ -52,8 +52,20 @@ the_core_cannot_include_the_hal() {
 
 installs_and_uninstalls() {
     run install DESTDIR="$dir/stage" PREFIX=/usr && [ -x "$dir/stage/usr/bin/pinhole-sim" ] &&
+        [ -r "$dir/stage/usr/lib/udev/rules.d/60-pinhole.rules" ] &&
+        grep -qx 'ExecStart=/usr/bin/pinhole-panel .PINHOLE' "$dir/stage/usr/lib/systemd/system/pinhole.service" &&
         "$dir/stage/usr/bin/pinhole-sim" --help && run uninstall DESTDIR="$dir/stage" PREFIX=/usr &&
         [ -z "$(find "$dir/stage" -type f)" ]
+}
+
+boards_come_from_elsewhere() {
+    mkdir -p "$dir/kits/my-kit" "$dir/empty"
+    sed 's/"rpi-pirate-audio"/"my-kit"/; s/board_rpi_pirate_audio/board_my_kit/' boards/rpi-pirate-audio/board.c >"$dir/kits/my-kit/board.c"
+    make -s -j2 B="$B/make-boards" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb CFLAGS=-O0 \
+        BOARD_DIR="$dir/kits" "$B/make-boards/pinhole-sim" || return 1
+    "$B/make-boards/pinhole-sim" --list | grep '^board  my-kit ' &&
+        "$B/make-boards/pinhole-sim" --board my-kit --demo testcard --crc | grep 'frame 0' || return 1
+    ! make -s B="$B/make-boards" BOARD_DIR="$dir/empty" all
 }
 
 needs_no_library() {
@@ -73,6 +85,7 @@ check "V_1_shows_the_commands" verbose_shows_the_commands
 check "a_file_of_the_CPU_replaces_the_portable_one" a_file_of_the_cpu_replaces_the_portable_one
 check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
 check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls
+check "boards_come_from_an_external_folder" boards_come_from_elsewhere
 check "without_the_libraries_none_is_linked" needs_no_library
 if command -v arm-none-eabi-gcc >/dev/null; then
     check "size_fails_over_the_budget" size_fails_over_the_budget

@@ -12,6 +12,7 @@ const struct board board_rpi_display_hat_mini = {
     .rotation = PANEL_R270,
     .format = PANEL_RGB565,
     .spi_select = 1,
+    .gpio_labels = RPI_GPIO_LABELS,
     .spi_hz = 60000000,
     .pins =
         {

@@ -1,6 +1,6 @@
 /*
  * Pinout: https://pinout.xyz/pinout/pirate_audio_line_out
- * Keys A, B, X, Y are up, down, left, right. No reset line.
+ * Keys A, B, X, Y are up, down, left, right (Y is GPIO20 on boards sold before 2021). No reset line.
  */
 #include "boards.h"
 
@@ -12,6 +12,7 @@ const struct board board_rpi_pirate_audio = {
     .rotation = PANEL_R0,
     .format = PANEL_RGB565,
     .spi_select = 1,
+    .gpio_labels = RPI_GPIO_LABELS,
     .spi_hz = 62500000,
     .pins =
         {

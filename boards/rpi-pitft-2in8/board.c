@@ -1,6 +1,7 @@
 /*
  * Pinout: https://learn.adafruit.com/adafruit-pitft-28-inch-resistive-touchscreen-display-raspberry-pi
- * The backlight hangs on the touch controller and is on by default. No reset line.
+ * The backlight hangs on the touch controller and is on by default. No reset line. Buttons: those of the PiTFT Plus,
+ * from the top; the first series has GPIO18 in place of GPIO17.
  */
 #include "boards.h"
 
@@ -11,6 +12,7 @@ const struct board board_rpi_pitft_2in8 = {
     .panel = &panel_ili9341_240x320,
     .rotation = PANEL_R90,
     .format = PANEL_RGB565,
+    .gpio_labels = RPI_GPIO_LABELS,
     .spi_hz = 32000000,
     .over_limit = true, /* the datasheet's 10 MHz are 8 frames a second; these modules run at this */
     .pins =
@@ -23,10 +25,10 @@ const struct board board_rpi_pitft_2in8 = {
         },
     .buttons =
         {
-            {HAL_BUTTON_UP, BOARD_LINE_LOW("GPIO23")},
+            {HAL_BUTTON_UP, BOARD_LINE_LOW("GPIO17")},
             {HAL_BUTTON_DOWN, BOARD_LINE_LOW("GPIO22")},
-            {HAL_BUTTON_LEFT, BOARD_LINE_LOW("GPIO27")},
-            {HAL_BUTTON_RIGHT, BOARD_LINE_LOW("GPIO18")},
+            {HAL_BUTTON_LEFT, BOARD_LINE_LOW("GPIO23")},
+            {HAL_BUTTON_RIGHT, BOARD_LINE_LOW("GPIO27")},
         },
     .button_count = 4,
     .band_height = 60,

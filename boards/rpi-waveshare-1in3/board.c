@@ -11,6 +11,7 @@ const struct board board_rpi_waveshare_1in3 = {
     .panel = &panel_st7789_240x240,
     .rotation = PANEL_R90,
     .format = PANEL_RGB565,
+    .gpio_labels = RPI_GPIO_LABELS,
     .spi_hz = 40000000,
     .pins =
         {

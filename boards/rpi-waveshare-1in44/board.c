@@ -11,6 +11,7 @@ const struct board board_rpi_waveshare_1in44 = {
     .panel = &panel_st7735s_128x128,
     .rotation = PANEL_R90,
     .format = PANEL_RGB565,
+    .gpio_labels = RPI_GPIO_LABELS,
     .spi_hz = 9000000,
     .pins =
         {

@@ -9,4 +9,4 @@ PORT_STACK_EXTRA = 32 # one interrupt: the core puts 8 words on the stack; the h
 PORT_FINISH = hal/rp2040/boot2_seal.sh '$(HOSTCC)' '$(CROSS)' "$$1"
 UF2_FAMILY = 0xe48bff56
 UF2_BASE = 0x10000000
-EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' hal/rp2040/emulate/emulate.sh
+EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh

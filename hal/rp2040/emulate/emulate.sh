@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...]
+# Runs an image of an RP2040 board in rp2040js and writes its frames as DIR/frame-NNNN.ppm: what pinhole-wire makes of the
+# chip's wires. Prints their checksums, then how fast they came. DIR/events and DIR/report stay (see emulate.mjs).
+# Needs node and npm, which gets rp2040js (package.json has the version) into the build directory.
+# Environment: B (build directory), BOARD, BOARD_HOME, CORES (that the chip is given; 2), EVENTS_ONLY=1 (no pictures).
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/../../.."
+B=${B:-build}
+elf=$1 out=$2 frames=$3
+shift 3
+
+stop() {
+    echo "emulate: $1" >&2
+    exit 1
+}
+command -v node >/dev/null || stop "no node here: apt-get install nodejs"
+
+modules=$B/rp2040js
+if ! cmp -s "$here/package.json" "$modules/package.json" || [ ! -e "$modules/node_modules/rp2040js/package.json" ]; then
+    command -v npm >/dev/null || stop "no npm here: apt-get install npm"
+    new=$(mktemp -d) && trap 'rm -rf "$new"' EXIT
+    cp "$here/package.json" "$new/"
+    timeout 120 npm install --prefix "$new" --no-package-lock --ignore-scripts --no-audit --no-fund --fetch-retries=1 \
+        >"$new/log" 2>&1 || stop "npm did not get rp2040js: $(grep -m1 'npm.*ERR\|npm error' "$new/log")"
+    rm -rf "$modules" && mkdir -p "$modules"
+    mv "$new/node_modules" "$new/package.json" "$modules/"
+fi
+[ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2
+
+pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
+mkdir -p "$out"
+node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
+    --frames "$frames" --events "$out/events" --report "$out/report" "$@" "${elf%.elf}.bin"
+[ "${EVENTS_ONLY-}" = 1 ] || "$B/pinhole-wire" --board "$BOARD" --out "$out" "$out/events"
+awk '{ us += $2; bus += $3; load += $4; load1 += $5 }
+    END { if (NR > 0) { printf "%.1f frames/s: %.2f ms a frame, %.2f of them on the bus; load of core 0 %.0f %%", NR * 1e6 / us, us / NR / 1e3, bus / NR / 1e3, load / NR
+                        if (NF > 4) { printf ", core 1 %.0f %%", load1 / NR }
+                        printf "\n" } }' "$out/report"
