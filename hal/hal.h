@@ -61,13 +61,16 @@ struct hal_ops {
     /* Waits until the last bit is out. */
     int (*bus_wait)(void *context);
 
-    /* Sends one command byte and reads n bytes; NULL where the kit has no MISO. */
+    /* Sends one command byte and reads n bytes; NULL, or HAL_ENOSYS, where the kit has no MISO. */
     int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
 
     /* RESET true: high, the panel runs. BACKLIGHT true: lit. 0 also where the pin is not wired. */
     int (*pin_set)(void *context, enum hal_pin pin, bool level);
 
-    /* Waits for the next tearing-effect edge, at most timeout_us; NULL where no TE line is wired. */
+    /*
+     * Waits for the next tearing-effect edge, at most timeout_us (then HAL_ETIMEDOUT); NULL, or HAL_ENOSYS, where no TE
+     * line is wired.
+     */
     int (*te_wait)(void *context, uint32_t timeout_us);
 
     uint32_t (*time_us)(void *context); /* wraps after 71 minutes */
