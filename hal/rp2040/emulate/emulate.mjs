@@ -1,0 +1,218 @@
+// Runs a firmware image on an emulated RP2040 and writes what its wires did (the format is in host-sim/wire.h).
+import { closeSync, openSync, readFileSync, writeFileSync, writeSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+import { makeMachine } from './machine.mjs';
+
+const HELP = `emulate.mjs --modules DIR IMAGE.bin|IMAGE.uf2 [options]
+Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and writes the events on its wires.
+  --frames N          ends after N frames (16)
+  --events FILE       the events ('-': stdout, the default)
+  --report FILE       a line a frame: number, time in us, time on the bus in us, load of each core in %
+  --cores 1|2         cores that the chip has (2)
+  --dc PIN            the panel's D/C (required)
+  --select PIN        the panel's chip select
+  --press FRAME:PINS  from this frame on the pins (12+13; none: '') are low; may be given several times
+  --send FRAME:TEXT   to the image's UART when this frame begins
+  --fault FRAME       a hard fault when this frame begins
+  --limit-ms N        ends with an error when so much emulated time has passed (60000)
+What the image says on its UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
+
+const { values: options, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    modules: { type: 'string' }, frames: { type: 'string', default: '16' }, events: { type: 'string', default: '-' },
+    report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
+    press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
+    fault: { type: 'string' }, 'limit-ms': { type: 'string', default: '60000' },
+    help: { type: 'boolean', default: false },
+  },
+});
+if (options.help) {
+  console.log(HELP);
+  process.exit(0);
+}
+if (positionals.length !== 1 || options.modules === undefined || options.dc === undefined) {
+  console.error('emulate.mjs: --modules DIR, --dc PIN and one image are wanted; see --help');
+  process.exit(2);
+}
+
+function fail(text) {
+  console.error(`emulate: ${text}`);
+  process.exit(1);
+}
+
+// A UF2 file is 512-byte blocks: magics, flags, address, size, number, count, family, data.
+function unpackUf2(file) {
+  const view = new DataView(file.buffer, file.byteOffset, file.length);
+  const image = new Uint8Array(16 * 1024 * 1024).fill(0xff);
+  let end = 0;
+  for (let at = 0; at < file.length; at += 512) {
+    const [magic, magic2, , address, size, , , family] = [...Array(8).keys()].map((i) => view.getUint32(at + 4 * i, true));
+    if (magic !== 0x0a324655 || magic2 !== 0x9e5d5157 || family !== 0xe48bff56) {
+      fail(`block ${at / 512} of the UF2 file is not for an RP2040`);
+    }
+    image.set(file.subarray(at + 32, at + 32 + size), address - 0x10000000);
+    end = Math.max(end, address - 0x10000000 + size);
+  }
+  return image.slice(0, end);
+}
+
+// { frame -> what is given for it } of options such as "3:12+13".
+function byFrame(list) {
+  return new Map(list.map((text) => [Number(text.split(':')[0]), text.slice(text.indexOf(':') + 1)]));
+}
+
+// Collects words into transfers and writes them with the levels that they met.
+function makeRecorder(machine, fd) {
+  let text = '', transfer = null, waiting = [], levelsAtStart = 0;
+  const put = (line) => {
+    text += `${line}\n`;
+    if (text.length > 1 << 16) {
+      flushText();
+    }
+  };
+  const flushText = () => {
+    for (let bytes = Buffer.from(text); bytes.length > 0;) {
+      bytes = bytes.subarray(writeSync(fd, bytes));
+    }
+    text = '';
+  };
+  const ns = (time) => Math.round(time);
+  const flush = () => {
+    if (transfer !== null) {
+      const t = transfer;
+      put(`${ns(t.start)} spi - ${t.hz} ${t.hz} ${t.mode.toString(16)} 8 ${t.levels.toString(16)} ` +
+          `${t.levelsAtEnd.toString(16)} ${ns(t.end)} ${Buffer.from(t.bytes).toString('hex')}`);
+      transfer = null;
+    }
+  };
+  const level = (time, levels) => put(`${ns(time)} level ${levels.toString(16)}`);
+  return {
+    put, level,
+    name(bit, name) { put(`0 name ${bit} ${name}`); },
+    levels(levels) { // while a word is on its way it is still told as one transfer, with both levels
+      if (machine.wordInFlight) {
+        waiting.push([machine.time, levels]);
+        return;
+      }
+      flush();
+      level(machine.time, levels);
+    },
+    wordStart() { levelsAtStart = machine.levels; },
+    word(value, bits, start, end, hz) {
+      const mode = 0; // CPOL and CPHA of boards with chip select
+      if (transfer !== null && (transfer.hz !== hz || transfer.end !== start || transfer.bytes.length >= 4096)) {
+        flush();
+      }
+      transfer ??= { start, hz, mode, levels: levelsAtStart, bytes: [] };
+      transfer.bytes.push(...(bits === 16 ? [value >> 8, value & 255] : [value & 255]));
+      transfer.end = end;
+      transfer.levelsAtEnd = machine.levels;
+      if (waiting.length > 0) {
+        flush();
+        waiting.forEach(([, levels]) => level(end, levels));
+        waiting = [];
+      }
+    },
+    close() { flush(); flushText(); },
+  };
+}
+
+const lib = {};
+const base = join(options.modules, 'rp2040js/dist/esm');
+for (const file of ['rp2040.js', 'cortex-m0-core.js', 'sio.js', 'peripherals/ppb.js']) {
+  Object.assign(lib, await import(pathToFileURL(join(base, file))));
+}
+
+let objections = 0;
+const machine = makeMachine(lib, {
+  cores: Number(options.cores),
+  warn(text) {
+    objections++;
+    if (objections <= 10) {
+      console.error(`emulate: at ${(machine.time / 1e6).toFixed(3)} ms: ${text}`);
+    }
+  },
+});
+const file = readFileSync(positionals[0]);
+machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
+
+const fd = options.events === '-' ? 1 : openSync(options.events, 'w');
+const recorder = makeRecorder(machine, fd);
+if (options.select !== undefined) {
+  recorder.name(options.select, 'select');
+}
+let uart = '';
+machine.onUart = (byte) => {
+  uart += String.fromCharCode(byte);
+  if (byte === 10) {
+    process.stderr.write(uart);
+    uart = '';
+  }
+};
+machine.onLevels = recorder.levels;
+machine.onWordStart = recorder.wordStart;
+
+const press = byFrame(options.press), send = byFrame(options.send);
+const limit = Number(options['limit-ms']) * 1e6, frames = Number(options.frames);
+const report = [];
+let frame = -1, begun = null, busTime = 0;
+
+function measure() {
+  const current = { time: machine.time, bus: busTime, idle: machine.cores.map((own) => own.idle) };
+  if (begun !== null) {
+    const us = (current.time - begun.time) / 1e3;
+    const loads = current.idle.map((idle, i) => 100 - (idle - begun.idle[i]) / us / 10);
+    report.push([frame, ...[us, (current.bus - begun.bus) / 1e3, ...loads].map((v) => v.toFixed(1))].join(' '));
+  }
+  begun = current;
+}
+
+function beginFrame() {
+  measure();
+  frame++;
+  if (press.has(frame)) {
+    const low = press.get(frame).split('+').filter((pin) => pin !== '').map(Number);
+    machine.mcu.gpio.forEach((pin, i) => pin.setInputValue(!low.includes(i)));
+  }
+  if (send.has(frame)) {
+    Buffer.from(send.get(frame)).forEach((byte) => machine.mcu.uart[0].feedByte(byte));
+  }
+  if (Number(options.fault) === frame) {
+    machine.mcu.core.exceptionEntry(3);
+  }
+}
+
+// A frame begins with the command memory write, 2Ch.
+machine.onWord = (value, bits, start, end, hz) => {
+  if (value === 0x2c && bits === 8 && (machine.levels & (1 << Number(options.dc))) === 0) {
+    beginFrame();
+  }
+  busTime += end - start;
+  recorder.word(value, bits, start, end, hz);
+};
+
+machine.run(() => frame >= frames || machine.time > limit || objections > 0);
+recorder.close();
+if (fd !== 1) {
+  closeSync(fd);
+}
+if (options.report !== undefined) {
+  writeFileSync(options.report, report.map((line) => `${line}\n`).join(''));
+}
+machine.cores.filter((own) => own.started).forEach((own, i) => {
+  console.error(`emulate: core ${i}: lowest stack ${own.lowest.toString(16)}`);
+});
+if (!machine.flashIntact()) {
+  fail('the image wrote into flash as if it were RAM');
+}
+if (objections > 0) {
+  fail(`${objections} objections of the emulator`);
+}
+if (machine.ended !== null) {
+  console.error(`emulate: ended in frame ${frame}: ${machine.ended}`);
+} else if (frame < frames) {
+  fail(`only ${frame} frames in ${options['limit-ms']} ms`);
+}
