@@ -20,31 +20,56 @@ static int ieee_row(const struct depth_lab *lab, uint32_t format)
     return 0;
 }
 
+/* Where the lab's text goes; without its first piece, the header, once that is there. */
+struct sink {
+    FILE *file;
+    bool skip;
+};
+
 static void put_text(void *context, const char *text)
 {
-    fputs(text, context);
+    struct sink *sink = context;
+    if (!sink->skip) {
+        fputs(text, sink->file);
+    }
+    sink->skip = false;
 }
 
-/* Runs a measurement of lab.h into lab->rows. */
+static int measure_format(struct lab *mine, int (*run)(const struct lab *), uint32_t format)
+{
+    mine->formats = (uint32_t)1 << format;
+    const int status = run(mine);
+    return status == 0 ? 0
+                       : complain(EXIT_FAILED, "%s: the renderer refuses this camera (error %d)",
+                                  lab_formats[format].name, status);
+}
+
+/* Runs a measurement of lab.h into lab->rows, format by format. */
 static int measure(const struct depth_lab *lab, int (*run)(const struct lab *))
 {
+    struct sink sink = {lab->rows, false};
     struct lab mine = {.near_z = lab->near_z,
                        .far_z = lab->far_z,
-                       .formats = lab->formats,
                        .count = lab->count,
                        .spacing = lab->spacing,
                        .at = lab->at_count > 0 ? lab->at : NULL,
                        .at_count = lab->at_count,
                        .put = put_text,
-                       .context = lab->rows};
+                       .context = &sink};
     mine.memory_bytes = lab_bytes(&mine);
     mine.memory = malloc(mine.memory_bytes);
     if (mine.memory == NULL) {
         return complain(EXIT_FAILED, "out of memory; make --count smaller");
     }
-    const int status = run(&mine);
+    int status = run(&mine); /* of no format: the header */
+    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        depth_progress(lab_formats[i].name, i, lab_format_count);
+        sink.skip = true;
+        status = (lab->formats >> i & 1) != 0 ? measure_format(&mine, run, i) : 0;
+    }
+    depth_progress("", 1, 1);
     free(mine.memory);
-    return status == 0 ? 0 : complain(EXIT_FAILED, "the renderer refuses this camera (error %d)", status);
+    return status;
 }
 
 int depth_pairs(const struct depth_lab *lab)

@@ -16,11 +16,21 @@ static const struct depth_command commands[] = {
     {"resolve", "the smallest separation that is ordered right at each distance, and the largest of them",
      " near far format at csv ",
      "format,bits,near [m],far [m],z [m],ideal step [m] (predicted),S_eff [m] (measured),ratio", depth_resolve},
+    {"monotone", "the code at every Q16.16 distance from near to far: does it ever rise?", " near far format csv ",
+     "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
+     "(measured),verdict",
+     depth_monotone},
+    {"anchors", "every published number that this lab rests on, computed again", " csv ",
+     "anchor,published,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
      " near far format fov size at tilt separation out csv ",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
      "from [m] (measured),measured / predicted",
      depth_planes},
+    {"budget", "what each part of the pipeline costs at each distance, and which part dominates",
+     " near far format fov size at csv ",
+     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
+     depth_budget},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])

@@ -4,6 +4,9 @@
 const struct lab_format lab_formats[] = {
     {"fixed16", LAB_DRAWN, 16, PH_DEPTH_FIXED16},
     {"float16", LAB_DRAWN, 16, PH_DEPTH_FLOAT16},
+    {"fixed24", LAB_DRAWN, 24, PH_DEPTH_FIXED24},
+    {"float24", LAB_DRAWN, 24, PH_DEPTH_FLOAT24},
+    {"linear-w", LAB_DRAWN, 16, PH_DEPTH_LINEAR_W},
     {"linear-w", LAB_LINEAR, 24, 0},
     {"over-w", LAB_OVER_W, 16, 0},
     {"over-w", LAB_OVER_W, 24, 0},

@@ -1,0 +1,259 @@
+/* anchors: published numbers, computed again. */
+#include "complain.h"
+#include "depth_ieee.h"
+#include "lab_search.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A run over all anchors: where the lines go, what failed, and the memory of the searches. */
+struct run {
+    FILE *rows;
+    uint32_t failed, done;
+    struct lab_probe probe;
+    struct lab_search search;
+};
+
+enum how {
+    PREDICTED, /* from a formula */
+    MEASURED,  /* on code that runs */
+};
+
+#define ANCHOR_COUNT 66 /* for the progress bar */
+
+static void put(struct run *run, const char *name, const char *published, double here, enum how how, bool pass)
+{
+    fprintf(run->rows, "%s,%s,%.9g,%s,%s\n", name, published, here, how == PREDICTED ? "predicted" : "measured",
+            pass ? "pass" : "FAIL");
+    run->failed += !pass;
+    depth_progress("anchors", ++run->done < ANCHOR_COUNT ? run->done : ANCHOR_COUNT - 1, ANCHOR_COUNT);
+}
+
+/* One unit in the last digit that was published: "1.9e-6", "42", ".301". */
+static double last_digit(const char *published)
+{
+    const char *point = strchr(published, '.'), *exponent = strchr(published, 'e');
+    const size_t end = strcspn(published, "e");
+    const double decimals = point == NULL ? 0 : (double)(published + end - point - 1);
+    return pow(10, (exponent != NULL ? atof(exponent + 1) : 0) - decimals);
+}
+
+/* Rounded or cut off to the digits that were published. */
+static bool same_digits(const char *published, double here)
+{
+    const double value = atof(published), unit = last_digit(published);
+    return here > value - unit * 0.5000001 && here < value + unit;
+}
+
+static void to_the_digit(struct run *run, const char *name, const char *published, double here)
+{
+    put(run, name, published, here, PREDICTED, same_digits(published, here));
+}
+
+/* ---- OpenGL FAQ 12, Outerra, Golubev ---------------------------------------------------------------------- */
+
+/* Distance that a code of s stands for: OpenGL FAQ, 12.050. */
+static double faq_distance(double n, double f, double s, double code)
+{
+    return f * n / (f - code / s * (f - n));
+}
+
+static void opengl_faq(struct run *run)
+{
+    to_the_digit(run, "OpenGL FAQ 12: distance of code 1 (n .01 f 1000 s 65535)", "0.01000015",
+                 faq_distance(.01, 1000, 65535, 1));
+    to_the_digit(run, "OpenGL FAQ 12: distance of code s - 1", "395.90054", faq_distance(.01, 1000, 65535, 65534));
+}
+
+/* Step of log(C w + 1) / log(C far + 1) in 24 bits. */
+static double outerra_step(double c, double w)
+{
+    return (1 + c * w) * log(c * 1e7 + 1) / c / 16777216;
+}
+
+static void outerra(struct run *run)
+{
+    static const char *const one[] = {"1.9e-6", "1.1e-5", "9.7e-5", "0.001", "0.01", "0.096", "0.96", "9.6"};
+    static const char *const thousandth[] = {".0005", ".0005", ".0006", ".001", ".006", ".055", ".549", "5.49"};
+    double w = 1;
+    for (int i = 0; i < 8; i++, w *= 10) {
+        char name[96];
+        snprintf(name, sizeof name, "Outerra 2009: log depth step at %.0f m (C 1)", w);
+        to_the_digit(run, name, one[i], outerra_step(1, w));
+        snprintf(name, sizeof name, "Outerra 2009: log depth step at %.0f m (C .001)", w);
+        to_the_digit(run, name, thousandth[i], outerra_step(.001, w));
+    }
+}
+
+static const struct lab_format *find_format(const char *name, int bits)
+{
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        if (strcmp(lab_formats[i].name, name) == 0 && lab_formats[i].bits == bits) {
+            return &lab_formats[i];
+        }
+    }
+    return NULL;
+}
+
+/* False where there is no such format, or the renderer refuses it. */
+static bool open_probe(struct run *run, const char *name, int bits, double n, double f)
+{
+    const struct lab_format *format = find_format(name, bits);
+    return format != NULL && lab_probe_open(&run->probe, format, (fx_t)lround(n * 65536), (fx_t)lround(f * 65536)) == 0;
+}
+
+static void golubev(struct run *run)
+{
+    const double n = .1, f = 1e4, share = (1 / n - 1) / (1 / n - 1 / f);
+    put(run, "Golubev 2020: share of the codes below 1 m (n .1 f 1e4 24 bits)", "over 0.9", share, PREDICTED,
+        share > .9);
+    double drawn = 0;
+    if (open_probe(run, "fixed24", 24, n, f)) {
+        const double near_code = lab_code(&run->probe, run->probe.near_z);
+        const double far_code = lab_code(&run->probe, run->probe.far_z);
+        drawn = (near_code - lab_code(&run->probe, FX_ONE)) / (near_code - far_code);
+    }
+    put(run, "Golubev 2020: the same of fixed24 as it is drawn", "over 0.9", drawn, MEASURED, drawn > .9);
+}
+
+/* ---- Lapidous & Jiao, Akeley & Su ------------------------------------------------------------------------- */
+
+/*
+ * Mean step over all distances, of complementary z in an unsigned float of 16 bits whose exponent has just the bits
+ * that far / near needs, over the step of linear w.
+ */
+static double complementary_over_linear(double ratio)
+{
+    const int octaves = (int)ceil(log2(ratio)) + 1, exponent = (int)ceil(log2(octaves)), mantissa = 16 - exponent;
+    const int samples = 100000, lowest = (1 << exponent) - 2;
+    double sum = 0;
+    for (int i = 0; i < samples; i++) {
+        const double z = 1 + (ratio - 1) * (i + .5) / samples, d = (1 / z - 1 / ratio) / (1 - 1 / ratio);
+        const double octave = fmin(floor(-log2(d)), lowest);
+        sum += exp2(-(mantissa + 1 + octave)) * z * z * (1 - 1 / ratio);
+    }
+    return sum / samples / ((ratio - 1) / 65536);
+}
+
+static void lapidous(struct run *run)
+{
+    static const int ratios[] = {100, 500, 1000, 5000};
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+        sum += complementary_over_linear(ratios[i]);
+    }
+    put(run, "Lapidous & Jiao 1999: mean error of complementary z over w-buffer (far/near 100 500 1000 5000)",
+        "about 2", sum / 4, PREDICTED, sum / 4 > 1.5 && sum / 4 < 2.5);
+}
+
+static void akeley(struct run *run)
+{
+    const double n = .5, f = 100, z = 100, pixel = 2 * tan(acos(-1.0) / 6) / 240;
+    const double s_z = z * z * (f - n) / (f * n * 16777215), s_xy = sqrt(2) / 16 * pixel * z;
+    to_the_digit(run, "Akeley & Su 2006: S_min of 24-bit z alone in mm (n .5 f 100 z 100)", "1.2", s_z * 1000);
+    to_the_digit(run, "Akeley & Su 2006: with 4 sub-pixel bits in mm (240 px fov 60)", "42",
+                 sqrt(s_xy * s_xy + s_z * s_z) * 1000);
+}
+
+/* ---- Reed --------------------------------------------------------------------------------------------------- */
+
+static void reed(struct run *run)
+{
+    static const struct {
+        const char *name;
+        uint32_t equal, swap;
+    } published[] = {
+        {"ieee32-standard", 7720, 1}, {"ieee32-infinite", 7575, 1},       {"ieee32-reversed", 0, 0},
+        {"int24-reversed", 7577, 0},  {"ieee32-infinite-reversed", 0, 0}, {"int24-infinite-reversed", 7578, 0},
+        {"ieee32-gl", 7734, 0},       {"ieee32-gl-infinite", 7663, 0}};
+    for (size_t i = 0; i < sizeof published / sizeof published[0]; i++) {
+        uint32_t format = 0;
+        struct depth_ieee_count found = {0, 0, 0};
+        while (strcmp(depth_ieee_name(format), published[i].name) != 0) {
+            format++;
+        }
+        depth_ieee_pairs(format, .1, 10000, LAB_LINEAR_SPACED, 10000, &found);
+        char name[96], text[16];
+        snprintf(name, sizeof name, "Reed 2015: %s: equal (n .1 f 1e4 10000 pairs)", published[i].name);
+        snprintf(text, sizeof text, "%u", (unsigned)published[i].equal);
+        put(run, name, text, found.equal, MEASURED, found.equal == published[i].equal);
+        snprintf(name, sizeof name, "Reed 2015: %s: swapped", published[i].name);
+        snprintf(text, sizeof text, "%u", (unsigned)published[i].swap);
+        put(run, name, text, found.swap, MEASURED, found.swap == published[i].swap);
+    }
+}
+
+/* ---- what Q16.16 reaches -------------------------------------------------------------------------------------- */
+
+/* Rows of the table in metres, each for n .1 f 1000 and n .5 f 100 with 16 bits, n .1 f 1000 and n 1 f 1000 with 24. */
+static const struct reach {
+    const char *name[2]; /* with 16, with 24 bits */
+    const char *published[4];
+    bool ours; /* what the renderer stores */
+} table[] = {
+    {{"ndc-q16", "ndc-q16"}, {"181", ".301", "117", "14.8"}, false},
+    {{"recip-q16", "recip-q16"}, {"750", "22.8", "750", "750"}, false},
+    {{"clip-q16", "clip-q16"}, {"126", ".304", "64", "6.1"}, false},
+    {{"fixed16", "fixed24"}, {"126", ".303", ".596", ".060"}, true},
+    {{"linear-w", "linear-w"}, {".0153", ".0015", "6e-5", "6e-5"}, true},
+    {{"over-w", "over-w"}, {".19", ".019", "7e-4", "9e-4"}, false},
+    {{"float16", "float24"}, {".074", ".0058", "3e-4", "2.4e-4"}, true},
+    {{"log", "log"}, {".14", ".0081", "5e-4", "4e-4"}, false},
+};
+
+/*
+ * Ours: at most 5 % worse. Others: within 5 %, or the same digits; a reciprocal of w in Q16.16 may be worse than
+ * published, since 750 m is less than the whole range, in which wrong orders 988 m apart are found.
+ */
+static bool reaches(const struct reach *row, int column, double here)
+{
+    const char *published = row->published[column];
+    const double value = atof(published);
+    if (row->ours) {
+        return here > 0 && here <= value * 1.05;
+    }
+    const double most = strcmp(published, "750") == 0 ? 1000 : value * 1.05;
+    return (here >= value * .95 && here <= most) || same_digits(published, here);
+}
+
+static void reached(struct run *run)
+{
+    static const double planes[4][2] = {{.1, 1000}, {.5, 100}, {.1, 1000}, {1, 1000}};
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        for (int column = 0; column < 4; column++) {
+            const double n = planes[column][0], f = planes[column][1];
+            double here = 0;
+            char name[96];
+            if (open_probe(run, table[i].name[column / 2], column / 2 == 0 ? 16 : 24, n, f)) {
+                lab_search_open(&run->search, &run->probe);
+                here = lab_search_worst(&run->search, &run->probe) / 65536.0;
+            }
+            snprintf(name, sizeof name, "Q16.16 reaches: S_worst in m of %s (%d bits n %g f %g)",
+                     table[i].name[column / 2], column / 2 == 0 ? 16 : 24, n, f);
+            put(run, name, table[i].published[column], here, MEASURED, reaches(&table[i], column, here));
+        }
+    }
+}
+
+int depth_anchors(const struct depth_lab *lab)
+{
+    struct run *run = malloc(sizeof *run);
+    if (run == NULL) {
+        return complain(EXIT_FAILED, "out of memory");
+    }
+    run->rows = lab->rows;
+    run->failed = run->done = 0;
+    fputs("anchor,published,here,how,verdict\n", lab->rows);
+    opengl_faq(run);
+    outerra(run);
+    golubev(run);
+    lapidous(run);
+    akeley(run);
+    reed(run);
+    reached(run);
+    depth_progress("anchors", 1, 1);
+    const uint32_t failed = run->failed;
+    free(run);
+    return failed == 0 ? 0 : complain(EXIT_FAILED, "%u anchors are not met: see FAIL", (unsigned)failed);
+}
