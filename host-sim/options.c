@@ -254,7 +254,11 @@ static const struct option option_table[] = {
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", set_convention},
-    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w", "what the depth buffer holds; fixed16 by default",
+    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
+     "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
+     "        projection is parallel, else float16 (--stats names it). The 24-bit formats take twice the memory, "
+     "linear-w\n"
+     "        a reciprocal per pixel",
      "auto, fixed16, float16, fixed24, float24 or linear-w", set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
     {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
@@ -359,7 +363,7 @@ static int read_one(struct options *o, int argc, char *const argv[], int i)
 
 int options_read(struct options *o, int argc, char *const argv[])
 {
-    *o = (struct options){.depth = PH_DEPTH_FIXED16, .up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
+    *o = (struct options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
         i = read_one(o, argc, argv, i);
         if (i == 0) {

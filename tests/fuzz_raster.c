@@ -138,7 +138,7 @@ struct memory {
 static struct ph_config any_config(struct memory *memory)
 {
     static const uint16_t sizes[][2] = {{1, 1}, {1024, 3}, {3, 1024}, {1, 64}, {64, 1}, {16, 12}, {320, 24}, {128, 64}};
-    struct ph_config config = {.depth_format = (uint8_t)below(2)};
+    struct ph_config config = {.depth_format = (uint8_t)below(PH_DEPTH_FORMATS)};
     uint32_t kind = below(12);
     config.width = (uint16_t)(kind < 8 ? sizes[kind][0] : 1 + below(96));
     config.height = (uint16_t)(kind < 8 ? sizes[kind][1] : 1 + below(96));
@@ -149,7 +149,8 @@ static struct ph_config any_config(struct memory *memory)
     config.vertices = fence(&memory->vertices, config.vertex_max * ph_vertex_bytes);
     config.triangles = fence(&memory->triangles, config.triangle_max * ph_triangle_bytes);
     config.bins = fence(&memory->bins, config.bin_max * sizeof(*config.bins));
-    config.depth = fence(&memory->depth, (size_t)config.width * config.band_height * 2);
+    config.depth =
+        fence(&memory->depth, (size_t)config.width * config.band_height * ph_depth_bytes(config.depth_format));
     memory->band = fence(&memory->pixels, (size_t)config.width * config.band_height * 2);
     return config;
 }
@@ -374,7 +375,7 @@ static uint32_t draw_bands(struct ph_renderer *r, uint16_t *pixels)
             fail("a band has a wrong number of lines");
         }
         hash[0] = hash_bytes(hash[0], pixels, bytes);
-        hash[1] = hash_bytes(hash[1], r->config.depth, bytes);
+        hash[1] = hash_bytes(hash[1], r->config.depth, bytes / 2 * ph_depth_bytes(r->config.depth_format));
         rows += lines;
     }
     if (rows != r->config.height) {
@@ -392,7 +393,7 @@ static uint32_t draw_again(const struct ph_config *config, const struct content 
     other.band_height = (uint16_t)(1 + below(config->height));
     other.bin_max = (uint32_t)((other.height + other.band_height - 1) / other.band_height);
     other.bins = fence(&bins, other.bin_max * sizeof(*other.bins));
-    other.depth = fence(&depth, (size_t)other.width * other.band_height * 2);
+    other.depth = fence(&depth, (size_t)other.width * other.band_height * ph_depth_bytes(other.depth_format));
     uint16_t *pixels = fence(&band, (size_t)other.width * other.band_height * 2);
     begin(&r, &other, c);
     draw(&r, c);

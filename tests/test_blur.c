@@ -151,7 +151,7 @@ static void picture_is_that_of_a_thin_lens(void **state)
         struct rig sharp, blurred;
         const struct ph_focus focus = {ref_q16(ref_uniform(1.2, 20)), ref_q16(ref_uniform(.5, 8)),
                                        (uint8_t)(1 + i % 7)};
-        const enum ph_depth_format format = i & 1 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED16;
+        const enum ph_depth_format format = (enum ph_depth_format)(i % PH_DEPTH_FORMATS);
         double sum = 0;
         build_random(s);
         draw(&sharp, s, HEIGHT, format);

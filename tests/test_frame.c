@@ -317,7 +317,7 @@ static void lines_hide_behind_surfaces(void **state)
 static void depth_bias_lifts_lines_off_their_surface(void **state)
 {
     (void)state;
-    for (int format = PH_DEPTH_FIXED16; format <= PH_DEPTH_FLOAT16; format++) {
+    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
         for (int bias = 0; bias <= 16; bias += 16) {
             static const struct shape near = {'n', {{8, 0, -.1}, {8, 24, -.1}, {24, 0, -.1}}};
             struct drawing d;
@@ -426,7 +426,7 @@ static void impossible_configurations_are_refused(void **state)
     (void)state;
     drawing_open(&d);
     const struct ph_config good = d.rig.r.config;
-    struct ph_config bad[12];
+    struct ph_config bad[14];
     for (int i = 0; i < COUNT(bad); i++) {
         bad[i] = good;
     }
@@ -436,12 +436,15 @@ static void impossible_configurations_are_refused(void **state)
     bad[3].height = 1025;
     bad[4].band_height = 0;
     bad[5].band_height = HEIGHT + 1;
-    bad[6].depth_format = 77;
+    bad[6].depth_format = PH_DEPTH_FORMATS;
     bad[7].vertices = NULL;
     bad[8].triangles = NULL;
     bad[9].bins = NULL;
     bad[10].depth = NULL;
-    bad[11].bin_max = 0;
+    bad[11].depth = (uint8_t *)good.depth + 1;
+    bad[12].depth = (uint8_t *)good.depth + 2;
+    bad[12].depth_format = PH_DEPTH_FLOAT24;
+    bad[13].bin_max = 0;
     assert_int_equal(ph_renderer_init(&r, &good), PH_OK);
     for (int i = 0; i < COUNT(bad); i++) {
         assert_int_equal(ph_renderer_init(&r, &bad[i]), i < COUNT(bad) - 1 ? PH_ERR_INVAL : PH_ERR_NOMEM);

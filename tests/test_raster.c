@@ -250,7 +250,7 @@ static void nearer_surface_wins_in_either_order(void **state)
         "aaaaaaaabbbbbbbb", "aaaaaaaabbbbbbbb", "aaaaaaaabbbbbbbb", "aaaaaaaabbbbbbbb",
     };
     (void)state;
-    for (int format = PH_DEPTH_FIXED16; format <= PH_DEPTH_FLOAT16; format++) {
+    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
         for (int first = 0; first < 2; first++) {
             struct drawing d;
             drawing_open_formats(&d, HEIGHT, 64, (enum ph_depth_format)format);
@@ -287,7 +287,7 @@ static void bands_of_any_height_give_the_same_bytes(void **state)
     uint32_t depth[HEIGHT * WIDTH];
     uint32_t fragments = 0;
     (void)state;
-    for (int format = PH_DEPTH_FIXED16; format <= PH_DEPTH_FLOAT16; format++) {
+    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
         for (int band = HEIGHT; band >= 1; band--) {
             struct drawing d;
             drawing_open_formats(&d, band, 64, (enum ph_depth_format)format);

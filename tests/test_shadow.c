@@ -221,7 +221,7 @@ static void shadow_is_what_the_light_does_not_reach(void **state)
         build(&o, (const double[3]){ref_uniform(-2, 2), ref_uniform(1.6, 3), ref_uniform(-2, 2)}, 1.5);
         const double light[3] = {ref_uniform(-4, 4), ref_uniform(6, 9), ref_uniform(-4, 4)};
         shadows += draw_and_compare(&o, light, (enum ph_projection_kind)(i % 3),
-                                    i / 3 % 2 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED16);
+                                    (enum ph_depth_format)(i / 3 % PH_DEPTH_FORMATS));
     }
     assert_true(shadows > 48 * 200);
 }
@@ -319,7 +319,7 @@ static void shadow_does_not_fight_with_the_ground(void **state)
         const double height = .3 + i * .2, distance = 4 + i % 8 * 4;
         const struct fx_vec3 light = {0, FX_INT(30), 0}, eye = {0, ref_q16(height), ref_q16(distance)};
         build(&o, (const double[3]){0, 3, 0}, 3);
-        open_view(&v, PH_PERSPECTIVE, i & 1 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED16, SIZE);
+        open_view(&v, PH_PERSPECTIVE, (enum ph_depth_format)(i % PH_DEPTH_FORMATS), SIZE);
         v.view = ph_view_look_at(eye, (struct fx_vec3){0, 0, 0}, (struct fx_vec3){0, FX_ONE, 0});
         to_double(&eye, v.eye);
         assert_int_equal(ph_frame_begin(&v.rig.r, &v.view, &v.projection, NULL, 0), PH_OK);

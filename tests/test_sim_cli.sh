@@ -51,6 +51,18 @@ stat_of() { # name, options...: a number from --stats
 
 # ---- each option has an effect
 
+deep=(--demo turntable "${small[@]}" --near .001 --far 500)
+
+depth_in_use() { # format, options...
+    "$sim" --demo cube "${small[@]}" --stats "${@:2}" 2>&1 | grep -q "depth $1;"
+}
+
+depth_auto_is_fixed16_up_to_64_times_near() {
+    depth_in_use fixed16 --near 1 --far 64 && depth_in_use float16 --near 1 --far 64.001 &&
+        depth_in_use fixed16 --near .01 --far 100 --projection ortho && depth_in_use float16 --depth float16 --near 1 --far 2 &&
+        depth_in_use linear-w --depth linear-w && depth_in_use float24 --depth float24 && depth_in_use fixed24 --depth fixed24
+}
+
 help_names_every_option() {
     local option
     "$sim" --help >"$dir/help" || return 1
@@ -415,8 +427,11 @@ check matrices_round_trip matrices_round_trip
 check matrix_of_a_demo_is_its_own matrix_of_a_demo_is_its_own
 check matrix_needs_no_picture_and_takes_one matrix_needs_no_picture_and_takes_one
 check convention_gl_is_the_default same --demo torus "${small[@]}" -- --demo torus "${small[@]}" --convention gl
-check depth_has_an_effect differ --demo turntable "${small[@]}" --near .0001 --far 30000 -- --demo turntable "${small[@]}" --near .0001 --far 30000 --depth float16
-check depth_is_fixed16_by_default same --demo turntable "${small[@]}" --near .0001 --far 30000 -- --demo turntable "${small[@]}" --near .0001 --far 30000 --depth fixed16
+for format in float16 fixed24 float24 linear-w; do
+    check "depth_has_an_effect: $format" differ "${deep[@]}" --depth fixed16 -- "${deep[@]}" --depth $format
+done
+check depth_is_auto_by_default same "${deep[@]}" -- "${deep[@]}" --depth auto
+check depth_auto_is_fixed16_up_to_64_times_near depth_auto_is_fixed16_up_to_64_times_near
 check rotations_show_the_same_upright_picture rotations_show_the_same_upright_picture
 check bands_do_not_change_the_picture bands_do_not_change_the_picture
 check bands_are_what_is_sent_at_a_time bands_are_what_is_sent_at_a_time
@@ -530,8 +545,9 @@ but one view|--demo cube --view outside --crc
 takes no value|--window=1
 must be gl|--convention opengl --crc
 must be gl|--convention= --crc
-fixed16|--depth fixed24 --crc
-fixed16|--depth linear-w --crc
+fixed16|--depth fixed32 --crc
+fixed16|--depth linear --crc
+fixed16|--depth= --crc
 --band '0': must be a whole number of lines, 1 .. 1024$|--band 0 --crc
 --band|--band 1025 --crc
 --band|--band 16px --crc

@@ -119,7 +119,12 @@ static int zfight_frame(struct demo_context *context, struct ph_renderer *r, uin
 static uint32_t zfight_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    const char *const format = r->stats.depth_format == PH_DEPTH_FLOAT16 ? "FLOAT16 1/64 APART" : "FIXED16 1/64 APART";
+    static const char *const formats[PH_DEPTH_FORMATS] = {[PH_DEPTH_FIXED16] = "FIXED16 1/64 APART",
+                                                          [PH_DEPTH_FLOAT16] = "FLOAT16 1/64 APART",
+                                                          [PH_DEPTH_FIXED24] = "FIXED24 1/64 APART",
+                                                          [PH_DEPTH_FLOAT24] = "FLOAT24 1/64 APART",
+                                                          [PH_DEPTH_LINEAR_W] = "LINEAR 1/64 APART"};
+    const char *const format = formats[r->stats.depth_format];
     const int32_t columns = context->width > context->height * 3 / 2 ? PAIRS / 2 : COLUMNS;
     const int32_t rows = PAIRS / columns + 1;
     demo_text(r, band, lines, pixels, (context->width - ph_overlay_width(format, 1)) / 2, 1 + context->height / 40,
