@@ -76,3 +76,19 @@ kit_follow_end() {
     kit_do end
     wait "$kit_follower"
 }
+
+kit_usb() {
+    local ready i
+    ready=$(mktemp -u)
+    modprobe vhci-hcd || return 1
+    "${B:-build}/kit/usb" "$@" --ready "$ready" &
+    # shellcheck disable=SC2034 # the caller's
+    kit_device=$!
+    for ((i = 0; i < 100; i++)); do
+        # The kernel makes the device's node right after.
+        [ -e "$ready" ] && rm "$ready" && sleep 0.1 && return
+        sleep 0.05
+    done
+    echo "kit_usb: the kernel does not take the device" >&2
+    return 1
+}
