@@ -20,6 +20,7 @@
 #   PORT_FINISH       optional shell command between linking and objcopy; finds the ELF in "$1" (a checksum, e.g.)
 #   UF2_FAMILY        number of the chip's family, empty: there is none; UF2_BASE: address of the BIN's first byte
 #   EMULATE           command of `make emulate`, called with the ELF, an empty folder for frames, and FRAMES
+#   EMULATE_NEEDS     what is made for it first, on the computer
 # A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
 # All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h, kit.h.
 #
@@ -57,7 +58,7 @@ endif
 firmware: ## BOARD=x [APP=demos|depth|FILE.c]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
 	$(Q)$(image_make) image
 
-emulate: firmware ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
+emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
 

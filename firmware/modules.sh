@@ -1,6 +1,6 @@
 #!/bin/sh
 # Usage: firmware/modules.sh IMAGE.map
-# The bytes of an image by module, from the linker's map; largest first within flash and RAM. `make size BOARD=x` calls it.
+# The bytes of an image by module, from the linker's map; the largest last. `make size BOARD=x` calls it.
 set -eu
 awk '
     /^Linker script and memory map/ { map = 1 }
@@ -26,4 +26,4 @@ awk '
     END {
         for (m in all) { printf "%-32s %8d %8d\n", m, flash[m], ram[m]; f += flash[m]; r += ram[m] }
         printf "%-32s %8d %8d\n", "all", f, r
-    }' "$1" | sort -k2,2nr -k3,3nr | { printf '%-32s %8s %8s\n' module flash RAM; cat; }
+    }' "$1" | sort -k2,2n -k3,3n | { printf '%-32s %8s %8s\n' module flash RAM; cat; }

@@ -43,6 +43,7 @@
 static struct {
     const struct board *board;
     uint32_t stuck; /* buttons down since the start: they count once they have been up */
+    int early;      /* a byte that was there before the UART was set up, or -1 */
 } kit;
 
 /* ---- pins ------------------------------------------------------------------------------------------ */
@@ -98,6 +99,7 @@ static void start_clock(void)
 
 static void start_uart(void)
 {
+    kit.early = (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255); /* setting up empties the FIFO */
     UART_CTL = 0;
     UART_IBRD = 27; /* 50 MHz / 16 / 115200 = 27 + 8 / 64 */
     UART_FBRD = 8;
@@ -129,7 +131,9 @@ void port_log(const char *text)
 
 int port_log_read(void)
 {
-    return (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255);
+    const int early = kit.early;
+    kit.early = -1;
+    return early >= 0 || (UART_FR & FR_RXFE) != 0 ? early : (int)(UART_DR & 255);
 }
 
 void port_boot_loader(void)

@@ -6,4 +6,5 @@ PORT_LD := hal/lm3s6965/lm3s6965.ld
 PORT_STACK_BYTES := 6656
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 UF2_BASE := 0x0
-EMULATE = $(B)/pinhole-emulate --board $(BOARD)
+EMULATE = $(B)/pinhole-emulate --machine lm3s6965evb --board $(BOARD)
+EMULATE_NEEDS = $(B)/pinhole-emulate

@@ -1,0 +1,243 @@
+/* See emulate_qemu.h. QMP: https://www.qemu.org/docs/master/interop/qmp-spec.html */
+#define _XOPEN_SOURCE 700
+
+#include "emulate_qemu.h"
+
+#include "complain.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define CPU_SECONDS 1800  /* one that lost its parent does not spin for ever */
+#define WAIT_MS     60000 /* for a line or an answer */
+
+struct ends {
+    int monitor[2], uart[2], trace[2], said[2]; /* ours, QEMU's */
+};
+
+static bool open_ends(struct ends *e)
+{
+    const bool all = socketpair(AF_UNIX, SOCK_STREAM, 0, e->monitor) == 0 &&
+                     socketpair(AF_UNIX, SOCK_STREAM, 0, e->uart) == 0 && pipe(e->trace) == 0 && pipe(e->said) == 0;
+    for (int i = 0; all && i < 4; i++) { /* a second QEMU must not keep this one's ends open */
+        const int ours[] = {e->monitor[0], e->uart[0], e->trace[0], e->said[0]};
+        fcntl(ours[i], F_SETFD, FD_CLOEXEC);
+    }
+    return all;
+}
+
+/* In the child. */
+static void execute(const struct ends *e, const char *machine, const char *image, unsigned uart, bool traced)
+{
+    char monitor[48], serial[48], log[32];
+    const char *arguments[48];
+    size_t n = 0;
+    const struct rlimit limit = {CPU_SECONDS, CPU_SECONDS};
+    snprintf(monitor, sizeof monitor, "socket,id=monitor,fd=%d", e->monitor[1]);
+    snprintf(serial, sizeof serial, "socket,id=uart,fd=%d", e->uart[1]);
+    snprintf(log, sizeof log, "/dev/fd/%d", e->trace[1]);
+    const char *const fixed[] = {"qemu-system-arm",
+                                 "-M",
+                                 machine,
+                                 "-kernel",
+                                 image,
+                                 "-S",
+                                 "-display",
+                                 "none",
+                                 "-monitor",
+                                 "none",
+                                 "-nic",
+                                 "none",
+                                 "-icount",
+                                 "shift=5,sleep=off",
+                                 "-chardev",
+                                 monitor,
+                                 "-mon",
+                                 "chardev=monitor,mode=control",
+                                 "-chardev",
+                                 serial,
+                                 "-semihosting-config",
+                                 "enable=on,target=native"};
+    for (; n < sizeof fixed / sizeof fixed[0]; n++) {
+        arguments[n] = fixed[n];
+    }
+    for (unsigned i = 0; i < uart && i < 4; i++) {
+        arguments[n++] = "-serial";
+        arguments[n++] = "null";
+    }
+    arguments[n++] = "-serial";
+    arguments[n++] = "chardev:uart";
+    if (traced) {
+        arguments[n++] = "-trace";
+        arguments[n++] = "memory_region_ops_write";
+        arguments[n++] = "-D";
+        arguments[n++] = log;
+    }
+    arguments[n] = NULL;
+    setrlimit(RLIMIT_CPU, &limit);
+    dup2(e->said[1], STDERR_FILENO);
+    dup2(e->said[1], STDOUT_FILENO);
+    execvp(arguments[0], (char *const *)(uintptr_t)arguments);
+    dprintf(STDERR_FILENO, "qemu-system-arm does not start: %s; apt-get install qemu-system-arm\n", strerror(errno));
+    _exit(127);
+}
+
+int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
+{
+    struct ends e;
+    *q = (struct qemu){.pid = -1, .monitor = -1, .uart = -1, .trace = -1, .said = -1};
+    if (access(image, R_OK) != 0) {
+        return complain(EXIT_FAILED, "%s: cannot be read: %s", image, strerror(errno));
+    }
+    if (!open_ends(&e)) {
+        return complain(EXIT_FAILED, "no sockets for QEMU: %s", strerror(errno));
+    }
+    q->pid = fork();
+    if (q->pid == 0) {
+        execute(&e, machine, image, uart, traced);
+    }
+    close(e.monitor[1]);
+    close(e.uart[1]);
+    close(e.trace[1]);
+    close(e.said[1]);
+    q->monitor = e.monitor[0];
+    q->uart = e.uart[0];
+    q->trace = e.trace[0];
+    q->said = e.said[0];
+    signal(SIGPIPE, SIG_IGN);
+    return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
+}
+
+static bool readable(int fd)
+{
+    struct pollfd p = {.fd = fd, .events = POLLIN};
+    return poll(&p, 1, WAIT_MS) > 0 && (p.revents & POLLIN) != 0;
+}
+
+/* Events come between the answers. */
+static int await_answer(const struct qemu *q, const char *name)
+{
+    char line[4096];
+    size_t n = 0;
+    while (readable(q->monitor) && read(q->monitor, line + n, 1) == 1) {
+        if (line[n] != '\n') {
+            n += n < sizeof line - 1;
+            continue;
+        }
+        line[n] = '\0';
+        n = 0;
+        if (strncmp(line, "{\"return\"", 9) == 0) {
+            return 0;
+        }
+        if (strncmp(line, "{\"error\"", 8) == 0) {
+            return complain(EXIT_FAILED, "QEMU refuses %s: %.200s", name, line);
+        }
+    }
+    return complain(EXIT_FAILED, "QEMU does not answer %s", name);
+}
+
+int qemu_command(const struct qemu *q, const char *name, const char *arguments, ...)
+{
+    char text[1024], values[768] = "";
+    va_list list;
+    va_start(list, arguments);
+    if (arguments != NULL) {
+        vsnprintf(values, sizeof values, arguments, list);
+    }
+    va_end(list);
+    const int n = snprintf(text, sizeof text, "{\"execute\": \"%s\", \"arguments\": {%s}}\n", name, values);
+    if (n < 0 || n >= (int)sizeof text || write(q->monitor, text, (size_t)n) != n) {
+        return complain(EXIT_FAILED, "QEMU does not take %s", name);
+    }
+    return await_answer(q, name);
+}
+
+int qemu_send(const struct qemu *q, const char *text)
+{
+    const ssize_t n = (ssize_t)strlen(text);
+    return write(q->uart, text, (size_t)n) == n ? 0 : complain(EXIT_FAILED, "QEMU does not take what the UART gets");
+}
+
+bool qemu_logged(struct qemu *q, char byte)
+{
+    if (byte == '\r') {
+        return false;
+    }
+    if (byte != '\n') {
+        q->line[q->length] = byte;
+        q->length += q->length < sizeof q->line - 1;
+        return false;
+    }
+    q->line[q->length] = '\0';
+    q->length = 0;
+    if (q->log != NULL) {
+        fprintf(q->log, "%s\n", q->line);
+    }
+    return true;
+}
+
+int qemu_check_line(const struct qemu *q)
+{
+    const bool bad = strncmp(q->line, "fault", 5) == 0 || strncmp(q->line, "stopped", 7) == 0;
+    return bad ? complain(EXIT_FAILED, "the image says: %s", q->line) : 0;
+}
+
+int qemu_line(struct qemu *q)
+{
+    char byte;
+    while (readable(q->uart) && read(q->uart, &byte, 1) == 1) {
+        if (qemu_logged(q, byte)) {
+            return qemu_check_line(q);
+        }
+    }
+    return complain(EXIT_FAILED, "the image logs nothing more");
+}
+
+/* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
+static bool usual(const char *line)
+{
+    return strstr(line, "has no peer") != NULL || strcmp(line, "Timer with period zero, disabling") == 0;
+}
+
+static int complaints_of(FILE *said)
+{
+    char line[512];
+    int status = 0;
+    while (fgets(line, sizeof line, said) != NULL) {
+        line[strcspn(line, "\r\n")] = '\0';
+        if (status == 0 && line[0] != '\0' && !usual(line)) {
+            status = complain(EXIT_FAILED, "QEMU says: %s", line);
+        }
+    }
+    return status;
+}
+
+int qemu_stop(struct qemu *q)
+{
+    int status = 0;
+    if (q->pid > 0) {
+        kill(q->pid, SIGKILL);
+        waitpid(q->pid, NULL, 0);
+    }
+    FILE *said = q->said >= 0 ? fdopen(q->said, "r") : NULL;
+    if (said != NULL) {
+        status = complaints_of(said);
+        fclose(said);
+    }
+    const int others[] = {q->monitor, q->uart, q->trace};
+    for (int i = 0; i < 3; i++) {
+        if (others[i] >= 0) {
+            close(others[i]);
+        }
+    }
+    return status;
+}

@@ -1,0 +1,152 @@
+/* QEMU's lm3s6965evb: the picture is its screen, four by four pixels for each of the panel's. See emulate_qemu.h. */
+#define _XOPEN_SOURCE 700
+
+#include "emulate_qemu.h"
+
+#include "complain.h"
+#include "hal.h"
+#include "keys.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define SCALE 4
+
+static const struct {
+    uint32_t button;
+    const char *key; /* QEMU's name of it */
+} wiring[] = {{HAL_BUTTON_UP, "up"},
+              {HAL_BUTTON_DOWN, "down"},
+              {HAL_BUTTON_LEFT, "left"},
+              {HAL_BUTTON_RIGHT, "right"},
+              {HAL_BUTTON_SELECT, "ctrl"}};
+#define BUTTONS (sizeof wiring / sizeof wiring[0])
+
+/* Brings the buttons from `was` to `is`. */
+static int press(const struct qemu *q, uint32_t was, uint32_t is)
+{
+    int status = 0;
+    for (size_t i = 0; i < BUTTONS && status == 0; i++) {
+        if (((was ^ is) & wiring[i].button) != 0) {
+            status = qemu_command(q, "input-send-event",
+                                  "\"events\": [{\"type\": \"key\", \"data\": {\"down\": %s, \"key\": {\"type\": "
+                                  "\"qcode\", \"data\": \"%s\"}}}]",
+                                  is & wiring[i].button ? "true" : "false", wiring[i].key);
+        }
+    }
+    return status;
+}
+
+/* One pixel of the panel: all of its block is one colour. */
+static bool shrink_pixel(const struct ppm *screen, struct ppm *picture, uint32_t x, uint32_t y)
+{
+    const uint8_t *first = screen->rgb + 3 * ((size_t)SCALE * y * screen->width + (size_t)SCALE * x);
+    memcpy(picture->rgb + 3 * ((size_t)y * picture->width + x), first, 3);
+    for (uint32_t i = 0; i < SCALE * SCALE; i++) {
+        if (memcmp(first + 3 * ((size_t)(i / SCALE) * screen->width + i % SCALE), first, 3) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int shrink(const struct ppm *screen, struct ppm *picture)
+{
+    if (screen->width != SCALE * picture->width || screen->height != SCALE * picture->height) {
+        return complain(EXIT_FAILED, "QEMU's screen is %ux%u, not four times the panel", (unsigned)screen->width,
+                        (unsigned)screen->height);
+    }
+    for (uint32_t y = 0; y < picture->height; y++) {
+        for (uint32_t x = 0; x < picture->width; x++) {
+            if (!shrink_pixel(screen, picture, x, y)) {
+                return complain(EXIT_FAILED, "QEMU's screen is not made of blocks at pixel %u,%u", (unsigned)x,
+                                (unsigned)y);
+            }
+        }
+    }
+    return 0;
+}
+
+static int look(const struct qemu *q, struct ppm *picture)
+{
+    char path[] = "/tmp/pinhole-screen-XXXXXX";
+    struct ppm screen = {.rgb = NULL};
+    const int fd = mkstemp(path);
+    if (fd < 0) {
+        return complain(EXIT_FAILED, "%s: cannot be made", path);
+    }
+    close(fd);
+    int status = qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
+    if (status == 0 && ppm_load(path, &screen) != 0) {
+        status = complain(EXIT_FAILED, "%s: QEMU's screen cannot be read", path);
+    }
+    unlink(path);
+    if (status == 0) {
+        status = shrink(&screen, picture);
+    }
+    free(screen.rgb);
+    return status;
+}
+
+/* Until the line about frame number `frame`. */
+static int await_frame(struct qemu *q, uint32_t frame)
+{
+    char text[32];
+    int status;
+    snprintf(text, sizeof text, "frame %u,", (unsigned)frame);
+    do {
+        status = qemu_line(q);
+    } while (status == 0 && strncmp(q->line, text, strlen(text)) != 0);
+    return status;
+}
+
+static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
+{
+    const uint32_t all = HAL_BUTTON_UP | HAL_BUTTON_DOWN | HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT | HAL_BUTTON_SELECT;
+    uint32_t held = 0;
+    int status = 0;
+    for (uint32_t frame = 0; frame < e->frames && status == 0; frame++) {
+        const uint32_t now = frame > 0 ? keys_at(e->keys, frame) : 0;
+        status = press(q, held, now);
+        held = now;
+        if (status == 0) {
+            status = qemu_send(q, "H");
+        }
+        if (status == 0 && frame == 0) { /* the answer says that the UART has it */
+            status = qemu_command(q, "query-status", NULL) != 0 ? EXIT_FAILED : qemu_command(q, "cont", NULL);
+        }
+        if (status == 0) {
+            status = await_frame(q, frame);
+        }
+        if (status == 0) {
+            status = look(q, picture);
+        }
+        if (status == 0) {
+            status = e->frame(e->context, frame, picture);
+        }
+        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they have been pressed once */
+            status = press(q, 0, all) != 0 ? EXIT_FAILED : press(q, all, 0);
+        }
+    }
+    return status;
+}
+
+int emulate_screen(const struct emulation *e)
+{
+    struct qemu q;
+    const uint16_t width = panel_width(e->board->panel, e->board->rotation);
+    const uint16_t height = panel_height(e->board->panel, e->board->rotation);
+    struct ppm picture = {width, height, malloc((size_t)width * height * 3)};
+    if (picture.rgb == NULL) {
+        return complain(EXIT_FAILED, "not enough memory for a picture");
+    }
+    int status = qemu_start(&q, "lm3s6965evb", e->image, 0, false);
+    q.log = e->log;
+    if (status == 0) {
+        status = run(e, &q, &picture);
+    }
+    free(picture.rgb);
+    const int stopped = qemu_stop(&q);
+    return status != 0 ? status : stopped;
+}
