@@ -74,7 +74,7 @@ $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo test test-exhaustive lint size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
+.PHONY: all demo test test-exhaustive lint bench size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -136,6 +136,9 @@ test-exhaustive: ## the long tests: every input of the unary functions, long fuz
 
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/lint.sh
+
+bench: ## instructions a frame of the five scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
+	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget. BOARD=x: of its image
 	$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh)

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f x86_64
+# Instructions a frame of the five scenes and what the same build's pictures are worth, next to the bars and the best
+# peer (bars.csv: both were measured once, on the same machine model, elsewhere). Leaves $B/bench.csv. Environment: B.
+set -eu
+cd "$(dirname "$0")/../.."
+export B=${B:-build}
+[ $# -gt 0 ] || set -- m0plus m3 m4f x86_64
+dir=$B/bench
+rm -rf "$dir"
+mkdir -p "$dir"
+
+say() { [ ! -t 2 ] || printf 'bench: %s\n' "$1" >&2; }
+
+missing() { # core: what it needs and is not here
+    case "$1" in
+    x86_64) command -v valgrind >/dev/null || echo valgrind ;;
+    *) command -v qemu-system-arm >/dev/null || echo qemu-system-arm
+       command -v arm-none-eabi-gcc >/dev/null || echo gcc-arm-none-eabi ;;
+    esac
+}
+
+# CORE SCENE FORMAT STAGE FRAME COUNT
+for core in "$@"; do
+    lack=$(missing "$core" | xargs)
+    [ -z "$lack" ] || { echo "bench: $core is left out: apt-get install $lack" >&2 && continue; }
+    say "$core"
+    if [ "$core" = x86_64 ]; then
+        for format in fixed16 float16; do tests/bench/run.sh x86_64 all $format; done
+    else
+        tests/bench/run.sh "$core" all all
+    fi | awk -v core="$core" 'NF == 5 && $1 ~ /^S/ { print core, $0 }' >>"$dir/lines"
+done
+
+# The pictures are those of the simulator, on every core.
+say "frame CRCs"
+make -s "$B/pinhole-sim" "$B/tests/test_quality" >&2
+n=0
+for demo in torus cube fill icosphere ground; do
+    n=$((n + 1))
+    awk -v s=S$n '$2 == s { print $3 }' "$dir/lines" | sort -u | while read -r format; do
+        "$B/pinhole-sim" --demo $demo --size 320x240 --frames 57 --depth "$format" --crc |
+            awk -v scene=S$n -v format="$format" '$2 % 8 == 0 { print scene, format, $2, $4 }'
+    done
+done >"$dir/sim"
+awk 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v * 16 + index("0123456789abcdef", tolower(substr(hex, i, 1))) - 1 } return v }
+     NR == FNR { crc[$1 " " $2 " " $3] = value($4); next }
+     $4 == "crc" { seen++; if (crc[$2 " " $3 " " $5] != $6) { print "bench: " $0 ": not the picture of pinhole-sim"; wrong = 1 } }
+     $4 == "dropped" && $6 != 0 { print "bench: " $0; wrong = 1 }
+     END { exit wrong || !seen }' "$dir/sim" "$dir/lines" >&2
+
+say "quality"
+"$B/tests/test_quality" >"$dir/quality"
+
+awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/lines"

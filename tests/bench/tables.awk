@@ -1,0 +1,114 @@
+# bars.csv, test_quality's table and the lines of run.sh with the core in front: the tables of `make bench`, and
+# bench.csv (-v csv=FILE) with the columns core,scene,metric,value,must,aim,best_peer. Means over a scene's frames.
+BEGIN {
+    split("m0plus m3 m4f x86_64", cores, " ")
+    split("fixed16 float16 fixed24 float24 linear-w", formats, " ")
+    split(".02 .02 .02 .02 .005", coverage_bar, " ")
+    split("1.5e-5 1.5e-5 1.5e-5 1.5e-5 2e-5", depth_bar, " ")
+}
+
+FNR == 1 { file++ }
+
+file == 1 {
+    split($0, word, ",")
+    must[word[1], word[2]] = word[3]
+    aim[word[1], word[2]] = word[4]
+    peer[word[1], word[2]] = word[5]
+    peer_name[word[1], word[2]] = word[6]
+    next
+}
+
+file == 2 { # S1 torus demo fixed16 0.0033 % 0 0 4.61e-06 5.20e-05 0.000 % 2.13
+    if ($1 ~ /^S[1-5]$/ && $3 == "demo") {
+        coverage[$1, $4] = $5; doubles[$1, $4] = $7; holes[$1, $4] = $8
+        depth_rms[$1, $4] = $9; distance_rms[$1, $4] = $10; texels[$1, $4] = $11
+    }
+    next
+}
+
+{
+    sum[$1, $2, $3, $4] += $6
+    seen[$1, $2, $3]
+    if ($4 == "frame") { frames[$1, $2, $3]++ }
+}
+
+function mean(core, scene, format, stage) { return sum[core, scene, format, stage] / frames[core, scene, format] }
+
+function row(core, scene, metric, value, must, aim, peer) {
+    printf "%s,%s,%s,%s,%s,%s,%s\n", core, scene, metric, value, must, aim, peer >csv
+}
+
+function table(core, format,   s, scene, all, fragments, verdict) {
+    printf "\n%s, %s depth: millions of instructions a frame\n", core, format
+    print "scene   frame   must    aim  best peer           ratio  transform  clip, set-up   bins  spans  clears   a fragment  a triangle"
+    for (s = 1; s <= 5; s++) {
+        scene = "S" s
+        if (!((core, scene, format) in seen)) { continue }
+        all = mean(core, scene, format, "frame")
+        fragments = mean(core, scene, format, "fill") - mean(core, scene, format, "clears")
+        verdict = format != "fixed16" ? " " : all / 1e6 <= must[core, scene] ? " " : "!"
+        printf "%s   %8.3f%s %5s  %5s  %5s %-12s %6.2f  %9.3f  %12.3f %6.3f %6.3f  %6.3f   %10.1f  %10.0f\n", scene, all / 1e6, verdict,
+            must[core, scene], aim[core, scene], peer[core, scene], peer_name[core, scene], all / 1e6 / peer[core, scene],
+            mean(core, scene, format, "vertices") / 1e6,
+            (mean(core, scene, format, "geometry") - mean(core, scene, format, "vertices")) / 1e6,
+            mean(core, scene, format, "bins") / 1e6, fragments / 1e6, mean(core, scene, format, "clears") / 1e6,
+            all / mean(core, scene, format, "fragments"), all / mean(core, scene, format, "triangles")
+        row(core, scene, format == "fixed16" ? "minstr" : "minstr_" format, sprintf("%.4f", all / 1e6), must[core, scene],
+            aim[core, scene], peer[core, scene])
+    }
+}
+
+function formats_table(core,   f, s, line) {
+    printf "\n%s: millions of instructions a frame (and of spans and clears a fragment) by depth format\n", core
+    line = "scene "
+    for (f = 1; f <= 5; f++) { line = line sprintf("  %16s", formats[f]) }
+    print line
+    for (s = 1; s <= 5; s++) {
+        line = "S" s "    "
+        for (f = 1; f <= 5; f++) {
+            if (!((core, "S" s, formats[f]) in seen)) { line = line sprintf("  %16s", "-"); continue }
+            line = line sprintf("  %8.3f (%5.1f)", mean(core, "S" s, formats[f], "frame") / 1e6,
+                mean(core, "S" s, formats[f], "fill") / mean(core, "S" s, formats[f], "fragments"))
+        }
+        print line
+    }
+    for (f = 3; f <= 5; f++) {
+        for (s = 1; s <= 5; s++) {
+            if ((core, "S" s, formats[f]) in seen) {
+                row(core, "S" s, "minstr_" formats[f], sprintf("%.4f", mean(core, "S" s, formats[f], "frame") / 1e6), "", "", "")
+            }
+        }
+    }
+}
+
+function quality(core,   s, scene) {
+    for (s = 1; s <= 5; s++) {
+        scene = "S" s
+        row(core, scene, "coverage_pct", coverage[scene, "fixed16"], coverage_bar[s], "", "")
+        row(core, scene, "doubles", doubles[scene, "fixed16"], 0, 0, "")
+        row(core, scene, "holes", holes[scene, "fixed16"], 0, 0, "")
+        row(core, scene, "depth_rms", depth_rms[scene, "fixed16"], depth_bar[s], "", "")
+        row(core, scene, "distance_rms_float16", distance_rms[scene, "float16"], "2e-4", "", "")
+        row(core, scene, "wrong_texel_pct", texels[scene, "fixed16"], s == 2 ? .6 : "", "", "")
+    }
+}
+
+END {
+    printf "core,scene,metric,value,must,aim,best_peer\n" >csv
+    for (c = 1; c <= 4; c++) {
+        if (!((cores[c], "S1", "fixed16") in seen)) { continue }
+        table(cores[c], "fixed16")
+        table(cores[c], "float16")
+        formats_table(cores[c])
+        quality(cores[c])
+    }
+    print "\nPictures of this build (every core drew the same bytes) against the double-precision reference; bars in brackets"
+    print "scene     coverage differs, %   twice  holes   depth RMS            distance RMS float16   wrong texels, %"
+    for (s = 1; s <= 5; s++) {
+        scene = "S" s
+        printf "%s        %-9s (%s)      %5s  %5s   %-9s (%s)   %-9s (2e-4)       %s%s\n", scene, coverage[scene, "fixed16"], coverage_bar[s],
+            doubles[scene, "fixed16"], holes[scene, "fixed16"], depth_rms[scene, "fixed16"], depth_bar[s],
+            distance_rms[scene, "float16"], texels[scene, "fixed16"], s == 2 ? " (.6)" : ""
+    }
+    print "\n! over the bar. Best peer: counted once on the same machine model, see tests/bench/bars.csv."
+}
