@@ -1,7 +1,11 @@
 /*
- * The image of the depth lab: prints on the log UART what `pinhole-depth pairs --near 1 --far 8 --count 500 --csv -`
- * and `pinhole-depth resolve --near 1 --far 8 --csv -`, with --format all but the float32 rows, print on a host, byte
- * for byte; then `done`. No panel is needed.
+ * The image of the depth lab: measures on the core itself, and prints on the log UART, byte for byte, what these print
+ * on a host, then `done`. No panel is needed.
+ *
+ *   pinhole-depth pairs --near .1 --far 1000 --count 500 --csv - --format FORMATS
+ *   pinhole-depth resolve --near 1 --far 4 --csv - --format FORMATS
+ *
+ * FORMATS: all that do not have ieee32 or int24 in their names, which take floating point.
  */
 #include "lab.h"
 #include "port.h"
@@ -14,15 +18,17 @@ static void put(void *context, const char *text)
 
 int main(void)
 {
-    static uint64_t memory[3072]; /* 24 KiB: what a microcontroller of 64 KB can spare */
-    const struct lab lab = {.near_z = FX_ONE,
-                            .far_z = FX_INT(8),
-                            .formats = UINT32_MAX,
-                            .count = 500,
-                            .memory = memory,
-                            .memory_bytes = sizeof memory,
-                            .put = put};
+    static uint64_t memory[2048];     /* 16 KiB: what a microcontroller can spare */
+    struct lab lab = {.near_z = 6554, /* 0.1 */
+                      .far_z = FX_INT(1000),
+                      .formats = UINT32_MAX,
+                      .count = 500,
+                      .memory = memory,
+                      .memory_bytes = sizeof memory,
+                      .put = put};
     int status = lab_pairs(&lab);
+    lab.near_z = FX_ONE;
+    lab.far_z = FX_INT(4);
     if (status == 0) {
         status = lab_resolve(&lab);
     }
