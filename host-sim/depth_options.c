@@ -138,8 +138,11 @@ static const struct option option_table[] = {
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99", set_far},
     {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
      set_format},
-    {"fov", "DEG", "vertical field of view; 60 by default", "degrees, 1 .. 170", set_fov},
-    {"size", "WxH", "size of the picture; 240x240 by default", "like 320x240, each 1 .. 1024", set_size},
+    {"fov", "DEG",
+     "vertical field of view; 60 by default. Planes that face the camera, which pairs, resolve, monotone and\n"
+     "        advise measure, resolve the same with any",
+     "degrees, 1 .. 170", set_fov},
+    {"size", "WxH", "size of the picture; 240x240 by default; likewise", "like 320x240, each 1 .. 1024", set_size},
     {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -", set_csv},
     {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000", set_count},
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",

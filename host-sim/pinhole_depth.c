@@ -10,16 +10,23 @@
 
 static const struct depth_command commands[] = {
     {"pairs", "adjacent-pair test: depths in order from near to far, how many neighbours are equal or swapped",
-     " near far format count spacing csv ",
+     " near far format fov size count spacing csv ",
      "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
      depth_pairs},
     {"resolve", "the smallest separation that is ordered right at each distance, and the largest of them",
-     " near far format at csv ",
+     " near far format fov size at csv ",
      "format,bits,near [m],far [m],z [m],ideal step [m] (predicted),S_eff [m] (measured),ratio", depth_resolve},
-    {"monotone", "the code at every Q16.16 distance from near to far: does it ever rise?", " near far format csv ",
+    {"monotone", "the code at every Q16.16 distance from near to far: does it ever rise?",
+     " near far format fov size csv ",
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      depth_monotone},
+    {"advise", "which near plane, format and bits separate S at Z; and what separates at Z with this near plane",
+     " near far format fov size at separate bits csv ",
+     "format,bits,far [m],z [m],to separate [m],near from [m] (measured),safe near [m] (measured),with near "
+     "[m],separates [m] "
+     "(measured)",
+     depth_advise},
     {"anchors", "every published number that this lab rests on, computed again", " csv ",
      "anchor,published,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
@@ -31,6 +38,8 @@ static const struct depth_command commands[] = {
      " near far format fov size at csv ",
      "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
      depth_budget},
+    {"plot", "draws one of the KINDs ndc, g, resolve, pairs, budget through gnuplot",
+     " kind near far format fov size at count spacing out ", NULL, depth_plot},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
