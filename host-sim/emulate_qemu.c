@@ -66,7 +66,9 @@ static void execute(const struct ends *e, const char *machine, const char *image
                                  "-chardev",
                                  serial,
                                  "-semihosting-config",
-                                 "enable=on,target=native"};
+                                 "enable=on,target=native",
+                                 "-d",
+                                 "guest_errors"};
     for (; n < sizeof fixed / sizeof fixed[0]; n++) {
         arguments[n] = fixed[n];
     }
@@ -79,6 +81,8 @@ static void execute(const struct ends *e, const char *machine, const char *image
     if (traced) {
         arguments[n++] = "-trace";
         arguments[n++] = "memory_region_ops_write";
+        arguments[n++] = "-trace";
+        arguments[n++] = "nvic_acknowledge_irq";
         arguments[n++] = "-D";
         arguments[n++] = log;
     }

@@ -1,6 +1,224 @@
+/*
+ * QEMU's netduinoplus2, an STM32F405: what its trace tells of stores becomes events on wires (wire_events.h), these a
+ * picture. See emulate_qemu.h.
+ *
+ * The trace has no times. The image's SysTick interrupts are in it, one a millisecond as the image counts, and the time
+ * of an event is how many of them came before.
+ */
+#define _XOPEN_SOURCE 700
+
 #include "emulate_qemu.h"
+
+#include "complain.h"
+#include "hal.h"
+#include "keys.h"
+#include "wire_events.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+/* RM0090, memory map and registers; the port (hal/stm32f4) uses these units. */
+#define SPI_CR1   0x40003800u
+#define SPI_DR    0x4000380Cu
+#define USART_DR  0x40004804u
+#define GPIO_A    0x40020000u
+#define GPIO_STEP 0x400u
+#define GPIO_BSRR 0x18u
+#define GPIO_ALL  2         /* ports: as many lines as an event has */
+#define APB1_HZ   16000000u /* QEMU has no RCC, so the image finds no crystal and stays at the chip's own 16 MHz */
+
+#define UARTS_BEFORE  2 /* the log is USART3 */
+#define TICK_NS       1000000u
+#define TICKS_A_FRAME 100000u
+#define RUN_MAX       4096 /* bytes that become one event */
+
+struct trace {
+    const struct emulation *e;
+    struct qemu q;
+    struct wire *wire;
+    struct ppm picture;
+    uint64_t levels, ticks, frame_ticks;
+    uint32_t clock_hz, frames;
+    uint8_t run[RUN_MAX];
+    size_t run_length;
+    bool started;
+};
+
+static int show(void *context, uint32_t frame, const uint8_t *rgb)
+{
+    struct trace *t = context;
+    if (frame >= t->e->frames) {
+        return 0;
+    }
+    t->frames = frame + 1;
+    t->frame_ticks = t->ticks;
+    memcpy(t->picture.rgb, rgb, (size_t)t->picture.width * t->picture.height * 3);
+    return t->e->frame(t->e->context, frame, &t->picture);
+}
+
+static void resent(void *context, const char *complaint)
+{
+    (void)context;
+    complain(EXIT_FAILED, "%s", complaint);
+}
+
+/* The bytes since the last event that was not one. */
+static int flush(struct trace *t)
+{
+    const struct wire_event event = {.kind = WIRE_SPI,
+                                     .time_ns = t->ticks * TICK_NS,
+                                     .end_ns = t->ticks * TICK_NS,
+                                     .levels = t->levels,
+                                     .levels_at_end = t->levels,
+                                     .select = WIRE_NO_SELECT,
+                                     .asked_hz = t->clock_hz,
+                                     .got_hz = t->clock_hz,
+                                     .word_bits = 8,
+                                     .bytes = t->run,
+                                     .count = t->run_length};
+    const bool any = t->run_length > 0;
+    t->run_length = 0;
+    return any ? wire_event(t->wire, &event) : 0;
+}
+
+static int send_byte(struct trace *t, uint8_t byte)
+{
+    t->run[t->run_length++] = byte;
+    return t->run_length == RUN_MAX ? flush(t) : 0;
+}
+
+static int move_pins(struct trace *t, uint32_t port, uint32_t value)
+{
+    const int status = flush(t);
+    t->levels &= ~((uint64_t)(value >> 16) << (32 * port));
+    t->levels |= (uint64_t)(value & 0xFFFF) << (32 * port);
+    const struct wire_event event = {.kind = WIRE_LEVEL, .time_ns = t->ticks * TICK_NS, .levels = t->levels};
+    return status == 0 ? wire_event(t->wire, &event) : status;
+}
+
+/* Asks for the next frame, with the buttons that the script wants during it. */
+static int step(struct trace *t)
+{
+    static const struct {
+        uint32_t button;
+        char letter;
+    } letters[] = {{HAL_BUTTON_UP, 'u'},
+                   {HAL_BUTTON_DOWN, 'd'},
+                   {HAL_BUTTON_LEFT, 'l'},
+                   {HAL_BUTTON_RIGHT, 'r'},
+                   {HAL_BUTTON_SELECT, 's'}};
+    char text[8], waste[4096];
+    size_t n = 0;
+    const uint32_t held = keys_at(t->e->keys, t->frames);
+    for (size_t i = 0; i < sizeof letters / sizeof letters[0]; i++) {
+        text[n] = letters[i].letter;
+        n += (held & letters[i].button) != 0;
+    }
+    text[n] = 'H';
+    text[n + 1] = '\0';
+    while (recv(t->q.uart, waste, sizeof waste, MSG_DONTWAIT) > 0) { /* the log is read from the trace */
+    }
+    return qemu_send(&t->q, text);
+}
+
+/* A line of the log. The image is told to hold as early as it can hear it, which is during its first frame. */
+static int logged(struct trace *t)
+{
+    int status = qemu_check_line(&t->q);
+    if (status == 0 && !t->started && strncmp(t->q.line, "demo ", 5) == 0) {
+        t->started = true;
+        return qemu_send(&t->q, "H");
+    }
+    if (status == 0 && t->started && strncmp(t->q.line, "frame ", 6) == 0) {
+        status = flush(t);
+        return status == 0 ? step(t) : status;
+    }
+    return status;
+}
+
+static int store(struct trace *t, uint32_t address, uint32_t value)
+{
+    const uint32_t port = (address - GPIO_A) / GPIO_STEP;
+    if (address == SPI_DR) {
+        return send_byte(t, (uint8_t)value);
+    }
+    if (address == SPI_CR1) {
+        const int status = flush(t);
+        t->clock_hz = APB1_HZ >> ((value >> 3 & 7) + 1);
+        return status;
+    }
+    if (address == USART_DR) {
+        return qemu_logged(&t->q, (char)value) ? logged(t) : 0;
+    }
+    if (address >= GPIO_A && port < GPIO_ALL && (address - GPIO_A) % GPIO_STEP == GPIO_BSRR) {
+        return move_pins(t, port, value);
+    }
+    return 0;
+}
+
+static int take_line(struct trace *t, const char *line)
+{
+    if (strncmp(line, "nvic_acknowledge_irq", 20) == 0) {
+        const int status = flush(t);
+        t->ticks++;
+        return status;
+    }
+    const char *address = strstr(line, " addr 0x"), *value = strstr(line, " value 0x");
+    if (strncmp(line, "memory_region_ops_write", 23) != 0 || address == NULL || value == NULL) {
+        return complain(EXIT_FAILED, "QEMU says: %.*s", (int)strcspn(line, "\n"), line);
+    }
+    return store(t, (uint32_t)strtoul(address + 6, NULL, 16), (uint32_t)strtoul(value + 7, NULL, 16));
+}
+
+static int run(struct trace *t)
+{
+    char line[512];
+    FILE *in = fdopen(dup(t->q.trace), "r");
+    int status = in != NULL ? qemu_command(&t->q, "cont", NULL) : EXIT_FAILED;
+    while (status == 0 && t->frames < t->e->frames) {
+        if (fgets(line, sizeof line, in) == NULL) {
+            status = complain(EXIT_FAILED, "QEMU stopped after %u frames", (unsigned)t->frames);
+        } else if (t->ticks - t->frame_ticks > TICKS_A_FRAME) {
+            status = complain(EXIT_FAILED, "no frame after frame %u", (unsigned)t->frames);
+        } else {
+            status = take_line(t, line);
+        }
+    }
+    if (in != NULL) {
+        fclose(in);
+    }
+    return status;
+}
+
 int emulate_trace(const struct emulation *e)
 {
-    (void)e;
-    return 1;
+    struct trace t = {.e = e, .clock_hz = APB1_HZ};
+    const struct panel *panel = e->board->panel;
+    const uint16_t width = panel_width(panel, e->board->rotation), height = panel_height(panel, e->board->rotation);
+    const struct wire_config config = {.board = e->board,
+                                       .select = e->board->spi_select,
+                                       .rotation = e->board->rotation,
+                                       .context = &t,
+                                       .frame = show,
+                                       .resent = resent};
+    t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
+    t.wire = wire_open(&config);
+    if (t.picture.rgb == NULL || t.wire == NULL) {
+        free(t.picture.rgb);
+        return complain(EXIT_FAILED, "not enough memory, or no model of the board's controller");
+    }
+    int status = qemu_start(&t.q, "netduinoplus2", e->image, UARTS_BEFORE, true);
+    t.q.log = e->log;
+    if (status == 0) {
+        status = run(&t);
+    }
+    if (status == 0 && wire_complaints(t.wire) > 0) {
+        status = EXIT_FAILED;
+    }
+    const int stopped = qemu_stop(&t.q);
+    wire_close(t.wire);
+    free(t.picture.rgb);
+    return status != 0 ? status : stopped;
 }

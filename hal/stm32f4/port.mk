@@ -1,0 +1,11 @@
+# STM32F405; see firmware/firmware.mk for what these are.
+PORT_CPU := armv7m
+PORT_FLAGS := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
+PORT_SRC := hal/stm32f4/stm32f4.c hal/cortexm/start.c
+PORT_LD := hal/stm32f4/stm32f4.ld
+PORT_STACK_BYTES := 6656
+PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
+UF2_FAMILY := 0x57755a57
+UF2_BASE := 0x08000000
+EMULATE = $(B)/pinhole-emulate --machine netduinoplus2 --board $(BOARD)
+EMULATE_NEEDS = $(B)/pinhole-emulate

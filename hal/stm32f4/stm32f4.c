@@ -1,0 +1,377 @@
+/*
+ * Port to the STM32F405: SPI2 with DMA1 stream 4, GPIO, USART3 (PB10 TX, PB11 RX). Register addresses and bits are
+ * those of the reference manual RM0090; pins of the boards' SPI are all on SPI2.
+ *
+ * bus_write returns while DMA sends; D/C and chip select are touched only when the last bit is out. Where DMA is not
+ * there (an emulator) bytes are written one by one.
+ */
+#include "board.h"
+#include "cortexm/start.h"
+#include "port.h"
+
+#define RCC_CR      REG32(0x40023800)
+#define RCC_PLLCFGR REG32(0x40023804)
+#define RCC_CFGR    REG32(0x40023808)
+#define RCC_AHB1ENR REG32(0x40023830)
+#define RCC_APB1ENR REG32(0x40023840)
+#define FLASH_ACR   REG32(0x40023C00)
+
+#define GPIO_MODER   0x00
+#define GPIO_OSPEEDR 0x08
+#define GPIO_PUPDR   0x0C
+#define GPIO_IDR     0x10
+#define GPIO_BSRR    0x18
+#define GPIO_AFRL    0x20
+
+#define SPI_CR1 REG32(0x40003800)
+#define SPI_CR2 REG32(0x40003804)
+#define SPI_SR  REG32(0x40003808)
+#define SPI_DR  REG32(0x4000380C)
+#define SR_TXE  2U
+#define SR_BSY  128U
+#define CR1_BR  (7U << 3)
+#define CR1_SPE 64U
+
+#define USART_SR   REG32(0x40004800)
+#define USART_DR   REG32(0x40004804)
+#define USART_BRR  REG32(0x40004808)
+#define USART_CR1  REG32(0x4000480C)
+#define USART_RXNE 32U
+#define USART_TXE  128U
+
+#define DMA_HISR  REG32(0x40026004)
+#define DMA_HIFCR REG32(0x4002600C)
+#define DMA_CR    REG32(0x40026070)
+#define DMA_NDTR  REG32(0x40026074)
+#define DMA_PAR   REG32(0x40026078)
+#define DMA_M0AR  REG32(0x4002607C)
+#define DMA_FCR   REG32(0x40026084)
+#define DMA_EN    1U
+#define DMA_FLAGS 0x3DU /* of stream 4 in HISR */
+#define DMA_TEIF  8U
+#define DMA_TCIF  32U
+#define DMA_MOST  65535U
+
+#define AF_SPI   5
+#define AF_USART 7
+
+#define HSI_HZ      16000000U
+#define PLL_HZ      168000000U
+#define BAUD        115200U
+#define BOOT_LOADER 0x1FFF0000U /* system memory */
+
+static struct {
+    const struct board *board;
+    uint32_t cpu_hz, apb1_hz;
+    bool dma, under_way;
+} kit;
+
+/* ---- pins ------------------------------------------------------------------------------------------ */
+
+static uint32_t gpio_base(uint32_t pin)
+{
+    return 0x40020000U + 0x400 * (pin / 32);
+}
+
+static void gpio_field(uint32_t pin, uint32_t offset, uint32_t value)
+{
+    const uint32_t shift = 2 * (pin % 32);
+    REG32(gpio_base(pin) + offset) = (REG32(gpio_base(pin) + offset) & ~(3U << shift)) | value << shift;
+}
+
+static void gpio_write(uint32_t pin, bool high)
+{
+    REG32(gpio_base(pin) + GPIO_BSRR) = 1U << (pin % 32 + (high ? 0 : 16));
+}
+
+static void gpio_output(const struct board_pin *pin, bool level)
+{
+    if (pin->wired) {
+        gpio_write(pin->number, level != pin->active_low);
+        gpio_field(pin->number, GPIO_OSPEEDR, 2);
+        gpio_field(pin->number, GPIO_MODER, 1);
+    }
+}
+
+static void gpio_function(uint32_t pin, uint32_t function)
+{
+    const uint32_t at = gpio_base(pin) + GPIO_AFRL + 4 * (pin % 32 / 8), shift = 4 * (pin % 8);
+    REG32(at) = (REG32(at) & ~(15U << shift)) | function << shift;
+    gpio_field(pin, GPIO_OSPEEDR, 2);
+    gpio_field(pin, GPIO_MODER, 2);
+}
+
+static void gpio_button(const struct board_pin *pin)
+{
+    gpio_field(pin->number, GPIO_PUPDR, pin->active_low ? 1 : 2);
+    gpio_field(pin->number, GPIO_MODER, 0);
+}
+
+/* ---- start, log ------------------------------------------------------------------------------------- */
+
+static bool ready(uint32_t bit)
+{
+    for (uint32_t i = 0; i < 500000; i++) {
+        if ((RCC_CR & bit) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* 12 MHz crystal, 336 MHz / 2; APB1 a quarter, APB2 a half. A chip without the crystal stays on its own 16 MHz. */
+static void start_clock(void)
+{
+    kit.cpu_hz = kit.apb1_hz = HSI_HZ;
+    RCC_CR |= 1U << 16;
+    if (!ready(1U << 17)) {
+        return;
+    }
+    RCC_PLLCFGR = 7U << 24 | 1U << 22 | 336U << 6 | 12U;
+    RCC_CR |= 1U << 24;
+    if (!ready(1U << 25)) {
+        return;
+    }
+    FLASH_ACR = 0x705; /* 5 wait states, prefetch, both caches */
+    RCC_CFGR = 4U << 13 | 5U << 10 | 2U;
+    while ((RCC_CFGR >> 2 & 3) != 2) {
+    }
+    kit.cpu_hz = PLL_HZ;
+    kit.apb1_hz = PLL_HZ / 4;
+}
+
+uint32_t port_start(void)
+{
+    start_clock();
+    RCC_AHB1ENR |= 0x1FU | 1U << 21;    /* ports A .. E, DMA1 */
+    RCC_APB1ENR |= 1U << 14 | 1U << 18; /* SPI2, USART3 */
+    (void)RCC_APB1ENR;                  /* two clocks before the first access */
+    gpio_function(BOARD_PORT('B', 10), AF_USART);
+    gpio_function(BOARD_PORT('B', 11), AF_USART);
+    USART_BRR = (kit.apb1_hz + BAUD / 2) / BAUD;
+    USART_CR1 = 1U << 13 | 8U | 4U;
+    return kit.cpu_hz;
+}
+
+void port_log(const char *text)
+{
+    for (; *text != '\0'; text++) {
+        while ((USART_SR & USART_TXE) == 0) {
+        }
+        USART_DR = (uint8_t)*text;
+    }
+}
+
+int port_log_read(void)
+{
+    return (USART_SR & USART_RXNE) != 0 ? (int)(USART_DR & 255) : -1;
+}
+
+/* The boot loader in ROM finds the chip as after a reset, but for the clock, which it sets itself. */
+void port_boot_loader(void)
+{
+    const uint32_t *vectors = (const uint32_t *)BOOT_LOADER; /* NOLINT: an address of the memory map */
+    port_bus_stop();
+    REG32(0xE000E010) = 0; /* SysTick */
+    RCC_CFGR = 0;
+    __asm__ volatile("msr msp, %0\n"
+                     "bx %1\n"
+                     :
+                     : "r"(vectors[0]), "r"(vectors[1]));
+}
+
+bool port_core_run(void (*run)(void *argument), void *argument)
+{
+    (void)run;
+    (void)argument;
+    return false;
+}
+
+void port_core_join(void)
+{
+}
+
+/* ---- the bus ---------------------------------------------------------------------------------------- */
+
+static bool dma_is_there(void)
+{
+    DMA_CR = 0;
+    DMA_NDTR = 1;
+    return DMA_NDTR == 1;
+}
+
+static void dma_start(const uint8_t *bytes, size_t n)
+{
+    DMA_HIFCR = DMA_FLAGS;
+    DMA_PAR = (uint32_t)&SPI_DR;
+    DMA_M0AR = (uint32_t)bytes;
+    DMA_NDTR = (uint32_t)n;
+    DMA_FCR = 0;                 /* direct */
+    DMA_CR = 1U << 10 | 1U << 6; /* channel 0, bytes, memory counts up, to the peripheral */
+    DMA_CR |= DMA_EN;
+    SPI_CR2 = 2;
+    kit.under_way = true;
+}
+
+static int dma_end(void)
+{
+    uint32_t flags;
+    do {
+        flags = DMA_HISR;
+    } while ((flags & (DMA_TCIF | DMA_TEIF)) == 0);
+    SPI_CR2 = 0;
+    kit.under_way = false;
+    return (flags & DMA_TEIF) != 0 ? HAL_EIO : HAL_OK;
+}
+
+static int stm32f4_bus_wait(void *context)
+{
+    (void)context;
+    const int status = kit.under_way ? dma_end() : HAL_OK;
+    while ((SPI_SR & SR_TXE) == 0) {
+    }
+    while ((SPI_SR & SR_BSY) != 0) {
+    }
+    (void)SPI_DR; /* nobody wanted what came in */
+    (void)SPI_SR;
+    return status;
+}
+
+static void write_polled(const uint8_t *bytes, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        while ((SPI_SR & SR_TXE) == 0) {
+        }
+        SPI_DR = bytes[i];
+    }
+}
+
+static int stm32f4_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    int status = stm32f4_bus_wait(context);
+    if (n == 0 || status != HAL_OK) {
+        return status;
+    }
+    gpio_write(kit.board->pins.dc.number, dc == HAL_DATA);
+    if (!kit.dma || n < 8) { /* a command is out before DMA is set up */
+        write_polled(bytes, n);
+        return HAL_OK;
+    }
+    for (; n > DMA_MOST && status == HAL_OK; bytes += DMA_MOST, n -= DMA_MOST) {
+        dma_start(bytes, DMA_MOST);
+        status = dma_end();
+    }
+    if (status == HAL_OK) {
+        dma_start(bytes, n);
+    }
+    return status;
+}
+
+static int32_t stm32f4_bus_clock(void *context, uint32_t hz)
+{
+    for (uint32_t br = 0; br < 8; br++) {
+        const uint32_t got = kit.apb1_hz >> (br + 1);
+        if (got <= hz) {
+            stm32f4_bus_wait(context);
+            SPI_CR1 &= ~CR1_SPE;
+            SPI_CR1 = (SPI_CR1 & ~CR1_BR) | br << 3;
+            SPI_CR1 |= CR1_SPE;
+            return (int32_t)got;
+        }
+    }
+    return HAL_EINVAL;
+}
+
+void port_bus_stop(void)
+{
+    DMA_CR = 0;
+    SPI_CR2 = 0;
+    kit.under_way = kit.dma = false;
+    if (kit.board == NULL) { /* not open yet: what follows needs the board's pins */
+        port_hal().ops->open(NULL, board_here);
+    }
+}
+
+/* ---- the kit ---------------------------------------------------------------------------------------- */
+
+static int stm32f4_open(void *context, const struct board *board)
+{
+    const struct board_pins *pins = &board->pins;
+    (void)context;
+    if (board->spi_bus != 2) {
+        return HAL_EINVAL;
+    }
+    kit.board = board;
+    gpio_output(&pins->select, true);
+    gpio_output(&pins->dc, false);
+    gpio_output(&pins->reset, true);
+    gpio_output(&pins->backlight, false);
+    gpio_function(pins->clock.number, AF_SPI);
+    gpio_function(pins->data.number, AF_SPI);
+    for (uint32_t i = 0; i < board->button_count; i++) {
+        gpio_button(&board->buttons[i].pin);
+    }
+    SPI_CR1 = 3U << 8 | CR1_BR | 4U | (board->spi_mode == 3 ? 3U : 0); /* master, select by software, slowest */
+    SPI_CR1 |= CR1_SPE;
+    kit.dma = dma_is_there();
+    return HAL_OK;
+}
+
+static int stm32f4_pin_set(void *context, enum hal_pin pin, bool level)
+{
+    const struct board_pins *pins = &kit.board->pins;
+    const struct board_pin *p = pin == HAL_PIN_RESET ? &pins->reset : &pins->backlight;
+    (void)context;
+    if (p->wired) {
+        gpio_write(p->number, level != p->active_low);
+    }
+    return HAL_OK;
+}
+
+static uint32_t stm32f4_time_us(void *context)
+{
+    (void)context;
+    return cortexm_time_us();
+}
+
+static void stm32f4_delay_us(void *context, uint32_t us)
+{
+    (void)context;
+    cortexm_delay_us(us);
+}
+
+static uint32_t stm32f4_buttons(void *context)
+{
+    uint32_t down = 0;
+    (void)context;
+    for (uint32_t i = 0; i < kit.board->button_count; i++) {
+        const struct board_pin *pin = &kit.board->buttons[i].pin;
+        const bool high = (REG32(gpio_base(pin->number) + GPIO_IDR) >> pin->number % 32 & 1) != 0;
+        down |= high != pin->active_low ? kit.board->buttons[i].button : 0U;
+    }
+    return down;
+}
+
+static void stm32f4_close(void *context)
+{
+    stm32f4_bus_wait(context);
+    gpio_output(&kit.board->pins.select, false);
+    SPI_CR1 &= ~CR1_SPE;
+}
+
+struct hal port_hal(void)
+{
+    static const struct hal_ops ops = {
+        .name = "stm32f4",
+        .open = stm32f4_open,
+        .bus_clock = stm32f4_bus_clock,
+        .bus_write = stm32f4_bus_write,
+        .bus_wait = stm32f4_bus_wait,
+        .pin_set = stm32f4_pin_set,
+        .time_us = stm32f4_time_us,
+        .delay_us = stm32f4_delay_us,
+        .buttons = stm32f4_buttons,
+        .close = stm32f4_close,
+    };
+    return (struct hal){&ops, NULL};
+}
