@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Usage: tests/kit/guest.sh [--bufsiz N] [--timeout S] [--out DIR] [--memory MB] [--cpus N] [--append TEXT] -- COMMAND...
-#        tests/kit/guest.sh --why
+#        tests/kit/guest.sh --why | --kernel
 # Runs COMMAND as root in a QEMU guest with Debian's own kernel and returns its exit status, stdout and stderr;
 # 124: it took longer than S seconds (60 by default); 125: the guest died, or could not be started (one line says why).
-# --why prints why no guest can run here (exit 1), or nothing (exit 0): a test then says `skip`.
+# --why prints why no guest can run here (exit 1), or nothing (exit 0): a test then says `skip`. --kernel
+# prints the version of the kernel that is taken.
 #
 # The guest's root is this machine's, read-only; what COMMAND writes is forgotten, but for $KIT (/run/kit in the guest):
 # that directory is DIR of --out (its files remain, with stdout, stderr, kernel.log and console.log), else a temporary
@@ -21,14 +22,16 @@ fail() { # status, text
     exit "$1"
 }
 
-# The newest kernel that has an image and the modules for it.
+# The newest kernel that has an image and the modules for it; one with headers is preferred.
 kernel_version() {
-    local image version
+    local image version found=''
     for image in $(printf '%s\n' /boot/vmlinuz-* | sort -rV); do
         version=${image#/boot/vmlinuz-}
-        [ -r "$image" ] && [ -d "/lib/modules/$version/kernel" ] && echo "$version" && return
+        [[ -r $image && -d /lib/modules/$version/kernel ]] || continue
+        [ ! -e "/lib/modules/$version/build/Makefile" ] || { echo "$version" && return; }
+        found=${found:-$version}
     done
-    return 1
+    [ -n "$found" ] && echo "$found"
 }
 
 why_not() {
@@ -111,6 +114,7 @@ arguments() {
         case $1 in
         --) shift && command=("$@") && return ;;
         --why) why_not | grep . && exit 1 || exit 0 ;;
+        --kernel) kernel_version && exit 0 || exit 1 ;;
         --bufsiz) append="$append spidev.bufsiz=${2:?}" ;;
         --timeout) seconds=${2:?} ;;
         --out) out=${2:?} ;;

@@ -10,6 +10,7 @@
 #   kit_do COMMAND                      a fault or an input: kit_do set 5 0; kit_do spi-error 100 5 (board/kit.h)
 #   kit_events                          the events so far (for pinhole-wire), to stdout
 #   kit_follow FILE / kit_follow_end    writes events to FILE while they come (for runs longer than the log)
+#   kit_try VID:PID SERIAL ACTION...    talks to a USB device (tests/kit/try_usb.c)
 #   kit_usb ft232h|bootsel OPTION...    plugs a USB device in and waits for it; sets kit_device to its daemon's pid
 #                                       (tests/kit/usb_main.c has the options); `kill $kit_device` unplugs it
 # Typically:
@@ -19,12 +20,7 @@ kit_tests=$(dirname "${BASH_SOURCE[0]}")
 
 kit_guest() { "$kit_tests/guest.sh" "$@"; }
 
-kit_kernel() {
-    local image
-    for image in $(printf '%s\n' /boot/vmlinuz-* | sort -rV); do
-        [ -d "/lib/modules/${image#/boot/vmlinuz-}/kernel" ] && echo "${image#/boot/vmlinuz-}" && return
-    done
-}
+kit_kernel() { "$kit_tests/guest.sh" --kernel; }
 
 kit_why() {
     "$kit_tests/guest.sh" --why || return 0
@@ -58,7 +54,14 @@ kit_build_usb() {
     gcc -std=c11 -O2 -g -Wall -Wextra -Werror -o "$program.$$" "$kit_tests"/usb_*.c && mv "$program.$$" "$program"
 }
 
-kit_build() { kit_build_module && kit_build_usb; }
+kit_build_try() {
+    local program=${B:-build}/kit/try_usb
+    [ "$program" -nt "$kit_tests/try_usb.c" ] && return
+    pkg-config --exists libusb-1.0 || return 0
+    gcc -std=c11 -O2 -g -Wall -Wextra -Werror -o "$program.$$" "$kit_tests/try_usb.c" -lusb-1.0 && mv "$program.$$" "$program"
+}
+
+kit_build() { kit_build_module && kit_build_usb && kit_build_try; }
 
 kit_board() { insmod "$(kit_module)" "$@"; }
 
@@ -92,3 +95,5 @@ kit_usb() {
     echo "kit_usb: the kernel does not take the device" >&2
     return 1
 }
+
+kit_try() { "${B:-build}/kit/try_usb" "$@"; }

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #define MAGIC      0x431fd10bu
@@ -33,6 +32,7 @@ struct bootsel {
     struct usb_device device;
     uint8_t descriptor[18];
     uint8_t *flash;
+    int file;
     uint8_t ram[RAM_BYTES];
     uint8_t rom[ROM_BYTES];
 
@@ -77,6 +77,17 @@ static bool in_flash(const struct bootsel *b, uint32_t address)
     return address >= FLASH_BASE && address - FLASH_BASE < b->options.flash_bytes;
 }
 
+/* Flash that has changed goes to its file at once. */
+static int store(const struct bootsel *b, uint32_t address, uint32_t n)
+{
+    const uint32_t at = address - FLASH_BASE;
+    if (pwrite(b->file, b->flash + at, n, at) == (ssize_t)n) {
+        return 0;
+    }
+    fprintf(stderr, "usb: %s: %s\n", b->options.flash, strerror(errno));
+    return -1;
+}
+
 /* Both endpoints refuse until the host has looked at the status and reset the interface. */
 static int refuse(struct bootsel *b, uint32_t status)
 {
@@ -103,6 +114,7 @@ static uint32_t erase(struct bootsel *b, uint32_t address, uint32_t n)
     const uint32_t status = check_area(b, address, n, 4096, true);
     if (status == OK) {
         memset(memory(b, address, n), 0xFF, n);
+        store(b, address, n);
     }
     return status;
 }
@@ -163,6 +175,9 @@ static int take_data(struct bootsel *b, const uint8_t *data, int n)
     uint8_t *to = memory(b, b->address, (uint32_t)n);
     for (int i = 0; i < n; i++) {
         to[i] = in_flash(b, b->address) ? to[i] & data[i] : data[i];
+    }
+    if (in_flash(b, b->address)) {
+        store(b, b->address, (uint32_t)n);
     }
     b->address += (uint32_t)n;
     b->left -= (uint32_t)n;
@@ -250,22 +265,15 @@ static void unhalt(void *context, unsigned endpoint)
 static int open_flash(struct bootsel *b)
 {
     const uint32_t size = b->options.flash_bytes;
-    const int file = open(b->options.flash, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    const off_t had = file < 0 ? 0 : lseek(file, 0, SEEK_END);
-    void *map = MAP_FAILED;
-    if (file >= 0 && ftruncate(file, (off_t)size) == 0) {
-        map = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
-    }
-    if (map == MAP_FAILED) {
+    b->file = open(b->options.flash, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    b->flash = malloc(size);
+    if (b->file < 0 || b->flash == NULL) {
         fprintf(stderr, "usb: %s: %s\n", b->options.flash, strerror(errno));
         return -1;
     }
-    close(file);
-    b->flash = map;
-    if (had == 0) {
-        memset(b->flash, 0xFF, size);
-    }
-    return 0;
+    memset(b->flash, 0xFF, size);
+    const ssize_t had = pread(b->file, b->flash, size, 0);
+    return had == (ssize_t)size ? 0 : store(b, FLASH_BASE, size);
 }
 
 struct usb_device *bootsel_new(const struct bootsel_options *options)
