@@ -130,7 +130,7 @@ int gpio_descriptor(struct linux_line *line)
 int gpio_edge(struct linux_line *line, uint64_t *time_ns)
 {
     (void)line;
-    (void)time_ns;
+    *time_ns = 0;
     return -EIO;
 }
 

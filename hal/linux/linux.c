@@ -38,14 +38,6 @@ static int set_line(struct linux_hal *h, struct linux_line *line, const char *wh
 
 /* ---- sending ------------------------------------------------------------------------------------ */
 
-static void measure(struct linux_hal *h, size_t n, uint64_t start_ns)
-{
-    if (n >= LINUX_MEASURED_BYTES) {
-        h->sent_bytes += n;
-        h->sent_ns += now_ns() - start_ns;
-    }
-}
-
 /* Nothing is on the wire when this starts nor when it returns, so D/C may move first. */
 static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
@@ -54,13 +46,15 @@ static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes,
         status = set_line(h, &h->dc, "D/C", dc == HAL_DATA);
         h->dc_now = status == HAL_OK ? (int)dc : -1;
     }
-    while (n > 0 && status == HAL_OK) {
-        const size_t piece = spi_piece(n, h->bufsiz);
-        const uint64_t start_ns = now_ns();
-        status = spi_send(h, bytes, piece, h->error);
-        measure(h, piece, start_ns);
-        bytes += piece;
-        n -= piece;
+    const uint64_t start_ns = now_ns();
+    for (size_t sent = 0; sent < n && status == HAL_OK;) {
+        const size_t piece = spi_piece(n - sent, h->bufsiz);
+        status = spi_send(h, bytes + sent, piece, h->error);
+        sent += piece;
+    }
+    if (n >= LINUX_MEASURED_BYTES && status == HAL_OK) {
+        h->sent_bytes += n;
+        h->sent_ns += now_ns() - start_ns;
     }
     return status;
 }

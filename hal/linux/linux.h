@@ -72,7 +72,7 @@ struct linux_hal {
     const uint8_t *job_bytes;
     size_t job_size;
     int job_status;      /* first error since it was last returned */
-    uint64_t sent_bytes; /* in ioctls of LINUX_MEASURED_BYTES or more */
+    uint64_t sent_bytes; /* in writes of LINUX_MEASURED_BYTES or more */
     uint64_t sent_ns;    /* ... and the time they took */
 
     char error[LINUX_ERROR_SIZE];

@@ -1,0 +1,18 @@
+/* hal_conformance: what hal.h asks of every backend, as assertions; and the same for kits that are there only at times.
+ */
+#ifndef HAL_CONFORMANCE_H
+#define HAL_CONFORMANCE_H
+
+#include "board.h"
+#include "hal.h"
+
+/* Opens, tries and closes the kit twice. keeps_time: its clock runs. */
+void hal_conforms(const struct hal *hal, const struct board *board, const char *name, bool keeps_time);
+
+/* hal/linux in the virtual kit (tests/kit): number of failed tests. */
+int kit_linux_tests(void);
+
+/* Whether this machine has the virtual kit. */
+bool kit_is_here(void);
+
+#endif
