@@ -38,6 +38,8 @@ enum hal_button {
     HAL_BUTTON_SELECT = 16,
 };
 
+#define HAL_COPIED 8 /* bytes, see bus_write */
+
 struct hal_ops {
     const char *name;
 
@@ -53,8 +55,9 @@ struct hal_ops {
 
     /*
      * Starts to send n bytes with the D/C line at dc. Returns when it can; the buffer belongs to the backend until
-     * bus_wait returns or the next bus_write has started (returned). Order is kept; n = 0 does nothing. D/C and CS do
-     * not move before the last bit is out.
+     * bus_wait returns or the next bus_write has started (returned); on a board of more than two band buffers, until
+     * board_writes_ahead() further ones have, but up to HAL_COPIED bytes are copied then. Order is kept; n = 0 does
+     * nothing. D/C and CS do not move before the last bit is out.
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 

@@ -15,7 +15,7 @@
 /* The memory of one picture, in the order in which it is taken; the same on every machine. */
 struct picture {
     uint16_t width, height, lines;
-    uint32_t bands, band_bytes, depth_bytes, bin_bytes, wire_bytes;
+    uint32_t bands, buffers, band_bytes, depth_bytes, bin_bytes, wire_bytes;
 };
 
 /* ... and of one demo. */
@@ -24,12 +24,21 @@ struct scene {
     uint32_t vertex_max, triangle_max;
 };
 
+/* As many band buffers as the board says, fewer of higher bands: no more lines in all. */
+static uint32_t buffers_of(const struct board *board, uint32_t lines)
+{
+    const uint32_t most = board_writes_ahead(board) + 1, fit = lines > 0 ? most * board->band_height / lines : 0;
+    const uint32_t count = fit < most ? fit : most;
+    return count < 2 ? 2 : count < KIT_BANDS_MAX ? count : KIT_BANDS_MAX;
+}
+
 static struct picture picture_of(const struct kit_config *config)
 {
     const struct panel *panel = config->board->panel;
     struct picture p = {.width = panel_width(panel, config->rotation), .height = panel_height(panel, config->rotation)};
     p.lines = config->band_height < p.height ? config->band_height : p.height;
     p.bands = p.lines > 0 ? (p.height + p.lines - 1U) / p.lines : 0;
+    p.buffers = buffers_of(config->board, p.lines);
     const uint32_t pixels = (uint32_t)p.width * p.lines;
     p.band_bytes = (uint32_t)ROUND8(2 * pixels);
     p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels);
@@ -46,7 +55,7 @@ static struct picture picture_of(const struct kit_config *config)
 
 static uint64_t picture_bytes(const struct picture *p)
 {
-    return 2 * (uint64_t)p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
+    return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
 }
 
 /* What a level of a demo takes on a 32-bit target, all of it and without triangles. */
@@ -175,7 +184,8 @@ int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *co
         return PH_ERR_NOMEM;
     }
     uint8_t *next = config->memory;
-    for (uint32_t i = 0; i < 2; i++, next += p.band_bytes) {
+    kit->band_count = p.buffers;
+    for (uint32_t i = 0; i < p.buffers; i++, next += p.band_bytes) {
         kit->bands[i] = (uint16_t *)(void *)next;
     }
     kit->depth = next;
@@ -285,7 +295,7 @@ static int frame_end(struct kit *kit)
 
 int kit_send(struct kit *kit)
 {
-    const uint32_t bands = ph_frame_bands(&kit->renderer);
+    const uint32_t bands = ph_frame_bands(&kit->renderer), ahead = board_writes_ahead(kit->config.board);
     uint32_t lines = draw_band(kit, 0); /* the frame before may still be on the wire */
     int status = kit_finish(kit);
     if (status == HAL_OK) {
@@ -297,7 +307,10 @@ int kit_send(struct kit *kit)
     for (uint32_t band = 0; band < bands && status == HAL_OK; band++) {
         lines = band > 0 ? draw_band(kit, band) : lines;
         status = frame_rows(kit, kit->bands[kit->band_next], lines);
-        kit->band_next ^= 1; /* free again: its panel_rows was the one before */
+        if (status == HAL_OK && kit->band_count <= ahead) { /* buffers are few for this backend */
+            status = panel_wait(&kit->driver);
+        }
+        kit->band_next = (kit->band_next + 1) % kit->band_count; /* free: enough panel_rows came after its own */
     }
     kit->sending = status == HAL_OK;
     return status;

@@ -25,6 +25,8 @@
 /* What an image needs beside the kit's memory: stack and variables. A board's budget for the kit is without it. */
 #define KIT_OTHER_BYTES 8192
 
+#define KIT_BANDS_MAX 8 /* band buffers of a board */
+
 struct kit_config {
     const struct board *board;
     uint8_t rotation;        /* enum panel_rotation */
@@ -50,11 +52,11 @@ struct kit {
     struct ph_renderer renderer;
     struct panel_driver driver;
     struct hal hal;
-    uint16_t *bands[2];
+    uint16_t *bands[KIT_BANDS_MAX];
     void *depth;
     uint32_t *bins;
     uint8_t *scene; /* what is left of memory: lists, arena, scratch of the demo */
-    uint32_t band_next;
+    uint32_t band_count, band_next;
     uint32_t buttons;      /* held during the last frame */
     uint32_t edges_missed; /* frames that waited in vain for the tearing-effect line, and were drawn without */
     bool sending;          /* a frame's last bands may still be on the wire */
