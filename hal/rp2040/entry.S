@@ -29,9 +29,10 @@ rp2040_reset:
 4:  cmp r1, r2
     blo 3b
     ldr r1, =ld_stack
+    mov r2, sp
 5:  str r1, [r1]
     adds r1, r1, #4
-    cmp r1, sp
+    cmp r1, r2
     blo 5b
     ldr r0, =rp2040_start
     bx r0

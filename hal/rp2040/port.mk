@@ -4,7 +4,7 @@ PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
 PORT_SRC = $(addprefix hal/rp2040/,cores$(CORES).c start.c clocks.c rp2040.c spi.c uart.c divide.c boot2.S entry.S)
 PORT_LD = hal/rp2040/rp2040.ld
 PORT_STACK_BYTES = 6656
-PORT_RAM_BYTES = 10240 # code that runs from RAM, stack of core 1
+PORT_RAM_BYTES = 18432 # code that runs from RAM, stack of core 1
 PORT_STACK_EXTRA = 32 # one interrupt: the core puts 8 words on the stack; the handlers take none
 PORT_FINISH = hal/rp2040/boot2_seal.sh '$(HOSTCC)' '$(CROSS)' "$$1"
 UF2_FAMILY = 0xe48bff56

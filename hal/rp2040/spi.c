@@ -11,37 +11,30 @@
 #include "registers.h"
 #include "rp2040.h"
 
-/* The kit's bus: one a chip. */
+/* A write that waits or is on its way. */
+struct write {
+    const uint8_t *bytes;
+    uint32_t n;
+    enum hal_dc dc;
+    uint8_t copy[HAL_COPIED];
+};
+
+#define WRITES 8 /* a power of two; board_writes_ahead() or more */
+
+/* The kit's bus: one a chip. Writes are numbered; the one numbered `sent` is on its way unless it equals `given`. */
 static struct {
     const struct board_pins *pins;
     uint32_t unit;
     uint32_t cr0; /* clock and mode, without word width */
     uint32_t bits, dc;
     bool selected;
+    uint32_t ahead;
+    struct write writes[WRITES];
+    volatile uint32_t given, sent;
 } spi;
-
-static uint32_t transfer_control(uint32_t bits)
-{
-    const uint32_t pace = DMA_EN | DMA_INCR_READ | DMA_TREQ_SPI_TX(spi.unit); /* chained to itself: to none */
-    return bits == 16 ? pace | DMA_HALFWORDS | DMA_BSWAP : pace;
-}
-
-void rp2040_spi_interrupt(void)
-{
-    REG(DMA_INTS0) = 1;
-}
-
-/* The interrupt ends WFE, also one that came between the look and the WFE. */
-static void wait_for_dma(void)
-{
-    while ((REG(DMA_CH0_AL1_CTRL) & DMA_BUSY) != 0) {
-        __asm volatile("wfe" ::: "memory");
-    }
-}
 
 static void wait_for_last_bit(void)
 {
-    wait_for_dma();
     while ((REG(SPI_SSPSR(spi.unit)) & SSPSR_BSY) != 0) {
     }
 }
@@ -63,6 +56,51 @@ static void set_word(uint32_t bits)
     spi.bits = bits;
 }
 
+static uint32_t transfer_control(uint32_t bits)
+{
+    const uint32_t pace = DMA_EN | DMA_INCR_READ | DMA_TREQ_SPI_TX(spi.unit); /* chained to itself: to none */
+    return bits == 16 ? pace | DMA_HALFWORDS | DMA_BSWAP : pace;
+}
+
+/* DMA is idle. */
+static void start(const struct write *w)
+{
+    const uint32_t bits = ((w->n | (uintptr_t)w->bytes) & 1) == 0 ? 16 : 8;
+    if (w->dc != spi.dc || bits != spi.bits) {
+        wait_for_last_bit();
+        chip_select(false);
+        set_word(bits);
+        rp2040_pin_write(spi.pins->dc.number, w->dc == HAL_DATA);
+        spi.dc = w->dc;
+    }
+    if (!spi.selected) {
+        chip_select(true);
+    }
+    REG(DMA_CH0_READ_ADDR) = (uint32_t)(uintptr_t)w->bytes;
+    REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
+    REG(DMA_CH0_TRANS_COUNT) = bits == 16 ? w->n / 2 : w->n; /* no division in a handler, see divide.c */
+    REG(DMA_CH0_CTRL_TRIG) = transfer_control(bits);
+}
+
+/* The DMA has read all of a write. */
+void rp2040_spi_interrupt(void)
+{
+    REG(DMA_INTS0) = 1;
+    const uint32_t next = spi.sent + 1;
+    spi.sent = next;
+    if (next != spi.given) {
+        start(&spi.writes[next % WRITES]);
+    }
+}
+
+/* The interrupt ends WFE, also one that came between the look and the WFE. */
+static void wait_for_dma(uint32_t waiting)
+{
+    while (spi.given - spi.sent > waiting) {
+        __asm volatile("wfe" ::: "memory");
+    }
+}
+
 static void spi_pin(const struct board_pin *pin)
 {
     rp2040_pin_function(pin->number, FUNCTION_SPI);
@@ -73,6 +111,7 @@ void rp2040_spi_open(const struct board *board)
 {
     spi.pins = &board->pins;
     spi.unit = board->spi_bus;
+    spi.ahead = board_writes_ahead(board) < WRITES ? board_writes_ahead(board) : WRITES;
     spi.cr0 = board->spi_mode == 3 ? 3 << 6 : 0; /* SPH, SPO */
     if (spi.pins->select.wired) {
         rp2040_pin_output(spi.pins->select.number, spi.pins->select.active_low);
@@ -107,32 +146,38 @@ int32_t rp2040_spi_clock(uint32_t hz)
     return (int32_t)(CLK_HZ / (prescaler * (scr + 1)));
 }
 
+static void copy(struct write *w, const uint8_t *bytes)
+{
+    for (uint32_t i = 0; i < w->n; i++) {
+        w->copy[i] = bytes[i];
+    }
+    w->bytes = w->copy;
+}
+
+/* There is a place among the writes when `ahead` - 1 at most wait; ahead is WRITES at most. */
 void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
 {
-    const uint32_t bits = ((n | (uintptr_t)bytes) & 1) == 0 ? 16 : 8;
     if (n == 0) {
         return;
     }
-    if (dc == spi.dc && bits == spi.bits) {
-        wait_for_dma();
-    } else {
-        rp2040_spi_wait();
-        set_word(bits);
-        rp2040_pin_write(spi.pins->dc.number, dc == HAL_DATA);
-        spi.dc = dc;
+    wait_for_dma(spi.ahead - 1);
+    const uint32_t number = spi.given;
+    struct write *w = &spi.writes[number % WRITES];
+    *w = (struct write){.bytes = bytes, .n = n, .dc = dc};
+    if (n <= HAL_COPIED) {
+        copy(w, bytes);
     }
-    if (!spi.selected) {
-        chip_select(true);
+    __asm volatile("cpsid i" ::: "memory"); /* what DMA reads is in memory */
+    spi.given = number + 1;
+    if (spi.sent == number) {
+        start(w);
     }
-    __asm volatile("" ::: "memory"); /* the buffer is in memory before DMA reads it */
-    REG(DMA_CH0_READ_ADDR) = (uint32_t)(uintptr_t)bytes;
-    REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
-    REG(DMA_CH0_TRANS_COUNT) = n * 8 / bits;
-    REG(DMA_CH0_CTRL_TRIG) = transfer_control(bits);
+    __asm volatile("cpsie i" ::: "memory");
 }
 
 void rp2040_spi_wait(void)
 {
+    wait_for_dma(0);
     wait_for_last_bit();
     if (spi.selected) {
         chip_select(false);
