@@ -29,5 +29,6 @@ const struct board board_pico_display = {
         },
     .button_count = 4,
     .band_height = 16,
-    .ram_bytes = 146 * 1024,
+    .band_buffers = 6,
+    .ram_bytes = 140 * 1024,
 };

@@ -32,5 +32,6 @@ const struct board board_waveshare_pico_lcd_0in96 = {
         },
     .button_count = 5,
     .band_height = 16,
-    .ram_bytes = 146 * 1024,
+    .band_buffers = 5,
+    .ram_bytes = 140 * 1024,
 };

@@ -23,5 +23,6 @@ const struct board board_waveshare_rp2040_lcd_1in28 = {
             .backlight = BOARD_PIN(25),
         },
     .band_height = 16,
-    .ram_bytes = 146 * 1024,
+    .band_buffers = 6,
+    .ram_bytes = 140 * 1024,
 };
