@@ -24,8 +24,8 @@
 # A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
 # All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h, kit.h.
 #
-# KIT_BYTES is defined for an image's main: bytes of the static memory of its kit (board.c's ram_bytes less
-# KIT_OTHER_BYTES), and CORES (make's CORES=1|2) is passed to a port's make lines.
+# The build gives each image board_here and kit_memory (hal/port.h; ram_bytes less KIT_OTHER_BYTES). CORES (make's
+# CORES=1|2) is for a port's make lines.
 
 CROSS ?= arm-none-eabi-
 HOSTCC ?= cc
@@ -86,18 +86,25 @@ $(B)/%.o: %.S $(B)/flags
 $(B)/main.o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
-	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) -DKIT_BYTES='(($(RAM_BYTES)) - KIT_OTHER_BYTES)' $(INC_CORE) -Ifirmware/app -Ihal -Iboards \
+	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -Ihal -Iboards \
 	    -MMD -MP -c $< -o $@
+
+define BOARD_HERE
+#include "kit.h"
+#include "port.h"
+extern const struct board board_$(subst -,_,$(BOARD));
+const struct board *const board_here = &board_$(subst -,_,$(BOARD));
+uint64_t kit_memory[(($(RAM_BYTES)) - KIT_OTHER_BYTES) / 8];
+const size_t kit_memory_bytes = sizeof kit_memory;
+endef
+export BOARD_HERE
 
 $(B)/board_here.c: FORCE
 	@mkdir -p $(@D)
-	@printf '#include "port.h"\n#include "board.h"\nextern const struct board board_%s;\nconst struct board *const board_here = &board_%s;\n' \
-	    '$(subst -,_,$(BOARD))' '$(subst -,_,$(BOARD))' | cmp -s - $@ || \
-	    printf '#include "port.h"\n#include "board.h"\nextern const struct board board_%s;\nconst struct board *const board_here = &board_%s;\n' \
-	    '$(subst -,_,$(BOARD))' '$(subst -,_,$(BOARD))' >$@
+	@printf '%s\n' "$$BOARD_HERE" | cmp -s - $@ || printf '%s\n' "$$BOARD_HERE" >$@
 
 $(B)/board_here.o: $(B)/board_here.c
-	$(Q)$(CC) $(STD) $(CFLAGS) -Ihal -c $< -o $@
+	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_CORE) -Ifirmware/app -Ihal -MMD -MP -c $< -o $@
 
 $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
 	@mkdir -p $(@D)

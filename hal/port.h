@@ -13,6 +13,10 @@ struct hal port_hal(void);
 /* The image's board: defined by the build as the one that BOARD= names. */
 extern const struct board *const board_here;
 
+/* Static memory for the image's kit: the board's ram_bytes less what stack and variables take. Also the build's. */
+extern uint64_t kit_memory[];
+extern const size_t kit_memory_bytes;
+
 /* Writes text to the log UART (115200 8N1); waits until it is in the transmitter. */
 void port_log(const char *text);
 

@@ -135,7 +135,6 @@ static int run(struct kit *kit)
 
 static int open(struct kit *kit)
 {
-    static uint64_t memory[KIT_BYTES / 8];
     const struct hal hal = port_hal();
     int status = hal.ops->open(hal.context, board_here);
     if (status != 0) {
@@ -150,8 +149,8 @@ static int open(struct kit *kit)
                                       .band_height = board_here->band_height,
                                       .budget_bytes = kit_budget(board_here),
                                       .demo = demo_list[0],
-                                      .memory = memory,
-                                      .memory_bytes = sizeof memory};
+                                      .memory = kit_memory,
+                                      .memory_bytes = kit_memory_bytes};
     return kit_open(kit, &hal, &config);
 }
 

@@ -70,35 +70,43 @@ static void start_time(uint32_t clock_hz)
     SYST_CSR = 7; /* on, interrupt, CPU clock */
 }
 
-static void fill(uint32_t *to, const uint32_t *end, uint32_t value)
+/* Symbols of the linker script are objects of their own to the language: counted, not compared. */
+static uint32_t words_between(const uint32_t *from, const uint32_t *to)
 {
-    while (to < end) {
-        *to++ = value;
+    return (uint32_t)(((uintptr_t)to - (uintptr_t)from) / 4);
+}
+
+static void fill(uint32_t *to, uint32_t words, uint32_t value)
+{
+    for (uint32_t i = 0; i < words; i++) {
+        to[i] = value;
     }
 }
 
 /* Not into the frame of this very function. */
 static __attribute__((noinline)) void paint_stack(void)
 {
-    fill(stack_start, (uint32_t *)__builtin_frame_address(0) - 16, STACK_PAINT);
+    const uint32_t below = words_between(stack_start, (const uint32_t *)__builtin_frame_address(0));
+    fill(stack_start, below - 16, STACK_PAINT);
 }
 
 uint32_t port_stack_used(void)
 {
-    const uint32_t *low = stack_start;
-    while (low < stack_top && *low == STACK_PAINT) {
-        low++;
+    const uint32_t words = words_between(stack_start, stack_top);
+    uint32_t unused = 0;
+    while (unused < words && stack_start[unused] == STACK_PAINT) {
+        unused++;
     }
-    return (uint32_t)((const uint8_t *)stack_top - (const uint8_t *)low);
+    return 4 * (words - unused);
 }
 
 void start(void)
 {
-    const uint32_t *from = data_load;
-    for (uint32_t *to = data_start; to < data_end; to++) {
-        *to = *from++;
+    const uint32_t words = words_between(data_start, data_end);
+    for (uint32_t i = 0; i < words; i++) {
+        data_start[i] = data_load[i];
     }
-    fill(bss_start, bss_end, 0);
+    fill(bss_start, words_between(bss_start, bss_end), 0);
     paint_stack();
     SHCSR |= 7U << 16; /* memory, bus and usage faults have handlers of their own */
     start_time(port_start());
@@ -107,13 +115,18 @@ void start(void)
 
 /* ---- the end -------------------------------------------------------------------------------------- */
 
-/* A debugger's or emulator's exit: SYS_EXIT_EXTENDED of the Arm semihosting specification. */
+/* What a debugger or an emulator does for a program (Arm semihosting specification); the arguments lie in r0 and r1. */
+__attribute__((naked, noinline)) static void semihosting(uint32_t operation __attribute__((unused)),
+                                                         const uint32_t *block __attribute__((unused)))
+{
+    __asm__ volatile("bkpt 0xAB\n"
+                     "bx lr\n");
+}
+
 static void semihosting_exit(int status)
 {
     const uint32_t block[2] = {0x20026, (uint32_t)status}; /* ADP_Stopped_ApplicationExit */
-    register uint32_t operation __asm__("r0") = 0x20;
-    register const uint32_t *parameters __asm__("r1") = block;
-    __asm__ volatile("bkpt 0xAB" : "+r"(operation) : "r"(parameters) : "memory");
+    semihosting(0x20, block);                              /* SYS_EXIT_EXTENDED */
 }
 
 /* The display off and asleep, whatever state the driver was in. */
