@@ -46,52 +46,63 @@ static double spread(int i, double by)
     return i * by - floor(i * by);
 }
 
-/* Place number i of the sweep; its upper edge, or its lower one where the planes lean towards us, is at at_m. */
+/*
+ * Place number i of the sweep; its upper edge, or its lower one where the planes lean towards us, is at at_m. Three of
+ * four have the plane in front moved within itself, towards us.
+ */
 static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
                                     double tilt_deg, int i)
 {
     const struct depth_lab *lab = canvas->lab;
     const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, at_m), at_m / 16);
-    const bool small = i % 2 == 0;
+    const double most = SIDE_PX * pixel, margin = 1.25; /* room for a separation, and for moving in front */
     struct planes_place place = planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
-    const double low = small ? -SIDE_PX * pixel : place.slope_low, high = small ? SIDE_PX * pixel : place.slope_high;
-    if (tilt_deg >= 0) {
-        place.slope_low = fmax(low, place.slope_low) + pixel * spread(i, 0.7548776662);
-        place.slope_high = tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.5698402910);
-    } else {
-        place.slope_low = 0;
-        place.slope_high = fmin(high, place.slope_high) - pixel * spread(i, 0.7548776662);
-    }
-    place.slope_side = (small ? SIDE_PX * pixel : place.slope_side) - pixel * spread(i, 0.8191725134);
+    const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
+    const double low = i % 2 == 0 ? fmax(-most, place.slope_low / margin) : place.slope_low / margin;
+    const double high = i % 2 == 0 ? fmin(most, place.slope_high / margin) : place.slope_high / margin;
+    place.slope_low = tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : 0;
+    place.slope_high = tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.7548776662);
+    place.slope_side = side - pixel * spread(i, 0.8191725134);
+    place.shift = tilt_deg >= 0 ? -(i / 2 % 4) : i / 2 % 4;
     return place;
 }
 
-/* Whether any pixel of any place is wrong at this separation. */
-static bool is_wrong_somewhere(struct planes_canvas *canvas, enum ph_depth_format format, double at_m, double tilt_deg,
-                               double separation_m)
+enum verdict { ALL_RIGHT, SOME_WRONG, IMPOSSIBLE };
+
+/* Draws both planes; only where the one behind shows somewhere is there something to count. */
+static bool is_wrong(struct planes_canvas *canvas, const struct planes_pair *pair)
 {
     const uint32_t area = area_of(canvas);
+    planes_draw(canvas, &pair->behind, &pair->front);
+    for (uint32_t i = 0; i < area; i++) {
+        if (canvas->pixels[i] == PLANES_BEHIND) {
+            return planes_count(canvas, pair, canvas->verdicts).wrong > 0;
+        }
+    }
+    return false;
+}
+
+/*
+ * Whether any pixel of any place is wrong at this separation. IMPOSSIBLE: it rounds to nothing, or finds no room.
+ * *real_m: the largest separation that a place had after rounding.
+ */
+static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_format format, double at_m, double tilt_deg,
+                               double separation_m, double *real_m)
+{
+    *real_m = 0;
     for (int i = 0; i < PLACES; i++) {
         struct planes_pair pair;
         struct planes_place place = place_of(canvas, format, at_m, tilt_deg, i);
         place.separation_m = separation_m;
         if (!planes_make(canvas->lab, &place, &pair) || !planes_front_is_nearer(&pair)) {
-            continue;
+            return IMPOSSIBLE;
         }
-        planes_draw(canvas, &pair.behind, &pair.front);
-        bool any = false;
-        for (uint32_t k = 0; k < area && !any; k++) {
-            any = canvas->pixels[k] == PLANES_BEHIND;
-        }
-        if (!any) {
-            continue;
-        }
-        uint8_t *const verdicts = canvas->verdicts;
-        if (planes_count(canvas, &pair, verdicts).wrong > 0) {
-            return true;
+        *real_m = fmax(*real_m, planes_separation_m(&pair));
+        if (is_wrong(canvas, &pair)) {
+            return SOME_WRONG;
         }
     }
-    return false;
+    return ALL_RIGHT;
 }
 
 /* The largest tangent of a ray to the axis that meets the planes of the sweep: at a corner of the picture. */
@@ -129,17 +140,19 @@ struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_for
 {
     struct planes_sweep sweep = {0, 0, HUGE_VAL};
     predict(canvas->lab, format, at_m, tilt_deg, &sweep);
+    double real_m;
     int step = 16; /* twice S_min */
-    while (is_wrong_somewhere(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP))) {
-        step += 16;
-        if (step > UP_MAX) {
-            return sweep;
-        }
+    enum verdict verdict = SOME_WRONG;
+    while (verdict == SOME_WRONG && step <= UP_MAX) {
+        verdict = try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m);
+        step += verdict == SOME_WRONG ? 16 : 0;
     }
-    while (step > -DOWN_MAX &&
-           !is_wrong_somewhere(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2((step - 1) * STEP))) {
+    while (verdict == ALL_RIGHT) {
+        sweep.measured_m = real_m;
         step--;
+        verdict = step > -DOWN_MAX
+                      ? try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m)
+                      : IMPOSSIBLE;
     }
-    sweep.measured_m = sweep.s_min_m * exp2(step * STEP);
     return sweep;
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #define CORNER_MAX 1073741824.0 /* 2^30: numerators then fit 64 bits */
+#define PARTS      64           /* of a plane's height */
 #define GUARD      3.9          /* half pictures that a corner may lie off the middle without being clipped */
 
 static const struct ph_material materials[] = {
@@ -59,7 +60,7 @@ struct planes_place planes_whole(const struct depth_lab *lab, double at_m, doubl
 {
     const double lean = tan(depth_radians(tilt_deg)), half = depth_pixel_slope(lab) * lab->height / 2;
     const double nearest = depth_metres(lab->near_z) + separation_m + 2.0 / 65536, farthest = depth_metres(lab->far_z);
-    struct planes_place place = {at_m, tilt_deg, separation_m, -half, half, half * lab->width / lab->height};
+    struct planes_place place = {at_m, tilt_deg, separation_m, -half, half, half * lab->width / lab->height, 0};
     /* D = at / (1 - s lean) from nearest to farthest */
     const double at_near = lean != 0 ? (1 - at_m / nearest) / lean : 0;
     const double at_far = lean != 0 ? (1 - at_m / farthest) / lean : 0;
@@ -98,11 +99,12 @@ bool planes_make(const struct depth_lab *lab, const struct planes_place *place, 
     struct planes_quad *const behind = &pair->behind;
     behind->a = (struct fx_vec3){to_fx(-side), to_fx(place->slope_low * d0), to_fx(-d0)};
     behind->ux = to_fx(2 * side);
-    behind->vy = to_fx(place->slope_high * d1) - behind->a.y;
-    behind->vz = to_fx(-d1) - behind->a.z;
+    behind->vy = (to_fx(place->slope_high * d1) - behind->a.y) / PARTS * PARTS;
+    behind->vz = (to_fx(-d1) - behind->a.z) / PARTS * PARTS;
     pair->front = *behind;
-    pair->front.a.y += to_fx(place->separation_m * sin(angle));
-    pair->front.a.z += to_fx(place->separation_m * cos(angle));
+    pair->front.a.x += place->shift * behind->ux / (3 * PARTS);
+    pair->front.a.y += to_fx(place->separation_m * sin(angle)) + behind->vy / PARTS * place->shift;
+    pair->front.a.z += to_fx(place->separation_m * cos(angle)) + behind->vz / PARTS * place->shift;
     return behind->ux > 0 && behind->vy > 0 && is_inside(lab, behind) && is_inside(lab, &pair->front);
 }
 

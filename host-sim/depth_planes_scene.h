@@ -3,8 +3,9 @@
  *
  * Each is a parallelogram a, a + u, a + u + v, a + v in Q16.16, seen by a camera at the origin that looks along -z;
  * u = (ux, 0, 0), v = (0, vy, vz), so rows of the picture see one distance, and the four corners lie exactly in one
- * plane. Both have the same u and v, so they are exactly parallel. The one behind is drawn first: of two equal depth
- * codes it stays, and what the format cannot tell apart counts as wrong.
+ * plane. Both have the same u and v, so they are exactly parallel. (v is a multiple of 64, so that one plane can be
+ * moved within itself, exactly: else both would be snapped to the same sub-pixels, and could not be out of order.) The
+ * one behind is drawn first: of two equal depth codes it stays, and what the format cannot tell apart counts as wrong.
  *
  *            \     \
  *             \     \  tilt: angle of the planes with the screen, 0 facing, positive leaning away at the top
@@ -34,6 +35,7 @@ struct planes_pair {
 struct planes_place {
     double at_m, tilt_deg, separation_m;
     double slope_low, slope_high, slope_side;
+    int shift; /* moves the plane in front within itself by this many 64ths of its height, and a little sideways */
 };
 
 /* The renderer and its memory for pictures of lab's size in one format. */
