@@ -1,0 +1,94 @@
+/* pinhole-depth plot: see depth_plot_kinds.h. */
+#define _XOPEN_SOURCE 700 /* open_memstream */
+
+#include "complain.h"
+#include "depth_plot_gnuplot.h"
+#include "depth_plot_kinds.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const struct depth_plot_kind *depth_plot_find(const char *name)
+{
+    for (uint32_t i = 0; i < depth_plot_kind_count; i++) {
+        if (strcmp(depth_plot_kinds[i].name, name) == 0) {
+            return &depth_plot_kinds[i];
+        }
+    }
+    return NULL;
+}
+
+static void begin(FILE *script, const struct depth_plot_kind *kind, bool png)
+{
+    if (png) {
+        fprintf(script, "set terminal pngcairo size %d,%d font 'Sans,11' background '#ffffff'\n", kind->width,
+                kind->height);
+    } else {
+        fprintf(script, "set terminal svg size %d,%d font 'Helvetica,Arial,sans-serif,14' background '#ffffff'\n",
+                kind->width, kind->height);
+    }
+    fputs("set encoding utf8\nset border 3 lc '#444444'\nset tics nomirror textcolor '#222222'\n"
+          "set grid lc '#dddddd' lt 1 lw 1\nset key noenhanced\nset decimalsign '.'\n",
+          script);
+}
+
+int depth_plot_picture(const struct depth_lab *lab, const struct depth_plot_kind *kind, bool png, char **picture,
+                       size_t *length)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *const script = open_memstream(&text, &size);
+    *picture = NULL;
+    if (script == NULL) {
+        return complain(EXIT_FAILED, "out of memory");
+    }
+    begin(script, kind, png);
+    int status = kind->write(lab, script);
+    if (fclose(script) != 0 && status == 0) {
+        status = complain(EXIT_FAILED, "out of memory");
+    }
+    if (status == 0) {
+        status = gnuplot_run(text, picture, length);
+    }
+    free(text);
+    return status;
+}
+
+static int no_such_kind(const char *name)
+{
+    char names[200];
+    size_t n = 0;
+    for (uint32_t i = 0; i < depth_plot_kind_count && n < sizeof names; i++) {
+        n += (size_t)snprintf(names + n, sizeof names - n, " %s", depth_plot_kinds[i].name);
+    }
+    return complain(EXIT_USAGE, "plot '%s': no such kind; there are%s", name, names);
+}
+
+static bool ends_with(const char *text, const char *ending)
+{
+    const size_t n = strlen(text), m = strlen(ending);
+    return n > m && strcmp(text + n - m, ending) == 0;
+}
+
+int depth_plot(const struct depth_lab *lab)
+{
+    const struct depth_plot_kind *kind = depth_plot_find(lab->kind);
+    if (kind == NULL) {
+        return no_such_kind(lab->kind);
+    }
+    if (lab->out == NULL) {
+        return complain(EXIT_USAGE, "plot needs --out FILE.svg or FILE.png");
+    }
+    const bool png = ends_with(lab->out, ".png");
+    if (!png && !ends_with(lab->out, ".svg")) {
+        return complain(EXIT_USAGE, "--out %s: plots are written as .svg or .png", lab->out);
+    }
+    char *picture;
+    size_t length = 0;
+    int status = depth_plot_picture(lab, kind, png, &picture, &length);
+    if (status == 0) {
+        status = depth_save(lab->out, picture, length);
+    }
+    free(picture);
+    return status;
+}

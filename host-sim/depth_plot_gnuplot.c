@@ -1,0 +1,149 @@
+#define _XOPEN_SOURCE 700
+
+#include "depth_plot_gnuplot.h"
+
+#include "complain.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#define NOT_FOUND 127 /* exit status of a child that found no gnuplot */
+
+/* Never returns. -d: nobody's ~/.gnuplot changes the picture. */
+static void become_gnuplot(int in, int out, int errors)
+{
+    char name[] = "gnuplot", no_defaults[] = "-d", from_stdin[] = "-";
+    char *const arguments[] = {name, no_defaults, from_stdin, NULL};
+    if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(errors, STDERR_FILENO) >= 0) {
+        execvp(name, arguments);
+    }
+    _exit(errno == ENOENT || errno == EACCES ? NOT_FOUND : 1);
+}
+
+/* Writes all of text into the pipe; a reader that has gone is no error here: its exit status tells. */
+static void feed(int pipe_end, const char *text)
+{
+    size_t left = strlen(text);
+    while (left > 0) {
+        const ssize_t n = write(pipe_end, text, left);
+        if (n < 0 && errno != EINTR) {
+            return;
+        }
+        text += n > 0 ? n : 0;
+        left -= n > 0 ? (size_t)n : 0;
+    }
+}
+
+static int wait_for(pid_t child)
+{
+    int status;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) {
+            return 1;
+        }
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+/* Exit status of gnuplot, or -1 with errno set when it could not even be tried. */
+static int run_child(const char *script, FILE *out, FILE *errors)
+{
+    int ends[2];
+    if (pipe(ends) != 0) {
+        return -1;
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+        close(ends[1]);
+        become_gnuplot(ends[0], fileno(out), fileno(errors));
+    }
+    close(ends[0]);
+    if (child > 0) {
+        struct sigaction ignore, before;
+        memset(&ignore, 0, sizeof ignore);
+        ignore.sa_handler = SIG_IGN;
+        sigaction(SIGPIPE, &ignore, &before);
+        feed(ends[1], script);
+        sigaction(SIGPIPE, &before, NULL);
+    }
+    close(ends[1]);
+    return child < 0 ? -1 : wait_for(child);
+}
+
+/* The whole file, with a zero behind it, to be freed; NULL without memory. */
+static char *contents(FILE *file, size_t *length)
+{
+    const long size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    char *const bytes = size < 0 ? NULL : malloc((size_t)size + 1);
+    if (bytes != NULL) {
+        rewind(file);
+        *length = fread(bytes, 1, (size_t)size, file);
+        bytes[*length] = '\0';
+    }
+    return bytes;
+}
+
+/* What gnuplot complained about: its first line that says something. */
+static int blame(FILE *errors)
+{
+    size_t length;
+    char *const text = contents(errors, &length);
+    char *line = text != NULL ? text + strspn(text, " \t\n^") : NULL;
+    if (line != NULL) {
+        line[strcspn(line, "\n")] = '\0';
+    }
+    complain(EXIT_FAILED, "gnuplot: %s", line != NULL && *line != '\0' ? line : "wrote no picture");
+    free(text);
+    return EXIT_FAILED;
+}
+
+static int judge(int status, FILE *out, FILE *errors, char **picture, size_t *length)
+{
+    if (status < 0) {
+        return complain(EXIT_FAILED, "gnuplot: cannot be started: %s", strerror(errno));
+    }
+    if (status == NOT_FOUND) {
+        return complain(EXIT_FAILED, "gnuplot is missing, and it draws the plots: apt-get install gnuplot-nox");
+    }
+    *picture = contents(out, length);
+    if (status == 0 && *picture != NULL && *length > 0) {
+        return 0;
+    }
+    free(*picture);
+    *picture = NULL;
+    return blame(errors);
+}
+
+int gnuplot_run(const char *script, char **picture, size_t *length)
+{
+    FILE *const out = tmpfile(), *const errors = tmpfile();
+    int status = EXIT_FAILED;
+    *picture = NULL;
+    if (out == NULL || errors == NULL) {
+        complain(EXIT_FAILED, "gnuplot: no temporary file: %s", strerror(errno));
+    } else {
+        status = judge(run_child(script, out, errors), out, errors, picture, length);
+    }
+    if (out != NULL) {
+        fclose(out);
+    }
+    if (errors != NULL) {
+        fclose(errors);
+    }
+    return status;
+}
+
+bool gnuplot_is_here(void)
+{
+    FILE *const out = tmpfile();
+    const int status = out != NULL ? run_child("", out, out) : -1;
+    if (out != NULL) {
+        fclose(out);
+    }
+    return status >= 0 && status != NOT_FOUND;
+}

@@ -1,0 +1,26 @@
+/*
+ * depth_plot_kinds: the plots of pinhole-depth as gnuplot scripts, their data in them. Colours are told apart by people
+ * who see red and green alike (after Okabe and Ito), and each curve has its own marks or dashes.
+ */
+#ifndef DEPTH_PLOT_KINDS_H
+#define DEPTH_PLOT_KINDS_H
+
+#include "depth_lab.h"
+
+struct depth_plot_kind {
+    const char *name, *title;
+    int width, height;                                       /* pixels */
+    int (*write)(const struct depth_lab *lab, FILE *script); /* 0, or a status when one line has said why */
+};
+
+extern const struct depth_plot_kind depth_plot_kinds[];
+extern const uint32_t depth_plot_kind_count;
+
+/* NULL: no kind has this name. */
+const struct depth_plot_kind *depth_plot_find(const char *name);
+
+/* The picture as bytes to be freed; png: else SVG. 0, or a status when one line has said why. */
+int depth_plot_picture(const struct depth_lab *lab, const struct depth_plot_kind *kind, bool png, char **picture,
+                       size_t *length);
+
+#endif
