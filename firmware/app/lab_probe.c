@@ -45,13 +45,17 @@ int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t ne
     return format->kind == LAB_DRAWN ? open_renderer(p) : PH_OK;
 }
 
-/* The triangle is one pixel wide and high at every w; the pixel's centre is well inside. */
+/*
+ * A triangle that covers the pixel: four pixels wide, so that its rounded corners are well outside also one LSB in
+ * front of the eye; one pixel where four do not fit Q16.16. It is flat, so its size does not change its depth.
+ */
 static uint32_t drawn_code(struct lab_probe *p, fx_t w)
 {
     static const uint16_t faces[][3] = {{0, 1, 2}};
     static const struct ph_part all = {.count = 1};
     static const struct ph_material plain = {.shading = PH_SHADE_UNLIT};
-    const struct fx_vec3 corners[] = {{-w, -w, -w}, {w, -w, -w}, {0, w, -w}};
+    const fx_t r = w < FX_INT(4096) ? 4 * w : w;
+    const struct fx_vec3 corners[] = {{-r, -r, -w}, {r, -r, -w}, {0, r, -w}};
     const struct ph_mesh mesh = {.positions = corners,
                                  .vertex_count = 3,
                                  .triangles = faces,
@@ -92,12 +96,21 @@ static uint32_t over_w_code(const struct lab_probe *p, fx_t w)
     return part + ((uint32_t)(14 - octave) << mantissa);
 }
 
-/* floor(S (ln far - ln w) / (ln far - ln near)), in 2^-56. */
+/* floor(S (ln far - ln w) / (ln far - ln near)): multiplied bit by bit of S, what is over range counted. */
 static uint32_t log_code(const struct lab_probe *p, fx_t w)
 {
-    const struct lab_num part = lab_num_of(p->log_far - lab_log2_q56((uint32_t)w));
-    const struct lab_num code = lab_num_div(lab_num_mul(part, lab_num_of(p->largest)), lab_num_of(p->log_range));
-    return code.m == 0 || code.e <= -64 ? 0 : (uint32_t)(code.m >> -code.e);
+    const uint64_t part = p->log_far - lab_log2_q56((uint32_t)w); /* up to range, below 2^61 */
+    uint64_t rest = 0;
+    uint32_t code = 0;
+    for (int bit = 0; bit < p->format->bits; bit++) {
+        rest = 2 * rest + part;
+        code *= 2;
+        while (rest >= p->log_range) { /* at most three times */
+            rest -= p->log_range;
+            code++;
+        }
+    }
+    return code;
 }
 
 uint32_t lab_code(struct lab_probe *p, fx_t w)
