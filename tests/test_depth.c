@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "depth_chain.h"
 #include "options.h"
 #include "ref_random.h"
 #include "ref_rig.h"
@@ -139,10 +140,174 @@ static void formats_resolve_what_the_table_says(void **state)
     }
 }
 
+/* ---- each vertex ---------------------------------------------------------------------------------------------- */
+
+/* A camera with near and far plane anywhere, most ratios alike. */
+static void random_camera(struct bench *b, enum ph_depth_format format)
+{
+    const double near_z = exp(ref_uniform(log(.001), log(50)));
+    bench_open(b, format, near_z, fmin(near_z * exp(ref_uniform(log(1.5), log(30000))), 32000));
+}
+
+static fx_t random_distance(const struct bench *b)
+{
+    const double w = b->near_z * pow(b->far_z / b->near_z, ref_uniform(0, 1));
+    return (fx_t)fmin(fmax(ref_q16(w), b->projection.near_z), b->projection.far_z);
+}
+
+static void vertices_get_the_codes_of_the_definition(void **state)
+{
+    (void)state;
+    ref_seed(4);
+    for (int i = 0; i < 4000; i++) {
+        const enum ph_depth_format format = (enum ph_depth_format)(1 + i % (PH_DEPTH_FORMATS - 1));
+        struct bench b;
+        random_camera(&b, format);
+        const fx_t w = random_distance(&b);
+        const uint32_t code = code_at(&b, w, 0, 4);
+        assert_int_equal(code, depth_chain(&b.rig.r.lens, format, w));
+        assert_true(depth_is_right(&b.rig.r.lens, format, w, code));
+        rig_close(&b.rig);
+    }
+}
+
+static void codes_never_rise_with_distance(void **state)
+{
+    (void)state;
+    ref_seed(14);
+    for (int i = 0; i < 1000; i++) {
+        const enum ph_depth_format format = (enum ph_depth_format)(1 + i % (PH_DEPTH_FORMATS - 1));
+        struct bench b;
+        random_camera(&b, format);
+        code_at(&b, b.projection.far_z, 0, 3); /* sets the lens up */
+        const struct ph_lens *lens = &b.rig.r.lens;
+        fx_t w = random_distance(&b);
+        uint32_t before = depth_chain(lens, format, w);
+        for (int k = 0; k < 500 && w < b.projection.far_z; k++) {
+            const uint32_t code = depth_chain(lens, format, ++w);
+            assert_true(code <= before);
+            before = code;
+        }
+        rig_close(&b.rig);
+    }
+}
+
+/* ---- leaning quads ---------------------------------------------------------------------------------------------- */
+
+/*
+ * By how much the distance read in the middle of a leaning quad leaves the interval of its code. The 1/256 px of the
+ * corners allow for s_xy tan(lean) of the minimum triangle separation (Akeley and Su, 2006): sqrt(2) 2^-8 px. (Beyond
+ * some 1/16 of the distance per pixel set-up flattens a surface: see depth.h.)
+ */
+static double miss_of(struct bench *b, fx_t w, double lean, double pixels, double *allowed)
+{
+    const uint32_t code = code_at(b, w, lean, pixels);
+    const double pixel = 2 * sqrt(1. / 3) / SIZE * w * LSB; /* size of a pixel at w */
+    const double farthest = rig_format_distance(b->format, code - depth_tolerance(b->format), b->near_z, b->far_z);
+    const double nearest = rig_format_distance(b->format, code + 1 + depth_tolerance(b->format), b->near_z, b->far_z);
+    *allowed = sqrt(2) / 256 * pixel * fabs(lean) + LSB;
+    return fmax(fmax(nearest - w * LSB, w * LSB - farthest), 0);
+}
+
+static void leaning_quads_are_off_by_no_more_than_their_corners(void **state)
+{
+    (void)state;
+    ref_seed(24);
+    for (int i = 0; i < 10000; i++) {
+        const enum ph_depth_format format = (enum ph_depth_format)(1 + i % (PH_DEPTH_FORMATS - 1));
+        struct bench b;
+        double allowed;
+        bench_open(&b, format, i & 1 ? .1 : .5, i & 1 ? 1000 : 100);
+        const fx_t w = ref_q16(exp(ref_uniform(log(1), log(80))));
+        const double lean = (i & 2 ? 1 : -1) * exp(ref_uniform(log(1e-4), log(.8))),
+                     miss = miss_of(&b, w, lean, ref_uniform(3, 12), &allowed);
+        if (miss > allowed) {
+            fail_msg("%s at %g leaning %g: off by %g, allowed %g", options_depth_name((uint8_t)format), w * LSB, lean,
+                     miss, allowed);
+        }
+        rig_close(&b.rig);
+    }
+}
+
+/* ---- the choice -------------------------------------------------------------------------------------------------- */
+
+static enum ph_depth_format chosen(uint8_t kind, fx_t near_z, fx_t far_z)
+{
+    const struct ph_projection p = {.kind = kind, .near_z = near_z, .far_z = far_z};
+    return ph_depth_choose(&p);
+}
+
+static void fixed16_is_chosen_up_to_64_times_near(void **state)
+{
+    (void)state;
+    assert_int_equal(chosen(PH_PERSPECTIVE, FX_ONE, FX_INT(64)), PH_DEPTH_FIXED16);
+    assert_int_equal(chosen(PH_PERSPECTIVE, FX_ONE, FX_INT(64) + 1), PH_DEPTH_FLOAT16);
+    assert_int_equal(chosen(PH_FISHEYE, FX_HALF, FX_INT(32)), PH_DEPTH_FIXED16);
+    assert_int_equal(chosen(PH_FISHEYE, FX_HALF, FX_INT(33)), PH_DEPTH_FLOAT16);
+    assert_int_equal(chosen(PH_PERSPECTIVE, FX_INT(30000), FX_MAX), PH_DEPTH_FIXED16);
+    assert_int_equal(chosen(PH_PERSPECTIVE, 1, FX_MAX), PH_DEPTH_FLOAT16);
+    assert_int_equal(chosen(PH_ORTHOGRAPHIC, FX_MIN, FX_MAX), PH_DEPTH_FIXED16);
+}
+
+/* Ulrich's band: a step of more than 1/1000 of the distance invites fighting. */
+static void fixed16_resolves_a_thousandth_up_to_there_and_no_further(void **state)
+{
+    static const double ratios[2] = {PH_DEPTH_FIXED16_RATIO, 68};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct bench b;
+        bench_open(&b, PH_DEPTH_FIXED16, 1, ratios[i]);
+        double worst = 0;
+        for (int k = 0; k < 100; k++) {
+            const double z = 1.01 * pow(ratios[i] * .98, k / 100.);
+            worst = fmax(worst, longest_plateau(&b, z, 1) / z);
+        }
+        worst = fmax(worst, longest_plateau(&b, ratios[i] * .996, 3) / ratios[i]);
+        print_message("    far = %.0f near: worst step %.3g of the distance\n", ratios[i], worst);
+        assert_true(i == 0 ? worst <= 1e-3 : worst > 1e-3);
+        rig_close(&b.rig);
+    }
+}
+
+static void auto_chooses_in_each_frame_and_a_second_camera_keeps_it(void **state)
+{
+    struct bench b;
+    struct ph_projection deep;
+    (void)state;
+    bench_open(&b, PH_DEPTH_AUTO, 1, 10);
+    struct ph_renderer *r = &b.rig.r;
+    assert_int_equal(ph_projection_perspective(&deep, FX_INT(60), FX_ONE, FX_ONE, FX_INT(1000)), PH_OK);
+    assert_int_equal(ph_frame_begin(r, &ph_xform_identity, &b.projection, NULL, 0), PH_OK);
+    assert_int_equal(r->stats.depth_format, PH_DEPTH_FIXED16);
+    assert_int_equal(ph_frame_camera(r, &ph_xform_identity, &deep), PH_OK);
+    assert_int_equal(r->stats.depth_format, PH_DEPTH_FIXED16);
+    assert_int_equal(ph_frame_begin(r, &ph_xform_identity, &deep, NULL, 0), PH_OK);
+    assert_int_equal(r->stats.depth_format, PH_DEPTH_FLOAT16);
+    assert_int_equal(ph_frame_camera(r, &ph_xform_identity, &b.projection), PH_OK);
+    assert_int_equal(r->stats.depth_format, PH_DEPTH_FLOAT16);
+    rig_close(&b.rig);
+}
+
+static void formats_take_two_or_four_bytes(void **state)
+{
+    static const size_t bytes[PH_DEPTH_FORMATS] = {2, 2, 2, 4, 4, 2};
+    (void)state;
+    for (unsigned format = 0; format < PH_DEPTH_FORMATS; format++) {
+        assert_int_equal(ph_depth_bytes(format), bytes[format]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(formats_resolve_what_the_table_says),
+        cmocka_unit_test(vertices_get_the_codes_of_the_definition),
+        cmocka_unit_test(codes_never_rise_with_distance),
+        cmocka_unit_test(leaning_quads_are_off_by_no_more_than_their_corners),
+        cmocka_unit_test(fixed16_is_chosen_up_to_64_times_near),
+        cmocka_unit_test(fixed16_resolves_a_thousandth_up_to_there_and_no_further),
+        cmocka_unit_test(auto_chooses_in_each_frame_and_a_second_camera_keeps_it),
+        cmocka_unit_test(formats_take_two_or_four_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

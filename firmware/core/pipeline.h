@@ -74,7 +74,7 @@ struct ph_triangle {
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
-    int8_t block; /* floats: block exponent of depth where it must be split; PH_BLOCK_LINEAR; else PH_BLOCK_NONE */
+    uint8_t block; /* floats: block exponent of depth where it must be split; PH_BLOCK_LINEAR; else PH_BLOCK_NONE */
     uint8_t range_log2; /* texture: |u|, |v| below 2^this */
     uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
     struct ph_edge long_edge, upper, lower;

@@ -101,8 +101,8 @@ static struct gradient wide_gradient(const struct plane_base *s, int64_t d1, int
     const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
     const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
-    const int down = max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit);
-    const int64_t half = down > 0 ? (int64_t)1 << (down - 1) : 0;
+    const int down = max_int(max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit), 1);
+    const int64_t half = (int64_t)1 << (down - 1); /* down is not below 1: 22 without excess, else 29 */
     return (struct gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
 }
 
@@ -179,7 +179,7 @@ static int least_exponent(const struct ph_corner *const v[3])
 }
 
 /* N/w to the exponent `least` of the nearest corner, in units of 2^-(28 + least): below 2^29. */
-static uint32_t over_w(const struct ph_corner *v, int least)
+static uint32_t corner_over_w(const struct ph_corner *v, int least)
 {
     const int down = v->depth.s - least + 2;
     return down < 32 ? v->depth.q >> down : 0;
@@ -207,7 +207,7 @@ static void setup_float(const struct ph_renderer *r, const struct plane_base *s,
     }
     const int octave = ph_depth_octave(d[0], block);
     if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
-        t->block = (int8_t)block;
+        t->block = (uint8_t)block;
         t->depth = depth_plane(r, s, d, 27);
         return;
     }
@@ -222,7 +222,7 @@ static void setup_linear(const struct ph_renderer *r, const struct plane_base *s
                          uint32_t bias, struct ph_triangle *t)
 {
     const int least = least_exponent(v);
-    const uint32_t w[3] = {over_w(v[0], least), over_w(v[1], least), over_w(v[2], least)};
+    const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
     t->block = PH_BLOCK_LINEAR;
     t->depth = exact_plane(s, w, 29);
     t->linear = r->lens.linear;
@@ -273,7 +273,7 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
     const int least = least_exponent(v);
     uint32_t w[3]; /* 1/w to a common exponent, up to 2^29 */
     for (int i = 0; i < 3; i++) {
-        w[i] = perspective ? over_w(v[i], least) : (uint32_t)1 << 28;
+        w[i] = perspective ? corner_over_w(v[i], least) : (uint32_t)1 << 28;
     }
     for (int axis = 0; axis < 2; axis++) {
         int64_t over_w[3]; /* (u / 2^range) / w */

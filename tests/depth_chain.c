@@ -1,0 +1,53 @@
+/* See depth_chain.h. */
+#include "depth_chain.h"
+
+#include <math.h>
+
+static bool is_float(enum ph_depth_format format)
+{
+    return format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+}
+
+uint32_t depth_chain(const struct ph_lens *lens, enum ph_depth_format format, fx_t w)
+{
+    const struct ph_quotient quotient = ph_depth_quotient(lens, w);
+    const int down = ph_depth_bytes(format) == 4 ? 8 : 16;
+    if (format == PH_DEPTH_LINEAR_W) {
+        struct ph_linear linear = lens->linear;
+        linear.down = (int8_t)(linear.down - quotient.s);
+        return ph_depth_linear(&linear, quotient.q >> 2) >> 16;
+    }
+    if (!is_float(format)) {
+        return (ph_depth_at(lens, quotient, 0) + PH_DEPTH_BIAS_FIXED16) >> down;
+    }
+    const int block = quotient.s > 2 ? quotient.s - 2 : 0;
+    const uint32_t d = ph_depth_at(lens, quotient, block);
+    const int octave = ph_depth_octave(d, block);
+    return (ph_depth_float16_value(d, octave) + ph_depth_float16_offset(octave, block)) >> down;
+}
+
+double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, double w)
+{
+    const double head_room = 1 - 1. / 512, near_z = lens->near_z, far_z = lens->far_z;
+    if (format == PH_DEPTH_LINEAR_W) {
+        return 65536 * head_room * (far_z - w) / (far_z - near_z) + 16;
+    }
+    const double d = fmax(near_z * head_room * (1 / w - 1 / far_z), 0), unit = ph_depth_bytes(format) == 4 ? 256 : 1;
+    if (!is_float(format)) {
+        return unit * (65536 * d + 16.25);
+    }
+    const int exponent = d < ldexp(1, -15) ? 1 : ilogb(d) + 16;
+    return unit * (ldexp(d, 28 - exponent) + 4096 * (exponent - 1) + 8);
+}
+
+double depth_tolerance(enum ph_depth_format format)
+{
+    return ph_depth_bytes(format) == 4 ? 1. / 16 : 1. / 64;
+}
+
+bool depth_is_right(const struct ph_lens *lens, enum ph_depth_format format, fx_t w, uint32_t code)
+{
+    const double tolerance = depth_tolerance(format), off = ldexp(1, -29);
+    return code <= depth_exact(lens, format, w * (1 - off)) + tolerance &&
+           code > depth_exact(lens, format, w * (1 + off)) - 1 - tolerance;
+}
