@@ -1,10 +1,10 @@
 #!/bin/sh
-# Usage: firmware/budget.sh IMAGE.elf OBJECTS flash=BYTES ram=BYTES chip_ram=BYTES stack=BYTES extra=BYTES
+# Usage: firmware/budget.sh IMAGE.elf OBJECTS MAIN flash=BYTES ram=BYTES chip_ram=BYTES stack=BYTES extra=BYTES
 # Prints what an image takes of its board's flash, of its budget of RAM and of its stack; exits 1 over one of them, and
 # when it holds floating point, a heap or input and output. firmware.mk calls it. Environment: CROSS (tool prefix).
 set -eu
-elf=$1 objects=$2
-shift 2
+elf=$1 objects=$2 main=$3 # of the mains among the objects, the image's
+shift 3
 for pair; do
     case $pair in
     flash=* | ram=* | chip_ram=* | stack=* | extra=*) eval "${pair%%=*}=${pair#*=}" ;;
@@ -18,7 +18,7 @@ CROSS=${CROSS:-arm-none-eabi-}
 bad=$("${CROSS}nm" "$elf" | awk '$3 ~ /^(__aeabi_[fd][a-z0-9]*|__aeabi_(ui|i|l|ul)2[fd]|__(add|sub|mul|div|float|fix|extend|trunc)[a-z]*[sd]f[a-z0-9]*|_?(malloc|calloc|realloc|free|sbrk)(_r)?|_?(printf|fopen|write|puts)(_r)?)$/ { print $3 }' | sort -u | tr '\n' ' ')
 [ -z "$bad" ] || { echo "$elf: floating point, heap or files are in it: $bad" >&2 && exit 1; }
 
-graphs=$(find "$objects" -name '*.ci')
+graphs=$(find "$objects" -name '*.ci' ! -name 'main-*' && find "$objects" -name "$main.ci")
 # shellcheck disable=SC2086 # one file a word
 faults=$(awk -v library=96 -v list=1 -f "$(dirname "$0")/stack.awk" $graphs)
 worst=$(echo "$faults" | awk '/^worst / { print $2 }')

@@ -43,12 +43,14 @@ endif
 include $(BOARD_HOME)/board.mk
 include hal/$(PORT)/port.mk
 APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
-IMAGE_NAME := $(BOARD)-$(basename $(notdir $(APP)))$(if $(filter-out 1,$(CORES)),-cores$(CORES))
+APP_NAME := $(basename $(notdir $(APP)))
+IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))
+IMAGE_NAME := $(BOARD)-$(APP_NAME)$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
 RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_HOME)/board.c)
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
-image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(IMAGE_NAME)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
+image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
              CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
@@ -65,11 +67,11 @@ emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's
 # ---- within that make -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
-IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main.o $(B)/board_here.o
+IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)'
 
 image-size: $(OUT).elf
@@ -83,7 +85,7 @@ $(B)/%.o: %.S $(B)/flags
 	$(SAY) AS $<
 	$(Q)$(CC) $(CFLAGS) -c $< -o $@
 
-$(B)/main.o: $(APP_FILE) $(B)/flags
+$(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -Ihal -Iboards \
