@@ -221,7 +221,7 @@ static const struct option_row rows[] = {
     {"refresh", "N", "with --diff on: all of the picture every N frames", "a whole number, 1 .. 1000000000",
      set_refresh},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
-    {"depth", "FORMAT", "what the depth buffer holds; fixed16 by default",
+    {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim",
      "auto, fixed16, float16, fixed24, float24 or linear-w", set_depth},
     {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
     {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL, set_stats},
@@ -276,7 +276,7 @@ static int check_together(const struct panel_options *o)
 
 int panel_options_read(struct panel_options *o, int argc, char *const argv[])
 {
-    *o = (struct panel_options){.depth = PH_DEPTH_FIXED16};
+    *o = (struct panel_options){.depth = PH_DEPTH_AUTO};
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {

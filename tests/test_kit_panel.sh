@@ -1,0 +1,184 @@
+#!/usr/bin/env bash
+# pinhole-panel on a virtual Raspberry Pi (tests/kit): the real program, kernel, spidev and libgpiod. What comes out of
+# the wires is what pinhole-sim draws; what goes wrong is one line and leaves nothing behind.
+# shellcheck disable=SC2317,SC2015,SC2016 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+. tests/kit_panel.sh
+unset MAKEFLAGS
+export B=${B:-build}
+why=$(kit_why)
+[ -z "$why" ] || { skip "pinhole-panel drives a display in the virtual kit" "$why" && tap_end; }
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+kit_build || exit 1
+
+# ---- what the guests do --------------------------------------------------------------------------
+
+all_boards='
+    . tests/kit_panel.sh
+    guest_rotations 2 "0 270" $kit_boards
+    fresh && kit_do wire-time 1 && run timed --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/timed.events
+    run_fresh diff --board rpi-waveshare-1in3 --frames 12 --diff on
+    run_fresh two --board rpi-waveshare-1in44 --board sbc-generic --spi /dev/spidev0.1 --dc GPIO22 \
+        --reset GPIO23 --backlight - --frames 3
+    fresh && kit_do set 13 0 && run select --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/select.events
+    fresh && kit_do reply 0085855200
+    run probe probe --board rpi-pitft-2in8 --panel st7789-240x320
+    run_fresh home --panel st7735s-80x160 --spi /dev/spidev0.1 --dc pinctrl-bcm2835:4 --reset gpiochip0:17 \
+        --backlight - --frames 2 --rotate 90 --speed 8000000
+    fresh && kit_do te 18 50 && run edges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
+    run_fresh noedges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
+'
+
+faults='
+    . tests/kit_panel.sh
+    run nospi --board rpi-waveshare-1in3 --frames 2
+    run doctor-nospi doctor --board rpi-waveshare-1in3
+    fresh && run doctor doctor --board rpi-waveshare-1in3
+    kit_do busy 25 && run busy --board rpi-waveshare-1in3 --frames 2
+    run doctor-busy doctor --board rpi-waveshare-1in3
+    fresh && kit_do dir-error 27 5 && run direction --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/direction.events
+    for n in 1 2 100 230; do
+        fresh && kit_do spi-error $n 5 && run eio-$n --board rpi-waveshare-1in3 --frames 9 && kit_events >$KIT/eio-$n.events
+    done
+    fresh && chmod 600 /dev/spidev* /dev/gpiochip*
+    kit_wrap="setpriv --reuid 65534 --clear-groups" run nouser --board rpi-waveshare-1in3 --frames 2
+    chmod 666 /dev/spidev* && kit_wrap="setpriv --reuid 65534 --clear-groups" run nogpio --board rpi-waveshare-1in3 --frames 2
+    for signal in INT TERM HUP; do
+        fresh
+        run_signalled $signal 1.5 $signal --board rpi-waveshare-1in44 --fps 20 --frames 200
+        kit_events >$KIT/$signal.events
+    done
+    fresh
+    run_signalled killed 1.5 KILL --board rpi-waveshare-1in44 --fps 20 --frames 200
+    kit_events >$KIT/killed.events
+    run after --board rpi-waveshare-1in44 --frames 2
+    kit_events >$KIT/after.events
+    fresh && kit_do spi-unplug 200
+    run unplugged --board rpi-waveshare-1in44 --frames 90
+'
+
+tests/kit/guest.sh --bufsiz 65536 --timeout 240 --out "$dir/boards" -- bash -c "$all_boards" >"$dir/boards.log" 2>&1 ||
+    { cat "$dir/boards.log"; exit 1; }
+tests/kit/guest.sh --timeout 120 --out "$dir/faults" -- bash -c "$faults" >"$dir/faults.log" 2>&1 ||
+    cat "$dir/faults.log"
+
+# ---- what came out -------------------------------------------------------------------------------
+kit_out=$dir/boards
+
+the_order_is_right() {
+    local lit='init,first frame,display on,backlight on,backlight off,display off,'
+    in_order rpi-waveshare-1in3-0 rpi-waveshare-1in3 "reset begins,reset ends,reset begins,reset ends,$lit" &&
+        in_order rpi-pirate-audio-0 rpi-pirate-audio "$lit" &&
+        in_order rpi-pitft-2in8-0 rpi-pitft-2in8 'init,first frame,display on,display off,'
+}
+
+changes_are_the_picture_in_the_end() {
+    ended diff 0 "" || return 1
+    "$B/pinhole-sim" --board rpi-waveshare-1in3 --frames 12 --out "$dir/sim" &&
+        "$B/pinhole-wire" --board rpi-waveshare-1in3 --last --out "$dir/wire.ppm" "$kit_out/diff.events" >/dev/null &&
+        cmp "$dir/sim/frame-0011.ppm" "$dir/wire.ppm"
+}
+
+two_displays_show_the_same() {
+    ended two 0 "" &&
+        "$B/pinhole-sim" --board rpi-waveshare-1in44 --frames 3 --crc >"$dir/first" &&
+        "$B/pinhole-sim" --board sbc-generic --frames 3 --crc >"$dir/second" &&
+        "$B/pinhole-wire" --board rpi-waveshare-1in44 "$kit_out/two.events" | diff "$dir/first" - &&
+        "$B/pinhole-wire" --board sbc-generic --select 1 --dc GPIO22 --reset GPIO23 --backlight - "$kit_out/two.events" |
+        diff "$dir/second" -
+}
+
+select_takes_the_next_demo() {
+    printf '0 select 9\n' >"$dir/keys"
+    ended select 0 "" && frames_as_sim select rpi-waveshare-1in3 90 --frames 2 --keys "$dir/keys"
+}
+
+a_controller_is_named() { ended probe 0 "" && grep -q '^controller: ST7789$' "$kit_out/probe.out"; }
+
+wires_are_given_by_hand() {
+    ended home 0 "" &&
+        "$B/pinhole-sim" --board sim-st7735s-128x160 --list >/dev/null &&
+        "$B/pinhole-wire" --board sbc-generic --panel st7735s-80x160 --rotate 90 --select 1 --dc GPIO4 --reset GPIO17 \
+            --backlight - "$kit_out/home.events" >"$dir/home.seen" &&
+        [ "$(wc -l <"$dir/home.seen")" = 2 ] && grep -q 'spi 1 8000000' "$kit_out/home.events"
+}
+
+frames_wait_for_the_edge() { ended edges 0 "" && ended noedges 0 "the TE line gave no edge for 50 ms" && one_line noedges; }
+
+for board in $kit_boards; do
+    check "on $board the wire carries what pinhole-sim draws" two_rotations_are_as_simulated "$board"
+done
+check "reset, init, first frame, display on, backlight: in this order, and back" the_order_is_right
+check "a wire that takes its time carries the same frames" eval 'ended timed 0 "" && frames_as_sim timed rpi-waveshare-1in3 90 --frames 2'
+check "with --diff on the last picture is the simulator's" changes_are_the_picture_in_the_end
+check "one process shows a scene on two displays" two_displays_show_the_same
+check "the select button takes the next demo" select_takes_the_next_demo
+check "probe names the controller that answers" a_controller_is_named
+check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand
+check "frames wait for the tearing-effect edge, and say so when none comes" frames_wait_for_the_edge
+
+kit_out=$dir/faults
+dark() { # name
+    "$B/pinhole-wire" --board rpi-waveshare-1in44 --order "$kit_out/$1.events" | sed -n 's/^order \(.*\) [0-9.]* ms$/\1/p' |
+        tail -n 2 | tr '\n' ',' | grep -qx 'backlight off,display off,' || { echo "not dark at the end"; return 1; }
+}
+
+a_missing_device_is_one_line() {
+    ended nospi 1 "rpi-waveshare-1in3: /dev/spidev0.0 is not there: SPI is off; on a Raspberry Pi add dtparam=spi=on" &&
+        one_line nospi
+}
+
+a_busy_line_is_named() {
+    ended busy 1 "GPIO25" && grep -q "kit" "$kit_out/busy.err" && one_line busy
+}
+
+the_doctor_knows() {
+    ended doctor 0 "" && ! grep -q FAIL "$kit_out/doctor.out" &&
+        ended doctor-nospi 1 "" && grep -q '^FAIL  /dev/spidev0.0 is not there: SPI is off' "$kit_out/doctor-nospi.out" &&
+        ended doctor-busy 1 "" && [ "$(grep -c FAIL "$kit_out/doctor-busy.out")" = 1 ] &&
+        grep -q "^FAIL  D/C: line GPIO25 (/dev/gpiochip0, offset 25) is taken by 'kit'" "$kit_out/doctor-busy.out"
+}
+
+no_permission_names_the_way() {
+    ended nouser 1 "/dev/spidev0.0" && grep -qi "group\|udev" "$kit_out/nouser.err" && one_line nouser &&
+        ended nogpio 1 "/dev/gpiochip0" && grep -qi "group\|udev" "$kit_out/nogpio.err" && one_line nogpio
+}
+
+a_failing_transfer_ends_the_run() { # number
+    ended "eio-$1" 1 "/dev/spidev0.0" && grep -q 'Input/output error' "$kit_out/eio-$1.err" && one_line "eio-$1" &&
+        released "eio-$1"
+}
+
+a_signal_leaves_it_dark() { # signal, status
+    ended "$1" "$2" "" && dark "$1" && released "$1"
+}
+
+# The panel sees both runs; what it resents of the one that was cut off does not count.
+after_a_kill_it_starts_again() {
+    local restart
+    ended killed 137 "" && ended after 0 "" || return 1
+    restart=$(awk '{ print int($1 / 1e6); exit }' "$kit_out/after.events")
+    cat "$kit_out/killed.events" "$kit_out/after.events" >"$dir/both.events"
+    "$B/pinhole-wire" --board rpi-waveshare-1in44 "$dir/both.events" 2>"$dir/both.err" | tail -n 2 | cut -d' ' -f4 >"$dir/both"
+    "$B/pinhole-sim" --board rpi-waveshare-1in44 --frames 2 --crc | cut -d' ' -f4 | diff - "$dir/both" &&
+        awk -v restart="$restart" 'match($0, /[0-9.]+ ms:/) && substr($0, RSTART) + 0 > restart { print; bad = 1 }
+            END { exit bad }' "$dir/both.err"
+}
+
+check "a device that is not there is one line" a_missing_device_is_one_line
+check "no permission is one line that names the way" no_permission_names_the_way
+check "a line that somebody has is one line that names both" a_busy_line_is_named
+check "a line that cannot become an output is one line" eval 'ended direction 1 "GPIO27" && one_line direction && released direction'
+for n in 1 2 100 230; do
+    check "an error of transfer $n ends the run in one line, lines released" a_failing_transfer_ends_the_run "$n"
+done
+check "doctor finds what is wrong, and nothing else" the_doctor_knows
+check "Ctrl-C leaves the panel dark and exits 130" a_signal_leaves_it_dark INT 130
+check "SIGTERM leaves the panel dark and exits 143" a_signal_leaves_it_dark TERM 143
+check "SIGHUP leaves the panel dark and exits 129" a_signal_leaves_it_dark HUP 129
+check "after kill -9 the next start is clean" after_a_kill_it_starts_again
+check "an unplugged board ends the run in one line" eval 'ended unplugged 1 "/dev/spidev0.0" && one_line unplugged'
+tap_end
