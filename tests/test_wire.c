@@ -430,6 +430,8 @@ static void lost_events_and_time_going_back_are_resented(void **state)
     h.config.order = false;
     struct wire *w = wire_open(&h.config);
     struct wire_event e;
+    assert_string_equal(parsed("0 name 3 a line's name", &e), "event");
+    wire_event(w, &e);
     for (int i = 0; i < 2; i++) {
         assert_string_equal(parsed(lines[i], &e), "event");
         h.complaint[0] = '\0';
