@@ -13,6 +13,8 @@
 #include "null/null.h"
 #include "sim.h"
 
+#include <string.h>
+
 struct backend {
     const char *name;
     const struct board *board;
@@ -94,8 +96,15 @@ static void a_refused_open_is_reported(void **state)
     assert_null(sim_open(&board, &hal));
 }
 
-int main(void)
+/* In the virtual kit: `test_hal usb` is for hal/ft232h, `test_hal usb-send [SERIAL]` for its faults. */
+int main(int argc, char **argv)
 {
+    if (argc > 1 && strcmp(argv[1], "usb-send") == 0) {
+        return kit_ft232h_send(argc > 2 ? argv[2] : NULL);
+    }
+    if (argc > 1 && strcmp(argv[1], "usb") == 0) {
+        return kit_ft232h_tests();
+    }
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_backend_keeps_the_contract),
         cmocka_unit_test(two_kits_of_one_backend_do_not_meet),
