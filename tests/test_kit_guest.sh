@@ -83,6 +83,11 @@ kit_guest --out "$dir/board" --bufsiz 128 -- bash -c '
     gpioset gpiochip0 23=1 2>direction
     kit_do spi-error 2 5 1
     for i in 1 2 3; do printf x >/dev/spidev0.0; done 2>spi
+    gpioset gpiochip0 25=0
+    kit_do spi-stall 1 400
+    printf race >/dev/spidev0.0 &
+    sleep 0.1; gpioset gpiochip0 25=1; gpioset gpiochip0 25=0
+    wait
     kit_do mark the end
     kit_events >events
     kit_do wire-time 1
@@ -114,9 +119,13 @@ check "... until it is free" test ! -s "$board/free"
 check "a direction that cannot be set is an error" grep -q 'Input/output error' "$board/direction"
 check "the second transfer fails, and only that" \
     test "$(grep -c 'Input/output error' "$board/spi") $(grep -c ' 78$' "$board/events")" = '1 2'
+check "a line that moves during a transfer shows, even if it comes back" \
+    in_order "$board/events" ' 0 8 14001df 34001df [0-9]* 72616365$' ' level 14001df$' ' note the end$'
 check "transfers take their wire's time when asked" \
     awk '$2 == "spi" && $10 - $1 < 8e9 * length($11) / 2 / $5 { exit 1 } END { exit NR != 4 }' "$board/slow"
 check "a board that is unplugged is gone" grep -q 'No such\|shutdown\|not found' "$board/unplugged"
+check "the kernel has nothing to say against it" \
+    test -z "$(grep -e 'BUG:' -e 'WARNING:' -e 'Call Trace' "$board/kernel.log")"
 check "... with its devices" test -z "$(grep -e gpiochip -e spidev "$board/devices")"
 
 tap_end

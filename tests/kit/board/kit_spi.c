@@ -66,8 +66,6 @@ static int fault(void)
 {
     if (spi.unplug_after && !--spi.unplug_after)
         kit_unplug_soon();
-    if (spi.stall_after && !--spi.stall_after)
-        msleep(spi.stall_ms);
     if (!spi.error_count || (spi.error_after && --spi.error_after))
         return 0;
     spi.error_count--;
@@ -86,6 +84,8 @@ static int kit_transfer(struct spi_controller *controller, struct spi_device *de
     transfer->effective_speed_hz = clock_got(transfer->speed_hz);
     start = kit_now();
     levels = kit_gpio_hold();
+    if (spi.stall_after && !--spi.stall_after)
+        msleep(spi.stall_ms);
     if (spi.wire_time)
         fsleep(div_u64(8000000ULL * transfer->len, transfer->effective_speed_hz) + 1);
     answer(transfer);
