@@ -30,13 +30,17 @@ run_fresh() { # name, argument...
     fresh && run "$@" && kit_events >"$KIT/$1.events"
 }
 
-# One run that gets a signal after a while. kit_pid is the program's.
-run_signalled() { # name, seconds, signal, argument...
-    "$B/pinhole-panel" "${@:4}" >"$KIT/$1.out" 2>"$KIT/$1.err" &
-    kit_pid=$!
-    sleep "$2"
-    kill "-$3" $kit_pid
-    wait $kit_pid
+# One run that gets a signal when it has shown frames for a second.
+run_signalled() { # name, signal, argument...
+    local pid i
+    "$B/pinhole-panel" --stats "${@:3}" >"$KIT/$1.out" 2>"$KIT/$1.err" &
+    pid=$!
+    for ((i = 0; i < 300; i++)); do
+        grep -q frames/s "$KIT/$1.err" && break
+        sleep 0.1
+    done
+    kill "-$2" $pid
+    wait $pid
     echo $? >"$KIT/$1.status"
 }
 

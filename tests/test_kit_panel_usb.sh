@@ -31,7 +31,7 @@ usb='
         run_usb $fault "--$fault-after 150000" --board ft232h-st7789 --frames 9
     done
     kit_usb ft232h --events $KIT/usb-TERM.events
-    run_signalled usb-TERM 2 TERM --board ft232h-st7789 --fps 5
+    run_signalled usb-TERM TERM --board ft232h-st7789 --fps 5
     kill $kit_device
     chmod 600 /dev/bus/usb/*/*
     kit_usb ft232h && chmod 600 /dev/bus/usb/*/*
@@ -65,6 +65,6 @@ check "no FT232H is one line" eval 'ended none 1 "no FT232H (0403:6014) on USB" 
 for fault in unplug stall hang short; do
     check "USB fault '$fault' ends the run in one line" eval "ended $fault 1 'ft232h-st7789: frame' && one_line $fault"
 done
-check "SIGTERM over USB exits 143" eval 'ended usb-TERM 143 ""'
+check "SIGTERM over USB exits 143" eval 'ended usb-TERM 143 frames/s'
 check "no permission on USB names the rule" eval 'ended usb-nouser 1 "60-pinhole.rules" && one_line usb-nouser'
 tap_end
