@@ -198,11 +198,11 @@ int link_flush(struct ft232h_usb *link)
 int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 {
     assert_ptr_equal(link, &chip);
-    assert_true(chip.answers_end - chip.answers_at >= n); /* or the real one would wait in vain */
-    memcpy(bytes, chip.answers + chip.answers_at, n);
-    chip.answers_at += n;
-    if (chip.answers_at == chip.answers_end) {
-        chip.answers_at = chip.answers_end = 0;
+    assert_true(link->answers_end - link->answers_at >= n); /* or the real one would wait in vain */
+    memcpy(bytes, link->answers + link->answers_at, n);
+    link->answers_at += n;
+    if (link->answers_at == link->answers_end) {
+        link->answers_at = link->answers_end = 0;
     }
     return HAL_OK;
 }
