@@ -100,8 +100,9 @@ static void boards_are_all_there(void **state)
         const struct board *board = board_list[i];
         const uint32_t frame_us = panel_frame_us(board->panel, board->format, board->rotation, board->spi_hz);
         struct row row = {{0}, 0};
-        add(&row, "| `%s` | %s | `%s` | %g%s | %u | simulator |", board->name, board->title, board->panel->name,
-            board->spi_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / frame_us));
+        add(&row, "| `%s` | %s | `%s` | %g%s | %u | %s |", board->name, board->title, board->panel->name,
+            board->spi_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / frame_us),
+            board->pins.dc.line != NULL ? "simulator, virtual kit" : "simulator");
         count += missing(&row);
     }
     assert_int_equal(count, 0);
