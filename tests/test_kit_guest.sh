@@ -29,16 +29,21 @@ in_order() { # file, pattern...
     done
 }
 
+# Until it is so, or for 10 s.
+patiently() {
+    local i
+    for ((i = 0; i < 100; i++)); do "$@" && return; sleep 0.1; done
+    false
+}
+
 no_orphan() { ! pgrep -f "path=$dir/orphan,"; }
 
 killed_script_leaves_no_qemu() {
     tests/kit/guest.sh --out "$dir/orphan" -- sleep 50 &
     local script=$!
-    sleep 1
-    pgrep -f "path=$dir/orphan," >/dev/null || { echo "no QEMU was started" && return 1; }
+    patiently pgrep -f "path=$dir/orphan," >/dev/null || { echo "no QEMU was started" && return 1; }
     { kill -KILL "$script" && wait "$script"; } 2>/dev/null
-    sleep 0.3
-    no_orphan
+    patiently no_orphan
 }
 
 check "the module and the devices compile without a warning" kit_build
@@ -53,7 +58,7 @@ check "a dead guest is 125, with the kernel's word" \
     gives 125 '' 'guest died: .*panic' kit_guest -- bash -c 'echo c >/proc/sysrq-trigger'
 check "QEMU dies with a script that is killed" killed_script_leaves_no_qemu
 
-kit_guest --out "$dir/board" --bufsiz 128 -- bash -c '
+kit_guest --timeout 150 --out "$dir/board" --bufsiz 128 -- bash -c '
     . tests/kit/kit.sh
     kit_board || exit 1
     cd $KIT
@@ -66,12 +71,11 @@ kit_guest --out "$dir/board" --bufsiz 128 -- bash -c '
     gpioset gpiochip0 25=0
     head -c 128 /dev/zero >/dev/spidev0.1
     head -c 129 /dev/zero | dd of=/dev/spidev0.0 bs=129 count=1 2>long
-    timeout 5 gpiomon -n 3 gpiochip0 5 >edges &
-    sleep 0.5
-    kit_do set 5 0; kit_do set 5 1; kit_do set 5 0
-    wait
+    timeout 30 gpiomon -n 4 gpiochip0 5 >edges &
+    while kill -0 $! 2>/dev/null; do kit_do set 5 0; kit_do set 5 1; sleep 0.1; done
+    kit_do set 5 0
     kit_do te 18 50
-    timeout 5 gpiomon -r -n 3 gpiochip0 18 >te; echo $? >te_status
+    timeout 30 gpiomon -r -n 3 gpiochip0 18 >te; echo $? >te_status
     kit_do te 18 0
     timeout 0.5 gpiomon -r -n 1 gpiochip0 18; echo $? >no_te_status
     gpioset gpiochip0 8=1 2>busy_cs
@@ -84,19 +88,21 @@ kit_guest --out "$dir/board" --bufsiz 128 -- bash -c '
     kit_do spi-error 2 5 1
     for i in 1 2 3; do printf x >/dev/spidev0.0; done 2>spi
     gpioset gpiochip0 25=0
-    kit_do spi-stall 1 400
+    kit_do spi-stall 1 20000
     printf race >/dev/spidev0.0 &
-    sleep 0.1; gpioset gpiochip0 25=1; gpioset gpiochip0 25=0
+    until kit_events | tee -a events | grep -q "spi stall"; do sleep 0.1; done
+    gpioset gpiochip0 25=1; gpioset gpiochip0 25=0
+    kit_do spi-go
     wait
     kit_do mark the end
-    kit_events >events
+    kit_events >>events
     kit_do wire-time 1
     date +%s%N >slow_start
     for i in 1 2 3 4; do head -c 128 /dev/zero >/dev/spidev0.0; done
     kit_events >slow
     kit_do spi-unplug 2
     for i in 1 2 3 4; do echo x | dd of=/dev/spidev0.0 conv=nocreat status=none; done 2>unplugged
-    sleep 0.2
+    for i in 1 2 3 4 5 6 7 8 9; do [ ! -e /dev/spidev0.0 ] || sleep 0.2; done
     ls /dev >devices
 ' >"$dir/log" 2>&1
 check "a guest with a board ends well" test $? = 0

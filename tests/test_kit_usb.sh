@@ -76,7 +76,7 @@ kit_try 2e8a:0003 list >after_reboot
 kit_usb bootsel --serial BOOT --flash flash --unplug-after 100
 boot out:3:$(picoboot 3 8 0 0x10000000 4096) in:0x84:64 out:3:$(picoboot 5 8 256 0x10000000 256) fill:3:256 >pulled
 EOT
-kit_guest --timeout 90 --out "$dir/kit" -- bash "$dir/in_guest" >"$dir/log" 2>&1
+kit_guest --timeout 150 --out "$dir/kit" -- bash "$dir/in_guest" >"$dir/log" 2>&1
 cd "$dir/kit" || exit 1
 
 # The file has these lines.

@@ -87,7 +87,7 @@ kit_usb() {
     "${B:-build}/kit/usb" "$@" --ready "$ready" &
     # shellcheck disable=SC2034 # the caller's
     kit_device=$!
-    for ((i = 0; i < 100; i++)); do
+    for ((i = 0; i < 600; i++)); do
         # The kernel makes the device's node right after.
         [ -e "$ready" ] && rm "$ready" && sleep 0.1 && return
         sleep 0.05

@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TIMEOUT_MS 700
+#define TIMEOUT_MS 3000
 
 static uint8_t bytes[1 << 20];
 

@@ -2,6 +2,7 @@
 /* The SPI controller: writes every byte down, divides its clock as a BCM2835 does, and fails when told. */
 #include "kit.h"
 
+#include <linux/completion.h>
 #include <linux/delay.h>
 #include <linux/device.h>
 #include <linux/module.h>
@@ -17,6 +18,7 @@ static struct {
     struct spi_device *device[2];
     unsigned int error_after, error_number, error_count;
     unsigned int stall_after, stall_ms;
+    struct completion go;
     unsigned int unplug_after;
     bool wire_time;
     u8 reply[64];
@@ -84,8 +86,10 @@ static int kit_transfer(struct spi_controller *controller, struct spi_device *de
     transfer->effective_speed_hz = clock_got(transfer->speed_hz);
     start = kit_now();
     levels = kit_gpio_hold();
-    if (spi.stall_after && !--spi.stall_after)
-        msleep(spi.stall_ms);
+    if (spi.stall_after && !--spi.stall_after) {
+        kit_log("%llu note spi stall", kit_now());
+        wait_for_completion_timeout(&spi.go, msecs_to_jiffies(spi.stall_ms));
+    }
     if (spi.wire_time)
         fsleep(div_u64(8000000ULL * transfer->len, transfer->effective_speed_hz) + 1);
     answer(transfer);
@@ -117,13 +121,16 @@ int kit_spi_command(const char *verb, char *rest)
 
     if (!strcmp(verb, "reply"))
         return set_reply(rest);
-    if (!strcmp(verb, "wire-time") && words == 1) {
+    if (!strcmp(verb, "spi-go")) {
+        complete_all(&spi.go);
+    } else if (!strcmp(verb, "wire-time") && words == 1) {
         spi.wire_time = a;
     } else if (!strcmp(verb, "spi-error") && words >= 2) {
         spi.error_number = b;
         spi.error_after = a;
         spi.error_count = c;
     } else if (!strcmp(verb, "spi-stall") && words == 2) {
+        reinit_completion(&spi.go);
         spi.stall_ms = b;
         spi.stall_after = a;
     } else if (!strcmp(verb, "spi-unplug") && words == 1) {
@@ -149,6 +156,7 @@ int kit_spi_init(struct device *parent)
 {
     int status;
 
+    init_completion(&spi.go);
     spi.controller = spi_alloc_host(parent, 0);
     if (!spi.controller)
         return -ENOMEM;
