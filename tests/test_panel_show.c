@@ -1,0 +1,149 @@
+/* panel_show, the loop of pinhole-panel, on simulated kits: what is seen, how it ends, what it says; panel_probe. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "boards.h"
+#include "panel_probe.h"
+#include "panel_show.h"
+#include "sim.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *no_words(const void *context)
+{
+    return context;
+}
+
+static void plug(struct panel_display *d, const struct board *board, struct sim **sim)
+{
+    memset(d, 0, sizeof *d);
+    d->board = board;
+    *sim = sim_open(board, &d->hal);
+    assert_non_null(*sim);
+    d->why = no_words;
+    d->why_context = "";
+}
+
+static struct panel_scene scene_of(uint32_t frames, const volatile sig_atomic_t *stop)
+{
+    return (struct panel_scene){.demo = demo_find("torus"), .frames = frames, .stop = stop};
+}
+
+static bool is_dark(const struct sim *sim, const struct board *board)
+{
+    static uint8_t rgb[3 * 240 * 320], black[sizeof rgb];
+    sim_pixels(sim, board->rotation, rgb);
+    return memcmp(rgb, black, 3U * board->panel->width * board->panel->height) == 0;
+}
+
+static void a_run_shows_its_frames_and_ends_dark(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    static struct panel_display d;
+    struct sim *sim;
+    const struct board *board = &board_rpi_waveshare_1in44;
+    plug(&d, board, &sim);
+    struct panel_scene scene = scene_of(3, &stop);
+    assert_int_equal(panel_show_run(&d, 1, &scene), 0);
+    assert_in_range(sim_counters(sim).pixels, 3 * 128 * 128, 3 * 128 * 128);
+    assert_int_equal(sim_complaint_count(sim), 0);
+    assert_true(is_dark(sim, board));
+    sim_close(sim);
+}
+
+struct stopper {
+    volatile sig_atomic_t stop;
+    uint32_t at, seen;
+};
+
+static int stop_at(void *context, struct panel_display *display, uint32_t frame)
+{
+    struct stopper *s = context;
+    (void)display;
+    s->seen++;
+    s->stop = frame >= s->at;
+    return 0;
+}
+
+static void a_signal_ends_it_after_the_frame(void **state)
+{
+    (void)state;
+    static struct panel_display d[2];
+    struct sim *sim[2];
+    struct stopper stopper = {.at = 4};
+    plug(&d[0], &board_rpi_waveshare_1in44, &sim[0]);
+    plug(&d[1], &board_rpi_mini_pitft_1in14, &sim[1]);
+    struct panel_scene scene = scene_of(0, &stopper.stop);
+    scene.before = stop_at;
+    scene.before_context = &stopper;
+    scene.fps = 1000;
+    scene.diff = true;
+    assert_int_equal(panel_show_run(d, 2, &scene), 0);
+    assert_int_equal(stopper.seen, 2 * 5);
+    for (int i = 0; i < 2; i++) {
+        assert_true(is_dark(sim[i], d[i].board));
+        assert_int_equal(sim_complaint_count(sim[i]), 0);
+        sim_close(sim[i]);
+    }
+}
+
+/* Wherever the wire fails: one failure, and the panel is dark if its last commands get through. */
+static void an_error_ends_it_dark(void **state)
+{
+    (void)state;
+    static struct panel_display d;
+    volatile sig_atomic_t stop = 0;
+    assert_non_null(freopen("/dev/null", "w", stderr));
+    for (uint32_t n = 1; n < 200; n += 13) {
+        struct sim *sim;
+        plug(&d, &board_rpi_waveshare_1in44, &sim);
+        sim_fault(sim, SIM_FAULT_WRITE, n);
+        struct panel_scene scene = scene_of(100, &stop);
+        scene.diff = n % 2 == 0;
+        assert_int_equal(panel_show_run(&d, 1, &scene), 1);
+        assert_true(is_dark(sim, d.board));
+        sim_close(sim);
+    }
+}
+
+static void controllers_are_named_by_their_bytes(void **state)
+{
+    (void)state;
+    /* As the datasheets say: a dummy clock, then 24 bits; and as some drivers found: a dummy byte. */
+    const struct panel_answers st7789 = {{0x42, 0xC2, 0xA9, 0x00, 0x00}, {0}};
+    const struct panel_answers st7789_byte = {{0x00, 0x85, 0x85, 0x52, 0x00}, {0}};
+    const struct panel_answers ili9341 = {{0}, {0x00, 0x00, 0x93, 0x41, 0x00}};
+    const struct panel_answers ili9488 = {{0}, {0x00, 0x4A, 0x44, 0x00, 0x00}};
+    const struct panel_answers st7735s = {{0x7C, 0x89, 0xF0, 0x00, 0x00}, {0}};
+    const struct panel_answers gc9a01 = {{0x00, 0x00, 0x9A, 0x01, 0x00}, {0}};
+    const struct panel_answers silent = {{0}, {0}}, floating = {{255, 255, 255, 255, 255}, {255, 255, 255, 255, 255}};
+    const struct panel_answers other = {{0x12, 0x34, 0x56, 0x78, 0x9A}, {0}};
+    assert_string_equal(panel_probe_name(&st7789), "ST7789");
+    assert_string_equal(panel_probe_name(&st7789_byte), "ST7789");
+    assert_string_equal(panel_probe_name(&ili9341), "ILI9341");
+    assert_string_equal(panel_probe_name(&ili9488), "ILI9488");
+    assert_string_equal(panel_probe_name(&st7735s), "ST7735S");
+    assert_string_equal(panel_probe_name(&gc9a01), "GC9A01");
+    assert_null(panel_probe_name(&silent));
+    assert_null(panel_probe_name(&floating));
+    assert_null(panel_probe_name(&other));
+    assert_false(panel_probe_answered(&silent));
+    assert_false(panel_probe_answered(&floating));
+    assert_true(panel_probe_answered(&other));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_run_shows_its_frames_and_ends_dark),
+        cmocka_unit_test(a_signal_ends_it_after_the_frame),
+        cmocka_unit_test(controllers_are_named_by_their_bytes),
+        cmocka_unit_test(an_error_ends_it_dark),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
