@@ -28,7 +28,10 @@ crossings to 10 bits                     | clip.c    | s/from << 30) \/ whole)/&
 near plane too near                      | clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
 no far plane                             | clip.c    | s/lens->far_z - v->z;/lens->far_z;/                  | test_raster
 depth gradients without guard bits       | setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/ | test_quality
-float16 spans not split at octaves       | setup.c   | s/octave\[0\] != octave\[1\] .*{/false) {/           | test_quality
+float16 spans not split at octaves       | setup.c   | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
+fixed16 bias without its quarter         | setup.c   | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
+float24 as coarse as float16             | raster.c  | s/d >> 8;/d >> 16 << 8;/                             | test_depth
+the last of equal 24-bit depths wins     | raster.c  | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | raster.c  | s/code > \*depth/code >= *depth/                     | test_raster
 triangles not carried to the next band   | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_raster
 triangles drawn in reverse               | frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster

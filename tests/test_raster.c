@@ -270,7 +270,14 @@ static void of_two_equal_depths_the_first_stays(void **state)
                                           {'b', {{1, 1}, {1, 4}, {5, 4}}},
                                           {'b', {{1, 1}, {5, 4}, {5, 1}}}};
     (void)state;
-    expect_shapes(shapes, COUNT(shapes), one_square);
+    for (int format = PH_DEPTH_AUTO; format < PH_DEPTH_FORMATS; format++) {
+        struct drawing d;
+        drawing_open_formats(&d, HEIGHT, 64, (enum ph_depth_format)format);
+        drawing_begin(&d, NULL);
+        draw_shapes(&d, shapes, COUNT(shapes));
+        expect(&d, one_square);
+        drawing_close(&d);
+    }
 }
 
 /* ---- bands ------------------------------------------------------------------------------------------------ */
