@@ -74,7 +74,7 @@ $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo test test-exhaustive lint bench size gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
+.PHONY: all demo test test-exhaustive lint bench size depth gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -141,7 +141,10 @@ bench: ## instructions a frame of the five scenes on Cortex-M0+, M3, M4F and x86
 	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget. BOARD=x: of its image
-	$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh)
+	+$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh)
+
+depth: all ## measures what depth resolves for the default camera: a report in build/depth/ (plots need gnuplot)
+	$(Q)'$(B)/pinhole-depth' all --out '$(B)/depth' && echo '$(B)/depth/report.md'
 
 gallery: all ## makes the README's pictures again
 	$(Q)B='$(B)' host-sim/gallery.sh

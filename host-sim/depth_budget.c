@@ -24,7 +24,7 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
 /* All parts together, on planes whose farthest row is at z: what the row that needs most needs. */
 static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
 {
-    static const double tilts[] = {0, 30, 60, 80};
+    static const double tilts[] = {0, 40, 75};
     double s_min = 0, measured = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
         const struct planes_sweep sweep = planes_sweep(canvas, format, z, tilts[i]);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#define PLACES   32     /* tried for each separation */
+#define PLACES   24     /* tried for each separation */
 #define SIDE_PX  12.0   /* half the side of a small plane */
 #define STEP     0.0625 /* log2 of a step of the sweep */
 #define UP_MAX   128    /* steps above S_min that are tried before giving up */
@@ -141,7 +141,7 @@ struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_for
     struct planes_sweep sweep = {0, 0, HUGE_VAL};
     predict(canvas->lab, format, at_m, tilt_deg, &sweep);
     double real_m;
-    int step = 16; /* twice S_min */
+    int step = 16, by = 4; /* from twice S_min, in large steps first */
     enum verdict verdict = SOME_WRONG;
     while (verdict == SOME_WRONG && step <= UP_MAX) {
         verdict = try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m);
@@ -149,10 +149,16 @@ struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_for
     }
     while (verdict == ALL_RIGHT) {
         sweep.measured_m = real_m;
-        step--;
+        step -= by;
         verdict = step > -DOWN_MAX
                       ? try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m)
                       : IMPOSSIBLE;
+        if (verdict != ALL_RIGHT && by > 1) { /* back to the last that was right, and on in small ones */
+            step += by;
+            by = 1;
+            verdict = ALL_RIGHT;
+            real_m = sweep.measured_m;
+        }
     }
     return sweep;
 }

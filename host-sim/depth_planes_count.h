@@ -30,7 +30,7 @@ struct planes_sweep {
 
 /*
  * Smallest separation of planes tilt_deg to the screen of which at_m is the furthest distance drawn: from well above
- * S_min down in steps of 2^(1/16), each tried in 32 places that differ by parts of a pixel and of a depth step, half of
+ * S_min down in steps of 2^(1/16), each tried in 24 places that differ by parts of a pixel and of a depth step, half of
  * them small in the middle of the picture, half as wide as the picture.
  */
 struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define POINTS      60 /* at most DEPTH_AT_MAX */
+#define POINTS      48 /* at most DEPTH_AT_MAX */
 #define CURVE       400
 #define BINS        24
 #define CELLS_MAX   12
@@ -415,7 +415,7 @@ static int count_bits(uint32_t bits)
 
 static void budget_distances(struct depth_lab *lab)
 {
-    enum { FEW = 9 };
+    enum { FEW = 6 };
     const double range = log((double)lab->far_z / lab->near_z);
     for (lab->at_count = 0; lab->at_count < FEW; lab->at_count++) {
         const double z = lab->near_z * exp(range * (lab->at_count + 1) / FEW);

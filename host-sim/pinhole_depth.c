@@ -40,6 +40,8 @@ static const struct depth_command commands[] = {
      depth_budget},
     {"plot", "draws one of the KINDs ndc, g, resolve, pairs, budget through gnuplot",
      " kind near far format fov size at count spacing out ", NULL, depth_plot},
+    {"all", "a report in Markdown: all of these for one camera, with tables, plots and the command that made each",
+     " near far fov size out ", NULL, depth_report},
 };
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])

@@ -1,0 +1,228 @@
+/* pinhole-depth all: every measurement of one camera as a report in Markdown, with the command that makes each. */
+#define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
+
+#include "complain.h"
+#include "depth_budget_terms.h"
+#include "depth_plot_gnuplot.h"
+#include "depth_plot_kinds.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+struct section {
+    const char *command, *title, *plot; /* plot: kind of plot that shows it, or NULL */
+    const char *options;                /* beside near and far: "fov size" */
+    const char *headings;
+    const char *text;
+    int (*run)(const struct depth_lab *lab);
+};
+
+static const struct section sections[] = {
+    {"resolve", "Smallest separation", "resolve", "",
+     "format,bits,near [m],far [m],z [m],ideal step [m] (predicted),S_eff [m] (measured),ratio",
+     "The smallest separation of two surfaces facing the camera that the renderer orders right at a distance, and its "
+     "worst over all distances.",
+     depth_resolve},
+    {"pairs", "Adjacent pairs", "pairs", "",
+     "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
+     "Distances in order from near to far: how many neighbours get the same code, or codes in the wrong order.",
+     depth_pairs},
+    {"budget", "Who limits it", "budget", "fov size",
+     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
+     "What each part of the pipeline alone keeps apart, and all of them together.", depth_budget},
+    {"planes", "Two planes", NULL, "fov size",
+     "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
+     "from [m] (measured),measured / predicted",
+     "Two parallel planes drawn by the renderer, compared with exact arithmetic pixel by pixel. S_min holds for every "
+     "tilt.",
+     depth_planes},
+    {"monotone", "Monotony", NULL, "",
+     "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
+     "(measured),verdict",
+     "The code at every distance that Q16.16 has: it must never rise.", depth_monotone},
+};
+
+/* A path in the report's directory. 0, or EXIT_FAILED and one line. */
+static int name_file(const struct depth_lab *lab, const char *name, const char *suffix, char path[PATH_MAX])
+{
+    if (snprintf(path, PATH_MAX, "%s/%s.%s", lab->out, name, suffix) >= PATH_MAX) {
+        return complain(EXIT_FAILED, "--out: this name is too long");
+    }
+    return 0;
+}
+
+static void put_command(const struct depth_lab *lab, FILE *report, const char *command, const char *options)
+{
+    fprintf(report, "pinhole-depth %s", command);
+    if (options != NULL) {
+        fprintf(report, " --near %g --far %g", depth_metres(lab->near_z), depth_metres(lab->far_z));
+    }
+    if (options != NULL && *options != '\0') {
+        fprintf(report, " --fov %g --size %ux%u", depth_metres(lab->fov_deg), lab->width, lab->height);
+    }
+}
+
+/* A line of CSV as one of a Markdown table. */
+static void put_cells(FILE *report, const char *line)
+{
+    const int n = (int)strcspn(line, "\n");
+    fputs("| ", report);
+    for (int i = 0; i < n; i++) {
+        fputs(line[i] == ',' ? " | " : (char[]){line[i], '\0'}, report);
+    }
+    fputs(" |\n", report);
+}
+
+/* CSV as a Markdown table, remarks below it. */
+static void put_table(FILE *report, const char *csv, const char *headings)
+{
+    put_cells(report, headings);
+    fputc('|', report);
+    for (const char *comma = headings; comma != NULL; comma = strchr(comma, ',')) {
+        fputs("---|", report);
+        comma += *comma == ',';
+    }
+    fputc('\n', report);
+    bool remarks = false;
+    for (const char *line = strchr(csv, '\n'); line != NULL && line[1] != '\0'; line = strchr(line + 1, '\n')) {
+        if (line[1] != '#') {
+            put_cells(report, line + 1);
+        }
+        remarks |= line[1] == '#';
+    }
+    fputs(remarks ? "\n```text\n" : "", report);
+    for (const char *line = strchr(csv, '\n'); line != NULL && line[1] != '\0'; line = strchr(line + 1, '\n')) {
+        if (line[1] == '#') {
+            fprintf(report, "%.*s\n", (int)strcspn(line + 2, "\n"), line + 2);
+        }
+    }
+    fputs(remarks ? "```\n" : "", report);
+}
+
+/* The plot beside the report, and its place in it; without gnuplot a line that says so. */
+static int put_plot(const struct depth_lab *lab, FILE *report, const char *name, bool can_plot)
+{
+    const struct depth_plot_kind *const kind = depth_plot_find(name);
+    char path[PATH_MAX], *picture = NULL;
+    size_t length = 0;
+    if (!can_plot) {
+        fprintf(report, "\nNo plot `%s`: gnuplot is missing (`apt-get install gnuplot-nox`).\n", name);
+        return 0;
+    }
+    int status = name_file(lab, name, "svg", path);
+    if (status == 0) {
+        status = depth_plot_picture(lab, kind, false, &picture, &length);
+    }
+    if (status == 0) {
+        status = depth_save(path, picture, length);
+    }
+    free(picture);
+    fprintf(report, "\n![%s](%s.svg)\n\n`", kind->title, name);
+    put_command(lab, report, "plot", NULL);
+    fprintf(report, " %s", name);
+    if (lab->near_set || lab->far_set || strcmp(name, "ndc") != 0) {
+        put_command(lab, report, "", "");
+    }
+    fprintf(report, " --out %s.svg`\n", name);
+    return status;
+}
+
+static int save_rows(const struct depth_lab *lab, const char *name, const char *csv)
+{
+    char path[PATH_MAX];
+    const int status = name_file(lab, name, "csv", path);
+    return status != 0 ? status : depth_save(path, csv, strlen(csv));
+}
+
+/* planes writes its picture, too. */
+static int run_section(const struct depth_lab *lab, const struct section *section, char **csv)
+{
+    struct depth_lab own = *lab;
+    char picture[PATH_MAX];
+    own.out = NULL;
+    if (section->run == depth_planes) {
+        const int status = name_file(lab, "planes", "ppm", picture);
+        if (status != 0) {
+            *csv = NULL;
+            return status;
+        }
+        own.out = picture;
+    }
+    return depth_lab_capture(&own, section->run, csv);
+}
+
+static int put_section(const struct depth_lab *lab, FILE *report, const struct section *section, bool can_plot)
+{
+    char *csv;
+    int status = run_section(lab, section, &csv);
+    if (status == 0) {
+        fprintf(report, "\n## %s\n\n%s\n\n`", section->title, section->text);
+        put_command(lab, report, section->command, section->options);
+        fprintf(report, "%s` ([%s.csv](%s.csv))\n\n", section->run == depth_planes ? " --out planes.ppm" : "",
+                section->command, section->command);
+        put_table(report, csv, section->headings);
+        status = save_rows(lab, section->command, csv);
+    }
+    if (status == 0 && section->run == depth_planes) {
+        fputs("\n[planes.ppm](planes.ppm): where the wrong plane shows, orange; one picture a format.\n", report);
+    }
+    if (status == 0 && section->plot != NULL) {
+        status = put_plot(lab, report, section->plot, can_plot);
+    }
+    free(csv);
+    return status;
+}
+
+static int put_report(const struct depth_lab *lab, FILE *report)
+{
+    const bool can_plot = gnuplot_is_here();
+    int status = 0;
+    fprintf(report, "# What depth resolves: near %g m, far %g m, %g degrees, %ux%u\n\nMade by `",
+            depth_metres(lab->near_z), depth_metres(lab->far_z), depth_metres(lab->fov_deg), lab->width, lab->height);
+    put_command(lab, report, "all", "fov size");
+    fputs(" --out DIR`.\n", report);
+    for (size_t i = 0; i < sizeof sections / sizeof sections[0] && status == 0; i++) {
+        status = put_section(lab, report, &sections[i], can_plot);
+    }
+    if (status == 0) {
+        fputs("\n`pinhole-depth anchors` computes what others have published again.\n"
+              "\n## The source documents' curves\n",
+              report);
+        status = put_plot(lab, report, "ndc", can_plot);
+    }
+    return status != 0 ? status : put_plot(lab, report, "g", can_plot);
+}
+
+int depth_report(const struct depth_lab *lab)
+{
+    char path[PATH_MAX], *text = NULL;
+    size_t length;
+    if (lab->out == NULL) {
+        return complain(EXIT_USAGE, "all needs --out DIR, a directory for the report");
+    }
+    struct stat directory;
+    const bool made = mkdir(lab->out, 0777) == 0;
+    if (!made && (stat(lab->out, &directory) != 0 || !S_ISDIR(directory.st_mode))) {
+        return complain(EXIT_FAILED, "--out %s: cannot be used as a directory: %s", lab->out,
+                        errno == EEXIST ? strerror(ENOTDIR) : strerror(errno));
+    }
+    FILE *const report = open_memstream(&text, &length);
+    if (report == NULL) {
+        return complain(EXIT_FAILED, "out of memory");
+    }
+    int status = put_report(lab, report);
+    if (fclose(report) != 0 && status == 0) {
+        status = complain(EXIT_FAILED, "out of memory");
+    }
+    if (status == 0) {
+        status = name_file(lab, "report", "md", path);
+    }
+    if (status == 0) {
+        status = depth_save(path, text, length);
+    }
+    free(text);
+    return status;
+}
