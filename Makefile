@@ -48,7 +48,8 @@ BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard 
 $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
 SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
                                              host-sim/$(SDL)/*.c))
-PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(wildcard host-sim/pinhole_*.c))
+PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(filter-out $(if $(SPIDEV),,host-sim/pinhole_panel.c),\
+                                                             $(wildcard host-sim/pinhole_*.c)))
 
 LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(SIM)
 OBJ = $(LIB:%.c=$(B)/%.o) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)

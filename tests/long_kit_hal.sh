@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# The backends in the virtual kit under valgrind (memory, descriptors) and under ThreadSanitizer.
+# shellcheck disable=SC2317 # functions are called by check
+# shellcheck disable=SC2016 # $B is the guest's shell's
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+. tests/kit/kit.sh
+unset MAKEFLAGS
+export B=${B:-build}
+
+why=$(kit_why)
+[ -z "$why" ] || { echo "$why" && exit 77; }
+make -s -j2 B="$B" "$B/tests/test_hal" || exit 1
+kit_build || exit 1
+
+in_the_kit() { # shell text
+    kit_guest --timeout 400 --memory 1024 --cpus 2 -- bash -c "
+        . tests/kit/kit.sh
+        memcheck='valgrind -q --leak-check=full --track-fds=yes --suppressions=tests/valgrind.suppress --error-exitcode=9'
+        $1"
+}
+
+under_thread_sanitizer() {
+    make -s -j2 B="$B/tsan" CFLAGS='-O1 -g -fsanitize=thread' "$B/tsan/tests/test_hal" || return 1
+    in_the_kit 'kit_board && setarch -R "$B/tsan/tests/test_hal"'
+}
+
+if command -v valgrind >/dev/null; then
+    check "hal_linux_under_valgrind" in_the_kit 'kit_board && $memcheck "$B/tests/test_hal"'
+    check "hal_ft232h_under_valgrind" in_the_kit 'kit_usb ft232h && $memcheck "$B/tests/test_hal" usb && $memcheck "$B/tests/test_hal" usb-send'
+    check "hal_ft232h_unplugged_under_valgrind" in_the_kit \
+        'kit_usb ft232h --unplug-after 100000 && $memcheck "$B/tests/test_hal" usb-send; [ $? = 19 ]'
+else
+    skip "the_backends_under_valgrind" "no valgrind"
+fi
+check "hal_linux_under_thread_sanitizer" under_thread_sanitizer
+tap_end
