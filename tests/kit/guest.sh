@@ -71,20 +71,24 @@ make_initrd() { # version, directory
     (cd "$2/initrd" && find . | cpio -o -H newc --quiet) >"$2/initrd.cpio"
 }
 
-# Sets $kernel to the directory with the unpacked kernel and the initrd; makes it when it is not there.
-find_kernel() {
-    local version new
-    version=$(kernel_version)
-    kernel=$B/kit/kernel-$version
-    [ "$kernel/initrd.cpio" -nt "$tests/guest_init.c" ] && [ "$kernel/vmlinux" -nt "/boot/vmlinuz-$version" ] && return
-    mkdir -p "$B/kit"
+# Makes the directory with the unpacked kernel and the initrd when it is not there.
+make_kernel() { # version, directory
+    local new
+    [ "$2/initrd.cpio" -nt "$tests/guest_init.c" ] && [ "$2/vmlinux" -nt "/boot/vmlinuz-$1" ] && return
     new=$(mktemp -d "$B/kit/new.XXXXXX") || return 1
-    if ! unpack_kernel "/boot/vmlinuz-$version" "$new/vmlinux" || ! make_initrd "$version" "$new"; then
+    if ! unpack_kernel "/boot/vmlinuz-$1" "$new/vmlinux" || ! make_initrd "$1" "$new"; then
         rm -rf "$new"
         return 1
     fi
-    rm -rf "$kernel"
-    mv -T "$new" "$kernel" 2>/dev/null || rm -rf "$new" # somebody else was faster
+    rm -rf "$2" && mv -T "$new" "$2"
+}
+
+# Sets $kernel to it; one script at a time.
+find_kernel() {
+    local version
+    version=$(kernel_version)
+    kernel=$B/kit/kernel-$version
+    mkdir -p "$B/kit" && (flock 9 && make_kernel "$version" "$kernel") 9>"$B/kit/lock"
 }
 
 write_command() { # word...

@@ -61,7 +61,10 @@ kit_build_try() {
     gcc -std=c11 -O2 -g -Wall -Wextra -Werror -o "$program.$$" "$kit_tests/try_usb.c" -lusb-1.0 && mv "$program.$$" "$program"
 }
 
-kit_build() { kit_build_module && kit_build_usb && kit_build_try; }
+# One script at a time.
+kit_build() {
+    mkdir -p "${B:-build}/kit" && (flock 9 && kit_build_module && kit_build_usb && kit_build_try) 9>"${B:-build}/kit/lock"
+}
 
 kit_board() { insmod "$(kit_module)" "$@"; }
 
