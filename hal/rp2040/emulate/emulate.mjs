@@ -13,7 +13,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --cores 1|2         cores that the chip has (2)
   --dc PIN            the panel's D/C (required)
   --select PIN        the panel's chip select
-  --press FRAME:PINS  from this frame on the pins (12+13; none: '') are low; may be given several times
+  --press FRAME:PINS  from this frame (-1: power-on) on the pins (12+13, or none) are low; may be given several times
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
@@ -83,7 +83,7 @@ function makeRecorder(machine, fd) {
   const flush = () => {
     if (transfer !== null) {
       const t = transfer;
-      put(`${ns(t.start)} spi - ${t.hz} ${t.hz} ${t.mode.toString(16)} 8 ${t.levels.toString(16)} ` +
+      put(`${ns(t.start)} spi - ${Math.round(t.hz)} ${Math.round(t.hz)} ${t.mode.toString(16)} 8 ${t.levels.toString(16)} ` +
           `${t.levelsAtEnd.toString(16)} ${ns(t.end)} ${Buffer.from(t.bytes).toString('hex')}`);
       transfer = null;
     }
@@ -164,19 +164,23 @@ function measure() {
   const current = { time: machine.time, bus: busTime, idle: machine.cores.map((own) => own.idle) };
   if (begun !== null) {
     const us = (current.time - begun.time) / 1e3;
-    const loads = current.idle.map((idle, i) => 100 - (idle - begun.idle[i]) / us / 10);
+    const loads = current.idle.map((idle, i) => machine.cores[i].started ? 100 - (idle - begun.idle[i]) / us / 10 : 0);
     report.push([frame, ...[us, (current.bus - begun.bus) / 1e3, ...loads].map((v) => v.toFixed(1))].join(' '));
   }
   begun = current;
 }
 
-function beginFrame() {
-  measure();
-  frame++;
+function setPins() {
   if (press.has(frame)) {
     const low = press.get(frame).split('+').filter((pin) => pin !== '').map(Number);
     machine.mcu.gpio.forEach((pin, i) => pin.setInputValue(!low.includes(i)));
   }
+}
+
+function beginFrame() {
+  measure();
+  frame++;
+  setPins();
   if (send.has(frame)) {
     Buffer.from(send.get(frame)).forEach((byte) => machine.mcu.uart[0].feedByte(byte));
   }
@@ -194,6 +198,7 @@ machine.onWord = (value, bits, start, end, hz) => {
   recorder.word(value, bits, start, end, hz);
 };
 
+setPins();
 machine.run(() => frame >= frames || machine.time > limit || objections > 0);
 recorder.close();
 if (fd !== 1) {

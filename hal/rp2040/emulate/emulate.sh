@@ -1,15 +1,13 @@
 #!/usr/bin/env bash
-# Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...]
+# Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...] | --install
 # Runs an image of an RP2040 board in rp2040js and writes its frames as DIR/frame-NNNN.ppm: what pinhole-wire makes of the
 # chip's wires. Prints their checksums, then how fast they came. DIR/events and DIR/report stay (see emulate.mjs).
-# Needs node and npm, which gets rp2040js (package.json has the version) into the build directory.
+# Needs node and npm, which gets rp2040js (package.json has the version) into the build directory; --install does only that.
 # Environment: B (build directory), BOARD, BOARD_HOME, CORES (that the chip is given; 2), EVENTS_ONLY=1 (no pictures).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../../.."
 B=${B:-build}
-elf=$1 out=$2 frames=$3
-shift 3
 
 stop() {
     echo "emulate: $1" >&2
@@ -27,6 +25,9 @@ if ! cmp -s "$here/package.json" "$modules/package.json" || [ ! -e "$modules/nod
     rm -rf "$modules" && mkdir -p "$modules"
     mv "$new/node_modules" "$new/package.json" "$modules/"
 fi
+[ "$1" != --install ] || exit 0
+elf=$1 out=$2 frames=$3
+shift 3
 [ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2
 
 pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
