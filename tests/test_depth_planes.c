@@ -1,0 +1,284 @@
+/*
+ * pinhole-depth planes and budget: the exact winner against rational numbers (GMP), what is counted against the picture
+ * that was drawn, the sweep against S_min, and the published anchor of S_min.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "depth_budget_measure.h"
+#include "depth_planes_count.h"
+
+#include <gmp.h>
+#include <math.h>
+#include <string.h>
+
+static void assert_near(double a, double b, double by)
+{
+    assert_true(fabs(a - b) <= by);
+}
+
+static struct depth_lab lab_of(double near_m, double far_m, uint16_t width, uint16_t height)
+{
+    return (struct depth_lab){.near_z = (fx_t)lround(near_m * 65536),
+                              .far_z = (fx_t)lround(far_m * 65536),
+                              .fov_deg = FX_INT(60),
+                              .width = width,
+                              .height = height};
+}
+
+/* ---- an independent solution of the plane equation, in rational numbers ------------------------------------- */
+
+static void set_corner(mpq_t out[3], const struct planes_quad *quad, int corner)
+{
+    mpq_set_si(out[0], quad->a.x + (corner == 1 ? quad->ux : 0), 65536);
+    mpq_set_si(out[1], quad->a.y + (corner == 2 ? quad->vy : 0), 65536);
+    mpq_set_si(out[2], quad->a.z + (corner == 2 ? quad->vz : 0), 65536);
+    for (int i = 0; i < 3; i++) {
+        mpq_canonicalize(out[i]);
+    }
+}
+
+static void determinant(mpq_t out, mpq_t m[3][3])
+{
+    mpq_t a, b;
+    mpq_inits(a, b, NULL);
+    mpq_set_ui(out, 0, 1);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        mpq_mul(a, m[1][j], m[2][k]);
+        mpq_mul(b, m[1][k], m[2][j]);
+        mpq_sub(a, a, b);
+        mpq_mul(a, a, m[0][i]);
+        mpq_add(out, out, a);
+    }
+    mpq_clears(a, b, NULL);
+}
+
+/* Where the ray of a pixel's centre meets the plane through three corners, by Cramer's rule: det(A B C) / det(ray ..).
+ */
+static void exact_distance(mpq_t out, const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t x,
+                           uint32_t y)
+{
+    const struct depth_lab *lab = canvas->lab;
+    mpq_t corner[3][3], ray[3], m[3][3], numerator;
+    mpq_init(numerator);
+    for (int i = 0; i < 3; i++) {
+        mpq_init(ray[i]);
+        for (int j = 0; j < 3; j++) {
+            mpq_inits(corner[i][j], m[i][j], NULL);
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        set_corner(corner[i], quad, i);
+    }
+    mpq_set_si(ray[0], (2 * (long)x + 1 - lab->width) * 1048576,
+               (unsigned long)canvas->projection.scale_x_q20 * lab->width);
+    mpq_set_si(ray[1], (lab->height - 1 - 2 * (long)y) * 1048576,
+               (unsigned long)canvas->projection.scale_y_q20 * lab->height);
+    mpq_set_si(ray[2], -1, 1);
+    determinant(numerator, corner); /* a . (b x c) = a . n */
+    /* n = a x b + b x c + c x a; ray . n by three determinants */
+    mpq_t sum, one;
+    mpq_inits(sum, one, NULL);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            mpq_canonicalize(ray[j]);
+            mpq_set(m[0][j], ray[j]);
+            mpq_set(m[1][j], corner[i][j]);
+            mpq_set(m[2][j], corner[(i + 1) % 3][j]);
+        }
+        determinant(one, m);
+        mpq_add(sum, sum, one);
+    }
+    mpq_div(out, numerator, sum);
+    mpq_clears(sum, one, numerator, NULL);
+    for (int i = 0; i < 3; i++) {
+        mpq_clear(ray[i]);
+        for (int j = 0; j < 3; j++) {
+            mpq_clears(corner[i][j], m[i][j], NULL);
+        }
+    }
+}
+
+static bool front_is_nearer_exactly(const struct planes_canvas *canvas, const struct planes_pair *pair, uint32_t pixel,
+                                    double *distance)
+{
+    const uint32_t x = pixel % canvas->lab->width, y = pixel / canvas->lab->width;
+    mpq_t front, behind;
+    mpq_inits(front, behind, NULL);
+    exact_distance(front, canvas, &pair->front, x, y);
+    exact_distance(behind, canvas, &pair->behind, x, y);
+    const bool nearer = mpq_cmp(front, behind) < 0;
+    *distance = mpq_get_d(behind);
+    mpq_clears(front, behind, NULL);
+    return nearer;
+}
+
+/* Recounts a picture: every verdict from the rational numbers and from what each plane alone covers. */
+static void recount(struct planes_canvas *canvas, const struct planes_pair *pair, uint32_t *wrong_in_all)
+{
+    const uint32_t area = (uint32_t)canvas->lab->width * canvas->lab->height;
+    static uint8_t verdicts[64 * 48], front[64 * 48], behind[64 * 48];
+    assert_true(area <= sizeof verdicts);
+    const struct planes_count count = planes_count(canvas, pair, verdicts);
+    planes_draw(canvas, NULL, &pair->front);
+    for (uint32_t i = 0; i < area; i++) {
+        front[i] = canvas->pixels[i] == PLANES_FRONT;
+    }
+    planes_draw(canvas, &pair->behind, NULL);
+    for (uint32_t i = 0; i < area; i++) {
+        behind[i] = canvas->pixels[i] == PLANES_BEHIND;
+    }
+    planes_draw(canvas, &pair->behind, &pair->front);
+    uint32_t samples = 0, wrong = 0;
+    for (uint32_t i = 0; i < area; i++) {
+        double distance;
+        if (front[i] == 0 || behind[i] == 0) {
+            assert_int_equal(verdicts[i], PLANES_UNCOUNTED);
+            continue;
+        }
+        const bool right = front_is_nearer_exactly(canvas, pair, i, &distance) == (canvas->pixels[i] == PLANES_FRONT);
+        assert_int_equal(verdicts[i], right ? PLANES_RIGHT : PLANES_WRONG);
+        assert_near(distance, planes_distance_m(canvas, &pair->behind, i / canvas->lab->width), 1e-9 * distance);
+        samples++;
+        wrong += !right;
+    }
+    assert_int_equal(count.samples, samples);
+    assert_int_equal(count.wrong, wrong);
+    *wrong_in_all += wrong;
+}
+
+static void wrong_winners_are_those_of_rational_numbers(void **state)
+{
+    (void)state;
+    static const double tilts[] = {0, 20, 50, 75, -40};
+    const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
+    uint32_t wrong = 0;
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+        struct planes_canvas canvas;
+        assert_int_equal(planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
+            struct planes_pair pair;
+            const struct planes_place place =
+                planes_whole(&lab, 40, tilts[i], depth_step_m((enum ph_depth_format)format, &lab, 40) / 2 + 0.00005);
+            assert_true(planes_make(&lab, &place, &pair));
+            assert_true(planes_front_is_nearer(&pair));
+            recount(&canvas, &pair, &wrong);
+        }
+        planes_close(&canvas);
+    }
+    assert_in_range(wrong, 1000, 70000); /* there was something to find */
+}
+
+/* A front that really is behind must be told, too: the pair turned round is wrong where it was right. */
+static void planes_turned_round_are_told(void **state)
+{
+    (void)state;
+    const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
+    struct planes_canvas canvas;
+    struct planes_pair pair, turned;
+    assert_int_equal(planes_open(&canvas, &lab, PH_DEPTH_FLOAT16), 0);
+    const struct planes_place place = planes_whole(&lab, 20, 30, 1);
+    assert_true(planes_make(&lab, &place, &pair));
+    turned = (struct planes_pair){pair.front, pair.behind};
+    assert_true(planes_front_is_nearer(&pair));
+    assert_false(planes_front_is_nearer(&turned));
+    uint32_t wrong = 0;
+    recount(&canvas, &pair, &wrong);
+    recount(&canvas, &turned, &wrong);
+    assert_int_equal(wrong, 0);
+    assert_near(planes_separation_m(&pair), 1, 0.0001);
+    planes_close(&canvas);
+}
+
+static void large_separations_are_right_and_small_ones_are_not(void **state)
+{
+    (void)state;
+    const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+        struct planes_canvas canvas;
+        assert_int_equal(planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        uint32_t before = UINT32_MAX;
+        for (double times = 0.01; times < 20; times *= 8) {
+            struct planes_pair pair;
+            const double separation =
+                times * planes_predicted_m(&lab, (enum ph_depth_format)format, 50, 0, 0) + 0.00002;
+            const struct planes_place place = planes_whole(&lab, 50, 0, separation);
+            assert_true(planes_make(&lab, &place, &pair));
+            const struct planes_count count = planes_count(&canvas, &pair, canvas.verdicts);
+            assert_true(count.wrong <= before);
+            before = count.wrong;
+        }
+        assert_int_equal(before, 0);
+        planes_close(&canvas);
+    }
+}
+
+/* No sweep needs more than S_min and the grid of Q16.16 say, and none less than half of what its tilt asks for. */
+static void sweeps_lie_where_s_min_says(void **state)
+{
+    (void)state;
+    static const double tilts[] = {0, 30, 70};
+    const struct depth_lab lab = lab_of(0.5, 100, 120, 90);
+    const double grid = 2.0 / 65536;
+    for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+        struct planes_canvas canvas;
+        assert_int_equal(planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
+            const struct planes_sweep sweep = planes_sweep(&canvas, (enum ph_depth_format)format, 50, tilts[i]);
+            assert_true(sweep.measured_m <= 1.12 * sweep.at_tilt_m + grid);
+            assert_true(sweep.measured_m <= 1.05 * sweep.s_min_m + grid);
+            assert_true(sweep.measured_m >= 0.3 * sweep.at_tilt_m);
+        }
+        planes_close(&canvas);
+    }
+}
+
+/* Akeley and Su's example: 24-bit z alone 1.2 mm, with 4 sub-pixel bits 42 mm. */
+static void published_minimum_separation_is_met(void **state)
+{
+    (void)state;
+    const struct depth_lab lab = lab_of(0.5, 100, 240, 240);
+    const double s_z = depth_step_m(PH_DEPTH_FIXED24, &lab, 100), s_xy = depth_subpixel_m(&lab, 4, 100);
+    assert_near(s_z, 0.0012, 0.00005);
+    assert_near(s_xy, 0.042, 0.001);
+    assert_near(depth_s_min_m(s_xy, s_z, 0), 0.042, 0.001);
+    assert_near(depth_s_min_m(3, 4, 0), 5, 1e-12);
+    assert_near(depth_s_min_m(1, 2, 1), hypot(3, 2), 1e-12);
+}
+
+/* Measured on the renderer, parts of the budget never exceed what their formulas say by more than a rounding. */
+static void parts_of_the_budget_are_as_predicted(void **state)
+{
+    (void)state;
+    const struct depth_lab lab = lab_of(0.5, 100, 120, 90);
+    struct planes_canvas canvas;
+    assert_int_equal(planes_open(&canvas, &lab, PH_DEPTH_FIXED16), 0);
+    for (double z = 1; z <= 100; z *= 10) {
+        const double grid = 1.0 / 65536;
+        assert_near(budget_input_m(&canvas, z), grid, 0);
+        const double matrix = budget_matrix_m(&canvas, z), divide = budget_divide_m(&canvas, z);
+        assert_true(matrix > 0.9 * grid && matrix < 1.1 * depth_share_m(DEPTH_SHARE_MATRIX, PH_DEPTH_FIXED16, &lab, z));
+        assert_true(divide > 0 && divide < depth_share_m(DEPTH_SHARE_DIVIDE, PH_DEPTH_FIXED16, &lab, z));
+        const double snapped = budget_subpixel_m(&canvas, z), ideal = depth_subpixel_m(&lab, DEPTH_SUBPIXEL_BITS, z);
+        assert_true(snapped > 0.9 * ideal && snapped < 1.1 * ideal + 2 * grid);
+        assert_true(budget_interpolation_m(&canvas, z) <
+                    2 * depth_share_m(DEPTH_SHARE_INTERPOLATION, PH_DEPTH_FIXED16, &lab, z) + grid);
+    }
+    planes_close(&canvas);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(wrong_winners_are_those_of_rational_numbers),
+        cmocka_unit_test(planes_turned_round_are_told),
+        cmocka_unit_test(large_separations_are_right_and_small_ones_are_not),
+        cmocka_unit_test(sweeps_lie_where_s_min_says),
+        cmocka_unit_test(published_minimum_separation_is_met),
+        cmocka_unit_test(parts_of_the_budget_are_as_predicted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
