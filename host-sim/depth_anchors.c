@@ -69,7 +69,7 @@ static void opengl_faq(struct run *run)
 /* Step of log(C w + 1) / log(C far + 1) in 24 bits. */
 static double outerra_step(double c, double w)
 {
-    return (1 + c * w) * log(c * 1e7 + 1) / c / 16777216;
+    return (1 + c * w) * log1p(c * 1e7) / c / 16777216;
 }
 
 static void outerra(struct run *run)

@@ -5,6 +5,20 @@ struct plateau {
     fx_t first, last;
 };
 
+/* The last distance up to high that has this code, which low has: codes of a monotone format never rise. */
+static fx_t last_with(struct lab_probe *p, uint32_t code, fx_t low, fx_t high)
+{
+    while (low < high) {
+        const fx_t middle = high - (high - low) / 2;
+        if (lab_code(p, middle) == code) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
+    }
+    return low;
+}
+
 /*
  * The plateau of a monotone format on which w lies. Its codes never rise, so that "still the same code" is true up to
  * its end and false behind it: bisection finds the end.
@@ -21,14 +35,7 @@ static struct plateau plateau_at(struct lab_probe *p, fx_t w)
             found.first = middle + 1;
         }
     }
-    for (fx_t high = p->far_z; found.last < high;) {
-        const fx_t middle = high - (high - found.last) / 2;
-        if (lab_code(p, middle) == code) {
-            found.last = middle;
-        } else {
-            high = middle - 1;
-        }
-    }
+    found.last = last_with(p, code, w, p->far_z);
     return found;
 }
 
@@ -55,29 +62,43 @@ static uint32_t plateau_length(struct lab_probe *p, fx_t z)
     return length;
 }
 
+/* The longest of a few plateaus spread over the range. */
+static uint32_t some_plateau(struct lab_probe *p)
+{
+    const uint32_t count = 64, depth = (uint32_t)(p->far_z - p->near_z);
+    uint32_t best = 0;
+    for (uint32_t i = 0; i <= count; i++) {
+        best = larger(best, length_of(plateau_at(p, p->far_z - (fx_t)(depth / count * i))));
+    }
+    return best;
+}
+
+/* Whether the plateau of w, which ends less than `step` behind it, may be longer than best. */
+static bool may_be_longer(struct lab_probe *p, fx_t w, uint32_t code, uint32_t step, uint32_t best)
+{
+    const fx_t high = (uint32_t)(p->far_z - w) < step ? p->far_z : w + (fx_t)step;
+    const fx_t last = last_with(p, code, w, high);
+    return (uint32_t)(last - p->near_z) >= best && lab_code(p, last - (fx_t)best) == code;
+}
+
 /*
  * From far to near in steps of half the longest plateau so far (rounded up): a longer one has two neighbouring steps
- * on it. Begins at the far plane, where most formats have their longest, so that few steps are needed.
+ * on it. What some_plateau() finds makes the steps long from the beginning.
  */
 static uint32_t longest_plateau(struct lab_probe *p)
 {
-    struct plateau found = plateau_at(p, p->far_z);
-    uint32_t best = length_of(found), code = 0;
-    bool known = false;
-    for (fx_t w = found.first - 1; w >= p->near_z;) {
-        const uint32_t here = lab_code(p, w);
-        if (known && here == code) {
-            found = plateau_at(p, w);
+    uint32_t best = some_plateau(p), before = lab_code(p, p->far_z), step = (best + 1) / 2;
+    for (fx_t w = p->far_z; w > p->near_z;) {
+        const uint32_t left = (uint32_t)(w - p->near_z);
+        w -= (fx_t)(step < left ? step : left);
+        const uint32_t code = lab_code(p, w);
+        if (code == before && may_be_longer(p, w, code, 2 * step, best)) {
+            const struct plateau found = plateau_at(p, w);
             best = larger(best, length_of(found));
+            step = (best + 1) / 2;
             w = found.first;
         }
-        code = here;
-        known = true;
-        const uint32_t step = (best + 1) / 2, left = (uint32_t)(w - p->near_z);
-        if (left == 0) {
-            break;
-        }
-        w -= (fx_t)(step < left ? step : left);
+        before = code;
     }
     return best;
 }
