@@ -217,27 +217,116 @@ static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uin
     return first;
 }
 
+/* Rows of a band, cleared before they are drawn. */
+static void clear(const struct ph_band *rows, uint16_t background)
+{
+    const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
+    fill(rows->pixels, background, area);
+    fill(rows->depth, 0, rows->wide ? 2 * area : area);
+}
+
+/* Merges, draws and sorts out in one pass. */
+static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
+{
+    struct ph_triangle *triangles = ph_triangles(r);
+    uint32_t begun = r->carried, *carry = &r->carried;
+    clear(rows, r->background);
+    *carry = PH_NONE;
+    while (begun != PH_NONE || fresh != PH_NONE) {
+        const uint32_t i = take_first(triangles, &begun, &fresh);
+        r->stats.fragments += draw(&triangles[i], rows);
+        if (triangles[i].y_bottom > rows->y1) { /* goes on in the next band */
+            *carry = i;
+            carry = &triangles[i].next;
+            *carry = PH_NONE;
+        }
+    }
+}
+
+/* What a core draws: some rows of a list that nobody changes meanwhile. */
+struct share {
+    const struct ph_triangle *triangles;
+    uint32_t first;
+    uint32_t fragments;
+    uint16_t background;
+    struct ph_band rows;
+};
+
+static void draw_share(struct share *s)
+{
+    s->fragments = 0;
+    clear(&s->rows, s->background);
+    for (uint32_t i = s->first; i != PH_NONE; i = s->triangles[i].next) {
+        const struct ph_triangle *t = &s->triangles[i];
+        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
+            s->fragments += draw(t, &s->rows);
+        }
+    }
+}
+
+static void draw_other_share(void *argument)
+{
+    draw_share(argument);
+}
+
+/* One list in drawing order of two. */
+static uint32_t merge(struct ph_triangle *triangles, uint32_t a, uint32_t b)
+{
+    uint32_t first = PH_NONE, *link = &first;
+    while (a != PH_NONE || b != PH_NONE) {
+        const uint32_t i = take_first(triangles, &a, &b);
+        *link = i;
+        link = &triangles[i].next;
+    }
+    *link = PH_NONE;
+    return first;
+}
+
+/* What of a list goes on below row y1. */
+static uint32_t keep_below(struct ph_triangle *triangles, uint32_t list, int32_t y1)
+{
+    uint32_t first = PH_NONE, *link = &first;
+    for (uint32_t i = list; i != PH_NONE; i = triangles[i].next) {
+        if (triangles[i].y_bottom > y1) {
+            *link = i;
+            link = &triangles[i].next;
+        }
+    }
+    *link = PH_NONE;
+    return first;
+}
+
+/* Two halves of a band, of 2 rows or more. */
+static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
+{
+    struct ph_triangle *triangles = ph_triangles(r);
+    const uint32_t list = merge(triangles, r->carried, fresh);
+    struct share upper = {triangles, list, 0, r->background, *rows}, lower = upper;
+    upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
+    const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
+    lower.rows.pixels += above;
+    lower.rows.depth = (uint8_t *)rows->depth + above * (rows->wide ? sizeof(uint32_t) : sizeof(uint16_t));
+    const bool both = r->config.other_core(draw_other_share, &lower);
+    draw_share(&upper);
+    if (both) {
+        r->config.other_core_join();
+    } else {
+        draw_share(&lower);
+    }
+    r->stats.fragments += upper.fragments + lower.fragments;
+    r->carried = keep_below(triangles, list, rows->y1);
+}
+
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     const struct ph_band rows = {pixels, r->config.depth, wide, y0, y1, r->config.width};
-    const uint32_t area = (uint32_t)(y1 - y0) * r->config.width;
-    fill(pixels, r->background, area);
-    fill(r->config.depth, 0, wide ? 2 * area : area);
-
-    struct ph_triangle *triangles = ph_triangles(r);
-    uint32_t begun = r->carried, fresh = r->config.bins[band], *carry = &r->carried;
-    *carry = PH_NONE;
-    while (begun != PH_NONE || fresh != PH_NONE) {
-        const uint32_t i = take_first(triangles, &begun, &fresh);
-        r->stats.fragments += draw(&triangles[i], &rows);
-        if (triangles[i].y_bottom > y1) { /* goes on in the next band */
-            *carry = i;
-            carry = &triangles[i].next;
-            *carry = PH_NONE;
-        }
+    if (r->config.other_core != NULL && y1 - y0 >= 2) {
+        draw_with_other(r, r->config.bins[band], &rows);
+    } else {
+        draw_alone(r, r->config.bins[band], &rows);
     }
     return (uint32_t)(y1 - y0);
 }

@@ -158,6 +158,11 @@ struct ph_config {
     uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
     void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
+
+    /* Optional: a second core, which then draws the lower half of each band. other_core starts run on it, false: it is
+     * busy; other_core_join returns when run has. Both or none. */
+    bool (*other_core)(void (*run)(void *argument), void *argument);
+    void (*other_core_join)(void);
 };
 
 /* linear-w: how 1/w becomes a code, see depth.h. The unit of w puts the far plane just below 2^31. */
