@@ -133,6 +133,12 @@ static int run(struct kit *kit)
     return status;
 }
 
+/* Is there another core? */
+static void do_nothing(void *argument)
+{
+    (void)argument;
+}
+
 static int open(struct kit *kit)
 {
     const struct hal hal = port_hal();
@@ -143,11 +149,15 @@ static int open(struct kit *kit)
     if (hal.ops->buttons(hal.context) != 0) {
         port_boot_loader();
     }
+    const bool second = port_core_run(do_nothing, NULL);
+    port_core_join();
     const struct kit_config config = {.board = board_here,
                                       .rotation = board_here->rotation,
                                       .depth_format = PH_DEPTH_AUTO,
                                       .band_height = board_here->band_height,
                                       .budget_bytes = kit_budget(board_here),
+                                      .other_core = second ? port_core_run : NULL,
+                                      .other_core_join = second ? port_core_join : NULL,
                                       .demo = demo_list[0],
                                       .memory = kit_memory,
                                       .memory_bytes = kit_memory_bytes};

@@ -135,6 +135,8 @@ static int open_renderer(struct kit *kit, const struct picture *p, const struct 
                                      .height = p->height,
                                      .band_height = p->lines,
                                      .depth_format = kit->config.depth_format,
+                                     .other_core = kit->config.other_core,
+                                     .other_core_join = kit->config.other_core_join,
                                      .vertices = kit->scene,
                                      .vertex_max = s->vertex_max,
                                      .triangles = kit->scene + ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes),

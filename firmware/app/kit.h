@@ -38,6 +38,8 @@ struct kit_config {
     void *state;             /* what that demo finds in context->state, or NULL */
     const char *view;        /* one of its views, or NULL: the first */
     struct demo_camera camera;
+    bool (*other_core)(void (*run)(void *argument), void *argument); /* see struct ph_config; may be NULL */
+    void (*other_core_join)(void);
     bool overlay;            /* frame time of the bus and triangles over the picture */
     struct panel_diff *diff; /* sends only what changed: panel_diff_init() after kit_open(); NULL: all is sent */
     void *memory;            /* 8-byte aligned; the kit's until kit_close */
