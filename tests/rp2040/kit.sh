@@ -1,0 +1,56 @@
+# shellcheck shell=bash disable=SC2154
+# For the tests of RP2040 images; needs B, dir (a folder for what comes out) and tests/tap.sh.
+#   rp2040_here                              exits 77 where something is missing
+#   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
+#                                            runs the image of all demos; KEYS is a file as of pinhole-sim --keys, or -
+#                                            frames to $dir/seen, the UART to $dir/log, the wires to $dir/out/events
+#   expect BOARD FRAMES [KEYS]               pinhole-sim's frames, to $dir/expected
+#   sweep EACH                               keys that show every demo for EACH frames and press buttons, to $dir/keys
+
+rp2040_here() {
+    local tool
+    for tool in "arm-none-eabi-gcc gcc-arm-none-eabi" "node nodejs" "npm npm"; do
+        command -v "${tool% *}" >/dev/null || { echo "no ${tool% *}: apt-get install ${tool#* }" && exit 77; }
+    done
+    hal/rp2040/emulate/emulate.sh --install >/dev/null 2>"$dir/npm" || { cat "$dir/npm" && exit 77; }
+}
+
+image() { # board, cores
+    make -s -j2 B="$B" firmware BOARD="$1" CORES="$2"
+}
+
+# A key that acts in a frame must be on the UART when the frame before begins.
+letters() { # keys
+    sed 's/#.*//' "$1" | awk 'NF { split($2, button, "+"); text = ""; for (i in button) { text = text substr(button[i] == "select" ? "s" : button[i], 1, 1) }
+        for (f = $1; f < $1 + (NF > 2 ? $3 : 1); f++) { print "--send"; print f - 1 ":" text } }'
+}
+
+emulate() {
+    local board=$1 cores=$2 frames=$3 keys=${4--} options=()
+    [ "$keys" = - ] || mapfile -t options < <(letters "$keys")
+    local elf=$B/firmware/$board-demos.elf
+    [ "$cores" = 1 ] || elf=$B/firmware/$board-demos-cores$cores.elf
+    rm -rf "$dir/out"
+    BOARD=$board CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/out" "$frames" "${options[@]}" "${@:5}" \
+        >"$dir/said" 2>"$dir/log"
+    local status=$?
+    grep '^frame [0-9]* crc32' "$dir/said" >"$dir/seen"
+    [ $status = 0 ] || { tail -n 5 "$dir/log" && return 1; }
+}
+
+expect() {
+    local keys=()
+    [ "${3--}" = - ] || keys=(--keys "$3")
+    "$B/pinhole-sim" --board "$1" --frames "$2" "${keys[@]}" --crc >"$dir/expected" 2>/dev/null
+}
+
+sweep() {
+    local i
+    demos=$("$B/pinhole-sim" --list | grep -c '^demo')
+    for ((i = 1; i < demos; i++)); do
+        echo "$((i * $1)) select"
+        [ "$1" -lt 4 ] || printf '%s\n' "$((i * $1 + 1)) left+up" "$((i * $1 + 2)) right+down"
+    done >"$dir/keys"
+}
+
+same() { [ "$(wc -l <"$dir/seen")" = "$1" ] && diff "$dir/expected" "$dir/seen"; }
