@@ -63,7 +63,7 @@ static void put_title(FILE *script, uint32_t row)
 
 static void put_camera(const struct depth_lab *lab, FILE *script)
 {
-    fprintf(script, "near %g m, far %g m", depth_metres(lab->near_z), depth_metres(lab->far_z));
+    fprintf(script, "near %.4g m, far %.4g m", depth_metres(lab->near_z), depth_metres(lab->far_z));
 }
 
 /* ---- the documents' curves ---------------------------------------------------------------------------- */
@@ -113,7 +113,7 @@ static int write_curves(FILE *script, const char *name, const fx_t nears[], int 
     }
     fputs("plot 0 lc '#888888' notitle", script);
     for (int i = 0; i < count; i++) {
-        fprintf(script, ", $c%d with lines lw 2.5 dt %d lc '%s' title 'n = %g m, f = %g m: half before %.2f m'", i,
+        fprintf(script, ", $c%d with lines lw 2.5 dt %d lc '%s' title 'n = %.4g m, f = %.4g m: half before %.2f m'", i,
                 i + 1, colours[i], depth_metres(nears[i]), depth_metres(far_z),
                 half_of(depth_metres(nears[i]), depth_metres(far_z)));
     }

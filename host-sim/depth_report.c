@@ -5,6 +5,7 @@
 #include "depth_budget_terms.h"
 #include "depth_plot_gnuplot.h"
 #include "depth_plot_kinds.h"
+#include "lab_num.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -14,7 +15,7 @@
 
 struct section {
     const char *command, *title, *plot; /* plot: kind of plot that shows it, or NULL */
-    const char *options;                /* beside near and far: "fov size" */
+    const char *options;                /* of the camera beside near and far: "fov size" */
     const char *headings;
     const char *text;
     int (*run)(const struct depth_lab *lab);
@@ -54,11 +55,14 @@ static int name_file(const struct depth_lab *lab, const char *name, const char *
     return 0;
 }
 
-static void put_command(const struct depth_lab *lab, FILE *report, const char *command, const char *options)
+/* The options that describe the camera; options NULL: none do. */
+static void put_camera(const struct depth_lab *lab, FILE *report, const char *options)
 {
-    fprintf(report, "pinhole-depth %s", command);
+    char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE];
+    lab_fx_text(lab->near_z, near_text);
+    lab_fx_text(lab->far_z, far_text);
     if (options != NULL) {
-        fprintf(report, " --near %g --far %g", depth_metres(lab->near_z), depth_metres(lab->far_z));
+        fprintf(report, " --near %s --far %s", near_text, far_text);
     }
     if (options != NULL && *options != '\0') {
         fprintf(report, " --fov %g --size %ux%u", depth_metres(lab->fov_deg), lab->width, lab->height);
@@ -103,7 +107,7 @@ static void put_table(FILE *report, const char *csv, const char *headings)
 }
 
 /* The plot beside the report, and its place in it; without gnuplot a line that says so. */
-static int put_plot(const struct depth_lab *lab, FILE *report, const char *name, bool can_plot)
+static int put_plot(const struct depth_lab *lab, FILE *report, const char *name, const char *options, bool can_plot)
 {
     const struct depth_plot_kind *const kind = depth_plot_find(name);
     char path[PATH_MAX], *picture = NULL;
@@ -120,12 +124,8 @@ static int put_plot(const struct depth_lab *lab, FILE *report, const char *name,
         status = depth_save(path, picture, length);
     }
     free(picture);
-    fprintf(report, "\n![%s](%s.svg)\n\n`", kind->title, name);
-    put_command(lab, report, "plot", NULL);
-    fprintf(report, " %s", name);
-    if (lab->near_set || lab->far_set || strcmp(name, "ndc") != 0) {
-        put_command(lab, report, "", "");
-    }
+    fprintf(report, "\n![%s](%s.svg)\n\n`pinhole-depth plot %s", kind->title, name, name);
+    put_camera(lab, report, options);
     fprintf(report, " --out %s.svg`\n", name);
     return status;
 }
@@ -159,8 +159,8 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
     char *csv;
     int status = run_section(lab, section, &csv);
     if (status == 0) {
-        fprintf(report, "\n## %s\n\n%s\n\n`", section->title, section->text);
-        put_command(lab, report, section->command, section->options);
+        fprintf(report, "\n## %s\n\n%s\n\n`pinhole-depth %s", section->title, section->text, section->command);
+        put_camera(lab, report, section->options);
         fprintf(report, "%s` ([%s.csv](%s.csv))\n\n", section->run == depth_planes ? " --out planes.ppm" : "",
                 section->command, section->command);
         put_table(report, csv, section->headings);
@@ -170,7 +170,7 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
         fputs("\n[planes.ppm](planes.ppm): where the wrong plane shows, orange; one picture a format.\n", report);
     }
     if (status == 0 && section->plot != NULL) {
-        status = put_plot(lab, report, section->plot, can_plot);
+        status = put_plot(lab, report, section->plot, section->options, can_plot);
     }
     free(csv);
     return status;
@@ -179,10 +179,12 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
 static int put_report(const struct depth_lab *lab, FILE *report)
 {
     const bool can_plot = gnuplot_is_here();
+    struct depth_lab documents = *lab; /* with the near and far planes that the documents have */
     int status = 0;
-    fprintf(report, "# What depth resolves: near %g m, far %g m, %g degrees, %ux%u\n\nMade by `",
+    documents.near_set = documents.far_set = false;
+    fprintf(report, "# What depth resolves: near %.4g m, far %.4g m, %g degrees, %ux%u\n\nMade by `pinhole-depth all",
             depth_metres(lab->near_z), depth_metres(lab->far_z), depth_metres(lab->fov_deg), lab->width, lab->height);
-    put_command(lab, report, "all", "fov size");
+    put_camera(lab, report, "fov size");
     fputs(" --out DIR`.\n", report);
     for (size_t i = 0; i < sizeof sections / sizeof sections[0] && status == 0; i++) {
         status = put_section(lab, report, &sections[i], can_plot);
@@ -191,9 +193,9 @@ static int put_report(const struct depth_lab *lab, FILE *report)
         fputs("\n`pinhole-depth anchors` computes what others have published again.\n"
               "\n## The source documents' curves\n",
               report);
-        status = put_plot(lab, report, "ndc", can_plot);
+        status = put_plot(&documents, report, "ndc", NULL, can_plot);
     }
-    return status != 0 ? status : put_plot(lab, report, "g", can_plot);
+    return status != 0 ? status : put_plot(&documents, report, "g", NULL, can_plot);
 }
 
 int depth_report(const struct depth_lab *lab)

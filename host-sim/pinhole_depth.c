@@ -90,7 +90,7 @@ int main(int argc, char *argv[])
     } else {
         char *csv;
         status = depth_lab_capture(&lab, command->run, &csv);
-        if (csv != NULL && (status == 0 || *csv != '\0')) { /* a failed anchor is shown too */
+        if (csv != NULL && (status == 0 || command->run == depth_anchors)) { /* a failed anchor is shown too */
             const int shown = show(command, &lab, csv);
             status = status != 0 ? status : shown;
         }
