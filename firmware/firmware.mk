@@ -58,7 +58,7 @@ image_make = @echo 'BOARD= is missing; microcontroller boards are: $(patsubst bo
 endif
 
 firmware: ## BOARD=x [APP=demos|depth|FILE.c]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
-	$(Q)$(image_make) image
+	+$(Q)$(image_make) image
 
 emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
@@ -90,6 +90,7 @@ $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -Ihal -Iboards \
 	    -MMD -MP -c $< -o $@
+	$(Q)sed 's#$(APP_FILE)##' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a file of one's own may move
 
 define BOARD_HERE
 #include "kit.h"

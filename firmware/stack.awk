@@ -14,6 +14,7 @@ BEGIN {
     rule("hal/panel[a-z_]*\\.c:", ops)
     rule("firmware/app/lab[a-z_]*\\.c:", "firmware/app/image_[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/image_[a-z]*\\.c:", ops)
+    rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
     rule("firmware/core/raster\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", "firmware/core/raster\\.c:.*other.*")
 }

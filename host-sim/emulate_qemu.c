@@ -18,7 +18,8 @@
 #include <unistd.h>
 
 #define CPU_SECONDS 1800  /* one that lost its parent does not spin for ever */
-#define WAIT_MS     60000 /* for a line or an answer */
+#define WAIT_MS     30000 /* for a line or an answer */
+#define LAST_MS     200
 
 struct ends {
     int monitor[2], uart[2], trace[2], said[2]; /* ours, QEMU's */
@@ -121,18 +122,30 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
     return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
 }
 
-static bool readable(int fd)
+static bool readable(int fd, int wait_ms)
 {
     struct pollfd p = {.fd = fd, .events = POLLIN};
-    return poll(&p, 1, WAIT_MS) > 0 && (p.revents & POLLIN) != 0;
+    return poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
+}
+
+/* QEMU is gone or mute: the image's own words say why, if there are any. */
+static int last_words(struct qemu *q, const char *what, const char *name)
+{
+    char byte;
+    while (readable(q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
+        if (qemu_logged(q, byte) && qemu_check_line(q) != 0) {
+            return EXIT_FAILED;
+        }
+    }
+    return complain(EXIT_FAILED, "QEMU does not %s %s", what, name);
 }
 
 /* Events come between the answers. */
-static int await_answer(const struct qemu *q, const char *name)
+static int await_answer(struct qemu *q, const char *name)
 {
     char line[4096];
     size_t n = 0;
-    while (readable(q->monitor) && read(q->monitor, line + n, 1) == 1) {
+    while (readable(q->monitor, WAIT_MS) && read(q->monitor, line + n, 1) == 1) {
         if (line[n] != '\n') {
             n += n < sizeof line - 1;
             continue;
@@ -146,10 +159,10 @@ static int await_answer(const struct qemu *q, const char *name)
             return complain(EXIT_FAILED, "QEMU refuses %s: %.200s", name, line);
         }
     }
-    return complain(EXIT_FAILED, "QEMU does not answer %s", name);
+    return last_words(q, "answer", name);
 }
 
-int qemu_command(const struct qemu *q, const char *name, const char *arguments, ...)
+int qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
 {
     char text[1024], values[768] = "";
     va_list list;
@@ -160,7 +173,7 @@ int qemu_command(const struct qemu *q, const char *name, const char *arguments, 
     va_end(list);
     const int n = snprintf(text, sizeof text, "{\"execute\": \"%s\", \"arguments\": {%s}}\n", name, values);
     if (n < 0 || n >= (int)sizeof text || write(q->monitor, text, (size_t)n) != n) {
-        return complain(EXIT_FAILED, "QEMU does not take %s", name);
+        return last_words(q, "take", name);
     }
     return await_answer(q, name);
 }
@@ -198,7 +211,7 @@ int qemu_check_line(const struct qemu *q)
 int qemu_line(struct qemu *q)
 {
     char byte;
-    while (readable(q->uart) && read(q->uart, &byte, 1) == 1) {
+    while (readable(q->uart, WAIT_MS) && read(q->uart, &byte, 1) == 1) {
         if (qemu_logged(q, byte)) {
             return qemu_check_line(q);
         }

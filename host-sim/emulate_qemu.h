@@ -30,8 +30,7 @@ struct qemu {
 int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced);
 
 /* A QMP command, with arguments (JSON, a format) or NULL. Waits for its answer. */
-int qemu_command(const struct qemu *q, const char *name, const char *arguments, ...)
-    __attribute__((format(printf, 3, 4)));
+int qemu_command(struct qemu *q, const char *name, const char *arguments, ...) __attribute__((format(printf, 3, 4)));
 
 /* Characters to the UART. */
 int qemu_send(const struct qemu *q, const char *text);

@@ -24,7 +24,7 @@ static const struct {
 #define BUTTONS (sizeof wiring / sizeof wiring[0])
 
 /* Brings the buttons from `was` to `is`. */
-static int press(const struct qemu *q, uint32_t was, uint32_t is)
+static int press(struct qemu *q, uint32_t was, uint32_t is)
 {
     int status = 0;
     for (size_t i = 0; i < BUTTONS && status == 0; i++) {
@@ -68,7 +68,7 @@ static int shrink(const struct ppm *screen, struct ppm *picture)
     return 0;
 }
 
-static int look(const struct qemu *q, struct ppm *picture)
+static int look(struct qemu *q, struct ppm *picture)
 {
     char path[] = "/tmp/pinhole-screen-XXXXXX";
     struct ppm screen = {.rgb = NULL};
@@ -125,7 +125,8 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
         if (status == 0) {
             status = e->frame(e->context, frame, picture);
         }
-        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they have been pressed once */
+        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they have been pressed once, and the port
+                                            ignores them until it sees them up */
             status = press(q, 0, all) != 0 ? EXIT_FAILED : press(q, all, 0);
         }
     }

@@ -22,15 +22,14 @@ struct request {
 
 static void print_help(void)
 {
-    puts(
-        "pinhole-emulate --machine lm3s6965evb|netduinoplus2 --board NAME [options] IMAGE.elf [DIR [FRAMES]]\n"
-        "Runs an image of all demos (make firmware) in QEMU and prints `frame N crc32 XXXXXXXX` for each frame that "
-        "its\n"
-        "panel shows, as pinhole-sim --crc does. DIR gets pictures, FRAMES is 4 by default. Exits 1 when the image "
-        "stops\n"
-        "or QEMU or the panel resents anything.\n"
-        "  --keys FILE   a script of button presses, as pinhole-sim's (not before frame 1, or 2 without real buttons)\n"
-        "  --log         what the image writes to its UART, on stderr");
+    puts("pinhole-emulate --machine lm3s6965evb|netduinoplus2 --board NAME [options] IMAGE.elf [DIR [FRAMES]]\n"
+         "Runs an image of all demos (make firmware) in QEMU and prints `frame N crc32 XXXXXXXX` for each frame that "
+         "its\n"
+         "panel shows, as pinhole-sim --crc does. DIR gets pictures, FRAMES is 4 by default. Exits 1 when the image "
+         "stops\n"
+         "or QEMU or the panel resents anything.\n"
+         "  --keys FILE   a script of button presses, as pinhole-sim's (not before frame 2)\n"
+         "  --log         what the image writes to its UART, on stderr");
 }
 
 static bool read_option(struct request *r, const char *option, const char *value)

@@ -12,12 +12,17 @@
 #define CFSR     REG32(0xE000ED28)
 #define BFAR     REG32(0xE000ED38)
 #define SHCSR    REG32(0xE000ED24)
+#define MPU_CTRL REG32(0xE000ED94)
+#define MPU_RNR  REG32(0xE000ED98)
+#define MPU_RBAR REG32(0xE000ED9C)
+#define MPU_RASR REG32(0xE000EDA0)
 
 #define TICK_US     1000
 #define STACK_PAINT 0x57AC57ACu
 
 /* From the linker script. */
-extern uint32_t data_start[], data_end[], data_load[], bss_start[], bss_end[], stack_start[], stack_top[];
+extern uint32_t data_start[], data_end[], data_load[], bss_start[], bss_end[], stack_guard[], stack_start[],
+    stack_top[];
 
 int main(void);
 void start(void);
@@ -90,6 +95,15 @@ static __attribute__((noinline)) void paint_stack(void)
     fill(stack_start, below - 16, STACK_PAINT);
 }
 
+/* The 128 bytes below the stack: nobody may touch them, all else is as without an MPU. */
+static void guard_stack(void)
+{
+    MPU_RNR = 0;
+    MPU_RBAR = (uint32_t)(uintptr_t)stack_guard;
+    MPU_RASR = 6U << 1 | 1U;
+    MPU_CTRL = 5;
+}
+
 uint32_t port_stack_used(void)
 {
     const uint32_t words = words_between(stack_start, stack_top);
@@ -108,6 +122,7 @@ void start(void)
     }
     fill(bss_start, words_between(bss_start, bss_end), 0);
     paint_stack();
+    guard_stack();
     SHCSR |= 7U << 16; /* memory, bus and usage faults have handlers of their own */
     start_time(port_start());
     port_exit(main());
@@ -168,8 +183,12 @@ void fault_report(const uint32_t *frame)
         port_exit(1);
     }
     log_hex("\r\nfault", ICSR & 511);
-    log_hex(": pc", frame[6]);
-    log_hex(", lr", frame[5]);
+    if (frame != NULL) {
+        log_hex(": pc", frame[6]);
+        log_hex(", lr", frame[5]);
+    } else {
+        port_log(": the stack ran over");
+    }
     log_hex(", cause", CFSR);
     log_hex(", address", BFAR);
     port_log("\r\n");
@@ -183,7 +202,7 @@ __attribute__((naked)) void fault(void)
                      "ldr r1, =stack_start\n"
                      "cmp r0, r1\n"
                      "it lo\n"
-                     "movlo r0, r1\n" /* it ran over: what was saved is lost */
+                     "movlo r0, #0\n" /* what the exception wanted to save is lost */
                      "ldr r1, =stack_top\n"
                      "mov sp, r1\n"
                      "b fault_report\n");
