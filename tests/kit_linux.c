@@ -54,11 +54,18 @@ static void pause_ms(long ms)
     nanosleep(&time, NULL);
 }
 
-/* What bounces settles; what was pressed is seen. */
-static uint32_t look(struct linux_hal *from)
+/* Looks until these buttons are seen; on a busy machine the kernel takes its time to tell of an edge. */
+static void expect_buttons(uint32_t expected)
 {
-    pause_ms(20);
-    return linux_ops.buttons(from);
+    uint32_t seen = 0;
+    for (int i = 0; i < 100; i++) {
+        pause_ms(20);
+        seen = linux_ops.buttons(&kit);
+        if (seen == expected) {
+            return;
+        }
+    }
+    assert_int_equal(seen, expected);
 }
 
 /* The Waveshare HAT with a TE line on GPIO23 and the panel's answers on GPIO9. */
@@ -205,19 +212,19 @@ static void buttons_are_seen(void **state)
         kit_do("set %u 1", lines[i]);
     }
     open_kit(&kit, &board_rpi_waveshare_1in3);
-    assert_int_equal(look(&kit), 0);
+    expect_buttons(0);
     kit_do("set 6 0");
-    assert_int_equal(look(&kit), HAL_BUTTON_UP);
+    expect_buttons(HAL_BUTTON_UP);
     kit_do("set 13 0");
-    assert_int_equal(look(&kit), HAL_BUTTON_UP | HAL_BUTTON_SELECT);
+    expect_buttons(HAL_BUTTON_UP | HAL_BUTTON_SELECT);
     kit_do("set 6 1");
     kit_do("set 13 1");
-    assert_int_equal(look(&kit), 0);
+    expect_buttons(0);
     kit_do("set 26 0"); /* pressed and let go between two looks */
     pause_ms(15);
     kit_do("set 26 1");
-    assert_int_equal(look(&kit), HAL_BUTTON_RIGHT);
-    assert_int_equal(look(&kit), 0);
+    expect_buttons(HAL_BUTTON_RIGHT);
+    expect_buttons(0);
     linux_ops.close(&kit);
 }
 
