@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# 10,000 frames of pinhole-panel in the virtual kit: each one on the wire is pinhole-sim's, memory and descriptors stay
+# as they are.
+# shellcheck disable=SC2317,SC2015,SC2016 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+. tests/kit_panel.sh
+unset MAKEFLAGS
+export B=${B:-build} FRAMES=${FRAMES:-10000}
+why=$(kit_why)
+[ -z "$why" ] || { skip "pinhole-panel shows 10,000 frames" "$why" && tap_end; }
+make -s B="$B" all && kit_build || exit 1
+kit_out=$(mktemp -d) || exit 1
+trap 'rm -rf "$kit_out"' EXIT
+
+# While it runs, once a second: resident kB and open descriptors.
+watch='
+    . tests/kit_panel.sh
+    soak() { # name, argument...
+        "$B/pinhole-panel" "${@:2}" --frames '$FRAMES' >"$KIT/$1.out" 2>"$KIT/$1.err" &
+        pid=$!
+        while [ -d /proc/$pid/fd ] && grep -q VmRSS /proc/$pid/status; do
+            echo "$(awk "/VmRSS/ { print \$2 }" /proc/$pid/status) $(ls /proc/$pid/fd | wc -l)"
+            sleep 1
+        done >"$KIT/$1.memory" 2>/dev/null
+        wait $pid
+        echo $? >"$KIT/$1.status"
+    }
+    fresh
+    mkfifo /tmp/events
+    "$B/pinhole-wire" --board rpi-waveshare-1in44 /tmp/events >"$KIT/spi.seen" 2>"$KIT/spi.wire" &
+    wire=$!
+    kit_follow /tmp/events
+    soak spi --board rpi-waveshare-1in44 --demo torus
+    kit_follow_end
+    wait $wire
+    echo $? >"$KIT/spi.wire-status"
+'
+
+shows_every_frame() {
+    ended spi 0 "" && [ "$(cat "$kit_out/spi.wire-status")" = 0 ] || { cat "$kit_out/spi.wire" && return 1; }
+    "$B/pinhole-sim" --board rpi-waveshare-1in44 --demo torus --frames "$FRAMES" --crc | cmp - "$kit_out/spi.seen"
+}
+
+# The last ten looks have no more than those after the first ten: frames that are drawn leave nothing.
+stays_flat() {
+    awk -v warm=5 'NR > warm { if (first == "" || $1 < first) first = $1; if (files == "") files = $2
+                    if ($2 > files) more = $2; last = $1; n++ }
+        END { printf "%d looks, %d to %d kB, %d descriptors\n", n, first, last, files
+              exit !(n >= 5 && last <= first + 128 && more == "") }' "$kit_out/spi.memory" || { cat "$kit_out/spi.memory"; return 1; }
+}
+
+tests/kit/guest.sh --timeout 1400 --cpus 2 --bufsiz 65536 --out "$kit_out" -- bash -c "$watch" >"$kit_out/log" 2>&1 ||
+    cat "$kit_out/log"
+check "each of $FRAMES frames on the wire is the simulator's" shows_every_frame
+check "memory and descriptors stay as they are" stays_flat
+tap_end
