@@ -322,7 +322,8 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    const struct ph_band rows = {pixels, r->config.depth, wide, y0, y1, r->config.width};
+    struct ph_band rows = {NULL, r->config.depth, wide, y0, y1, r->config.width};
+    rows.pixels = pixels; /* not above: clang-tidy would have them const */
     if (r->config.other_core != NULL && y1 - y0 >= 2) {
         draw_with_other(r, r->config.bins[band], &rows);
     } else {
