@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "complain.h"
+#include "option_table.h"
 #include "option_text.h"
 #include "render.h"
 
@@ -12,74 +13,76 @@
 #define FOV_DEG     FX_INT(60)
 #define FISHEYE_DEG FX_INT(180)
 
-struct option {
-    const char *name;     /* without "--" */
-    const char *argument; /* as --help shows it; NULL: takes none */
-    const char *help;
-    const char *allowed; /* its values in words; NULL: takes none */
-    /* Reads the value (NULL where the option takes none) into *o; false: the value is wrong. */
-    bool (*set)(struct options *o, const char *value);
-};
-
 static bool set_text(const char **out, const char *value)
 {
     *out = value;
     return *value != '\0';
 }
 
-static bool set_demo(struct options *o, const char *value)
+static bool set_demo(void *to, const char *value)
 {
+    struct options *o = to;
     return set_text(&o->demo, value);
 }
 
-static bool set_view(struct options *o, const char *value)
+static bool set_view(void *to, const char *value)
 {
+    struct options *o = to;
     return set_text(&o->view, value);
 }
 
-static bool set_keys(struct options *o, const char *value)
+static bool set_keys(void *to, const char *value)
 {
+    struct options *o = to;
     return set_text(&o->keys, value);
 }
 
-static bool set_window(struct options *o, const char *value)
+static bool set_window(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     return o->show_window = true;
 }
 
-static bool set_model(struct options *o, const char *value)
+static bool set_model(void *to, const char *value)
 {
+    struct options *o = to;
     return set_text(&o->model, value);
 }
 
-static bool set_board(struct options *o, const char *value)
+static bool set_board(void *to, const char *value)
 {
+    struct options *o = to;
     return set_text(&o->board, value);
 }
 
-static bool set_out(struct options *o, const char *value)
+static bool set_out(void *to, const char *value)
 {
+    struct options *o = to;
     return set_text(&o->out, value);
 }
 
-static bool set_size(struct options *o, const char *value)
+static bool set_size(void *to, const char *value)
 {
+    struct options *o = to;
     return option_text_size(value, SIZE_LIMIT, &o->width, &o->height);
 }
 
-static bool set_frames(struct options *o, const char *value)
+static bool set_frames(void *to, const char *value)
 {
+    struct options *o = to;
     return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
 }
 
-static bool set_start(struct options *o, const char *value)
+static bool set_start(void *to, const char *value)
 {
+    struct options *o = to;
     return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
 }
 
-static bool set_rotate(struct options *o, const char *value)
+static bool set_rotate(void *to, const char *value)
 {
+    struct options *o = to;
     static const char *const names[] = {"0", "90", "180", "270"};
     const int turns = option_text_choice(value, names, 4);
     o->rotate = (uint8_t)(turns & 3);
@@ -87,8 +90,9 @@ static bool set_rotate(struct options *o, const char *value)
     return turns >= 0;
 }
 
-static bool set_band(struct options *o, const char *value)
+static bool set_band(void *to, const char *value)
 {
+    struct options *o = to;
     uint32_t lines;
     if (!option_text_u32(value, 1, SIZE_LIMIT, &lines)) {
         return false;
@@ -98,8 +102,9 @@ static bool set_band(struct options *o, const char *value)
 }
 
 /* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
-static bool set_camera(struct options *o, const char *value)
+static bool set_camera(void *to, const char *value)
 {
+    struct options *o = to;
     static const char *const keys[] = {"eye=", "target=", "up="};
     struct fx_vec3 *const vectors[] = {&o->eye, &o->target, &o->up};
     bool seen[3] = {false, false, false};
@@ -131,23 +136,27 @@ static bool set_distance(struct options *o, fx_t *out, const char *value)
     return option_text_fx(value, out, &rest) && *rest == '\0';
 }
 
-static bool set_fov(struct options *o, const char *value)
+static bool set_fov(void *to, const char *value)
 {
+    struct options *o = to;
     return set_distance(o, &o->fov_deg, value) && o->fov_deg > 0 && o->fov_deg <= FX_INT(240);
 }
 
-static bool set_near(struct options *o, const char *value)
+static bool set_near(void *to, const char *value)
 {
+    struct options *o = to;
     return set_distance(o, &o->near_z, value);
 }
 
-static bool set_far(struct options *o, const char *value)
+static bool set_far(void *to, const char *value)
 {
+    struct options *o = to;
     return set_distance(o, &o->far_z, value);
 }
 
-static bool set_projection(struct options *o, const char *value)
+static bool set_projection(void *to, const char *value)
 {
+    struct options *o = to;
     static const char *const names[] = {"perspective", "frustum", "ortho", "fisheye"};
     char kind[16] = "";
     const size_t n = strcspn(value, "=");
@@ -162,8 +171,9 @@ static bool set_projection(struct options *o, const char *value)
     return !o->window_set || (option_text_fx_list(value + n + 1, o->window, 4, &value) && *value == '\0');
 }
 
-static bool set_convention(struct options *o, const char *value)
+static bool set_convention(void *to, const char *value)
 {
+    struct options *o = to;
     static const char *const names[] = {[PH_GL] = "gl", [PH_D3D] = "d3d", [PH_LMU] = "lmu", [PH_REVERSED] = "reversed"};
     const int convention = option_text_choice(value, names, 4);
     o->convention = (uint8_t)(convention & 3);
@@ -179,52 +189,59 @@ const char *options_depth_name(uint8_t format)
     return depth_names[format];
 }
 
-static bool set_depth(struct options *o, const char *value)
+static bool set_depth(void *to, const char *value)
 {
+    struct options *o = to;
     const int format = option_text_choice(value, depth_names, PH_DEPTH_FORMATS);
     o->depth = (uint8_t)(format >= 0 ? format : 0);
     return format >= 0;
 }
 
-static bool set_overlay(struct options *o, const char *value)
+static bool set_overlay(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     return o->overlay = true;
 }
 
-static bool set_crc(struct options *o, const char *value)
+static bool set_crc(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     return o->crc = true;
 }
 
-static bool set_matrix(struct options *o, const char *value)
+static bool set_matrix(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     return o->matrix = true;
 }
 
-static bool set_stats(struct options *o, const char *value)
+static bool set_stats(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     return o->stats = true;
 }
 
-static bool set_list(struct options *o, const char *value)
+static bool set_list(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     o->action = OPTION_LIST;
     return true;
 }
 
-static bool set_help(struct options *o, const char *value)
+static bool set_help(void *to, const char *value)
 {
+    struct options *o = to;
     (void)value;
     o->action = OPTION_HELP;
     return true;
 }
 
-static const struct option option_table[] = {
+static const struct option_row rows[] = {
     {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows", set_demo},
     {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows", set_view},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file", set_model},
@@ -283,30 +300,14 @@ static const struct option option_table[] = {
     {"help", NULL, "prints this, as does -h", NULL, set_help},
 };
 
-#define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
 void options_help(void)
 {
     puts("pinhole-sim [options]: draws a scene through a display kit's driver into a model of its display\n"
          "controller, and shows what the glass shows.\n");
-    for (size_t i = 0; i < OPTION_COUNT; i++) {
-        const struct option *p = &option_table[i];
-        printf("  --%s%s%s\n        %s\n", p->name, p->argument ? " " : "", p->argument ? p->argument : "", p->help);
-        if (p->allowed != NULL) {
-            printf("        takes: %s\n", p->allowed);
-        }
-    }
+    option_table_help(&table);
     puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
-}
-
-static const struct option *find_option(const char *name, size_t length)
-{
-    for (size_t i = 0; i < OPTION_COUNT; i++) {
-        if (strlen(option_table[i].name) == length && memcmp(option_table[i].name, name, length) == 0) {
-            return &option_table[i];
-        }
-    }
-    return NULL;
 }
 
 static int check_together(const struct options *o)
@@ -332,40 +333,11 @@ static int check_together(const struct options *o)
     return 0;
 }
 
-/* Reads argv[i] and its value; returns the index of the next option, or 0 when it was wrong. */
-static int read_one(struct options *o, int argc, char *const argv[], int i)
-{
-    const char *text = strcmp(argv[i], "-h") == 0 ? "--help" : argv[i];
-    const size_t length = strcspn(text, "=");
-    const struct option *p = strncmp(text, "--", 2) == 0 && length > 2 ? find_option(text + 2, length - 2) : NULL;
-    if (p == NULL) {
-        complain(EXIT_USAGE, "%s: no such option; --help lists them", text);
-        return 0;
-    }
-    const char *value = text[length] == '=' ? text + length + 1 : NULL;
-    if (p->argument == NULL && value != NULL) {
-        complain(EXIT_USAGE, "--%s takes no value", p->name);
-        return 0;
-    }
-    if (p->argument != NULL && value == NULL) {
-        value = ++i < argc ? argv[i] : NULL;
-        if (value == NULL) {
-            complain(EXIT_USAGE, "--%s needs a value: %s", p->name, p->argument);
-            return 0;
-        }
-    }
-    if (!p->set(o, value)) {
-        complain(EXIT_USAGE, "--%s '%s': must be %s", p->name, value, p->allowed);
-        return 0;
-    }
-    return i + 1;
-}
-
 int options_read(struct options *o, int argc, char *const argv[])
 {
     *o = (struct options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
-        i = read_one(o, argc, argv, i);
+        i = option_table_read(&table, o, argc, argv, i);
         if (i == 0) {
             return EXIT_USAGE;
         }
