@@ -1,0 +1,190 @@
+/* kit: two buffers and an asynchronous bus, memory as it is given, select and what fits. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "kit.h"
+#include "sim.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A bus that looks at a buffer only when it has to give it back: whoever changed it before is seen. */
+struct late_bus {
+    struct sim *sim;
+    struct hal below;
+    const uint8_t *bytes;
+    uint8_t copy[65536];
+    size_t n;
+    uint32_t held; /* writes of pixels that were under way when the next came */
+    uint32_t buttons;
+};
+
+static void give_back(struct late_bus *bus)
+{
+    if (bus->n > 0) {
+        assert_memory_equal(bus->bytes, bus->copy, bus->n);
+        bus->n = 0;
+    }
+}
+
+static int late_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    struct late_bus *bus = context;
+    bus->held += bus->n > 1000 && n > 1000;
+    assert_true(bus->n < 1000 || bytes + n <= bus->bytes || bytes >= bus->bytes + bus->n);
+    give_back(bus);
+    assert_true(n <= sizeof bus->copy);
+    memcpy(bus->copy, bytes, n);
+    bus->bytes = bytes;
+    bus->n = n;
+    return bus->below.ops->bus_write(bus->below.context, dc, bytes, n);
+}
+
+static int late_wait(void *context)
+{
+    give_back(context);
+    return HAL_OK;
+}
+
+static int32_t late_clock(void *context, uint32_t hz)
+{
+    const struct late_bus *bus = context;
+    return bus->below.ops->bus_clock(bus->below.context, hz);
+}
+
+static int late_pin(void *context, enum hal_pin pin, bool level)
+{
+    const struct late_bus *bus = context;
+    return bus->below.ops->pin_set(bus->below.context, pin, level);
+}
+
+static void late_delay(void *context, uint32_t us)
+{
+    const struct late_bus *bus = context;
+    bus->below.ops->delay_us(bus->below.context, us);
+}
+
+static uint32_t late_buttons(void *context)
+{
+    const struct late_bus *bus = context;
+    return bus->buttons;
+}
+
+static const struct hal_ops late_ops = {.name = "late",
+                                        .bus_clock = late_clock,
+                                        .bus_write = late_write,
+                                        .bus_wait = late_wait,
+                                        .pin_set = late_pin,
+                                        .delay_us = late_delay,
+                                        .buttons = late_buttons};
+
+struct stage {
+    struct late_bus bus;
+    struct hal hal;
+    struct kit kit;
+    struct kit_config config;
+};
+
+static struct stage *stage_open(const struct board *board, uint32_t budget, int expected)
+{
+    struct stage *s = calloc(1, sizeof *s);
+    assert_non_null(s);
+    s->bus.sim = sim_open(board, &s->bus.below);
+    s->hal = (struct hal){&late_ops, &s->bus};
+    s->config = (struct kit_config){.board = board,
+                                    .rotation = board->rotation,
+                                    .band_height = board->band_height,
+                                    .budget_bytes = budget,
+                                    .demo = demo_find("cube")};
+    s->config.memory_bytes = kit_bytes(&s->config);
+    s->config.memory = malloc(s->config.memory_bytes); /* to the byte: a sanitizer sees more */
+    assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), expected);
+    return s;
+}
+
+static void stage_close(struct stage *s)
+{
+    sim_close(s->bus.sim);
+    free(s->config.memory);
+    free(s);
+}
+
+static void no_buffer_is_touched_while_it_is_sent(void **state)
+{
+    (void)state;
+    struct stage *s = stage_open(board_find("waveshare-pico-lcd-1in3"), kit_budget(board_find("pico-display")), 0);
+    for (uint32_t frame = 0; frame < 5; frame++) {
+        assert_int_equal(kit_frame(&s->kit, frame), 0);
+    }
+    assert_int_equal(kit_finish(&s->kit), 0);
+    assert_true(s->bus.held >= 5 * 13); /* 15 bands a frame: each was drawn while the one before was sent */
+    assert_int_equal(kit_close(&s->kit), 0);
+    assert_int_equal(sim_complaint_count(s->bus.sim), 0);
+    stage_close(s);
+}
+
+/* 64 KB: neither the torus' meshes nor the icosphere's fit beside the bands. */
+static void select_takes_the_next_demo_that_fits(void **state)
+{
+    (void)state;
+    const struct board *board = board_find("lm3s6965evb");
+    struct stage *s = stage_open(board, kit_budget(board), 0);
+    for (uint32_t i = 0; i < 2 * demo_count; i++) {
+        s->bus.buttons = i % 2 == 0 ? HAL_BUTTON_SELECT : 0;
+        assert_int_equal(kit_frame(&s->kit, i), 0);
+        assert_true(strcmp(s->kit.demo->name, "icosphere") != 0 && strcmp(s->kit.demo->name, "torus") != 0);
+    }
+    stage_close(s);
+}
+
+static void a_button_that_is_held_selects_once(void **state)
+{
+    (void)state;
+    struct stage *s = stage_open(board_find("pico-display"), kit_budget(board_find("pico-display")), 0);
+    s->bus.buttons = HAL_BUTTON_SELECT;
+    assert_int_equal(kit_frame(&s->kit, 0), 0);
+    const struct demo *first = s->kit.demo;
+    assert_int_equal(kit_frame(&s->kit, 1), 0);
+    assert_ptr_equal(s->kit.demo, first);
+    assert_ptr_not_equal(s->kit.demo, demo_find("cube"));
+    stage_close(s);
+}
+
+static void too_little_memory_is_refused(void **state)
+{
+    (void)state;
+    stage_close(stage_open(board_find("pico-display"), 30000, PH_ERR_NOMEM)); /* bands, no scene */
+    stage_close(stage_open(board_find("pico-display"), 1000, PH_ERR_NOMEM));
+}
+
+static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
+{
+    (void)state;
+    uint32_t dropped = UINT32_MAX;
+    for (uint32_t budget = 30000; dropped > 0; budget += 30000) {
+        struct stage *s = stage_open(board_find("lm3s6965evb"), budget, 0);
+        while (strcmp(s->kit.demo->name, "fisheye") != 0) {
+            assert_int_equal(kit_buttons(&s->kit, HAL_BUTTON_SELECT), 0);
+            assert_int_equal(kit_buttons(&s->kit, 0), 0);
+        }
+        assert_int_equal(kit_frame(&s->kit, 0), 0);
+        assert_true(s->kit.renderer.stats.triangles_dropped < dropped);
+        dropped = s->kit.renderer.stats.triangles_dropped;
+        assert_true((budget == 30000) <= (dropped > 0)); /* the first has too little */
+        stage_close(s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
+        cmocka_unit_test(select_takes_the_next_demo_that_fits),
+        cmocka_unit_test(a_button_that_is_held_selects_once),
+        cmocka_unit_test(too_little_memory_is_refused),
+        cmocka_unit_test(a_smaller_budget_leaves_out_more_and_counts_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
