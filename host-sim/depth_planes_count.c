@@ -7,6 +7,7 @@
 
 #define PLACES   24     /* tried for each separation */
 #define SIDE_PX  12.0   /* half the side of a small plane */
+#define MARGIN   1.25   /* room for a separation, and for moving in front */
 #define STEP     0.0625 /* log2 of a step of the sweep */
 #define UP_MAX   128    /* steps above S_min that are tried before giving up */
 #define DOWN_MAX 192    /* steps below it */
@@ -55,11 +56,11 @@ static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_
 {
     const struct depth_lab *lab = canvas->lab;
     const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, at_m), at_m / 16);
-    const double most = SIDE_PX * pixel, margin = 1.25; /* room for a separation, and for moving in front */
+    const double most = SIDE_PX * pixel;
     struct planes_place place = planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
     const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
-    const double low = i % 2 == 0 ? fmax(-most, place.slope_low / margin) : place.slope_low / margin;
-    const double high = i % 2 == 0 ? fmin(most, place.slope_high / margin) : place.slope_high / margin;
+    const double low = i % 2 == 0 ? fmax(-most, place.slope_low / MARGIN) : place.slope_low / MARGIN;
+    const double high = i % 2 == 0 ? fmin(most, place.slope_high / MARGIN) : place.slope_high / MARGIN;
     place.slope_low = tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : 0;
     place.slope_high = tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.7548776662);
     place.slope_side = side - pixel * spread(i, 0.8191725134);
@@ -127,7 +128,7 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
     const double lean = tan(depth_radians(fabs(tilt_deg))), tan_phi = tan_phi_max(lab);
     const struct planes_place whole = planes_whole(lab, at_m, fabs(tilt_deg), 0);
     const double pixel = depth_pixel_slope(lab);
-    for (int row = 0; - row * pixel >= whole.slope_low; row++) {
+    for (int row = 0; row * pixel <= -whole.slope_low / MARGIN; row++) {
         const double slope = -row * pixel;
         const double z = at_m / (1 - slope * lean), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
