@@ -46,7 +46,7 @@ int main(void)
     static uint8_t seen[SIDE * SIDE * 3];
     uint32_t bins[BANDS], red = 0;
     const struct ph_config config = {SIDE, SIDE, BAND, PH_DEPTH_FIXED16, malloc(3 * ph_vertex_bytes), 3,
-                                     malloc(ph_triangle_bytes), 1, bins, BANDS, depth};
+                                     malloc(ph_triangle_bytes), 1, bins, BANDS, depth, NULL, NULL};
     struct ph_projection lens;
     struct ph_renderer r;
     struct hal hal;
@@ -89,7 +89,7 @@ links_exist() {
 targets_exist() {
     local target
     while read -r target; do
-        grep -q "^$target:.*##" Makefile || { echo "make $target" && return 1; }
+        grep -qh "^$target:.*##" Makefile firmware/firmware.mk || { echo "make $target" && return 1; }
     done < <(grep -oE '(^|`)make [a-z][a-z-]*' README.md | cut -d' ' -f2 | sort -u)
 }
 
