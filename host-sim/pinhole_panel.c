@@ -245,23 +245,25 @@ static int probe(struct stage *stage, const struct panel_options *o)
         return status;
     }
     const struct panel_display *d = &stage->displays[0];
-    if (!d->board->pins.data_in.wired) {
+    const struct board *board = &stage->kits[0].board;
+    const struct hal *hal = &stage->kits[0].hal;
+    if (!board->pins.data_in.wired) {
         return complain(EXIT_FAILED,
                         "%s: this kit has no data line back (MISO): its display cannot be asked; try "
                         "`pinhole-panel testcard`",
-                        d->board->name);
+                        board->name);
     }
     struct panel_answers answers;
-    status = d->hal.ops->open(d->hal.context, d->board);
+    status = hal->ops->open(hal->context, board);
     if (status == 0) {
-        status = panel_probe_read(&d->hal, d->board, &answers);
+        status = panel_probe_read(hal, board, &answers);
         if (status < 0) {
-            complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
+            complain(EXIT_FAILED, "%s: %s", board->name, panel_show_text(d, status));
         }
-        d->hal.ops->close(d->hal.context);
-        return status < 0 ? EXIT_FAILED : tell_controller(d->board, &answers);
+        hal->ops->close(hal->context);
+        return status < 0 ? EXIT_FAILED : tell_controller(board, &answers);
     }
-    return complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
+    return complain(EXIT_FAILED, "%s: %s", board->name, panel_show_text(d, status));
 }
 
 static int list(void)

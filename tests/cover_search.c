@@ -18,7 +18,7 @@ struct search {
     struct cover_costs costs;
     uint32_t *best; /* of every rectangle */
     uint32_t sums[(COVER_SIDE_MAX + 1) * (COVER_SIDE_MAX + 1)];
-    struct rect rects[RECTS_MAX], trial[RECTS_MAX], sorted[RECTS_MAX];
+    struct rect rects[RECTS_MAX], trial[RECTS_MAX + 2], sorted[RECTS_MAX];
     int count, trial_count;
     uint32_t random;
 };
@@ -106,20 +106,21 @@ static bool find_cut(const struct search *s, const struct rect *r, struct rect p
     return false;
 }
 
-static void trace(struct search *s, struct rect r)
+/* The rectangles of the best cover; `trial` is a stack of those that are still to be cut. */
+static void trace(struct search *s)
 {
-    struct rect part[2];
-    const uint32_t whole =
-        2 * s->costs.border + s->costs.start + s->costs.pixel * (uint32_t)((r.x1 - r.x0) * (r.y1 - r.y0));
-    if (*best_of(s, r.x0, r.x1, r.y0, r.y1) == 0) {
-        return;
+    const struct cover_costs *c = &s->costs;
+    s->trial[0] = (struct rect){0, s->width, 0, s->height};
+    for (int open = 1; open > 0;) {
+        const struct rect r = s->trial[--open];
+        const uint32_t best = *best_of(s, r.x0, r.x1, r.y0, r.y1);
+        const uint32_t whole = 2 * c->border + c->start + c->pixel * (uint32_t)((r.x1 - r.x0) * (r.y1 - r.y0));
+        if (best != 0 && best < whole && find_cut(s, &r, &s->trial[open])) {
+            open += 2;
+        } else if (best != 0) {
+            s->rects[s->count++] = r;
+        }
     }
-    if (*best_of(s, r.x0, r.x1, r.y0, r.y1) < whole && find_cut(s, &r, part)) {
-        trace(s, part[0]);
-        trace(s, part[1]);
-        return;
-    }
-    s->rects[s->count++] = r;
 }
 
 /* ---- annealing ------------------------------------------------------------------------------------ */
@@ -273,7 +274,7 @@ uint32_t cover_search(const uint8_t *changed, uint32_t width, uint32_t height, c
     s->best = calloc(w * w * h * h, sizeof *s->best);
     sum_up(s);
     fill_best(s);
-    trace(s, (struct rect){0, s->width, 0, s->height});
+    trace(s);
     if (s->count > 0) {
         found = anneal(s, steps);
     }
