@@ -117,14 +117,14 @@ size_t kit_bytes(const struct kit_config *config)
     return (size_t)(picture_bytes(&p) + most);
 }
 
-static int open_panel(struct kit *kit, const struct picture *p, uint8_t *wire)
+static int open_panel(struct kit *kit, const struct picture *p)
 {
     const struct board *board = kit->config.board;
     const struct panel_config config = {.panel = board->panel,
                                         .rotation = kit->config.rotation,
                                         .format = board->format,
                                         .clock_hz = kit->config.clock_hz != 0 ? kit->config.clock_hz : board->spi_hz,
-                                        .scratch = p->wire_bytes > 0 ? wire : NULL,
+                                        .scratch = p->wire_bytes > 0 ? (uint8_t *)kit->bins + p->bin_bytes : NULL,
                                         .scratch_bytes = p->wire_bytes};
     return panel_open(&kit->driver, &kit->hal, &config);
 }
@@ -194,7 +194,7 @@ int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *co
     kit->bins = (uint32_t *)(void *)(next + p.depth_bytes);
     kit->scene = next + p.depth_bytes + p.bin_bytes + p.wire_bytes;
     const int status = open_scene(kit, config->demo);
-    return status == PH_OK ? open_panel(kit, &p, next + p.depth_bytes + p.bin_bytes) : status;
+    return status == PH_OK ? open_panel(kit, &p) : status;
 }
 
 /* A demo that is not on the list, e.g. a model's, stands before the first. */
@@ -248,8 +248,9 @@ static void draw_overlay(const struct kit *kit, uint32_t band, uint16_t *pixels,
     const uint32_t us =
         panel_frame_us(board->panel, board->format, kit->config.rotation, (uint32_t)kit->driver.clock_hz);
     ph_overlay_stats(text, us, kit->renderer.stats.triangles_drawn);
-    const struct ph_overlay_band over = {pixels, width, (int32_t)(band * kit->renderer.config.band_height),
-                                         (int32_t)lines};
+    struct ph_overlay_band over = {
+        .width = width, .y0 = (int32_t)(band * kit->renderer.config.band_height), .lines = (int32_t)lines};
+    over.pixels = pixels;
     const uint8_t scale = ph_overlay_width(text, 2) + 8 <= width ? 2 : 1;
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), scale};
     ph_overlay_text(&over, 2 * scale, 2 * scale, text, &style);
