@@ -15,7 +15,7 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
 # All that firmware may take from libgcc and libc: integer arithmetic and plain memory.
-allowed='^(__aeabi_(lmul|u?idiv|u?idivmod|u?ldivmod|llsl|llsr|lasr|u?lcmp|mem(cpy|set|clr|move)[48]?)|__gnu_thumb1_case_[a-z]+|__clz[sd]i2|mem(cpy|set|move|cmp)|str(cmp|len))$'
+allowed='^(__aeabi_(lmul|u?idiv|u?idivmod|u?ldivmod|llsl|llsr|lasr|u?lcmp|mem(cpy|set|clr|move)[48]?)|__gnu_thumb1_case_[a-z]+|__c[lt]z[sd]i2|mem(cpy|set|move|cmp)|str(cmp|len))$'
 
 foreign_symbols() { # objects: what is used but not defined in them, nor allowed
     arm-none-eabi-ld -r -o "$dir/all.o" "$@" && arm-none-eabi-nm -u "$dir/all.o" | awk '{ print $2 }' | grep -vE "$allowed"
