@@ -1,0 +1,315 @@
+/* What pinhole-flash takes for an image of an RP2040, and every line with which it refuses another. */
+#define _POSIX_C_SOURCE 200809L
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "flash_image.h"
+#include "uf2_make.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { BYTES = 5 * 1024, BLOCKS = BYTES / 256, FILE_BYTES = 2 * BYTES };
+
+static uint8_t bin[BYTES], file[FILE_BYTES + UF2_BLOCK];
+
+static int setup(void **state)
+{
+    (void)state;
+    uf2_make_bin(bin, BYTES, 1);
+    uf2_make(file, bin, BYTES);
+    return 0;
+}
+
+static uint8_t *block(uint32_t index)
+{
+    return file + (size_t)index * UF2_BLOCK;
+}
+
+static void refuses(size_t n, const char *line)
+{
+    struct flash_image image;
+    char error[FLASH_ERROR_SIZE] = "";
+    assert_int_equal(flash_image_parse(&image, file, n, error), -1);
+    assert_string_equal(error, line);
+    assert_null(image.bytes);
+    assert_null(image.used);
+}
+
+/* A field of a block is changed: this line; and back. */
+static void refuses_field(uint32_t index, int field, uint32_t value, const char *line)
+{
+    const uint32_t was = uf2_get(block(index) + field);
+    uf2_put(block(index) + field, value);
+    refuses(FILE_BYTES, line);
+    uf2_put(block(index) + field, was);
+}
+
+static void accepts(const uint8_t *bytes, size_t n, struct flash_image *image)
+{
+    char error[FLASH_ERROR_SIZE] = "";
+    if (flash_image_parse(image, bytes, n, error) != 0) {
+        fail_msg("%s", error);
+    }
+}
+
+/* ---- what is right ------------------------------------------------------------------------------ */
+
+static void assert_is_bin(const struct flash_image *image)
+{
+    assert_int_equal(image->sectors, 2);
+    assert_int_equal(image->size, BYTES);
+    assert_int_equal(image->used[0], 1);
+    assert_int_equal(image->used[1], 1);
+    assert_memory_equal(image->bytes, bin, BYTES);
+    for (uint32_t i = BYTES; i < 2 * FLASH_SECTOR; i++) {
+        assert_int_equal(image->bytes[i], 0xFF);
+    }
+}
+
+static void a_uf2_is_its_payload(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    accepts(file, FILE_BYTES, &image);
+    assert_is_bin(&image);
+    flash_image_free(&image);
+    assert_null(image.bytes);
+}
+
+static void a_bin_is_itself(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    accepts(bin, BYTES, &image);
+    assert_is_bin(&image);
+    flash_image_free(&image);
+}
+
+static void blocks_come_in_any_order(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    uint8_t other[UF2_BLOCK];
+    for (uint32_t i = 0; i < BLOCKS / 2; i++) {
+        memcpy(other, block(i), UF2_BLOCK);
+        memcpy(block(i), block(BLOCKS - 1 - i), UF2_BLOCK);
+        memcpy(block(BLOCKS - 1 - i), other, UF2_BLOCK);
+    }
+    accepts(file, FILE_BYTES, &image);
+    assert_is_bin(&image);
+    flash_image_free(&image);
+}
+
+static void blocks_that_are_not_for_the_flash_are_left_out(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    uf2_put(block(18) + UF2_FLAGS, 0x2001);
+    uf2_put(block(18) + UF2_ADDRESS, 0x20000000);
+    accepts(file, FILE_BYTES, &image);
+    assert_int_equal(image.size, BYTES - 256);
+    for (uint32_t i = 18 * 256; i < 19 * 256; i++) {
+        assert_int_equal(image.bytes[i], 0xFF);
+    }
+    assert_memory_equal(image.bytes + 19 * 256, bin + 19 * 256, 256);
+    flash_image_free(&image);
+}
+
+static void sectors_without_a_block_are_not_used(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    uf2_put(block(BLOCKS - 1) + UF2_ADDRESS, 0x10FFFF00);
+    accepts(file, FILE_BYTES, &image);
+    assert_int_equal(image.sectors, 4096);
+    for (uint32_t i = 0; i < 4096; i++) {
+        assert_int_equal(image.used[i], i < 2 || i == 4095);
+    }
+    assert_memory_equal(image.bytes + FLASH_SPAN - 256, bin + BYTES - 256, 256);
+    flash_image_free(&image);
+}
+
+static void data_alone_needs_no_boot2(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    for (uint32_t i = 0; i < BLOCKS; i++) {
+        uf2_put(block(i) + UF2_ADDRESS, 0x10100000 + 256 * i);
+    }
+    accepts(file, FILE_BYTES, &image);
+    assert_int_equal(image.used[0], 0);
+    assert_memory_equal(image.bytes + 0x100000, bin, BYTES);
+    flash_image_free(&image);
+}
+
+/* What follows the payload, tags of the specification say, is not looked at. */
+static void padding_is_ignored(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    uf2_put(block(3) + UF2_FLAGS, 0xA000);
+    memset(block(3) + UF2_DATA + 256, 0x55, 476 - 256);
+    accepts(file, FILE_BYTES, &image);
+    assert_is_bin(&image);
+    flash_image_free(&image);
+}
+
+/* ---- what is wrong ------------------------------------------------------------------------------ */
+
+static void magic_numbers(void **state)
+{
+    (void)state;
+    refuses_field(0, UF2_MAGIC_0, 0, "damaged: block 0 has wrong magic numbers");
+    refuses_field(7, UF2_MAGIC_0, 0x0A324654, "damaged: block 7 has wrong magic numbers");
+    refuses_field(7, UF2_MAGIC_1, 0x9E5D5156, "damaged: block 7 has wrong magic numbers");
+    refuses_field(19, UF2_MAGIC_END, 0, "damaged: block 19 has wrong magic numbers");
+}
+
+static void truncated_files(void **state)
+{
+    (void)state;
+    refuses(FILE_BYTES - 1, "truncated: 10239 bytes are no multiple of 512");
+    refuses(100, "truncated: 100 bytes are no multiple of 512");
+    refuses(FILE_BYTES - UF2_BLOCK, "truncated: block 0 says that there are 20 blocks, the file has 19");
+    refuses(UF2_BLOCK, "truncated: block 0 says that there are 20 blocks, the file has 1");
+    refuses(0, "the file is empty");
+}
+
+static void block_numbers_and_totals(void **state)
+{
+    (void)state;
+    refuses_field(4, UF2_TOTAL, 21, "truncated: block 4 says that there are 21 blocks, the file has 20");
+    refuses_field(4, UF2_TOTAL, 19, "damaged: block 4 says that there are 19 blocks, the file has 20");
+    refuses_field(4, UF2_TOTAL, 0, "damaged: block 4 says that there are 0 blocks, the file has 20");
+    refuses_field(4, UF2_NUMBER, 20, "damaged: block 4 has the number 20 of 20");
+    refuses_field(4, UF2_NUMBER, 0xFFFFFFFF, "damaged: block 4 has the number 4294967295 of 20");
+    refuses_field(4, UF2_NUMBER, 3, "damaged: block 4 has the number 3, which another one has");
+    memcpy(block(BLOCKS), block(0), UF2_BLOCK);
+    refuses(FILE_BYTES + UF2_BLOCK, "damaged: block 0 says that there are 20 blocks, the file has 21");
+}
+
+static void sizes_and_places(void **state)
+{
+    (void)state;
+    refuses_field(2, UF2_SIZE, 476, "damaged: block 2 has 476 bytes, an RP2040 takes 256 a block");
+    refuses_field(2, UF2_SIZE, 0, "damaged: block 2 has 0 bytes, an RP2040 takes 256 a block");
+    refuses_field(2, UF2_SIZE, 0xFFFFFFFF, "damaged: block 2 has 4294967295 bytes, an RP2040 takes 256 a block");
+    refuses_field(2, UF2_ADDRESS, 0x10000201, "damaged: block 2 is for address 0x10000201, no multiple of 256");
+    refuses_field(2, UF2_ADDRESS, 0x20000000,
+                  "block 2 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)");
+    refuses_field(2, UF2_ADDRESS, 0x11000000,
+                  "block 2 is for address 0x11000000, outside of the flash (0x10000000 to 0x10ffffff)");
+    refuses_field(2, UF2_ADDRESS, 0x0FFFFF00,
+                  "block 2 is for address 0x0fffff00, outside of the flash (0x10000000 to 0x10ffffff)");
+    refuses_field(2, UF2_ADDRESS, 0x10000100, "damaged: block 2 overlaps another one at address 0x10000100");
+}
+
+static void families(void **state)
+{
+    (void)state;
+    refuses_field(0, UF2_FAMILY, 0x57755A57, "for STM32F4 (family 0x57755a57), not for an RP2040 (0xe48bff56)");
+    refuses_field(9, UF2_FAMILY, 0xE48BFF59, "for RP2350 (family 0xe48bff59), not for an RP2040 (0xe48bff56)");
+    refuses_field(9, UF2_FAMILY, 7, "for another chip (family 0x00000007), not for an RP2040 (0xe48bff56)");
+    refuses_field(9, UF2_FLAGS, 0, "block 9 does not say for which chip it is; an RP2040 would ignore it");
+    refuses_field(9, UF2_FLAGS, 0x3000, "block 9 is of a file container, not of a flash image");
+    for (uint32_t i = 0; i < BLOCKS; i++) {
+        uf2_put(block(i) + UF2_FLAGS, 0x2001);
+    }
+    refuses(FILE_BYTES, "no block is for the flash");
+}
+
+static const char no_boot2[] = "no image for an RP2040: its first 256 bytes (boot2) have a wrong checksum";
+
+static void an_image_without_boot2_would_not_start(void **state)
+{
+    (void)state;
+    block(0)[UF2_DATA + 251] ^= 1;
+    refuses(FILE_BYTES, no_boot2);
+    block(0)[UF2_DATA + 251] ^= 1;
+    block(0)[UF2_DATA + 255] ^= 0x80;
+    refuses(FILE_BYTES, no_boot2);
+    memcpy(file, bin, BYTES);
+    file[0] ^= 1;
+    refuses(BYTES, no_boot2);
+}
+
+static void files_of_other_kinds(void **state)
+{
+    (void)state;
+    snprintf((char *)file, BYTES, "\177ELF\1\1\1");
+    refuses(BYTES, "an ELF file, which is for debuggers; give the .uf2 or .bin beside it");
+    snprintf((char *)file, BYTES, ":020000041000EA\r\n");
+    refuses(BYTES, "looks like Intel HEX; give a UF2 or BIN file");
+    memcpy(file, bin, BYTES);
+    refuses(255, "255 bytes are no image: not even boot2, its first 256, is whole");
+}
+
+static void a_bin_larger_than_the_address_space(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    char error[FLASH_ERROR_SIZE];
+    uint8_t *large = calloc(FLASH_SPAN + 1, 1);
+    assert_non_null(large);
+    memcpy(large, bin, 256);
+    assert_int_equal(flash_image_parse(&image, large, FLASH_SPAN, error), 0);
+    assert_int_equal(image.sectors, 4096);
+    flash_image_free(&image);
+    assert_int_equal(flash_image_parse(&image, large, FLASH_SPAN + 1, error), -1);
+    assert_string_equal(error, "16777217 bytes do not fit into the flash: an RP2040 addresses 16777216");
+    free(large);
+}
+
+/* ---- files -------------------------------------------------------------------------------------- */
+
+static void files_are_read_whole(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/pinhole-uf2-XXXXXX", error[FLASH_ERROR_SIZE] = "";
+    struct flash_image image;
+    const int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    assert_int_equal(write(fd, file, FILE_BYTES), FILE_BYTES);
+    assert_int_equal(flash_image_read(&image, path, error), 0);
+    assert_is_bin(&image);
+    flash_image_free(&image);
+    assert_int_equal(ftruncate(fd, 64L << 20), 0); /* a hole: takes no room */
+    close(fd);
+    assert_int_equal(flash_image_read(&image, path, error), -1);
+    assert_string_equal(error, "too large for an image: more than 67108864 bytes");
+    assert_null(image.bytes);
+    unlink(path);
+    assert_int_equal(flash_image_read(&image, path, error), -1);
+    assert_string_equal(error, "cannot be opened: No such file or directory");
+    assert_int_equal(flash_image_read(&image, "/tmp", error), -1);
+    assert_string_equal(error, "cannot be read: Is a directory");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(a_uf2_is_its_payload, setup),
+        cmocka_unit_test_setup(a_bin_is_itself, setup),
+        cmocka_unit_test_setup(blocks_come_in_any_order, setup),
+        cmocka_unit_test_setup(blocks_that_are_not_for_the_flash_are_left_out, setup),
+        cmocka_unit_test_setup(sectors_without_a_block_are_not_used, setup),
+        cmocka_unit_test_setup(data_alone_needs_no_boot2, setup),
+        cmocka_unit_test_setup(padding_is_ignored, setup),
+        cmocka_unit_test_setup(magic_numbers, setup),
+        cmocka_unit_test_setup(truncated_files, setup),
+        cmocka_unit_test_setup(block_numbers_and_totals, setup),
+        cmocka_unit_test_setup(sizes_and_places, setup),
+        cmocka_unit_test_setup(families, setup),
+        cmocka_unit_test_setup(an_image_without_boot2_would_not_start, setup),
+        cmocka_unit_test_setup(files_of_other_kinds, setup),
+        cmocka_unit_test_setup(a_bin_larger_than_the_address_space, setup),
+        cmocka_unit_test_setup(files_are_read_whole, setup),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
