@@ -1,20 +1,25 @@
 #!/usr/bin/env bash
-# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f x86_64
+# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f x86_64 rp2040, all by default
 # Instructions a frame of the five scenes and what the same build's pictures are worth, next to the bars and the best
-# peer (bars.csv: both were measured once, on the same machine model, elsewhere). Leaves $B/bench.csv. Environment: B.
-set -eu
+# peer (bars.csv: both were measured once, on the same machine model, elsewhere); cycles on an emulated RP2040; how the
+# cost grows. Leaves $B/bench.csv, $B/bench-growth.csv, $B/bench-growth.png.
+# Environment: B; FORMATS (depth formats of the Cortex-M cores; all of them by default).
+set -euo pipefail
 cd "$(dirname "$0")/../.."
 export B=${B:-build}
-[ $# -gt 0 ] || set -- m0plus m3 m4f x86_64
+[ $# -gt 0 ] || set -- m0plus m3 m4f x86_64 rp2040
 dir=$B/bench
 rm -rf "$dir"
 mkdir -p "$dir"
+: >"$dir/lines"
+: >"$dir/rp2040"
 
 say() { [ ! -t 2 ] || printf 'bench: %s\n' "$1" >&2; }
 
 missing() { # core: what it needs and is not here
     case "$1" in
     x86_64) command -v valgrind >/dev/null || echo valgrind ;;
+    rp2040) for tool in node npm arm-none-eabi-gcc; do command -v $tool >/dev/null || echo $tool; done ;;
     *) command -v qemu-system-arm >/dev/null || echo qemu-system-arm
        command -v arm-none-eabi-gcc >/dev/null || echo gcc-arm-none-eabi ;;
     esac
@@ -25,11 +30,12 @@ for core in "$@"; do
     lack=$(missing "$core" | xargs)
     [ -z "$lack" ] || { echo "bench: $core is left out: apt-get install $lack" >&2 && continue; }
     say "$core"
-    if [ "$core" = x86_64 ]; then
-        for format in fixed16 float16; do tests/bench/run.sh x86_64 all $format; done
-    else
-        tests/bench/run.sh "$core" all all
-    fi | awk -v core="$core" 'NF == 5 && $1 ~ /^S/ { print core, $0 }' >>"$dir/lines"
+    if [ "$core" = rp2040 ]; then
+        hal/rp2040/emulate/speed.sh pico-display-2 >"$dir/rp2040"
+        continue
+    fi
+    if [ "$core" = x86_64 ]; then list='fixed16 float16'; else list=${FORMATS:-all}; fi
+    for format in $list; do tests/bench/run.sh "$core" all "$format"; done | awk -v core="$core" 'NF == 5 && $1 ~ /^S/ { print core, $0 }' >>"$dir/lines"
 done
 
 # The pictures are those of the simulator, on every core.
@@ -52,4 +58,8 @@ awk 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v * 16 + index
 say "quality"
 "$B/tests/test_quality" >"$dir/quality"
 
-awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/lines"
+awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/lines"
+case " $* " in *' m3 '*)
+    say "growth"
+    tests/bench/growth.sh m3 ;;
+esac

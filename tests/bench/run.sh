@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/run.sh m0plus|m3|m4f|x86_64 [SCENE|all [FORMAT|all]]
+#        PROGRAM=growth tests/bench/run.sh CORE      how the cost grows (growth.c)
 # Builds the benchmark for that core and runs it: one line a stage and frame, `SCENE FORMAT STAGE FRAME COUNT` (bench.c).
 # Exits 1 when the counter is wrong (a loop of 1,000,000 x 2 instructions must read 2,000,000). Environment: B.
 set -eu
 cd "$(dirname "$0")/../.."
-B=${B:-build} core=${1-} scene=${2:-all} format=${3:-all}
+B=${B:-build} program=${PROGRAM:-bench} core=${1-} scene=${2:-all} format=${3:-all}
 dir=$B/bench-$core
 case "$core" in
 m0plus) machine=mps2-an385 cpu=armv6m flags='-mcpu=cortex-m0plus -mthumb' ;;
 m3) machine=mps2-an385 cpu=armv7m flags='-mcpu=cortex-m3 -mthumb' ;;
 m4f) machine=mps2-an386 cpu=armv7m flags='-mcpu=cortex-m4 -mthumb -mfloat-abi=soft' ;;
 x86_64) machine='' cpu=portable flags='' ;;
-*) sed -n '2,4s/^# //p' "$0" >&2 && exit 2 ;;
+*) sed -n '2,3s/^# //p' "$0" >&2 && exit 2 ;;
 esac
 unset MAKEFLAGS
 mkdir -p "$dir"
 include="-Ifirmware/core/$cpu -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Itests/bench"
-wrap='-Wl,--wrap=ph_draw_mesh'
+wrap=
+[ "$program" != bench ] || wrap='-Wl,--wrap=ph_draw_mesh'
 
 objects() { # compiler, flags: builds them and prints their names
     make -s -j"$(nproc)" B="$dir" CC="$1" CPU="$cpu" CFLAGS="$2" firmware-objects >&2 || return 1
@@ -28,10 +30,10 @@ arm() {
     made=$(objects arm-none-eabi-gcc "$flags -O3 -ffunction-sections -fdata-sections") || exit 1
     mapfile -t list <<<"$made"
     # shellcheck disable=SC2086 # words
-    arm-none-eabi-gcc $flags -std=c11 -O2 $include -nostartfiles -Wl,--gc-sections $wrap -T tests/bench/bench.ld \
-        tests/bench/bench.c tests/bench/machine_arm.c "${list[@]}" -lc -lgcc -o "$dir/bench.elf"
+    arm-none-eabi-gcc $flags -std=c11 -O2 $include $wrap -nostartfiles -Wl,--gc-sections -T tests/bench/bench.ld \
+        "tests/bench/$program.c" tests/bench/machine_arm.c "${list[@]}" -lc -lgcc -o "$dir/$program.elf"
     timeout 300 qemu-system-arm -M "$machine" -icount shift=0 -display none -monitor none -serial stdio \
-        -semihosting-config "enable=on,target=native,arg=bench,arg=$scene,arg=$format" -kernel "$dir/bench.elf" </dev/null
+        -semihosting-config "enable=on,target=native,arg=bench,arg=$scene,arg=$format" -kernel "$dir/$program.elf" </dev/null
 }
 
 host() {
@@ -39,9 +41,9 @@ host() {
     made=$(objects "${CC:-gcc}" -O3) || exit 1
     mapfile -t list <<<"$made"
     # shellcheck disable=SC2086 # words
-    ${CC:-gcc} -std=c11 -O2 $include $wrap tests/bench/bench.c tests/bench/machine_host.c "${list[@]}" -o "$dir/bench"
+    ${CC:-gcc} -std=c11 -O2 $include $wrap "tests/bench/$program.c" tests/bench/machine_host.c "${list[@]}" -o "$dir/$program"
     rm -f "$dir"/counts.*
-    valgrind -q --tool=callgrind --callgrind-out-file="$dir/counts" "$dir/bench" "$scene" "$format" >"$dir/said"
+    valgrind -q --tool=callgrind --callgrind-out-file="$dir/counts" "$dir/$program" "$scene" "$format" >"$dir/said"
     awk -v dumps="$dir/counts." '
         $5 == "counted" {
             file = dumps (++n)

@@ -3,13 +3,12 @@
 BEGIN {
     split("m0plus m3 m4f x86_64", cores, " ")
     split("fixed16 float16 fixed24 float24 linear-w", formats, " ")
+    split("torus cube fill icosphere ground", demo, " ")
     split(".02 .02 .02 .02 .005", coverage_bar, " ")
     split("1.5e-5 1.5e-5 1.5e-5 1.5e-5 2e-5", depth_bar, " ")
 }
 
-FNR == 1 { file++ }
-
-file == 1 {
+FILENAME ~ /bars.csv$/ {
     split($0, word, ",")
     must[word[1], word[2]] = word[3]
     aim[word[1], word[2]] = word[4]
@@ -18,10 +17,18 @@ file == 1 {
     next
 }
 
-file == 2 { # S1 torus demo fixed16 0.0033 % 0 0 4.61e-06 5.20e-05 0.000 % 2.13
+FILENAME ~ /quality$/ { # S1 torus demo fixed16 0.0033 % 0 0 4.61e-06 5.20e-05 0.000 % 2.13
     if ($1 ~ /^S[1-5]$/ && $3 == "demo") {
         coverage[$1, $4] = $5; doubles[$1, $4] = $7; holes[$1, $4] = $8
         depth_rms[$1, $4] = $9; distance_rms[$1, $4] = $10; texels[$1, $4] = $11
+    }
+    next
+}
+
+FILENAME ~ /rp2040$/ { # torus, frames/s: the bus, one core, its load, two cores, their loads
+    gsub("%", "")
+    for (s = 1; s <= 5; s++) {
+        if ($1 == demo[s]) { one[s] = $3; load[s] = $4; two[s] = $5; load0[s] = $6; load1[s] = $7; rp2040 = 1 }
     }
     next
 }
@@ -81,6 +88,17 @@ function formats_table(core,   f, s, line) {
     }
 }
 
+function rp2040_table(   s) {
+    print "\nEmulated RP2040, pico-display-2 (320x240), 125 MHz: millions of cycles a frame, of them at work"
+    print "scene   one core  at work   two cores  core 0 at work  core 1 at work"
+    for (s = 1; s <= 5; s++) {
+        printf "S%d      %8.2f %8.2f    %8.2f        %8.2f        %8.2f\n", s, 125 / one[s], 1.25 / one[s] * load[s], 125 / two[s],
+            1.25 / two[s] * load0[s], 1.25 / two[s] * load1[s]
+        row("rp2040", "S" s, "mcycles", sprintf("%.3f", 125 / one[s]), "", "", "")
+        row("rp2040", "S" s, "mcycles_two_cores", sprintf("%.3f", 125 / two[s]), "", "", "")
+    }
+}
+
 function quality(core,   s, scene) {
     for (s = 1; s <= 5; s++) {
         scene = "S" s
@@ -102,6 +120,7 @@ END {
         formats_table(cores[c])
         quality(cores[c])
     }
+    if (rp2040) { rp2040_table() }
     print "\nPictures of this build (every core drew the same bytes) against the double-precision reference; bars in brackets"
     print "scene     coverage differs, %   twice  holes   depth RMS            distance RMS float16   wrong texels, %"
     for (s = 1; s <= 5; s++) {

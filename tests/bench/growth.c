@@ -1,0 +1,164 @@
+/*
+ * How the cost of a frame grows: with triangles, fragments, the height of bands and the picture's size. Each line of
+ * output is
+ *   KIND FORMAT STAGE X COUNT
+ * KIND triangles:  a torus of X triangles that covers the same pixels
+ *      fragments:  X pixels in full-screen quads, each in front of the last
+ *      band:       the torus of 4096 triangles in bands of X lines
+ *      pixels:     the same torus in pictures of 128x64 .. 320x480 = X pixels
+ * STAGE frame is all of it, bins the sorting of the list into bands.
+ */
+#include "bench.h"
+
+#include "demo_scene.h"
+#include "models.h"
+#include "render.h"
+
+#define WIDTH      320
+#define HEIGHT     480
+#define ARENA      (5 * 1024 * 1024)
+#define VERTICES   41000
+#define TRIANGLES  41000
+#define QUADS_LAST 16
+
+/* A torus has 4 n^2 triangles: 64 .. 65536, and 4096 where bands and sizes are measured. */
+#define ACROSS_LAST  128
+#define ACROSS_BANDS 32
+
+static uint64_t arena[ARENA / 8], vertices[VERTICES * 5], triangles[TRIANGLES * 16];
+static uint32_t bins[HEIGHT];
+static uint16_t depth[WIDTH * HEIGHT], pixels[WIDTH * HEIGHT];
+
+static const struct ph_scene_light sun = {
+    .ambient = FX_ONE,
+    .count = 1,
+    .lights = {{.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE, .to_light_q30 = {511886330, 614263596, 716640862}}},
+};
+
+struct picture {
+    uint16_t width, height, band_height;
+};
+
+/* One frame of mesh at `place`. What is left out is left out of the count, too: then the result says so. */
+static void measure(const char *kind, uint32_t x, const struct picture *picture, const struct ph_mesh *mesh,
+                    const struct ph_xform *place)
+{
+    const struct ph_config config = {.width = picture->width,
+                                     .height = picture->height,
+                                     .band_height = picture->band_height,
+                                     .depth_format = PH_DEPTH_FIXED16,
+                                     .vertices = vertices,
+                                     .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
+                                     .triangles = triangles,
+                                     .triangle_max = (uint32_t)(sizeof triangles / ph_triangle_bytes),
+                                     .bins = bins,
+                                     .bin_max = HEIGHT,
+                                     .depth = depth};
+    const struct demo_context context = {.width = picture->width, .height = picture->height};
+    const struct ph_projection projection = demo_perspective(&context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(32));
+    struct ph_renderer r;
+    if (ph_renderer_init(&r, &config) != 0) {
+        machine_print("growth: the renderer refuses a picture\n");
+        return;
+    }
+    const char *what[3] = {kind, "fixed16", "frame"};
+    machine_start();
+    ph_frame_begin(&r, &ph_xform_identity, &projection, &sun, 0);
+    ph_draw_mesh(&r, mesh, place);
+    const uint32_t bands = ph_frame_bands(&r);
+    for (uint32_t band = 0; band < bands; band++) {
+        ph_draw_band(&r, band, pixels);
+    }
+    machine_stop(what, x);
+    if (r.stats.triangles_dropped + r.stats.vertices_dropped > 0) {
+        machine_print("growth: the scene does not fit\n");
+    }
+    what[2] = "bins"; /* once more, for its share alone */
+    ph_frame_begin(&r, &ph_xform_identity, &projection, &sun, 0);
+    ph_draw_mesh(&r, mesh, place);
+    machine_start();
+    ph_frame_bands(&r);
+    machine_stop(what, x);
+}
+
+static const uint16_t band_heights[] = {5, 10, 15, 30, 60, 120, 240};
+static const struct picture sizes[] = {{128, 64, 64},   {160, 128, 128}, {240, 135, 135},
+                                       {240, 240, 240}, {320, 240, 240}, {320, 480, 480}};
+
+static void bands_and_sizes(const struct ph_mesh *mesh, const struct ph_xform *place)
+{
+    for (unsigned i = 0; i < sizeof band_heights / sizeof band_heights[0]; i++) {
+        const struct picture bands = {320, 240, band_heights[i]};
+        measure("band", band_heights[i], &bands, mesh, place);
+    }
+    for (unsigned i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        measure("pixels", (uint32_t)sizes[i].width * sizes[i].height, &sizes[i], mesh, place);
+    }
+}
+
+static void tori(const struct ph_material *material)
+{
+    struct ph_xform place = ph_xform_rotate_x(1u << 29);
+    place.t.z = FX_INT(-3);
+    for (uint32_t across = 4; across <= ACROSS_LAST; across *= 2) {
+        struct demo_arena memory = {.base = (uint8_t *)arena, .size = sizeof arena};
+        struct ph_mesh mesh;
+        if (model_torus(&memory, &mesh, 2 * across, across, 1 << 28, 107374182) != 0 ||
+            model_material(&memory, &mesh, material) != 0) {
+            machine_print("growth: a torus does not fit\n");
+            return;
+        }
+        const struct picture whole = {320, 240, 240};
+        measure("triangles", mesh.triangle_count, &whole, &mesh, &place);
+        if (across == ACROSS_BANDS) {
+            bands_and_sizes(&mesh, &place);
+        }
+    }
+}
+
+/* Quads larger than the picture, from far to near. */
+static void quads(const struct ph_material *material)
+{
+    static struct fx_vec3 corners[QUADS_LAST][4];
+    static uint16_t faces[2 * QUADS_LAST][3];
+    for (uint16_t i = 0; i < QUADS_LAST; i++) {
+        const fx_t z = FX_INT(-20 + i), x = FX_INT(30), y = FX_INT(30);
+        const struct fx_vec3 four[4] = {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}};
+        for (uint16_t k = 0; k < 4; k++) {
+            corners[i][k] = four[k];
+        }
+        for (uint16_t k = 0; k < 2; k++) {
+            faces[2 * i + k][0] = (uint16_t)(4 * i);
+            faces[2 * i + k][1] = (uint16_t)(4 * i + 1 + k);
+            faces[2 * i + k][2] = (uint16_t)(4 * i + 2 + k);
+        }
+    }
+    for (uint32_t count = 1; count <= QUADS_LAST; count *= 2) {
+        const struct ph_part part = {.count = 2 * count};
+        const struct ph_mesh mesh = {.positions = corners[0],
+                                     .triangles = (const uint16_t(*)[3])faces,
+                                     .parts = &part,
+                                     .materials = material,
+                                     .vertex_count = 4 * count,
+                                     .triangle_count = 2 * count,
+                                     .part_count = 1};
+        const struct picture whole = {320, 240, 240};
+        measure("fragments", count * 320 * 240, &whole, &mesh, &ph_xform_identity);
+    }
+}
+
+int main(void)
+{
+    static const char *const loop[3] = {"known-loop", "-", "-"};
+    static uint16_t ramp[PH_RAMP_SIZE];
+    machine_start();
+    machine_known_loop();
+    machine_stop(loop, 0);
+    ph_material_ramp(ramp, 255, 160, 64, 0);
+    const struct ph_material lit = {
+        .shading = PH_SHADE_GOURAUD, .ambient = FX_ONE / 5, .diffuse = FX_ONE / 5 * 4, .ramp = ramp};
+    const struct ph_material plain = {.shading = PH_SHADE_UNLIT, .colour = 0x1234};
+    tori(&lit);
+    quads(&plain);
+    return 0;
+}

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Usage: tests/bench/growth.sh [CORE]        make bench calls it; m3 by default
+# How the cost of a frame grows with triangles, fragments, bands and pixels: $B/bench-growth.csv (kind,x,instructions),
+# and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle or
+# fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), or when 16 bands cost 5 % of a frame. Environment: B.
+set -eu
+cd "$(dirname "$0")/../.."
+B=${B:-build} core=${1:-m3}
+PROGRAM=growth tests/bench/run.sh "$core" >"$B/bench-$core/growth"
+! grep '^growth:' "$B/bench-$core/growth" >&2 || exit 1
+{ echo kind,x,instructions && awk '$3 == "frame" { print $1 "," $4 "," $5 }' "$B/bench-$core/growth"; } >"$B/bench-growth.csv"
+
+awk '
+    $3 == "bins" { bins[$1 " " $4] = $5; next }
+    $3 != "frame" { next }
+    { cost[$1 " " $4] = $5 }
+    $1 != "band" && $1 == kind {
+        each = $1 == "pixels" ? $5 / $4 : ($5 - last) / ($4 - x) # pictures differ in shape, too
+        if (each_last && each > 1.1 * each_last) {
+            printf "growth: %s: from %d to %d each costs %.1f instructions, before %.1f\n", $1, x, $4, each, each_last
+            wrong = 1
+        }
+        each_last = each
+    }
+    $1 != kind { each_last = 0 }
+    $1 != "band" { kind = $1; x = $4; last = $5 }
+    END {
+        share = 100 * (cost["band 15"] - cost["band 240"] + bins["band 15"]) / cost["band 15"]
+        printf "growth: 16 bands cost %.1f %% of a frame of 4096 triangles, of it %.2f %% sorting\n", share,
+            100 * bins["band 15"] / cost["band 15"]
+        exit wrong || share >= 5
+    }' <(grep -v '^pixels\|^band' "$B/bench-$core/growth"; grep '^pixels' "$B/bench-$core/growth"; grep '^band' "$B/bench-$core/growth")
+
+command -v gnuplot >/dev/null || { echo "growth: no plot: apt-get install gnuplot-nox" >&2 && exit 0; }
+gnuplot <<END
+set terminal pngcairo size 1000,760 font "sans,11"
+set output "$B/bench-growth.png"
+set datafile separator ","
+set multiplot layout 2,2 title "Instructions a frame on Cortex-M (${core}), counted" font "sans,14"
+set ylabel "millions of instructions a frame"
+set grid lc rgb "#dddddd"
+set key top left
+set style data linespoints
+set style line 1 lc rgb "#0072b2" lw 2 pt 7
+points(kind) = sprintf("< grep '^%s,' $B/bench-growth.csv", kind)
+set logscale xy
+set title "triangles (torus, 320x240)"
+set xlabel "triangles"
+plot points("triangles") using 2:(\$3/1e6) ls 1 notitle
+set title "fragments (flat quads, 320x240)"
+set xlabel "thousands of fragments"
+plot points("fragments") using (\$2/1e3):(\$3/1e6) ls 1 notitle
+unset logscale
+set yrange [0:5]
+set title "band height (4096 triangles, 320x240)"
+set xlabel "lines a band"
+set logscale x
+plot points("band") using 2:(\$3/1e6) ls 1 notitle
+set title "resolution (4096 triangles, 128x64 .. 320x480)"
+set xlabel "thousands of pixels"
+plot points("pixels") using (\$2/1e3):(\$3/1e6) ls 1 notitle
+END
