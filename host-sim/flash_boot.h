@@ -1,0 +1,64 @@
+/*
+ * flash_boot: an RP2040 in its USB boot loader (BOOTSEL), over the PICOBOOT interface: commands of 32 bytes and their
+ * data on two bulk endpoints. A command that the board refuses is repeated once, after a reset of the interface: what
+ * another program left behind, or a disturbance on the wires, is over then.
+ *
+ * Results: 0 or more, or an enum flash_status. Nothing waits for longer than FLASH_WAIT_MS.
+ *
+ * Source: RP2040 datasheet, section 2.8.5 (USB PICOBOOT interface).
+ */
+#ifndef FLASH_BOOT_H
+#define FLASH_BOOT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define FLASH_WAIT_MS 3000 /* a sector is erased within 400 ms by all flash chips of RP2040 boards */
+
+enum flash_status {
+    FLASH_STALL = -1,   /* refused */
+    FLASH_GONE = -2,    /* unplugged */
+    FLASH_TIMEOUT = -3, /* no answer */
+    FLASH_IO = -4,      /* anything else on the wire */
+    FLASH_STOPPED = -5, /* the user did */
+    FLASH_DIFFERS = -6, /* what was read back, or the flash is too small */
+    FLASH_ACCESS = -7,  /* no permission */
+    FLASH_BUSY = -8,    /* another program has the board */
+    FLASH_NO_USB = -9,  /* built without libusb */
+};
+
+/* The USB side. */
+struct flash_link_ops {
+    int (*out)(void *context, const void *bytes, size_t n); /* all n bytes */
+    int (*in)(void *context, void *bytes, size_t n);        /* exactly n; 0: an empty packet */
+    int (*status)(void *context, uint8_t answer[16]);       /* GET_COMMAND_STATUS */
+    int (*reset)(void *context);                            /* INTERFACE_RESET, and no endpoint is halted any more */
+};
+
+struct flash_boot {
+    const struct flash_link_ops *ops;
+    void *context;
+    uint32_t token;
+    uint32_t refusal; /* after FLASH_STALL: why, see flash_boot_refusal */
+};
+
+/* Takes the board from its own disk drive and makes the flash ready for commands. */
+int flash_boot_begin(struct flash_boot *boot);
+
+/* Addresses are the chip's. Erases one FLASH_SECTOR; writes n bytes (multiples of FLASH_PAGE, both); reads n bytes. */
+int flash_boot_erase(struct flash_boot *boot, uint32_t address);
+int flash_boot_write(struct flash_boot *boot, uint32_t address, const uint8_t *bytes, uint32_t n);
+int flash_boot_read(struct flash_boot *boot, uint32_t address, uint8_t *bytes, uint32_t n);
+
+/* Starts what is in the flash; the board leaves. */
+int flash_boot_reboot(struct flash_boot *boot);
+
+/* Gives the board back to its drive; it stays in its boot loader. */
+void flash_boot_end(struct flash_boot *boot);
+
+#define FLASH_REFUSED_ADDRESS 4
+
+/* The datasheet's name for what the board said. */
+const char *flash_boot_refusal(const struct flash_boot *boot);
+
+#endif
