@@ -47,7 +47,7 @@ BOARDS := $(wildcard boards/*.c boards/*/*.c)
 BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard $(BOARD_DIR)/*/board.c)))
 $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
 SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
-                                             host-sim/$(SDL)/*.c))
+                                             host-sim/$(SDL)/*.c host-sim/$(USB)/*.c))
 PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(filter-out $(if $(SPIDEV),,host-sim/pinhole_panel.c),\
                                                              $(wildcard host-sim/pinhole_*.c)))
 

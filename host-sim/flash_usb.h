@@ -1,0 +1,38 @@
+/*
+ * flash_usb: RP2040s in their boot loader, on USB. usb/ does it with libusb, nousb/ says that there is none. Results: 0
+ * or more, or an enum flash_status.
+ */
+#ifndef FLASH_USB_H
+#define FLASH_USB_H
+
+#include "flash_boot.h"
+
+#include <stdint.h>
+
+#define FLASH_BOARDS_MAX 32
+
+struct flash_board {
+    uint8_t bus, address; /* as lsusb shows them */
+    int rp2350;           /* 1: not an RP2040 but its successor */
+    int status;           /* 0, or why it cannot be opened; there is no serial number then */
+    char serial[64];      /* without control characters */
+};
+
+/* Those that are there: how many, at most FLASH_BOARDS_MAX. */
+int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX]);
+
+/* Index of the board that is meant (serial: its number, or BUS:ADDRESS; NULL: the only one), or -1 with a line in error
+ * (FLASH_ERROR_SIZE). */
+int flash_usb_pick(const struct flash_board *boards, int count, const char *serial, char *error);
+
+/* Claims the board's PICOBOOT interface. */
+struct flash_usb;
+int flash_usb_open(struct flash_usb **usb, const struct flash_board *board);
+
+/* NULL is fine. */
+void flash_usb_close(struct flash_usb *usb);
+
+/* With a struct flash_usb as context. */
+extern const struct flash_link_ops flash_usb_ops;
+
+#endif

@@ -1,0 +1,227 @@
+/* pinhole-flash: an image into the flash of an RP2040 that is in its USB boot loader. See flash_job.h. */
+#define _XOPEN_SOURCE 700 /* sigaction */
+
+#include "complain.h"
+#include "depth_lab.h"
+#include "flash_job.h"
+#include "flash_usb.h"
+#include "option_table.h"
+
+#include <errno.h>
+#include <string.h>
+
+static volatile sig_atomic_t caught_signal;
+
+struct request {
+    const char *path, *serial;
+    bool list, help, no_verify, no_reboot;
+};
+
+/* ---- the command line --------------------------------------------------------------------------- */
+
+static bool set_serial(void *to, const char *value)
+{
+    struct request *r = to;
+    r->serial = value;
+    return *value != '\0';
+}
+
+static bool set_list(void *to, const char *value)
+{
+    struct request *r = to;
+    (void)value;
+    return r->list = true;
+}
+
+static bool set_no_verify(void *to, const char *value)
+{
+    struct request *r = to;
+    (void)value;
+    return r->no_verify = true;
+}
+
+static bool set_no_reboot(void *to, const char *value)
+{
+    struct request *r = to;
+    (void)value;
+    return r->no_reboot = true;
+}
+
+static bool set_help(void *to, const char *value)
+{
+    struct request *r = to;
+    (void)value;
+    return r->help = true;
+}
+
+static const struct option_row rows[] = {
+    {"serial", "S", "the board, where several are: its serial number, or BUS:ADDRESS as --list shows it",
+     "a serial number or BUS:ADDRESS", set_serial},
+    {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number", NULL, set_list},
+    {"no-verify", NULL, "does not read back and compare what was written", NULL, set_no_verify},
+    {"no-reboot", NULL, "leaves the board in its boot loader", NULL, set_no_reboot},
+    {"help", NULL, "this", NULL, set_help},
+};
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+static void print_help(void)
+{
+    puts("pinhole-flash IMAGE [options]\n"
+         "Writes IMAGE, a UF2 or BIN file, into the flash of an RP2040 that is in its boot loader (plugged in with "
+         "BOOTSEL\n"
+         "held; or a running Pinhole image was sent B over its UART, or started with a button held), reads it back,\n"
+         "compares, and starts it.");
+    option_table_help(&table);
+}
+
+static int read_arguments(struct request *r, int argc, char *argv[])
+{
+    for (int i = 1; i < argc;) {
+        if (argv[i][0] == '-') {
+            i = option_table_read(&table, r, argc, argv, i);
+            if (i == 0) {
+                return EXIT_USAGE;
+            }
+        } else if (r->path != NULL) {
+            return complain(EXIT_USAGE, "'%s': one image at a time; see --help", argv[i]);
+        } else {
+            r->path = argv[i++];
+        }
+    }
+    if (r->help || r->list) {
+        return r->list && r->path != NULL ? complain(EXIT_USAGE, "--list takes no image; see --help") : 0;
+    }
+    return r->path != NULL ? 0 : complain(EXIT_USAGE, "an image is missing: a UF2 or BIN file; see --help");
+}
+
+/* ---- boards ------------------------------------------------------------------------------------- */
+
+static int complain_usb(int status)
+{
+    if (status == FLASH_NO_USB) {
+        return complain(EXIT_FAILED, "built without libusb; install libusb-1.0-0-dev and run make again");
+    }
+    return complain(EXIT_FAILED, "USB devices cannot be listed");
+}
+
+static int complain_board(const struct flash_board *board, int status)
+{
+    const char *why = "cannot be opened; plug it in again with BOOTSEL held";
+    if (status == FLASH_ACCESS) {
+        why =
+            "no permission; copy boards/udev/60-pinhole.rules to /etc/udev/rules.d, run udevadm control --reload, and "
+            "plug it in again";
+    } else if (status == FLASH_BUSY) {
+        why = "in use by another program; end that one";
+    } else if (status == FLASH_GONE) {
+        why = "unplugged; plug it in again with BOOTSEL held";
+    }
+    return complain(EXIT_FAILED, "RP2040 %u:%u: %s", board->bus, board->address, why);
+}
+
+static int list(const struct flash_board *boards, int count)
+{
+    int shown = 0;
+    for (int i = 0; i < count; i++) {
+        const struct flash_board *b = &boards[i];
+        if (!b->rp2350) {
+            printf("%u:%u %s\n", b->bus, b->address, b->status < 0 ? "(cannot be opened)" : b->serial);
+            shown++;
+        }
+        if (!b->rp2350 && b->status < 0) {
+            complain_board(b, b->status);
+        }
+    }
+    char error[FLASH_ERROR_SIZE];
+    return shown == 0 && flash_usb_pick(boards, count, NULL, error) < 0 ? complain(EXIT_FAILED, "%s", error) : 0;
+}
+
+/* ---- the job ------------------------------------------------------------------------------------ */
+
+static void note_signal(int number)
+{
+    caught_signal = number;
+}
+
+/* No command is cut off in its middle: the board could still be written to, but would want to be pulled out. */
+static void catch_signals(void)
+{
+    const struct sigaction action = {.sa_handler = note_signal};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+
+static void show_progress(const char *what, uint32_t done, uint32_t all)
+{
+    depth_progress(what, done, all);
+}
+
+static int write_image(const struct request *r, const struct flash_image *image, const struct flash_board *board)
+{
+    struct flash_usb *usb = NULL;
+    int status = flash_usb_open(&usb, board);
+    if (status < 0) {
+        return complain_board(board, status);
+    }
+    struct flash_boot boot = {.ops = &flash_usb_ops, .context = usb};
+    struct flash_job job = {.boot = &boot,
+                            .image = image,
+                            .verify = !r->no_verify,
+                            .reboot = !r->no_reboot,
+                            .stop = &caught_signal,
+                            .progress = show_progress};
+    status = flash_job_run(&job);
+    flash_usb_close(usb);
+    if (status < 0) {
+        return complain(status == FLASH_STOPPED ? 128 + (int)caught_signal : EXIT_FAILED, "RP2040 %u:%u: %s",
+                        board->bus, board->address, job.error);
+    }
+    printf("RP2040 %u:%u: %u bytes written%s%s\n", board->bus, board->address, (unsigned)image->size,
+           r->no_verify ? "" : ", read back and equal", r->no_reboot ? "" : ", started");
+    return EXIT_DONE;
+}
+
+static int run(const struct request *r)
+{
+    struct flash_board boards[FLASH_BOARDS_MAX];
+    struct flash_image image = {.sectors = 0};
+    char error[FLASH_ERROR_SIZE];
+    if (r->path != NULL && flash_image_read(&image, r->path, error) != 0) {
+        return complain(EXIT_FAILED, "%s: %s", r->path, error);
+    }
+    const int count = flash_usb_list(boards);
+    const int picked = count < 0 || r->list ? -1 : flash_usb_pick(boards, count, r->serial, error);
+    int status;
+    if (count < 0) {
+        status = complain_usb(count);
+    } else if (r->list) {
+        status = list(boards, count);
+    } else if (picked < 0) {
+        status = complain(EXIT_FAILED, "%s", error);
+    } else {
+        status = write_image(r, &image, &boards[picked]);
+    }
+    flash_image_free(&image);
+    return status;
+}
+
+int main(int argc, char *argv[])
+{
+    struct request request = {.path = NULL};
+    complain_as("pinhole-flash");
+    int status = read_arguments(&request, argc, argv);
+    if (status != 0) {
+        return status;
+    }
+    catch_signals();
+    if (request.help) {
+        print_help();
+    } else {
+        status = run(&request);
+    }
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
+    }
+    return status;
+}
