@@ -61,6 +61,7 @@ struct bootsel_options {
     uint32_t flash_bytes;
     uint16_t product; /* 0003: RP2040 */
     const char *serial;
+    bool stall_once; /* each command, when it comes for the first time (to that sector) */
 };
 
 struct usb_device *bootsel_new(const struct bootsel_options *options);

@@ -13,6 +13,7 @@
 #define RAM_BASE   0x20000000u
 #define RAM_BYTES  0x42000u
 #define ROM_BYTES  0x4000u
+#define SECTORS    4096u /* of 16 MB */
 
 enum { EXCLUSIVE = 1, REBOOT = 2, ERASE = 3, WRITE = 5, EXIT_XIP = 6, ENTER_XIP = 7, READ = 0x84 };
 enum { OK = 0, UNKNOWN_COMMAND = 1, BAD_ARGUMENTS = 2, BAD_LENGTH = 3, BAD_ADDRESS = 4, BAD_ALIGNMENT = 5 };
@@ -42,6 +43,7 @@ struct bootsel {
     uint32_t token, status;
     uint32_t address, left;
     bool rebooting;
+    bool stalled[8][SECTORS]; /* by command and sector */
 };
 
 static uint32_t u32(const uint8_t *p)
@@ -149,6 +151,16 @@ static uint32_t start(struct bootsel *b, const uint8_t *command)
     return moves ? check_area(b, address, size, b->command == WRITE ? 256 : 1, b->command == WRITE) : OK;
 }
 
+/* Is it the first time that this command comes to this sector? */
+static bool is_new(struct bootsel *b, const uint8_t *command)
+{
+    const bool has_address = command[8] == ERASE || command[8] == READ || command[8] == WRITE;
+    bool *stalled = &b->stalled[command[8] & 7][has_address ? u32(command + 16) / 4096 % SECTORS : 0];
+    const bool first = !*stalled;
+    *stalled = true;
+    return first;
+}
+
 static int take_command(struct bootsel *b, const uint8_t *data, int n)
 {
     if (n != 32 || u32(data) != MAGIC) {
@@ -156,6 +168,10 @@ static int take_command(struct bootsel *b, const uint8_t *data, int n)
     }
     b->token = u32(data + 4);
     b->command = data[8];
+    if (b->options.stall_once && is_new(b, data)) {
+        refuse(b, UNKNOWN_COMMAND);
+        return n;
+    }
     const uint32_t status = start(b, data);
     if (status != OK) {
         refuse(b, status);

@@ -2,11 +2,12 @@
  * Plugs a USB device into this machine (the guest: vhci-hcd must be loaded) and is that device until it is killed.
  *
  *   usb ft232h  [--serial TEXT] [--events FILE] [--flash FILE] [--wire-time] [FAULT]
- *   usb bootsel [--serial TEXT] --flash FILE [--flash-bytes N] [--product HEX] [FAULT]
+ *   usb bootsel [--serial TEXT] --flash FILE [--flash-bytes N] [--product HEX] [--stall-once] [FAULT]
  *
  * --events FILE  what the FT232H's pins do (host-sim/wire_events.h); --flash FILE: a W25X10 of 131072 bytes at AD3, or
  * the RP2040's flash, kept in that file (2 MB by default). --wire-time: transfers take the time of their bits.
- * --product: 3 by default; f is an RP2350. --ready FILE is made as soon as the kernel has configured the device.
+ * --product: 3 by default; f is an RP2350. --stall-once: each command is refused when it comes for the first time (to
+ * that sector of the flash). --ready FILE is made as soon as the kernel has configured the device.
  * FAULT, when so many bytes of bulk data have come from the host: --unplug-after N, --stall-after N (every transfer
  * stalls), --hang-after N (no transfer ends), --short-after N (half of each transfer is taken).
  */
@@ -70,6 +71,8 @@ static bool read_arguments(struct request *r, int argc, char *argv[])
     for (int i = 2; i < argc; i++) {
         if (strcmp(argv[i], "--wire-time") == 0) {
             r->ft232h.wire_time = true;
+        } else if (strcmp(argv[i], "--stall-once") == 0) {
+            r->boot.stall_once = true;
         } else if (i + 1 == argc || !set_option(r, argv[i], argv[i + 1])) {
             return false;
         } else {
