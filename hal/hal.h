@@ -64,6 +64,9 @@ struct hal_ops {
     /* Waits until the last bit is out. */
     int (*bus_wait)(void *context);
 
+    /* What a short bus_write takes besides its bits, ns, as far as is known yet; NULL: nothing to speak of. */
+    uint32_t (*write_ns)(void *context);
+
     /* Sends one command byte and reads n bytes; NULL, or HAL_ENOSYS, where the kit has no MISO. */
     int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
 

@@ -12,6 +12,8 @@
 
 #define DECIDE_LINES 32 /* fewer are kept until the next call */
 #define SLAB_LINES   64 /* highest slab: bounds the time */
+#define COARSE_LINES 4  /* where cuts cost time anyway: a sixteenth of the time to choose them */
+#define WRITE_NS_MAX 1000000
 
 struct area {
     uint32_t x0, x1, y0, y1; /* x1, y1: one past the end */
@@ -88,11 +90,30 @@ static void cut_memory(struct panel_diff *diff, uint8_t *memory)
     }
 }
 
+/* A write's own time as half bytes that the bus could send in it. */
+static uint32_t write_cost(const struct panel_driver *d)
+{
+    const struct hal_ops *ops = d->hal.ops;
+    const uint32_t ns = ops->write_ns == NULL ? 0 : lesser(ops->write_ns(d->hal.context), WRITE_NS_MAX);
+    return ns / 100 * ((uint32_t)d->clock_hz / 1000) / 40000;
+}
+
+/* Borders and start of a window, and the writes they and the pixels take: a command and its parameters are two. */
+static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
+{
+    const struct panel_controller *c = d->config.panel->controller;
+    const uint32_t write = write_cost(d);
+    diff->step = write > 0 ? COARSE_LINES : 1;
+    const uint32_t border = 2 * panel_border_bytes(c) + 2 * write;
+    const uint32_t start = (2 + write) * panel_start_bytes(c);
+    diff->open_cost = 2 * border + start + write;
+    diff->beside_cost = c->memory_write == 0 ? diff->open_cost : diff->open_cost - border;
+}
+
 int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,
                     size_t bytes)
 {
     static const uint8_t unit_costs[] = {[PANEL_RGB565] = 4, [PANEL_RGB666] = 6, [PANEL_RGB444] = 3, [PANEL_GREY4] = 2};
-    const struct panel_controller *c = d->config.panel->controller;
     if (bytes < panel_diff_bytes(d->width, d->height)) {
         return HAL_EINVAL;
     }
@@ -108,8 +129,7 @@ int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint3
     diff->words[0] = words_of(diff->units_x);
     diff->words[1] = words_of(d->height);
     diff->unit_cost = unit_costs[d->config.format];
-    diff->open_cost = 2 * (2 * panel_border_bytes(c) + panel_start_bytes(c));
-    diff->beside_cost = c->memory_write == 0 ? diff->open_cost : diff->open_cost - 2 * panel_border_bytes(c);
+    set_costs(diff, d);
     diff->unknown = true;
     cut_memory(diff, memory);
     return HAL_OK;
@@ -240,11 +260,15 @@ static uint32_t plan(struct panel_diff *diff, int turned, const struct area *are
     uint32_t *cost = diff->cost[turned];
     const uint32_t *merged = diff->merged[turned];
     cost[area->y1] = 0;
-    for (uint32_t y = area->y1; y-- > area->y0;) {
-        const uint32_t last = area->y1 - y < SLAB_LINES ? area->y1 : y + SLAB_LINES;
+    for (uint32_t steps = (area->y1 - area->y0 + diff->step - 1) / diff->step; steps-- > 0;) {
+        const uint32_t y = area->y0 + steps * diff->step;
+        const uint32_t last = lesser(area->y1, y + SLAB_LINES);
         uint32_t best = UINT32_MAX;
-        for (uint32_t end = y + 1; end <= last; end++) {
-            merge_line(diff, turned, area, end - 1, end == y + 1);
+        for (uint32_t from = y, end; from < last; from = end) {
+            end = lesser(from + diff->step, last);
+            for (uint32_t i = from; i < end; i++) {
+                merge_line(diff, turned, area, i, i == y);
+            }
             const uint32_t slab = slab_cost(diff, merged, end - y, area);
             if (slab >= best) {
                 break; /* it only grows */
@@ -293,6 +317,34 @@ static uint32_t predict(struct panel_diff *diff, const struct area *px)
            (cells * diff->unit_cost + 1) / 2;
 }
 
+static bool unchanged(const struct panel_diff *diff, int turned, uint32_t y, uint32_t x0, uint32_t x1)
+{
+    return find_bit(diff->bits[turned] + (size_t)y * diff->words[turned], x0, x1, true) == x1;
+}
+
+/* Without the edges in which nothing changed: cuts in steps of several lines leave some. In a window something did. */
+static struct area trimmed(const struct panel_diff *diff, struct area w)
+{
+    while (unchanged(diff, 0, w.y0, w.x0, w.x1)) {
+        w.y0++;
+    }
+    while (unchanged(diff, 0, w.y1 - 1, w.x0, w.x1)) {
+        w.y1--;
+    }
+    while (unchanged(diff, 1, w.x0, w.y0, w.y1)) {
+        w.x0++;
+    }
+    while (unchanged(diff, 1, w.x1 - 1, w.y0, w.y1)) {
+        w.x1--;
+    }
+    return w;
+}
+
+static uint32_t area_cost(const struct panel_diff *diff, const struct area *w)
+{
+    return (w->x1 - w->x0) * (w->y1 - w->y0) * diff->unit_cost;
+}
+
 static void send_window(struct panel_diff *diff, const struct area *window)
 {
     const struct area px = {pixel_of(window->x0, diff->pair_x, diff->lead, 0, diff->width),
@@ -327,14 +379,16 @@ static struct area turn(const struct area *area)
 
 static void send_turned(struct panel_diff *diff, int turned, const struct area *area)
 {
-    const struct area upright = turn(area);
-    send_window(diff, turned ? &upright : area);
+    const struct area upright = turned ? turn(area) : *area;
+    const struct area small = trimmed(diff, upright);
+    const uint32_t borders = diff->open_cost - diff->beside_cost; /* it may no longer have them from the last window */
+    send_window(diff, area_cost(diff, &small) + borders < area_cost(diff, &upright) ? &small : &upright);
 }
 
 /* A window of the first cut: whole, or cut the other way. */
 static void send_or_cut(struct panel_diff *diff, int turned, const struct area *window)
 {
-    const uint32_t whole = diff->open_cost + (window->x1 - window->x0) * (window->y1 - window->y0) * diff->unit_cost;
+    const uint32_t whole = diff->open_cost + area_cost(diff, window);
     const struct area area = turn(window);
     const int other = !turned;
     if (window->y1 - window->y0 == 1 || plan(diff, other, &area) >= whole) {

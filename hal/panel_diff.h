@@ -8,7 +8,9 @@
  * A copy of the picture on the glass is kept; lines are compared with it as they come. Where something changed,
  * windows are chosen so that commands and pixels together are few bytes: lines are cut into slabs and slabs into
  * windows by dynamic programming over the lines, each window is cut again as long as that saves bytes. It is not
- * always the fewest: tests/test_panel_diff.c compares with an exhaustive search.
+ * always the fewest: tests/test_panel_diff.c compares with an exhaustive search. Where the backend's writes cost time
+ * besides their bits (hal.h, write_ns), each counts as the bytes that the bus could send in that time: windows are
+ * fewer then, and larger.
  *
  * The picture is exact always, in every format. What is sent depends on how many lines come at a time (each call
  * decides for its own lines, for at least 32), what is seen does not.
@@ -41,8 +43,9 @@ struct panel_diff {
     bool whole;               /* this frame is sent whole */
     bool unknown;             /* the glass may show something else: the next frame is sent whole */
     uint32_t unit_cost;       /* of a unit's pixels, in half bytes */
-    uint32_t open_cost;       /* of a window, in half bytes */
+    uint32_t open_cost;       /* of a window, in half bytes, its writes' time included */
     uint32_t beside_cost;     /* of one in the same lines as the last */
+    uint32_t step;            /* lines between which slabs may be cut */
     struct panel_driver *out; /* during a call */
     int status;               /* of the frame: the first error */
 };
@@ -51,8 +54,8 @@ struct panel_diff {
 size_t panel_diff_bytes(uint16_t width, uint16_t height);
 
 /*
- * For an open driver. memory: panel_diff_bytes() or more, 8-byte aligned, the diff's as long as it is used. The first
- * frame is sent whole. HAL_EINVAL: too little memory.
+ * For an open driver; the backend's write_ns is asked now. memory: panel_diff_bytes() or more, 8-byte aligned, the
+ * diff's as long as it is used. The first frame is sent whole. HAL_EINVAL: too little memory.
  */
 int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,
                     size_t bytes);

@@ -74,6 +74,7 @@ struct linux_hal {
     int job_status;      /* first error since it was last returned */
     uint64_t sent_bytes; /* in writes of LINUX_MEASURED_BYTES or more */
     uint64_t sent_ns;    /* ... and the time they took */
+    uint64_t write_ns;   /* least that a short write with its D/C move took besides its bits; UINT64_MAX: none yet */
 
     char error[LINUX_ERROR_SIZE];
 };
