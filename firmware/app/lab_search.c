@@ -73,29 +73,51 @@ static uint32_t some_plateau(struct lab_probe *p)
     return best;
 }
 
-/* Whether the plateau of w, which ends less than `step` behind it, may be longer than best. */
-static bool may_be_longer(struct lab_probe *p, fx_t w, uint32_t code, uint32_t step, uint32_t best)
+/* The last distance that has the code of w, looked for near w first. */
+static fx_t last_behind(struct lab_probe *p, uint32_t code, fx_t w)
 {
-    const fx_t high = (uint32_t)(p->far_z - w) < step ? p->far_z : w + (fx_t)step;
-    const fx_t last = last_with(p, code, w, high);
-    return (uint32_t)(last - p->near_z) >= best && lab_code(p, last - (fx_t)best) == code;
+    uint32_t stride = 1;
+    for (; (uint32_t)(p->far_z - w) >= stride && lab_code(p, w + (fx_t)stride) == code; stride *= 2) {
+        w += (fx_t)stride;
+    }
+    return last_with(p, code, w, (uint32_t)(p->far_z - w) < stride ? p->far_z : w + (fx_t)(stride - 1));
+}
+
+/* No plateau of log that begins in front of w is longer: w ln(f / n) / S, rounded up, and one. */
+static uint32_t longest_of_log(const struct lab_probe *p, fx_t w)
+{
+    const uint64_t range = (p->log_range >> 29) + 1;                    /* log2(f / n) in 2^-27, below 2^32 */
+    const uint64_t natural = ((uint64_t)w * range >> 27) * 45427 >> 16; /* times ln 2 */
+    return (uint32_t)(natural / p->largest) + 2;
 }
 
 /*
  * From far to near in steps of half the longest plateau so far (rounded up): a longer one has two neighbouring steps
- * on it. What some_plateau() finds makes the steps long from the beginning.
+ * on it. Of a plateau that has two steps the end is looked for: is the distance `best` in front of it still on it? If
+ * not, the next step is from there. What some_plateau() finds makes the steps long from the beginning.
  */
 static uint32_t longest_plateau(struct lab_probe *p)
 {
-    uint32_t best = some_plateau(p), before = lab_code(p, p->far_z), step = (best + 1) / 2;
+    uint32_t best = some_plateau(p), before = lab_code(p, p->far_z);
     for (fx_t w = p->far_z; w > p->near_z;) {
-        const uint32_t left = (uint32_t)(w - p->near_z);
+        const fx_t behind = w;
+        if (p->format->kind == LAB_LOG && longest_of_log(p, w) <= best) {
+            return best;
+        }
+        const uint32_t left = (uint32_t)(w - p->near_z), step = (best + 1) / 2;
         w -= (fx_t)(step < left ? step : left);
-        const uint32_t code = lab_code(p, w);
-        if (code == before && may_be_longer(p, w, code, 2 * step, best)) {
+        uint32_t code = lab_code(p, w);
+        if (code == before) {
+            const fx_t last = last_behind(p, code, behind);
+            if ((uint32_t)(last - p->near_z) < best) {
+                return best;
+            }
+            w = last - (fx_t)best;
+            code = lab_code(p, w);
+        }
+        if (code == before) {
             const struct plateau found = plateau_at(p, w);
-            best = larger(best, length_of(found));
-            step = (best + 1) / 2;
+            best = length_of(found);
             w = found.first;
         }
         before = code;
@@ -138,23 +160,23 @@ void lab_search_open(struct lab_search *s, struct lab_probe *p)
 }
 
 /* The distances of one block, or what is left of it between two bounds. */
-struct reach {
+struct span {
     fx_t first, last;
 };
 
-static uint32_t part_size(struct reach reach)
+static uint32_t part_size(struct span span)
 {
-    return (uint32_t)(reach.last - reach.first) / LAB_PARTS + 1;
+    return (uint32_t)(span.last - span.first) / LAB_PARTS + 1;
 }
 
-static fx_t part_end(struct reach reach, uint32_t part)
+static fx_t part_end(struct span span, uint32_t part)
 {
-    const uint32_t offset = (part + 1) * part_size(reach) - 1, last = (uint32_t)(reach.last - reach.first);
-    return reach.first + (fx_t)(offset < last ? offset : last);
+    const uint32_t offset = (part + 1) * part_size(span) - 1, last = (uint32_t)(span.last - span.first);
+    return span.first + (fx_t)(offset < last ? offset : last);
 }
 
 /* Largest code from each part of `to` on. */
-static void read_suffix(struct lab_search *s, struct lab_probe *p, struct reach to)
+static void read_suffix(struct lab_search *s, struct lab_probe *p, struct span to)
 {
     uint32_t most = 0, size = part_size(to);
     for (fx_t w = to.last; w >= to.first; w--) {
@@ -164,7 +186,7 @@ static void read_suffix(struct lab_search *s, struct lab_probe *p, struct reach 
 }
 
 /* Last j of part `part` of `to` whose code is not below code; before its first where there is none. */
-static fx_t last_above(struct lab_probe *p, struct reach to, uint32_t part, uint32_t code)
+static fx_t last_above(struct lab_probe *p, struct span to, uint32_t part, uint32_t code)
 {
     const fx_t first = to.first + (fx_t)(part * part_size(to));
     fx_t w = part_end(to, part);
@@ -178,7 +200,7 @@ static fx_t last_above(struct lab_probe *p, struct reach to, uint32_t part, uint
  * The largest j - i > best with i in `from`, j in `to`, that is not ordered, or best. Only an i whose code is below all
  * before it can do better than these, and its j lies no further left than theirs.
  */
-static uint32_t refine(struct lab_search *s, struct lab_probe *p, struct reach from, struct reach to, uint32_t best)
+static uint32_t refine(struct lab_search *s, struct lab_probe *p, struct span from, struct span to, uint32_t best)
 {
     const uint32_t last_part = (uint32_t)(to.last - to.first) / part_size(to);
     uint32_t least = UINT32_MAX, part = 0;
@@ -202,26 +224,44 @@ static uint32_t refine(struct lab_search *s, struct lab_probe *p, struct reach f
     return best;
 }
 
-static fx_t lesser_fx(fx_t a, fx_t b)
-{
-    return a < b ? a : b;
-}
-
-/* The largest j - i that is not ordered, i up to i_max, j from j_min on. */
-static uint32_t longest_wrong(struct lab_search *s, struct lab_probe *p, fx_t i_max, fx_t j_min)
+/*
+ * A length that is reached for certain: between blocks whose extreme codes are not ordered. It spares longest_wrong()
+ * most of its looks into the blocks.
+ */
+static uint32_t surely_wrong(const struct lab_search *s, const struct lab_probe *p, struct span i, fx_t j_min)
 {
     const uint32_t blocks = block_count(s, p);
     uint32_t best = 0;
-    for (uint32_t a = blocks; a-- > 0;) { /* from far, where the longest are: then the others end soon */
-        const fx_t a_first = start_of(s, p, a);
-        const struct reach from = {a_first, lesser_fx(end_of(p, a_first, s->size), i_max)};
-        for (uint32_t b = blocks; b-- > a && a_first <= i_max;) {
-            const fx_t b_first = start_of(s, p, b), b_last = end_of(p, b_first, s->size);
-            if (b_last < j_min || (uint32_t)(b_last - a_first) <= best) {
+    for (uint32_t a = 0; a < blocks; a++) {
+        const fx_t a_first = start_of(s, p, a), a_last = end_of(p, a_first, s->size);
+        for (uint32_t b = blocks; a_first >= i.first && a_last <= i.last && b-- > a + 1;) {
+            const fx_t b_first = start_of(s, p, b);
+            if (b_first < j_min || (uint32_t)(b_first - a_last) <= best) {
                 break;
             }
             if (s->most[b] >= s->least[a]) {
-                best = refine(s, p, from, (struct reach){b_first > j_min ? b_first : j_min, b_last}, best);
+                best = (uint32_t)(b_first - a_last);
+            }
+        }
+    }
+    return best;
+}
+
+/* The largest j - i that is not ordered, j from j_min on. */
+static uint32_t longest_wrong(struct lab_search *s, struct lab_probe *p, struct span i, fx_t j_min)
+{
+    const uint32_t blocks = block_count(s, p);
+    uint32_t best = surely_wrong(s, p, i, j_min);
+    for (uint32_t a = blocks; a-- > 0;) { /* from far, where the longest are: then the others end soon */
+        const fx_t first = start_of(s, p, a), last = end_of(p, first, s->size);
+        const struct span from = {first > i.first ? first : i.first, last < i.last ? last : i.last};
+        for (uint32_t b = blocks; b-- > a && from.first <= from.last;) {
+            const fx_t b_first = start_of(s, p, b), b_last = end_of(p, b_first, s->size);
+            if (b_last < j_min || (uint32_t)(b_last - from.first) <= best) {
+                break;
+            }
+            if (s->most[b] >= s->least[a]) {
+                best = refine(s, p, from, (struct span){b_first > j_min ? b_first : j_min, b_last}, best);
             }
         }
     }
@@ -230,10 +270,11 @@ static uint32_t longest_wrong(struct lab_search *s, struct lab_probe *p, fx_t i_
 
 uint32_t lab_search_at(struct lab_search *s, struct lab_probe *p, fx_t z)
 {
-    return lab_is_monotone(p->format) ? plateau_length(p, z) : longest_wrong(s, p, z, z) + 1;
+    return lab_is_monotone(p->format) ? plateau_length(p, z) : longest_wrong(s, p, (struct span){p->near_z, z}, z) + 1;
 }
 
 uint32_t lab_search_worst(struct lab_search *s, struct lab_probe *p)
 {
-    return lab_is_monotone(p->format) ? longest_plateau(p) : longest_wrong(s, p, p->far_z, p->near_z) + 1;
+    return lab_is_monotone(p->format) ? longest_plateau(p)
+                                      : longest_wrong(s, p, (struct span){p->near_z, p->far_z}, p->near_z) + 1;
 }
