@@ -257,7 +257,7 @@ static int send_out(struct bus *bus, const struct urb *urb)
         taken = bus->device->out(bus->device->context, urb->header.endpoint, urb->data, n);
     }
     bus->out_bytes += taken > 0 ? (uint64_t)taken : 0;
-    return status != 0 && taken >= 0 ? status : taken;
+    return status != 0 ? status : taken; /* half a command is refused, but the fault came first */
 }
 
 static bool is_blocked(const struct bus *bus, unsigned i)
