@@ -37,8 +37,11 @@ SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
 TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
 
-CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c)
-CORE := $(filter-out $(CORE_CPU:firmware/core/$(CPU)/%=firmware/core/%),$(wildcard firmware/core/*.c)) $(CORE_CPU)
+# Assembly replaces C where the compiler makes Thumb code; a computer tries a microcontroller's C files without it.
+CORE_S := $(wildcard firmware/core/$(CPU)/*.S)
+CORE_S := $(if $(CORE_S),$(if $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null | grep __thumb__),$(CORE_S)))
+CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c) $(CORE_S)
+CORE := $(filter-out $(patsubst firmware/core/$(CPU)/%,firmware/core/%.c,$(basename $(CORE_CPU))),$(wildcard firmware/core/*.c)) $(CORE_CPU)
 APP_SRC := $(filter-out firmware/app/image_%,$(wildcard firmware/app/*.c))
 HAL := $(wildcard hal/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
@@ -52,7 +55,7 @@ PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(filter-out $(if $(S
                                                              $(wildcard host-sim/pinhole_*.c)))
 
 LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(SIM)
-OBJ = $(LIB:%.c=$(B)/%.o) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
+OBJ = $(patsubst %,$(B)/%.o,$(basename $(LIB))) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 
 # Programs in tests/ are named after what runs them; what remains there they share.
 TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/test_*.c))
@@ -83,7 +86,7 @@ all: $(PROGRAMS) ## the programs, under build/
 
 # What was built with other flags or from other files is built again.
 $(B)/flags: FORCE
-	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || echo '$(ALL_FLAGS)' >$@
+	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -f $(B)/firmware/core/*.o; echo '$(ALL_FLAGS)' >$@; }
 
 $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
@@ -95,6 +98,11 @@ $(B)/boards/boards.o: $(B)/boards_more/boards_more.h
 $(B)/boards_more/boards_more.h: $(B)/flags
 	@mkdir -p $(@D)
 	@{ $(foreach b,$(BOARDS_MORE),echo 'extern const struct board board_$(subst -,_,$(b));';) \
+$(B)/%.o: %.S $(B)/flags
+	@mkdir -p $(@D)
+	$(SAY) AS $<
+	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+
 	   echo '#define BOARDS_MORE $(foreach b,$(BOARDS_MORE),&board_$(subst -,_,$(b)),)'; } >$@
 
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
@@ -119,7 +127,7 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
-core-objects: $(CORE:%.c=$(B)/%.o)
+core-objects: $(patsubst %,$(B)/%.o,$(basename $(CORE)))
 firmware-objects: core-objects $(patsubst %.c,$(B)/%.o,$(APP_SRC) $(wildcard hal/*.c))
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)

@@ -80,11 +80,6 @@ image-size: $(OUT).elf
 # The renderer's loops are worth the bytes; frames are the same at every level.
 $(B)/firmware/core/%.o: override CFLAGS += -O3
 
-$(B)/%.o: %.S $(B)/flags
-	@mkdir -p $(@D)
-	$(SAY) AS $<
-	$(Q)$(CC) $(CFLAGS) -c $< -o $@
-
 $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<

@@ -4,6 +4,7 @@
  * Everything at a pixel is a function of the triangle and the pixel alone (planes are exact modulo 2^32), so the
  * picture does not depend on where a band begins.
  */
+#include "hot.h"
 #include "pipeline.h"
 #include "span.h"
 
@@ -189,25 +190,6 @@ static uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
     }
 }
 
-typedef uint32_t __attribute__((may_alias)) two_pixels;
-
-/* n times a value, two at a time. */
-static void fill(uint16_t *to, uint16_t value, uint32_t n)
-{
-    if (((uintptr_t)to & 2) != 0 && n > 0) {
-        *to++ = value;
-        n--;
-    }
-    two_pixels *pair = (two_pixels *)(void *)to;
-    const uint32_t both = (uint32_t)value << 16 | value;
-    for (; n >= 16; n -= 16, pair += 8) {
-        pair[0] = pair[1] = pair[2] = pair[3] = pair[4] = pair[5] = pair[6] = pair[7] = both;
-    }
-    for (to = (uint16_t *)(void *)pair; n > 0; n--) {
-        *to++ = value;
-    }
-}
-
 /* Takes the first triangle, in drawing order, off two lists that are both in drawing order. */
 static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uint32_t *b)
 {
@@ -221,8 +203,8 @@ static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uin
 static void clear(const struct ph_band *rows, uint16_t background)
 {
     const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
-    fill(rows->pixels, background, area);
-    fill(rows->depth, 0, rows->wide ? 2 * area : area);
+    ph_fill(rows->pixels, background, area);
+    ph_fill(rows->depth, 0, rows->wide ? 2 * area : area);
 }
 
 /* Merges, draws and sorts out in one pass. */

@@ -1,17 +1,19 @@
 /*
- * Textured spans: perspective-correct in blocks of 16 pixels. At both ends of a block u and v are divided exactly, at
- * its start so are their derivatives; between, they run along the parabola through all three (two additions a pixel
- * and coordinate). Measured error: tests/test_quality.c.
+ * Textured spans: perspective-correct in blocks of up to 32 pixels. At both ends of a block u and v are divided
+ * exactly; between, they run along the parabola that is exact in the middle, too (two additions a pixel and
+ * coordinate): where 1/w goes from w0 to w1 and u by U, the middle lies U (w1 - w0) / (2 (w0 + w1)) beside the straight
+ * line's. Measured error: tests/test_quality.c.
  */
+#include "hot.h"
 #include "pipeline.h"
 #include "span.h"
 #include "wire.h"
 
-enum { BLOCK = 16 };
+enum { BLOCK = PH_TEXEL_RUN };
 
-/* u, v at one pixel and per pixel, in units of 2^-27 of their range. */
+/* u, v at one pixel, in units of 2^-27 of their range. */
 struct texture_point {
-    int32_t u, v, du, dv;
+    int32_t u, v;
 };
 
 /* The planes at one pixel: u/w and v/w (signed), 1/w. */
@@ -26,9 +28,9 @@ struct sampler {
     int u_down, v_down; /* coordinate to texel */
     uint32_t u_mask, v_mask, log2_width;
     uint32_t light; /* 0 .. 32 */
-    int32_t limit;  /* coordinate of the texture's far side */
     bool clamp;
-    bool wide; /* struct ph_band */
+    bool wide;  /* struct ph_band */
+    bool plain; /* ph_span_texture can draw it where it stays within the texture */
 };
 
 /* linear-w has the plane of 1/w in place of the depth. */
@@ -49,29 +51,20 @@ static int32_t shift_left(int32_t v, int by)
 
 /*
  * The exact quotients at one pixel. |u/w| <= 1/w inside the triangle, with room for twice that; a sliver that
- * overshoots further gets some wrong texel, but never one outside the texture.
+ * overshoots further gets some wrong texel, but never one outside the texture. change: of 1/w from the
+ * last such pixel, at most a quarter of it; *part: that change over their mean 1/w, in 2^-16.
  */
-static struct texture_point divide(const struct ph_triangle *t, const struct texture_row *row)
+static inline __attribute__((always_inline)) struct texture_point divide(const struct texture_row *row, uint32_t change,
+                                                                         int32_t *part)
 {
     int shift;
     const uint32_t w = row->w - 4 < ((uint32_t)1 << 30) - 4 ? row->w : 4; /* 2^29 with head room */
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1), gw = (int32_t)over_w(t)->gx;
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1);
+    const int32_t q = ((int32_t)(change << shift) >> 16) * (reciprocal >> 15) >> 14; /* change / w, 2^-16 */
+    *part = q + (int32_t)((uint32_t)q * (uint32_t)q >> 17);
     shift -= 2; /* a 2^shift times the reciprocal, high word: a 2^27 / w */
-    struct texture_point p;
-    p.u = mulhi(shift_left(row->u, shift), reciprocal);
-    p.v = mulhi(shift_left(row->v, shift), reciprocal);
-    const uint32_t u_gw = (uint32_t)mulhi(shift_left(p.u, 3), gw) << 2, v_gw = (uint32_t)mulhi(shift_left(p.v, 3), gw)
-                                                                               << 2;
-    p.du = mulhi(shift_left((int32_t)(t->attribute[0].gx - u_gw), shift), reciprocal);
-    p.dv = mulhi(shift_left((int32_t)(t->attribute[1].gx - v_gw), shift), reciprocal);
-    return p;
-}
-
-static void advance(const struct ph_triangle *t, struct texture_row *row, uint32_t pixels)
-{
-    row->u = (int32_t)((uint32_t)row->u + t->attribute[0].gx * pixels);
-    row->v = (int32_t)((uint32_t)row->v + t->attribute[1].gx * pixels);
-    row->w += over_w(t)->gx * pixels;
+    return (struct texture_point){mulhi(shift_left(row->u, shift), reciprocal),
+                                  mulhi(shift_left(row->v, shift), reciprocal)};
 }
 
 /* A parabola in steps: value, first difference, second difference; all modulo 2^32. */
@@ -79,24 +72,25 @@ struct parabola {
     uint32_t at, step, bend;
 };
 
-/* From `from` with slope `slope` to `to` after m pixels. */
-static struct parabola parabola(int32_t from, int32_t slope, int32_t to, uint32_t m)
+/* The way of u or v along m pixels; part: how 1/w changes along them, as divide() says. */
+static inline __attribute__((always_inline)) struct parabola parabola(int32_t from, int32_t to, int32_t part,
+                                                                      uint32_t m)
 {
-    /* 2^32 / m^2; m = 0 is a single pixel, which takes no step */
-    static const int32_t inverse_square[BLOCK + 1] = {0,         INT32_MAX, 1073741824, 477218588, 268435456, 171798692,
-                                                      119304647, 87652394,  67108864,   53024287,  42949673,  35495598,
-                                                      29826162,  25414009,  21913098,   19088744,  16777216};
-    const int32_t miss = (int32_t)((uint32_t)to - (uint32_t)from - (uint32_t)slope * m);
-    const int32_t c = m == BLOCK ? miss >> 8 : mulhi(miss, inverse_square[m]);
-    return (struct parabola){(uint32_t)from, (uint32_t)slope + (uint32_t)c, 2 * (uint32_t)c};
-}
-
-/* Whether the whole block lies inside the texture: its Bezier control points do, with room for rounding. */
-static bool inside(int32_t from, int32_t slope, int32_t to, uint32_t m, int32_t limit)
-{
-    const uint32_t margin = 1024, room = (uint32_t)limit - 2 * margin;
-    const uint32_t control = (uint32_t)from + (uint32_t)((int32_t)((uint32_t)slope * m) >> 1);
-    return (uint32_t)from - margin < room && (uint32_t)to - margin < room && control - margin < room;
+    /* 2^31 / m; m = 0 is a single pixel, which takes no step */
+    static const int32_t inverse[BLOCK] = {0,         INT32_MAX, 1073741824, 715827882, 536870912, 429496729, 357913941,
+                                           306783378, 268435456, 238609294,  214748364, 195225786, 178956970, 165191049,
+                                           153391689, 143165576, 134217728,  126322567, 119304647, 113025455, 107374182,
+                                           102261126, 97612893,  93368854,   89478485,  85899345,  82595524,  79536431,
+                                           76695844,  74051160,  71582788,   69273666};
+    const int32_t way = (int32_t)((uint32_t)to - (uint32_t)from);
+    const int32_t bow = (int32_t)(0u - (uint32_t)(way >> 12) * (uint32_t)part) >> 4;
+    const int32_t straight = (int32_t)((uint32_t)way - (uint32_t)bow);
+    if (m == BLOCK) { /* from + straight i / m + bow (i / m)^2 */
+        return (struct parabola){(uint32_t)from, (uint32_t)((straight >> 5) + (bow >> 10)), (uint32_t)(bow >> 9)};
+    }
+    const int32_t bend = (bow >> 12) * (inverse[m] >> 16) >> 2; /* 2 bow / m */
+    const int32_t step = mulhi((int32_t)((uint32_t)straight + (uint32_t)(bend >> 1)), inverse[m]);
+    return (struct parabola){(uint32_t)from, (uint32_t)step * 2, 2 * (uint32_t)mulhi(bend, inverse[m])};
 }
 
 static uint32_t clamp_texel(int32_t texel, uint32_t mask)
@@ -194,57 +188,113 @@ static void draw_linear(const struct sampler *s, uint16_t *pixels, uint16_t *dep
     }
 }
 
-/* Whether the distance changes by more than about a quarter along a block: a parabola does not follow it then. */
-static bool is_steep(uint32_t w, uint32_t change)
+/* Whether 1/w changes by more than 3/16 along a block: a parabola does not follow u and v closely then. */
+static inline bool is_steep(uint32_t w, uint32_t change)
 {
     const uint32_t size = (int32_t)change < 0 ? 0u - change : change;
-    return size > w >> 2;
+    return size > (w >> 3) + (w >> 4);
 }
 
-/* n pixels of a block whose depth is one piece. */
-static void draw_piece(const struct ph_triangle *t, const struct sampler *s, uint16_t *pixels, void *depth, uint32_t n,
-                       struct ph_piece piece, struct parabola u, struct parabola v, bool clamp)
+/* n pixels of a block that ph_span_texture does not draw. */
+static void draw_piece(const struct ph_triangle *t, const struct sampler *s, struct ph_texel_run *run, uint32_t n,
+                       struct parabola u, struct parabola v)
 {
+    const struct ph_piece piece = {run->d, run->gd};
     if (s->wide) {
-        draw_wide(s, pixels, depth, n, piece, u, v, clamp);
+        draw_wide(s, run->pixels, (uint32_t *)(void *)run->depth, n, piece, u, v, s->clamp);
     } else if (t->block == PH_BLOCK_LINEAR) {
-        draw_linear(s, pixels, depth, n, piece, &t->linear, u, v, clamp);
+        draw_linear(s, run->pixels, run->depth, n, piece, &t->linear, u, v, s->clamp);
     } else if (s->light < 32) {
-        draw_lit(s, pixels, depth, n, piece.d, piece.gd, u, v, clamp);
+        draw_lit(s, run->pixels, run->depth, n, piece.d, piece.gd, u, v, s->clamp);
     } else {
-        draw_plain(s, pixels, depth, n, piece.d, piece.gd, u, v, clamp);
+        draw_plain(s, run->pixels, run->depth, n, piece.d, piece.gd, u, v, s->clamp);
     }
+    run->d += run->gd * n;
+    run->pixels += n;
+    run->depth = ph_depth_from(run->depth, n, s->wide);
 }
 
-static void textured_span(const struct ph_triangle *t, const struct sampler *s, uint16_t *pixels, void *depth,
-                          uint32_t n, uint32_t d, struct texture_row row)
+/* Whether all of a block lies in one repeat of the texture, or of a clamped one in the only one; its columns from 0. */
+static inline bool is_within(const struct sampler *s, const struct texture_point *from, const struct texture_point *to,
+                             uint32_t *column)
 {
-    struct texture_point from = divide(t, &row);
-    struct ph_piece piece = {0, 0};
-    uint32_t run = 0; /* pixels left of the piece */
+    const uint32_t margin = 256, width = (s->u_mask + 1) << 16, height = (s->v_mask + 1) << 16;
+    const uint32_t u = (uint32_t)(from->u >> (s->u_down - 16)), u_to = (uint32_t)(to->u >> (s->u_down - 16));
+    const uint32_t repeat = u & (0u - width);
+    *column = u - repeat;
+    if (*column - margin >= width - 2 * margin || u_to - repeat - margin >= width - 2 * margin) {
+        return false;
+    }
+    const uint32_t v = (uint32_t)(from->v >> (s->v_down - 16)), v_to = (uint32_t)(to->v >> (s->v_down - 16));
+    return !s->clamp || (repeat == 0 && v - margin < height - 2 * margin && v_to - margin < height - 2 * margin);
+}
+
+/* Texel run of a block. */
+static inline void set_run(struct ph_texel_run *run, const struct sampler *s, struct parabola u, struct parabola v,
+                           uint32_t column)
+{
+    const int u_down = s->u_down - 16, v_down = s->v_down - 16;
+    run->u = column;
+    run->du = (uint32_t)((int32_t)u.step >> u_down);
+    run->ddu = (uint32_t)((int32_t)u.bend >> u_down);
+    run->v = (uint32_t)((int32_t)v.at >> v_down) << s->log2_width;
+    run->dv = (uint32_t)((int32_t)v.step >> v_down) << s->log2_width;
+    run->ddv = (uint32_t)((int32_t)v.bend >> v_down) << s->log2_width;
+}
+
+/* Steps of the planes for a block; that of 1/w alone is the last. */
+struct texture_step {
+    uint32_t u, v, w;
+};
+
+static inline void advance(struct texture_row *row, const struct texture_step *per_pixel, uint32_t pixels)
+{
+    row->u = (int32_t)((uint32_t)row->u + per_pixel->u * pixels);
+    row->v = (int32_t)((uint32_t)row->v + per_pixel->v * pixels);
+    row->w += per_pixel->w * pixels;
+}
+
+/* Pixels of the next block, of n that are left. */
+static inline uint32_t block_pixels(uint32_t n, uint32_t w, uint32_t gw)
+{
+    uint32_t k = n < BLOCK ? n : BLOCK;
+    while (k > 1 && is_steep(w, gw * k)) {
+        k >>= 1;
+    }
+    return k;
+}
+
+/* A span of n pixels from run->pixels, run->depth on; d: depth there, in units of the plane. */
+static void textured_span(const struct ph_triangle *t, const struct sampler *s, struct ph_texel_run *run, uint32_t n,
+                          uint32_t d, struct texture_row row)
+{
+    const struct texture_step step = {t->attribute[0].gx, t->attribute[1].gx, over_w(t)->gx};
+    int32_t part;
+    struct texture_point from = divide(&row, 0, &part);
+    uint32_t left = 0; /* pixels left of the piece */
     while (n > 0) {
-        if (run == 0) {
-            run = n;
-            piece = ph_depth_piece(t, d, &run);
+        if (left == 0) {
+            left = n;
+            const struct ph_piece piece = ph_depth_piece(t, d, &left);
+            run->d = piece.d;
+            run->gd = piece.gd;
         }
-        uint32_t k = n < BLOCK ? n : BLOCK;
-        while (k > 4 && is_steep(row.w, over_w(t)->gx * k)) {
-            k >>= 1;
-        }
-        k = k < run ? k : run;
+        uint32_t k = block_pixels(n, row.w, step.w);
+        k = k < left ? k : left;
         const uint32_t m = k < n ? k : k - 1; /* never past the last pixel of the span */
-        advance(t, &row, m);
-        const struct texture_point to = m > 0 ? divide(t, &row) : from;
-        const bool clamp =
-            s->clamp && !(inside(from.u, from.du, to.u, m, s->limit) && inside(from.v, from.dv, to.v, m, s->limit));
-        const struct parabola u = parabola(from.u, from.du, to.u, m), v = parabola(from.v, from.dv, to.v, m);
-        draw_piece(t, s, pixels, depth, k, piece, u, v, clamp);
+        advance(&row, &step, m);
+        const struct texture_point to = divide(&row, step.w * m, &part);
+        const struct parabola u = parabola(from.u, to.u, part, m), v = parabola(from.v, to.v, part, m);
+        uint32_t column;
+        if (s->plain && is_within(s, &from, &to, &column)) {
+            set_run(run, s, u, v, column);
+            ph_span_texture(run, k);
+        } else {
+            draw_piece(t, s, run, k, u, v);
+        }
         from = to;
-        pixels += k;
-        depth = ph_depth_from(depth, k, s->wide);
-        piece.d += piece.gd * k;
         d += t->depth.gx * k;
-        run -= k;
+        left -= k;
         n -= k;
     }
 }
@@ -252,22 +302,24 @@ static void textured_span(const struct ph_triangle *t, const struct sampler *s, 
 static struct sampler sampler_of(const struct ph_triangle *t, bool wide)
 {
     const struct ph_texture *texture = t->material->texture;
-    const int down = 27 - t->range_log2;
+    const int down = 27 - t->range_log2, u_down = down - texture->log2_width, v_down = down - texture->log2_height;
+    const bool fits = u_down >= 16 && v_down >= 16 && texture->log2_width + texture->log2_height <= 16;
     return (struct sampler){texture->texels,
-                            down - texture->log2_width,
-                            down - texture->log2_height,
+                            u_down,
+                            v_down,
                             ((uint32_t)1 << texture->log2_width) - 1,
                             ((uint32_t)1 << texture->log2_height) - 1,
                             texture->log2_width,
                             t->colour,
-                            (int32_t)1 << down,
                             texture->wrap == PH_WRAP_CLAMP,
-                            wide};
+                            wide,
+                            fits && !wide && t->block != PH_BLOCK_LINEAR && t->colour >= 32};
 }
 
 static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *band, const struct sampler *s, int32_t y,
                           int32_t y_end, struct ph_edge left, struct ph_edge right)
 {
+    struct ph_texel_run run = {.texels = s->texels, .row_mask = s->v_mask << s->log2_width};
     uint32_t count = 0;
     for (; y < y_end; y++) {
         const int32_t from = left.x < 0 ? 0 : left.x >> 16;
@@ -278,8 +330,9 @@ static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *ban
                                             (int32_t)ph_plane_at(&t->attribute[1], x, (uint32_t)y),
                                             ph_plane_at(over_w(t), x, (uint32_t)y)};
             const uint32_t n = (uint32_t)(to - from);
-            textured_span(t, s, band->pixels + at, ph_depth_from(band->depth, at, s->wide), n,
-                          ph_plane_at(&t->depth, x, (uint32_t)y), row);
+            run.pixels = band->pixels + at;
+            run.depth = ph_depth_from(band->depth, at, s->wide);
+            textured_span(t, s, &run, n, ph_plane_at(&t->depth, x, (uint32_t)y), row);
             count += n;
         }
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);

@@ -1,0 +1,38 @@
+/*
+ * hot: the loops in which a frame's time goes, each in a file of its own. Private to firmware/core.
+ *
+ * The file in core/ is the portable form; core/armv6m and core/armv7m have the same function in assembly, where the
+ * compiler leaves time, and give the same result bit for bit (tests/test_hot.sh). Assembly takes at most 80 bytes
+ * of stack and calls nothing.
+ */
+#ifndef PH_HOT_H
+#define PH_HOT_H
+
+#include "pipeline.h"
+
+#include <stddef.h>
+
+/* fill.c: n times a value. */
+void ph_fill(uint16_t *to, uint16_t value, uint32_t n);
+
+/*
+ * span_texture.c: a run of at most PH_TEXEL_RUN pixels with the depth test, one texel each, along a parabola in u and
+ * in v: du, dv are the steps from the first pixel, ddu, ddv what each step is longer than the last.
+ */
+#define PH_TEXEL_RUN 32
+
+struct ph_texel_run {
+    uint32_t d, gd;      /* depth, 16.16 code, and per pixel */
+    uint32_t u, du, ddu; /* texel column in 2^-16, within the texture at each pixel */
+    uint32_t v, dv, ddv; /* texel row times the texture's width in 2^-16, modulo the texture's size */
+    uint32_t row_mask;   /* of the row's bits in an index: (height - 1) * width */
+    const uint16_t *texels;
+    uint16_t *depth, *pixels;
+};
+
+_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_run, depth) == 40, "assembly relies on it");
+
+/* Draws n = 1 .. PH_TEXEL_RUN pixels; d, depth and pixels then stand behind them. */
+void ph_span_texture(struct ph_texel_run *run, uint32_t n);
+
+#endif
