@@ -101,6 +101,10 @@ extern const uint32_t demo_count;
 
 const struct demo *demo_find(const char *name);
 
+/* What an image shows first: defined by its build as demo_list[0], or as demo_scene of a file that pinhole-asset made. */
+extern const struct demo *const demo_here;
+extern const struct demo demo_scene;
+
 /*
  * The turntable for any meshes, e.g. a loaded model: meshes with their own materials, in one coordinate system (y up),
  * turn together about the vertical axis through `centre`, one turn in 256 frames. The camera looks down at 20 degrees
@@ -117,5 +121,20 @@ const struct demo *demo_find(const char *name);
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                         struct fx_vec3 centre);
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
+
+/*
+ * Any meshes, as they stand, before an eye of their own, e.g. a model file's camera; the buttons move it around the
+ * origin. lens is a perspective or an orthographic projection whose scales say what must be seen at least: half its
+ * width and half its height (scale_x_q20 0: whatever width the picture gives). init takes DEMO_STILL_BYTES at most.
+ */
+struct demo_eye {
+    struct ph_xform view; /* world to view */
+    struct ph_projection lens;
+};
+
+#define DEMO_STILL_BYTES 512
+int demo_still_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
+                    const struct demo_eye *eye);
+int demo_still_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
 #endif

@@ -1,0 +1,69 @@
+/* demo_still: see demo.h. */
+#include "demo_scene.h"
+
+struct still {
+    const struct ph_mesh *meshes;
+    uint32_t mesh_count;
+    struct ph_xform view;
+    struct ph_projection projection;
+    struct ph_scene_light light;
+};
+
+_Static_assert(sizeof(struct still) <= DEMO_STILL_BYTES, "DEMO_STILL_BYTES is too small");
+
+/* As the turntable's, but in the eye's coordinates: from above on the left, and a weak one from the right. */
+static const struct ph_scene_light light_of_eye = {
+    .ambient = FX_ONE,
+    .count = 2,
+    .lights = {{.kind = PH_LIGHT_DIRECTIONAL,
+                .intensity = FX_ONE,
+                .to_light_q30 = {-536870912, 759250125, 536870912}}, /* (-1, sqrt 2, 1) / 2 */
+               {.kind = PH_LIGHT_DIRECTIONAL,
+                .intensity = FX_ONE * 3 / 10,
+                .to_light_q30 = {966367642, 214748365, -414691770}}}, /* (.9, .2, -.386) */
+};
+
+/* The eye's frame as large as it goes into a picture with square pixels. */
+static struct ph_projection fit_frame(const struct demo_context *context, const struct ph_projection *lens)
+{
+    const int64_t w = context->width, h = context->height;
+    struct ph_projection p = *lens;
+    const int64_t for_width = lens->scale_x_q20 * w / h;
+    if (lens->scale_x_q20 != 0 && for_width < p.scale_y_q20) {
+        p.scale_y_q20 = (int32_t)for_width;
+    }
+    const int64_t scale_x = (p.scale_y_q20 * h + w / 2) / w;
+    p.scale_x_q20 = scale_x < INT32_MAX ? (int32_t)scale_x : INT32_MAX;
+    return p;
+}
+
+int demo_still_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
+                    const struct demo_eye *eye)
+{
+    struct still *const s = demo_alloc(&context->arena, sizeof(*s));
+    if (!s) {
+        return PH_ERR_NOMEM;
+    }
+    const struct ph_xform to_world = ph_xform_inverse_rigid(&eye->view);
+    *s = (struct still){meshes, mesh_count, eye->view, fit_frame(context, &eye->lens), light_of_eye};
+    for (uint32_t i = 0; i < s->light.count; i++) {
+        struct fx_vec3 *const to_light = &s->light.lights[i].to_light_q30;
+        *to_light = ph_xform_direction_q30(&to_world, *to_light);
+    }
+    context->state = s;
+    return PH_OK;
+}
+
+int demo_still_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct still *const s = context->state;
+    struct ph_xform view = s->view;
+    struct ph_projection projection = s->projection;
+    (void)frame;
+    demo_orbit(context, &view, &projection);
+    int status = demo_begin(context, r, &view, &projection, &s->light, ph_rgb565(20, 26, 38));
+    for (uint32_t i = 0; i < s->mesh_count && status == PH_OK; i++) {
+        status = ph_draw_mesh(r, &s->meshes[i], &ph_xform_identity);
+    }
+    return status;
+}
