@@ -117,6 +117,14 @@ size_t kit_bytes(const struct kit_config *config)
     return (size_t)(picture_bytes(&p) + most);
 }
 
+uint64_t kit_whole_bytes(const struct kit_config *config)
+{
+    const struct demo *demo = config->demo;
+    const struct picture p = picture_of(config);
+    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
+    return picture_bytes(&p) + level_bytes_32(&level, level.triangle_max);
+}
+
 static int open_panel(struct kit *kit, const struct picture *p)
 {
     const struct board *board = kit->config.board;

@@ -73,6 +73,9 @@ uint32_t kit_budget(const struct board *board);
  */
 size_t kit_bytes(const struct kit_config *config);
 
+/* Memory that a 32-bit target needs to draw config->demo whole; with a budget_bytes below it parts are left out. */
+uint64_t kit_whole_bytes(const struct kit_config *config);
+
 /* 0; PH_ERR_NOMEM: memory_bytes or budget_bytes is too small for the bands and the scene's meshes; PH_ERR_INVAL: no
  * such picture; or an error of the panel (HAL_E..). */
 int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *config);
