@@ -7,7 +7,10 @@
  * sphere of radius 1 around the origin from inside. The diffuse colour of a material becomes its ramp; a PNG texture is
  * resampled to a power of two of at most 1024. A texture that cannot be used (JPEG, missing, broken) leaves the colour.
  * A note says so, and what else was changed or ignored: missing material files, sizes of textures, vertex colours,
- * transparency.
+ * transparency, lights, animations.
+ *
+ * A file's first camera (glTF) becomes the model's, moved and scaled with it; its near and far plane come as close to
+ * the model as they can. The shape of its picture is kept: what it shows is seen on a panel of any shape.
  *
  * assimp/ does it with libassimp, noassimp/ says what to install; the Makefile picks. Reading happens in a child
  * process, into memory shared with it: a file that makes the reader crash or hang costs one line, not the program.
@@ -26,7 +29,9 @@ struct model {
     uint32_t mesh_count;
     uint32_t vertex_max;     /* vertices of the largest mesh */
     uint32_t triangle_count; /* of all meshes */
-    const char *note;        /* one line on what could not be used, or NULL */
+    bool has_camera;
+    struct demo_eye camera;
+    const char *note; /* one line on what could not be used, or NULL */
 };
 
 /* Reads a file. 0, or EXIT_FAILED when one line has said why. */
@@ -34,7 +39,10 @@ int model_open(struct model **model, const char *path);
 
 void model_close(struct model *model);
 
-/* A demo that shows the model on the turntable; its context->state must be the model. */
+/*
+ * A demo that shows the model as its camera does, with the views `camera` and `turntable`; a model without one on the
+ * turntable. Its context->state must be the model.
+ */
 struct demo model_demo(const struct model *model);
 
 #endif

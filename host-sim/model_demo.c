@@ -1,23 +1,45 @@
 #include "model.h"
 
-static int init(struct demo_context *context)
+#include <string.h>
+
+static const char *const views[] = {"camera", "turntable", NULL};
+
+static int turntable_init(struct demo_context *context)
 {
     const struct model *model = context->state;
     const struct fx_vec3 centre = {0, 0, 0};
     return demo_turntable_init(context, model->meshes, model->mesh_count, centre);
 }
 
+static bool is_turntable(const struct demo_context *context)
+{
+    return context->view != NULL && strcmp(context->view, "turntable") == 0;
+}
+
+static int camera_init(struct demo_context *context)
+{
+    const struct model *model = context->state;
+    return is_turntable(context) ? turntable_init(context)
+                                 : demo_still_init(context, model->meshes, model->mesh_count, &model->camera);
+}
+
+static int camera_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    return (is_turntable(context) ? demo_turntable_frame : demo_still_frame)(context, r, frame);
+}
+
 struct demo model_demo(const struct model *model)
 {
     const uint32_t vertices = model->vertex_max;
     return (struct demo){.name = "model",
-                         .summary = "a model file on the turntable",
+                         .summary = "a model file",
+                         .views = model->has_camera ? views : NULL,
                          .loop_frames = demo_find("turntable")->loop_frames,
                          .arena_bytes = DEMO_TURNTABLE_BYTES,
                          .arena_bytes_32 = DEMO_TURNTABLE_BYTES,
                          .vertex_max = vertices > DEMO_TURNTABLE_VERTICES ? vertices : DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
                          .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES,
-                         .init = init,
-                         .frame = demo_turntable_frame};
+                         .init = model->has_camera ? camera_init : turntable_init,
+                         .frame = model->has_camera ? camera_frame : demo_turntable_frame};
 }

@@ -164,9 +164,6 @@ static int choose_scene(const struct options *o, struct chosen *chosen, struct p
         return setup->demo != NULL ? choose_view(o, setup)
                                    : complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
     }
-    if (o->view != NULL) {
-        return complain(EXIT_USAGE, "--view '%s': a model has but one view", o->view);
-    }
     const int status = model_open(&chosen->model, o->model);
     if (status != 0) {
         return status;
@@ -177,7 +174,7 @@ static int choose_scene(const struct options *o, struct chosen *chosen, struct p
     chosen->model_demo = model_demo(chosen->model);
     setup->demo = &chosen->model_demo;
     setup->state = chosen->model;
-    return 0;
+    return choose_view(o, setup);
 }
 
 static int choose(const struct options *o, struct chosen *chosen, struct player_setup *setup)

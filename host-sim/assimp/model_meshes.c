@@ -5,10 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-struct fit {
-    double centre[3], scale;
-};
-
 /* Q16.16, saturated; NaN gives 0. */
 static fx_t fixed(double value)
 {
@@ -19,7 +15,7 @@ static fx_t fixed(double value)
 }
 
 /* The middle of the box around all points, and their largest distance from it. */
-static bool find_fit(const struct model_places *places, struct fit *fit)
+static bool find_fit(const struct model_places *places, struct model_fit *fit)
 {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, point[3];
     for (size_t k = 0; k < places->count; k++) {
@@ -84,7 +80,7 @@ static unsigned vertex_of(const struct piece *piece, unsigned i)
     return is_triangle(mesh, f) ? mesh->mFaces[f].mIndices[i % 3] : 0;
 }
 
-static void copy_vertices(const struct piece *from, const struct fit *fit, double (*points)[3],
+static void copy_vertices(const struct piece *from, const struct model_fit *fit, double (*points)[3],
                           struct fx_vec3 *positions, int16_t (*normals)[3])
 {
     for (unsigned i = 0; i < from->vertex_count; i++) {
@@ -165,7 +161,7 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
 }
 
 /* Positions, triangles and normals into arrays of the right size. false: no memory. */
-static bool copy_shape(const struct piece *from, const struct fit *fit, struct fx_vec3 *positions,
+static bool copy_shape(const struct piece *from, const struct model_fit *fit, struct fx_vec3 *positions,
                        int16_t (*normals)[3], struct ph_mesh *to)
 {
     double(*points)[3] = calloc(to->vertex_count, sizeof *points);
@@ -180,7 +176,7 @@ static bool copy_shape(const struct piece *from, const struct fit *fit, struct f
     return true;
 }
 
-static bool copy_mesh(struct model_shared *shared, const struct piece *from, const struct fit *fit,
+static bool copy_mesh(struct model_shared *shared, const struct piece *from, const struct model_fit *fit,
                       const struct ph_material *materials, struct ph_mesh *to)
 {
     const uint32_t n = from->vertex_count;
@@ -223,7 +219,7 @@ static size_t count_pieces(const struct model_places *places)
     return count;
 }
 
-static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct fit *fit,
+static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
                        const struct ph_material *materials)
 {
     struct model *model = &shared->model;
@@ -244,11 +240,11 @@ static bool copy_place(struct model_shared *shared, const struct model_place *pl
     return true;
 }
 
-static bool copy_meshes(struct model_shared *shared, const struct model_places *places,
+static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene, const struct model_places *places,
                         const struct ph_material *materials)
 {
     struct model *model = &shared->model;
-    struct fit fit;
+    struct model_fit fit;
     if (!find_fit(places, &fit)) {
         return model_read_failed(shared, "has coordinates that are no numbers, or all points in one place");
     }
@@ -261,6 +257,7 @@ static bool copy_meshes(struct model_shared *shared, const struct model_places *
             return false;
         }
     }
+    model_read_camera(shared, scene, &fit);
     return model->triangle_count > 0 || model_read_failed(shared, "has no triangles");
 }
 
@@ -270,7 +267,7 @@ bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene,
     if (!model_places_find(scene, &places)) {
         return model_read_failed(shared, "needs too much memory");
     }
-    const bool done = copy_meshes(shared, &places, materials);
+    const bool done = copy_meshes(shared, scene, &places, materials);
     free(places.list);
     return done;
 }

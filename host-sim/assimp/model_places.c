@@ -12,8 +12,7 @@ static size_t count_places(const struct aiNode *node)
     return count;
 }
 
-/* to = parent * local, rows of three and a translation. */
-static void multiply(double to[3][4], double parent[3][4], const struct aiMatrix4x4 *local)
+void model_place_multiply(double to[3][4], double parent[3][4], const struct aiMatrix4x4 *local)
 {
     const double l[4][4] = {{local->a1, local->a2, local->a3, local->a4},
                             {local->b1, local->b2, local->b3, local->b4},
@@ -49,7 +48,7 @@ static void add_places(const struct aiScene *scene, const struct aiNode *node, d
                        struct model_places *places)
 {
     struct model_place place;
-    multiply(place.m, parent, &node->mTransformation);
+    model_place_multiply(place.m, parent, &node->mTransformation);
     find_cofactors(&place);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         place.mesh = scene->mMeshes[node->mMeshes[i]];

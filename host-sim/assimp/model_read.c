@@ -152,6 +152,14 @@ static void scale_to_reason(const struct aiScene *scene)
             *v = (struct aiVector3D){ldexpf(v->x, shift), ldexpf(v->y, shift), ldexpf(v->z, shift)};
         }
     }
+    for (unsigned i = 0; i < scene->mNumCameras; i++) {
+        struct aiCamera *c = scene->mCameras[i];
+        c->mPosition = (struct aiVector3D){ldexpf(c->mPosition.x, shift), ldexpf(c->mPosition.y, shift),
+                                           ldexpf(c->mPosition.z, shift)};
+        c->mClipPlaneNear = ldexpf(c->mClipPlaneNear, shift);
+        c->mClipPlaneFar = ldexpf(c->mClipPlaneFar, shift);
+        c->mOrthographicWidth = ldexpf(c->mOrthographicWidth, shift);
+    }
     scale_nodes(scene->mRootNode, ldexpf(1, shift));
 }
 
@@ -217,6 +225,12 @@ bool model_read(struct model_shared *shared, const char *path)
     }
     if (has_suffix(path, ".obj")) {
         model_note_missing_mtl(shared, path);
+    }
+    if (scene->mNumLights > 0) {
+        model_read_note(shared, "lights are ignored");
+    }
+    if (scene->mNumAnimations > 0) {
+        model_read_note(shared, "animations are ignored");
     }
     const struct ph_material *materials = model_read_materials(shared, scene, path, is_linear);
     if (materials == NULL) {

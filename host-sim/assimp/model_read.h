@@ -32,8 +32,19 @@ void model_note_missing_mtl(struct model_shared *shared, const char *path);
 struct ph_material *model_read_materials(struct model_shared *shared, const struct aiScene *scene, const char *path,
                                          bool is_linear);
 
-/* The scene's meshes, fitted to the unit sphere. */
+/* From the world to the unit sphere: (p - centre) * scale. */
+struct model_fit {
+    double centre[3], scale;
+};
+
+/* The scene's meshes, fitted to the unit sphere; the camera is fitted with them. */
 bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials);
+
+/* The scene's first camera, where it has one; what is odd about it is noted. */
+void model_read_camera(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit);
+
+/* to = parent * local: rows of three and a translation. */
+void model_place_multiply(double to[3][4], double parent[3][4], const struct aiMatrix4x4 *local);
 
 /* A mesh where a node shows it. */
 struct model_place {
