@@ -29,9 +29,13 @@ USB ?= $(if $(call have,libusb-1.0),usb,nousb)
 GPIOD := $(GPIOD)
 USB := $(USB)
 GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags libgpiod))
+# meshoptimizer has no pkg-config file; without model files there is nothing for it to do.
+MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h)),meshopt,nomeshopt)
+MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
+            $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
             $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
             $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
@@ -50,6 +54,7 @@ BOARDS := $(wildcard boards/*.c boards/*/*.c)
 BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard $(BOARD_DIR)/*/board.c)))
 $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
 SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
+                                             host-sim/$(MESHOPT)/*.c \
                                              host-sim/$(SDL)/*.c host-sim/$(USB)/*.c))
 PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(filter-out $(if $(SPIDEV),,host-sim/pinhole_panel.c),\
                                                              $(wildcard host-sim/pinhole_*.c)))
@@ -84,7 +89,7 @@ COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 all: $(PROGRAMS) ## the programs, under build/
 
-# What was built with other flags or from other files is built again.
+# What was built with other flags or from other files is built again; tests link all objects of the core that they find.
 $(B)/flags: FORCE
 	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -f $(B)/firmware/core/*.o; echo '$(ALL_FLAGS)' >$@; }
 
@@ -93,16 +98,16 @@ $(B)/%.o: %.c $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -c $< -o $@
 
-ifneq ($(BOARDS_MORE),)
-$(B)/boards/boards.o: $(B)/boards_more/boards_more.h
-$(B)/boards_more/boards_more.h: $(B)/flags
-	@mkdir -p $(@D)
-	@{ $(foreach b,$(BOARDS_MORE),echo 'extern const struct board board_$(subst -,_,$(b));';) \
 $(B)/%.o: %.S $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) AS $<
 	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
 
+ifneq ($(BOARDS_MORE),)
+$(B)/boards/boards.o: $(B)/boards_more/boards_more.h
+$(B)/boards_more/boards_more.h: $(B)/flags
+	@mkdir -p $(@D)
+	@{ $(foreach b,$(BOARDS_MORE),echo 'extern const struct board board_$(subst -,_,$(b));';) \
 	   echo '#define BOARDS_MORE $(foreach b,$(BOARDS_MORE),&board_$(subst -,_,$(b)),)'; } >$@
 
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags

@@ -1,0 +1,86 @@
+/*
+ * asset: a model as const data for the flash of a microcontroller kit (pinhole-asset).
+ *
+ *   asset_make(&asset, model, &limits)     simplifies, orders, shrinks textures
+ *   asset_measure(&asset, board)           how long the renderer's list of triangles becomes on that board
+ *   asset_demo(&asset)                     the demo that the written file defines
+ *   asset_write(file, &asset)              that file, in C
+ *
+ * Simplifying and ordering are meshoptimizer's: meshopt/ has it, nomeshopt/ does without; the Makefile picks.
+ */
+#ifndef ASSET_H
+#define ASSET_H
+
+#include "board.h"
+#include "model.h"
+
+#include <stdio.h>
+
+#define ASSET_NAME_BYTES 40
+
+struct asset_limits {
+    uint32_t triangles;    /* UINT32_MAX: all */
+    uint8_t texture_log2;  /* longest side of a texture */
+    bool is_on_turntable;  /* also where the file has a camera */
+    const char *file_name; /* of the model, for its name */
+};
+
+/* How it was simplified. */
+enum asset_way {
+    ASSET_WHOLE,  /* not at all */
+    ASSET_KEPT,   /* vertices with the normals of the file */
+    ASSET_JOINED, /* vertices of one place became one, and normals were made again: creases had been in the way */
+    ASSET_SLOPPY, /* without regard to what hangs together */
+};
+
+struct asset {
+    struct model model; /* what is written */
+    struct ph_material *materials; /* one a mesh */
+    void *memory;
+    char name[ASSET_NAME_BYTES]; /* of the file: letters, digits, - and _ */
+    uint32_t triangles_read, vertices_read;
+    enum asset_way way;
+    double error;                 /* by how much simplification moved the surface, at most, in radii of the model */
+    double fetched_read, fetched; /* vertices per triangle that are not among the 16 used last, before and after */
+    uint32_t listed;              /* triangles of a frame at most, of what asset_measure() looked at */
+};
+
+/* False: this program was built without meshoptimizer, and nothing is simplified. */
+extern const bool asset_can_simplify;
+
+/* 0, or EXIT_FAILED when one line has said why. Where a model cannot be simplified so far more triangles remain. */
+int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits);
+void asset_free(struct asset *asset);
+
+/*
+ * Draws the scene from many sides, and from as near and as far as the buttons lead, and raises asset->listed to the
+ * longest list of triangles, with a sixteenth to spare. 0, or EXIT_FAILED as above.
+ */
+int asset_measure(struct asset *asset, const struct board *board);
+
+/* Its context->state must be &asset->model. */
+struct demo asset_demo(const struct asset *asset);
+
+/* Memory that the board needs to draw it whole, and what its bands alone need; see kit_whole_bytes(). */
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board);
+uint64_t asset_band_bytes(const struct board *board);
+
+/* Bytes of flash on a 32-bit target. */
+struct asset_sizes {
+    uint64_t positions, normals, uvs, triangles, tables, textures; /* tables: meshes, materials, ramps, the demo */
+};
+
+struct asset_sizes asset_sizes(const struct asset *asset);
+uint64_t asset_flash_bytes(const struct asset *asset);
+
+/* Meshes share ramps and textures: the first mesh that has the same. */
+uint32_t asset_first_ramp(const struct model *model, uint32_t mesh);
+uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
+
+/* The C file: the same bytes for the same asset. Errors are the stream's. */
+void asset_write(FILE *file, const struct asset *asset);
+
+/* What it takes; of one board, or (NULL) of all. 0, or EXIT_FAILED as above. */
+int asset_report(FILE *file, const struct asset *asset, const struct board *board);
+
+#endif

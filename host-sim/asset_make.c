@@ -1,0 +1,324 @@
+#include "asset_mesh.h"
+#include "complain.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define TRIANGLE_BYTES 96 /* three vertices of its own, and its corners */
+#define MESH_BYTES     256
+
+/* Letters, digits, - and _ of the file's name, without folder and extension. */
+static void make_name(char name[ASSET_NAME_BYTES], const char *file)
+{
+    const char *slash = strrchr(file, '/'), *start = slash != NULL ? slash + 1 : file, *dot = strrchr(start, '.');
+    size_t n = dot != NULL && dot != start ? (size_t)(dot - start) : strlen(start);
+    n = n < ASSET_NAME_BYTES - 1 ? n : ASSET_NAME_BYTES - 1;
+    for (size_t i = 0; i < n; i++) {
+        const char c = start[i];
+        const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+        name[i] = is_plain ? c : '_';
+    }
+    name[n] = '\0';
+}
+
+/* ---- meshes --------------------------------------------------------------------------------------------- */
+
+/* Each triangle with one normal for all its corners. */
+static bool is_flat(const struct ph_mesh *mesh)
+{
+    for (uint32_t t = 0; t < mesh->triangle_count; t++) {
+        const uint16_t *c = mesh->triangles[t];
+        if (memcmp(mesh->normals[c[0]], mesh->normals[c[1]], sizeof mesh->normals[0]) != 0 ||
+            memcmp(mesh->normals[c[0]], mesh->normals[c[2]], sizeof mesh->normals[0]) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Material and part of the mesh; the rest is there. */
+static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, struct ph_material *material,
+                        struct ph_mesh *to)
+{
+    struct ph_part *part = demo_alloc(arena, sizeof *part);
+    if (part == NULL) {
+        return false;
+    }
+    *part = (struct ph_part){.first = 0, .count = to->triangle_count, .material = 0};
+    *material = from->materials[from->parts->material];
+    to->parts = part;
+    to->materials = material;
+    to->part_count = 1;
+    return true;
+}
+
+static bool order_mesh(struct demo_arena *arena, const struct ph_mesh *from, const unsigned *indices, size_t count,
+                       struct ph_material *material, struct ph_mesh *to)
+{
+    const struct asset_shape shape = {from->positions, from->normals, from->uvs, from->vertex_count, indices, count};
+    return asset_order(arena, &shape, to) && finish_mesh(arena, from, material, to);
+}
+
+/* Corners of their own, with new normals. */
+struct loose {
+    struct fx_vec3 *positions;
+    int16_t (*normals)[3];
+    fx_t (*uvs)[2];
+    unsigned *indices;
+};
+
+static void loosen(struct loose *l, const struct ph_mesh *from, const unsigned *indices, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        l->positions[i] = from->positions[indices[i]];
+        l->indices[i] = (unsigned)i;
+        if (from->uvs != NULL) {
+            memcpy(l->uvs[i], from->uvs[indices[i]], sizeof l->uvs[i]);
+        }
+    }
+}
+
+static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, const unsigned *indices, size_t count,
+                        struct ph_material *material, struct ph_mesh *to)
+{
+    struct loose l = {malloc(sizeof *l.positions * (count + 1)), malloc(sizeof *l.normals * (count + 1)),
+                      malloc(sizeof *l.uvs * (count + 1)), malloc(sizeof *l.indices * (count + 1))};
+    bool is_done = l.positions != NULL && l.normals != NULL && l.uvs != NULL && l.indices != NULL;
+    if (is_done) {
+        loosen(&l, from, indices, count);
+        const struct asset_shape shape = {l.positions,
+                                          (const int16_t(*)[3])l.normals,
+                                          from->uvs != NULL ? (const fx_t(*)[2])l.uvs : NULL,
+                                          (uint32_t)count,
+                                          l.indices,
+                                          count};
+        is_done = asset_normals(l.positions, count, is_flat(from), l.normals) && asset_order(arena, &shape, to) &&
+                  finish_mesh(arena, from, material, to);
+    }
+    free(l.positions);
+    free(l.normals);
+    free(l.uvs);
+    free(l.indices);
+    return is_done;
+}
+
+/* The mesh's share of what remains, with its own numbers; `first` is its first vertex. */
+static size_t take(const struct asset_rest *rest, uint32_t first, uint32_t vertex_count, unsigned *indices)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < rest->index_count; i += 3) {
+        if (rest->indices[i] >= first && rest->indices[i] - first < vertex_count) {
+            for (size_t k = 0; k < 3; k++) {
+                indices[n++] = rest->indices[i + k] - first;
+            }
+        }
+    }
+    return n;
+}
+
+static void count_mesh(struct asset *asset, const struct ph_mesh *mesh)
+{
+    struct model *model = &asset->model;
+    model->mesh_count++;
+    model->triangle_count += mesh->triangle_count;
+    model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
+    asset->fetched += asset_fetches(mesh);
+}
+
+static bool make_meshes(struct asset *asset, struct demo_arena *arena, const struct model *from,
+                        const struct asset_rest *rest)
+{
+    unsigned *indices = malloc(sizeof *indices * 3 * ((size_t)from->triangle_count + 1));
+    bool is_done = indices != NULL;
+    uint32_t first = 0;
+    for (uint32_t m = 0; m < from->mesh_count && is_done; m++) {
+        const struct ph_mesh *mesh = &from->meshes[m];
+        struct ph_mesh *to = &asset->model.meshes[asset->model.mesh_count];
+        const size_t n = take(rest, first, mesh->vertex_count, indices);
+        first += mesh->vertex_count;
+        if (n > 0) {
+            struct ph_material *material = &asset->materials[asset->model.mesh_count];
+            const bool has_normals = rest->way == ASSET_WHOLE || rest->way == ASSET_KEPT;
+            is_done = (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, material, to);
+            count_mesh(asset, to);
+        }
+    }
+    free(indices);
+    return is_done;
+}
+
+int asset_keep_all(const struct model *model, struct asset_rest *rest)
+{
+    *rest = (struct asset_rest){.indices = malloc(sizeof *rest->indices * 3 * ((size_t)model->triangle_count + 1))};
+    uint32_t first = 0;
+    for (uint32_t m = 0; m < model->mesh_count && rest->indices != NULL; m++) {
+        const struct ph_mesh *mesh = &model->meshes[m];
+        for (uint32_t t = 0; t < mesh->triangle_count; t++) {
+            for (int i = 0; i < 3; i++) {
+                rest->indices[rest->index_count++] = first + mesh->triangles[t][i];
+            }
+        }
+        first += mesh->vertex_count;
+    }
+    return rest->indices != NULL ? 0 : complain(EXIT_FAILED, "not enough memory for the model");
+}
+
+/* ---- textures ------------------------------------------------------------------------------------------- */
+
+static size_t texel_count(const struct ph_texture *texture)
+{
+    return (size_t)1 << (texture->log2_width + texture->log2_height);
+}
+
+/* Red, green and blue of a texel, 0 .. 31, 63, 31; ph_rgb565 puts them into wire order. */
+static void add_texel(uint32_t sum[3], uint16_t texel)
+{
+    uint8_t bytes[2];
+    memcpy(bytes, &texel, sizeof bytes);
+    const uint32_t colour = (uint32_t)bytes[0] << 8 | bytes[1];
+    sum[0] += colour >> 11;
+    sum[1] += colour >> 5 & 63;
+    sum[2] += colour & 31;
+}
+
+static uint16_t mean_texel(const struct ph_texture *from, uint32_t x, uint32_t y, unsigned shift_x, unsigned shift_y)
+{
+    uint32_t sum[3] = {0, 0, 0};
+    const unsigned shift = shift_x + shift_y;
+    const uint32_t half = (1u << shift) / 2;
+    for (uint32_t j = y << shift_y; j < (y + 1) << shift_y; j++) {
+        for (uint32_t i = x << shift_x; i < (x + 1) << shift_x; i++) {
+            add_texel(sum, from->texels[((size_t)j << from->log2_width) + i]);
+        }
+    }
+    const uint32_t colour = (sum[0] + half) >> shift << 11 | (sum[1] + half) >> shift << 5 | (sum[2] + half) >> shift;
+    const uint8_t bytes[2] = {(uint8_t)(colour >> 8), (uint8_t)colour};
+    uint16_t texel;
+    memcpy(&texel, bytes, sizeof texel);
+    return texel;
+}
+
+static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph_texture *from, uint8_t log2_max)
+{
+    struct ph_texture *to = demo_alloc(arena, sizeof *to);
+    if (to == NULL) {
+        return NULL;
+    }
+    *to = *from;
+    to->log2_width = from->log2_width < log2_max ? from->log2_width : log2_max;
+    to->log2_height = from->log2_height < log2_max ? from->log2_height : log2_max;
+    uint16_t *texels = demo_alloc(arena, sizeof *texels * texel_count(to));
+    if (texels == NULL) {
+        return NULL;
+    }
+    const unsigned shift_x = from->log2_width - to->log2_width, shift_y = from->log2_height - to->log2_height;
+    for (uint32_t y = 0; y < 1u << to->log2_height; y++) {
+        for (uint32_t x = 0; x < 1u << to->log2_width; x++) {
+            texels[((size_t)y << to->log2_width) + x] = mean_texel(from, x, y, shift_x, shift_y);
+        }
+    }
+    to->texels = texels;
+    return to;
+}
+
+/* What shared a texture goes on to share it. */
+static bool shrink_textures(struct asset *asset, struct demo_arena *arena, uint8_t log2_max)
+{
+    const uint32_t count = asset->model.mesh_count;
+    for (uint32_t m = 0; m < count; m++) {
+        const struct ph_texture *from = asset->materials[m].texture;
+        if (from == NULL || asset_first_texture(&asset->model, m) != m) {
+            continue;
+        }
+        const struct ph_texture *to = shrink(arena, from, log2_max);
+        if (to == NULL) {
+            return false;
+        }
+        for (uint32_t other = m; other < count; other++) {
+            struct ph_material *material = &asset->materials[other];
+            material->texture = material->texture == from ? to : material->texture;
+        }
+    }
+    return true;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------ */
+
+static size_t bytes_for(const struct model *model, uint32_t triangles)
+{
+    size_t bytes = 4096 + (size_t)triangles * TRIANGLE_BYTES + (size_t)model->mesh_count * MESH_BYTES * 2;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_texture *texture = model->meshes[m].materials->texture;
+        if (texture != NULL && asset_first_texture(model, m) == m) {
+            bytes += 64 + 2 * texel_count(texture);
+        }
+    }
+    return bytes;
+}
+
+static int make(struct asset *asset, const struct model *model, const struct asset_limits *limits,
+                const struct asset_rest *rest)
+{
+    const size_t bytes = bytes_for(model, (uint32_t)(rest->index_count / 3));
+    asset->memory = malloc(bytes);
+    struct demo_arena arena = {.base = asset->memory, .size = asset->memory != NULL ? bytes : 0};
+    asset->model.meshes = demo_alloc(&arena, sizeof *asset->model.meshes * model->mesh_count);
+    asset->materials = demo_alloc(&arena, sizeof *asset->materials * model->mesh_count);
+    asset->way = rest->way;
+    asset->error = rest->error;
+    return asset->model.meshes != NULL && asset->materials != NULL && make_meshes(asset, &arena, model, rest) &&
+                   shrink_textures(asset, &arena, limits->texture_log2)
+               ? 0
+               : complain(EXIT_FAILED, "not enough memory for the model, or too many vertices in one mesh; simplify it "
+                                       "(--max-triangles)");
+}
+
+int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits)
+{
+    struct asset_rest rest;
+    *asset = (struct asset){.triangles_read = model->triangle_count};
+    make_name(asset->name, limits->file_name);
+    asset->model.has_camera = model->has_camera && !limits->is_on_turntable;
+    asset->model.camera = model->camera;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        asset->vertices_read += model->meshes[m].vertex_count;
+        asset->fetched_read += asset_fetches(&model->meshes[m]);
+    }
+    int status = model->triangle_count > limits->triangles ? asset_simplify(model, limits->triangles, &rest)
+                                                           : asset_keep_all(model, &rest);
+    if (status == 0) {
+        status = make(asset, model, limits, &rest);
+    }
+    free(rest.indices);
+    asset->fetched_read /= model->triangle_count;
+    asset->fetched /= asset->model.triangle_count > 0 ? asset->model.triangle_count : 1;
+    return status;
+}
+
+void asset_free(struct asset *asset)
+{
+    free(asset->memory);
+    asset->memory = NULL;
+}
+
+/* ---- what meshes share ---------------------------------------------------------------------------------- */
+
+uint32_t asset_first_ramp(const struct model *model, uint32_t mesh)
+{
+    const uint16_t *ramp = model->meshes[mesh].materials->ramp;
+    uint32_t first = 0;
+    while (memcmp(model->meshes[first].materials->ramp, ramp, sizeof *ramp * PH_RAMP_SIZE) != 0) {
+        first++;
+    }
+    return first;
+}
+
+uint32_t asset_first_texture(const struct model *model, uint32_t mesh)
+{
+    const struct ph_texture *texture = model->meshes[mesh].materials->texture;
+    uint32_t first = 0;
+    while (model->meshes[first].materials->texture != texture) {
+        first++;
+    }
+    return first;
+}

@@ -1,0 +1,144 @@
+#include "asset_options.h"
+
+#include "complain.h"
+#include "model.h"
+#include "option_table.h"
+#include "option_text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define TEXTURE_LOG2_DEFAULT 8
+#define TEXTURE_LOG2_LIMIT   10
+#define FLASH_LIMIT          (1u << 30)
+
+static bool set_out(void *to, const char *value)
+{
+    ((struct asset_options *)to)->out = value;
+    return *value != '\0';
+}
+
+static bool set_board(void *to, const char *value)
+{
+    ((struct asset_options *)to)->board = board_find(value);
+    return board_find(value) != NULL;
+}
+
+static bool set_triangles(void *to, const char *value)
+{
+    struct asset_options *o = to;
+    o->fit = strcmp(value, "fit") == 0;
+    o->triangles = UINT32_MAX;
+    return o->fit || strcmp(value, "all") == 0 || option_text_u32(value, 1, MODEL_TRIANGLES_MAX, &o->triangles);
+}
+
+static bool set_texture(void *to, const char *value)
+{
+    struct asset_options *o = to;
+    uint32_t side = 0;
+    if (!option_text_u32(value, 1, 1u << TEXTURE_LOG2_LIMIT, &side) || (side & (side - 1)) != 0) {
+        return false;
+    }
+    for (o->texture_log2 = 0; 1u << o->texture_log2 < side;) {
+        o->texture_log2++;
+    }
+    return true;
+}
+
+static bool set_flash(void *to, const char *value)
+{
+    return option_text_u32(value, 1, FLASH_LIMIT, &((struct asset_options *)to)->flash_bytes);
+}
+
+static bool set_turntable(void *to, const char *value)
+{
+    (void)value;
+    ((struct asset_options *)to)->turntable = true;
+    return true;
+}
+
+static bool set_report(void *to, const char *value)
+{
+    (void)value;
+    ((struct asset_options *)to)->report = true;
+    return true;
+}
+
+static bool set_help(void *to, const char *value)
+{
+    (void)value;
+    ((struct asset_options *)to)->help = true;
+    return true;
+}
+
+static const struct option_row rows[] = {
+    {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", set_out},
+    {"max-triangles", "N|all|fit",
+     "simplifies to N triangles at most; fit: to what the board has room for. all by default",
+     "a whole number, 1 .. 4000000, all or fit", set_triangles},
+    {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
+     "a power of two, 1 .. 1024", set_texture},
+    {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
+     "a name that pinhole-sim --list shows", set_board},
+    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824", set_flash},
+    {"turntable", NULL, "on the turntable, also where the file has a camera", NULL, set_turntable},
+    {"report", NULL,
+     "prints what the scene takes of flash, and of memory on each board: bands of the picture, and the scene's\n"
+     "        vertices and triangles in the frame that lists most of them",
+     NULL, set_report},
+    {"help", NULL, "prints this, as does -h", NULL, set_help},
+};
+
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+void asset_options_help(void)
+{
+    puts("pinhole-asset MODEL [options]: makes a model file (OBJ, STL, PLY, glTF, GLB) into a C file of const data\n"
+         "that a display kit draws from its flash. `make firmware BOARD=x SCENE=MODEL` makes an image of it.\n");
+    option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed; 2 wrong usage.");
+}
+
+static int check(const struct asset_options *o)
+{
+    if (o->help) {
+        return 0;
+    }
+    if (o->model == NULL) {
+        return complain(EXIT_USAGE, "no model named (see --help)");
+    }
+    if (o->fit && o->board == NULL) {
+        return complain(EXIT_USAGE, "--max-triangles fit: fit what? name a --board");
+    }
+    if (o->out == NULL && !o->report) {
+        return complain(EXIT_USAGE, "nothing to do: give -o FILE.c or --report (see --help)");
+    }
+    if (o->report && o->out != NULL && strcmp(o->out, "-") == 0) {
+        return complain(EXIT_USAGE, "--report and -o - both want stdout; give -o a file");
+    }
+    return 0;
+}
+
+int asset_options_read(struct asset_options *o, int argc, char *const argv[])
+{
+    *o = (struct asset_options){
+        .triangles = UINT32_MAX, .texture_log2 = TEXTURE_LOG2_DEFAULT, .flash_bytes = UINT32_MAX};
+    for (int i = 1; i < argc;) {
+        if (strcmp(argv[i], "-o") == 0) {
+            if (i + 1 == argc || !set_out(o, argv[i + 1])) {
+                return complain(EXIT_USAGE, "-o needs a value: FILE.c");
+            }
+            i += 2;
+        } else if (argv[i][0] == '-') {
+            i = option_table_read(&table, o, argc, argv, i);
+            if (i == 0) {
+                return EXIT_USAGE;
+            }
+        } else if (o->model != NULL) {
+            return complain(EXIT_USAGE, "'%s': one model at a time, and %s is named already", argv[i], o->model);
+        } else {
+            o->model = argv[i++];
+        }
+    }
+    return check(o);
+}

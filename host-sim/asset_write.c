@@ -1,0 +1,213 @@
+#include "asset.h"
+
+#include <inttypes.h>
+
+/* Several values a line, none of them longer than the line of a C file ought to be. */
+static void separate(FILE *file, uint32_t i, uint32_t per_line)
+{
+    fputs(i % per_line == 0 ? "\n    " : " ", file);
+}
+
+/* INT32_MIN has no literal. */
+static void put_number(FILE *file, int32_t value)
+{
+    if (value == INT32_MIN) {
+        fputs("INT32_MIN", file);
+    } else {
+        fprintf(file, "%" PRId32, value);
+    }
+}
+
+static void put_vec3(FILE *file, struct fx_vec3 v)
+{
+    const int32_t values[3] = {v.x, v.y, v.z};
+    for (int i = 0; i < 3; i++) {
+        fputs(i == 0 ? "{" : ", ", file);
+        put_number(file, values[i]);
+    }
+    fputc('}', file);
+}
+
+static void put_positions(FILE *file, const struct ph_mesh *mesh, uint32_t m)
+{
+    fprintf(file, "\nstatic const struct fx_vec3 positions_%u[] = {", (unsigned)m);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        separate(file, i, 4);
+        put_vec3(file, mesh->positions[i]);
+        fputc(',', file);
+    }
+    fputs("\n};\n", file);
+}
+
+static void put_normals(FILE *file, const struct ph_mesh *mesh, uint32_t m)
+{
+    fprintf(file, "\nstatic const int16_t normals_%u[][3] = {", (unsigned)m);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        const int16_t *n = mesh->normals[i];
+        separate(file, i, 4);
+        fprintf(file, "{%d, %d, %d},", n[0], n[1], n[2]);
+    }
+    fputs("\n};\n", file);
+}
+
+static void put_uvs(FILE *file, const struct ph_mesh *mesh, uint32_t m)
+{
+    fprintf(file, "\nstatic const fx_t uvs_%u[][2] = {", (unsigned)m);
+    for (uint32_t i = 0; mesh->uvs != NULL && i < mesh->vertex_count; i++) {
+        separate(file, i, 4);
+        fputc('{', file);
+        put_number(file, mesh->uvs[i][0]);
+        fputs(", ", file);
+        put_number(file, mesh->uvs[i][1]);
+        fputs("},", file);
+    }
+    fputs("\n};\n", file);
+}
+
+static void put_triangles(FILE *file, const struct ph_mesh *mesh, uint32_t m)
+{
+    fprintf(file, "\nstatic const uint16_t triangles_%u[][3] = {", (unsigned)m);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint16_t *c = mesh->triangles[i];
+        separate(file, i, 6);
+        fprintf(file, "{%u, %u, %u},", c[0], c[1], c[2]);
+    }
+    fputs("\n};\n", file);
+}
+
+/* A colour in wire order, as the number that it is on the wire. */
+static unsigned number_of(uint16_t wire)
+{
+    const uint8_t *bytes = (const uint8_t *)&wire;
+    return (unsigned)bytes[0] << 8 | bytes[1];
+}
+
+static void put_colours(FILE *file, const char *name, uint32_t m, const uint16_t *colours, size_t count)
+{
+    fprintf(file, "\nstatic const uint16_t %s_%u[] = {", name, (unsigned)m);
+    for (size_t i = 0; i < count; i++) {
+        separate(file, (uint32_t)i, 10);
+        fprintf(file, "W(0x%04X),", number_of(colours[i]));
+    }
+    fputs("\n};\n", file);
+}
+
+static void put_texture(FILE *file, const struct ph_texture *t, uint32_t m)
+{
+    put_colours(file, "texels", m, t->texels, (size_t)1 << (t->log2_width + t->log2_height));
+    fprintf(file, "\nstatic const struct ph_texture texture_%u = {texels_%u, %u, %u, %s};\n", (unsigned)m, (unsigned)m,
+            t->log2_width, t->log2_height, t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT");
+}
+
+static void put_material(FILE *file, const struct model *model, uint32_t m)
+{
+    const struct ph_material *from = model->meshes[m].materials;
+    fprintf(file,
+            "\nstatic const struct ph_material material_%u = {\n"
+            "    .shading = %s,\n    .two_sided = %s,\n    .shininess_log2 = %u,\n    .ambient = %" PRId32
+            ",\n    .diffuse = %" PRId32 ",\n    .specular = %" PRId32
+            ",\n    .colour = W(0x%04X),\n    .ramp = ramp_%u,\n",
+            (unsigned)m, from->shading == PH_SHADE_TEXTURE_LIT ? "PH_SHADE_TEXTURE_LIT" : "PH_SHADE_GOURAUD",
+            from->two_sided ? "true" : "false", from->shininess_log2, from->ambient, from->diffuse, from->specular,
+            number_of(from->colour), (unsigned)asset_first_ramp(model, m));
+    if (from->texture != NULL) {
+        fprintf(file, "    .texture = &texture_%u,\n", (unsigned)asset_first_texture(model, m));
+    }
+    fputs("};\n", file);
+}
+
+static void put_mesh_data(FILE *file, const struct model *model, uint32_t m)
+{
+    const struct ph_mesh *mesh = &model->meshes[m];
+    const struct ph_material *material = mesh->materials;
+    put_positions(file, mesh, m);
+    put_normals(file, mesh, m);
+    if (mesh->uvs != NULL) {
+        put_uvs(file, mesh, m);
+    }
+    put_triangles(file, mesh, m);
+    if (asset_first_ramp(model, m) == m) {
+        put_colours(file, "ramp", m, material->ramp, PH_RAMP_SIZE);
+    }
+    if (material->texture != NULL && asset_first_texture(model, m) == m) {
+        put_texture(file, material->texture, m);
+    }
+    put_material(file, model, m);
+    fprintf(file, "\nstatic const struct ph_part part_%u = {.count = %u};\n", (unsigned)m,
+            (unsigned)mesh->triangle_count);
+}
+
+static void put_meshes(FILE *file, const struct model *model)
+{
+    fputs("\nstatic const struct ph_mesh meshes[] = {\n", file);
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_mesh *mesh = &model->meshes[m];
+        const unsigned n = (unsigned)m;
+        fprintf(file,
+                "    {.positions = positions_%u,\n     .normals = normals_%u,\n     .triangles = triangles_%u,\n"
+                "     .parts = &part_%u,\n     .materials = &material_%u,\n",
+                n, n, n, n, n);
+        if (mesh->uvs != NULL) {
+            fprintf(file, "     .uvs = uvs_%u,\n", n);
+        }
+        fprintf(file, "     .vertex_count = %u,\n     .triangle_count = %u,\n     .part_count = 1},\n",
+                (unsigned)mesh->vertex_count, (unsigned)mesh->triangle_count);
+    }
+    fputs("};\n", file);
+}
+
+static void put_camera(FILE *file, const struct demo_eye *eye)
+{
+    const struct ph_projection *lens = &eye->lens;
+    fputs("\nstatic const struct demo_eye eye = {\n    .view = {.r = {", file);
+    for (int row = 0; row < 3; row++) {
+        const int32_t *r = eye->view.r[row];
+        fprintf(file, "%s{%" PRId32 ", %" PRId32 ", %" PRId32 "}", row > 0 ? ", " : "", r[0], r[1], r[2]);
+    }
+    fputs("}, .t = ", file);
+    put_vec3(file, eye->view.t);
+    fprintf(file,
+            "},\n    .lens = {.kind = %s, .scale_x_q20 = %" PRId32 ", .scale_y_q20 = %" PRId32 ", .near_z = %" PRId32
+            ", .far_z = %" PRId32 "},\n};\n",
+            lens->kind == PH_ORTHOGRAPHIC ? "PH_ORTHOGRAPHIC" : "PH_PERSPECTIVE", lens->scale_x_q20, lens->scale_y_q20,
+            lens->near_z, lens->far_z);
+}
+
+static void put_demo(FILE *file, const struct asset *asset)
+{
+    const struct demo demo = asset_demo(asset);
+    const unsigned count = (unsigned)asset->model.mesh_count;
+    const char *const kind = asset->model.has_camera ? "still" : "turntable";
+    fputs("\nstatic int init(struct demo_context *context)\n{\n", file);
+    if (asset->model.has_camera) {
+        fprintf(file, "    return demo_still_init(context, meshes, %u, &eye);\n}\n", count);
+    } else {
+        fprintf(file, "    return demo_turntable_init(context, meshes, %u, (struct fx_vec3){0, 0, 0});\n}\n", count);
+    }
+    fprintf(file,
+            "\nconst struct demo demo_scene = {\n    .name = \"%s\",\n    .summary = \"a model file\",\n"
+            "    .loop_frames = %u,\n    .arena_bytes = %u,\n    .arena_bytes_32 = %u,\n    .vertex_max = %u,\n"
+            "    .triangle_max = %u,\n    .init = init,\n    .frame = demo_%s_frame,\n};\n",
+            demo.name, (unsigned)demo.loop_frames, (unsigned)demo.arena_bytes, (unsigned)demo.arena_bytes_32,
+            (unsigned)demo.vertex_max, (unsigned)demo.triangle_max, kind);
+}
+
+void asset_write(FILE *file, const struct asset *asset)
+{
+    const struct model *model = &asset->model;
+    fprintf(file,
+            "/*\n * %s: %u triangles in %u meshes, made by pinhole-asset. Positions Q16.16, normals Q1.14, colours in "
+            "wire\n"
+            " * order. What shows it is demo_scene (demo.h).\n */\n#include \"demo.h\"\n\n"
+            "#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__\n#define W(colour) (colour)\n#else\n"
+            "#define W(colour) (((colour)&0xFF) << 8 | (colour) >> 8)\n#endif\n",
+            asset->name, (unsigned)model->triangle_count, (unsigned)model->mesh_count);
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        put_mesh_data(file, model, m);
+    }
+    put_meshes(file, model);
+    if (model->has_camera) {
+        put_camera(file, &model->camera);
+    }
+    put_demo(file, asset);
+}

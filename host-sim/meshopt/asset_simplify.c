@@ -1,0 +1,166 @@
+#include "asset_mesh.h"
+#include "complain.h"
+
+#include <meshoptimizer.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+#define ANY_ERROR 1e9f
+#define MUCH_LESS 0.67 /* joining must save a third of the error: it gives the file's normals up */
+
+/* A vertex but for its normal. */
+struct key {
+    uint32_t mesh;
+    fx_t place[3], uv[2];
+};
+
+/* All meshes as one, so that what they share is simplified alike and no gap opens between them. */
+struct whole {
+    float (*places)[3];
+    struct key *keys;
+    unsigned *indices, *scratch;
+    size_t vertex_count, index_count;
+};
+
+static void free_whole(struct whole *w)
+{
+    free(w->places);
+    free(w->keys);
+    free(w->indices);
+    free(w->scratch);
+}
+
+static void add_mesh(struct whole *w, const struct ph_mesh *mesh, uint32_t number)
+{
+    for (uint32_t t = 0; t < mesh->triangle_count; t++) {
+        for (int i = 0; i < 3; i++) {
+            w->indices[w->index_count++] = (unsigned)w->vertex_count + mesh->triangles[t][i];
+        }
+    }
+    for (uint32_t i = 0; i < mesh->vertex_count; i++, w->vertex_count++) {
+        const struct fx_vec3 *p = &mesh->positions[i];
+        struct key *key = &w->keys[w->vertex_count];
+        float *place = w->places[w->vertex_count];
+        *key = (struct key){.mesh = number, .place = {p->x, p->y, p->z}};
+        if (mesh->uvs != NULL) {
+            memcpy(key->uv, mesh->uvs[i], sizeof key->uv);
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] = (float)key->place[axis] / FX_ONE;
+        }
+    }
+}
+
+static bool gather(struct whole *w, const struct model *model)
+{
+    size_t vertices = 0;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        vertices += model->meshes[m].vertex_count;
+    }
+    *w = (struct whole){.places = malloc(sizeof *w->places * (vertices + 1)),
+                        .keys = malloc(sizeof *w->keys * (vertices + 1)),
+                        .indices = malloc(sizeof *w->indices * 3 * ((size_t)model->triangle_count + 1)),
+                        .scratch = malloc(sizeof *w->scratch * 3 * ((size_t)model->triangle_count + 1))};
+    if (w->places == NULL || w->keys == NULL || w->indices == NULL || w->scratch == NULL) {
+        return false;
+    }
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        add_mesh(w, &model->meshes[m], m);
+    }
+    return true;
+}
+
+/* In radii of the model. */
+static double error_of(const struct whole *w, float relative)
+{
+    return (double)relative * meshopt_simplifyScale(w->places[0], w->vertex_count, sizeof *w->places);
+}
+
+/* rest->indices has room for all. */
+static void simplify(const struct whole *w, const unsigned *indices, size_t target, struct asset_rest *rest)
+{
+    float error = 0;
+    rest->index_count = meshopt_simplify(rest->indices, indices, w->index_count, w->places[0], w->vertex_count,
+                                         sizeof *w->places, target, ANY_ERROR, 0, &error);
+    rest->error = error_of(w, error);
+}
+
+/* Mesh by mesh, each its share: this way triangles know nothing of what hangs together. */
+static void simplify_sloppily(const struct whole *w, size_t target, struct asset_rest *rest)
+{
+    size_t first = 0;
+    rest->index_count = 0;
+    rest->error = 0;
+    while (first < w->index_count) {
+        const uint32_t mesh = w->keys[w->indices[first]].mesh;
+        size_t end = first;
+        while (end < w->index_count && w->keys[w->indices[end]].mesh == mesh) {
+            end++;
+        }
+        float error = 0;
+        const size_t share = (size_t)((uint64_t)(end - first) * target / w->index_count) / 3 * 3;
+        rest->index_count +=
+            meshopt_simplifySloppy(rest->indices + rest->index_count, w->indices + first, end - first, w->places[0],
+                                   w->vertex_count, sizeof *w->places, share, ANY_ERROR, &error);
+        const double moved = error_of(w, error);
+        rest->error = moved > rest->error ? moved : rest->error;
+        first = end;
+    }
+    rest->way = ASSET_SLOPPY;
+}
+
+static void swap(unsigned **a, unsigned **b)
+{
+    unsigned *const c = *a;
+    *a = *b;
+    *b = c;
+}
+
+static void take_numbers(struct asset_rest *to, const struct asset_rest *from)
+{
+    to->index_count = from->index_count;
+    to->error = from->error;
+    to->way = from->way;
+}
+
+/* The better of two ways that get there, else the one that always does. */
+static bool choose(struct whole *w, size_t target, struct asset_rest *rest)
+{
+    struct asset_rest joined = {.indices = malloc(sizeof *joined.indices * (w->index_count + 1)), .way = ASSET_JOINED};
+    if (joined.indices == NULL) {
+        return false;
+    }
+    rest->way = ASSET_KEPT;
+    simplify(w, w->indices, target, rest);
+    meshopt_generateShadowIndexBuffer(w->scratch, w->indices, w->index_count, w->keys, w->vertex_count, sizeof *w->keys,
+                                      sizeof *w->keys);
+    simplify(w, w->scratch, target, &joined);
+    const bool is_kept = rest->index_count <= target, is_joined = joined.index_count <= target;
+    if (is_joined && (!is_kept || joined.error < rest->error * MUCH_LESS)) {
+        swap(&joined.indices, &rest->indices);
+        take_numbers(rest, &joined);
+    } else if (!is_kept) {
+        simplify_sloppily(w, target, &joined);
+        if (joined.index_count > 0) { /* else more than asked for remain */
+            swap(&joined.indices, &rest->indices);
+            take_numbers(rest, &joined);
+        }
+    }
+    free(joined.indices);
+    return true;
+}
+
+const bool asset_can_simplify = true;
+
+int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest)
+{
+    struct whole w;
+    *rest = (struct asset_rest){.indices = malloc(sizeof *rest->indices * 3 * ((size_t)model->triangle_count + 1))};
+    const bool is_done = gather(&w, model) && rest->indices != NULL && choose(&w, (size_t)triangles * 3, rest);
+    free_whole(&w);
+    if (!is_done) {
+        return complain(EXIT_FAILED, "not enough memory to simplify the model");
+    }
+    return 0;
+}

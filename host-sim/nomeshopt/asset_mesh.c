@@ -1,0 +1,33 @@
+#include "asset_mesh.h"
+
+bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, struct ph_mesh *to)
+{
+    uint16_t(*corners)[3] = demo_alloc(arena, sizeof(uint16_t) * shape->index_count);
+    if (corners == NULL || shape->vertex_count > MODEL_VERTICES_MAX) {
+        return false;
+    }
+    for (size_t i = 0; i < shape->index_count; i++) {
+        corners[i / 3][i % 3] = (uint16_t)shape->indices[i];
+    }
+    to->positions = shape->positions; /* the model outlives what is made of it */
+    to->normals = shape->normals;
+    to->uvs = shape->uvs;
+    to->triangles = (const uint16_t(*)[3])corners;
+    to->vertex_count = shape->vertex_count;
+    to->triangle_count = (uint32_t)(shape->index_count / 3);
+    return true;
+}
+
+double asset_fetches(const struct ph_mesh *mesh)
+{
+    (void)mesh;
+    return 0;
+}
+
+const bool asset_can_simplify = false;
+
+int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest)
+{
+    (void)triangles;
+    return asset_keep_all(model, rest);
+}
