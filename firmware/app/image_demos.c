@@ -1,5 +1,6 @@
 /*
- * The image of all demos: the first one starts, the select button takes the next.
+ * The image of all demos: the first one starts (or the scene that the image was built with), the select button takes the
+ * next.
  *
  * On the log UART (115200 8N1) it writes what starts, once a second how it goes on, and why it stopped; and it listens
  * for single characters:
@@ -158,7 +159,7 @@ static int open(struct kit *kit)
                                       .budget_bytes = kit_budget(board_here),
                                       .other_core = second ? port_core_run : NULL,
                                       .other_core_join = second ? port_core_join : NULL,
-                                      .demo = demo_list[0],
+                                      .demo = demo_here,
                                       .memory = kit_memory,
                                       .memory_bytes = kit_memory_bytes};
     return kit_open(kit, &hal, &config);
