@@ -2,6 +2,8 @@
 #
 #   make firmware BOARD=pico-display              build/firmware/pico-display-demos.elf .bin .uf2 .map, and what they take
 #   make firmware BOARD=lm3s6965evb APP=depth     another program: firmware/app/image_depth.c; or a file, APP=mine.c
+#   make firmware BOARD=pico-display SCENE=my.glb  a model first, through pinhole-asset: build/firmware/pico-display-my.elf
+#                                                 SCENE_TRIANGLES=N|all|fit, SCENE_TEXTURE=N, SCENE_FLAGS=--turntable
 #   make size BOARD=pico-display                  the image's size by module
 #   make flash BOARD=pico-display                 the same, and into the board's flash (SERIAL=S: of several boards)
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in its emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
@@ -35,6 +37,11 @@ HOSTCC ?= cc
 APP ?= demos
 FRAMES ?= 4
 CORES ?= 1
+SCENE ?=
+SCENE_TRIANGLES ?= fit
+SCENE_TEXTURE ?= 256
+SCENE_FLAGS ?=
+SCENE_PROGRAM_BYTES ?= 147456 # of the flash for all but the scene's data
 BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
 .PHONY: firmware flash emulate image image-size
@@ -48,20 +55,32 @@ include hal/$(PORT)/port.mk
 APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
 APP_NAME := $(basename $(notdir $(APP)))
 IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))
-IMAGE_NAME := $(BOARD)-$(APP_NAME)$(IMAGE_CORES)
+$(if $(word 2,$(SCENE)),$(error SCENE='$(SCENE)': make takes no names with spaces; rename or copy the file))
+SCENE_NAME := $(basename $(notdir $(SCENE)))
+IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
+SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
 RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_HOME)/board.c)
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
 image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' \
+             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 image_make = @echo 'BOARD= is missing; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk))' >&2; exit 2 \#
 endif
 
-firmware: ## BOARD=x [APP=demos|depth|FILE.c]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
+firmware: $(SCENE_C) ## BOARD=x [APP=demos|depth|FILE.c] [SCENE=FILE.glb]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
 	+$(Q)$(image_make) image
+
+ifneq ($(if $(OUT),,$(SCENE_C)),)
+$(SCENE_C): $(B)/pinhole-asset FORCE
+	@mkdir -p $(@D)
+	$(SAY) ASSET '$(SCENE)'
+	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$@.new' --board $(BOARD) --flash "$$(($(CHIP_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
+	    --max-triangles $(SCENE_TRIANGLES) --texture-size $(SCENE_TEXTURE) $(SCENE_FLAGS)
+	@if cmp -s '$@.new' '$@'; then rm '$@.new'; else mv '$@.new' '$@'; fi
+endif
 
 flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SERIAL=S]: an image, and into the flash of the board that is plugged in
 	$(Q)$(FLASH)
@@ -73,7 +92,7 @@ emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's
 # ---- within that make -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
-IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o
+IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
@@ -93,6 +112,11 @@ $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	    -MMD -MP -c $< -o $@
 	$(Q)sed 's#$(APP_FILE)##' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a file of one's own may move
 
+$(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
+	@mkdir -p $(@D)
+	$(SAY) CC $<
+	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
+
 define BOARD_HERE
 #include "kit.h"
 #include "port.h"
@@ -100,6 +124,8 @@ extern const struct board board_$(subst -,_,$(BOARD));
 const struct board *const board_here = &board_$(subst -,_,$(BOARD));
 uint64_t kit_memory[(($(RAM_BYTES)) - KIT_OTHER_BYTES) / 8];
 const size_t kit_memory_bytes = sizeof kit_memory;
+$(if $(SCENE_C),const struct demo *const demo_here = &demo_scene;,extern const struct demo demo_turntable;
+const struct demo *const demo_here = &demo_turntable;)
 endef
 export BOARD_HERE
 
