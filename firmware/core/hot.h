@@ -16,6 +16,14 @@
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n);
 
 /*
+ * span_flat.c, span_gouraud.c: n >= 1 pixels in one colour, or along a ramp of 128 colours; d: depth at the
+ * first, 16.16 code, gd: per pixel; light: its top 7 bits are the entry of the ramp.
+ */
+void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint16_t colour);
+void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t light,
+                     uint32_t glight, const uint16_t *ramp);
+
+/*
  * span_texture.c: a run of at most PH_TEXEL_RUN pixels with the depth test, one texel each, along a parabola in u and
  * in v: du, dv are the steps from the first pixel, ddu, ddv what each step is longer than the last.
  */

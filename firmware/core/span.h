@@ -53,29 +53,6 @@ static inline void *ph_depth_from(void *depth, uint32_t n, bool wide)
     return wide ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
 }
 
-/* One colour; four pixels a turn. */
-static inline void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint16_t colour)
-{
-    for (; n >= 4; n -= 4, pixels += 4, depth += 4) {
-        ph_pixel_flat(pixels, depth, d, colour);
-        ph_pixel_flat(pixels + 1, depth + 1, d += gd, colour);
-        ph_pixel_flat(pixels + 2, depth + 2, d += gd, colour);
-        ph_pixel_flat(pixels + 3, depth + 3, d += gd, colour);
-        d += gd;
-    }
-    for (; n > 0; n--, d += gd) {
-        ph_pixel_flat(pixels++, depth++, d, colour);
-    }
-}
-
-static inline void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
-                                   uint32_t light, uint32_t glight, const uint16_t *ramp)
-{
-    for (; n > 0; n--, d += gd, light += glight) {
-        ph_pixel_gouraud(pixels++, depth++, d, light, ramp);
-    }
-}
-
 static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                   uint16_t colour)
 {
