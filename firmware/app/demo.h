@@ -113,9 +113,11 @@ extern const struct demo demo_scene;
  *
  * init uses the size in context, takes less than DEMO_TURNTABLE_BYTES of its arena, and sets context->state; the meshes
  * are not copied. Budgets: vertices of the largest mesh, at least DEMO_TURNTABLE_VERTICES; all triangles (5/8 of those
- * of a closed mesh are enough) and DEMO_TURNTABLE_TRIANGLES for the platter below them.
+ * of a closed mesh are enough) and DEMO_TURNTABLE_TRIANGLES for the platter below them. In an arena of
+ * DEMO_TURNTABLE_BARE_BYTES there is no platter, and it needs no budgets.
  */
-#define DEMO_TURNTABLE_BYTES     4096
+#define DEMO_TURNTABLE_BYTES      4096
+#define DEMO_TURNTABLE_BARE_BYTES 256
 #define DEMO_TURNTABLE_VERTICES  129
 #define DEMO_TURNTABLE_TRIANGLES 132
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,

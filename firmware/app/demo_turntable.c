@@ -32,6 +32,8 @@ struct turntable {
 #define BARE_BYTES MODEL_ROUND8(sizeof(struct turntable))
 #define FULL_BYTES (BARE_BYTES + MODEL_ROUND8(sizeof(struct platter)))
 _Static_assert(FULL_BYTES <= DEMO_TURNTABLE_BYTES, "DEMO_TURNTABLE_BYTES is too small");
+_Static_assert(BARE_BYTES <= DEMO_TURNTABLE_BARE_BYTES, "DEMO_TURNTABLE_BARE_BYTES is too small");
+_Static_assert(sizeof(struct platter) > DEMO_TURNTABLE_BARE_BYTES, "DEMO_TURNTABLE_BARE_BYTES is too large");
 
 struct pot {
     struct ph_mesh mesh;
