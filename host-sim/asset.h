@@ -22,6 +22,7 @@ struct asset_limits {
     uint32_t triangles;    /* UINT32_MAX: all */
     uint8_t texture_log2;  /* longest side of a texture */
     bool is_on_turntable;  /* also where the file has a camera */
+    bool is_bare;          /* without the platter below it */
     const char *file_name; /* of the model, for its name */
 };
 
@@ -34,13 +35,15 @@ enum asset_way {
 };
 
 struct asset {
-    struct model model; /* what is written */
+    struct model model;            /* what is written */
     struct ph_material *materials; /* one a mesh */
     void *memory;
     char name[ASSET_NAME_BYTES]; /* of the file: letters, digits, - and _ */
+    bool is_bare;
     uint32_t triangles_read, vertices_read;
     enum asset_way way;
-    double error;                 /* by how much simplification moved the surface, at most, in radii of the model */
+    double error; /* by how much simplification moved the surface, about, in radii of the model: meshoptimizer's
+                     estimate */
     double fetched_read, fetched; /* vertices per triangle that are not among the 16 used last, before and after */
     uint32_t listed;              /* triangles of a frame at most, of what asset_measure() looked at */
 };

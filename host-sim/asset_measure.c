@@ -103,6 +103,9 @@ struct demo asset_demo(const struct asset *asset)
     if (asset->model.has_camera) {
         demo.arena_bytes = demo.arena_bytes_32 = DEMO_STILL_BYTES;
         demo.vertex_max = asset->model.vertex_max;
+    } else if (asset->is_bare) {
+        demo.arena_bytes = demo.arena_bytes_32 = DEMO_TURNTABLE_BARE_BYTES;
+        demo.vertex_max = asset->model.vertex_max;
     }
     return demo;
 }

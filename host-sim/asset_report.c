@@ -48,7 +48,7 @@ static void report_model(FILE *file, const struct asset *asset)
     fprintf(file, "triangles  %u of %u: %s", (unsigned)model->triangle_count, (unsigned)asset->triangles_read,
             ways[asset->way]);
     if (asset->way != ASSET_WHOLE) {
-        fprintf(file, "; the surface moved by %.2g %% of the model's radius at most", 100 * asset->error);
+        fprintf(file, "; the surface moved by about %.2g %% of the model's radius", 100 * asset->error);
     }
     fprintf(file, "\nvertices   %u of %u, %u in the largest of %u meshes\n", (unsigned)vertices,
             (unsigned)asset->vertices_read, (unsigned)model->vertex_max, (unsigned)model->mesh_count);
@@ -56,7 +56,10 @@ static void report_model(FILE *file, const struct asset *asset)
         fprintf(file, "reuse      %.2f vertices fetched a triangle, %.2f before (16 at hand)\n", asset->fetched,
                 asset->fetched_read);
     }
-    fprintf(file, "camera     %s\n", model->has_camera ? "the file's" : "turntable");
+    fprintf(file, "camera     %s\n",
+            model->has_camera ? "the file's"
+            : asset->is_bare  ? "turntable without its platter"
+                              : "turntable");
 }
 
 static void report_flash(FILE *file, const struct asset *asset)

@@ -13,8 +13,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#define TRIES           12 /* to fit; each comes nearer */
-#define TRIANGLES_LEAST 16 /* less is no picture of anything */
+#define TRIES           12  /* to fit; each comes nearer */
+#define TRIANGLES_LEAST 16  /* less is no picture of anything */
+#define TRIANGLES_FEW   400 /* the turntable's platter then takes more from the model than it gives to the picture */
 
 /* The list of triangles is as long as the board needs, or as the most demanding of all boards does. */
 static int measure(struct asset *asset, const struct board *board)
@@ -70,37 +71,49 @@ static int refuse_textures(const struct asset *asset, const struct asset_options
 }
 
 /* Once, with at most that many triangles. */
-static int make(struct asset *asset, const struct model *model, const struct asset_options *o, uint32_t triangles)
+static int make(struct asset *asset, const struct model *model, const struct asset_options *o, uint32_t triangles,
+                bool is_bare)
 {
-    const struct asset_limits limits = {triangles, o->texture_log2, o->turntable, o->model};
+    const struct asset_limits limits = {triangles, o->texture_log2, o->turntable, is_bare, o->model};
     const int status = asset_make(asset, model, &limits);
     return status == 0 ? measure(asset, o->board) : status;
 }
 
 /* Fewer and fewer triangles, until the board has room. */
-static int make_fitting(struct asset *asset, const struct model *model, const struct asset_options *o)
+static int make_less(struct asset *asset, const struct model *model, const struct asset_options *o, bool is_bare)
 {
-    int status = make(asset, model, o, UINT32_MAX);
+    int status = make(asset, model, o, UINT32_MAX, is_bare);
     for (int i = 0; i < TRIES && status == 0 && !fits(asset, o); i++) {
         const uint32_t fewer = (uint32_t)(asset->model.triangle_count * room(asset, o) * .98);
         if (fewer < TRIANGLES_LEAST || !asset_can_simplify) {
             break;
         }
         asset_free(asset);
-        status = make(asset, model, o, fewer);
+        status = make(asset, model, o, fewer, is_bare);
     }
     return status;
+}
+
+static int make_fitting(struct asset *asset, const struct model *model, const struct asset_options *o)
+{
+    const int status = make_less(asset, model, o, false);
+    const bool is_full = fits(asset, o) && asset->model.triangle_count == model->triangle_count;
+    if (status != 0 || is_full || asset->model.has_camera || asset->model.triangle_count >= TRIANGLES_FEW) {
+        return status;
+    }
+    asset_free(asset);
+    return make_less(asset, model, o, true);
 }
 
 /* Nothing is simplified silently. */
 static void tell(const struct asset *asset, const struct asset_options *o)
 {
     if (o->fit && asset->way != ASSET_WHOLE) {
-        complain(
-            EXIT_DONE,
-            "%s: %u of its %u triangles have room on %s; it was simplified, the surface moved by %.2g %% of its radius",
-            o->model, (unsigned)asset->model.triangle_count, (unsigned)asset->triangles_read, o->board->name,
-            100 * asset->error);
+        complain(EXIT_DONE,
+                 "%s: %u of its %u triangles have room on %s%s; it was simplified, its surface moved by about %.2g %% "
+                 "of its radius",
+                 o->model, (unsigned)asset->model.triangle_count, (unsigned)asset->triangles_read, o->board->name,
+                 asset->is_bare ? ", without a platter" : "", 100 * asset->error);
     }
 }
 
@@ -161,7 +174,7 @@ static int save(const struct asset *asset, const char *path)
 static int run_on(const struct model *model, const struct asset_options *o)
 {
     struct asset asset = {.memory = NULL};
-    int status = o->fit ? make_fitting(&asset, model, o) : make(&asset, model, o, o->triangles);
+    int status = o->fit ? make_fitting(&asset, model, o) : make(&asset, model, o, o->triangles, false);
     if (status == 0 && asset.model.triangle_count > o->triangles) {
         status = complain(EXIT_FAILED, "%s: %u of its triangles remain, not %u; %s", o->model,
                           (unsigned)asset.model.triangle_count, (unsigned)o->triangles,
