@@ -24,6 +24,24 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
                      uint32_t glight, const uint16_t *ramp);
 
 /*
+ * rows_gouraud.c: rows of a Gouraud triangle between two edges, each of at most PH_NARROW pixels and within its row
+ * (ph_triangle.narrow). Afterwards everything stands at the row below, rows is 0, and count has grown by the pixels.
+ */
+struct ph_rows {
+    uint32_t left, right, d, light;             /* at the row: edges as in ph_edge, planes at column 0 */
+    uint32_t left_dx, right_dx, d_dy, light_dy; /* per row */
+    uint32_t gd, glight;                        /* per column */
+    uint16_t *depth;                            /* of column 0 */
+    uint32_t stride_bytes;                      /* from row to row, of depth and pixels */
+    uint16_t *pixels;
+    const uint16_t *ramp;
+    uint32_t rows, count;
+};
+
+/* Draws them; rows > 0. */
+void ph_rows_gouraud(struct ph_rows *r);
+
+/*
  * span_texture.c: a run of at most PH_TEXEL_RUN pixels with the depth test, one texel each, along a parabola in u and
  * in v: du, dv are the steps from the first pixel, ddu, ddv what each step is longer than the last.
  */
@@ -38,6 +56,7 @@ struct ph_texel_run {
     uint16_t *depth, *pixels;
 };
 
+_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_rows, count) == 60, "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_run, depth) == 40, "assembly relies on it");
 
 /* Draws n = 1 .. PH_TEXEL_RUN pixels; d, depth and pixels then stand behind them. */

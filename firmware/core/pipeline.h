@@ -76,6 +76,7 @@ struct ph_triangle {
     uint8_t long_left;              /* the long edge is the left one */
     uint8_t block; /* floats: block exponent of depth where it must be split; PH_BLOCK_LINEAR; else PH_BLOCK_NONE */
     uint8_t range_log2; /* texture: |u|, |v| below 2^this */
+    bool narrow;        /* no span leaves the picture or has more than PH_NARROW pixels */
     uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
     struct ph_edge long_edge, upper, lower;
     struct ph_plane depth;
@@ -90,6 +91,7 @@ struct ph_triangle {
 };
 
 #define PH_NONE         UINT32_MAX
+#define PH_NARROW       32
 #define PH_BLOCK_NONE   127
 #define PH_BLOCK_LINEAR 126
 

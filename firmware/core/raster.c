@@ -122,9 +122,56 @@ static uint32_t draw_flat(const struct ph_triangle *t, const struct ph_band *ban
     return walk(t, band, false, false, flat_span);
 }
 
+/* The rows of one half of a narrow triangle, the upper or the lower; r stands at the first of them. */
+static void draw_half(struct ph_rows *r, const struct ph_edge *edge, bool on_left, int32_t down, int32_t rows)
+{
+    const uint32_t x = (uint32_t)edge->x + (uint32_t)down * (uint32_t)edge->dx;
+    if (on_left) {
+        r->left = x;
+        r->left_dx = (uint32_t)edge->dx;
+    } else {
+        r->right = x;
+        r->right_dx = (uint32_t)edge->dx;
+    }
+    r->rows = (uint32_t)rows;
+    ph_rows_gouraud(r);
+}
+
+/* A narrow triangle, which no border but those of the band cuts. */
+static uint32_t draw_gouraud_narrow(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const int32_t y0 = t->y_top > band->y0 ? t->y_top : band->y0, y1 = t->y_bottom < band->y1 ? t->y_bottom : band->y1;
+    const int32_t y_mid = t->y_mid < y1 ? t->y_mid : y1;
+    const uint32_t start = (uint32_t)(y0 - band->y0) * (uint32_t)band->width, y = (uint32_t)y0;
+    const uint32_t long_x = (uint32_t)t->long_edge.x + (uint32_t)(y0 - t->y_top) * (uint32_t)t->long_edge.dx;
+    const uint32_t long_dx = (uint32_t)t->long_edge.dx;
+    struct ph_rows r;
+    r.left = r.right = long_x;
+    r.left_dx = r.right_dx = long_dx;
+    r.d = t->depth.base + y * t->depth.gy;
+    r.light = t->attribute[0].base + y * t->attribute[0].gy;
+    r.d_dy = t->depth.gy;
+    r.light_dy = t->attribute[0].gy;
+    r.gd = t->depth.gx;
+    r.glight = t->attribute[0].gx;
+    r.depth = (uint16_t *)band->depth + start;
+    r.stride_bytes = 2 * (uint32_t)band->width;
+    r.pixels = band->pixels + start;
+    r.ramp = t->material->ramp;
+    r.count = 0;
+    if (y_mid > y0) {
+        draw_half(&r, &t->upper, t->long_left == 0, y0 - t->y_top, y_mid - y0);
+    }
+    const int32_t y_low = y_mid > y0 ? y_mid : y0;
+    if (y1 > y_low) {
+        draw_half(&r, &t->lower, t->long_left == 0, y_low - t->y_mid, y1 - y_low);
+    }
+    return r.count;
+}
+
 static uint32_t draw_gouraud(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return walk(t, band, false, false, gouraud_span);
+    return t->narrow ? draw_gouraud_narrow(t, band) : walk(t, band, false, false, gouraud_span);
 }
 
 static uint32_t draw_flat_split(const struct ph_triangle *t, const struct ph_band *band)

@@ -357,16 +357,20 @@ static bool setup_edges(const struct ph_renderer *r, const struct ph_corner *con
     return true;
 }
 
-/* No pixel centre between the outermost columns, or none of them in the picture. */
-static bool misses_columns(const struct ph_renderer *r, const struct ph_corner *const v[3])
+/*
+ * No pixel centre between the outermost columns, or none of them in the picture. *narrow: at most PH_NARROW columns,
+ * a pixel and more from the borders, so that no rounding of an edge makes them more or takes them out.
+ */
+static bool misses_columns(const struct ph_renderer *r, const struct ph_corner *const v[3], bool *narrow)
 {
     int32_t least = v[0]->x, most = v[0]->x;
     for (int i = 1; i < 3; i++) {
         least = v[i]->x < least ? v[i]->x : least;
         most = v[i]->x > most ? v[i]->x : most;
     }
-    const int32_t from = first_row(least), to = first_row(most);
-    return from >= to || to <= 0 || from >= r->config.width;
+    const int32_t from = first_row(least), to = first_row(most), width = r->config.width;
+    *narrow = from > 1 && to < width - 1 && to - from < PH_NARROW;
+    return from >= to || to <= 0 || from >= width;
 }
 
 bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
@@ -376,13 +380,15 @@ bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material
     const bool turned = area < 0 && material->two_sided != 0;
     const struct ph_corner *const v[3] = {a, turned ? c : b, turned ? b : c};
     area = turned ? -area : area;
-    if (area <= 0 || misses_columns(r, v)) {
+    bool narrow;
+    if (area <= 0 || misses_columns(r, v, &narrow)) {
         return false;
     }
     struct ph_triangle no_room;
     const bool full = r->triangle_count >= r->config.triangle_max;
     struct ph_triangle *t = full ? &no_room : &ph_triangles(r)[r->triangle_count];
     t->material = material;
+    t->narrow = narrow;
     if (!setup_edges(r, v, t)) {
         return false;
     }
