@@ -3,6 +3,7 @@
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
+#include <assimp/version.h>
 
 #include <ctype.h>
 #include <math.h>
@@ -163,6 +164,23 @@ static void scale_to_reason(const struct aiScene *scene)
     scale_nodes(scene->mRootNode, ldexpf(1, shift));
 }
 
+/*
+ * A camera of glTF gets the translation of its node, which the node has as well. Its horizontal angle of view was the
+ * vertical one times the aspect ratio up to assimp 5.2 (assimp's issue 4435).
+ */
+static void mend_gltf_cameras(const struct aiScene *scene)
+{
+    const bool is_linear = aiGetVersionMajor() * 100 + aiGetVersionMinor() < 503;
+    for (unsigned i = 0; i < scene->mNumCameras; i++) {
+        struct aiCamera *camera = scene->mCameras[i];
+        camera->mPosition = (struct aiVector3D){0, 0, 0};
+        if (is_linear && camera->mAspect > 0) {
+            const float vertical = camera->mHorizontalFOV / camera->mAspect;
+            camera->mHorizontalFOV = 2 * atanf(tanf(vertical / 2) * camera->mAspect);
+        }
+    }
+}
+
 /* glTF asks for flat shading where a file has no normals, and PLY says nothing: model_read_meshes makes those. */
 static bool is_flat_without_normals(const char *path)
 {
@@ -217,6 +235,9 @@ bool model_read(struct model_shared *shared, const char *path)
     }
     if (has_stray_index(scene)) {
         return model_read_failed(shared, "is broken: a face has a vertex that is not there");
+    }
+    if (is_linear) {
+        mend_gltf_cameras(scene);
     }
     scale_to_reason(scene);
     scene = aiApplyPostProcessing(scene, steps(scene, is_stl, is_flat_without_normals(path)));
