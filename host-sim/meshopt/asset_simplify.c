@@ -15,6 +15,14 @@ struct key {
     fx_t place[3], uv[2];
 };
 
+/* Vertices that triangles use, without the others: meshoptimizer moves no vertex that shares its place with unused
+ * ones. */
+struct used {
+    float (*places)[3];
+    unsigned *numbers, *indices; /* of the used vertices; the triangles by them */
+    size_t count;
+};
+
 /* All meshes as one, so that what they share is simplified alike and no gap opens between them. */
 struct whole {
     float (*places)[3];
@@ -77,13 +85,44 @@ static double error_of(const struct whole *w, float relative)
     return (double)relative * meshopt_simplifyScale(w->places[0], w->vertex_count, sizeof *w->places);
 }
 
-/* rest->indices has room for all. */
-static void simplify(const struct whole *w, const unsigned *indices, size_t target, struct asset_rest *rest)
+static bool find_used(const struct whole *w, const unsigned *indices, struct used *u)
 {
+    unsigned *new_numbers = calloc(w->vertex_count + 1, sizeof *new_numbers); /* from 1 */
+    *u = (struct used){.places = malloc(sizeof *u->places * (w->vertex_count + 1)),
+                       .numbers = malloc(sizeof *u->numbers * (w->vertex_count + 1)),
+                       .indices = malloc(sizeof *u->indices * (w->index_count + 1))};
+    const bool is_done = new_numbers != NULL && u->places != NULL && u->numbers != NULL && u->indices != NULL;
+    for (size_t i = 0; is_done && i < w->index_count; i++) {
+        const unsigned v = indices[i];
+        if (new_numbers[v] == 0) {
+            memcpy(u->places[u->count], w->places[v], sizeof *u->places);
+            u->numbers[u->count] = v;
+            new_numbers[v] = (unsigned)++u->count;
+        }
+        u->indices[i] = new_numbers[v] - 1;
+    }
+    free(new_numbers);
+    return is_done;
+}
+
+/* rest->indices has room for all. */
+static bool simplify(const struct whole *w, const unsigned *indices, size_t target, struct asset_rest *rest)
+{
+    struct used u;
     float error = 0;
-    rest->index_count = meshopt_simplify(rest->indices, indices, w->index_count, w->places[0], w->vertex_count,
-                                         sizeof *w->places, target, ANY_ERROR, 0, &error);
-    rest->error = error_of(w, error);
+    const bool is_done = find_used(w, indices, &u);
+    if (is_done) {
+        rest->index_count = meshopt_simplify(rest->indices, u.indices, w->index_count, u.places[0], u.count,
+                                             sizeof *u.places, target, ANY_ERROR, 0, &error);
+        rest->error = error_of(w, error);
+    }
+    for (size_t i = 0; is_done && i < rest->index_count; i++) {
+        rest->indices[i] = u.numbers[rest->indices[i]];
+    }
+    free(u.places);
+    free(u.numbers);
+    free(u.indices);
+    return is_done;
 }
 
 /* Mesh by mesh, each its share: this way triangles know nothing of what hangs together. */
@@ -128,14 +167,13 @@ static void take_numbers(struct asset_rest *to, const struct asset_rest *from)
 static bool choose(struct whole *w, size_t target, struct asset_rest *rest)
 {
     struct asset_rest joined = {.indices = malloc(sizeof *joined.indices * (w->index_count + 1)), .way = ASSET_JOINED};
-    if (joined.indices == NULL) {
-        return false;
-    }
     rest->way = ASSET_KEPT;
-    simplify(w, w->indices, target, rest);
     meshopt_generateShadowIndexBuffer(w->scratch, w->indices, w->index_count, w->keys, w->vertex_count, sizeof *w->keys,
                                       sizeof *w->keys);
-    simplify(w, w->scratch, target, &joined);
+    if (joined.indices == NULL || !simplify(w, w->indices, target, rest) || !simplify(w, w->scratch, target, &joined)) {
+        free(joined.indices);
+        return false;
+    }
     const bool is_kept = rest->index_count <= target, is_joined = joined.index_count <= target;
     if (is_joined && (!is_kept || joined.error < rest->error * MUCH_LESS)) {
         swap(&joined.indices, &rest->indices);
