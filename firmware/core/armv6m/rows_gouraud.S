@@ -19,15 +19,15 @@
     .equ count, 60
 
     .macro pixel at
-    ldrh r5, [r0, #2 * \at]
+    ldrh.n r5, [r0, #2 * \at]
     lsrs r6, r2, #16
     cmp r6, r5
-    bls 1f
-    strh r6, [r0, #2 * \at]
+    bls.n 1f
+    strh.n r6, [r0, #2 * \at]
     lsrs r5, r3, #25
     lsls r5, r5, #1
-    ldrh r5, [r4, r5]
-    strh r5, [r1, #2 * \at]
+    ldrh.n r5, [r4, r5]
+    strh.n r5, [r1, #2 * \at]
 1:  add r2, r8
     add r3, r9
     .endm

@@ -5,12 +5,12 @@
     .thumb
 
     .macro pixel at
-    ldrh r6, [r1, #2 * \at]
+    ldrh.n r6, [r1, #2 * \at]
     lsrs r7, r3, #16
     cmp r7, r6
-    bls 1f
-    strh r7, [r1, #2 * \at]
-    strh r5, [r0, #2 * \at]
+    bls.n 1f
+    strh.n r7, [r1, #2 * \at]
+    strh.n r5, [r0, #2 * \at]
 1:  adds r3, r4
     .endm
     .equ pixel_bytes, 14

@@ -5,15 +5,15 @@
     .thumb
 
     .macro pixel at
-    ldrh r6, [r1, #2 * \at]
+    ldrh.n r6, [r1, #2 * \at]
     lsrs r7, r3, #16
     cmp r7, r6
-    bls 1f
-    strh r7, [r1, #2 * \at]
+    bls.n 1f
+    strh.n r7, [r1, #2 * \at]
     lsrs r6, r4, #25
     lsls r6, r6, #1
-    ldrh r6, [r5, r6]
-    strh r6, [r0, #2 * \at]
+    ldrh.n r6, [r5, r6]
+    strh.n r6, [r0, #2 * \at]
 1:  add r3, r8
     add r4, r9
     .endm

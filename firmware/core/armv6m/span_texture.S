@@ -5,19 +5,19 @@
     .thumb
 
     .macro pixel at
-    ldrh r5, [r0, #2 * \at]
+    ldrh.n r5, [r0, #2 * \at]
     lsrs r6, r2, #16
     cmp r6, r5
-    bls 1f
-    strh r6, [r0, #2 * \at]
+    bls.n 1f
+    strh.n r6, [r0, #2 * \at]
     lsrs r5, r3, #16
     lsrs r6, r4, #16
     ands r6, r7
     adds r5, r6
     adds r5, r5
     add r5, lr
-    ldrh r5, [r5]
-    strh r5, [r1, #2 * \at]
+    ldrh.n r5, [r5]
+    strh.n r5, [r1, #2 * \at]
 1:  add r2, r8
     add r3, r9
     add r9, r10

@@ -1,0 +1,144 @@
+/*
+ * The hot loops (hot.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
+ * round its rows included. tests/test_hot.sh compares the lines of the C and of the assembly.
+ */
+#include "hot.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { TURNS = 20000, ROOM = 2048, TEXELS = 64 * 64 };
+
+static uint32_t state;
+static uint16_t pixels[ROOM], depth[ROOM], texels[TEXELS], ramp[128];
+
+static uint32_t bits(void)
+{
+    state = state * 1664525u + 1013904223u;
+    return state ^ state >> 15;
+}
+
+static uint32_t below(uint32_t n)
+{
+    return (uint32_t)((uint64_t)bits() * n >> 32);
+}
+
+static void randomise(uint16_t *to, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        to[i] = (uint16_t)bits();
+    }
+}
+
+static uint32_t hash(uint32_t h, const void *data, size_t bytes)
+{
+    for (size_t i = 0; i < bytes; i++) {
+        h = (h ^ ((const uint8_t *)data)[i]) * 16777619u;
+    }
+    return h;
+}
+
+static uint32_t hash_rows(uint32_t h)
+{
+    return hash(hash(h, pixels, sizeof pixels), depth, sizeof depth);
+}
+
+static uint32_t word(uint32_t h, uint32_t value)
+{
+    return hash(h, &value, sizeof value);
+}
+
+static uint32_t try_fill(uint32_t h)
+{
+    uint16_t *const to = pixels + below(64);
+    const uint32_t n = below(4) > 0 ? below(200) : below(ROOM - 64);
+    ph_fill(to, (uint16_t)bits(), n);
+    return h;
+}
+
+static uint32_t try_flat(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
+    const uint32_t gd = below(1 << 22);
+    ph_span_flat(pixels + at, depth + depth_at, n, d, gd, (uint16_t)bits());
+    return h;
+}
+
+static uint32_t try_gouraud(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
+    const uint32_t gd = below(1 << 22), light = bits(), down = below(16);
+    ph_span_gouraud(pixels + at, depth + depth_at, n, d, gd, light, bits() >> down, ramp);
+    return h;
+}
+
+static uint32_t try_rows(uint32_t h)
+{
+    struct ph_rows r;
+    r.d = bits();
+    r.light = bits();
+    r.left = (40 << 16) + below(20 << 16);
+    r.d_dy = below(1 << 24);
+    r.light_dy = bits() >> 8;
+    r.gd = below(1 << 22);
+    r.glight = bits() >> 6;
+    r.depth = depth + below(16);
+    r.stride_bytes = 2 * (96 + below(16));
+    r.pixels = pixels + below(16);
+    r.ramp = ramp;
+    r.rows = 1 + below(15);
+    r.count = bits();
+    r.right = r.left + below(16 << 16) - (3 << 16); /* also empty rows */
+    r.left_dx = below(1 << 16);
+    r.right_dx = r.left_dx + below(1 << 16);
+    ph_rows_gouraud(&r);
+    h = word(word(word(word(h, r.left), r.right), r.d), r.light);
+    h = word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels));
+    return word(word(h, r.rows), r.count);
+}
+
+static uint32_t try_texture(uint32_t h)
+{
+    const uint32_t n = 1 + below(PH_TEXEL_RUN);
+    struct ph_texel_run run = {.row_mask = 63 * 64, .texels = texels};
+    run.d = bits();
+    run.gd = below(1 << 24);
+    run.u = (20 << 16) + below(20 << 16);
+    run.du = below(1 << 15) - (1 << 14);
+    run.ddu = below(1 << 8) - (1 << 7);
+    run.v = bits();
+    run.dv = bits() >> 4;
+    run.ddv = bits() >> 8;
+    run.depth = depth + below(64);
+    run.pixels = pixels + below(64);
+    ph_span_texture(&run, n);
+    return word(word(word(h, run.d), (uint32_t)(run.depth - depth)), (uint32_t)(run.pixels - pixels));
+}
+
+int main(void)
+{
+    static const struct {
+        const char *name;
+        uint32_t (*one)(uint32_t h);
+    } loops[] = {{"fill", try_fill},
+                 {"span_flat", try_flat},
+                 {"span_gouraud", try_gouraud},
+                 {"rows_gouraud", try_rows},
+                 {"span_texture", try_texture}};
+    randomise(texels, TEXELS);
+    randomise(ramp, 128);
+    for (size_t i = 0; i < sizeof loops / sizeof loops[0]; i++) {
+        uint32_t h = 2166136261u;
+        state = 1;
+        for (int turn = 0; turn < TURNS; turn++) {
+            if (turn % 64 == 0) {
+                h = turn > 0 ? hash_rows(h) : h;
+                randomise(pixels, ROOM);
+                memset(depth, 0, sizeof depth);
+            }
+            h = loops[i].one(h);
+        }
+        printf("%s %08lx\n", loops[i].name, (unsigned long)hash_rows(h));
+    }
+    return 0;
+}

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# The hot loops in assembly do what their C does, bit for bit: on random input, and in every frame of tests/frames.sh.
+# The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/tap.sh
+. tests/frames.sh
+unset MAKEFLAGS
+B=${B:-build}/hot
+cross=arm-linux-gnueabihf-gcc
+mkdir -p "$B"
+for tool in $cross qemu-arm; do
+    command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf qemu-user" && exit 77; }
+done
+
+loops=(fill span_flat span_gouraud rows_gouraud span_texture)
+
+c_loops() {
+    cc -O2 -std=c11 -Ifirmware/core/portable -Ifirmware/core tests/hot/hot_loops.c "${loops[@]/%/.c}" -o "$B/c" &&
+        "$B/c" >"$B/c.lines" && [ "$(wc -l <"$B/c.lines")" = ${#loops[@]} ]
+}
+loops=("${loops[@]/#/firmware/core/}")
+
+assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
+    local files=("${loops[@]/#firmware\/core/$2}")
+    $cross -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-Ifirmware/core/$1" -Ifirmware/core tests/hot/hot_loops.c "${files[@]/%/.S}" -o "$B/$3" &&
+        qemu-arm "$B/$3" >"$B/$3.lines"
+}
+
+same_loops() { assembled "$1" "firmware/core/$1" "$1" && diff "$B/c.lines" "$B/$1.lines"; } # CPU
+
+# One change in the assembly of one loop is seen, and in no other loop.
+change_is_seen() { # CPU, loop, sed command
+    rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r firmware/core/armv6m firmware/core/armv7m "$B/changed/" || return 1
+    sed -i "$3" "$B/changed/$1/$2.S"
+    ! cmp -s "$B/changed/$1/$2.S" "firmware/core/$1/$2.S" || { echo "nothing changed" && return 1; }
+    assembled "$1" "$B/changed/$1" changed-lines || return 1
+    [ "$(diff "$B/c.lines" "$B/changed-lines.lines" | grep -c '^>')" = 1 ] &&
+        diff "$B/c.lines" "$B/changed-lines.lines" | grep -q "^> $2 "
+}
+
+same_frames() { # CPU
+    make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
+        USB=nousb all || return 1
+    [ -e "$B/sim-$1/firmware/core/$1/rows_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
+    frames qemu-arm "$B/sim-$1/pinhole-sim" >"$B/$1.frames" && diff tests/golden/frames.txt "$B/$1.frames"
+}
+
+check "the_loops_in_C_run" c_loops
+for cpu in armv6m armv7m; do
+    check "the_loops_for_${cpu}_leave_what_those_in_C_leave" same_loops $cpu
+    check "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
+done
+check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m rows_gouraud 's/add r12, r0/nop/'
+check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
+check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m span_texture 's/lsr #16$/lsr #15/'
+check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #31/movs r2, #0/'
+tap_end
