@@ -7,29 +7,18 @@
 
 #include <stdint.h>
 
+extern const uint8_t fx_clz_table[256]; /* leading zeros of 8 bits: fx_clz.c */
+
+#define FX_APART __attribute__((noinline)) /* 8 registers do not hold two of the stages at once */
+
 static inline int fx_clz32(uint32_t v)
 {
-    int zeros = 0;
-    if (v == 0) {
-        return 32;
+    int zeros = 16;
+    if (v >> 16 != 0) {
+        v >>= 16;
+        zeros = 0;
     }
-    if (v >> 16 == 0) {
-        v <<= 16;
-        zeros += 16;
-    }
-    if (v >> 24 == 0) {
-        v <<= 8;
-        zeros += 8;
-    }
-    if (v >> 28 == 0) {
-        v <<= 4;
-        zeros += 4;
-    }
-    if (v >> 30 == 0) {
-        v <<= 2;
-        zeros += 2;
-    }
-    return zeros + (v >> 31 == 0);
+    return v >> 8 != 0 ? zeros + fx_clz_table[v >> 8] : zeros + 8 + fx_clz_table[v];
 }
 
 /* Four products of 16 bits; the sums of two never carry out of 32 bits. */
@@ -57,24 +46,15 @@ static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b)
     return (uint64_t)fx_mulhi_u32(a, b) << 32 | a * b;
 }
 
-/* A straight line within 1/17, two steps of Newton's, then exact. */
+extern const uint16_t fx_rcp_table[256]; /* see fx_rcp_norm */
+
+/* The table's 8.8 bits and one step of Newton's: the result, or one less. */
 static inline uint32_t fx_rcp16(uint32_t d)
 {
-    const uint32_t r0 = 46261 - (d * 30841 >> 16);                              /* 2^-14 */
-    const int32_t miss0 = (int32_t)((uint32_t)1 << 30) - (int32_t)(d * r0);     /* 2^-30 */
-    const uint32_t r1 = 2 * r0 + (uint32_t)((int32_t)r0 * (miss0 >> 15) >> 14); /* 2^-15 */
-    const int32_t miss1 = (int32_t)(((uint32_t)1 << 31) - d * r1);              /* 2^-31 */
-    uint32_t r = r1 + (uint32_t)((int32_t)r1 * (miss1 >> 16) >> 15);
-    uint32_t rest = 0x7fffffffu - r * d;
-    while ((int32_t)rest < 0) { /* at most twice each */
-        rest += d;
-        r--;
-    }
-    while (rest >= d) {
-        rest -= d;
-        r++;
-    }
-    return r;
+    const uint32_t r0 = fx_rcp_table[(d >> 7) & 255];             /* 2^27 / d */
+    const int32_t miss = (int32_t)(((uint32_t)1 << 27) - r0 * d); /* 1 - r0 d in 2^-27 */
+    const uint32_t r = (r0 << 4) + (uint32_t)(((int32_t)r0 * (miss >> 6)) >> 17);
+    return r + (0x7fffffffu - r * d >= d);
 }
 
 #endif

@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#define FX_APART /* nothing: 13 registers or more */
+
 static inline int fx_clz32(uint32_t v)
 {
     return v != 0 ? __builtin_clz(v) : 32;
