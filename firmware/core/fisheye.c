@@ -127,7 +127,7 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
         const struct screen s = place(lens, &p);
         v->x = s.x;
         v->y = s.y;
-        v->depth = ph_depth_quotient(lens, p.distance);
+        ph_vertex_depth(v, ph_depth_quotient(lens, p.distance));
         v->code =
             fx_magnitude(s.x - lens->centre_x) > REACH || fx_magnitude(s.y - lens->centre_y) > REACH ? PH_GUARD : 0;
     }
@@ -212,7 +212,8 @@ static bool bends(const struct ph_lens *lens, const struct vertex *a, const stru
     }
     const struct vertex m = divide(lens, a, b);
     const int32_t dx = b->at.x - a->at.x, dy = b->at.y - a->at.y;
-    const int64_t area = ph_area(a->at.x, a->at.y, b->at.x, b->at.y, m.at.x, m.at.y);
+    const int64_t area =
+        fx_mul_wide(m.at.x - a->at.x, b->at.y - a->at.y) - fx_mul_wide(b->at.x - a->at.x, m.at.y - a->at.y);
     const uint32_t size = fx_magnitude(dx) > fx_magnitude(dy) ? fx_magnitude(dx) : fx_magnitude(dy);
     return area > 128 * (int64_t)size || area < -128 * (int64_t)size;
 }
@@ -251,7 +252,8 @@ static bool is_beyond(const struct ph_lens *lens, const struct screen *s)
 
 static struct ph_corner corner_of(const struct ph_lens *lens, const struct ph_clip_vertex *v, const struct screen *s)
 {
-    return (struct ph_corner){s->x, s->y, ph_depth_quotient(lens, v->z), (uint16_t)v->light, {v->uv[0], v->uv[1]}};
+    const struct ph_quotient depth = ph_depth_quotient(lens, v->z);
+    return (struct ph_corner){{s->x, s->y, depth.q, depth.s, 0, (uint16_t)v->light}, {v->uv[0], v->uv[1]}};
 }
 
 /* ---- triangles ------------------------------------------------------------------------------------------------ */
@@ -353,7 +355,7 @@ static void clip_piece(struct division *d, const struct vertex *const v[3])
         corners[i] = clipped_corner(&d->r->lens, &polygon[i], &beyond);
     }
     for (int i = 2; i < n && !beyond; i++) {
-        d->any |= ph_setup_triangle(d->r, d->material, &corners[0], &corners[i - 1], &corners[i]);
+        d->any |= ph_setup_corners(d->r, d->material, &corners[0], &corners[i - 1], &corners[i]);
     }
 }
 
@@ -378,7 +380,7 @@ static void draw_piece(struct division *d, const struct vertex *const v[3])
     for (int i = 0; i < 3 && !beyond; i++) {
         corners[i] = corner_of(lens, &v[i]->clip, &v[i]->at);
     }
-    d->any |= !beyond && ph_setup_triangle(d->r, d->material, &corners[0], &corners[1], &corners[2]);
+    d->any |= !beyond && ph_setup_corners(d->r, d->material, &corners[0], &corners[1], &corners[2]);
 }
 
 /* Draws the piece, or divides it: then top[1] waits too, and true is returned. */

@@ -92,6 +92,7 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
     local->shininess_log2 = material->shininess_log2;
     local->count = scene->count;
     local->scale = (PH_LIGHT_SPAN << 14) / (16384 + specular);
+    local->limit = (PH_LIGHT_SPAN << 14) / local->scale;
     const struct fx_vec3 viewer = {r->view.r[2][0], r->view.r[2][1], r->view.r[2][2]};
     to_local(to_world, viewer, local->to_viewer);
     for (uint32_t i = 0; i < scene->count; i++) {
@@ -122,8 +123,9 @@ static int32_t attenuation(fx_t distance, fx_t reach)
 }
 
 /* n.l and n.h of a point light; returns its attenuation. */
-static int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l, const int16_t normal[3],
-                           struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
+static __attribute__((noinline)) int32_t point_light(const struct ph_local_lights *local,
+                                                     const struct ph_local_light *l, const int16_t normal[3],
+                                                     struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
 {
     const struct fx_vec3 d = fx_vec3_sub_sat(l->position, position);
     const int32_t in[3] = {d.x >> 1, d.y >> 1, d.z >> 1};
@@ -135,14 +137,14 @@ static int32_t point_light(const struct ph_local_lights *local, const struct ph_
     return attenuation(fx_vec3_length_sat(d), l->reach);
 }
 
-uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], struct fx_vec3 position)
+uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position)
 {
     int32_t diffuse = local->ambient, specular = 0;
     for (uint32_t i = 0; i < local->count; i++) {
         const struct ph_local_light *l = &local->light[i];
         int32_t n_l, n_h, reaches = 16384;
         if (l->point) {
-            reaches = point_light(local, l, normal, position, &n_l, &n_h);
+            reaches = point_light(local, l, normal, *position, &n_l, &n_h);
         } else {
             n_l = dot_q14(normal, l->to_light);
             n_h = l->specular > 0 ? dot_q14(normal, l->half) : 0;
@@ -159,8 +161,7 @@ uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t norm
             specular += ((shine * reaches) >> 14) * l->specular >> 14;
         }
     }
-    const int32_t limit = (PH_LIGHT_SPAN << 14) / local->scale; /* 1 + specular of the material */
     const int32_t total = (diffuse > 16384 ? 16384 : diffuse) + specular;
-    const int32_t capped = total > limit ? limit : total;
+    const int32_t capped = total > local->limit ? local->limit : total;
     return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)capped * (uint32_t)local->scale) >> 14));
 }

@@ -1,6 +1,10 @@
 /* Vertices and triangles of a mesh: transform, project, reject, cull. See pipeline.h. */
 #include "fisheye.h"
 #include "pipeline.h"
+#include "clip_rows.h"
+
+#define NOINLINE __attribute__((noinline)) /* keeps what is rare, or has values enough, from the registers of a loop   \
+                                            */
 
 static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
                      int32_t scale)
@@ -23,37 +27,39 @@ struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph
     return m;
 }
 
-/* Elements below 2 in Q4.28 times 2^31: three products and the translation stay below 2^62. */
-static int32_t row_times(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
-{
-    const int64_t sum =
-        m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) + fx_mul_wide(m->m[row][2], p->z);
-    return fx_sat64(sum >> 28);
-}
-
-/* x / w of the reciprocal of w in 1/2^26; |x| <= 8 w. */
-static int32_t divide_q26(int32_t x, uint32_t reciprocal, int shift)
+/* x / w of the reciprocal of w (31 bits) in 2^-25; |x| <= 8 w. */
+static inline int32_t divide_q25(int32_t x, int32_t reciprocal, int shift)
 {
     const int32_t aligned = shift >= 4 ? (int32_t)((uint32_t)x << (shift - 4)) : x >> (4 - shift);
-    return (int32_t)(fx_mul_wide(aligned, (int32_t)(reciprocal >> 1)) >> 31);
+    return (int32_t)(fx_mul_wide(aligned, reciprocal) >> 32);
+}
+
+/* 2^-25 to 1/256 px, rounded. */
+static inline int32_t screen_q8(const struct ph_lens *lens, int32_t q25)
+{
+    const int down = 17 - lens->focal_log2;
+    return down > 0 ? (q25 + ((1 << down) >> 1)) >> down : q25 * (1 << -down);
+}
+
+static inline void project_perspective(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, struct ph_vertex *v)
+{
+    int shift;
+    const uint32_t reciprocal = fx_rcp_norm((uint32_t)w, &shift);
+    const int32_t positive = (int32_t)(reciprocal >> 1);
+    v->x = lens->centre_x + screen_q8(lens, divide_q25(x, positive, shift));
+    v->y = lens->centre_y + screen_q8(lens, divide_q25(y, positive, shift));
+    ph_vertex_depth(v, ph_depth_quotient_of(lens, reciprocal, shift));
 }
 
 void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v)
 {
-    int32_t qx = x * 1024, qy = y * 1024; /* orthographic: w = 1, Q16.16 to 1/2^26 */
     if (lens->kind == PH_PERSPECTIVE) {
-        int shift;
-        const uint32_t reciprocal = fx_rcp_norm((uint32_t)w, &shift);
-        qx = divide_q26(x, reciprocal, shift);
-        qy = divide_q26(y, reciprocal, shift);
-        v->depth = ph_depth_quotient_of(lens, reciprocal, shift);
-    } else {
-        v->depth = ph_depth_quotient(lens, z);
+        project_perspective(lens, x, y, w, v);
+        return;
     }
-    const int down = 18 - lens->focal_log2;
-    const int32_t half = (1 << down) >> 1;
-    v->x = lens->centre_x + ((qx + half) >> down);
-    v->y = lens->centre_y + ((qy + half) >> down);
+    ph_vertex_depth(v, ph_depth_quotient(lens, z)); /* orthographic: w = 1, Q16.16 to 2^-25 */
+    v->x = lens->centre_x + screen_q8(lens, x * 512);
+    v->y = lens->centre_y + screen_q8(lens, y * 512);
 }
 
 /* Clip codes of a vertex that is not projected: screen 256 (x 2^focal_log2 / w) + centre against 0 and size, times w.
@@ -64,11 +70,18 @@ static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int3
     return (uint8_t)(at < 0 ? below : at > (int64_t)size * 256 * w ? below * 2 : 0);
 }
 
-static inline void transform_vertex(const struct ph_renderer *r, const struct ph_clip_matrix *m,
-                                    const struct fx_vec3 *p, struct ph_vertex *v)
+/* Clip codes of the sides, of a vertex that is projected. */
+static uint8_t screen_codes(const struct ph_renderer *r, const struct ph_vertex *v)
+{
+    const int32_t right = r->config.width * 256, bottom = r->config.height * 256;
+    const unsigned across = v->x < 0 ? PH_LEFT : v->x > right ? PH_RIGHT : 0;
+    return (uint8_t)(across | (v->y < 0 ? PH_TOP : v->y > bottom ? PH_BOTTOM : 0u));
+}
+
+/* A vertex of any lens, wherever it is. */
+static NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int32_t y, int32_t z, struct ph_vertex *v)
 {
     const struct ph_lens *lens = &r->lens;
-    const int32_t x = row_times(m, 0, p), y = row_times(m, 1, p), z = row_times(m, 2, p);
     if (lens->kind == PH_FISHEYE) {
         ph_fisheye_vertex(lens, x, y, z, v);
         return;
@@ -85,15 +98,48 @@ static inline void transform_vertex(const struct ph_renderer *r, const struct ph
         return;
     }
     ph_project(lens, x, y, w, z, v);
-    code |= v->x < 0 ? PH_LEFT : v->x > width * 256 ? PH_RIGHT : 0;
-    code |= v->y < 0 ? PH_TOP : v->y > height * 256 ? PH_BOTTOM : 0;
-    v->code = code;
+    v->code = code | screen_codes(r, v);
 }
 
 void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
                   struct ph_vertex *v)
 {
-    transform_vertex(r, m, p, v);
+    place_vertex(r, ph_row_times(m, 0, p), ph_row_times(m, 1, p), ph_row_times(m, 2, p), v);
+}
+
+/* -limit <= x <= limit */
+static inline bool is_within(int32_t x, uint32_t limit)
+{
+    return (uint32_t)x + limit <= 2 * limit;
+}
+
+/* All vertices of a mesh. Most are projected by a perspective without any question of clipping. */
+static NOINLINE void transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m,
+                                    const struct ph_mesh *mesh, struct ph_vertex *vertices)
+{
+    const struct ph_lens *lens = &r->lens;
+    const uint32_t right = (uint32_t)r->config.width * 256, bottom = (uint32_t)r->config.height * 256;
+    const uint32_t near = (uint32_t)lens->near_z, range = (uint32_t)lens->far_z - near;
+    const uint32_t straight =
+        lens->kind == PH_PERSPECTIVE ? (uint32_t)1 << (lens->guard_up < 3 ? 28 + lens->guard_up : 31) : 0;
+    const struct fx_vec3 *p = mesh->positions, *const end = p + mesh->vertex_count;
+    struct ph_clip_rows rows;
+    ph_clip_rows_of(&rows, m);
+    for (struct ph_vertex *v = vertices; p < end; p++, v++) {
+        const struct fx_vec3 at = ph_clip_rows_times(&rows, p);
+        v->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* of what is not lit */
+        const uint32_t limit = ((uint32_t)at.z >> lens->guard_up) * 8;
+        if ((uint32_t)at.z < straight && (uint32_t)at.z - near <= range && is_within(at.x, limit) &&
+            is_within(at.y, limit)) {
+            project_perspective(lens, at.x, at.y, at.z, v);
+            v->code = 0;
+            if ((uint32_t)v->x > right || (uint32_t)v->y > bottom) {
+                v->code = screen_codes(r, v);
+            }
+        } else {
+            place_vertex(r, at.x, at.y, at.z, v);
+        }
+    }
 }
 
 /* What the triangles of one part need. */
@@ -104,21 +150,22 @@ struct part_context {
     const struct ph_clip_matrix *matrix;
     struct ph_vertex *vertices;
     struct ph_local_lights lights;
-    bool lit;
+    bool lit, two_sided;
+    uint8_t ask_always; /* a code where every triangle goes to fate_of */
 };
 
-static void light_vertex(const struct part_context *c, uint32_t index)
+static FX_APART void light_vertex(const struct part_context *c, uint32_t index)
 {
     struct ph_vertex *v = &c->vertices[index];
-    if (c->lit && (v->code & PH_LIT) == 0) {
-        v->light = ph_light_vertex(&c->lights, c->mesh->normals[index], c->mesh->positions[index]);
+    if ((v->code & PH_LIT) == 0 && c->lit) {
+        v->light = ph_light_vertex(&c->lights, c->mesh->normals[index], &c->mesh->positions[index]);
         v->code |= PH_LIT;
     }
 }
 
 struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_clip_matrix *m, const struct fx_vec3 *p)
 {
-    const int32_t x = row_times(m, 0, p), y = row_times(m, 1, p), z = row_times(m, 2, p);
+    const int32_t x = ph_row_times(m, 0, p), y = ph_row_times(m, 1, p), z = ph_row_times(m, 2, p);
     const int32_t w = lens->kind == PH_ORTHOGRAPHIC ? FX_ONE : z;
     return (struct ph_clip_vertex){.x = x, .y = y, .w = w, .z = z};
 }
@@ -138,7 +185,9 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
 {
     struct ph_vertex v;
     ph_project(lens, in->x, in->y, in->w, in->z, &v);
-    return (struct ph_corner){v.x, v.y, v.depth, (uint16_t)in->light, {in->uv[0], in->uv[1]}};
+    v.light = (uint16_t)in->light;
+    v.code = 0;
+    return (struct ph_corner){v, {in->uv[0], in->uv[1]}};
 }
 
 void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3])
@@ -159,13 +208,13 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
     struct ph_corner last = project_corner(&r->lens, &out[1]);
     for (int i = 2; i < n; i++) {
         const struct ph_corner next = project_corner(&r->lens, &out[i]);
-        any |= ph_setup_triangle(r, material, &first, &last, &next);
+        any |= ph_setup_corners(r, material, &first, &last, &next);
         last = next;
     }
     r->stats.triangles_culled += !any;
 }
 
-static void draw_clipped(const struct part_context *c, const uint16_t index[3])
+static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3])
 {
     struct ph_clip_vertex in[3];
     for (int i = 0; i < 3; i++) {
@@ -178,36 +227,89 @@ static void draw_clipped(const struct part_context *c, const uint16_t index[3])
     ph_draw_clipped(c->r, c->material, in);
 }
 
-static struct ph_corner corner_of(const struct part_context *c, uint32_t index)
+static FX_APART void draw_visible(const struct part_context *c, const uint16_t index[3],
+                                  const struct ph_vertex *const v[3], const struct ph_sides *sides)
 {
-    light_vertex(c, index);
-    const struct ph_vertex *v = &c->vertices[index];
-    struct ph_corner corner = {v->x, v->y, v->depth, v->light, {0, 0}};
-    if (c->mesh->uvs != NULL) {
-        corner.uv[0] = c->mesh->uvs[index][0];
-        corner.uv[1] = c->mesh->uvs[index][1];
+    const fx_t *uv[3];
+    for (int i = 0; i < 3; i++) {
+        if (v[i]->code < PH_LIT && c->lit) {
+            light_vertex(c, index[i]);
+        }
     }
-    return corner;
+    const bool textured = c->mesh->uvs != NULL;
+    for (int i = 0; textured && i < 3; i++) {
+        uv[i] = c->mesh->uvs[index[i]];
+    }
+    const bool turned = sides->area <= 0;
+    c->r->stats.triangles_culled += turned ? !ph_setup_triangle(c->r, c->material, v, textured ? uv : NULL)
+                                           : !ph_setup_front(c->r, c->material, v, textured ? uv : NULL, sides);
 }
 
-static void draw_triangle(const struct part_context *c, const uint16_t index[3])
+/* What is to be done with a triangle of which a corner has a clip code. */
+enum fate { FATE_PASSES, FATE_MISSES, FATE_CLIPPED };
+
+static NOINLINE enum fate fate_of(const struct part_context *c, const struct ph_vertex *const v[3])
 {
-    const struct ph_vertex *v0 = &c->vertices[index[0]], *v1 = &c->vertices[index[1]], *v2 = &c->vertices[index[2]];
-    if ((v0->code & v1->code & v2->code & PH_REJECT) != 0) {
-        c->r->stats.triangles_culled++;
-        return;
+    const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
+    if ((all & PH_REJECT) != 0) {
+        return FATE_MISSES;
     }
-    if (((v0->code | v1->code | v2->code) & PH_CLIP) != 0 ||
-        (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v0, v1, v2))) {
-        draw_clipped(c, index);
-        return;
+    const bool curved = c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]);
+    return (any & PH_CLIP) != 0 || curved ? FATE_CLIPPED : FATE_PASSES;
+}
+
+/* A triangle on its way to set-up. */
+struct candidate {
+    const struct ph_vertex *v[3];
+    struct ph_sides sides;
+    enum fate fate;
+};
+
+/* The first triangle from *index on that is to be drawn, or `end`: the loop over all that are not. */
+static NOINLINE const uint16_t (*next_candidate(const struct part_context *c, const uint16_t (*index)[3],
+                                                const uint16_t (*end)[3], struct candidate *out))[3]
+{
+    const struct ph_vertex *const vertices = c->vertices;
+    const unsigned always = c->ask_always;
+    for (; index < end; index++) {
+        const struct ph_vertex *const v0 = &vertices[(*index)[0]], *const v1 = &vertices[(*index)[1]],
+                                      *const v2 = &vertices[(*index)[2]];
+        enum fate fate = FATE_PASSES;
+        if (((v0->code | v1->code | v2->code | always) & (PH_REJECT | PH_GUARD)) != 0) {
+            const struct ph_vertex *const v[3] = {v0, v1, v2};
+            fate = fate_of(c, v);
+            if (fate == FATE_MISSES) {
+                continue;
+            }
+        }
+        const struct ph_sides sides = ph_sides(v0, v1, v2);
+        if (sides.area > 0 || fate == FATE_CLIPPED || c->two_sided) {
+            out->sides = sides;
+            out->fate = fate;
+            out->v[0] = v0;
+            out->v[1] = v1;
+            out->v[2] = v2;
+            break;
+        }
     }
-    if (c->material->two_sided == 0 && ph_area(v0->x, v0->y, v1->x, v1->y, v2->x, v2->y) <= 0) {
-        c->r->stats.triangles_culled++;
-        return;
+    return index;
+}
+
+static void draw_triangles(const struct part_context *c, const struct ph_part *part)
+{
+    const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
+    uint32_t seen = 0;
+    struct candidate next;
+    while ((index = next_candidate(c, index, end, &next)) < end) {
+        seen++;
+        if (next.fate == FATE_CLIPPED) {
+            draw_clipped(c, *index);
+        } else {
+            draw_visible(c, *index, next.v, &next.sides);
+        }
+        index++;
     }
-    const struct ph_corner a = corner_of(c, index[0]), b = corner_of(c, index[1]), d = corner_of(c, index[2]);
-    c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, &a, &b, &d);
+    c->r->stats.triangles_culled += part->count - seen;
 }
 
 /* A line as a parallelogram, one pixel wide across its longer axis: one pixel a column (or row), no raster code of its
@@ -215,18 +317,18 @@ static void draw_triangle(const struct part_context *c, const uint16_t index[3])
 void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                    const struct ph_corner *b)
 {
-    const bool wide = fx_abs_sat(b->x - a->x) >= fx_abs_sat(b->y - a->y);
+    const bool wide = fx_abs_sat(b->at.x - a->at.x) >= fx_abs_sat(b->at.y - a->at.y);
     const int32_t side_x = wide ? 0 : 128, side_y = 128 - side_x;
-    const bool turned = wide ? b->x > a->x : b->y < a->y; /* its front is what must be seen */
+    const bool turned = wide ? b->at.x > a->at.x : b->at.y < a->at.y; /* its front is what must be seen */
     const struct ph_corner *const from = turned ? b : a, *const to = turned ? a : b;
     struct ph_corner quad[4] = {*from, *to, *to, *from};
     for (int i = 0; i < 4; i++) {
         const int32_t sign = i < 2 ? -1 : 1;
-        quad[i].x += sign * side_x;
-        quad[i].y += sign * side_y;
+        quad[i].at.x += sign * side_x;
+        quad[i].at.y += sign * side_y;
     }
-    ph_setup_triangle(r, material, &quad[0], &quad[1], &quad[2]);
-    ph_setup_triangle(r, material, &quad[0], &quad[2], &quad[3]);
+    ph_setup_corners(r, material, &quad[0], &quad[1], &quad[2]);
+    ph_setup_corners(r, material, &quad[0], &quad[2], &quad[3]);
 }
 
 static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material,
@@ -244,7 +346,7 @@ static void draw_clip_line(struct ph_renderer *r, const struct ph_material *mate
 }
 
 /* Each edge of the mesh once, as a line of its own. */
-static void draw_edges(const struct part_context *c)
+static NOINLINE void draw_edges(const struct part_context *c)
 {
     for (uint32_t i = 0; i < c->mesh->edge_count; i++) {
         const uint16_t *edge = c->mesh->edges[i];
@@ -271,9 +373,9 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
         ph_light_prepare(&c->lights, r, to_world, c->material);
     }
     r->stats.triangles_in += part->count;
-    for (uint32_t i = 0; i < part->count; i++) {
-        draw_triangle(c, c->mesh->triangles[part->first + i]);
-    }
+    c->ask_always = r->lens.kind == PH_FISHEYE ? PH_GUARD : 0;
+    c->two_sided = c->material->two_sided != 0;
+    draw_triangles(c, part);
 }
 
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
@@ -285,10 +387,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
     struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = r->config.vertices};
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        transform_vertex(r, &matrix, &mesh->positions[i], &c.vertices[i]);
-        c.vertices[i].light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* of what is not lit */
-    }
+    transform_mesh(r, &matrix, mesh, c.vertices);
     r->stats.vertices += mesh->vertex_count;
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         for (uint32_t k = 0; i > 0 && k < mesh->vertex_count; k++) { /* another material, another light */

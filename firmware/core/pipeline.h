@@ -28,12 +28,20 @@ enum {
     PH_CLIP = PH_NEAR | PH_FAR | PH_GUARD,
 };
 
+/* 16 bytes: the index of one is a shift. */
 struct ph_vertex {
     int32_t x, y; /* 1/256 px; not set where code has NEAR or GUARD */
-    struct ph_quotient depth;
+    uint32_t q;   /* depth: struct ph_quotient */
+    int8_t s;
     uint8_t code;
     uint16_t light; /* 0 .. 65535, entry of the ramp times 512 */
 };
+
+static inline void ph_vertex_depth(struct ph_vertex *v, struct ph_quotient depth)
+{
+    v->q = depth.q;
+    v->s = depth.s;
+}
 
 /* Before the divide: screen x = centre + 2^focal_log2 x / w. */
 struct ph_clip_vertex {
@@ -48,11 +56,9 @@ struct ph_clip_matrix {
     int64_t t[3];
 };
 
-/* A corner of a triangle on its way to set-up. */
+/* A corner that is no vertex of the mesh, on its way to set-up. */
 struct ph_corner {
-    int32_t x, y;
-    struct ph_quotient depth;
-    uint16_t light;
+    struct ph_vertex at;
     fx_t uv[2];
 };
 
@@ -103,6 +109,19 @@ static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
 /* Object to clip coordinates of the lens. */
 struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view);
 
+/* A row of the matrix times a point. Elements below 2 in Q4.28 times 2^31: all together stays below 2^62. */
+static inline int32_t ph_row_times(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
+{
+    const int64_t sum =
+        m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) + fx_mul_wide(m->m[row][2], p->z);
+    return fx_sat64(sum >> 28);
+}
+
+static inline struct fx_vec3 ph_matrix_times(const struct ph_clip_matrix *m, const struct fx_vec3 *p)
+{
+    return (struct fx_vec3){ph_row_times(m, 0, p), ph_row_times(m, 1, p), ph_row_times(m, 2, p)};
+}
+
 /* A point before the divide, without light and texture; and projected, with clip codes. */
 struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_clip_matrix *m,
                                     const struct fx_vec3 *p);
@@ -112,19 +131,36 @@ void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, c
 /* Projects a vertex inside near plane and guard band: v->x, v->y, v->depth. */
 void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v);
 
-/*
- * Twice the signed area in 1/65536 px^2, positive where a, b, c run counter-clockwise as seen on the screen (y down).
- * 32-bit products where all sides are below 64 px.
- */
-static inline int64_t ph_area(int32_t ax, int32_t ay, int32_t bx, int32_t by, int32_t cx, int32_t cy)
+/* Of a triangle a, b, c, 1/256 px: two sides, and twice its area, positive where they run counter-clockwise. */
+struct ph_sides {
+    int32_t dx1, dy1, dx2, dy2; /* a to b, a to c */
+    int32_t area;               /* small: in 1/65536 px^2, below 2^29; else its sign */
+    bool small;                 /* all four below PH_SMALL: products of two fit 30 bits */
+};
+
+#define PH_SMALL ((uint32_t)1 << 14) /* 64 px */
+
+static inline int64_t ph_wide_area(const struct ph_sides *s)
 {
-    const int32_t dx1 = bx - ax, dy1 = by - ay, dx2 = cx - ax, dy2 = cy - ay;
-    const uint32_t small = 16384;
-    if ((((uint32_t)dx1 + small) | ((uint32_t)dy1 + small) | ((uint32_t)dx2 + small) | ((uint32_t)dy2 + small)) >> 15 ==
-        0) {
-        return dx2 * dy1 - dx1 * dy2;
-    }
-    return fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
+    return fx_mul_wide(s->dx2, s->dy1) - fx_mul_wide(s->dx1, s->dy2);
+}
+
+/* Sign of ph_wide_area. */
+int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2);
+
+/* Whether -PH_SMALL <= d < PH_SMALL of all four; without constants, which would take registers. */
+static inline bool ph_sides_small(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+{
+    return ((uint32_t)((dx1 >> 14) + 1) | (uint32_t)((dy1 >> 14) + 1) | (uint32_t)((dx2 >> 14) + 1) |
+            (uint32_t)((dy2 >> 14) + 1)) <= 1;
+}
+
+static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+{
+    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
+    const bool small = ph_sides_small(dx1, dy1, dx2, dy2);
+    const int32_t area = small ? dx2 * dy1 - dx1 * dy2 : ph_wide_area_sign(dx1, dy1, dx2, dy2);
+    return (struct ph_sides){dx1, dy1, dx2, dy2, area, small};
 }
 
 /* a + (b - a) t, t in Q2.30, of all that a vertex carries before the divide; each rounded once. */
@@ -134,9 +170,19 @@ struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const stru
 #define PH_CLIP_MAX 9
 int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out);
 
-/* Sets up and lists the triangle a, b, c; false if it faces away (and is not two-sided) or covers no pixel centre. */
-bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                       const struct ph_corner *b, const struct ph_corner *c);
+/*
+ * Sets up and lists a triangle; false if it faces away (and is not two-sided) or covers no pixel centre. uv: of each
+ * corner; NULL where the material has no texture.
+ */
+bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                       const fx_t *const uv[3]);
+
+/* The same of one that faces the viewer, with its sides. */
+bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                    const fx_t *const uv[3], const struct ph_sides *sides);
+
+bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                      const struct ph_corner *b, const struct ph_corner *c);
 
 /* The same of a triangle that may meet clip planes, and of one that is curved; counts them. */
 void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3]);
@@ -157,6 +203,7 @@ struct ph_local_light {
 struct ph_local_lights {
     int32_t ambient; /* Q2.14 */
     int32_t scale;   /* light units per 1.0 */
+    int32_t limit;   /* 1 + specular of the material, Q2.14 */
     uint32_t count, shininess_log2;
     int16_t to_viewer[3];
     struct ph_local_light light[PH_LIGHTS_MAX];
@@ -167,7 +214,7 @@ struct ph_local_lights {
 
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
                       const struct ph_material *material);
-uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], struct fx_vec3 position);
+uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position);
 
 /* Draws rows y0 .. y1 - 1 of a textured triangle: see texture.c. */
 struct ph_band {

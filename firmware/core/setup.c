@@ -6,7 +6,7 @@
  */
 #include "pipeline.h"
 
-#define SHORT ((uint32_t)1 << 14) /* 64 px: below it products of sides, and of 16-bit factors, fit 32 bits */
+#define NOINLINE __attribute__((noinline)) /* keeps the registers of a long function for what is usual */
 
 /* First row whose centre is at or below y (1/256 px). */
 static int32_t first_row(int32_t y)
@@ -14,44 +14,53 @@ static int32_t first_row(int32_t y)
     return (y + 127) >> 8;
 }
 
-/* x and slope of an edge of any size; down: from its upper vertex to the first row's centre. */
-static struct ph_edge wide_edge(int32_t x, int32_t dx, int32_t dy, int32_t down)
+/*
+ * Edges from a down to b: x at row y0, which is not above the first row of a, and slope. Not for an edge without a row.
+ * down: from a to the centre of that first row, 0 .. 255.
+ */
+static struct ph_edge edge_at_row(int32_t x, int32_t dx, int32_t row, int32_t y0)
 {
+    return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
+}
+
+static NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
+{
+    const int32_t dx = b->x - a->x, row = first_row(a->y), down = row * 256 + 128 - a->y;
     int shift;
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)dy, &shift) >> 1); /* 2^(61 - shift) / dy */
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(b->y - a->y), &shift) >> 1); /* 2^(61 - shift) / dy */
     const int32_t offset = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift));
-    return (struct ph_edge){x * 256 + offset, (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift))};
+    const int32_t slope = (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift));
+    *edge = edge_at_row(a->x * 256 + offset, slope, row, y0);
 }
 
 /* The same below 64 px each way, in 32 bits, to 2^-9 px at its far end. */
-static struct ph_edge short_edge(int32_t x, int32_t dx, int32_t dy, int32_t down)
+static inline void short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t y0, struct ph_edge *edge)
 {
+    const int32_t row = first_row(a->y), down = row * 256 + 128 - a->y;
     const int shift = fx_clz32((uint32_t)dy);
     /* 2^(47 - shift) dx / dy, never above it: a centre that lies on the edge is on its right, as by the top-left rule
      */
     const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
-    return (struct ph_edge){x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift)};
+    *edge = edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
 }
 
-/* The edge from (xa, ya) down to (xb, yb), at row y0 >= first_row(ya); not called for an edge without a row. */
-static struct ph_edge setup_edge(int32_t xa, int32_t ya, int32_t xb, int32_t yb, int32_t y0)
+static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
-    const int32_t dx = xb - xa, dy = yb - ya, row = first_row(ya);
-    const int32_t down = row * 256 + 128 - ya; /* 0 .. 255 */
-    const bool is_short = (((uint32_t)dx + SHORT) | (uint32_t)dy) < 2 * SHORT && dy < (int32_t)SHORT;
-    struct ph_edge edge = is_short ? short_edge(xa, dx, dy, down) : wide_edge(xa, dx, dy, down);
-    const uint32_t skipped = (uint32_t)(y0 - row);
-    edge.x = (int32_t)((uint32_t)edge.x + skipped * (uint32_t)edge.dx + 32767u);
-    return edge;
+    const int32_t dx = b->x - a->x, dy = b->y - a->y;
+    if ((((uint32_t)dx + PH_SMALL) | ((uint32_t)dy << 1)) < 2 * PH_SMALL) {
+        short_edge(a, dx, dy, y0, edge);
+    } else {
+        wide_edge(a, b, y0, edge);
+    }
 }
 
-/* Where the planes of a triangle hang: sides from its first corner, and the reciprocal of its area. */
+/* Where the planes of a triangle hang, and the reciprocal of its area. */
 struct plane_base {
-    int32_t dx1, dy1, dx2, dy2;
-    int32_t x, y;       /* from the first corner to the centre of pixel (0, 0), 1/256 px */
-    int32_t reciprocal; /* 2^(61 - shift) / area */
+    const struct ph_sides *sides;
+    int32_t x, y;           /* from the first corner to the centre of pixel (0, 0), px */
+    int32_t part_x, part_y; /* and 1/256 px */
+    int32_t reciprocal;     /* small: 2^(47 - shift) / area; else 2^(61 - shift) / area */
     int shift;
-    bool small; /* all sides below 64 px */
 };
 
 static int bits_of(int64_t v)
@@ -66,24 +75,39 @@ static int max_int(int a, int b)
     return a > b ? a : b;
 }
 
-static struct plane_base plane_base(const struct ph_corner *a, const struct ph_corner *b, const struct ph_corner *c,
-                                    int64_t area)
+/* For products of 64 bits. */
+static void wide_base(struct plane_base *s)
 {
-    struct plane_base s = {b->x - a->x, b->y - a->y, c->x - a->x, c->y - a->y, 128 - a->x, 128 - a->y, 0, 0, false};
-    s.small = (((uint32_t)s.dx1 + SHORT) | ((uint32_t)s.dy1 + SHORT) | ((uint32_t)s.dx2 + SHORT) |
-               ((uint32_t)s.dy2 + SHORT)) < 2 * SHORT;
-    const int excess = s.small ? 0 : max_int(bits_of(area) - 32, 0);
-    s.reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(area >> excess), &s.shift) >> 1);
-    s.shift -= excess;
-    return s;
+    const int64_t area = ph_wide_area(s->sides);
+    const int excess = max_int(bits_of(area) - 32, 0);
+    s->reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(area >> excess), &s->shift) >> 1);
+    s->shift -= excess;
+}
+
+static inline void plane_base(const struct ph_vertex *first, const struct ph_sides *sides, struct plane_base *s)
+{
+    const int32_t x = 128 - first->x, y = 128 - first->y;
+    s->sides = sides;
+    s->x = x >> 8;
+    s->y = y >> 8;
+    s->part_x = x & 255;
+    s->part_y = y & 255;
+    if (sides->small) {
+        const uint32_t area = (uint32_t)sides->area;
+        s->shift = fx_clz32(area);
+        /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): area > 0 */
+        s->reciprocal = (int32_t)fx_rcp16((area << s->shift) >> 16);
+    } else {
+        wide_base(s);
+    }
 }
 
 /* The plane with gradients gx, gy through `value` at the first corner; the last 8 bits of the fractions do not matter.
  */
 static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
 {
-    const uint32_t whole = (uint32_t)(s->x >> 8) * (uint32_t)gx + (uint32_t)(s->y >> 8) * (uint32_t)gy;
-    const uint32_t part = (uint32_t)(gx >> 8) * (uint32_t)(s->x & 255) + (uint32_t)(gy >> 8) * (uint32_t)(s->y & 255);
+    const uint32_t whole = (uint32_t)s->x * (uint32_t)gx + (uint32_t)s->y * (uint32_t)gy;
+    const uint32_t part = (uint32_t)(gx >> 8) * (uint32_t)s->part_x + (uint32_t)(gy >> 8) * (uint32_t)s->part_y;
     return (struct ph_plane){value + whole + part, (uint32_t)gx, (uint32_t)gy};
 }
 
@@ -95,9 +119,14 @@ struct gradient {
  * Gradient from the differences d1, d2 (below 2^32) of the second and third corner to the first. Beyond 2^limit per
  * pixel it is halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped.
  */
-static struct gradient wide_gradient(const struct plane_base *s, int64_t d1, int64_t d2, int limit)
+static struct gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int limit)
 {
-    const int64_t nx = d2 * s->dy1 - d1 * s->dy2, ny = d1 * s->dx2 - d2 * s->dx1;
+    struct plane_base base = *any, *const s = &base;
+    if (any->sides->small) {
+        wide_base(&base);
+    }
+    const struct ph_sides *t = s->sides;
+    const int64_t nx = d2 * t->dy1 - d1 * t->dy2, ny = d1 * t->dx2 - d2 * t->dx1;
     const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
     const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
@@ -107,7 +136,8 @@ static struct gradient wide_gradient(const struct plane_base *s, int64_t d1, int
 }
 
 /* Plane through the value at the first corner. */
-static struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
+static NOINLINE struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2,
+                                           int limit)
 {
     const struct gradient g = wide_gradient(s, d1, d2, limit);
     return hang_plane(s, value, g.x, g.y);
@@ -118,108 +148,151 @@ static uint32_t size_of(int32_t v)
     return v < 0 ? ~(uint32_t)v : (uint32_t)v;
 }
 
-/* The same for a small triangle and |d1|, |d2| < 2^30, in 32 bits: the differences are taken to 16 of their bits. */
-static struct ph_plane small_plane(const struct plane_base *s, uint32_t value, int32_t d1, int32_t d2, int limit)
+/* n (below 2^30) times r / 2^16; r of 16 bits. */
+static inline int32_t times_q16(int32_t n, int32_t r)
+{
+    return (n >> 16) * r + (int32_t)(((uint32_t)n & 0xffff) * (uint32_t)r >> 16);
+}
+
+/*
+ * The same for a small triangle in 32 bits; d1, d2 below 2^15 are the differences over 2^drop. out->base is the value
+ * at the first corner on entry.
+ */
+static FX_APART void small_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop,
+                                 int limit)
+{
+    const struct ph_sides *const t = s->sides;
+    int32_t gx = times_q16(d2 * t->dy1 - d1 * t->dy2, s->reciprocal);
+    int32_t gy = times_q16(d1 * t->dx2 - d2 * t->dx1, s->reciprocal);
+    int down = 23 - s->shift - drop; /* g 2^-down is the gradient; |g| < 2^30 */
+    const int room = down + limit;   /* bits that g may have */
+    if (room < 30 && ((uint32_t)((gx >> room) + 1) | (uint32_t)((gy >> room) + 1)) > 1) {
+        down = max_int(down, 32 - fx_clz32(size_of(gx) | size_of(gy)) - limit);
+    }
+    gx = down >= 0 ? gx >> down : gx * (1 << -down);
+    gy = down >= 0 ? gy >> down : gy * (1 << -down);
+    *out = hang_plane(s, out->base, gx, gy);
+}
+
+/* For differences below 2^30, of which 16 bits are taken. */
+static inline void scaled_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int32_t d1,
+                                int32_t d2, int limit)
 {
     const int spare = fx_clz32(size_of(d1) | size_of(d2));
     const int drop = spare < 17 ? 17 - spare : 0;
-    d1 = (d1 + (1 << drop >> 1)) >> drop;
-    d2 = (d2 + (1 << drop >> 1)) >> drop;
-    const int32_t nx = d2 * s->dy1 - d1 * s->dy2, ny = d1 * s->dx2 - d2 * s->dx1;
-    const int up = fx_clz32(size_of(nx) | size_of(ny)) - 1; /* both to 31 bits and a sign */
-    const int32_t px = (int32_t)(fx_mul_wide((int32_t)((uint32_t)nx << up), s->reciprocal) >> 32);
-    const int32_t py = (int32_t)(fx_mul_wide((int32_t)((uint32_t)ny << up), s->reciprocal) >> 32);
-    const int exact = 21 - s->shift - drop + up; /* px 2^-exact is the gradient; |px| < 2^29 */
-    const int down = exact >= 29 - limit ? exact : max_int(exact, 32 - fx_clz32(size_of(px) | size_of(py)) - limit);
-    if (down > 31) {
-        return hang_plane(s, value, 0, 0);
-    }
-    return down >= 0 ? hang_plane(s, value, px >> down, py >> down)
-                     : hang_plane(s, value, px * (1 << -down), py * (1 << -down));
+    const int32_t half = (1 << drop) >> 1;
+    out->base = value;
+    small_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop, limit);
 }
 
 static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
 {
     const int64_t limit_small = (int64_t)1 << 30;
-    if (s->small && d1 < limit_small && d1 > -limit_small && d2 < limit_small && d2 > -limit_small) {
-        return small_plane(s, value, (int32_t)d1, (int32_t)d2, limit);
+    if (s->sides->small && d1 < limit_small && d1 > -limit_small && d2 < limit_small && d2 > -limit_small) {
+        struct ph_plane plane;
+        scaled_plane(&plane, s, value, (int32_t)d1, (int32_t)d2, limit);
+        return plane;
     }
     return wide_plane(s, value, d1, d2, limit);
 }
 
 /* The plane through three unsigned values. */
-static struct ph_plane plane_of(const struct plane_base *s, const uint32_t v[3], int limit)
+static void plane_of(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3], int limit)
 {
-    const uint32_t quarter = (uint32_t)1 << 29; /* halves that differ by less than this: differences below 2^30 */
-    if (s->small && (v[1] >> 1) - (v[0] >> 1) + quarter < 2 * quarter &&
-        (v[2] >> 1) - (v[0] >> 1) + quarter < 2 * quarter) {
-        return small_plane(s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]), limit);
+    /* Halves that differ by less than 2^29: differences below 2^30. */
+    const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
+    if (s->sides->small && ((uint32_t)((half1 >> 29) + 1) | (uint32_t)((half2 >> 29) + 1)) <= 1) {
+        scaled_plane(out, s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]), limit);
+    } else {
+        *out = wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
     }
-    return wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+}
+
+/* The plane through the light of three corners. */
+static void light_plane(struct ph_plane *out, const struct plane_base *s, const struct ph_vertex *const v[3])
+{
+    const int32_t d1 = v[1]->light - v[0]->light, d2 = v[2]->light - v[0]->light;
+    const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
+    out->base = (uint32_t)v[0]->light << 16;
+    if (s->sides->small) {
+        small_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop, 31);
+    } else {
+        *out = wide_plane(s, out->base, (int64_t)d1 * 65536, (int64_t)d2 * 65536, 31);
+    }
 }
 
 /* The plane through three unsigned values to its last bit, for formats that keep 24 bits of them. */
 static struct ph_plane exact_plane(const struct plane_base *s, const uint32_t v[3], int limit)
 {
     const struct gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
-    const uint32_t right = (uint32_t)(fx_mul_wide(g.x, s->x) >> 8), down = (uint32_t)(fx_mul_wide(g.y, s->y) >> 8);
+    const int32_t x = s->x * 256 + s->part_x, y = s->y * 256 + s->part_y;
+    const uint32_t right = (uint32_t)(fx_mul_wide(g.x, x) >> 8), down = (uint32_t)(fx_mul_wide(g.y, y) >> 8);
     return (struct ph_plane){v[0] + right + down, (uint32_t)g.x, (uint32_t)g.y};
 }
 
-static struct ph_plane depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t v[3],
-                                   int limit)
+static void depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t v[3], int limit,
+                        struct ph_plane *out)
 {
-    return r->stats.depth_format >= PH_DEPTH_FIXED24 ? exact_plane(s, v, limit) : plane_of(s, v, limit);
+    if (r->stats.depth_format >= PH_DEPTH_FIXED24) {
+        *out = exact_plane(s, v, limit);
+    } else {
+        plane_of(out, s, v, limit);
+    }
 }
 
-static int least_exponent(const struct ph_corner *const v[3])
+static int least_exponent(const struct ph_vertex *const v[3])
 {
-    const int a = v[0]->depth.s < v[1]->depth.s ? v[0]->depth.s : v[1]->depth.s;
-    return v[2]->depth.s < a ? v[2]->depth.s : a;
+    const int a = v[0]->s < v[1]->s ? v[0]->s : v[1]->s;
+    return v[2]->s < a ? v[2]->s : a;
+}
+
+static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
+{
+    return (struct ph_quotient){v->q, v->s};
 }
 
 /* N/w to the exponent `least` of the nearest corner, in units of 2^-(28 + least): below 2^29. */
-static uint32_t corner_over_w(const struct ph_corner *v, int least)
+static uint32_t corner_over_w(const struct ph_vertex *v, int least)
 {
-    const int down = v->depth.s - least + 2;
-    return down < 32 ? v->depth.q >> down : 0;
+    const int down = v->s - least + 2;
+    return down < 32 ? v->q >> down : 0;
 }
 
-static void setup_fixed(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
-                        uint32_t bias, struct ph_triangle *t)
+static FX_APART void setup_fixed(const struct ph_renderer *r, const struct plane_base *s,
+                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const uint32_t far = ph_depth_far(&r->lens, 0), offset = PH_DEPTH_BIAS_FIXED16 + (bias << 16);
     uint32_t d[3];
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(v[i]->depth, far, 0) + offset;
+        d[i] = ph_depth_before(ph_depth_of(v[i]), far, 0) + offset;
     }
-    t->depth = depth_plane(r, s, d, 28);
+    depth_plane(r, s, d, 28, &t->depth);
 }
 
-static void setup_float(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
-                        uint32_t bias, struct ph_triangle *t)
+static NOINLINE void setup_float(const struct ph_renderer *r, const struct plane_base *s,
+                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const int block = max_int(least_exponent(v) - 2, 0);
     const uint32_t far = ph_depth_far(&r->lens, block);
     uint32_t d[3];
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(v[i]->depth, far, block);
+        d[i] = ph_depth_before(ph_depth_of(v[i]), far, block);
     }
     const int octave = ph_depth_octave(d[0], block);
     if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
         t->block = (uint8_t)block;
-        t->depth = depth_plane(r, s, d, 27);
+        depth_plane(r, s, d, 27, &t->depth);
         return;
     }
     const uint32_t offset = ph_depth_float16_offset(octave, block) + (bias << 13);
     for (int i = 0; i < 3; i++) { /* all in one octave: no different from the fixed formats */
         d[i] = ph_depth_float16_value(d[i], octave) + offset;
     }
-    t->depth = depth_plane(r, s, d, 27);
+    depth_plane(r, s, d, 27, &t->depth);
 }
 
-static void setup_linear(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
-                         uint32_t bias, struct ph_triangle *t)
+static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plane_base *s,
+                                  const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
@@ -230,7 +303,7 @@ static void setup_linear(const struct ph_renderer *r, const struct plane_base *s
     t->linear.down = (int8_t)(t->linear.down - least);
 }
 
-static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
+static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
                         struct ph_triangle *t)
 {
     const uint32_t bias = t->material->depth_bias < 56 ? t->material->depth_bias : 56;
@@ -246,11 +319,11 @@ static void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
 }
 
 /* u or v of the corners, in Q16.16 from a whole number of repeats; returns the log2 of their range. */
-static int texture_range(const struct ph_texture *texture, const struct ph_corner *const v[3], int axis, int64_t out[3])
+static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, int64_t out[3])
 {
-    int64_t least = v[0]->uv[axis], most = 0;
+    int64_t least = uv[0][axis], most = 0;
     for (int i = 0; i < 3; i++) {
-        out[i] = v[i]->uv[axis];
+        out[i] = uv[i][axis];
         least = out[i] < least ? out[i] : least;
     }
     for (int i = 0; i < 3; i++) {
@@ -263,12 +336,16 @@ static int texture_range(const struct ph_texture *texture, const struct ph_corne
     return max_int(bits_of(most - 1) - 16, 0);
 }
 
-static void setup_texture(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
-                          struct ph_triangle *t)
+static NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
+                                   const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
+                                   struct ph_triangle *t)
 {
+    static const fx_t origin[2];
+    static const fx_t *const origins[3] = {origin, origin, origin};
+    const fx_t *const *from = corner_uv != NULL ? corner_uv : origins;
     int64_t uv[2][3];
-    const int range_u = texture_range(t->material->texture, v, 0, uv[0]);
-    const int range = max_int(range_u, texture_range(t->material->texture, v, 1, uv[1]));
+    const int range_u = texture_range(t->material->texture, from, 0, uv[0]);
+    const int range = max_int(range_u, texture_range(t->material->texture, from, 1, uv[1]));
     const bool perspective = r->lens.kind != PH_ORTHOGRAPHIC;
     const int least = least_exponent(v);
     uint32_t w[3]; /* 1/w to a common exponent, up to 2^29 */
@@ -283,7 +360,7 @@ static void setup_texture(const struct ph_renderer *r, const struct plane_base *
         t->attribute[axis] = setup_plane(s, (uint32_t)over_w[0], over_w[1] - over_w[0], over_w[2] - over_w[0], 31);
     }
     if (t->block != PH_BLOCK_LINEAR) { /* it is there already */
-        t->attribute[2] = plane_of(s, w, 31);
+        plane_of(&t->attribute[2], s, w, 31);
     }
     t->range_log2 = (uint8_t)range;
 }
@@ -294,8 +371,8 @@ static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
     return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
 }
 
-static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_corner *const v[3],
-                          struct ph_triangle *t)
+static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
+                          const fx_t *const uv[3], struct ph_triangle *t)
 {
     const struct ph_material *material = t->material;
     t->kind = PH_KIND_FLAT;
@@ -305,10 +382,8 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
         return;
     case PH_SHADE_GOURAUD:
         if (material->ramp != NULL) {
-            const uint32_t light[3] = {(uint32_t)v[0]->light << 16, (uint32_t)v[1]->light << 16,
-                                       (uint32_t)v[2]->light << 16};
             t->kind = PH_KIND_GOURAUD;
-            t->attribute[0] = plane_of(s, light, 31);
+            light_plane(&t->attribute[0], s, v);
             return;
         }
         break;
@@ -319,7 +394,7 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
             t->colour = material->shading == PH_SHADE_TEXTURE_LIT
                             ? (uint16_t)(((uint32_t)(v[0]->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
                             : 32;
-            setup_texture(r, s, v, t);
+            setup_texture(r, s, v, uv, t);
             return;
         }
         break;
@@ -329,77 +404,111 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     t->colour = material->colour;
 }
 
-/* Rows and edges; false where no row of the picture is covered. Corners in the order a, b, c run counter-clockwise. */
-static bool setup_edges(const struct ph_renderer *r, const struct ph_corner *const v[3], struct ph_triangle *t)
+static inline int32_t min_int(int32_t a, int32_t b)
 {
-    const int top = v[0]->y <= v[1]->y ? (v[0]->y <= v[2]->y ? 0 : 2) : (v[1]->y <= v[2]->y ? 1 : 2);
-    const struct ph_corner *a = v[top], *left = v[top == 2 ? 0 : top + 1], *right = v[top == 0 ? 2 : top - 1];
-    const bool long_left = left->y > right->y;
-    const struct ph_corner *mid = long_left ? right : left, *low = long_left ? left : right;
-    const int32_t height = r->config.height;
-    const int32_t row_top = first_row(a->y), row_mid = first_row(mid->y), row_low = first_row(low->y);
-    const int32_t y_top = max_int(row_top, 0), y_bottom = row_low < height ? row_low : height;
-    if (y_top >= y_bottom) {
-        return false;
-    }
-    const int32_t y_mid = max_int(row_mid < height ? row_mid : height, 0);
-    t->y_top = (int16_t)y_top;
-    t->y_mid = (int16_t)y_mid;
-    t->y_bottom = (int16_t)y_bottom;
-    t->long_left = long_left;
-    t->long_edge = setup_edge(a->x, a->y, low->x, low->y, y_top);
-    if (y_mid > y_top) {
-        t->upper = setup_edge(a->x, a->y, mid->x, mid->y, y_top);
-    }
-    if (y_bottom > y_mid) {
-        t->lower = setup_edge(mid->x, mid->y, low->x, low->y, y_mid);
-    }
-    return true;
+    return a < b ? a : b;
 }
 
 /*
  * No pixel centre between the outermost columns, or none of them in the picture. *narrow: at most PH_NARROW columns,
  * a pixel and more from the borders, so that no rounding of an edge makes them more or takes them out.
  */
-static bool misses_columns(const struct ph_renderer *r, const struct ph_corner *const v[3], bool *narrow)
+static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3], bool *narrow)
 {
-    int32_t least = v[0]->x, most = v[0]->x;
-    for (int i = 1; i < 3; i++) {
-        least = v[i]->x < least ? v[i]->x : least;
-        most = v[i]->x > most ? v[i]->x : most;
-    }
-    const int32_t from = first_row(least), to = first_row(most), width = r->config.width;
+    const int32_t a = v[0]->x, b = v[1]->x, c = v[2]->x;
+    const int32_t from = first_row(min_int(min_int(a, b), c)), to = first_row(max_int(max_int(a, b), c));
     *narrow = from > 1 && to < width - 1 && to - from < PH_NARROW;
     return from >= to || to <= 0 || from >= width;
 }
 
-bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                       const struct ph_corner *b, const struct ph_corner *c)
+/*
+ * Rows and edges; false where no row of the picture is covered. Corners in the order of v run counter-clockwise. Of two
+ * corners with the same first row either may be the upper one: the edge between them has no row.
+ */
+static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
-    int64_t area = ph_area(a->x, a->y, b->x, b->y, c->x, c->y);
-    const bool turned = area < 0 && material->two_sided != 0;
-    const struct ph_corner *const v[3] = {a, turned ? c : b, turned ? b : c};
-    area = turned ? -area : area;
+    const struct ph_vertex *top = v[0], *left = v[1], *right = v[2];
+    int32_t row_top = first_row(top->y), row_left = first_row(left->y), row_right = first_row(right->y);
+    while (row_left < row_top || row_right < row_top) { /* at most twice: the corners turn */
+        const struct ph_vertex *const corner = top;
+        const int32_t row = row_top;
+        top = left, row_top = row_left;
+        left = right, row_left = row_right;
+        right = corner, row_right = row;
+    }
+    t->long_left = row_left > row_right;
+    const struct ph_vertex *const mid = t->long_left ? right : left, *const low = t->long_left ? left : right;
+    const int32_t y_top = max_int(row_top, 0), y_bottom = min_int(max_int(row_left, row_right), height);
+    const int32_t y_mid = max_int(min_int(min_int(row_left, row_right), height), 0);
+    if (y_top >= y_bottom) {
+        return false;
+    }
+    t->y_top = (int16_t)y_top;
+    t->y_mid = (int16_t)y_mid;
+    t->y_bottom = (int16_t)y_bottom;
+    setup_edge(top, low, y_top, &t->long_edge);
+    if (y_mid > y_top) {
+        setup_edge(top, mid, y_top, &t->upper);
+    }
+    if (y_bottom > y_mid) {
+        setup_edge(mid, low, y_mid, &t->lower);
+    }
+    return true;
+}
+
+int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+{
+    const int64_t area = fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
+    return (int32_t)(area >> 32) | (area > 0);
+}
+
+bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                    const fx_t *const uv[3], const struct ph_sides *sides)
+{
+    const uint32_t n = r->triangle_count;
+    struct ph_triangle no_room, *const t = n < r->config.triangle_max ? &ph_triangles(r)[n] : &no_room;
     bool narrow;
-    if (area <= 0 || misses_columns(r, v, &narrow)) {
+    if (misses_columns(r->config.width, v, &narrow) || !setup_outline(r->config.height, v, t)) {
         return false;
     }
-    struct ph_triangle no_room;
-    const bool full = r->triangle_count >= r->config.triangle_max;
-    struct ph_triangle *t = full ? &no_room : &ph_triangles(r)[r->triangle_count];
-    t->material = material;
-    t->narrow = narrow;
-    if (!setup_edges(r, v, t)) {
-        return false;
-    }
-    if (full) {
+    if (t == &no_room) {
         r->stats.triangles_dropped++;
         return true;
     }
-    const struct plane_base base = plane_base(v[0], v[1], v[2], area);
+    struct plane_base base;
+    t->material = material;
+    t->narrow = narrow;
+    plane_base(v[0], sides, &base);
     setup_depth(r, &base, v, t);
-    setup_shading(r, &base, v, t);
-    r->triangle_count++;
+    setup_shading(r, &base, v, uv, t);
+    r->triangle_count = n + 1;
     r->stats.triangles_drawn++;
     return true;
+}
+
+bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                       const fx_t *const uv[3])
+{
+    struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    if (sides.area > 0) {
+        return ph_setup_front(r, material, v, uv, &sides);
+    }
+    if (sides.area == 0 || material->two_sided == 0) {
+        return false;
+    }
+    const struct ph_vertex *const turned[3] = {v[0], v[2], v[1]};
+    sides = ph_sides(v[0], v[2], v[1]);
+    if (uv == NULL) {
+        return ph_setup_front(r, material, turned, NULL, &sides);
+    }
+    const fx_t *const uv_turned[3] = {uv[0], uv[2], uv[1]};
+    return ph_setup_front(r, material, turned, uv_turned, &sides);
+}
+
+bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                      const struct ph_corner *b, const struct ph_corner *c)
+{
+    const struct ph_vertex *const v[3] = {&a->at, &b->at, &c->at};
+    const fx_t *const uv[3] = {a->uv, b->uv, c->uv};
+    return ph_setup_triangle(r, material, v, uv);
 }

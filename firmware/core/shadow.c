@@ -131,26 +131,20 @@ static void draw_cut(const struct cast *c, const uint16_t index[3])
 
 /* ---- triangles ------------------------------------------------------------------------------------------------ */
 
-static struct ph_corner corner_of(const struct ph_vertex *v)
-{
-    return (struct ph_corner){v->x, v->y, v->depth, v->light, {0, 0}};
-}
-
 static void draw_triangle(const struct cast *c, const uint16_t index[3])
 {
-    const struct ph_vertex *v0 = &c->vertices[index[0]], *v1 = &c->vertices[index[1]], *v2 = &c->vertices[index[2]];
-    const unsigned all = v0->code & v1->code & v2->code, any = v0->code | v1->code | v2->code;
+    const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
+    const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
     if ((all & PH_REJECT) != 0) {
         c->r->stats.triangles_culled++;
         return;
     }
     if ((any & (CUT | PH_CLIP)) != 0 ||
-        (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v0, v1, v2))) {
+        (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
         draw_cut(c, index);
         return;
     }
-    const struct ph_corner a = corner_of(v0), b = corner_of(v1), d = corner_of(v2);
-    c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, &a, &b, &d);
+    c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, v, NULL);
 }
 
 /* Towards the viewer: all of the matrix a little smaller, which the division takes out again; see shadow.h. */

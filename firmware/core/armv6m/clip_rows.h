@@ -1,0 +1,63 @@
+/*
+ * clip_rows, ARMv6-M, where a product of 64 bits takes 17 instructions: elements as three digits of 10 bits, so that
+ * products with positions below 16.0, and sums of three, fit 32 bits. Exact all the same. See clip_rows_wide.h.
+ */
+#ifndef PH_CLIP_ROWS_H
+#define PH_CLIP_ROWS_H
+
+#include "pipeline.h"
+
+#define PH_CLIP_ROWS_REACH ((uint32_t)1 << 20)
+
+struct ph_row {
+    int32_t low[3], middle[3], high[3]; /* the element is low + 2^10 middle + 2^20 high; low, middle: -512 .. 511 */
+    int32_t part, whole;                /* the translation in 2^-28 and in ones */
+};
+
+struct ph_clip_rows {
+    struct ph_row row[3];
+    const struct ph_clip_matrix *matrix;
+    uint32_t reach; /* digits serve -reach .. reach: 2^20, or 0 where the translation is near the end of its range */
+};
+
+static inline void ph_clip_rows_of(struct ph_clip_rows *rows, const struct ph_clip_matrix *matrix)
+{
+    rows->matrix = matrix;
+    rows->reach = PH_CLIP_ROWS_REACH;
+    for (int i = 0; i < 3; i++) {
+        struct ph_row *row = &rows->row[i];
+        for (int j = 0; j < 3; j++) {
+            const int32_t m = matrix->m[i][j], above = (m + 512) >> 10;
+            row->low[j] = m - above * 1024;
+            row->high[j] = (above + 512) >> 10;
+            row->middle[j] = above - row->high[j] * 1024;
+        }
+        row->whole = (int32_t)(matrix->t[i] >> 28);
+        row->part = (int32_t)(matrix->t[i] & ((1 << 28) - 1));
+        if (fx_magnitude(row->whole) >> 30 != 0) {
+            rows->reach = 0;
+        }
+    }
+}
+
+/* Sums below 3 2^29 + 2^28: they fit, also with what comes up from the digit below. */
+static inline int32_t ph_row_of_digits(const struct ph_row *row, int32_t x, int32_t y, int32_t z)
+{
+    int32_t sum = row->low[0] * x + row->low[1] * y + row->low[2] * z + row->part;
+    sum = (sum >> 10) + row->middle[0] * x + row->middle[1] * y + row->middle[2] * z;
+    sum = (sum >> 10) + row->high[0] * x + row->high[1] * y + row->high[2] * z;
+    return (sum >> 8) + row->whole;
+}
+
+static inline struct fx_vec3 ph_clip_rows_times(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+{
+    const int32_t x = p->x, y = p->y, z = p->z;
+    const uint32_t reach = rows->reach;
+    if ((((uint32_t)x + reach) | ((uint32_t)y + reach) | ((uint32_t)z + reach)) >= 2 * reach) {
+        return ph_matrix_times(rows->matrix, p);
+    }
+    return (struct fx_vec3){ph_row_of_digits(&rows->row[0], x, y, z), ph_row_of_digits(&rows->row[1], x, y, z),
+                            ph_row_of_digits(&rows->row[2], x, y, z)};
+}
+
+#endif

@@ -1,0 +1,100 @@
+/*
+ * clip_rows.h of each CPU against the sums of 64 bits that they shorten: points of all sizes, small ones (the digits
+ * of ARMv6-M), matrices up to the ends of their range.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "clip_rows_wide.h"
+
+#undef PH_CLIP_ROWS_H
+#undef PH_CLIP_ROWS_REACH
+#define ph_clip_rows       armv6m_clip_rows
+#define ph_clip_rows_of    armv6m_clip_rows_of
+#define ph_clip_rows_times armv6m_clip_rows_times
+#include "armv6m/clip_rows.h"
+#undef ph_clip_rows
+#undef ph_clip_rows_of
+#undef ph_clip_rows_times
+
+#include "ref_random.h"
+
+#include <math.h>
+
+static unsigned pick(unsigned n)
+{
+    return (unsigned)ref_uniform(0, n - 1e-6);
+}
+
+/* Elements below 2 in Q4.28; translation any place that 32 bits hold, or a small one. */
+static struct ph_clip_matrix any_matrix(int kind)
+{
+    struct ph_clip_matrix m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double ends[] = {-(1 << 29), (1 << 29) - 1, 511, 512, -512, -513, 0, 0x7fe00};
+            m.m[i][j] = (int32_t)(kind % 4 == 0 ? ends[pick(8)] : ref_uniform(-(1 << 29), (1 << 29) - 1));
+        }
+        const double reach = kind % 3 == 0 ? 2147483647. : kind % 3 == 1 ? 1073741823. : 655360.;
+        m.t[i] = (int64_t)ref_uniform(-reach, reach) * (1 << 28) + (1 << 27);
+    }
+    return m;
+}
+
+static int32_t any_coordinate(int kind)
+{
+    const int bits = kind % 2 == 0 ? 20 : (int)pick(32);
+    if (kind % 5 == 0) {
+        const int32_t ends[] = {-(1 << 20), (1 << 20) - 1, 1 << 20, -(1 << 20) - 1, -(1 << 26), (1 << 26) - 1};
+        return ends[pick(6)];
+    }
+    const double most = ldexp(1, bits);
+    return (int32_t)ref_uniform(-most, most - 1);
+}
+
+static void every_cpu_gives_the_exact_sums(void **state)
+{
+    (void)state;
+    ref_seed(28);
+    uint32_t near = 0, far = 0;
+    for (int i = 0; i < 200000; i++) {
+        const struct ph_clip_matrix m = any_matrix(i / 8);
+        const struct fx_vec3 p = {any_coordinate(i), any_coordinate(i), any_coordinate(i)};
+        struct ph_clip_rows wide;
+        struct armv6m_clip_rows digits;
+        ph_clip_rows_of(&wide, &m);
+        armv6m_clip_rows_of(&digits, &m);
+        const struct fx_vec3 exact = ph_matrix_times(&m, &p);
+        const struct fx_vec3 a = ph_clip_rows_times(&wide, &p), b = armv6m_clip_rows_times(&digits, &p);
+        assert_true(a.x == exact.x && a.y == exact.y && a.z == exact.z);
+        assert_true(b.x == exact.x && b.y == exact.y && b.z == exact.z);
+        const bool is_near = digits.reach > 0 && fx_magnitude(p.x) < 1 << 20 && fx_magnitude(p.y) < 1 << 20 &&
+                             fx_magnitude(p.z) < 1 << 20;
+        near += is_near;
+        far += !is_near;
+    }
+    assert_true(near > 20000 && far > 20000); /* both ways were taken */
+}
+
+/* ph_matrix_times itself, where its sums are known. */
+static void the_sums_are_those_of_a_matrix(void **state)
+{
+    (void)state;
+    const struct ph_clip_matrix m = {{{1 << 28, 0, 0}, {0, -(1 << 27), 0}, {1 << 28, 1 << 28, -(1 << 28)}},
+                                     {1 << 27, ((int64_t)7 << 28) + (1 << 27), 1 << 27}};
+    const struct fx_vec3 p = {FX_INT(3), FX_INT(5), -9}, at = ph_matrix_times(&m, &p);
+    assert_int_equal(at.x, FX_INT(3));
+    assert_int_equal(at.y, 7 - FX_INT(5) / 2);
+    assert_int_equal(at.z, FX_INT(8) + 9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_cpu_gives_the_exact_sums),
+        cmocka_unit_test(the_sums_are_those_of_a_matrix),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
