@@ -16,18 +16,36 @@ struct row {
     uint32_t attribute; /* Gouraud: light at the first pixel */
 };
 
-typedef void span_fn(const struct ph_triangle *t, const struct row *row, uint32_t gd);
+/* A run of pixels whose depth codes are linear. */
+static inline void draw_run(const struct ph_triangle *t, bool wide, const struct row *row, uint32_t gd)
+{
+    const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
+    const uint32_t light = row->attribute, glight = t->attribute[0].gx;
+    const uint16_t *const ramp = t->material->ramp;
+    if (wide && gouraud) {
+        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+    } else if (wide) {
+        ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+    } else if (linear && gouraud) {
+        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, light, glight, ramp);
+    } else if (linear) {
+        ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, t->colour);
+    } else if (gouraud) {
+        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+    } else {
+        ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+    }
+}
 
-/* A span that may be of several pieces. */
-static inline __attribute__((always_inline)) void split_span(const struct ph_triangle *t, struct row row, bool wide,
-                                                             span_fn *span)
+/* A span that may be of several runs. */
+static void draw_span(const struct ph_triangle *t, bool wide, struct row row)
 {
     uint32_t left = row.n, d = row.d;
     while (left > 0) { /* each turn draws at least one pixel */
         row.n = left;
         const struct ph_piece piece = ph_depth_piece(t, d, &row.n);
         row.d = piece.d;
-        span(t, &row, piece.gd);
+        draw_run(t, wide, &row, piece.gd);
         row.pixels += row.n;
         row.depth = ph_depth_from(row.depth, row.n, wide);
         row.attribute += t->attribute[0].gx * row.n;
@@ -36,90 +54,54 @@ static inline __attribute__((always_inline)) void split_span(const struct ph_tri
     }
 }
 
-static void flat_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
-{
-    ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->colour);
-}
-
-static void gouraud_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
-{
-    ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, row->attribute, t->attribute[0].gx, t->material->ramp);
-}
-
-static void flat24_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
-{
-    ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
-}
-
-static void gouraud24_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
-{
-    ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, row->attribute, t->attribute[0].gx,
-                      t->material->ramp);
-}
-
-static void flat_linear_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
-{
-    ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, t->colour);
-}
-
-static void gouraud_linear_span(const struct ph_triangle *t, const struct row *row, uint32_t gd)
-{
-    ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, row->attribute, t->attribute[0].gx,
-                           t->material->ramp);
-}
-
 /* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
-static inline __attribute__((always_inline)) uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band,
-                                                                int32_t y, int32_t y_end, struct ph_edge left,
-                                                                struct ph_edge right, bool split, bool wide,
-                                                                span_fn *span)
+static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
+                          struct ph_edge left, struct ph_edge right)
 {
     const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)band->width;
     uint16_t *pixels = band->pixels + start;
-    void *depth = ph_depth_from(band->depth, start, wide);
+    void *depth = ph_depth_from(band->depth, start, band->wide);
     uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
     uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
+    const int kind = t->block == PH_BLOCK_NONE && !band->wide ? t->kind : -1; /* -1: the longer way */
     for (; y < y_end; y++) {
         const int32_t from = left.x < 0 ? 0 : left.x >> 16;
         const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
         if (from < to) {
-            const uint32_t x = (uint32_t)from;
-            const struct row row = {pixels + x, ph_depth_from(depth, x, wide), (uint32_t)(to - from),
-                                    d + x * t->depth.gx, attribute + x * t->attribute[0].gx};
-            count += row.n;
-            if (split) {
-                split_span(t, row, wide, span);
+            const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from), first_d = d + x * t->depth.gx;
+            const uint32_t light = attribute + x * t->attribute[0].gx;
+            if (kind == PH_KIND_FLAT) {
+                ph_span_flat(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, t->colour);
+            } else if (kind == PH_KIND_GOURAUD) {
+                ph_span_gouraud(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, light, t->attribute[0].gx,
+                                t->material->ramp);
             } else {
-                span(t, &row, t->depth.gx);
+                draw_span(t, band->wide,
+                          (struct row){pixels + x, ph_depth_from(depth, x, band->wide), n, first_d, light});
             }
+            count += n;
         }
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
         right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
         pixels += band->width;
-        depth = ph_depth_from(depth, (uint32_t)band->width, wide);
+        depth = ph_depth_from(depth, (uint32_t)band->width, band->wide);
         d += t->depth.gy;
         attribute += t->attribute[0].gy;
     }
     return count;
 }
 
-static inline __attribute__((always_inline)) uint32_t walk(const struct ph_triangle *t, const struct ph_band *band,
-                                                           bool split, bool wide, span_fn *span)
+static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
 {
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
         int32_t y, y_end;
         struct ph_edge left, right;
         if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
-            count += walk_rows(t, band, y, y_end, left, right, split, wide, span);
+            count += walk_rows(t, band, y, y_end, left, right);
         }
     }
     return count;
-}
-
-static uint32_t draw_flat(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, false, false, flat_span);
 }
 
 /* The rows of one half of a narrow triangle, the upper or the lower; r stands at the first of them. */
@@ -169,72 +151,15 @@ static uint32_t draw_gouraud_narrow(const struct ph_triangle *t, const struct ph
     return r.count;
 }
 
-static uint32_t draw_gouraud(const struct ph_triangle *t, const struct ph_band *band)
+static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return t->narrow ? draw_gouraud_narrow(t, band) : walk(t, band, false, false, gouraud_span);
-}
-
-static uint32_t draw_flat_split(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, true, false, flat_span);
-}
-
-static uint32_t draw_gouraud_split(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, true, false, gouraud_span);
-}
-
-/* The 24-bit formats, split or not. */
-static uint32_t draw_flat24(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, true, true, flat24_span);
-}
-
-static uint32_t draw_gouraud24(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, true, true, gouraud24_span);
-}
-
-static uint32_t draw_flat_linear(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, false, false, flat_linear_span);
-}
-
-static uint32_t draw_gouraud_linear(const struct ph_triangle *t, const struct ph_band *band)
-{
-    return walk(t, band, false, false, gouraud_linear_span);
-}
-
-static uint32_t draw_flat_of(const struct ph_triangle *t, const struct ph_band *band)
-{
-    if (band->wide) {
-        return draw_flat24(t, band);
-    }
-    return t->block == PH_BLOCK_NONE     ? draw_flat(t, band)
-           : t->block == PH_BLOCK_LINEAR ? draw_flat_linear(t, band)
-                                         : draw_flat_split(t, band);
-}
-
-static uint32_t draw_gouraud_of(const struct ph_triangle *t, const struct ph_band *band)
-{
-    if (band->wide) {
-        return draw_gouraud24(t, band);
-    }
-    return t->block == PH_BLOCK_NONE     ? draw_gouraud(t, band)
-           : t->block == PH_BLOCK_LINEAR ? draw_gouraud_linear(t, band)
-                                         : draw_gouraud_split(t, band);
-}
-
-static uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
-{
-    switch (t->kind) {
-    case PH_KIND_TEXTURE:
+    if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);
-    case PH_KIND_GOURAUD:
-        return draw_gouraud_of(t, band);
-    default:
-        return draw_flat_of(t, band);
     }
+    if (t->narrow && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && !band->wide) {
+        return draw_gouraud_narrow(t, band);
+    }
+    return walk(t, band);
 }
 
 /* Takes the first triangle, in drawing order, off two lists that are both in drawing order. */
