@@ -63,7 +63,7 @@ SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
 RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_HOME)/board.c)
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
-image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
+image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
              CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
