@@ -76,6 +76,9 @@ struct asset_sizes {
 struct asset_sizes asset_sizes(const struct asset *asset);
 uint64_t asset_flash_bytes(const struct asset *asset);
 
+/* What its textures would take if none had a side of more than 2^log2_max. */
+uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max);
+
 /* Meshes share ramps and textures: the first mesh that has the same. */
 uint32_t asset_first_ramp(const struct model *model, uint32_t mesh);
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh);

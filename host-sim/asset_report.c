@@ -10,21 +10,37 @@
 #define EYE_BYTES      76
 #define RAMP_BYTES     (2 * PH_RAMP_SIZE)
 
+static uint8_t smaller(uint8_t a, uint8_t b)
+{
+    return a < b ? a : b;
+}
+
+uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max)
+{
+    const struct model *model = &asset->model;
+    uint64_t bytes = 0;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_texture *t = model->meshes[m].materials->texture;
+        if (t != NULL && asset_first_texture(model, m) == m) {
+            bytes +=
+                TEXTURE_BYTES + ((uint64_t)2 << (smaller(t->log2_width, log2_max) + smaller(t->log2_height, log2_max)));
+        }
+    }
+    return bytes;
+}
+
 struct asset_sizes asset_sizes(const struct asset *asset)
 {
     const struct model *model = &asset->model;
-    struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0)};
+    struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0),
+                            .textures = asset_texture_bytes(asset, UINT8_MAX)};
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_mesh *mesh = &model->meshes[m];
-        const struct ph_texture *texture = mesh->materials->texture;
         s.positions += 12 * (uint64_t)mesh->vertex_count;
         s.normals += 6 * (uint64_t)mesh->vertex_count;
         s.uvs += mesh->uvs != NULL ? 8 * (uint64_t)mesh->vertex_count : 0;
         s.triangles += 6 * (uint64_t)mesh->triangle_count;
         s.tables += MESH_BYTES + MATERIAL_BYTES + PART_BYTES + (asset_first_ramp(model, m) == m ? RAMP_BYTES : 0);
-        if (texture != NULL && asset_first_texture(model, m) == m) {
-            s.textures += TEXTURE_BYTES + ((uint64_t)2 << (texture->log2_width + texture->log2_height));
-        }
     }
     return s;
 }

@@ -57,12 +57,11 @@ static bool fits(const struct asset *asset, const struct asset_options *o)
 /* What to do about textures that alone are too large for the flash. */
 static int refuse_textures(const struct asset *asset, const struct asset_options *o)
 {
-    uint32_t side = 1u << o->texture_log2;
-    uint64_t bytes = texture_bytes(asset);
-    while (side > 1 && bytes > o->flash_bytes / 2) {
-        side /= 2;
-        bytes /= 4;
+    uint8_t log2 = o->texture_log2;
+    while (log2 > 0 && asset_texture_bytes(asset, log2) > o->flash_bytes / 2) {
+        log2--;
     }
+    const uint32_t side = 1u << log2;
     return complain(EXIT_FAILED,
                     "%s: its textures take %llu of the %u bytes that the flash has for it; --texture-size %u "
                     "has room (make: SCENE_TEXTURE=%u)",
