@@ -4,6 +4,9 @@
 
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
 const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
+_Static_assert(sizeof(void *) != 4 || (sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
+                                       sizeof(struct ph_triangle) == PH_TRIANGLE_BYTES_32),
+               "see render.h");
 
 static bool depth_is_usable(const struct ph_config *config)
 {
