@@ -68,18 +68,9 @@ struct board {
     struct board_button buttons[BOARD_BUTTONS_MAX];
     uint8_t button_count;
     uint16_t band_height; /* lines, default */
-    uint8_t band_buffers; /* see board_writes_ahead(); 0: 2 */
+    uint8_t band_buffers; /* that its kit (kit.h) takes as a rule; 0: 2, for backends without a queue (bus_ahead) */
     uint32_t ram_bytes;   /* budget for everything that Pinhole keeps in memory */
 };
-
-/*
- * How many bus_write (hal.h) a backend may keep waiting: one less than there are bands to draw into. More than two
- * bands let the next scene be made while the last one's bands are still sent. Converted formats go through two halves.
- */
-static inline uint32_t board_writes_ahead(const struct board *board)
-{
-    return board->format == PANEL_RGB565 && board->band_buffers > 2 ? board->band_buffers - 1U : 1U;
-}
 
 extern const struct board *const board_list[];
 extern const uint32_t board_count;

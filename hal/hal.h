@@ -55,11 +55,17 @@ struct hal_ops {
 
     /*
      * Starts to send n bytes with the D/C line at dc. Returns when it can; the buffer belongs to the backend until
-     * bus_wait returns or the next bus_write has started (returned); on a board of more than two band buffers, until
-     * board_writes_ahead() further ones have, but up to HAL_COPIED bytes are copied then. Order is kept; n = 0 does
-     * nothing. D/C and CS do not move before the last bit is out.
+     * bus_wait returns or the next bus_write has started (returned); see bus_ahead. Order is kept; n = 0 does nothing.
+     * D/C and CS do not move before the last bit is out.
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
+
+    /*
+     * From now on a buffer belongs to the backend until bus_wait or `writes` further bus_write have returned, so that
+     * as many may wait (1 after open); up to HAL_COPIED bytes are copied. Only after bus_wait. Returns the number that
+     * it takes, 1 .. writes; NULL, or 1: it keeps no queue.
+     */
+    uint32_t (*bus_ahead)(void *context, uint32_t writes);
 
     /* Waits until the last bit is out. */
     int (*bus_wait)(void *context);

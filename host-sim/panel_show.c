@@ -66,9 +66,8 @@ static int open_kit(struct panel_display *d, const struct kit_config *config)
     status = kit_open(&d->kit, &d->hal, config);
     d->kit_open = d->kit.driver.config.panel != NULL; /* also half awake it must go dark */
     if (status == PH_ERR_NOMEM) {
-        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s' with bands of %u lines; take fewer (--band)",
-                        d->board->name, (unsigned)(d->board->ram_bytes / 1024), config->demo->name,
-                        (unsigned)config->band_height);
+        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; take a smaller scene or another board",
+                        d->board->name, (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
     }
     return status == 0 ? 0 : fail(d, "the panel does not wake up: ", status);
 }

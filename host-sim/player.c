@@ -8,9 +8,8 @@
 static int refuse(const struct player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
-        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s' with bands of %u lines; take fewer (--band)",
-                        setup->board->name, (unsigned)(setup->board->ram_bytes / 1024), setup->demo->name,
-                        (unsigned)setup->band_height);
+        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; take a smaller scene or another board",
+                        setup->board->name, (unsigned)(setup->board->ram_bytes / 1024), setup->demo->name);
     }
     return complain(EXIT_FAILED, "%s: the panel does not open (%d)", setup->board->name, status);
 }

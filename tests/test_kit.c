@@ -18,7 +18,7 @@ struct late_bus {
     uint8_t copy[65536];
     size_t n;
     uint32_t held; /* writes of pixels that were under way when the next came */
-    uint32_t buttons;
+    uint32_t buttons, ahead;
 };
 
 static void give_back(struct late_bus *bus)
@@ -87,7 +87,8 @@ struct stage {
     struct kit_config config;
 };
 
-static struct stage *stage_open(const struct board *board, uint32_t budget, int expected)
+static struct stage *stage_of(const struct board *board, const char *demo, uint16_t band_height, uint32_t budget,
+                              int expected)
 {
     struct stage *s = calloc(1, sizeof *s);
     assert_non_null(s);
@@ -95,13 +96,18 @@ static struct stage *stage_open(const struct board *board, uint32_t budget, int 
     s->hal = (struct hal){&late_ops, &s->bus};
     s->config = (struct kit_config){.board = board,
                                     .rotation = board->rotation,
-                                    .band_height = board->band_height,
+                                    .band_height = band_height,
                                     .budget_bytes = budget,
-                                    .demo = demo_find("cube")};
+                                    .demo = demo_find(demo)};
     s->config.memory_bytes = kit_bytes(&s->config);
     s->config.memory = malloc(s->config.memory_bytes); /* to the byte: a sanitizer sees more */
     assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), expected);
     return s;
+}
+
+static struct stage *stage_open(const struct board *board, uint32_t budget, int expected)
+{
+    return stage_of(board, "cube", board->band_height, budget, expected);
 }
 
 static void stage_close(struct stage *s)
@@ -177,9 +183,74 @@ static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
     }
 }
 
+static struct stage *stage_on(const struct board *board, const char *demo, uint16_t band_height)
+{
+    return stage_of(board, demo, band_height, kit_budget(board), 0);
+}
+
+static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
+{
+    (void)state;
+    const struct board *board = board_find("waveshare-pico-lcd-1in3");
+    static const struct {
+        const char *demo;
+        uint32_t least, most;
+    } expected[] = {{"fill", 15, 15}, {"solar", 6, 6}, {"hitchcock", 3, 5}, {"shadow", 2, 2}};
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        struct stage *s = stage_on(board, expected[i].demo, board->band_height);
+        assert_in_range(s->kit.band_count, expected[i].least, expected[i].most);
+        stage_close(s);
+    }
+    struct stage *s = stage_on(board_find("lm3s6965evb"), "fill", 8); /* its backend has no queue */
+    assert_int_equal(s->kit.band_count, 2);
+    stage_close(s);
+}
+
+/* What is left out, too. */
+static void other_bands_share_the_memory_out_alike(void **state)
+{
+    (void)state;
+    static const uint16_t heights[] = {1, 8, 40, 1024};
+    const struct board *board = board_find("lm3s6965evb");
+    for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
+        struct stage *own = stage_on(board, "fisheye", board->band_height),
+                     *other = stage_on(board, "fisheye", heights[i]);
+        assert_int_equal(own->kit.renderer.config.triangle_max, other->kit.renderer.config.triangle_max);
+        stage_close(own);
+        stage_close(other);
+    }
+}
+
+static uint32_t late_ahead(void *context, uint32_t writes)
+{
+    struct late_bus *bus = context;
+    assert_int_equal(bus->n, 0); /* nothing is on its way when buffers move */
+    bus->ahead = writes;
+    return writes;
+}
+
+static void a_queue_is_as_long_as_there_are_buffers(void **state)
+{
+    (void)state;
+    struct hal_ops ops = late_ops;
+    ops.bus_ahead = late_ahead;
+    struct stage *s = stage_on(board_find("pico-display"), "fill", 16);
+    s->hal.ops = &ops;
+    assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), 0);
+    for (uint32_t frame = 0; frame < 2 * demo_count; frame++) {
+        assert_int_equal(s->bus.ahead, s->kit.band_count - 1);
+        s->bus.buttons = frame % 2 == 1 ? HAL_BUTTON_SELECT : 0;
+        assert_int_equal(kit_frame(&s->kit, frame), 0);
+    }
+    stage_close(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_demo_has_the_buffers_that_fit_beside_it),
+        cmocka_unit_test(other_bands_share_the_memory_out_alike),
+        cmocka_unit_test(a_queue_is_as_long_as_there_are_buffers),
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
         cmocka_unit_test(a_button_that_is_held_selects_once),

@@ -1,6 +1,6 @@
 /*
- * The image of all demos: the first one starts (or the scene that the image was built with), the select button takes the
- * next.
+ * The image of all demos: the first one starts (or the scene that the image was built with), the select button takes
+ * the next.
  *
  * On the log UART (115200 8N1) it writes what starts, once a second how it goes on, and why it stopped; and it listens
  * for single characters:

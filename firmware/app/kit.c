@@ -3,12 +3,10 @@
 
 #include "overlay.h"
 
-/* Of a 32-bit target, whose lists hold 32-bit pointers. */
-#define VERTEX_BYTES_32   20
-#define TRIANGLE_BYTES_32 92
-
 #define WIRE_MAX   4096  /* bytes of scratch for the panel driver */
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
+
+#define BUFFERS_MIN 2U /* one is drawn while the other is sent */
 
 #define ROUND8(n) (((n) + 7) & ~(uint64_t)7)
 
@@ -20,25 +18,32 @@ struct picture {
 
 /* ... and of one demo. */
 struct scene {
+    bool whole;
     size_t arena_bytes, scratch_bytes;
-    uint32_t vertex_max, triangle_max;
+    uint32_t vertex_max, triangle_max; /* no triangles: not even its meshes fit */
+    uint64_t bytes_32;                 /* of a 32-bit target */
 };
 
-/* As many band buffers as the board says, fewer of higher bands: no more lines in all. */
-static uint32_t buffers_of(const struct board *board, uint32_t lines)
+struct plan {
+    struct picture picture;
+    struct scene scene;
+};
+
+/* Pixels go out as they are drawn, through a backend that can keep a queue. */
+static bool has_queue(const struct kit_config *config)
 {
-    const uint32_t most = board_writes_ahead(board) + 1, fit = lines > 0 ? most * board->band_height / lines : 0;
-    const uint32_t count = fit < most ? fit : most;
-    return count < 2 ? 2 : count < KIT_BANDS_MAX ? count : KIT_BANDS_MAX;
+    return config->board->band_buffers > BUFFERS_MIN && config->board->format == PANEL_RGB565 && config->diff == NULL;
 }
 
-static struct picture picture_of(const struct kit_config *config)
+/* In bands of `lines`, with the fewest buffers. */
+static struct picture picture_of(const struct kit_config *config, uint16_t lines)
 {
     const struct panel *panel = config->board->panel;
-    struct picture p = {.width = panel_width(panel, config->rotation), .height = panel_height(panel, config->rotation)};
-    p.lines = config->band_height < p.height ? config->band_height : p.height;
+    struct picture p = {.width = panel_width(panel, config->rotation),
+                        .height = panel_height(panel, config->rotation),
+                        .buffers = BUFFERS_MIN};
+    p.lines = lines < p.height ? lines : p.height;
     p.bands = p.lines > 0 ? (p.height + p.lines - 1U) / p.lines : 0;
-    p.buffers = buffers_of(config->board, p.lines);
     const uint32_t pixels = (uint32_t)p.width * p.lines;
     p.band_bytes = (uint32_t)ROUND8(2 * pixels);
     p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels);
@@ -61,11 +66,11 @@ static uint64_t picture_bytes(const struct picture *p)
 /* What a level of a demo takes on a 32-bit target, all of it and without triangles. */
 static uint64_t level_bytes_32(const struct demo_level *level, uint32_t triangle_max)
 {
-    return ROUND8(level->arena_bytes_32) + ROUND8((uint64_t)level->vertex_max * VERTEX_BYTES_32) +
-           ROUND8((uint64_t)triangle_max * TRIANGLE_BYTES_32);
+    return ROUND8(level->arena_bytes_32) + ROUND8((uint64_t)level->vertex_max * PH_VERTEX_BYTES_32) +
+           ROUND8((uint64_t)triangle_max * PH_TRIANGLE_BYTES_32);
 }
 
-/* The finest level that fits whole, else as much as fits of the coarsest; no triangles: not even its meshes fit. */
+/* The finest level that fits whole, else as much as fits of the coarsest. */
 static struct scene scene_of(const struct demo *demo, const struct picture *p, uint64_t budget)
 {
     struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
@@ -74,13 +79,15 @@ static struct scene scene_of(const struct demo *demo, const struct picture *p, u
     }
     struct scene scene = {.arena_bytes = level.arena_bytes, .vertex_max = level.vertex_max};
     const uint64_t meshes = level_bytes_32(&level, 0), whole = level_bytes_32(&level, level.triangle_max);
-    if (whole <= budget) {
+    scene.whole = whole <= budget;
+    if (scene.whole) {
         const size_t scratch = demo_scratch_bytes(demo, p->width, p->lines);
         scene.triangle_max = level.triangle_max;
         scene.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
     } else if (meshes < budget) {
-        scene.triangle_max = (uint32_t)(((budget - meshes) & ~(uint64_t)7) / TRIANGLE_BYTES_32);
+        scene.triangle_max = (uint32_t)(((budget - meshes) & ~(uint64_t)7) / PH_TRIANGLE_BYTES_32);
     }
+    scene.bytes_32 = level_bytes_32(&level, scene.triangle_max) + ROUND8(scene.scratch_bytes);
     return scene;
 }
 
@@ -91,11 +98,52 @@ static uint64_t scene_bytes(const struct scene *s)
            ROUND8(s->arena_bytes) + ROUND8(s->scratch_bytes);
 }
 
-/* What the budget leaves for the scene. */
-static uint64_t scene_budget(const struct kit_config *config, const struct picture *p)
+/* The demo in what the budget leaves beside the picture. */
+static struct scene scene_beside(const struct kit_config *config, const struct demo *demo, const struct picture *p)
 {
     const uint64_t taken = picture_bytes(p);
-    return config->budget_bytes > taken ? config->budget_bytes - taken : 0;
+    return scene_of(demo, p, config->budget_bytes > taken ? config->budget_bytes - taken : 0);
+}
+
+/* As many buffers as the board takes as a rule; fewer for a demo that does not fit otherwise, more where there is room.
+ */
+static struct plan share(const struct kit_config *config, const struct demo *demo)
+{
+    const bool queue = has_queue(config);
+    struct plan plan = {.picture = picture_of(config, config->board->band_height)};
+    struct picture *p = &plan.picture;
+    p->buffers = queue ? config->board->band_buffers : BUFFERS_MIN;
+    plan.scene = scene_beside(config, demo, p);
+    while (!plan.scene.whole && p->buffers > BUFFERS_MIN) {
+        p->buffers--;
+        plan.scene = scene_beside(config, demo, p);
+    }
+    const uint32_t most = p->bands < KIT_BANDS_MAX ? p->bands : KIT_BANDS_MAX;
+    while (queue && plan.scene.whole && p->buffers < most &&
+           picture_bytes(p) + p->band_bytes + plan.scene.bytes_32 <= config->budget_bytes) {
+        p->buffers++;
+    }
+    return plan;
+}
+
+/* Shared out as with the board's own bands, so that other bands show the same; of higher ones there are fewer. */
+static struct plan plan_of(const struct kit_config *config, const struct demo *demo)
+{
+    struct plan plan = share(config, demo);
+    struct picture p = picture_of(config, config->band_height);
+    const uint32_t all_lines = plan.picture.buffers * plan.picture.lines, fit = p.lines > 0 ? all_lines / p.lines : 0;
+    const uint32_t count = fit < plan.picture.buffers ? fit : plan.picture.buffers;
+    p.buffers = count > BUFFERS_MIN ? count : BUFFERS_MIN;
+    plan.picture = p;
+    if (plan.scene.scratch_bytes > 0) {
+        plan.scene.scratch_bytes = demo_scratch_bytes(demo, p.width, p.lines);
+    }
+    return plan;
+}
+
+static uint64_t plan_bytes(const struct plan *plan)
+{
+    return picture_bytes(&plan->picture) + scene_bytes(&plan->scene);
 }
 
 uint32_t kit_budget(const struct board *board)
@@ -105,22 +153,20 @@ uint32_t kit_budget(const struct board *board)
 
 size_t kit_bytes(const struct kit_config *config)
 {
-    const struct picture p = picture_of(config);
-    const uint64_t budget = scene_budget(config, &p);
-    const struct scene own = scene_of(config->demo, &p, budget);
-    uint64_t most = scene_bytes(&own);
+    const struct plan own = plan_of(config, config->demo);
+    uint64_t most = plan_bytes(&own);
     for (uint32_t i = 0; i < demo_count; i++) {
-        const struct scene listed = scene_of(demo_list[i], &p, budget);
-        const uint64_t bytes = listed.triangle_max > 0 ? scene_bytes(&listed) : 0;
+        const struct plan listed = plan_of(config, demo_list[i]);
+        const uint64_t bytes = listed.scene.triangle_max > 0 ? plan_bytes(&listed) : 0;
         most = bytes > most ? bytes : most;
     }
-    return (size_t)(picture_bytes(&p) + most);
+    return (size_t)most;
 }
 
 uint64_t kit_whole_bytes(const struct kit_config *config)
 {
     const struct demo *demo = config->demo;
-    const struct picture p = picture_of(config);
+    const struct picture p = picture_of(config, config->board->band_height);
     const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
     return picture_bytes(&p) + level_bytes_32(&level, level.triangle_max);
 }
@@ -172,20 +218,36 @@ static int open_demo(struct kit *kit, const struct demo *demo, const struct pict
     return demo->init(&kit->context);
 }
 
+/* Buffers stand behind what is the same for every demo. */
+static void place_buffers(struct kit *kit, const struct picture *p)
+{
+    uint8_t *next = (uint8_t *)kit->bins + p->bin_bytes + p->wire_bytes;
+    kit->band_count = p->buffers;
+    kit->band_next = 0;
+    for (uint32_t i = 0; i < p->buffers; i++, next += p->band_bytes) {
+        kit->bands[i] = (uint16_t *)(void *)next;
+    }
+    kit->scene = next;
+    if (kit->hal.ops->bus_ahead != NULL) {
+        kit->hal.ops->bus_ahead(kit->hal.context, p->buffers - 1);
+    }
+}
+
+/* Nothing is on the wire. */
 static int open_scene(struct kit *kit, const struct demo *demo)
 {
-    const struct picture p = picture_of(&kit->config);
-    const struct scene s = scene_of(demo, &p, scene_budget(&kit->config, &p));
-    if (s.triangle_max == 0 || picture_bytes(&p) + scene_bytes(&s) > kit->config.memory_bytes) {
+    const struct plan plan = plan_of(&kit->config, demo);
+    if (plan.scene.triangle_max == 0 || plan_bytes(&plan) > kit->config.memory_bytes) {
         return PH_ERR_NOMEM;
     }
-    const int status = open_renderer(kit, &p, &s);
-    return status == PH_OK ? open_demo(kit, demo, &p, &s) : status;
+    place_buffers(kit, &plan.picture);
+    const int status = open_renderer(kit, &plan.picture, &plan.scene);
+    return status == PH_OK ? open_demo(kit, demo, &plan.picture, &plan.scene) : status;
 }
 
 int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *config)
 {
-    const struct picture p = picture_of(config);
+    const struct picture p = picture_of(config, config->band_height);
     *kit = (struct kit){.config = *config, .hal = *hal};
     if (p.bands == 0) {
         return PH_ERR_INVAL;
@@ -193,14 +255,8 @@ int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *co
     if (picture_bytes(&p) > config->memory_bytes) {
         return PH_ERR_NOMEM;
     }
-    uint8_t *next = config->memory;
-    kit->band_count = p.buffers;
-    for (uint32_t i = 0; i < p.buffers; i++, next += p.band_bytes) {
-        kit->bands[i] = (uint16_t *)(void *)next;
-    }
-    kit->depth = next;
-    kit->bins = (uint32_t *)(void *)(next + p.depth_bytes);
-    kit->scene = next + p.depth_bytes + p.bin_bytes + p.wire_bytes;
+    kit->depth = config->memory;
+    kit->bins = (uint32_t *)(void *)((uint8_t *)kit->depth + p.depth_bytes);
     const int status = open_scene(kit, config->demo);
     return status == PH_OK ? open_panel(kit, &p) : status;
 }
@@ -224,7 +280,8 @@ static const struct demo *demo_after(const struct kit *kit, const struct demo *d
 static int select_next(struct kit *kit)
 {
     const struct demo *demo = kit->demo;
-    int status = PH_ERR_NOMEM;
+    const int finished = kit_finish(kit); /* buffers and lists go elsewhere */
+    int status = finished == HAL_OK ? PH_ERR_NOMEM : finished;
     for (uint32_t tries = 0; tries <= demo_count && status == PH_ERR_NOMEM; tries++) {
         demo = demo_after(kit, demo);
         status = open_scene(kit, demo);
@@ -304,11 +361,18 @@ static int frame_end(struct kit *kit)
     return diff != NULL ? panel_diff_end(diff, &kit->driver) : panel_frame_end(&kit->driver);
 }
 
+/* The frame before. On a lit panel with a queue nobody need wait for its last bands: this one's follow them. */
+static int end_before(struct kit *kit)
+{
+    const bool follows = has_queue(&kit->config) && kit->driver.lit && !kit->config.board->pins.tearing.wired;
+    return follows ? HAL_OK : kit_finish(kit);
+}
+
 int kit_send(struct kit *kit)
 {
-    const uint32_t bands = ph_frame_bands(&kit->renderer), ahead = board_writes_ahead(kit->config.board);
+    const uint32_t bands = ph_frame_bands(&kit->renderer);
     uint32_t lines = draw_band(kit, 0); /* the frame before may still be on the wire */
-    int status = kit_finish(kit);
+    int status = end_before(kit);
     if (status == HAL_OK) {
         status = wait_for_edge(kit);
     }
@@ -318,9 +382,6 @@ int kit_send(struct kit *kit)
     for (uint32_t band = 0; band < bands && status == HAL_OK; band++) {
         lines = band > 0 ? draw_band(kit, band) : lines;
         status = frame_rows(kit, kit->bands[kit->band_next], lines);
-        if (status == HAL_OK && kit->band_count <= ahead) { /* buffers are few for this backend */
-            status = panel_wait(&kit->driver);
-        }
         kit->band_next = (kit->band_next + 1) % kit->band_count; /* free: enough panel_rows came after its own */
     }
     kit->sending = status == HAL_OK;

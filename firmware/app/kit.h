@@ -14,6 +14,9 @@
  * board itself would have to leave out, and the pictures are the same bytes. A scene for which there is no room is
  * taken at the coarsest of its levels (demo.h); then its list of triangles is cut, which the renderer's statistics
  * count. Memory for blur is given only where all else fits.
+ *
+ * Where the backend keeps a queue (bus_ahead) a demo has as many band buffers as fit beside it, and the next scene is
+ * made while they are sent; one that hardly fits has two.
  */
 #ifndef KIT_H
 #define KIT_H
@@ -25,7 +28,7 @@
 /* What an image needs beside the kit's memory: stack and variables. A board's budget for the kit is without it. */
 #define KIT_OTHER_BYTES 8192
 
-#define KIT_BANDS_MAX 8 /* band buffers of a board */
+#define KIT_BANDS_MAX 16 /* band buffers */
 
 struct kit_config {
     const struct board *board;
@@ -33,7 +36,8 @@ struct kit_config {
     uint8_t depth_format;    /* enum ph_depth_format */
     uint16_t band_height;    /* lines; more than the picture has: the whole picture */
     uint32_t clock_hz;       /* bus clock asked for; 0: the board's */
-    uint32_t budget_bytes;   /* of a 32-bit target, for all that lies in memory; see kit_budget() */
+    uint32_t budget_bytes;   /* of a 32-bit target, for all that lies in memory, in bands of the board's height (what
+                                higher ones take is not counted: the picture is the same); see kit_budget() */
     const struct demo *demo; /* first; the select button takes the next on demo_list that fits */
     void *state;             /* what that demo finds in context->state, or NULL */
     const char *view;        /* one of its views, or NULL: the first */

@@ -78,6 +78,12 @@ static int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes,
     return HAL_OK;
 }
 
+static uint32_t rp2040_bus_ahead(void *context, uint32_t writes)
+{
+    (void)context;
+    return rp2040_spi_ahead(writes);
+}
+
 static int rp2040_bus_wait(void *context)
 {
     (void)context;
@@ -155,8 +161,8 @@ static void rp2040_close(void *context)
 #define RP2040_OPS(te)                                                                                                 \
     {                                                                                                                  \
         .name = "rp2040", .open = rp2040_open, .bus_clock = rp2040_bus_clock, .bus_write = rp2040_bus_write,           \
-        .bus_wait = rp2040_bus_wait, .pin_set = rp2040_pin_set, .te_wait = (te), .time_us = rp2040_time_us,            \
-        .delay_us = rp2040_delay_us, .buttons = rp2040_buttons, .close = rp2040_close,                                 \
+        .bus_ahead = rp2040_bus_ahead, .bus_wait = rp2040_bus_wait, .pin_set = rp2040_pin_set, .te_wait = (te),        \
+        .time_us = rp2040_time_us, .delay_us = rp2040_delay_us, .buttons = rp2040_buttons, .close = rp2040_close,      \
     }
 
 static const struct hal_ops ops = RP2040_OPS(NULL), ops_with_te = RP2040_OPS(rp2040_te_wait);

@@ -19,7 +19,7 @@ struct write {
     uint8_t copy[HAL_COPIED];
 };
 
-#define WRITES 8 /* a power of two; board_writes_ahead() or more */
+#define WRITES 16 /* a power of two */
 
 /* The kit's bus: one a chip. Writes are numbered; the one numbered `sent` is on its way unless it equals `given`. */
 static struct {
@@ -111,7 +111,7 @@ void rp2040_spi_open(const struct board *board)
 {
     spi.pins = &board->pins;
     spi.unit = board->spi_bus;
-    spi.ahead = board_writes_ahead(board) < WRITES ? board_writes_ahead(board) : WRITES;
+    spi.ahead = 1;
     spi.cr0 = board->spi_mode == 3 ? 3 << 6 : 0; /* SPH, SPO */
     if (spi.pins->select.wired) {
         rp2040_pin_output(spi.pins->select.number, spi.pins->select.active_low);
@@ -144,6 +144,12 @@ int32_t rp2040_spi_clock(uint32_t hz)
     REG(SPI_SSPCPSR(spi.unit)) = prescaler;
     set_word(8);
     return (int32_t)(CLK_HZ / (prescaler * (scr + 1)));
+}
+
+uint32_t rp2040_spi_ahead(uint32_t writes)
+{
+    spi.ahead = writes < 1 ? 1 : writes < WRITES ? writes : WRITES;
+    return spi.ahead;
 }
 
 static void copy(struct write *w, const uint8_t *bytes)
