@@ -119,12 +119,12 @@ static void the_stated_arena_is_not_wasteful(void **state)
 }
 
 /* Draws the whole loop with a level's memory; returns the vertices of a frame. */
-static uint32_t vertices_at(const struct demo *demo, const struct demo_level *level)
+static uint32_t vertices_at(const struct demo *demo, const struct demo_level *level, uint16_t width, uint16_t height)
 {
-    struct demo_context context = {.width = 128, .height = 128};
+    struct demo_context context = {.width = width, .height = height};
     struct rig rig;
     context.arena = (struct demo_arena){malloc(level->arena_bytes), level->arena_bytes, 0};
-    rig_open(&rig, 128, 128, 128, PH_DEPTH_FIXED16, (int)level->vertex_max, (int)level->triangle_max);
+    rig_open(&rig, width, height, height, PH_DEPTH_FIXED16, (int)level->vertex_max, (int)level->triangle_max);
     assert_int_equal(demo->init(&context), PH_OK);
     for (uint32_t frame = 0; frame < demo->loop_frames; frame += 5) {
         assert_int_equal(demo->frame(&context, &rig.r, frame), PH_OK);
@@ -139,20 +139,25 @@ static uint32_t vertices_at(const struct demo *demo, const struct demo_level *le
 static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
 {
     (void)state;
+    static const uint16_t kits[][2] = {{240, 135}, {240, 240}, {320, 240}, {128, 128}};
     uint32_t levels = 0;
     for (uint32_t d = 0; d < demo_count; d++) {
         const struct demo *const demo = demo_list[d];
         const struct demo_level finest = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max,
                                           demo->triangle_max};
-        uint32_t vertices = demo->coarser_count > 0 ? vertices_at(demo, &finest) : 0;
-        for (uint32_t i = 0; i < demo->coarser_count; i++, levels++) {
-            const uint32_t coarser = vertices_at(demo, &demo->coarser[i]);
-            assert_true(coarser < vertices);
-            vertices = coarser;
+        const struct demo_level *finer = &finest;
+        for (uint32_t i = 0; i < demo->coarser_count; finer = &demo->coarser[i++], levels++) {
+            const struct demo_level *const level = &demo->coarser[i];
+            assert_true(level->triangle_max < finer->triangle_max && level->arena_bytes <= finer->arena_bytes);
+            for (uint32_t size = 0; size < sizeof kits / sizeof kits[0]; size++) {
+                const uint32_t vertices = vertices_at(demo, level, kits[size][0], kits[size][1]);
+                const uint32_t before = vertices_at(demo, finer, kits[size][0], kits[size][1]);
+                assert_true(level->arena_bytes < finer->arena_bytes ? vertices < before : vertices == before);
+            }
         }
         assert_true(demo->arena_bytes_32 > 0 && demo->arena_bytes_32 <= demo->arena_bytes);
     }
-    assert_int_equal(levels, 5); /* the turntable's and the wireframe's */
+    assert_int_equal(levels, 9); /* the turntable's, the wireframe's, and four for kits that are not too wide */
 }
 
 /* ---- animation ------------------------------------------------------------------------------------------------- */

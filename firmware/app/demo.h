@@ -63,7 +63,8 @@ struct demo {
     size_t arena_bytes;       /* these four as struct demo_level, at its finest */
     uint32_t arena_bytes_32;
     uint32_t vertex_max, triangle_max;
-    const struct demo_level *coarser; /* what init makes of smaller arenas, the finest first */
+    const struct demo_level *coarser; /* what init makes of smaller arenas, or in pictures at most 16:9 wide; the finest
+                                         first */
     uint32_t coarser_count;
     uint8_t blur_radius; /* px; not 0: it wants scratch memory */
 
@@ -101,7 +102,8 @@ extern const uint32_t demo_count;
 
 const struct demo *demo_find(const char *name);
 
-/* What an image shows first: defined by its build as demo_list[0], or as demo_scene of a file that pinhole-asset made. */
+/* What an image shows first: defined by its build as demo_list[0], or as demo_scene of a file that pinhole-asset made.
+ */
 extern const struct demo *const demo_here;
 extern const struct demo demo_scene;
 

@@ -94,14 +94,21 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
     return ph_blur_band(&context->blur, r, band, pixels);
 }
 
+#define ARENA MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
+
+/* For pictures of kits, which are not as wide. */
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12752), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
+                                           .triangle_max = 824};
+
 const struct demo demo_focus = {
     .name = "focus",
     .summary = "a row of skittles through a lens whose focus wanders: depth of field",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS),
-               12752),
+    DEMO_ARENA(ARENA, 12752),
     .vertex_max = MODEL_GROUND_VERTICES(CELLS),
     .triangle_max = 1000,
+    .coarser = &narrower,
+    .coarser_count = 1,
     .blur_radius = RADIUS,
     .init = focus_init,
     .frame = focus_frame,

@@ -403,16 +403,24 @@ static int snake_frame(struct demo_context *context, struct ph_renderer *r, uint
 
 static const char *const views[] = {"head", "outside", NULL};
 
+#define ARENA                                                                                                          \
+    MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +                               \
+        MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
+
+/* For pictures of kits, which are not as wide. */
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
+                                           .triangle_max = 860};
+
 const struct demo demo_snake = {
     .name = "snake",
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +
-                   MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS),
-               7320),
+    DEMO_ARENA(ARENA, 7320),
     .vertex_max = MODEL_GROUND_VERTICES(CELLS),
     .triangle_max = 1600,
+    .coarser = &narrower,
+    .coarser_count = 1,
     .init = snake_init,
     .frame = snake_frame,
 };

@@ -212,16 +212,23 @@ static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint
 
 static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
+#define ARENA                                                                                                          \
+    MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +                                        \
+        MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2))
+
+/* For pictures of kits, which are not as wide. */
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = 3 * STARS, .triangle_max = 656};
+
 const struct demo demo_solar = {
     .name = "solar",
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +
-                   MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
-               12256),
+    DEMO_ARENA(ARENA, 12256),
     .vertex_max = 3 * STARS,
     .triangle_max = 720,
+    .coarser = &narrower,
+    .coarser_count = 1,
     .init = solar_init,
     .frame = solar_frame,
 };
