@@ -146,7 +146,7 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see pipeline.h */
 /* Sizes, for budgets: ph_vertex_bytes * vertices, ph_triangle_bytes * triangles. */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* ... and what these are where pointers have 32 bits, for budgets that are the same on every machine. */
-#define PH_VERTEX_BYTES_32   20
+#define PH_VERTEX_BYTES_32   16
 #define PH_TRIANGLE_BYTES_32 96
 
 struct ph_config {
