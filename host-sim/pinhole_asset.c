@@ -78,17 +78,34 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     return status == 0 ? measure(asset, o->board) : status;
 }
 
-/* Fewer and fewer triangles, until the board has room. */
+/* Between `fitting` triangles and `too_many`: what the asset's need lets hope for, else the middle. */
+static uint32_t guess(const struct asset *asset, const struct asset_options *o, uint32_t fitting, uint32_t too_many)
+{
+    const double hope = asset->model.triangle_count * room(asset, o) * .98;
+    return hope > fitting && hope < too_many ? (uint32_t)hope : fitting + (too_many - fitting) / 2;
+}
+
+/* As many triangles as the board has room for, to one in 32. */
 static int make_less(struct asset *asset, const struct model *model, const struct asset_options *o, bool is_bare)
 {
+    uint32_t fitting = 0, too_many = model->triangle_count;
     int status = make(asset, model, o, UINT32_MAX, is_bare);
-    for (int i = 0; i < TRIES && status == 0 && !fits(asset, o); i++) {
-        const uint32_t fewer = (uint32_t)(asset->model.triangle_count * room(asset, o) * .98);
-        if (fewer < TRIANGLES_LEAST || !asset_can_simplify) {
+    for (int i = 0; i < TRIES && status == 0 && asset_can_simplify; i++) {
+        if ((i == 0 && fits(asset, o)) || too_many < TRIANGLES_LEAST || too_many - fitting <= too_many / 32) {
             break;
         }
+        const uint32_t triangles = guess(asset, o, fitting, too_many);
         asset_free(asset);
-        status = make(asset, model, o, fewer, is_bare);
+        status = make(asset, model, o, triangles, is_bare);
+        if (status == 0 && fits(asset, o)) {
+            fitting = triangles;
+        } else {
+            too_many = triangles;
+        }
+    }
+    if (status == 0 && !fits(asset, o) && fitting >= TRIANGLES_LEAST) {
+        asset_free(asset);
+        status = make(asset, model, o, fitting, is_bare);
     }
     return status;
 }

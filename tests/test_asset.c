@@ -229,7 +229,13 @@ static const char *sphere(const char *name, bool has_materials)
         }
         for (int i = 0; i < 48; i++) {
             const int a = j * 48 + i + 1, b = j * 48 + (i + 1) % 48 + 1;
-            n += (size_t)snprintf(text + n, sizeof text - n, "f %d %d %d %d\n", a, b, b + 48, a + 48);
+            if (j == 0) {
+                n += (size_t)snprintf(text + n, sizeof text - n, "f %d %d %d\n", a, b + 48, a + 48);
+            } else if (j == 23) {
+                n += (size_t)snprintf(text + n, sizeof text - n, "f %d %d %d\n", a, b, a + 48);
+            } else {
+                n += (size_t)snprintf(text + n, sizeof text - n, "f %d %d %d %d\n", a, b, b + 48, a + 48);
+            }
         }
     }
     return file_text(name, text);
@@ -311,7 +317,7 @@ static const struct fx_vec3 *corner_of(const struct whole_corner (*list)[3], siz
     return &list[t][i % 3].position;
 }
 
-/* Each edge of the model is one of exactly one other triangle, the other way round; those at the poles are points. */
+/* Each edge of the model is one of exactly one other triangle, the other way round. */
 static void assert_closed(const struct model *model)
 {
     struct whole_corner(*const list)[3] = list_triangles(model);
