@@ -4,6 +4,8 @@
  */
 #include "pipeline.h"
 
+#define NOINLINE __attribute__((noinline)) /* keeps the usual light short */
+
 static int32_t dot_q14(const int16_t a[3], const int16_t b[3])
 {
     return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
@@ -110,6 +112,7 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
             half_of(l->to_light, local->to_viewer, l->half);
         }
     }
+    local->simple = scene->count == 1 && !local->light[0].point && local->light[0].specular <= 0;
 }
 
 /* 1 / (1 + (distance / reach)^2), Q2.14; 1 where the light does not fall off. */
@@ -123,9 +126,8 @@ static int32_t attenuation(fx_t distance, fx_t reach)
 }
 
 /* n.l and n.h of a point light; returns its attenuation. */
-static __attribute__((noinline)) int32_t point_light(const struct ph_local_lights *local,
-                                                     const struct ph_local_light *l, const int16_t normal[3],
-                                                     struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
+static NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
+                                    const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
 {
     const struct fx_vec3 d = fx_vec3_sub_sat(l->position, position);
     const int32_t in[3] = {d.x >> 1, d.y >> 1, d.z >> 1};
@@ -137,7 +139,8 @@ static __attribute__((noinline)) int32_t point_light(const struct ph_local_light
     return attenuation(fx_vec3_length_sat(d), l->reach);
 }
 
-uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position)
+static NOINLINE uint16_t any_light(const struct ph_local_lights *local, const int16_t normal[3],
+                                   const struct fx_vec3 *position)
 {
     int32_t diffuse = local->ambient, specular = 0;
     for (uint32_t i = 0; i < local->count; i++) {
@@ -164,4 +167,16 @@ uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t norm
     const int32_t total = (diffuse > 16384 ? 16384 : diffuse) + specular;
     const int32_t capped = total > local->limit ? local->limit : total;
     return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)capped * (uint32_t)local->scale) >> 14));
+}
+
+uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position)
+{
+    if (!local->simple) {
+        return any_light(local, normal, position);
+    }
+    const struct ph_local_light *const l = &local->light[0];
+    const int32_t n_l = dot_q14(normal, l->to_light);
+    const int32_t shone = n_l <= 0 ? 0 : ((n_l > 16384 ? 16384 : n_l) * l->diffuse) >> 14;
+    const int32_t total = local->ambient + shone;
+    return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)(total > 16384 ? 16384 : total) * (uint32_t)local->scale) >> 14));
 }

@@ -3,8 +3,9 @@
 #include "pipeline.h"
 #include "clip_rows.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps what is rare, or has values enough, from the registers of a loop   \
-                                            */
+#define NOINLINE                                                                                                       \
+    __attribute__((noinline)) /* keeps what is rare, or has values enough, from the registers of a loop                \
+                               */
 
 static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
                      int32_t scale)
@@ -271,6 +272,7 @@ static NOINLINE const uint16_t (*next_candidate(const struct part_context *c, co
 {
     const struct ph_vertex *const vertices = c->vertices;
     const unsigned always = c->ask_always;
+    const bool two_sided = c->two_sided;
     for (; index < end; index++) {
         const struct ph_vertex *const v0 = &vertices[(*index)[0]], *const v1 = &vertices[(*index)[1]],
                                       *const v2 = &vertices[(*index)[2]];
@@ -282,15 +284,16 @@ static NOINLINE const uint16_t (*next_candidate(const struct part_context *c, co
                 continue;
             }
         }
-        const struct ph_sides sides = ph_sides(v0, v1, v2);
-        if (sides.area > 0 || fate == FATE_CLIPPED || c->two_sided) {
-            out->sides = sides;
-            out->fate = fate;
-            out->v[0] = v0;
-            out->v[1] = v1;
-            out->v[2] = v2;
-            break;
+        struct ph_sides sides;
+        if (!ph_faces(v0, v1, v2, &sides) && fate == FATE_PASSES && !two_sided) {
+            continue;
         }
+        out->sides = FX_LONG_PRODUCTS ? ph_sides(v0, v1, v2) : sides;
+        out->fate = fate;
+        out->v[0] = v0;
+        out->v[1] = v1;
+        out->v[2] = v2;
+        break;
     }
     return index;
 }
