@@ -1,5 +1,6 @@
 #include "asset.h"
 #include "kit.h"
+#include "texture_make.h"
 
 /* What lies beside the arrays, in bytes of a 32-bit target. */
 #define MESH_BYTES     44
@@ -33,7 +34,7 @@ struct asset_sizes asset_sizes(const struct asset *asset)
 {
     const struct model *model = &asset->model;
     struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0),
-                            .textures = asset_texture_bytes(asset, UINT8_MAX)};
+                            .textures = asset_texture_bytes(asset, TEXTURE_LOG2_MAX)};
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_mesh *mesh = &model->meshes[m];
         s.positions += 12 * (uint64_t)mesh->vertex_count;

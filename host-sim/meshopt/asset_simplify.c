@@ -176,6 +176,15 @@ static void take_numbers(struct asset_rest *to, const struct asset_rest *from)
     to->way = from->way;
 }
 
+/* meshoptimizer asserts that it is given more than it shall leave. */
+static bool take_all(const struct whole *w, struct asset_rest *rest)
+{
+    memcpy(rest->indices, w->indices, sizeof *w->indices * w->index_count);
+    rest->index_count = w->index_count;
+    rest->way = ASSET_KEPT;
+    return true;
+}
+
 /* The better of two ways that get there, else the one that always does. */
 static bool choose(struct whole *w, size_t target, struct asset_rest *rest)
 {
@@ -208,7 +217,9 @@ int asset_simplify(const struct model *model, uint32_t triangles, struct asset_r
 {
     struct whole w;
     *rest = (struct asset_rest){.indices = malloc(sizeof *rest->indices * 3 * ((size_t)model->triangle_count + 1))};
-    const bool is_done = gather(&w, model) && rest->indices != NULL && choose(&w, (size_t)triangles * 3, rest);
+    const size_t target = (size_t)triangles * 3;
+    const bool is_done = gather(&w, model) && rest->indices != NULL &&
+                         (w.index_count <= target ? take_all(&w, rest) : choose(&w, target, rest));
     free_whole(&w);
     if (!is_done) {
         return complain(EXIT_FAILED, "not enough memory to simplify the model");
