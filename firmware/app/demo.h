@@ -120,8 +120,8 @@ extern const struct demo demo_scene;
  */
 #define DEMO_TURNTABLE_BYTES      4096
 #define DEMO_TURNTABLE_BARE_BYTES 256
-#define DEMO_TURNTABLE_VERTICES  129
-#define DEMO_TURNTABLE_TRIANGLES 132
+#define DEMO_TURNTABLE_VERTICES   129
+#define DEMO_TURNTABLE_TRIANGLES  132
 int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                         struct fx_vec3 centre);
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
