@@ -24,6 +24,7 @@
 #   UF2_FAMILY        number of the chip's family, empty: there is none; UF2_BASE: address of the BIN's first byte
 #   EMULATE           command of `make emulate`, called with the ELF, an empty folder for frames, and FRAMES
 #   EMULATE_NEEDS     what is made for it first, on the computer
+#   SPEED             optional: command of `make speed`
 #   FLASH             command of `make flash`, for $(IMAGE).elf, .bin or .uf2; firmware/flash_with.sh runs a tool from elsewhere
 #   FLASH_NEEDS       what is made for it first, on the computer
 # A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
@@ -44,7 +45,7 @@ SCENE_FLAGS ?=
 SCENE_PROGRAM_BYTES ?= 147456 # of the flash for all but the scene's data
 BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
-.PHONY: firmware flash emulate image image-size
+.PHONY: firmware flash emulate speed image image-size
 
 ifneq ($(BOARD),)
 ifeq ($(wildcard $(BOARD_HOME)/board.mk),)
@@ -88,6 +89,9 @@ flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SERIAL=S]: an image, and int
 emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
+
+speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, with one core and with two, emulated
+	$(Q)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 have an emulator whose bus takes time' >&2; exit 2)
 
 # ---- within that make -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)

@@ -10,5 +10,6 @@ PORT_FINISH = hal/rp2040/boot2_seal.sh '$(HOSTCC)' '$(CROSS)' "$$1"
 UF2_FAMILY = 0xe48bff56
 UF2_BASE = 0x10000000
 EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh
+SPEED = B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
 FLASH = '$(B)/pinhole-flash' '$(IMAGE).uf2' $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
