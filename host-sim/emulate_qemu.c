@@ -21,6 +21,33 @@
 #define WAIT_MS     30000 /* for a line or an answer */
 #define LAST_MS     200
 
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int number)
+{
+    interrupted = number;
+}
+
+/* Waits end then, QEMU is stopped, and files that are half written go away. */
+static void catch_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = interrupt};
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        sigaction(numbers[i], &action, NULL);
+    }
+    signal(SIGPIPE, SIG_IGN);
+}
+
+bool qemu_interrupted(void)
+{
+    if (interrupted != 0) {
+        complain(EXIT_FAILED, "interrupted");
+    }
+    return interrupted != 0;
+}
+
 struct ends {
     int monitor[2], uart[2], trace[2], said[2]; /* ours, QEMU's */
 };
@@ -118,20 +145,23 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
     q->uart = e.uart[0];
     q->trace = e.trace[0];
     q->said = e.said[0];
-    signal(SIGPIPE, SIG_IGN);
+    catch_signals();
     return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
 }
 
 static bool readable(int fd, int wait_ms)
 {
     struct pollfd p = {.fd = fd, .events = POLLIN};
-    return poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
+    return interrupted == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
 }
 
 /* QEMU is gone or mute: the image's own words say why, if there are any. */
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;
+    if (qemu_interrupted()) {
+        return EXIT_FAILED;
+    }
     while (readable(q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
         if (qemu_logged(q, byte) && qemu_check_line(q) != 0) {
             return EXIT_FAILED;
@@ -216,7 +246,7 @@ int qemu_line(struct qemu *q)
             return qemu_check_line(q);
         }
     }
-    return complain(EXIT_FAILED, "the image logs nothing more");
+    return qemu_interrupted() ? EXIT_FAILED : complain(EXIT_FAILED, "the image logs nothing more");
 }
 
 /* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
@@ -241,13 +271,14 @@ static int complaints_of(FILE *said)
 int qemu_stop(struct qemu *q)
 {
     int status = 0;
+    const bool was_interrupted = interrupted != 0;
     if (q->pid > 0) {
         kill(q->pid, SIGKILL);
         waitpid(q->pid, NULL, 0);
     }
     FILE *said = q->said >= 0 ? fdopen(q->said, "r") : NULL;
     if (said != NULL) {
-        status = complaints_of(said);
+        status = was_interrupted ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
         fclose(said);
     }
     const int others[] = {q->monitor, q->uart, q->trace};

@@ -32,6 +32,9 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
 /* A QMP command, with arguments (JSON, a format) or NULL. Waits for its answer. */
 int qemu_command(struct qemu *q, const char *name, const char *arguments, ...) __attribute__((format(printf, 3, 4)));
 
+/* A signal asks this program to end; one line has said so. */
+bool qemu_interrupted(void);
+
 /* Characters to the UART. */
 int qemu_send(const struct qemu *q, const char *text);
 

@@ -178,7 +178,10 @@ static int run(struct trace *t)
     FILE *in = fdopen(dup(t->q.trace), "r");
     int status = in != NULL ? qemu_command(&t->q, "cont", NULL) : EXIT_FAILED;
     while (status == 0 && t->frames < t->e->frames) {
-        if (fgets(line, sizeof line, in) == NULL) {
+        const bool more = fgets(line, sizeof line, in) != NULL;
+        if (qemu_interrupted()) {
+            status = EXIT_FAILED;
+        } else if (!more) {
             status = complain(EXIT_FAILED, "QEMU stopped after %u frames", (unsigned)t->frames);
         } else if (t->ticks - t->frame_ticks > TICKS_A_FRAME) {
             status = complain(EXIT_FAILED, "no frame after frame %u", (unsigned)t->frames);

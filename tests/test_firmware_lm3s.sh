@@ -125,6 +125,14 @@ exit_status_is_passed_on() {
     [ $? = 7 ]
 }
 
+interrupted() { # no QEMU goes on
+    "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$B/firmware/$board-demos.elf" "$dir/cut" 100000 >"$dir/said" 2>"$dir/log" &
+    local emulator=$! qemu tries=0
+    until [ -s "$dir/said" ] || [ $((tries++)) = 200 ]; do sleep 0.1; done
+    qemu=$(ps -eo pid,ppid | awk -v of=$emulator '$2 == of { print $1 }')
+    [ -n "$qemu" ] && kill $emulator && ! wait $emulator && ! kill -0 "$qemu" 2>/dev/null && grep -qx 'pinhole-emulate: interrupted' "$dir/log"
+}
+
 check "the_image_builds" builds
 check "every_demo_that_fits_shows_the_simulators_frames" every_demo_is_the_simulators
 check "the_select_button_changed_the_demo" demos_were_changed_by_the_button
@@ -138,5 +146,6 @@ check "a_stack_that_runs_over_is_a_fault" fails_with over 'the image says: fault
 check "an_access_to_nowhere_is_a_failure" fails_with nowhere 'QEMU says: Invalid write' 'static volatile uint32_t *volatile nowhere = (uint32_t *)0xA0000000; *nowhere = 1; port_log("frame 1,\\n");'
 check "a_command_that_the_panel_does_not_know_is_a_failure" fails_with unknown 'QEMU says: .*0x99' 'const uint8_t wrong = 0x99; hal.ops->bus_write(hal.context, HAL_COMMAND, &wrong, 1);'
 check "an_image_that_says_no_more_is_a_failure" fails_with silent 'logs nothing more\|QEMU' 'port_exit(0);'
+check "an_interrupted_emulator_leaves_no_QEMU" interrupted
 check "the_exit_status_is_the_images" exit_status_is_passed_on
 tap_end

@@ -80,6 +80,25 @@ uf2_is_the_same_image() {
     BOARD="$board" hal/rp2040/emulate/emulate.sh "$dir/uf2.elf" "$dir/out" 2 2>/dev/null | grep '^frame' | diff "$dir/expected" -
 }
 
+per_pixel_from_ram() { # flash is slow, see rp2040.ld; the emulator does not show it
+    local symbol
+    for symbol in ph_draw_band ph_draw_textured ph_fill ph_rows_gouraud ph_span_flat ph_span_gouraud ph_span_texture __aeabi_uidiv rp2040_spi_interrupt; do
+        arm-none-eabi-nm "$B/firmware/$board-demos.elf" | grep -q "^2000.* $symbol\$" || { echo "$symbol" && return 1; }
+    done
+}
+
+node_of() { ps -eo pid,args | awk -v dir="$1" '$2 == "node" && index($0, dir) { print $1 }'; }
+
+interrupted() { # no node goes on, nothing half-written stays
+    BOARD="$board" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/cut" 1000 >/dev/null 2>"$dir/log" &
+    local script=$! tries=0
+    until [ -s "$dir/cut/events" ] || [ $((tries++)) = 200 ]; do sleep 0.1; done
+    [ -n "$(node_of "$dir/cut")" ] && kill "$script" && ! wait "$script" || return 1
+    grep -qx 'emulate: interrupted' "$dir/log" && [ -z "$(ls "$dir/cut")" ] || return 1
+    for ((tries = 0; tries < 50; tries++)); do [ -n "$(node_of "$dir/cut")" ] || return 0; sleep 0.1; done
+    return 1
+}
+
 small_panel() { emulate waveshare-pico-lcd-0in96 1 3 && expect waveshare-pico-lcd-0in96 3 && same 3; }
 
 make_emulate() {
@@ -101,5 +120,7 @@ check "a_fault_is_told_and_the_panel_is_dark" fault_is_told
 check "a_flipped_bit_in_boot2_is_refused" flipped_bit_in_boot2_is_refused
 check "the_UF2_file_holds_the_same_image" uf2_is_the_same_image
 check "frames_of_an_ST7735S_at_10_MHz" small_panel
+check "what_is_done_per_pixel_runs_from_RAM" per_pixel_from_ram
+check "an_interrupted_emulator_leaves_nothing_behind" interrupted
 check "make_emulate_writes_pictures" make_emulate
 tap_end

@@ -15,10 +15,19 @@ stop() {
 }
 command -v node >/dev/null || stop "no node here: apt-get install nodejs"
 
+node='' new='' unfinished=''
+leave() { # no node goes on, no half-written file stays
+    [ -z "$node" ] || kill "$node" 2>/dev/null || true
+    [ -z "$new" ] || rm -rf "$new"
+    [ -z "$unfinished" ] || rm -f "$unfinished/events" "$unfinished/report"
+}
+trap leave EXIT
+trap 'stop interrupted' INT TERM HUP
+
 modules=$B/rp2040js
 if ! cmp -s "$here/package.json" "$modules/package.json" || [ ! -e "$modules/node_modules/rp2040js/package.json" ]; then
     command -v npm >/dev/null || stop "no npm here: apt-get install npm"
-    new=$(mktemp -d) && trap 'rm -rf "$new"' EXIT
+    new=$(mktemp -d)
     cp "$here/package.json" "$new/"
     timeout 120 npm install --prefix "$new" --no-package-lock --ignore-scripts --no-audit --no-fund --fetch-retries=1 \
         >"$new/log" 2>&1 || stop "npm did not get rp2040js: $(grep -m1 'npm.*ERR\|npm error' "$new/log")"
@@ -32,8 +41,12 @@ shift 3
 
 pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
 mkdir -p "$out"
+unfinished=$out
 node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
-    --frames "$frames" --events "$out/events" --report "$out/report" "$@" "${elf%.elf}.bin"
+    --frames "$frames" --events "$out/events" --report "$out/report" "$@" "${elf%.elf}.bin" &
+node=$!
+wait "$node" || { node='' && exit 1; }
+node='' unfinished=''
 [ "${EVENTS_ONLY-}" = 1 ] || "$B/pinhole-wire" --board "$BOARD" --out "$out" "$out/events"
 awk '{ us += $2; bus += $3; load += $4; load1 += $5 }
     END { if (NR > 0) { printf "%.1f frames/s: %.2f ms a frame, %.2f of them on the bus; load of core 0 %.0f %%", NR * 1e6 / us, us / NR / 1e3, bus / NR / 1e3, load / NR
