@@ -131,7 +131,7 @@ static void no_buffer_is_touched_while_it_is_sent(void **state)
     stage_close(s);
 }
 
-/* 64 KB: neither the torus' meshes nor the icosphere's fit beside the bands. */
+/* 64 KB: the icosphere's meshes do not fit beside the bands. */
 static void select_takes_the_next_demo_that_fits(void **state)
 {
     (void)state;
@@ -140,7 +140,7 @@ static void select_takes_the_next_demo_that_fits(void **state)
     for (uint32_t i = 0; i < 2 * demo_count; i++) {
         s->bus.buttons = i % 2 == 0 ? HAL_BUTTON_SELECT : 0;
         assert_int_equal(kit_frame(&s->kit, i), 0);
-        assert_true(strcmp(s->kit.demo->name, "icosphere") != 0 && strcmp(s->kit.demo->name, "torus") != 0);
+        assert_string_not_equal(s->kit.demo->name, "icosphere");
     }
     stage_close(s);
 }
