@@ -55,7 +55,7 @@ static inline uint32_t fx_rcp16(uint32_t d)
     const uint32_t r0 = fx_rcp_table[(d >> 7) & 255];             /* 2^27 / d */
     const int32_t miss = (int32_t)(((uint32_t)1 << 27) - r0 * d); /* 1 - r0 d in 2^-27 */
     const uint32_t r = (r0 << 4) + (uint32_t)(((int32_t)r0 * (miss >> 6)) >> 17);
-    return r + (0x7fffffffu - r * d >= d);
+    return r + 1 - ((r + 1) * d >> 31); /* one more where that is still below 2^31 */
 }
 
 #endif
