@@ -7,7 +7,7 @@ B ?= build
 V ?= 0
 PREFIX ?= /usr/local
 BOARD_DIR ?=
-BUDGET_CORE_BYTES ?= 40960
+BUDGET_CORE_BYTES ?= 45056
 Q = $(if $(filter 1,$(V)),,@)
 SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
 
