@@ -65,17 +65,22 @@ static int choose_kits(struct stage *stage, const struct panel_options *o)
     return 0;
 }
 
+static int choose_view(const struct panel_options *o, struct panel_scene *scene)
+{
+    scene->view = o->view;
+    return o->view == NULL || demo_has_view(scene->demo, o->view)
+               ? 0
+               : complain(EXIT_USAGE, "--view '%s': %s has no such view; `pinhole-sim --list` shows them", o->view,
+                          scene->demo->name);
+}
+
 static int choose_demo(const struct panel_options *o, const char *name, struct panel_scene *scene)
 {
     scene->demo = demo_find(name);
-    scene->view = o->view;
     if (scene->demo == NULL) {
         return complain(EXIT_USAGE, "--demo '%s': no such demo; `pinhole-sim --list` shows them", name);
     }
-    if (o->view != NULL && !demo_has_view(scene->demo, o->view)) {
-        return complain(EXIT_USAGE, "--view '%s': %s has no such view; `pinhole-sim --list` shows them", o->view, name);
-    }
-    return 0;
+    return choose_view(o, scene);
 }
 
 static int choose_scene(struct stage *stage, const struct panel_options *o, struct panel_scene *scene)
@@ -85,9 +90,6 @@ static int choose_scene(struct stage *stage, const struct panel_options *o, stru
     }
     if (o->model == NULL) {
         return choose_demo(o, o->demo != NULL ? o->demo : "turntable", scene);
-    }
-    if (o->view != NULL) {
-        return complain(EXIT_USAGE, "--view '%s': a model has but one view", o->view);
     }
     const int status = model_open(&stage->model, o->model);
     if (status != 0) {
@@ -99,7 +101,7 @@ static int choose_scene(struct stage *stage, const struct panel_options *o, stru
     stage->model_demo = model_demo(stage->model);
     scene->demo = &stage->model_demo;
     scene->state = stage->model;
-    return 0;
+    return choose_view(o, scene);
 }
 
 static struct panel_scene plain_scene(const struct panel_options *o)
