@@ -3,7 +3,7 @@
 
 #include "complain.h"
 #include "depth_budget_terms.h"
-#include "ppm.h"
+#include "png_out.h"
 
 #include <errno.h>
 #include <math.h>
@@ -142,11 +142,23 @@ static int show_format(const struct depth_lab *lab, const struct lab_format *for
     return status;
 }
 
+/* Half of what the coarsest of the formats needs: there is something to see, and where a finer one does without. */
+static double half_too_small(const struct depth_lab *lab, double at, double tilt)
+{
+    const uint32_t rows = depth_drawn_formats(lab);
+    double most = 0;
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        if ((rows >> i & 1) != 0) {
+            most = fmax(most, planes_predicted_m(lab, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
+        }
+    }
+    return fmax(most / 2, 2.0 / 65536);
+}
+
 static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
 {
     const double at = at_default(lab, 0), tilt = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEFAULT;
-    const double separation =
-        lab->separation != 0 ? depth_metres(lab->separation) : depth_step_m(PH_DEPTH_FIXED16, lab, at);
+    const double separation = lab->separation != 0 ? depth_metres(lab->separation) : half_too_small(lab, at, tilt);
     const struct planes_place place = planes_whole(lab, at, tilt, separation);
     if (!planes_make(lab, &place, pair)) {
         return complain(EXIT_USAGE, "--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at,
@@ -162,9 +174,33 @@ static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
     return 0;
 }
 
+static bool ends_with(const char *text, const char *ending)
+{
+    const size_t n = strlen(text), m = strlen(ending);
+    return n > m && strcmp(text + n - m, ending) == 0;
+}
+
+static int save_png(const char *path, const struct ppm *picture)
+{
+    size_t length;
+    uint8_t *const bytes = png_out_bytes(picture, &length);
+    if (bytes == NULL) {
+        return complain(EXIT_FAILED, "planes: no memory for the error picture");
+    }
+    const int status = depth_save(path, (const char *)bytes, length);
+    free(bytes);
+    return status;
+}
+
 static int save_picture(const struct depth_lab *lab, struct picture *picture)
 {
-    if (picture->ppm.rgb == NULL || ppm_save(lab->out, &picture->ppm) == 0) {
+    if (picture->ppm.rgb == NULL) {
+        return 0;
+    }
+    if (ends_with(lab->out, ".png")) {
+        return save_png(lab->out, &picture->ppm);
+    }
+    if (ppm_save(lab->out, &picture->ppm) == 0) {
         return 0;
     }
     return complain(EXIT_FAILED, "--out %s: cannot be written: %s", lab->out, strerror(errno));
@@ -224,9 +260,8 @@ static int sweep_format(const struct depth_lab *lab, const struct lab_format *fo
 
 int depth_planes(const struct depth_lab *lab)
 {
-    const size_t length = lab->out != NULL ? strlen(lab->out) : 0;
-    if (lab->out != NULL && (length < 5 || strcmp(lab->out + length - 4, ".ppm") != 0)) {
-        return complain(EXIT_USAGE, "--out %s: the error picture is a .ppm", lab->out);
+    if (lab->out != NULL && !ends_with(lab->out, ".ppm") && !ends_with(lab->out, ".png")) {
+        return complain(EXIT_USAGE, "--out %s: the error picture is written as .ppm or .png", lab->out);
     }
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {

@@ -105,7 +105,7 @@ static int write_curves(FILE *script, const char *name, const fx_t nears[], int 
     int status = 0;
     fprintf(script,
             "set xlabel 'z [m]: the camera is at 0 and looks along -z'\nset ylabel '%s'\nset xrange [%g:0]\n"
-            "set yrange [-1.05:1.05]\nset ytics 0.5\nset key top right Left reverse width 2 height 0.5\n",
+            "set yrange [-1.05:1.05]\nset ytics 0.5\nset key bottom left Left reverse width 2 height 0.5\n",
             name, -depth_metres(far_z));
     for (int i = 0; i < count && status == 0; i++) {
         put_half(script, half_of(depth_metres(nears[i]), depth_metres(far_z)), colours[i]);
@@ -240,7 +240,7 @@ static void put_resolve_upper(const struct depth_lab *lab, FILE *script)
 {
     fprintf(script,
             "set multiplot\nset logscale xy\nset lmargin at screen 0.11\nset rmargin at screen 0.97\n"
-            "set xrange [%g:%g]\nset tmargin at screen 0.95\nset bmargin at screen 0.47\nset yrange [1e-6:%g]\n"
+            "set xrange [%g:%g]\nset tmargin at screen 0.95\nset bmargin at screen 0.49\nset yrange [1e-6:%g]\n"
             "set format y '10^{%%T}'\nset format x ''\nset ylabel 'separation [m]'\nset key off\nset grid front\n"
             "set title 'Smallest separation ordered right: measured, and ideal (thin dots); ",
             depth_metres(lab->near_z), depth_metres(lab->far_z), depth_metres(lab->far_z));
@@ -258,7 +258,7 @@ static void put_resolve_upper(const struct depth_lab *lab, FILE *script)
 
 static void put_resolve_lower(const struct depth_lab *lab, FILE *script)
 {
-    fputs("unset label\nunset title\nset tmargin at screen 0.43\nset bmargin at screen 0.24\nset format x '%g'\n"
+    fputs("unset label\nunset title\nset tmargin at screen 0.45\nset bmargin at screen 0.27\nset format x '%g'\n"
           "set xlabel 'distance z [m]'\nset ylabel 'measured / ideal'\nset yrange [0.5:1000]\n"
           "set key at screen 0.54,0.01 center bottom horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
           "notitle",
@@ -342,7 +342,7 @@ static int write_pairs(const struct depth_lab *lab, FILE *script)
     fprintf(script,
             "'\nset logscale x\nset xrange [%g:%g]\nset yrange [-2:102]\nset xlabel 'distance z [m]'\n"
             "set ylabel 'equal or swapped [%% of the pairs there]'\n"
-            "set bmargin at screen 0.33\nset lmargin at screen 0.09\nset rmargin at screen 0.97\n"
+            "set bmargin at screen 0.37\nset lmargin at screen 0.09\nset rmargin at screen 0.97\n"
             "set key at screen 0.53,0.01 center bottom horizontal maxcols 4 width -1 samplen 3\nplot -5 notitle",
             depth_metres(lab->near_z), depth_metres(lab->far_z));
     for (uint32_t i = 0; i < lab_format_count; i++) {
@@ -460,8 +460,8 @@ static int write_budget(const struct depth_lab *lab, FILE *script)
 const struct depth_plot_kind depth_plot_kinds[] = {
     {"ndc", "z_ndc over z_c, as the source document draws it", 800, 480, write_ndc},
     {"g", "g(z), as the source document draws it", 800, 480, write_g},
-    {"resolve", "Smallest separation over distance", 860, 760, write_resolve},
-    {"pairs", "Adjacent pairs that are not ordered, over distance", 860, 520, write_pairs},
+    {"resolve", "Smallest separation over distance", 860, 800, write_resolve},
+    {"pairs", "Adjacent pairs that are not ordered, over distance", 860, 560, write_pairs},
     {"budget", "What each part of the pipeline costs, over distance", 860, 980, write_budget},
 };
 

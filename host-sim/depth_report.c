@@ -15,7 +15,7 @@
 
 struct section {
     const char *command, *title, *plot; /* plot: kind of plot that shows it, or NULL */
-    const char *options;                /* of the camera beside near and far: "fov size" */
+    const char *options;                /* of the camera beside near and far: "fov size"; NULL: no camera */
     const char *headings;
     const char *text;
     int (*run)(const struct depth_lab *lab);
@@ -44,6 +44,8 @@ static const struct section sections[] = {
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      "The code at every distance that Q16.16 has: it must never rise.", depth_monotone},
+    {"anchors", "Published numbers", NULL, NULL, "anchor,published,here,how,verdict",
+     "What others have published about depth, computed again.", depth_anchors},
 };
 
 /* A path in the report's directory. 0, or EXIT_FAILED and one line. */
@@ -144,7 +146,7 @@ static int run_section(const struct depth_lab *lab, const struct section *sectio
     char picture[PATH_MAX];
     own.out = NULL;
     if (section->run == depth_planes) {
-        const int status = name_file(lab, "planes", "ppm", picture);
+        const int status = name_file(lab, "planes", "png", picture);
         if (status != 0) {
             *csv = NULL;
             return status;
@@ -161,13 +163,15 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
     if (status == 0) {
         fprintf(report, "\n## %s\n\n%s\n\n`pinhole-depth %s", section->title, section->text, section->command);
         put_camera(lab, report, section->options);
-        fprintf(report, "%s` ([%s.csv](%s.csv))\n\n", section->run == depth_planes ? " --out planes.ppm" : "",
+        fprintf(report, "%s` ([%s.csv](%s.csv))\n\n", section->run == depth_planes ? " --out planes.png" : "",
                 section->command, section->command);
         put_table(report, csv, section->headings);
         status = save_rows(lab, section->command, csv);
     }
     if (status == 0 && section->run == depth_planes) {
-        fputs("\n[planes.ppm](planes.ppm): where the wrong plane shows, orange; one picture a format.\n", report);
+        fputs("\n![Pixels of both planes, right ones blue, wrong ones orange](planes.png)\n\n"
+              "Orange: the plane behind shows. One picture a format, in the order of the table.\n",
+              report);
     }
     if (status == 0 && section->plot != NULL) {
         status = put_plot(lab, report, section->plot, section->options, can_plot);
@@ -190,9 +194,7 @@ static int put_report(const struct depth_lab *lab, FILE *report)
         status = put_section(lab, report, &sections[i], can_plot);
     }
     if (status == 0) {
-        fputs("\n`pinhole-depth anchors` computes what others have published again.\n"
-              "\n## The source documents' curves\n",
-              report);
+        fputs("\n## The source documents' curves\n", report);
         status = put_plot(&documents, report, "ndc", NULL, can_plot);
     }
     return status != 0 ? status : put_plot(&documents, report, "g", NULL, can_plot);

@@ -77,7 +77,7 @@ wrong_usage_is_refused() {
     mkdir -p "$dir/none"
     refuses 2 plot && refuses 2 plot nonsense --out "$dir/none/x.svg" && refuses 2 plot ndc && refuses 2 plot ndc --out "$dir/none/x.jpg" &&
         refuses 2 plot ndc --out "$dir/none/.svg.txt" && refuses 2 plot ndc --near 3 --far 2 --out "$dir/none/x.svg" && refuses 2 all &&
-        refuses 2 planes --out "$dir/none/x.png" && refuses 2 planes --format ndc-q16 && refuses 2 budget --format log &&
+        refuses 2 planes --out "$dir/none/x.gif" && refuses 2 planes --format ndc-q16 && refuses 2 budget --format log &&
         refuses 2 planes --separation 0 && refuses 2 planes --tilt 90 && nothing_is_left
 }
 
@@ -110,7 +110,7 @@ report_has_it_all() {
     for name in resolve pairs budget planes monotone; do
         [ -s "$dir/report/$name.csv" ] && grep -q "pinhole-depth $name --near 1 --far 4" "$dir/report/report.md" || { echo "$name" && return 1; }
     done
-    [ -s "$dir/report/planes.ppm" ] || return 1
+    [ -s "$dir/report/planes.png" ] || return 1
     grep -oE '\]\([^)]+' "$dir/report/report.md" | cut -c3- | while read -r name; do [ -s "$dir/report/$name" ] || { echo "$name" && exit 1; }; done
 }
 
