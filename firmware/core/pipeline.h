@@ -6,7 +6,7 @@
  *   clip.c    the few that meet a clip plane
  *   fisheye.c what curves under a fisheye, divided
  *   setup.c   edges and planes of a triangle, into the list
- *   raster.c  lists by band, clears, spans (span.h: flat and Gouraud; texture.c: textured)
+ *   raster.c  lists by band, clears, rows; texture.c: those of textured triangles; hot.h: the loops in them
  */
 #ifndef PH_PIPELINE_H
 #define PH_PIPELINE_H

@@ -117,7 +117,7 @@ static inline __attribute__((always_inline)) uint16_t sample(const struct sample
     return lit ? shade(texel, s->light) : texel;
 }
 
-static inline __attribute__((always_inline)) void step(struct parabola *p)
+static inline __attribute__((always_inline)) void go_on(struct parabola *p)
 {
     p->at += p->step;
     p->step += p->bend;
@@ -133,8 +133,8 @@ static inline __attribute__((always_inline)) void draw_block(const struct sample
             pixels[i] = sample(s, u.at, v.at, clamp, lit);
         }
         d += gd;
-        step(&u);
-        step(&v);
+        go_on(&u);
+        go_on(&v);
     }
 }
 
@@ -167,8 +167,8 @@ static void draw_wide(const struct sampler *s, uint16_t *pixels, uint32_t *depth
             pixels[i] = sample(s, u.at, v.at, clamp, s->light < 32);
         }
         piece.d += piece.gd;
-        step(&u);
-        step(&v);
+        go_on(&u);
+        go_on(&v);
     }
 }
 
@@ -183,8 +183,8 @@ static void draw_linear(const struct sampler *s, uint16_t *pixels, uint16_t *dep
             pixels[i] = sample(s, u.at, v.at, clamp, s->light < 32);
         }
         over_w.d += over_w.gd;
-        step(&u);
-        step(&v);
+        go_on(&u);
+        go_on(&v);
     }
 }
 
