@@ -237,6 +237,24 @@ static void sweeps_lie_where_s_min_says(void **state)
     }
 }
 
+/*
+ * A step s_z along the ray (slope, 1) is s_z (cos t - slope sin t) along the normal (-sin t, cos t) of planes tilted by
+ * t: less where the ray meets them at a flat angle, more where they lean towards it.
+ */
+static void a_rays_slope_changes_what_a_tilted_plane_needs(void **state)
+{
+    (void)state;
+    const struct depth_lab lab = lab_of(0.5, 100, 240, 240);
+    const double z = 50, s_z = depth_step_m(PH_DEPTH_FIXED16, &lab, z), s_y = depth_subpixel_m(&lab, 8, z) / sqrt(2);
+    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, 0), s_z, s_z * 1e-9);
+    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, 30), s_z * (sqrt(0.75) - 0.25) + s_y / 2,
+                s_z * 1e-9);
+    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, -0.5, 30), s_z * (sqrt(0.75) + 0.25) + s_y / 2,
+                s_z * 1e-9);
+    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, -30), s_z * (sqrt(0.75) + 0.25) + s_y / 2,
+                s_z * 1e-9);
+}
+
 /* Akeley and Su's example: 24-bit z alone 1.2 mm, with 4 sub-pixel bits 42 mm. */
 static void published_minimum_separation_is_met(void **state)
 {
@@ -279,6 +297,7 @@ int main(void)
         cmocka_unit_test(planes_turned_round_are_told),
         cmocka_unit_test(large_separations_are_right_and_small_ones_are_not),
         cmocka_unit_test(sweeps_lie_where_s_min_says),
+        cmocka_unit_test(a_rays_slope_changes_what_a_tilted_plane_needs),
         cmocka_unit_test(published_minimum_separation_is_met),
         cmocka_unit_test(parts_of_the_budget_are_as_predicted),
     };
