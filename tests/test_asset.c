@@ -108,6 +108,9 @@ static void perspective_camera_sees_what_the_file_says(void **state)
         "{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.8,\"aspectRatio\":1.5,\"znear\":0.1,\"zfar\":100}}"));
     assert_true(model->has_camera);
     assert_seen(model, 1.5 * tan(.4), tan(.4), false);
+    const fx_t centre = -model->camera.view.t.z; /* the planes stand close before and behind the sphere around it */
+    assert_in_range(model->camera.lens.near_z, centre - FX_ONE * 101 / 100, centre - FX_ONE);
+    assert_in_range(model->camera.lens.far_z, centre + FX_ONE, centre + FX_ONE * 101 / 100);
     model_close(model);
 }
 
@@ -473,9 +476,14 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
     }
     const struct ph_texture texture = {texels, 2, 1, PH_WRAP_CLAMP};
     const struct ph_material material = {.shading = PH_SHADE_TEXTURE_LIT, .ramp = ramp, .texture = &texture};
-    struct ph_mesh meshes[2] = {{places, normals, uvs, corners, NULL, &part, &material, 3, 1, 0, 1}};
+    const struct ph_texture other_texture = {texels + 7, 0, 0, PH_WRAP_REPEAT};
+    struct ph_material other_material = material;
+    other_material.texture = &other_texture;
+    struct ph_mesh meshes[3] = {{places, normals, uvs, corners, NULL, &part, &material, 3, 1, 0, 1}};
     meshes[1] = meshes[0];
-    const struct model model = {.meshes = meshes, .mesh_count = 2, .vertex_max = 3, .triangle_count = 2};
+    meshes[2] = meshes[0];
+    meshes[2].materials = &other_material;
+    const struct model model = {.meshes = meshes, .mesh_count = 3, .vertex_max = 3, .triangle_count = 3};
     const struct asset_limits limits = {UINT32_MAX, 1, false, false, "t.obj"};
     struct asset asset;
     assert_int_equal(asset_make(&asset, &model, &limits), 0);
@@ -487,8 +495,9 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
     for (unsigned i = 0; i < 4; i++) { /* of two neighbours; a half is rounded up */
         assert_int_equal(small->texels[i], wire(8 * i + 2, 59 - 16 * i, 2 * i + 1));
     }
-    assert_int_equal(asset_sizes(&asset).textures, 8 + 2 * 4);
-    assert_int_equal(asset_first_ramp(&asset.model, 1), 0);
+    assert_int_equal(asset.model.meshes[2].materials->texture->texels[0], texels[7]);
+    assert_int_equal(asset_sizes(&asset).textures, (8 + 2 * 4) + (8 + 2));
+    assert_int_equal(asset_first_ramp(&asset.model, 2), 0);
     asset_free(&asset);
 }
 
