@@ -36,13 +36,13 @@ static double last_digit(const char *published)
     const char *point = strchr(published, '.'), *exponent = strchr(published, 'e');
     const size_t end = strcspn(published, "e");
     const double decimals = point == NULL ? 0 : (double)(published + end - point - 1);
-    return pow(10, (exponent != NULL ? atof(exponent + 1) : 0) - decimals);
+    return pow(10, (exponent != NULL ? strtod(exponent + 1, NULL) : 0) - decimals);
 }
 
 /* Rounded or cut off to the digits that were published. */
 static bool same_digits(const char *published, double here)
 {
-    const double value = atof(published), unit = last_digit(published);
+    const double value = strtod(published, NULL), unit = last_digit(published);
     return here > value - unit * 0.5000001 && here < value + unit;
 }
 
@@ -77,12 +77,13 @@ static void outerra(struct run *run)
     static const char *const one[] = {"1.9e-6", "1.1e-5", "9.7e-5", "0.001", "0.01", "0.096", "0.96", "9.6"};
     static const char *const thousandth[] = {".0005", ".0005", ".0006", ".001", ".006", ".055", ".549", "5.49"};
     double w = 1;
-    for (int i = 0; i < 8; i++, w *= 10) {
+    for (int i = 0; i < 8; i++) {
         char name[96];
         snprintf(name, sizeof name, "Outerra 2009: log depth step at %.0f m (C 1)", w);
         to_the_digit(run, name, one[i], outerra_step(1, w));
         snprintf(name, sizeof name, "Outerra 2009: log depth step at %.0f m (C .001)", w);
         to_the_digit(run, name, thousandth[i], outerra_step(.001, w));
+        w *= 10;
     }
 }
 
@@ -206,7 +207,7 @@ static const struct reach {
 static bool reaches(const struct reach *row, int column, double here)
 {
     const char *published = row->published[column];
-    const double value = atof(published);
+    const double value = strtod(published, NULL);
     if (row->ours) {
         return here > 0 && here <= value * 1.05;
     }

@@ -11,7 +11,8 @@ static int ieee_row(const struct depth_lab *lab, uint32_t format)
     char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE];
     lab_fx_text(lab->near_z, near_text);
     lab_fx_text(lab->far_z, far_text);
-    if (depth_ieee_pairs(format, atof(near_text), atof(far_text), lab->spacing, lab->count, &found) != 0) {
+    if (depth_ieee_pairs(format, strtod(near_text, NULL), strtod(far_text, NULL), lab->spacing, lab->count, &found) !=
+        0) {
         return complain(EXIT_FAILED, "out of memory; make --count smaller");
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%u,%u,%u,%.6g\n", depth_ieee_name(format), format < 6 ? 32 : 24, near_text,

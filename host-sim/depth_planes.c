@@ -194,7 +194,7 @@ static int save_png(const char *path, const struct ppm *picture)
 
 static int save_picture(const struct depth_lab *lab, struct picture *picture)
 {
-    if (picture->ppm.rgb == NULL) {
+    if (lab->out == NULL) {
         return 0;
     }
     if (ends_with(lab->out, ".png")) {
