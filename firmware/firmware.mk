@@ -19,6 +19,7 @@
 #   PORT_LD           linker script; -L hal/PORT and -L hal/cortexm are searched for what it includes
 #   PORT_STACK_BYTES  reserved; the linker script gets it as the symbol stack_bytes
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes (code that runs from RAM, say)
+#   PORT_CORES        optional: what CORES may be; 1
 #   PORT_STACK_EXTRA  bytes that the call graph does not show: frames of interrupts
 #   PORT_FINISH       optional shell command between linking and objcopy; finds the ELF in "$1" (a checksum, e.g.)
 #   UF2_FAMILY        number of the chip's family, empty: there is none; UF2_BASE: address of the BIN's first byte
@@ -55,6 +56,8 @@ include $(BOARD_HOME)/board.mk
 include hal/$(PORT)/port.mk
 APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
 APP_NAME := $(basename $(notdir $(APP)))
+$(if $(filter $(CORES),$(or $(PORT_CORES),1)),,$(error CORES=$(CORES): $(BOARD) has $(or $(PORT_CORES),1)))
+$(if $(wildcard $(APP_FILE)),,$(error APP=$(APP): there is no $(APP_FILE); take demos, depth or a file NAME.c))
 IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))
 $(if $(word 2,$(SCENE)),$(error SCENE='$(SCENE)': make takes no names with spaces; rename or copy the file))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
@@ -64,7 +67,8 @@ SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
 RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_HOME)/board.c)
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
-image_make = $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
+image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
+             $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
              CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
@@ -87,6 +91,7 @@ flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SERIAL=S]: an image, and int
 	$(Q)$(FLASH)
 
 emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
+	@case '$(FRAMES)' in '' | 0* | *[!0-9]* | ???????*) echo "make emulate: FRAMES='$(FRAMES)': a whole number, 1 .. 999999" >&2; exit 2 ;; esac
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
 

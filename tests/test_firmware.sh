@@ -73,6 +73,20 @@ no_such_board() {
     grep -q "BOARD= is missing.*lm3s6965evb" <<<"$said" || { echo "$said" && return 1; }
 }
 
+says() { # pattern of its one line, make's arguments...
+    local said
+    said=$(make -s B="$B" "${@:2}" 2>&1) && return 1
+    grep -q "$1" <<<"$said" || { echo "$said" && return 1; }
+}
+
+wrong_values_are_told() {
+    says "CORES=3: pico-display has 1 2" firmware BOARD=pico-display CORES=3 && says "CORES=2: $board has 1" firmware BOARD="$board" CORES=2 &&
+        says "APP=nonsense: there is no firmware/app/image_nonsense.c" firmware BOARD="$board" APP=nonsense &&
+        says "FRAMES='0': a whole number" emulate BOARD="$board" FRAMES=0 && says "FRAMES='x': a whole number" emulate BOARD="$board" FRAMES=x &&
+        says "no nowhere-gcc here: apt-get install gcc-arm-none-eabi" firmware BOARD="$board" CROSS=nowhere- &&
+        says "only the boards of an RP2040" speed BOARD="$board"
+}
+
 size_adds_up() {
     make -s B="$B" size BOARD="$board" >"$dir/size" || return 1
     grep -q '^firmware/core/raster ' "$dir/size" || { cat "$dir/size" && return 1; }
@@ -119,6 +133,7 @@ int main(void) { return malloc(8) != 0; }'
 check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
 check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
 check "a_board_that_is_not_there_is_one_clear_line" no_such_board
+check "wrong_values_are_one_clear_line" wrong_values_are_told
 check "the_sizes_of_the_modules_add_up" size_adds_up
 check "no_board_gives_Pinhole_more_than_60_percent_of_its_RAM" at_most_60_percent
 check "the_kit_counts_with_the_targets_sizes" kit_counts_the_targets_sizes
