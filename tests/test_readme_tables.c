@@ -102,7 +102,9 @@ static void boards_are_all_there(void **state)
         struct row row = {{0}, 0};
         add(&row, "| `%s` | %s | `%s` | %g%s | %u | %s |", board->name, board->title, board->panel->name,
             board->spi_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / frame_us),
-            board->pins.dc.line != NULL ? "simulator, virtual kit" : "simulator");
+            board->pins.dc.line != NULL ? "simulator, virtual kit"
+            : board->pins.dc.wired      ? "simulator, emulated chip"
+                                        : "simulator");
         count += missing(&row);
     }
     assert_int_equal(count, 0);
