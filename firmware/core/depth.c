@@ -38,20 +38,21 @@ uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, in
     return ph_depth_before(quotient, ph_depth_far(lens, block), block);
 }
 
-/* w of a quotient in the unit of 2^(far_s - 31) N. */
-static uint32_t w_of(const struct ph_lens *lens, struct ph_quotient quotient)
+/* w of a quotient in the unit in which the reciprocal of the far plane's q stands as it is. */
+static uint32_t w_of(struct ph_quotient quotient, int far_down)
 {
     int shift;
     const uint32_t reciprocal = fx_rcp_norm(quotient.q >> 2, &shift);
-    const int down = lens->far_s - quotient.s;
+    const int down = far_down - quotient.s - shift;
     return down > 31 ? 0 : reciprocal >> down;
 }
 
 struct ph_linear ph_depth_linear_of(const struct ph_lens *lens)
 {
-    const uint32_t far = w_of(lens, (struct ph_quotient){lens->far_q, lens->far_s});
-    int up;
-    const uint32_t scale = fx_rcp_norm(far - w_of(lens, ph_depth_quotient(lens, lens->near_z)), &up);
-    return (struct ph_linear){far, scale - (scale >> 9), (uint8_t)up, PH_DEPTH_BIAS_FIXED16 >> 16,
-                              (int8_t)(lens->far_s + 3)};
+    int shift, up;
+    const uint32_t far =
+        fx_rcp_norm(lens->far_q >> 2, &shift); /* 3, or 4 where N / f falls just below a power of two */
+    const int far_down = lens->far_s + shift;
+    const uint32_t scale = fx_rcp_norm(far - w_of(ph_depth_quotient(lens, lens->near_z), far_down), &up);
+    return (struct ph_linear){far, scale - (scale >> 9), (uint8_t)up, PH_DEPTH_BIAS_FIXED16 >> 16, (int8_t)far_down};
 }
