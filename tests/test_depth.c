@@ -118,9 +118,15 @@ static const struct {
     enum ph_depth_format format;
     double near_z, far_z, worst;
 } table[] = {
-    {PH_DEPTH_FIXED16, .1, 1000, 126},   {PH_DEPTH_FLOAT16, .1, 1000, .074},   {PH_DEPTH_FIXED24, .1, 1000, .596},
-    {PH_DEPTH_FLOAT24, .1, 1000, 3e-4},  {PH_DEPTH_LINEAR_W, .1, 1000, .0153}, {PH_DEPTH_FIXED16, .5, 100, .303},
-    {PH_DEPTH_FLOAT16, .5, 100, .0058},  {PH_DEPTH_LINEAR_W, .5, 100, .0015},  {PH_DEPTH_FIXED24, 1, 1000, .060},
+    {PH_DEPTH_FIXED16, .1, 1000, 126},
+    {PH_DEPTH_FLOAT16, .1, 1000, .074},
+    {PH_DEPTH_FIXED24, .1, 1000, .596},
+    {PH_DEPTH_FLOAT24, .1, 1000, 3e-4},
+    {PH_DEPTH_LINEAR_W, .1, 1000, .0153},
+    {PH_DEPTH_FIXED16, .5, 100, .303},
+    {PH_DEPTH_FLOAT16, .5, 100, .0058},
+    {PH_DEPTH_LINEAR_W, .5, 100, .0015},
+    {PH_DEPTH_FIXED24, 1, 1000, .060},
     {PH_DEPTH_FLOAT24, 1, 1000, 2.4e-4},
     /* N / f just below a power of two; the step is (f - n) / 65408, its plateau one code */
     {PH_DEPTH_LINEAR_W, 1, 1023, 1022. / 65408},
