@@ -2,7 +2,7 @@
 # pinhole-flash in the virtual kit, for tests/test_kit_flash.sh and tests/long_kit_flash.sh: sourced on the host and in
 # the guest. What a run leaves in $KIT: NAME.status, NAME.out, NAME.err; the flash of a board is a file. Environment: B.
 # shellcheck source-path=SCRIPTDIR
-# shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; kit_device and kit_out are others'
+# shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; kit_device, kit_out, images, cut: others'
 . "$(dirname "${BASH_SOURCE[0]}")/kit/kit.sh"
 kit_wrap=${kit_wrap-} # valgrind, say
 
@@ -58,6 +58,17 @@ run_signalled() { # name, flash, signal, argument...
     echo $? >"$KIT/$1.status"
     run "$1-list" --list
     pull
+}
+
+# Cuts a run off, by `cut NUMBER`, and runs again on the flash that was left: a line with both statuses, whether the flash
+# holds what it should, and the first run's line.
+cut_and_again() { # number, image, flash as it should be
+    local same=no
+    cp "$images/old" "$KIT/flash"
+    cut "$1" "$2"
+    run_on second flash "" "$2"
+    cmp -s "$KIT/flash" "$3" && same=yes
+    echo "$(cat "$KIT/first.status") $(cat "$KIT/second.status") $same $(cat "$KIT/first.err")" >>"$KIT/cuts"
 }
 
 # ---- on the host, after --------------------------------------------------------------------------
