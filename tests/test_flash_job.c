@@ -473,6 +473,17 @@ static void a_signal_stops_between_commands_and_a_second_run_completes(void **st
     assert_true(stopped > 25);
 }
 
+static void a_signal_before_the_first_command_changes_nothing(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 15;
+    assert_int_equal(run(true, true, &stop), FLASH_STOPPED);
+    assert_string_equal(job.error,
+                        "stopped before erasing 0x10000000; the board stays in its boot loader: run this again");
+    assert_int_equal(count(ERASE) + count(WRITE), 0);
+    assert_memory_equal(flash, before, CHIP_BYTES);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -491,6 +502,7 @@ int main(void)
         cmocka_unit_test_setup(one_refusal_anywhere_is_overcome, setup),
         cmocka_unit_test_setup(each_command_may_be_refused_once, setup),
         cmocka_unit_test_setup(what_is_read_back_is_compared_bit_by_bit, setup),
+        cmocka_unit_test_setup(a_signal_before_the_first_command_changes_nothing, setup),
         cmocka_unit_test_setup(a_signal_stops_between_commands_and_a_second_run_completes, setup),
     };
     return cmocka_run_group_tests(tests, NULL, teardown);
