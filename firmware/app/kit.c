@@ -118,8 +118,7 @@ static struct plan share(const struct kit_config *config, const struct demo *dem
         p->buffers--;
         plan.scene = scene_beside(config, demo, p);
     }
-    const uint32_t most = p->bands < KIT_BANDS_MAX ? p->bands : KIT_BANDS_MAX;
-    while (queue && plan.scene.whole && p->buffers < most &&
+    while (queue && plan.scene.whole && p->buffers < p->bands && p->buffers < KIT_BANDS_MAX &&
            picture_bytes(p) + p->band_bytes + plan.scene.bytes_32 <= config->budget_bytes) {
         p->buffers++;
     }
