@@ -288,7 +288,8 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
     int status = model->triangle_count > limits->triangles ? asset_simplify(model, limits->triangles, &rest)
                                                            : asset_keep_all(model, &rest);
     if (status == 0 && rest.index_count == 0) {
-        status = complain(EXIT_FAILED, "no triangle remains of the model; it has none with an area, or too few are allowed");
+        status =
+            complain(EXIT_FAILED, "no triangle remains of the model; it has none with an area, or too few are allowed");
     }
     if (status == 0) {
         status = make(asset, model, limits, &rest);
