@@ -16,6 +16,7 @@
  *   busy LINE | free LINE        somebody else ("kit") holds the line | lets it go
  *   dir-error LINE ERRNO         making the line an output fails; 0: no longer
  *   spi-error N ERRNO [COUNT]    the N-th transfer from now (1: the next) fails, and those after it, COUNT in all
+ *   spi-setup-error N ERRNO      the N-th change from now of mode, bits a word or speed is refused
  *   spi-stall N MS | spi-go      the N-th transfer from now ("note spi stall") takes MS longer | no more
  *   wire-time 0|1                transfers take the time of their bits
  *   reply HEX...                 what the panel sends when it is read, from the next read on

@@ -17,6 +17,7 @@ static struct {
     struct spi_controller *controller;
     struct spi_device *device[2];
     unsigned int error_after, error_number, error_count;
+    unsigned int setup_after, setup_number;
     unsigned int stall_after, stall_ms;
     struct completion go;
     unsigned int unplug_after;
@@ -74,6 +75,12 @@ static int fault(void)
     return -(int)spi.error_number;
 }
 
+/* Called for each change of mode, bits a word and speed. */
+static int kit_setup(struct spi_device *device)
+{
+    return spi.setup_after && !--spi.setup_after ? -(int)spi.setup_number : 0;
+}
+
 static int kit_transfer(struct spi_controller *controller, struct spi_device *device, struct spi_transfer *transfer)
 {
     u64 start, levels, at_end, end;
@@ -129,6 +136,9 @@ int kit_spi_command(const char *verb, char *rest)
         spi.error_number = b;
         spi.error_after = a;
         spi.error_count = c;
+    } else if (!strcmp(verb, "spi-setup-error") && words == 2) {
+        spi.setup_number = b;
+        spi.setup_after = a;
     } else if (!strcmp(verb, "spi-stall") && words == 2) {
         reinit_completion(&spi.go);
         spi.stall_ms = b;
@@ -164,6 +174,7 @@ int kit_spi_init(struct device *parent)
     spi.controller->num_chipselect = ARRAY_SIZE(spi.device);
     spi.controller->mode_bits = SPI_CPOL | SPI_CPHA | SPI_CS_HIGH | SPI_NO_CS;
     spi.controller->bits_per_word_mask = SPI_BPW_MASK(8);
+    spi.controller->setup = kit_setup;
     spi.controller->transfer_one = kit_transfer;
     status = spi_register_controller(spi.controller);
     if (status) {
