@@ -153,6 +153,10 @@ static int not_found(const struct found *found, const char *text, char error[LIN
                           "NAME, then log in again) or install boards/udev/60-pinhole.rules",
                           found->refused, text);
     }
+    if (found->refusal == ENOTTY) {
+        return linux_fail(error, HAL_ENODEV, "%s is no GPIO chip (looking for line %s); gpiodetect lists them",
+                          found->refused, text);
+    }
     if (found->refusal != 0) {
         return linux_fail(error, linux_status(found->refusal), "%s cannot be opened (looking for line %s): %s",
                           found->refused, text, strerror(found->refusal));
@@ -168,8 +172,8 @@ static int not_taken(const struct found *found, const char *text, int number, ch
 {
     struct linux_line_look look = {.holder = ""};
     if (number != EBUSY) {
-        return linux_fail(error, linux_status(number), "line %s (%s:%u) cannot be used: %s", text, found->path,
-                          found->offset, strerror(number));
+        return linux_fail(error, linux_status(number), "line %s (%s:%u) cannot be used: %s; take another line", text,
+                          found->path, found->offset, strerror(number));
     }
     gpio_chip_look(found->chip, found->offset, &look);
     return linux_fail(error, HAL_EBUSY,

@@ -163,7 +163,10 @@ static void linux_close(void *context)
 static int open_bus(struct linux_hal *h)
 {
     const size_t bufsiz = linux_spi_bufsiz();
-    spi_name(h->spi_name, h->board, h->spi_path);
+    const int named = spi_name(h->spi_name, h->board, h->spi_path, h->error);
+    if (named < 0) {
+        return named;
+    }
     h->spi = spi_open(h->spi_name, h->board->spi_mode, h->error);
     h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
     return h->spi < 0 ? h->spi : HAL_OK;

@@ -35,13 +35,13 @@ size_t linux_spi_bufsiz(void)
     return bytes;
 }
 
-void spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path)
+int spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path, char error[LINUX_ERROR_SIZE])
 {
-    if (path != NULL) {
-        snprintf(name, LINUX_PATH_SIZE, "%s", path);
-    } else {
-        snprintf(name, LINUX_PATH_SIZE, "/dev/spidev%u.%u", board->spi_bus, board->spi_select);
-    }
+    const int n = path != NULL ? snprintf(name, LINUX_PATH_SIZE, "%s", path)
+                               : snprintf(name, LINUX_PATH_SIZE, "/dev/spidev%u.%u", board->spi_bus, board->spi_select);
+    return n < LINUX_PATH_SIZE ? HAL_OK
+                               : linux_fail(error, HAL_EINVAL, "%s..: longer than %d characters; give a /dev/spidev",
+                                            name, LINUX_PATH_SIZE - 1);
 }
 
 static int refused(const char *name, int number, char error[LINUX_ERROR_SIZE])
@@ -74,7 +74,7 @@ int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE])
 {
     uint8_t mode_bits = (uint8_t)mode;
     uint8_t word_bits = 8;
-    const int spi = open(name, O_RDWR | O_CLOEXEC);
+    const int spi = open(name, O_RDWR | O_CLOEXEC | O_NOCTTY);
     if (spi < 0) {
         return refused(name, errno, error);
     }
@@ -92,8 +92,8 @@ int32_t spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR
 {
     uint32_t got = hz > INT32_MAX ? INT32_MAX : hz;
     if (ioctl(spi, SPI_IOC_WR_MAX_SPEED_HZ, &got) < 0 || ioctl(spi, SPI_IOC_RD_MAX_SPEED_HZ, &got) < 0) {
-        return linux_fail(error, linux_status(errno), "%s: a clock of %u Hz cannot be set: %s", name, (unsigned)hz,
-                          strerror(errno));
+        return linux_fail(error, linux_status(errno), "%s: a clock of %u Hz cannot be set: %s; ask for another", name,
+                          (unsigned)hz, strerror(errno));
     }
     return got > 0 && got <= hz && got <= INT32_MAX
                ? (int32_t)got
@@ -140,9 +140,12 @@ int linux_spi_look(const struct board *board, const char *path, struct linux_spi
                    char error[LINUX_ERROR_SIZE])
 {
     error[0] = 0;
-    spi_name(look->path, board, path);
     look->asked_hz = board->spi_hz;
     look->got_hz = 0;
+    const int named = spi_name(look->path, board, path, error);
+    if (named < 0) {
+        return named;
+    }
     const int spi = spi_open(look->path, board->spi_mode, error);
     if (spi < 0) {
         return spi;

@@ -11,8 +11,8 @@
  */
 size_t spi_piece(size_t left, size_t bufsiz);
 
-/* The device of the board, or path if not NULL. */
-void spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path);
+/* The device of the board, or path if not NULL. HAL_EINVAL: it is too long. */
+int spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path, char error[LINUX_ERROR_SIZE]);
 
 /* Opens it and sets mode and bits a word; returns the descriptor. */
 int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE]);
