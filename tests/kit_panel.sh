@@ -89,6 +89,18 @@ one_line() { # name
     [ "$(wc -l <"$kit_out/$1.err")" = 1 ] || { cat "$kit_out/$1.err"; return 1; }
 }
 
+# The run ended with this status and exactly this line, or one of these, on stderr. Numbers that depend on when something
+# happened are N.
+told() { # name, status, line...
+    local said line
+    said=$(sed -E 's/frame [0-9]+:/frame N:/; s/sending [0-9]+ bytes/sending N bytes/; s/within [0-9]+ ms/within N ms/' "$kit_out/$1.err")
+    for line in "${@:3}"; do
+        [ "$said" != "pinhole-panel: $line" ] || [ "$(cat "$kit_out/$1.status")" != "$2" ] || return 0
+    done
+    echo "status $(cat "$kit_out/$1.status"): $said"
+    return 1
+}
+
 # The frames on the wire, first of all what the panel would have resented, are those of pinhole-sim.
 frames_as_sim() { # name, board, rotation, pinhole-sim's option...
     "$B/pinhole-sim" --board "$2" --rotate "$3" --crc "${@:4}" >"$kit_out/$1.expected" &&

@@ -29,6 +29,8 @@ all_boards='
     run_fresh home --panel st7735s-80x160 --spi /dev/spidev0.1 --dc pinctrl-bcm2835:4 --reset gpiochip0:17 \
         --backlight - --frames 2 --rotate 90 --speed 8000000
     fresh && kit_do te 18 50 && run edges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
+    run_fresh card testcard --board rpi-pitft-2in8 --frames 1
+    run_fresh speedtest speedtest --board rpi-waveshare-1in44 --speed 15000000 --frames 2
     run_fresh noedges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
 '
 
@@ -40,6 +42,15 @@ faults='
     kit_do busy 25 && run busy --board rpi-waveshare-1in3 --frames 2
     run doctor-busy doctor --board rpi-waveshare-1in3
     fresh && kit_do dir-error 27 5 && run direction --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/direction.events
+    for n in 3 4; do # mode and bits a word come first
+        fresh && kit_do spi-setup-error $n 22 && run clock-$n --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/clock-$n.events
+    done
+    fresh && mkfifo /tmp/fifo && run fifo --board rpi-waveshare-1in3 --spi /tmp/fifo
+    run folder --board rpi-waveshare-1in3 --spi /dev
+    run no-chip --board rpi-waveshare-1in3 --dc /dev/null:3
+    run no-line --board rpi-waveshare-1in3 --dc GPIO99
+    run chip-select --board rpi-waveshare-1in3 --dc GPIO8
+    run twice --board rpi-waveshare-1in3 --board rpi-waveshare-1in3
     for n in 1 2 100 230; do
         fresh && kit_do spi-error $n 5 && run eio-$n --board rpi-waveshare-1in3 --frames 9 && kit_events >$KIT/eio-$n.events
     done
@@ -106,7 +117,17 @@ wires_are_given_by_hand() {
         [ "$(wc -l <"$dir/home.seen")" = 2 ] && grep -q 'spi 1 8000000' "$kit_out/home.events"
 }
 
-frames_wait_for_the_edge() { ended edges 0 "" && ended noedges 0 "the TE line gave no edge for 50 ms" && one_line noedges; }
+frames_wait_for_the_edge() {
+    ended edges 0 "" &&
+        told noedges 0 "rpi-waveshare-1in3: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check its wire, or use --te -"
+}
+
+the_card_is_at_every_clock() {
+    ended card 0 "" && frames_as_sim card rpi-pitft-2in8 90 --demo testcard --frames 1 &&
+        ended speedtest 0 "" && frames_as_sim speedtest rpi-waveshare-1in44 90 --demo testcard --frames 8 &&
+        [ "$(sed -n 's/^\(asked.*Hz\): *[0-9.]* frames.s$/\1/p' "$kit_out/speedtest.out" | tr -s ' ' | cut -d' ' -f2,5 | tr '\n' ,)" = \
+            "4000000 4000000,8000000 8000000,10000000 10000000,15000000 15000000," ]
+}
 
 for board in $kit_boards; do
     check "on $board the wire carries what pinhole-sim draws" two_rotations_are_as_simulated "$board"
@@ -118,6 +139,7 @@ check "one process shows a scene on two displays" two_displays_show_the_same
 check "the select button takes the next demo" select_takes_the_next_demo
 check "probe names the controller that answers" a_controller_is_named
 check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand
+check "testcard and speedtest show the card, at each clock" the_card_is_at_every_clock
 check "frames wait for the tearing-effect edge, and say so when none comes" frames_wait_for_the_edge
 
 kit_out=$dir/faults
@@ -126,13 +148,33 @@ dark() { # name
         tail -n 2 | tr '\n' ',' | grep -qx 'backlight off,display off,' || { echo "not dark at the end"; return 1; }
 }
 
-a_missing_device_is_one_line() {
-    ended nospi 1 "rpi-waveshare-1in3: /dev/spidev0.0 is not there: SPI is off; on a Raspberry Pi add dtparam=spi=on" &&
-        one_line nospi
+kit=rpi-waveshare-1in3
+a_missing_device_is_told() {
+    told nospi 1 "$kit: /dev/spidev0.0 is not there: SPI is off; on a Raspberry Pi add dtparam=spi=on to config.txt and restart (other boards: their device tree overlay)"
 }
 
 a_busy_line_is_named() {
-    ended busy 1 "GPIO25" && grep -q "kit" "$kit_out/busy.err" && one_line busy
+    local end='end that program, or remove the overlay that claims it'
+    told busy 1 "$kit: line GPIO25 (/dev/gpiochip0:25) is taken by \"kit\"; $end" &&
+        told chip-select 1 "$kit: line GPIO8 (/dev/gpiochip0:8) is taken by \"spi0 CS0\"; $end" &&
+        told twice 1 "$kit: line GPIO25 (/dev/gpiochip0:25) is taken by \"pinhole\"; $end"
+}
+
+what_is_no_device_is_told() {
+    told fifo 1 "$kit: /tmp/fifo is no SPI device; give a /dev/spidev" &&
+        told folder 1 "$kit: /dev cannot be opened: Is a directory" &&
+        told no-chip 1 "$kit: /dev/null is no GPIO chip (looking for line /dev/null:3); gpiodetect lists them" &&
+        told no-line 1 "$kit: line GPIO99: no chip has it; name it as gpioinfo lists it, or as chip:offset (gpiochip0:25)"
+}
+
+a_refused_clock_is_told() {
+    told clock-3 1 "$kit: the panel does not wake up: /dev/spidev0.0: a clock of 4000000 Hz cannot be set: Invalid argument; ask for another" &&
+        told clock-4 1 "$kit: the panel does not wake up: /dev/spidev0.0: a clock of 40000000 Hz cannot be set: Invalid argument; ask for another" &&
+        released clock-3 && released clock-4
+}
+
+a_refused_direction_is_told() {
+    told direction 1 "$kit: line GPIO27 (/dev/gpiochip0:27) cannot be used: Input/output error; take another line" && released direction
 }
 
 the_doctor_knows() {
@@ -143,13 +185,19 @@ the_doctor_knows() {
 }
 
 no_permission_names_the_way() {
-    ended nouser 1 "/dev/spidev0.0" && grep -qi "group\|udev" "$kit_out/nouser.err" && one_line nouser &&
-        ended nogpio 1 "/dev/gpiochip0" && grep -qi "group\|udev" "$kit_out/nogpio.err" && one_line nogpio
+    told nouser 1 "$kit: /dev/spidev0.0: no permission; add yourself to the group spi (usermod -aG spi NAME, then log in again) or install boards/udev/60-pinhole.rules" &&
+        told nogpio 1 "$kit: /dev/gpiochip0: no permission (looking for line GPIO25); add yourself to the group gpio (usermod -aG gpio NAME, then log in again) or install boards/udev/60-pinhole.rules"
 }
 
-a_failing_transfer_ends_the_run() { # number
-    ended "eio-$1" 1 "/dev/spidev0.0" && grep -q 'Input/output error' "$kit_out/eio-$1.err" && one_line "eio-$1" &&
+a_failing_transfer_ends_the_run() { # number, what was going on, clock
+    told "eio-$1" 1 "$kit: $2: /dev/spidev0.0: sending N bytes at $3 Hz failed: Input/output error; dmesg may say more" &&
         released "eio-$1"
+}
+
+an_unplugged_board_is_told() {
+    local frame='rpi-waveshare-1in44: frame N:'
+    told unplugged 1 "$frame /dev/spidev0.0 is gone: the SPI device was removed while in use; start again" \
+        "$frame the D/C line cannot be set: No such device"
 }
 
 a_signal_leaves_it_dark() { # signal, status
@@ -168,17 +216,22 @@ after_a_kill_it_starts_again() {
             END { exit bad }' "$dir/both.err"
 }
 
-check "a device that is not there is one line" a_missing_device_is_one_line
-check "no permission is one line that names the way" no_permission_names_the_way
-check "a line that somebody has is one line that names both" a_busy_line_is_named
-check "a line that cannot become an output is one line" eval 'ended direction 1 "GPIO27" && one_line direction && released direction'
-for n in 1 2 100 230; do
-    check "an error of transfer $n ends the run in one line, lines released" a_failing_transfer_ends_the_run "$n"
+check "a device that is not there is told" a_missing_device_is_told
+check "what is no SPI device, no GPIO chip or no line is told" what_is_no_device_is_told
+check "no permission is told, and the way to it" no_permission_names_the_way
+check "a line that somebody has is told, and who has it" a_busy_line_is_named
+check "a line that cannot become an output is told" a_refused_direction_is_told
+check "a clock that cannot be set is told, lines released" a_refused_clock_is_told
+for n in 1 2; do
+    check "an error of transfer $n ends the run in one line, lines released" a_failing_transfer_ends_the_run $n "the panel does not wake up" 4000000
+done
+for n in 100 230; do
+    check "an error of transfer $n ends the run in one line, lines released" a_failing_transfer_ends_the_run $n "frame N" 40000000
 done
 check "doctor finds what is wrong, and nothing else" the_doctor_knows
 check "Ctrl-C leaves the panel dark and exits 130" a_signal_leaves_it_dark INT 130
 check "SIGTERM leaves the panel dark and exits 143" a_signal_leaves_it_dark TERM 143
 check "SIGHUP leaves the panel dark and exits 129" a_signal_leaves_it_dark HUP 129
 check "after kill -9 the next start is clean" after_a_kill_it_starts_again
-check "an unplugged board ends the run in one line" eval 'ended unplugged 1 "rpi-waveshare-1in44: frame" && one_line unplugged'
+check "an unplugged board ends the run in one line" an_unplugged_board_is_told
 tap_end

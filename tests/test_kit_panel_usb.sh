@@ -17,6 +17,7 @@ kit_build || exit 1
 usb='
     . tests/kit_panel.sh
     guest_usb_rotations 2 "0 270" $kit_usb_boards
+    run_usb usb-mode3 "" --board ft232h-st7789 --mode 3 --frames 2
     run_usb usb-diff "" --board ft232h-st7789 --frames 9 --diff on
     kit_usb ft232h --serial ONE --events $KIT/one.events && one=$kit_device
     kit_usb ft232h --serial TWO --events $KIT/serial.events && two=$kit_device
@@ -50,6 +51,11 @@ usb_shows_what_changed() {
         cmp "$dir/sim-usb/frame-0008.ppm" "$dir/usb.ppm"
 }
 
+usb_in_mode_3() {
+    ended usb-mode3 0 "" && frames_as_sim usb-mode3 ft232h-st7789 0 --frames 2 &&
+        awk '$2 == "spi" && $6 != 3 { print; exit 1 }' "$kit_out/usb-mode3.events"
+}
+
 the_serial_number_selects() {
     ended which 1 "serial" && one_line which && ended other 1 "THREE" && one_line other &&
         ended doctor-which 1 "" && grep -q '^FAIL  FT232H: there are 2: say which' "$kit_out/doctor-which.out" &&
@@ -61,10 +67,14 @@ for board in $kit_usb_boards; do
 done
 check "over USB with --diff on the last picture is the simulator's" usb_shows_what_changed
 check "the serial number says which FT232H; without it two are refused" the_serial_number_selects
-check "no FT232H is one line" eval 'ended none 1 "no FT232H (0403:6014) on USB" && one_line none'
-for fault in unplug stall hang short; do
-    check "USB fault '$fault' ends the run in one line" eval "ended $fault 1 'ft232h-st7789: frame' && one_line $fault"
-done
+check "in SPI mode 3 the wire carries the same, the clock resting high" usb_in_mode_3
+check "no FT232H is told" told none 1 "ft232h-st7789: no FT232H (0403:6014) on USB; plug it in, lsusb lists what is there"
+frame='ft232h-st7789: frame N: FT232H:'
+check "an unplugged FT232H is told" told unplug 1 "$frame unplugged while sending; plug it in and start again" \
+    "$frame unplugged while waiting for an answer; plug it in and start again"
+check "a stall is told" told stall 1 "$frame endpoint stalled while sending; plug it in again"
+check "a time-out is told" told hang 1 "$frame no answer within N ms while sending; plug it in again"
+check "a short transfer is told" told short 1 "$frame Input/Output Error while sending; plug it in again"
 check "SIGTERM over USB exits 143" eval 'ended usb-TERM 143 frames/s'
 check "no permission on USB names the rule" eval 'ended usb-nouser 1 "60-pinhole.rules" && one_line usb-nouser'
 tap_end
