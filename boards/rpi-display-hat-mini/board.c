@@ -1,5 +1,6 @@
 /*
- * Pinout: https://pinout.xyz/pinout/display_hat_mini
+ * Pinout: https://pinout.xyz/pinout/display_hat_mini; checked against the maker's driver
+ * (https://github.com/pimoroni/displayhatmini-python).
  * Keys A, B, X, Y are up, down, left, right. No reset line.
  */
 #include "boards.h"

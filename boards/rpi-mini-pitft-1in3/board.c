@@ -1,6 +1,8 @@
 /*
  * Pinout: https://learn.adafruit.com/adafruit-mini-pitft-135x240-color-tft-add-on-for-raspberry-pi
- * No reset line.
+ * D/C was checked against Linux' minipitft13 overlay, which has GPIO26 for the backlight, as the maker's 1.3" Bonnet
+ * does; GPIO22 and the buttons are those of the 1.14", on the same page, and were not confirmed for this one. No reset
+ * line.
  */
 #include "boards.h"
 

@@ -1,6 +1,7 @@
 /*
- * Pinout: https://pinout.xyz/pinout/pirate_audio_line_out
- * Keys A, B, X, Y are up, down, left, right (Y is GPIO20 on boards sold before 2021). No reset line.
+ * Pinout: https://pinout.xyz/pinout/pirate_audio_line_out; checked against the maker's examples
+ * (https://github.com/pimoroni/pirate-audio). Keys A, B, X, Y are up, down, left, right; Y is GPIO20 on boards sold
+ * before 23 January 2020. No reset line.
  */
 #include "boards.h"
 

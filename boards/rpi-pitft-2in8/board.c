@@ -1,7 +1,8 @@
 /*
  * Pinout: https://learn.adafruit.com/adafruit-pitft-28-inch-resistive-touchscreen-display-raspberry-pi
- * The backlight hangs on the touch controller and is on by default. No reset line. Buttons: those of the PiTFT Plus,
- * from the top; the first series has GPIO18 in place of GPIO17.
+ * D/C, clock and backlight (at the touch controller, on by default) were checked against Linux' pitft28-resistive
+ * overlay. No reset line. Buttons: the four lines of the PiTFT Plus; that they come in this order is not confirmed. The
+ * first series has GPIO18 in place of GPIO17.
  */
 #include "boards.h"
 

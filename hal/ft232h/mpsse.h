@@ -2,7 +2,7 @@
  * mpsse: the FT232H's commands as bytes. Pure; private to hal/ft232h. Source: FTDI AN_108.
  *
  * Bytes go out highest bit first, changing at the falling edge of the clock, and are taken at its rising edge: SPI
- * modes 0 and 3, according to the level at which the clock rests.
+ * modes 0 and 3, according to the level at which the clock rests. FTDI promises modes 0 and 2; 3 ran on the model only.
  */
 #ifndef HAL_FT232H_MPSSE_H
 #define HAL_FT232H_MPSSE_H
