@@ -1,6 +1,7 @@
 /*
  * Pinout: https://learn.adafruit.com/adafruit-mini-pitft-135x240-color-tft-add-on-for-raspberry-pi
- * Checked against the maker's example (Adafruit_CircuitPython_RGB_Display, rgb_display_minipitfttest.py). No reset line.
+ * Checked against the maker's example (Adafruit_CircuitPython_RGB_Display, rgb_display_minipitfttest.py). No reset
+ * line.
  */
 #include "boards.h"
 
