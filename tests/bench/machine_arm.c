@@ -58,10 +58,10 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void
 
 void reset(void)
 {
-    for (uint32_t *to = data_start, *from = data_load; to < data_end;) {
+    for (uint32_t *to = data_start, *from = data_load; (uintptr_t)to < (uintptr_t)data_end;) {
         *to++ = *from++;
     }
-    for (uint32_t *to = bss_start; to < bss_end;) {
+    for (uint32_t *to = bss_start; (uintptr_t)to < (uintptr_t)bss_end;) {
         *to++ = 0;
     }
     UART_BAUDDIV = 16;
