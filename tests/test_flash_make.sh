@@ -29,7 +29,7 @@ calls() { # arguments of make, word...
 
 fails_in_one_line() {
     TOOL_STATUS=74 flash BOARD=feather-stm32f405 >"$dir/out" 2>"$dir/err" && return 1
-    [ "$(grep -vc '^make: \*\*\*' "$dir/err")" = 1 ] &&
+    [ "$(grep -vc '^make[][0-9]*: \*\*\*' "$dir/err")" = 1 ] &&
         grep -qxF 'make flash: dfu-util failed; start the chip in its boot loader (0483:df11): BOOT0 high while it is reset, or send B to its UART' "$dir/err"
 }
 
