@@ -3,7 +3,6 @@
 #include "panel_doctor.h"
 
 #include "complain.h"
-#include "panel_kit.h"
 
 #include <glob.h>
 #include <grp.h>
@@ -207,19 +206,18 @@ static void check_usb(struct doctor *doctor, const char *serial, bool needed)
     }
 }
 
-int panel_doctor(const struct panel_options *o)
+int panel_doctor(struct panel_kit *kit, const struct panel_options *o)
 {
     struct doctor doctor = {0};
-    static struct panel_kit kit;
     const bool any = o->kit_count == 0;
     for (int i = 0; i < (any ? 1 : o->kit_count); i++) {
-        if (panel_kit_choose(&kit, &o->kits[i]) != 0) {
+        if (panel_kit_choose(kit, &o->kits[i]) != 0) {
             return EXIT_USAGE;
         }
-        if (kit.usb) {
-            check_usb(&doctor, kit.ft232h.serial, true);
+        if (kit->usb) {
+            check_usb(&doctor, kit->ft232h.serial, true);
         } else {
-            check_linux(&doctor, &kit, !any);
+            check_linux(&doctor, kit, !any);
         }
     }
     if (any) {

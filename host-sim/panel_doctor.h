@@ -4,9 +4,12 @@
 #ifndef PANEL_DOCTOR_H
 #define PANEL_DOCTOR_H
 
-#include "panel_options.h"
+#include "panel_kit.h"
 
-/* The displays that were given, else what any display needs here. 0, or EXIT_FAILED if a check failed. */
-int panel_doctor(const struct panel_options *o);
+/*
+ * The displays that were given, else what any display needs here. kit: room for one of them, any content. 0,
+ * EXIT_FAILED if a check failed, or EXIT_USAGE.
+ */
+int panel_doctor(struct panel_kit *kit, const struct panel_options *o);
 
 #endif

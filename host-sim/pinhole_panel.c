@@ -295,7 +295,7 @@ static int obey(struct stage *stage, const struct panel_options *o)
     case PANEL_LIST:
         return list();
     case PANEL_DOCTOR:
-        return panel_doctor(o);
+        return panel_doctor(&stage->kits[0], o);
     case PANEL_PROBE:
         return probe(stage, o);
     case PANEL_SPEEDTEST:
