@@ -116,7 +116,11 @@ function makeRecorder(machine, fd) {
         waiting = [];
       }
     },
-    close() { flush(); flushText(); },
+    close() { // the levels of a word that never came to its end count, too
+      flush();
+      waiting.forEach(([time, levels]) => level(time, levels));
+      flushText();
+    },
   };
 }
 
