@@ -8,6 +8,8 @@
 #include "pipeline.h"
 #include "span.h"
 
+#define NOINLINE __attribute__((noinline)) /* keeps what is rare from the registers of what is usual */
+
 /* One row of a triangle: columns from .. from + n - 1, pixels and depths of its first one. */
 struct row {
     uint16_t *pixels;
@@ -54,6 +56,22 @@ static void draw_span(const struct ph_triangle *t, bool wide, struct row row)
     }
 }
 
+/* A span, with the octave of the last one. */
+static NOINLINE void draw_row(const struct ph_triangle *t, bool wide, struct ph_octave *octave, const struct row *row)
+{
+    const uint32_t last = row->d + t->depth.gx * (row->n - 1);
+    if (!ph_octave_holds(octave, row->d, last)) {
+        ph_octave_of(octave, t, row->d);
+        if (!ph_octave_holds(octave, row->d, last)) {
+            draw_span(t, wide, *row);
+            return;
+        }
+    }
+    struct row run = *row;
+    run.d = ph_depth_float16_value(row->d, octave->octave) + octave->offset;
+    draw_run(t, wide, &run, octave->slope);
+}
+
 /* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
                           struct ph_edge left, struct ph_edge right)
@@ -64,6 +82,7 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
     uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
     uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
     const int kind = t->block == PH_BLOCK_NONE && !band->wide ? t->kind : -1; /* -1: the longer way */
+    struct ph_octave octave = {0};
     for (; y < y_end; y++) {
         const int32_t from = left.x < 0 ? 0 : left.x >> 16;
         const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
@@ -76,8 +95,8 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
                 ph_span_gouraud(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, light, t->attribute[0].gx,
                                 t->material->ramp);
             } else {
-                draw_span(t, band->wide,
-                          (struct row){pixels + x, ph_depth_from(depth, x, band->wide), n, first_d, light});
+                const struct row row = {pixels + x, ph_depth_from(depth, x, band->wide), n, first_d, light};
+                draw_row(t, band->wide, &octave, &row);
             }
             count += n;
         }
@@ -104,11 +123,77 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
     return count;
 }
 
+/* How many of the next rows lie in the octave; r->d, r->gd and r->d_dy in units of the triangle's plane. */
+static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *octave, uint32_t rows)
+{
+    uint32_t left = r->left, right = r->right, d = r->d, n = 0;
+    for (; n < rows; n++) {
+        const uint32_t from = left >> 16, to = right >> 16, first = d + from * r->gd;
+        if ((int32_t)(to - from) > 0 && !ph_octave_holds(octave, first, first + (to - from - 1) * r->gd)) {
+            break;
+        }
+        left += r->left_dx;
+        right += r->right_dx;
+        d += r->d_dy;
+    }
+    return n;
+}
+
+/* Rows of one octave; the steps of d are multiples of 8, so no bit of a shift to codes is lost. */
+static void draw_rows_in_octave(struct ph_rows *r, const struct ph_octave *octave, uint32_t rows)
+{
+    const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
+    const uint32_t above = d + from * gd - octave->bottom; /* the first row may be empty, and below the octave */
+    r->gd = octave->slope;
+    r->d_dy = ph_depth_float16_slope(d_dy, octave->octave);
+    r->d = ph_depth_float16_value(octave->bottom, octave->octave) + octave->offset +
+           ph_depth_float16_slope(above, octave->octave) - from * r->gd;
+    r->rows = rows;
+    ph_rows_gouraud(r);
+    r->gd = gd;
+    r->d_dy = d_dy;
+    r->d = d + rows * d_dy;
+}
+
+/* One row that crosses octaves. */
+static void draw_row_across(struct ph_rows *r, const struct ph_triangle *t)
+{
+    const uint32_t from = r->left >> 16, n = (r->right >> 16) - from;
+    draw_span(t, false,
+              (struct row){r->pixels + from, r->depth + from, n, r->d + from * r->gd, r->light + from * r->glight});
+    r->count += n;
+    r->left += r->left_dx;
+    r->right += r->right_dx;
+    r->d += r->d_dy;
+    r->light += r->light_dy;
+    r->depth += r->stride_bytes / 2;
+    r->pixels += r->stride_bytes / 2;
+}
+
+/* Rows of a triangle that crosses octaves: most rows do not. */
+static NOINLINE void draw_rows_split(struct ph_rows *r, const struct ph_triangle *t)
+{
+    struct ph_octave octave = {0};
+    for (uint32_t rows = r->rows; rows > 0;) {
+        ph_octave_of(&octave, t, r->d + (r->left >> 16) * r->gd);
+        const uint32_t n = rows_in_octave(r, &octave, rows);
+        if (n > 0) {
+            octave.slope = ph_depth_float16_slope(r->gd, octave.octave);
+            draw_rows_in_octave(r, &octave, n);
+            rows -= n;
+        } else {
+            draw_row_across(r, t);
+            rows--;
+        }
+    }
+}
+
 /* The rows of one half of a narrow triangle, the upper or the lower; r stands at the first of them. */
-static void draw_half(struct ph_rows *r, const struct ph_edge *edge, bool on_left, int32_t down, int32_t rows)
+static void draw_half(struct ph_rows *r, const struct ph_triangle *t, const struct ph_edge *edge, int32_t down,
+                      int32_t rows)
 {
     const uint32_t x = (uint32_t)edge->x + (uint32_t)down * (uint32_t)edge->dx;
-    if (on_left) {
+    if (t->long_left == 0) {
         r->left = x;
         r->left_dx = (uint32_t)edge->dx;
     } else {
@@ -116,7 +201,24 @@ static void draw_half(struct ph_rows *r, const struct ph_edge *edge, bool on_lef
         r->right_dx = (uint32_t)edge->dx;
     }
     r->rows = (uint32_t)rows;
-    ph_rows_gouraud(r);
+    if (t->block == PH_BLOCK_NONE) {
+        ph_rows_gouraud(r);
+    } else {
+        draw_rows_split(r, t);
+    }
+}
+
+/*
+ * A plane in multiples of 8, 3 bits being what codes lose of d in the nearest octave: from the triangle's first pixel
+ * on, where no band begins.
+ */
+static NOINLINE void round_depth(struct ph_rows *r, const struct ph_triangle *t, uint32_t down)
+{
+    const uint32_t x = (uint32_t)t->long_edge.x >> 16;
+    const uint32_t d = ph_plane_at(&t->depth, x, (uint32_t)t->y_top);
+    r->gd = (r->gd + 4) & ~(uint32_t)7;
+    r->d_dy = (r->d_dy + 4) & ~(uint32_t)7;
+    r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd + down * r->d_dy;
 }
 
 /* A narrow triangle, which no border but those of the band cuts. */
@@ -141,12 +243,15 @@ static uint32_t draw_gouraud_narrow(const struct ph_triangle *t, const struct ph
     r.pixels = band->pixels + start;
     r.ramp = t->material->ramp;
     r.count = 0;
+    if (t->block != PH_BLOCK_NONE) {
+        round_depth(&r, t, (uint32_t)(y0 - t->y_top));
+    }
     if (y_mid > y0) {
-        draw_half(&r, &t->upper, t->long_left == 0, y0 - t->y_top, y_mid - y0);
+        draw_half(&r, t, &t->upper, y0 - t->y_top, y_mid - y0);
     }
     const int32_t y_low = y_mid > y0 ? y_mid : y0;
     if (y1 > y_low) {
-        draw_half(&r, &t->lower, t->long_left == 0, y_low - t->y_mid, y1 - y_low);
+        draw_half(&r, t, &t->lower, y_low - t->y_mid, y1 - y_low);
     }
     return r.count;
 }
@@ -156,7 +261,7 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);
     }
-    if (t->narrow && t->kind == PH_KIND_GOURAUD && t->block == PH_BLOCK_NONE && !band->wide) {
+    if (t->narrow && t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->wide) {
         return draw_gouraud_narrow(t, band);
     }
     return walk(t, band);

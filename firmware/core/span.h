@@ -158,4 +158,33 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
                              wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
 }
 
+/* An octave of a triangle's d, bottom .. bottom + size - 1, and what makes codes of it: the next row is mostly in it
+ * too. */
+struct ph_octave {
+    uint32_t bottom, size, offset, slope;
+    int octave;
+};
+
+/* The octave in which d lies (of no size where d has wrapped), or all there is of a triangle that is not split. */
+static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d)
+{
+    if (t->block >= PH_BLOCK_LINEAR) {
+        *o = (struct ph_octave){0, UINT32_MAX, 0, t->depth.gx, 3};
+        return;
+    }
+    const int octave = ph_depth_octave(d, t->block);
+    const uint32_t half = octave <= 0 ? (uint32_t)1 << 31 : ((uint32_t)1 << 31) >> octave;
+    const uint32_t end = octave <= 0 ? PH_DEPTH_WRAPPED : 2 * half;
+    o->bottom = octave >= 14 - t->block ? 0 : half;
+    o->size = d < PH_DEPTH_WRAPPED ? end - o->bottom : 0;
+    o->offset = ph_depth_float16_offset(octave, t->block) + ((uint32_t)t->material->depth_bias << 13);
+    o->slope = ph_depth_float16_slope(t->depth.gx, octave);
+    o->octave = octave;
+}
+
+static inline bool ph_octave_holds(const struct ph_octave *o, uint32_t first, uint32_t last)
+{
+    return first - o->bottom < o->size && last - o->bottom < o->size;
+}
+
 #endif
