@@ -3,6 +3,7 @@
 
 #include "complain.h"
 #include "depth_budget_terms.h"
+#include "option_text.h"
 #include "png_out.h"
 
 #include <errno.h>
@@ -174,12 +175,6 @@ static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
     return 0;
 }
 
-static bool ends_with(const char *text, const char *ending)
-{
-    const size_t n = strlen(text), m = strlen(ending);
-    return n > m && strcmp(text + n - m, ending) == 0;
-}
-
 static int save_png(const char *path, const struct ppm *picture)
 {
     size_t length;
@@ -197,7 +192,7 @@ static int save_picture(const struct depth_lab *lab, struct picture *picture)
     if (lab->out == NULL) {
         return 0;
     }
-    if (ends_with(lab->out, ".png")) {
+    if (option_text_ends(lab->out, ".png")) {
         return save_png(lab->out, &picture->ppm);
     }
     if (ppm_save(lab->out, &picture->ppm) == 0) {
@@ -260,7 +255,7 @@ static int sweep_format(const struct depth_lab *lab, const struct lab_format *fo
 
 int depth_planes(const struct depth_lab *lab)
 {
-    if (lab->out != NULL && !ends_with(lab->out, ".ppm") && !ends_with(lab->out, ".png")) {
+    if (lab->out != NULL && !option_text_ends(lab->out, ".ppm") && !option_text_ends(lab->out, ".png")) {
         return complain(EXIT_USAGE, "--out %s: the error picture is written as .ppm or .png", lab->out);
     }
     const uint32_t rows = depth_drawn_formats(lab);

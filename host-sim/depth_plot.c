@@ -4,6 +4,7 @@
 #include "complain.h"
 #include "depth_plot_gnuplot.h"
 #include "depth_plot_kinds.h"
+#include "option_text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -64,12 +65,6 @@ static int no_such_kind(const char *name)
     return complain(EXIT_USAGE, "plot '%s': no such kind; there are%s", name, names);
 }
 
-static bool ends_with(const char *text, const char *ending)
-{
-    const size_t n = strlen(text), m = strlen(ending);
-    return n > m && strcmp(text + n - m, ending) == 0;
-}
-
 int depth_plot(const struct depth_lab *lab)
 {
     const struct depth_plot_kind *kind = depth_plot_find(lab->kind);
@@ -79,8 +74,8 @@ int depth_plot(const struct depth_lab *lab)
     if (lab->out == NULL) {
         return complain(EXIT_USAGE, "plot needs --out FILE.svg or FILE.png");
     }
-    const bool png = ends_with(lab->out, ".png");
-    if (!png && !ends_with(lab->out, ".svg")) {
+    const bool png = option_text_ends(lab->out, ".png");
+    if (!png && !option_text_ends(lab->out, ".svg")) {
         return complain(EXIT_USAGE, "--out %s: plots are written as .svg or .png", lab->out);
     }
     char *picture;

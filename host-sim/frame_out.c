@@ -3,6 +3,7 @@
 #include "frame_out.h"
 
 #include "complain.h"
+#include "option_text.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -47,13 +48,12 @@ static bool is_other_picture(const char *target)
 
 int frame_out_open(struct frame_out *out, const char *target, bool several)
 {
-    const size_t n = target == NULL ? 0 : strlen(target);
     out->path = target;
     if (target == NULL) {
         out->kind = FRAME_OUT_NONE;
     } else if (strcmp(target, "-") == 0) {
         out->kind = FRAME_OUT_STREAM;
-    } else if (n > 4 && strcmp(target + n - 4, ".ppm") == 0) {
+    } else if (option_text_ends(target, ".ppm")) {
         out->kind = several ? FRAME_OUT_FILES : FRAME_OUT_FILE;
     } else if (is_other_picture(target)) {
         return complain(EXIT_USAGE,

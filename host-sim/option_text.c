@@ -72,3 +72,9 @@ int option_text_choice(const char *text, const char *const names[], int count)
     }
     return -1;
 }
+
+bool option_text_ends(const char *name, const char *ending)
+{
+    const size_t n = strlen(name), m = strlen(ending);
+    return n > m && strcmp(name + n - m, ending) == 0;
+}

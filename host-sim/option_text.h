@@ -1,4 +1,7 @@
-/* option_text: strict readers for the texts of command-line options. All return true, or false and leave *out alone. */
+/*
+ * option_text: strict readers for the texts of command-line options. With `out` they return true, or false and leave
+ * *out alone.
+ */
 #ifndef OPTION_TEXT_H
 #define OPTION_TEXT_H
 
@@ -21,5 +24,8 @@ bool option_text_fx_list(const char *text, fx_t *out, int count, const char **re
 
 /* Index of text in names[count], or -1. */
 int option_text_choice(const char *text, const char *const names[], int count);
+
+/* Whether a file's name has this ending, and something before it. */
+bool option_text_ends(const char *name, const char *ending);
 
 #endif
