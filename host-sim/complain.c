@@ -1,7 +1,9 @@
 #include "complain.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 static const char *program_name = "pinhole";
 
@@ -29,4 +31,12 @@ int complain(int status, const char *format, ...)
     complain_clean(line);
     fprintf(stderr, "%s: %s\n", program_name, line);
     return status;
+}
+
+int complain_stdout(void)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout)) {
+        return 0;
+    }
+    return complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
 }

@@ -10,6 +10,9 @@ enum exit_status { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
 /* Prints the line and returns status, for `return complain(EXIT_USAGE, ...)`. */
 int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Sees to it that what was printed has arrived on stdout: 0, or EXIT_FAILED and one line. */
+int complain_stdout(void);
+
 /* The name that starts each line; text that stays. */
 void complain_as(const char *program);
 

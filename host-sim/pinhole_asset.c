@@ -8,7 +8,6 @@
 #include "depth_lab.h"
 #include "kit.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -242,8 +241,5 @@ int main(int argc, char *argv[])
     } else {
         status = run(&options);
     }
-    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return status == 0 ? complain_stdout() : status;
 }

@@ -4,7 +4,6 @@
 #include "complain.h"
 #include "depth_options.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -96,8 +95,5 @@ int main(int argc, char *argv[])
         }
         free(csv);
     }
-    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return status == 0 ? complain_stdout() : status;
 }

@@ -8,7 +8,6 @@
 #include "keys.h"
 #include "option_text.h"
 
-#include <errno.h>
 #include <string.h>
 
 #define FRAMES_MAX 1000000
@@ -124,8 +123,5 @@ int main(int argc, char *argv[])
     } else {
         status = run(&request);
     }
-    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return status == 0 ? complain_stdout() : status;
 }

@@ -122,7 +122,7 @@ int main(int argc, char *argv[])
     signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
         print_help();
-        return fflush(stdout) == 0 ? EXIT_DONE : complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
+        return complain_stdout();
     }
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
     int status = sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : EXIT_FAILED;

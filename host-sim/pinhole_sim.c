@@ -14,7 +14,6 @@
 #include "player.h"
 #include "window.h"
 
-#include <errno.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
@@ -325,8 +324,5 @@ int main(int argc, char *argv[])
     } else {
         status = draw(&options);
     }
-    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return status == 0 ? complain_stdout() : status;
 }

@@ -254,8 +254,5 @@ int main(int argc, char *argv[])
     } else {
         status = run(&request);
     }
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return complain_stdout() == 0 ? status : EXIT_FAILED;
 }
