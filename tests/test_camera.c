@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
+#include "near.h"
 #include "ref_random.h"
 
 #include <math.h>
@@ -21,26 +22,9 @@
 #define FAR   1000 /* distance of a target: how finely it gives a direction */
 #define CASES 2000
 
-static double real(fx_t v)
-{
-    return v * LSB;
-}
-
-static struct fx_vec3 vec(double x, double y, double z)
-{
-    return (struct fx_vec3){ref_q16(x), ref_q16(y), ref_q16(z)};
-}
-
 static uint32_t turn32(double radians)
 {
     return (uint32_t)llrint(ldexp(radians / (2 * PI), 32));
-}
-
-static void near_to(double got, double want, double tolerance)
-{
-    if (!(fabs(got - want) <= tolerance)) {
-        fail_msg("got %.9g, want %.9g, off by %.3g, allowed %.3g", got, want, fabs(got - want), tolerance);
-    }
 }
 
 /* ---- one camera in many words ------------------------------------------------------------------------------- */

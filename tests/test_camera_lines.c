@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
+#include "near.h"
 #include "ref_random.h"
 #include "ref_rig.h"
 
@@ -21,18 +22,6 @@
 #define BLUE   2
 
 static struct rig rig;
-
-static struct fx_vec3 vec(double x, double y, double z)
-{
-    return (struct fx_vec3){ref_q16(x), ref_q16(y), ref_q16(z)};
-}
-
-static void near_to(double got, double want, double tolerance)
-{
-    if (!(fabs(got - want) <= tolerance)) {
-        fail_msg("got %.9g, want %.9g, off by %.3g, allowed %.3g", got, want, fabs(got - want), tolerance);
-    }
-}
 
 static int open_rig(void **state)
 {

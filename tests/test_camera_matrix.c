@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
+#include "near.h"
 #include "ref_random.h"
 
 #include <math.h>
@@ -15,18 +16,6 @@
 
 #define LSB   (1. / 65536)
 #define CASES 2000
-
-static double real(fx_t v)
-{
-    return v * LSB;
-}
-
-static void near_to(double got, double want, double tolerance)
-{
-    if (!(fabs(got - want) <= tolerance)) {
-        fail_msg("got %.9g, want %.9g, off by %.3g, allowed %.3g", got, want, fabs(got - want), tolerance);
-    }
-}
 
 /* ---- conventions -------------------------------------------------------------------------------------------- */
 

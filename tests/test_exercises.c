@@ -10,32 +10,16 @@
 #include <cmocka.h>
 
 #include "camera.h"
+#include "near.h"
 #include "ref_random.h"
 
 #include <math.h>
 
 #define LSB (1. / 65536)
 
-static double real(fx_t v)
-{
-    return v * LSB;
-}
-
 static fx_t fx(double v)
 {
     return ref_q16(v);
-}
-
-static struct fx_vec3 vec(double x, double y, double z)
-{
-    return (struct fx_vec3){fx(x), fx(y), fx(z)};
-}
-
-static void near_to(double got, double want, double tolerance)
-{
-    if (!(fabs(got - want) <= tolerance)) {
-        fail_msg("got %.9g, want %.9g, off by %.3g, allowed %.3g", got, want, fabs(got - want), tolerance);
-    }
 }
 
 static void check_matrix(const struct ph_mat4 *got, const double want[4][4])

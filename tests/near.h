@@ -1,0 +1,16 @@
+/* near: what the tests of cameras share: Q16.16 from double and back, and what is near enough. */
+#ifndef NEAR_H
+#define NEAR_H
+
+#include "geom.h"
+
+/* Exact. */
+double real(fx_t v);
+
+/* To nearest. */
+struct fx_vec3 vec(double x, double y, double z);
+
+/* Fails the test (cmocka), and says by how much, where got is farther than tolerance from want, or not a number. */
+void near_to(double got, double want, double tolerance);
+
+#endif
