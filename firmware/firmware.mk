@@ -64,7 +64,7 @@ SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
-RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' $(BOARD_HOME)/board.c)
+RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \([^,]*\),.*/\1/p' $(BOARD_HOME)/board.c)
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
@@ -87,10 +87,10 @@ $(SCENE_C): $(B)/pinhole-asset FORCE
 	@if cmp -s '$@.new' '$@'; then rm '$@.new'; else mv '$@.new' '$@'; fi
 endif
 
-flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SERIAL=S]: an image, and into the flash of the board that is plugged in
+flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: an image, and into the flash of the board that is plugged in
 	$(Q)$(FLASH)
 
-emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/
+emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/x/
 	@case '$(FRAMES)' in '' | 0* | *[!0-9]* | ???????*) echo "make emulate: FRAMES='$(FRAMES)': a whole number, 1 .. 999999" >&2; exit 2 ;; esac
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'

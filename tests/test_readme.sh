@@ -72,6 +72,13 @@ board_and_show_fill_the_glass() {
         "$B/libpinhole.a" -o "$dir/show" && "$dir/show"
 }
 
+image_of_that_board_gets_its_memory() { # that of board.c, with a board.mk as the README tells
+    mkdir -p "$dir/kits/mine" && cp boards/pico-display/board.mk "$dir/kits/mine" && block c 'struct board board_mine' >"$dir/kits/mine/board.c"
+    local bytes
+    bytes=$(make -np B="$B" BOARD_DIR="$dir/kits" BOARD=mine help 2>/dev/null | sed -n 's/^RAM_BYTES := //p')
+    [ "$bytes" = '140 * 1024' ] || { echo "RAM_BYTES is '$bytes'" && return 1; }
+}
+
 commands_run() {
     block sh '--board' | grep -E '^build/pinhole-sim [^|]*$' | grep -Ev -- '--model|--window' | sed 's/ *#.*//' >"$dir/commands"
     [ -s "$dir/commands" ] || return 1
@@ -107,6 +114,7 @@ EOF
 
 check "the_program_prints_what_is_shown" program_prints_what_is_shown
 check "the_board_and_show_fill_the_glass" board_and_show_fill_the_glass
+check "an_image_of_that_board_gets_its_memory" image_of_that_board_gets_its_memory
 check "the_commands_run" commands_run
 check "the_links_lead_somewhere" links_exist
 check "the_make_targets_exist" targets_exist
