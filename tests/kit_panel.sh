@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # pinhole-panel in the virtual kit, for tests/test_kit_panel.sh and tests/long_kit_*.sh: sourced on the host, run in the
 # guest as `tests/kit_panel.sh FUNCTION ARGUMENT...`. What a run leaves in $KIT: NAME.status, NAME.out, NAME.err,
-# NAME.events. Environment: B.
+# NAME.events; of test_hal NAME.hal. Environment: B.
 # shellcheck source-path=SCRIPTDIR
 # shellcheck disable=SC2015,SC2034,SC2119,SC2120,SC2154 # names and arguments for those who source it
 kit_boards='rpi-waveshare-1in3 rpi-waveshare-1in44 rpi-pirate-audio rpi-display-hat-mini rpi-pitft-2in8
@@ -28,6 +28,12 @@ run() { # name, argument...
 
 run_fresh() { # name, argument...
     fresh && run "$@" && kit_events >"$KIT/$1.events"
+}
+
+# The conformance test of the backends. Unplugged boards stay half there, so only a guest's last one may be.
+run_hal() { # name, stays|unplugged, the board's parameter=value...
+    fresh "${@:3}" && timeout 150 "$B/tests/test_hal" "$2" >"$KIT/$1.hal" 2>&1
+    echo $? >"$KIT/$1.status"
 }
 
 # One run that gets a signal when it has shown frames for a second.
@@ -83,6 +89,10 @@ ended() { # name, status, text
         grep -qF -- "$3" "$kit_out/$1.err" || { echo "no '$3' in"; cat "$kit_out/$1.err"; return 1; }
     fi
     ! grep -qE 'runtime error|Sanitizer|ERROR SUMMARY: [1-9]' "$kit_out/$1.err"
+}
+
+hal_passed() { # name
+    [ "$(cat "$kit_out/$1.status")" = 0 ] || { cat "$kit_out/$1.status" "$kit_out/$1.hal"; return 1; }
 }
 
 one_line() { # name

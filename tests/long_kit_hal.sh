@@ -14,8 +14,8 @@ why=$(kit_why)
 make -s -j2 B="$B" "$B/tests/test_hal" || exit 1
 kit_build || exit 1
 
-in_the_kit() { # shell text
-    kit_guest --timeout 400 --memory 1024 --cpus 2 -- bash -c "
+in_the_kit() { # shell text, guest.sh's option...
+    kit_guest --timeout 400 --memory 1024 --cpus 2 "${@:2}" -- bash -c "
         . tests/kit/kit.sh
         memcheck='valgrind -q --leak-check=full --track-fds=yes --suppressions=tests/valgrind.suppress --error-exitcode=9'
         $1"
@@ -26,6 +26,7 @@ under_thread_sanitizer() {
     in_the_kit 'kit_board && setarch -R "$B/tsan/tests/test_hal"'
 }
 
+check "hal_linux_with_a_bufsiz_of_65536_on_two_processors" in_the_kit 'kit_board && "$B/tests/test_hal"' --bufsiz 65536
 if command -v valgrind >/dev/null; then
     check "hal_linux_under_valgrind" in_the_kit 'kit_board && $memcheck "$B/tests/test_hal"'
     check "hal_ft232h_under_valgrind" in_the_kit 'kit_usb ft232h && $memcheck "$B/tests/test_hal" usb && $memcheck "$B/tests/test_hal" usb-send'

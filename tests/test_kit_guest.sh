@@ -52,8 +52,7 @@ check "status, stdout, stderr, kernel log and files come back" \
     gives 7 out '^err$' kit_guest --out "$dir/back" -- bash -c 'echo out; echo err >&2; echo file >$KIT/file; exit 7'
 check "... the file" grep -qx file "$dir/back/file"
 check "... the kernel log" grep -q 'Linux version' "$dir/back/kernel.log"
-check "a command that is not there is 127" gives 127 '' 'No such file' kit_guest -- /no/such/command
-check "a time-out is 124, with one line" gives 124 '' 'no end after 3 seconds' kit_guest --timeout 3 -- sleep 50
+check "a time-out is 124, with one line" gives 124 '' 'no end after 1 seconds' kit_guest --timeout 1 -- sleep 50
 check "a dead guest is 125, with the kernel's word" \
     gives 125 '' 'guest died: .*panic' kit_guest -- bash -c 'echo c >/proc/sysrq-trigger'
 check "QEMU dies with a script that is killed" killed_script_leaves_no_qemu
@@ -104,8 +103,10 @@ kit_guest --timeout 150 --out "$dir/board" --bufsiz 128 -- bash -c '
     for i in 1 2 3 4; do echo x | dd of=/dev/spidev0.0 conv=nocreat status=none; done 2>unplugged
     for i in 1 2 3 4 5 6 7 8 9; do [ ! -e /dev/spidev0.0 ] || sleep 0.2; done
     ls /dev >devices
+    exec /no/such/command
 ' >"$dir/log" 2>&1
-check "a guest with a board ends well" test $? = 0
+status=$?
+check "a command that is not there is 127" eval 'test $status = 127 && grep -q "No such file" "$dir/log"'
 board=$dir/board
 check "gpiodetect finds a Raspberry Pi's chip" grep -q 'gpiochip0 \[pinctrl-bcm2835\] (54 lines)' "$board/detect"
 check "gpioinfo finds its lines by name, and the chip selects taken" \

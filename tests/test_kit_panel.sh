@@ -12,7 +12,7 @@ why=$(kit_why)
 [ -z "$why" ] || { skip "pinhole-panel drives a display in the virtual kit" "$why" && tap_end; }
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
-kit_build || exit 1
+make -s B="$B" "$B/tests/test_hal" && kit_build || exit 1
 
 # ---- what the guests do --------------------------------------------------------------------------
 
@@ -32,6 +32,7 @@ all_boards='
     run_fresh card testcard --board rpi-pitft-2in8 --frames 1
     run_fresh speedtest speedtest --board rpi-waveshare-1in44 --speed 15000000 --frames 2
     run_fresh noedges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
+    run_hal hal unplugged
 '
 
 faults='
@@ -67,13 +68,14 @@ faults='
     kit_events >$KIT/killed.events
     run after --board rpi-waveshare-1in44 --frames 2
     kit_events >$KIT/after.events
+    run_hal hal stays
     fresh && kit_do spi-unplug 200
     run unplugged --board rpi-waveshare-1in44 --frames 90
 '
 
 tests/kit/guest.sh --bufsiz 65536 --timeout 240 --out "$dir/boards" -- bash -c "$all_boards" >"$dir/boards.log" 2>&1 ||
     { cat "$dir/boards.log"; exit 1; }
-tests/kit/guest.sh --timeout 120 --out "$dir/faults" -- bash -c "$faults" >"$dir/faults.log" 2>&1 ||
+tests/kit/guest.sh --timeout 240 --out "$dir/faults" -- bash -c "$faults" >"$dir/faults.log" 2>&1 ||
     cat "$dir/faults.log"
 
 # ---- what came out -------------------------------------------------------------------------------
@@ -141,6 +143,7 @@ check "probe names the controller that answers" a_controller_is_named
 check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand
 check "testcard and speedtest show the card, at each clock" the_card_is_at_every_clock
 check "frames wait for the tearing-effect edge, and say so when none comes" frames_wait_for_the_edge
+check "hal_linux_with_a_bufsiz_of_65536" hal_passed hal
 
 kit_out=$dir/faults
 dark() { # name
@@ -234,4 +237,5 @@ check "SIGTERM leaves the panel dark and exits 143" a_signal_leaves_it_dark TERM
 check "SIGHUP leaves the panel dark and exits 129" a_signal_leaves_it_dark HUP 129
 check "after kill -9 the next start is clean" after_a_kill_it_starts_again
 check "an unplugged board ends the run in one line" an_unplugged_board_is_told
+check "hal_linux_in_the_kit" hal_passed hal
 tap_end
