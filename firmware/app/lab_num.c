@@ -53,7 +53,7 @@ struct lab_num lab_num_div(struct lab_num a, struct lab_num b)
 uint64_t lab_log2_q56(uint32_t v)
 {
     const int zeros = fx_clz32(v);
-    uint64_t m = (uint64_t)v << (32 + zeros), log = (uint64_t)(31 - zeros); /* m in 2^63 .. 2^64: 1 .. 2 */
+    uint64_t m = (uint64_t)v << zeros << 32, log = (uint64_t)(31 - zeros); /* m in 2^63 .. 2^64: 1 .. 2 */
     for (int i = 0; i < 56; i++) {
         m = lab_mulhi_u64(m, m); /* 2^62 .. 2^64: 1 .. 4 */
         log = log << 1 | m >> 63;
