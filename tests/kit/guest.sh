@@ -12,7 +12,7 @@
 # command line as --append's TEXT is. The kernel is unpacked once, below $B/kit.
 # Environment: B (build directory).
 set -u
-B=${B:-build}
+B=$(realpath -m "${B:-build}") # a guest also works elsewhere
 tests=$(cd "$(dirname "$0")" && pwd)
 seconds=60 out='' memory=512 cpus=1 append=''
 PATH=$PATH:/usr/sbin:/sbin

@@ -16,6 +16,7 @@
 # Typically:
 #   tests/kit/guest.sh --bufsiz 4096 --out DIR -- bash -c '. tests/kit/kit.sh; kit_board; PROGRAM; kit_events >$KIT/events'
 #   pinhole-wire --board rpi-waveshare-1in3 --order DIR/events
+B=$(realpath -m "${B:-build}") # a guest also works elsewhere
 kit_tests=$(dirname "${BASH_SOURCE[0]}")
 
 kit_guest() { "$kit_tests/guest.sh" "$@"; }
