@@ -53,6 +53,9 @@ BOARDS := $(wildcard boards/*.c boards/*/*.c)
 # Boards from elsewhere: BOARD_DIR/NAME/board.c defines board_NAME (with _ for -), as a folder of boards/ does.
 BOARDS_MORE := $(if $(BOARD_DIR),$(patsubst $(BOARD_DIR)/%/board.c,%,$(wildcard $(BOARD_DIR)/*/board.c)))
 $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is no NAME/board.c in it)))
+BOARDS_ODD := $(if $(BOARDS_MORE),$(shell printf '%s\n' '$(BOARDS_MORE)' | tr ' ' '\n' | grep -v '^[a-z0-9-]*$$'))
+$(if $(BOARDS_ODD),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_ODD): a board's name has a-z, 0-9 and - only))
+$(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DIR=$(BOARD_DIR): $(b) is a board of Pinhole: take another name)))
 SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
                                              host-sim/$(MESHOPT)/*.c \
                                              host-sim/$(SDL)/*.c host-sim/$(USB)/*.c))
@@ -112,6 +115,7 @@ $(B)/boards_more/boards_more.h: $(B)/flags
 
 $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
 	@mkdir -p $(@D)
+	@grep -qw 'board_$(subst -,_,$(patsubst %/,%,$(dir $*)))' '$<' || { echo '$<: defines no board_$(subst -,_,$(patsubst %/,%,$(dir $*)))' >&2; exit 1; }
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -c $< -o $@
 endif

@@ -68,6 +68,19 @@ boards_come_from_elsewhere() {
     ! make -s B="$B/make-boards" BOARD_DIR="$dir/empty" all
 }
 
+# A folder that holds one board of this name, with a board.c that defines another.
+board_is_refused() { # name, words
+    mkdir -p "$dir/odd-$1/$1" && echo 'const int board_other;' >"$dir/odd-$1/$1/board.c"
+    make -s B="$B/make-boards" BOARD_DIR="$dir/odd-$1" "$B/make-boards/boards_more/$1/board.o" 2>"$dir/refused" && return 1
+    grep -qF "$2" "$dir/refused" || { cat "$dir/refused"; return 1; }
+}
+
+boards_that_cannot_be_are_refused() {
+    board_is_refused odd/name 'there is no NAME/board.c in it' && board_is_refused 'my!kit' "a board's name has a-z, 0-9 and - only" &&
+        board_is_refused rpi-pirate-audio 'is a board of Pinhole: take another name' &&
+        board_is_refused my-kit 'defines no board_my_kit'
+}
+
 needs_no_library() {
     run all && ! ldd "$B/make/pinhole-sim" | grep -E 'assimp|png|SDL|gpiod|usb'
 }
@@ -86,6 +99,7 @@ check "a_file_of_the_CPU_replaces_the_portable_one" a_file_of_the_cpu_replaces_t
 check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
 check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls
 check "boards_come_from_an_external_folder" boards_come_from_elsewhere
+check "a folder without boards, odd names, names that are taken and wrong definitions are refused" boards_that_cannot_be_are_refused
 check "without_the_libraries_none_is_linked" needs_no_library
 if command -v arm-none-eabi-gcc >/dev/null; then
     check "size_fails_over_the_budget" size_fails_over_the_budget
