@@ -46,8 +46,11 @@ static void put_row(const struct depth_lab *lab, const struct lab_format *format
 int depth_monotone(const struct depth_lab *lab)
 {
     struct lab_probe *probe = malloc(sizeof *probe);
+    if (probe == NULL) {
+        return complain(EXIT_FAILED, "out of memory");
+    }
     uint32_t failed = 0;
-    int status = probe != NULL ? 0 : complain(EXIT_FAILED, "out of memory");
+    int status = 0;
     fputs("format,bits,near,far,distances,codes,rises,longest_m,verdict\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
         const struct lab_format *format = &lab_formats[i];
