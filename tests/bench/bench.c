@@ -2,11 +2,18 @@
  * The benchmark: scenes S1 .. S5 at 320x240, frames 0, 8, .. 56, each frame drawn whole and then stage by stage.
  *
  * Words on the command line: scene (S1 .. S5 or all), depth format (name or all). Each line of output is
- *   SCENE FORMAT STAGE FRAME COUNT        COUNT in instructions; for `crc` the frame's CRC as pinhole-sim --crc prints
- * it Stages: frame      all of it: camera, geometry, bins, clears, spans geometry   camera, vertices, triangles until
- * they are listed vertices   of these: the transform of all unique vertices (their light belongs to the triangles that
- * show them) bins       the list sorted into bands fill       clears and spans clears     of these: colour and depth
- * cleared, one empty frame fragments, triangles: the frame's counts, for shares
+ *
+ *   SCENE FORMAT STAGE FRAME COUNT
+ *
+ * COUNT is in instructions; for `crc` it is the frame's CRC, which pinhole-sim --crc prints in hexadecimal. Stages:
+ *
+ * - frame: all of it: camera, geometry, bins, clears, spans
+ * - geometry: camera, vertices, triangles until they are listed
+ * - vertices: of these, the transform of all unique vertices (their light belongs to the triangles that show them)
+ * - bins: the list sorted into bands
+ * - fill: clears and spans
+ * - clears: of these, colour and depth cleared, one empty frame
+ * - fragments, triangles, dropped: the frame's counts
  */
 #include "bench.h"
 

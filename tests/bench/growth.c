@@ -1,12 +1,15 @@
 /*
  * How the cost of a frame grows: with triangles, fragments, the height of bands and the picture's size. Each line of
  * output is
+ *
  *   KIND FORMAT STAGE X COUNT
- * KIND triangles:  a torus of X triangles that covers the same pixels
- *      fragments:  X pixels in full-screen quads, each in front of the last
- *      band:       the torus of 4096 triangles in bands of X lines
- *      pixels:     the same torus in pictures of 128x64 .. 320x480 = X pixels
- * STAGE frame is all of it, bins the sorting of the list into bands.
+ *
+ * STAGE frame is all of it, bins the sorting of the list into bands. Kinds:
+ *
+ * - triangles: a torus of X triangles that covers the same pixels
+ * - fragments: X pixels in full-screen quads, each in front of the last
+ * - band: the torus of 4096 triangles in bands of X lines
+ * - pixels: the same torus in pictures of 128x64 .. 320x480 = X pixels
  */
 #include "bench.h"
 
