@@ -17,7 +17,11 @@ bool gpio_debounces(void)
 
 void *gpio_chip_open(const char *path)
 {
-    return gpiod_chip_open(path);
+    struct gpiod_chip *chip = gpiod_chip_open(path);
+    if (chip == NULL && errno == ENODEV) {
+        errno = ENOTTY; /* a device of another kind, as libgpiod 1 says it */
+    }
+    return chip;
 }
 
 void gpio_chip_close(void *chip)
