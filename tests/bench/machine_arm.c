@@ -23,13 +23,12 @@ void reset(void);
 static uint32_t started;
 static char command_line[64];
 
-/* Arm's semihosting: operation in r0, its argument in r1. */
-static uint32_t semihost(uint32_t operation, const void *argument)
+/* Arm's semihosting: operation in r0, its argument in r1, where the calling convention puts them. */
+__attribute__((naked, noinline)) static void semihost(uint32_t operation __attribute__((unused)),
+                                                      const void *argument __attribute__((unused)))
 {
-    register uint32_t r0 __asm__("r0") = operation;
-    register const void *r1 __asm__("r1") = argument;
-    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
-    return r0;
+    __asm__ volatile("bkpt 0xAB\n"
+                     "bx lr\n");
 }
 
 static void quit(int status)
@@ -80,11 +79,13 @@ void machine_start(void)
 
 static void print_number(uint32_t n)
 {
-    if (n >= 10) {
-        print_number(n / 10);
-    }
-    const char digit[2] = {(char)('0' + n % 10), '\0'};
-    machine_print(digit);
+    char digits[11] = "";
+    int at = 10;
+    do {
+        digits[--at] = (char)('0' + n % 10);
+        n /= 10;
+    } while (n > 0);
+    machine_print(&digits[at]);
 }
 
 void machine_stop(const char *const what[3], uint32_t frame)
