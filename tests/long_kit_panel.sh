@@ -69,6 +69,9 @@ checked='
     fresh && kit_wrap="valgrind -q --error-exitcode=99 --leak-check=full --suppressions=tests/valgrind.suppress" kit_limit=300 \
         run valgrind --board rpi-waveshare-1in44 --frames 3 --diff on
     fresh && B=$B/tsan kit_limit=200 run threads --board rpi-waveshare-1in44 --frames 30
+    fresh && B=$B/tsan kit_limit=200 run threads-diff --board rpi-waveshare-1in44 --frames 30 --diff on
+    kit_usb ft232h && B=$B/tsan kit_limit=200 run threads-usb --board ft232h-st7789 --frames 10 --diff on
+    kill $kit_device
     fresh && kit_do spi-error 150 5 && B=$B/tsan kit_limit=200 run threads-eio --board rpi-waveshare-1in44 --frames 30
 '
 make -s B="$B/tsan" CFLAGS='-O1 -g -fsanitize=thread' "$B/tsan/pinhole-panel" >"$dir/make" 2>&1 || cat "$dir/make"
@@ -79,5 +82,7 @@ else
     skip "valgrind finds nothing" "it is not installed"
 fi
 check "ThreadSanitizer finds nothing" ended threads 0 ""
+check "ThreadSanitizer finds nothing with --diff on" ended threads-diff 0 ""
+check "ThreadSanitizer finds nothing over USB with --diff on" ended threads-usb 0 ""
 check "ThreadSanitizer finds nothing when a transfer fails" eval 'ended threads-eio 1 "/dev/spidev0.0" && one_line threads-eio'
 tap_end
