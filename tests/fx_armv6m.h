@@ -13,7 +13,7 @@
 #define fx_mul_wide_u armv6m_mul_wide_u
 #define fx_rcp16      armv6m_rcp16
 #define fx_clz_table  armv6m_clz_table
-#include "armv6m/fx_clz.c"
+#include "armv6m/fx_clz.c" /* NOLINT(bugprone-suspicious-include) */
 #include "armv6m/fx_cpu.h"
 #undef fx_clz32
 #undef fx_mulhi_u32

@@ -23,7 +23,7 @@ static void six_digits_are_those_of_printf(void **state)
         const int e = (int)(random % 70) - 60;
         char text[LAB_TEXT_SIZE];
         lab_num_text(lab_num_scaled(m, e), text);
-        const double exact = ldexp((double)m, e), said = atof(text);
+        const double exact = ldexp((double)m, e), said = strtod(text, NULL);
         if (fabs(said - exact) > exact * 5.0000001e-6) {
             fail_msg("%.12g is said as %s", exact, text);
         }

@@ -185,7 +185,7 @@ static uint32_t over_w_code(struct exact *e, fx_t w)
         octave++;
     }
     set_ratio(e->d, e->near_z, (int64_t)1 << octave, w, 1);
-    mpq_mul_2exp(e->d, e->d, (mp_bitcnt_t)(mantissa + 1));
+    mpq_mul_2exp(e->d, e->d, (mp_bitcnt_t)mantissa + 1);
     mpz_fdiv_q(e->whole, mpq_numref(e->d), mpq_denref(e->d));
     const uint32_t code = (uint32_t)mpz_get_ui(e->whole) + ((uint32_t)(14 - octave) << mantissa);
     const uint32_t largest = ((uint32_t)1 << e->format->bits) - 1;
@@ -352,13 +352,14 @@ static void check_resolve(struct exact *e, struct lab_probe *p)
     if (lab_is_monotone(e->format)) {
         lab_search_open(s, p);
         double z = e->near_z;
-        for (int i = 0; i < 40; i++, z *= 1.37) {
+        for (int i = 0; i < 40; i++) {
             const fx_t w = z < e->far_z ? (fx_t)z : e->far_z;
             const uint32_t measured = lab_search_at(s, p, w);
             if (!plausible(e, w, measured)) {
                 fail_msg("%s %d bits, near %d far %d: S_eff at %d is %u, exactly %d", e->format->name, e->format->bits,
                          (int)e->near_z, (int)e->far_z, (int)w, (unsigned)measured, (int)exact_at(e, w));
             }
+            z *= 1.37;
         }
     }
     free(s);
@@ -454,7 +455,9 @@ static void check_search(const struct lab_format *format, fx_t near_z, fx_t far_
     struct lab_search *s = malloc(sizeof *s);
     const uint32_t n = (uint32_t)(far_z - near_z) + 1;
     uint32_t *codes = malloc(n * sizeof *codes), other;
-    assert_true(p != NULL && s != NULL && codes != NULL);
+    assert_non_null(p);
+    assert_non_null(s);
+    assert_non_null(codes);
     exact_open(&e, format, near_z, far_z);
     assert_int_equal(lab_probe_open(p, format, near_z, far_z), 0);
     lab_search_open(s, p);
@@ -523,7 +526,8 @@ static void check_pairs_of(struct exact *e, uint8_t spacing, uint32_t count, con
 {
     uint32_t equal = 0, swap = 0, doubtful = 0, *codes = malloc((count + 1) * sizeof *codes);
     int64_t wrong = 0, *z = malloc((count + 1) * sizeof *z);
-    assert_true(codes != NULL && z != NULL);
+    assert_non_null(codes);
+    assert_non_null(z);
     for (uint32_t i = 0; i <= count; i++) {
         uint32_t other;
         z[i] = exact_distance(e, spacing, i, count);
@@ -539,13 +543,19 @@ static void check_pairs_of(struct exact *e, uint8_t spacing, uint32_t count, con
         }
         wrong = j > i && z[j] - z[i] > wrong ? z[j] - z[i] : wrong;
     }
-    unsigned got_equal, got_swap;
-    double got_wrong;
     const char *at = row;
     for (int comma = 0; comma < 6; comma++) {
         at = strchr(at, ',') + 1;
     }
-    assert_int_equal(sscanf(at, "%u,%u,%lf", &got_equal, &got_swap, &got_wrong), 3);
+    char *end;
+    const unsigned long got_equal = strtoul(at, &end, 10);
+    assert_true(end > at && *end == ',');
+    at = end + 1;
+    const unsigned long got_swap = strtoul(at, &end, 10);
+    assert_true(end > at && *end == ',');
+    at = end + 1;
+    const double got_wrong = strtod(at, &end);
+    assert_true(end > at);
     if (got_equal + 2 * doubtful < equal || got_equal > equal + 2 * doubtful || got_swap != swap) {
         fail_msg("%.60s: exactly %u equal (%u doubtful), %u swapped", row, (unsigned)equal, (unsigned)doubtful,
                  (unsigned)swap);

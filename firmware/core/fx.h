@@ -110,9 +110,9 @@ static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b);
 /* floor((2^31 - 1) / d) for d = 2^15 .. 2^16 - 1: the short reciprocal, 16 bits. */
 static inline uint32_t fx_rcp16(uint32_t d);
 
-#include "fx_cpu.h" /* their bodies: core/portable, or the folder of the CPU that -I names before */
+extern const uint16_t fx_rcp_table[256]; /* for fx_rcp_norm and a CPU's fx_rcp16 alone */
 
-extern const uint16_t fx_rcp_table[256]; /* for fx_rcp_norm alone */
+#include "fx_cpu.h" /* their bodies: core/portable, or the folder of the CPU that -I names before */
 
 /*
  * Normalised reciprocal: *shift = leading zeros of w, result = floor(2^62 / (w << *shift)), in 2^30 .. 2^31.

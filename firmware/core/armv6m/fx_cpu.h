@@ -47,8 +47,6 @@ static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b)
     return (uint64_t)fx_mulhi_u32(a, b) << 32 | a * b;
 }
 
-extern const uint16_t fx_rcp_table[256]; /* see fx_rcp_norm */
-
 /* The table's 8.8 bits and one step of Newton's: the result, or one less. */
 static inline uint32_t fx_rcp16(uint32_t d)
 {
