@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The reader of UF2 and BIN files under libFuzzer, with the sanitizers and the checks of tests/fuzz_uf2.c: 10 minutes
+# The reader of UF2 and BIN files under libFuzzer, with the sanitizers and the checks of tests/fuzz_uf2.c: 3 minutes
 # without a finding. FUZZ_S=n for another time; a finding stays in $B/log/fuzz_uf2.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -29,9 +29,9 @@ for blocks in 1 5; do
 done
 
 finds_nothing() {
-    "$dir/fuzz" -max_total_time="${FUZZ_S:-600}" -max_len=4096 -timeout=10 -artifact_prefix="$B/log/fuzz_uf2/" "$dir/corpus" 2>&1 | tail -n 40 >"$dir/log"
+    "$dir/fuzz" -max_total_time="${FUZZ_S:-180}" -max_len=4096 -timeout=10 -artifact_prefix="$B/log/fuzz_uf2/" "$dir/corpus" 2>&1 | tail -n 40 >"$dir/log"
     grep -E '^Done [0-9]+ runs' "$dir/log" || { cat "$dir/log" && return 1; }
 }
-check "libFuzzer finds nothing in ${FUZZ_S:-600} s" finds_nothing
+check "libFuzzer finds nothing in ${FUZZ_S:-180} s" finds_nothing
 grep -E '^Done' "$dir/log" | sed 's/^/# /'
 tap_end
