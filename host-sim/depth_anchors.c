@@ -2,6 +2,7 @@
 #include "complain.h"
 #include "depth_ieee.h"
 #include "lab_search.h"
+#include "progress.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,7 +28,7 @@ static void put(struct run *run, const char *name, const char *published, double
     fprintf(run->rows, "%s,%s,%.9g,%s,%s\n", name, published, here, how == PREDICTED ? "predicted" : "measured",
             pass ? "pass" : "FAIL");
     run->failed += !pass;
-    depth_progress("anchors", ++run->done < ANCHOR_COUNT ? run->done : ANCHOR_COUNT - 1, ANCHOR_COUNT);
+    progress_show("anchors", ++run->done < ANCHOR_COUNT ? run->done : ANCHOR_COUNT - 1, ANCHOR_COUNT);
 }
 
 /* One unit in the last digit that was published: "1.9e-6", "42", ".301". */
@@ -262,7 +263,7 @@ int depth_anchors(const struct depth_lab *lab)
     akeley(run);
     reed(run);
     reached(run);
-    depth_progress("anchors", 1, 1);
+    progress_show("anchors", 1, 1);
     const uint32_t failed = run->failed;
     free(run);
     return failed == 0 ? 0 : complain(EXIT_FAILED, "%u anchors are not met: see FAIL", (unsigned)failed);

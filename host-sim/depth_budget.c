@@ -3,6 +3,7 @@
 #include "depth_budget_measure.h"
 #include "depth_planes_count.h"
 #include "lab_search.h"
+#include "progress.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -126,9 +127,9 @@ int depth_budget(const struct depth_lab *lab)
     fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        depth_progress("budget", i, lab_format_count);
+        progress_show("budget", i, lab_format_count);
         status = (rows >> i & 1) != 0 ? budget_format(lab, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
     }
-    depth_progress("budget", 1, 1);
+    progress_show("budget", 1, 1);
     return status;
 }

@@ -59,9 +59,6 @@ int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth
  */
 void depth_table_print(FILE *file, const char *csv, const char *headings);
 
-/* A bar on stderr where that is a terminal; done >= total takes it away. */
-void depth_progress(const char *what, uint64_t done, uint64_t total);
-
 /* Writes length bytes to path: the whole of them or what was there before. 0, or EXIT_FAILED and one line. */
 int depth_save(const char *path, const char *bytes, size_t length);
 

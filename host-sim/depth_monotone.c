@@ -3,6 +3,7 @@
 #include "depth_lab.h"
 #include "lab_num.h"
 #include "lab_probe.h"
+#include "progress.h"
 
 #include <stdlib.h>
 
@@ -25,10 +26,10 @@ static struct counts count_codes(struct lab_probe *probe, const struct depth_lab
         found.longest = plateau > found.longest ? plateau : found.longest;
         before = code;
         if ((w & 0xfffff) == 0) {
-            depth_progress(probe->format->name, w - first, found.distances);
+            progress_show(probe->format->name, w - first, found.distances);
         }
     }
-    depth_progress(probe->format->name, 1, 1);
+    progress_show(probe->format->name, 1, 1);
     return found;
 }
 

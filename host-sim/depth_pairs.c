@@ -1,6 +1,7 @@
 #include "complain.h"
 #include "depth_ieee.h"
 #include "lab_num.h"
+#include "progress.h"
 
 #include <stdlib.h>
 
@@ -64,11 +65,11 @@ static int measure(const struct depth_lab *lab, int (*run)(const struct lab *))
     }
     int status = run(&mine); /* of no format: the header */
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        depth_progress(lab_formats[i].name, i, lab_format_count);
+        progress_show(lab_formats[i].name, i, lab_format_count);
         sink.skip = true;
         status = (lab->formats >> i & 1) != 0 ? measure_format(&mine, run, i) : 0;
     }
-    depth_progress("", 1, 1);
+    progress_show("", 1, 1);
     free(mine.memory);
     return status;
 }

@@ -5,6 +5,7 @@
 #include "depth_budget_terms.h"
 #include "option_text.h"
 #include "png_out.h"
+#include "progress.h"
 
 #include <errno.h>
 #include <math.h>
@@ -265,9 +266,9 @@ int depth_planes(const struct depth_lab *lab)
     fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio\n", lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        depth_progress("planes", i, lab_format_count);
+        progress_show("planes", i, lab_format_count);
         status = (rows >> i & 1) != 0 ? sweep_format(lab, &lab_formats[i]) : 0;
     }
-    depth_progress("planes", 1, 1);
+    progress_show("planes", 1, 1);
     return status != 0 ? status : show_pictures(lab);
 }

@@ -4,6 +4,7 @@
 #include "emulate_qemu.h"
 
 #include "complain.h"
+#include "stop.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -21,31 +22,12 @@
 #define WAIT_MS     30000 /* for a line or an answer */
 #define LAST_MS     200
 
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int number)
-{
-    interrupted = number;
-}
-
-/* Waits end then, QEMU is stopped, and files that are half written go away. */
-static void catch_signals(void)
-{
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action = {.sa_handler = interrupt};
-    sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        sigaction(numbers[i], &action, NULL);
-    }
-    signal(SIGPIPE, SIG_IGN);
-}
-
 bool qemu_interrupted(void)
 {
-    if (interrupted != 0) {
+    if (stop_signal != 0) {
         complain(EXIT_FAILED, "interrupted");
     }
-    return interrupted != 0;
+    return stop_signal != 0;
 }
 
 struct ends {
@@ -145,14 +127,15 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
     q->uart = e.uart[0];
     q->trace = e.trace[0];
     q->said = e.said[0];
-    catch_signals();
+    stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
+    signal(SIGPIPE, SIG_IGN);
     return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
 }
 
 static bool readable(int fd, int wait_ms)
 {
     struct pollfd p = {.fd = fd, .events = POLLIN};
-    return interrupted == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
+    return stop_signal == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
 }
 
 /* QEMU is gone or mute: the image's own words say why, if there are any. */
@@ -271,7 +254,7 @@ static int complaints_of(FILE *said)
 int qemu_stop(struct qemu *q)
 {
     int status = 0;
-    const bool was_interrupted = interrupted != 0;
+    const bool was_interrupted = stop_signal != 0;
     if (q->pid > 0) {
         kill(q->pid, SIGKILL);
         waitpid(q->pid, NULL, 0);

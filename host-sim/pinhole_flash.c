@@ -1,16 +1,14 @@
 /* pinhole-flash: an image into the flash of an RP2040 that is in its USB boot loader. See flash_job.h. */
-#define _XOPEN_SOURCE 700 /* sigaction */
 
 #include "complain.h"
-#include "depth_lab.h"
 #include "flash_job.h"
 #include "flash_usb.h"
 #include "option_table.h"
+#include "stop.h"
+#include "progress.h"
 
-#include <errno.h>
+#include <stdio.h>
 #include <string.h>
-
-static volatile sig_atomic_t caught_signal;
 
 struct request {
     const char *path, *serial;
@@ -138,23 +136,9 @@ static int list(const struct flash_board *boards, int count)
 
 /* ---- the job ------------------------------------------------------------------------------------ */
 
-static void note_signal(int number)
-{
-    caught_signal = number;
-}
-
-/* No command is cut off in its middle: the board could still be written to, but would want to be pulled out. */
-static void catch_signals(void)
-{
-    const struct sigaction action = {.sa_handler = note_signal};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-}
-
 static void show_progress(const char *what, uint32_t done, uint32_t all)
 {
-    depth_progress(what, done, all);
+    progress_show(what, done, all);
 }
 
 static int write_image(const struct request *r, const struct flash_image *image, const struct flash_board *board)
@@ -169,13 +153,13 @@ static int write_image(const struct request *r, const struct flash_image *image,
                             .image = image,
                             .verify = !r->no_verify,
                             .reboot = !r->no_reboot,
-                            .stop = &caught_signal,
+                            .stop = &stop_signal,
                             .progress = show_progress};
     status = flash_job_run(&job);
     flash_usb_close(usb);
     if (status < 0) {
-        return complain(status == FLASH_STOPPED ? 128 + (int)caught_signal : EXIT_FAILED, "RP2040 %u:%u: %s",
-                        board->bus, board->address, job.error);
+        return complain(status == FLASH_STOPPED ? 128 + (int)stop_signal : EXIT_FAILED, "RP2040 %u:%u: %s", board->bus,
+                        board->address, job.error);
     }
     printf("RP2040 %u:%u: %u bytes written%s%s\n", board->bus, board->address, (unsigned)image->size,
            r->no_verify ? "" : ", read back and equal", r->no_reboot ? "" : ", started");
@@ -214,14 +198,12 @@ int main(int argc, char *argv[])
     if (status != 0) {
         return status;
     }
-    catch_signals();
+    stop_catch(); /* no command is cut off in its middle: the board could be written to no more until it is pulled out
+                   */
     if (request.help) {
         print_help();
     } else {
         status = run(&request);
     }
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return status == 0 ? complain_stdout() : status;
 }

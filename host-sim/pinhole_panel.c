@@ -2,7 +2,6 @@
  * pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. The options are in
  * panel_options.c (--help).
  */
-#define _XOPEN_SOURCE 700 /* sigaction */
 
 #include "complain.h"
 #include "model.h"
@@ -10,31 +9,11 @@
 #include "panel_kit.h"
 #include "panel_probe.h"
 #include "panel_show.h"
+#include "stop.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* The only mutable object at file scope: a signal handler can reach nothing else. */
-static volatile sig_atomic_t caught_signal;
-
-static void note_signal(int number)
-{
-    caught_signal = number;
-}
-
-/* They end the run between two frames. A pipe that nobody reads is an error of the write. */
-static void catch_signals(void)
-{
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = note_signal;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-    signal(SIGPIPE, SIG_IGN);
-}
 
 /* ---- what is shown where ------------------------------------------------------------------------ */
 
@@ -115,7 +94,7 @@ static struct panel_scene plain_scene(const struct panel_options *o)
                                 .refresh = o->refresh,
                                 .overlay = o->overlay,
                                 .stats = o->stats,
-                                .stop = &caught_signal};
+                                .stop = &stop_signal};
 }
 
 static int show(struct stage *stage, const struct panel_options *o)
@@ -317,14 +296,12 @@ int main(int argc, char *argv[])
     if (stage == NULL) {
         return complain(EXIT_FAILED, "not enough memory");
     }
-    catch_signals();
+    stop_catch();
+    signal(SIGPIPE, SIG_IGN); /* a pipe that nobody reads is an error of the write */
     status = obey(stage, &options);
     free(stage);
-    if (caught_signal != 0) {
-        return 128 + caught_signal;
+    if (stop_signal != 0) {
+        return 128 + stop_signal;
     }
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        status = complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
-    }
-    return status;
+    return status == 0 ? complain_stdout() : status;
 }

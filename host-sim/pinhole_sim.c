@@ -2,7 +2,7 @@
  * pinhole-sim: draws demos and models on a simulated display kit and shows what its glass shows.
  * The options are in options.c (--help).
  */
-#define _XOPEN_SOURCE 700 /* sigaction, isatty, SIGXFSZ */
+#define _XOPEN_SOURCE 700 /* isatty, SIGXFSZ */
 
 #include "complain.h"
 #include "crc32.h"
@@ -12,6 +12,7 @@
 #include "model.h"
 #include "options.h"
 #include "player.h"
+#include "stop.h"
 #include "window.h"
 
 #include <signal.h>
@@ -22,26 +23,6 @@
 #define DEFAULT_SIDE 240 /* pixels of the plain square panel that is used when no kit is named */
 
 #define SHORTEST_NS (1000000000u / 60) /* a window shows no more frames than most screens do */
-
-/* The only mutable object at file scope: a signal handler can reach nothing else. */
-static volatile sig_atomic_t caught_signal;
-
-static void note_signal(int number)
-{
-    caught_signal = number;
-}
-
-/* SIGINT, SIGTERM and SIGHUP end the run between two frames, when no file is half-written. */
-static void catch_signals(void)
-{
-    struct sigaction action;
-    memset(&action, 0, sizeof action);
-    action.sa_handler = note_signal;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-    signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
-}
 
 /* Names of the demo's views, with a space before each. */
 static void view_names(const struct demo *demo, char *text, size_t size)
@@ -248,7 +229,7 @@ static int run_frames(const struct options *o, struct stage *stage, struct playe
 {
     const bool drawn = o->out != NULL || o->crc || o->stats || o->show_window; /* --matrix alone draws none */
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
-    for (uint32_t i = 0; drawn && i < o->frames && status == 0 && caught_signal == 0; i++) {
+    for (uint32_t i = 0; drawn && i < o->frames && status == 0 && stop_signal == 0; i++) {
         if (!press(stage, p, o->start + i)) {
             break;
         }
@@ -296,13 +277,14 @@ static int draw(const struct options *o)
     struct player_setup setup = {.board = NULL};
     int status = choose(o, &chosen, &setup);
     if (status == 0) {
-        catch_signals();
+        stop_catch();
+        signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
         status = run(o, &setup);
     }
     model_close(chosen.model);
-    if (caught_signal != 0) { /* end as the signal would have ended it, so that a shell's loop ends too */
-        signal(caught_signal, SIG_DFL);
-        raise(caught_signal);
+    if (stop_signal != 0) { /* end as the signal would have ended it, so that a shell's loop ends too */
+        signal(stop_signal, SIG_DFL);
+        raise(stop_signal);
     }
     return status;
 }

@@ -1,10 +1,11 @@
 #define _XOPEN_SOURCE 700 /* isatty */
 
-#include "depth_lab.h"
+#include "progress.h"
 
+#include <stdio.h>
 #include <unistd.h>
 
-void depth_progress(const char *what, uint64_t done, uint64_t total)
+void progress_show(const char *what, uint64_t done, uint64_t total)
 {
     static const char bar[] = "########################################";
     const int filled = (int)(done * 40 / (total > 0 ? total : 1));
