@@ -1,6 +1,9 @@
+#define _XOPEN_SOURCE 700 /* SIGXFSZ */
+
 #include "complain.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,6 +13,7 @@ static const char *program_name = "pinhole";
 void complain_as(const char *program)
 {
     program_name = program;
+    signal(SIGXFSZ, SIG_IGN);
 }
 
 void complain_clean(char *text)

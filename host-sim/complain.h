@@ -13,7 +13,10 @@ int complain(int status, const char *format, ...) __attribute__((format(printf, 
 /* Sees to it that what was printed has arrived on stdout: 0, or EXIT_FAILED and one line. */
 int complain_stdout(void);
 
-/* The name that starts each line; text that stays. */
+/*
+ * Before anything else: the name that starts each line (text that stays). From then on a file that may grow no further
+ * (SIGXFSZ) is an error of the write, not the end of the program.
+ */
 void complain_as(const char *program);
 
 /* Replaces control characters of text by '?'. */

@@ -59,7 +59,4 @@ int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth
  */
 void depth_table_print(FILE *file, const char *csv, const char *headings);
 
-/* Writes length bytes to path: the whole of them or what was there before. 0, or EXIT_FAILED and one line. */
-int depth_save(const char *path, const char *bytes, size_t length);
-
 #endif

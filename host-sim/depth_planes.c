@@ -6,6 +6,7 @@
 #include "option_text.h"
 #include "png_out.h"
 #include "progress.h"
+#include "save.h"
 
 #include <errno.h>
 #include <math.h>
@@ -183,7 +184,7 @@ static int save_png(const char *path, const struct ppm *picture)
     if (bytes == NULL) {
         return complain(EXIT_FAILED, "planes: no memory for the error picture");
     }
-    const int status = depth_save(path, (const char *)bytes, length);
+    const int status = save_bytes(path, bytes, length);
     free(bytes);
     return status;
 }

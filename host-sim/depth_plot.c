@@ -5,6 +5,7 @@
 #include "depth_plot_gnuplot.h"
 #include "depth_plot_kinds.h"
 #include "option_text.h"
+#include "save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -82,7 +83,7 @@ int depth_plot(const struct depth_lab *lab)
     size_t length = 0;
     int status = depth_plot_picture(lab, kind, png, &picture, &length);
     if (status == 0) {
-        status = depth_save(lab->out, picture, length);
+        status = save_bytes(lab->out, picture, length);
     }
     free(picture);
     return status;

@@ -6,6 +6,7 @@
 #include "depth_plot_gnuplot.h"
 #include "depth_plot_kinds.h"
 #include "lab_num.h"
+#include "save.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -123,7 +124,7 @@ static int put_plot(const struct depth_lab *lab, FILE *report, const char *name,
         status = depth_plot_picture(lab, kind, false, &picture, &length);
     }
     if (status == 0) {
-        status = depth_save(path, picture, length);
+        status = save_bytes(path, picture, length);
     }
     free(picture);
     fprintf(report, "\n![%s](%s.svg)\n\n`pinhole-depth plot %s", kind->title, name, name);
@@ -136,7 +137,7 @@ static int save_rows(const struct depth_lab *lab, const char *name, const char *
 {
     char path[PATH_MAX];
     const int status = name_file(lab, name, "csv", path);
-    return status != 0 ? status : depth_save(path, csv, strlen(csv));
+    return status != 0 ? status : save_bytes(path, csv, strlen(csv));
 }
 
 /* planes writes its picture, too. */
@@ -225,7 +226,7 @@ int depth_report(const struct depth_lab *lab)
         status = name_file(lab, "report", "md", path);
     }
     if (status == 0) {
-        status = depth_save(path, text, length);
+        status = save_bytes(path, text, length);
     }
     free(text);
     return status;

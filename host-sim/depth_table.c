@@ -3,12 +3,8 @@
 #include "complain.h"
 #include "depth_lab.h"
 
-#include <errno.h>
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #define COLUMNS_MAX 24
 
@@ -92,38 +88,4 @@ int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth
         return complain(EXIT_FAILED, "out of memory");
     }
     return status;
-}
-
-static bool write_all(const char *path, const char *bytes, size_t length)
-{
-    FILE *file = fopen(path, "wb");
-    if (file == NULL) {
-        return false;
-    }
-    const bool written = fwrite(bytes, 1, length, file) == length;
-    const int error = errno;
-    if (fclose(file) != 0 || !written) {
-        errno = written ? errno : error;
-        return false;
-    }
-    return true;
-}
-
-int depth_save(const char *path, const char *bytes, size_t length)
-{
-    struct stat status;
-    char part[PATH_MAX];
-    const bool special = stat(path, &status) == 0 && !S_ISREG(status.st_mode); /* a pipe or device stays what it is */
-    const int n = snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
-    if (n >= (int)sizeof part) {
-        return complain(EXIT_FAILED, "%s: %s; choose a shorter name", path, strerror(ENAMETOOLONG));
-    }
-    if (special ? !write_all(path, bytes, length) : !write_all(part, bytes, length) || rename(part, path) != 0) {
-        const int error = errno;
-        if (!special) {
-            remove(part);
-        }
-        return complain(EXIT_FAILED, "%s: cannot be written: %s", path, strerror(error));
-    }
-    return 0;
 }

@@ -5,8 +5,8 @@
 #include "asset.h"
 #include "asset_options.h"
 #include "complain.h"
-#include "depth_lab.h"
 #include "kit.h"
+#include "save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -180,7 +180,7 @@ static int save(const struct asset *asset, const char *path)
     } else if (strcmp(path, "-") == 0) {
         fwrite(text, 1, length, stdout);
     } else {
-        status = depth_save(path, text, length);
+        status = save_bytes(path, text, length);
     }
     free(text);
     return status;

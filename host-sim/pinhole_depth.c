@@ -3,6 +3,7 @@
 
 #include "complain.h"
 #include "depth_options.h"
+#include "save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +70,7 @@ static int show(const struct depth_command *command, const struct depth_lab *lab
     }
     drop_remarks(csv);
     if (strcmp(lab->csv, "-") != 0) {
-        return depth_save(lab->csv, csv, strlen(csv));
+        return save_bytes(lab->csv, csv, strlen(csv));
     }
     fputs(csv, stdout);
     return 0;

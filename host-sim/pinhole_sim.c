@@ -2,7 +2,7 @@
  * pinhole-sim: draws demos and models on a simulated display kit and shows what its glass shows.
  * The options are in options.c (--help).
  */
-#define _XOPEN_SOURCE 700 /* isatty, SIGXFSZ */
+#define _XOPEN_SOURCE 700 /* isatty */
 
 #include "complain.h"
 #include "crc32.h"
@@ -278,7 +278,6 @@ static int draw(const struct options *o)
     int status = choose(o, &chosen, &setup);
     if (status == 0) {
         stop_catch();
-        signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
         status = run(o, &setup);
     }
     model_close(chosen.model);

@@ -2,7 +2,7 @@
  * pinhole-wire: shows what a panel makes of the events on its wires (wire_events.h has their format): a line a frame,
  * pictures, and whatever a real panel would have resented.
  */
-#define _XOPEN_SOURCE 700 /* getline, SIGXFSZ */
+#define _XOPEN_SOURCE 700 /* getline */
 
 #include "complain.h"
 #include "crc32.h"
@@ -11,7 +11,6 @@
 #include "wire_events.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -244,7 +243,6 @@ int main(int argc, char *argv[])
     struct request request = {
         .in = NULL, .wire = {.frame = show_frame, .step = show_step, .resent = show_complaint, .context = &request}};
     complain_as("pinhole-wire");
-    signal(SIGXFSZ, SIG_IGN); /* a file that may grow no further is an error of the write */
     int status = read_arguments(&request, argc, argv);
     if (status != 0) {
         return status;

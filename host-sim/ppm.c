@@ -1,14 +1,10 @@
-#define _XOPEN_SOURCE 700 /* getpid, sigprocmask, SIGXCPU */
-
 #include "ppm.h"
 
+#include "save.h"
+
 #include <errno.h>
-#include <limits.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 int ppm_write(FILE *file, const struct ppm *picture)
 {
@@ -19,48 +15,14 @@ int ppm_write(FILE *file, const struct ppm *picture)
     return fwrite(picture->rgb, 1, n, file) == n && fflush(file) == 0 ? 0 : -1;
 }
 
-static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM, SIGXCPU};
-
-/* The whole picture under this name, closed. 0, or -1 with errno set. */
-static int write_file(const char *name, const struct ppm *picture)
+static int write_picture(FILE *file, const void *context)
 {
-    FILE *file = fopen(name, "wb");
-    if (file == NULL) {
-        return -1;
-    }
-    const int result = ppm_write(file, picture), error = errno;
-    if (fclose(file) != 0 && result == 0) {
-        return -1;
-    }
-    errno = error;
-    return result;
+    return ppm_write(file, context);
 }
 
 int ppm_save(const char *path, const struct ppm *picture)
 {
-    struct stat status;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) { /* a pipe or device must stay what it is */
-        return write_file(path, picture);
-    }
-    char part[PATH_MAX];
-    if (snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof part) {
-        errno = ENAMETOOLONG;
-        return -1;
-    }
-    sigset_t ending, before; /* a signal that ends the program waits until nothing half-written is left */
-    sigemptyset(&ending);
-    for (size_t i = 0; i < sizeof ending_signals / sizeof ending_signals[0]; i++) {
-        sigaddset(&ending, ending_signals[i]);
-    }
-    sigprocmask(SIG_BLOCK, &ending, &before);
-    const int result = write_file(part, picture) == 0 && rename(part, path) == 0 ? 0 : -1;
-    const int error = errno;
-    if (result != 0) {
-        remove(part);
-    }
-    sigprocmask(SIG_SETMASK, &before, NULL);
-    errno = error;
-    return result;
+    return save_file(path, write_picture, picture);
 }
 
 /* The next number of a header: white space and comments before it. */

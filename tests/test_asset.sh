@@ -112,6 +112,10 @@ bad_models_are_told_and_leave_nothing() {
         refuses 1 'cannot be written' "$scene" -o "$dir/nowhere/n.c" && refuses 1 'remain, not 1' "$scene" -o "$dir/n.c" --max-triangles 1 && [ "$(echo "$dir"/n.c*)" = "$dir/n.c*" ]
 }
 
+a_file_limit_leaves_nothing() { # 1 KiB
+    mkdir -p "$dir/limit" && (ulimit -f 1 && refuses 1 'n.c: cannot be written: File too large' "$scene" -o "$dir/limit/n.c") && [ -z "$(ls "$dir/limit")" ]
+}
+
 too_large_for_the_board_says_what_to_do() {
     refuses 1 'need [0-9]* bytes of memory, and pico-display has [0-9]*; [0-9]* fit: --max-triangles fit (make: SCENE_TRIANGLES=fit)' "$dir/sphere.obj" --board pico-display -o "$dir/n.c" &&
         refuses 1 'take [0-9]* bytes, and the flash has 15000' "$dir/sphere.obj" --flash 15000 -o "$dir/n.c" --board pico-display --max-triangles 1000 &&
@@ -166,6 +170,7 @@ check "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_c
 check "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
 check "wrong_usage_is_told" wrong_usage_is_told
 check "bad_models_are_told_and_leave_nothing" bad_models_are_told_and_leave_nothing
+check "a_file_limit_leaves_nothing" a_file_limit_leaves_nothing
 check "every_board_is_in_the_report" reports_every_board
 if ! command -v arm-none-eabi-gcc >/dev/null || ! command -v qemu-system-arm >/dev/null; then
     skip "an_image_draws_it_in_an_emulated_kit" "no arm-none-eabi-gcc or no qemu-system-arm"

@@ -163,7 +163,7 @@ writes_csv_to_a_file() { "$lab" pairs --count 10 --csv "$dir/out.csv" && csv pai
 help_names_everything() {
     "$lab" --help >"$dir/help" || return 1
     local word
-    for word in pairs resolve monotone advise anchors --near --far --format --fov --size --csv --count --spacing --at --separate --bits float24 ieee32-gl; do
+    for word in pairs resolve monotone advise anchors planes budget plot all --near --far --format --fov --size --csv --count --spacing --at --separate --separation --tilt --bits --out --help float24 ieee32-gl; do
         grep -q -- "$word" "$dir/help" || { echo "$word" && return 1; }
     done
 }
@@ -173,6 +173,11 @@ unwritable_is_one_line() {
     local got=0
     "$lab" pairs --count 10 --csv /nonexistent/x.csv >"$dir/stdout" 2>"$dir/stderr" || got=$?
     [ "$got" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ ! -s "$dir/stdout" ]
+}
+file_limit_leaves_nothing() { # 1 KiB
+    local got=0
+    mkdir -p "$dir/limit" && (ulimit -f 1 && exec "$lab" pairs --count 10 --csv "$dir/limit/x.csv") >"$dir/stdout" 2>"$dir/stderr" || got=$?
+    [ "$got" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ -z "$(ls "$dir/limit")" ]
 }
 full_device_is_one_line() {
     local got=0
@@ -193,6 +198,7 @@ check "--csv FILE writes the whole file" writes_csv_to_a_file
 check "--format takes several names" several_formats_are_several_rows
 check "--help names commands, options and formats" help_names_everything
 check "a file that cannot be written is one line and exit 1" unwritable_is_one_line
+check "a file limit is one line and leaves nothing" file_limit_leaves_nothing
 check "a full device is one line and exit 1" full_device_is_one_line
 check "no progress without a terminal" no_progress_without_a_terminal
 

@@ -1,0 +1,75 @@
+#define _XOPEN_SOURCE 700 /* getpid, sigprocmask, SIGXCPU */
+
+#include "save.h"
+
+#include "complain.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM, SIGXCPU};
+
+/* All of it under this name, closed. */
+static int write_file(const char *name, int (*write)(FILE *file, const void *context), const void *context)
+{
+    FILE *file = fopen(name, "wb");
+    if (file == NULL) {
+        return -1;
+    }
+    const int result = write(file, context), error = errno;
+    if (fclose(file) != 0 && result == 0) {
+        return -1;
+    }
+    errno = error;
+    return result;
+}
+
+int save_file(const char *path, int (*write)(FILE *file, const void *context), const void *context)
+{
+    struct stat status;
+    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) { /* a pipe or device must stay what it is */
+        return write_file(path, write, context);
+    }
+    char part[PATH_MAX];
+    if (snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof part) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    sigset_t ending, before; /* a signal that ends the program waits until nothing half-written is left */
+    sigemptyset(&ending);
+    for (size_t i = 0; i < sizeof ending_signals / sizeof ending_signals[0]; i++) {
+        sigaddset(&ending, ending_signals[i]);
+    }
+    sigprocmask(SIG_BLOCK, &ending, &before);
+    const int result = write_file(part, write, context) == 0 && rename(part, path) == 0 ? 0 : -1;
+    const int error = errno;
+    if (result != 0) {
+        remove(part);
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    errno = error;
+    return result;
+}
+
+struct text {
+    const void *bytes;
+    size_t n;
+};
+
+static int write_bytes(FILE *file, const void *context)
+{
+    const struct text *text = context;
+    return fwrite(text->bytes, 1, text->n, file) == text->n ? 0 : -1;
+}
+
+int save_bytes(const char *path, const void *bytes, size_t n)
+{
+    const struct text text = {bytes, n};
+    return save_file(path, write_bytes, &text) == 0
+               ? 0
+               : complain(EXIT_FAILED, "%s: cannot be written: %s", path, strerror(errno));
+}
