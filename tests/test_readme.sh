@@ -112,10 +112,25 @@ EOF
     return "$missing"
 }
 
+gallery_makes_the_pictures() {
+    local picture shown=0
+    B="$B" host-sim/gallery.sh "$dir/gallery" >"$dir/log" || return 1
+    while read -r picture; do
+        [ -s "$dir/gallery/${picture##*/}" ] || { echo "$picture is not made" && return 1; }
+        shown=$((shown + 1))
+    done < <(grep -oE 'host-sim/gallery/[a-z-]+\.png' README.md)
+    [ "$shown" -ge 3 ]
+}
+
 check "the_program_prints_what_is_shown" program_prints_what_is_shown
 check "the_board_and_show_fill_the_glass" board_and_show_fill_the_glass
 check "an_image_of_that_board_gets_its_memory" image_of_that_board_gets_its_memory
 check "the_commands_run" commands_run
+if ! { command -v convert && command -v gnuplot; } >/dev/null; then
+    skip "the_gallery_makes_the_pictures" "ImageMagick or gnuplot is missing"
+else
+    check "the_gallery_makes_the_pictures" gallery_makes_the_pictures
+fi
 check "the_links_lead_somewhere" links_exist
 check "the_make_targets_exist" targets_exist
 check "the_numbers_are_those_of_the_checks" numbers_are_those_of_the_checks

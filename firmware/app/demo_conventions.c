@@ -80,9 +80,10 @@ static uint32_t conventions_band(struct demo_context *context, struct ph_rendere
 {
     static const char *const names[QUARTERS] = {"GL", "D3D", "LMU", "REVERSED"};
     const uint32_t lines = ph_draw_band(r, band, pixels);
+    const int32_t inset = context->height / 8 - 6; /* a round glass shows the labels, too */
     for (uint32_t i = 0; i < QUARTERS; i++) {
         const int32_t middle = context->width * (i & 1 ? 3 : 1) / 4;
-        const int32_t top = (i & 2 ? context->height / 2 : 0) + 2 + context->height / 48;
+        const int32_t top = (i & 2 ? context->height / 2 : 0) + (inset > 2 ? inset : 2);
         demo_text(r, band, lines, pixels, middle - ph_overlay_width(names[i], 1) / 2, top, names[i]);
     }
     return lines;

@@ -127,8 +127,7 @@ static uint32_t zfight_band(struct demo_context *context, struct ph_renderer *r,
     const char *const format = formats[r->stats.depth_format];
     const int32_t columns = context->width > context->height * 3 / 2 ? PAIRS / 2 : COLUMNS;
     const int32_t rows = PAIRS / columns + 1;
-    demo_text(r, band, lines, pixels, (context->width - ph_overlay_width(format, 1)) / 2, 1 + context->height / 40,
-              format);
+    demo_text(r, band, lines, pixels, (context->width - ph_overlay_width(format, 1)) / 2, context->height / 16, format);
     for (uint32_t i = 0; i < PAIRS; i++) {
         int32_t x2, y2;
         place_of(context, i, &x2, &y2);
@@ -141,7 +140,7 @@ static uint32_t zfight_band(struct demo_context *context, struct ph_renderer *r,
 
 const struct demo demo_zfight = {
     .name = "zfight",
-    .summary = "pairs of plates at growing distances: where the depth buffer gives up",
+    .summary = "pairs of plates at growing distances: where the depth buffer gives up; try --depth fixed16",
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(sizeof(struct zfight), 1184),
     .vertex_max = 4,
