@@ -1,9 +1,10 @@
 #!/bin/sh
-# `make gallery`: the README's pictures, made by the simulator, as PNG under host-sim/gallery/ (needs ImageMagick;
+# Usage: host-sim/gallery.sh [DIR]
+# `make gallery`: the README's pictures, made by the simulator, as PNG under host-sim/gallery/ or DIR (needs ImageMagick;
 # optipng makes them smaller where it is installed).
 set -eu
 B=${B:-build}
-to=host-sim/gallery
+to=${1:-host-sim/gallery}
 command -v convert >/dev/null || { echo "make gallery: convert is missing; install imagemagick" >&2 && exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -15,24 +16,11 @@ save() { # NAME.ppm: to NAME.png, without times, so that the same picture is the
     ! command -v optipng >/dev/null || optipng -quiet -o5 "$png"
 }
 
-picture() { # NAME, pinhole-sim's options
-    name=$1
-    shift
-    "$B/pinhole-sim" "$@" --out "$work/$name.ppm"
-    save "$work/$name.ppm"
-}
-
-picture turntable --demo turntable --board sim-ili9488
-picture round --demo turntable --board waveshare-rp2040-lcd-1in28
-picture grey --demo turntable --board lm3s6965evb
-picture testcard --demo testcard --board waveshare-pico-lcd-1in3
-picture wireframe --demo wireframe --board rpi-display-hat-mini --start 8
-picture torus --demo torus --board rpi-display-hat-mini --start 8
-picture cube --demo cube --board rpi-display-hat-mini --start 12
-picture ground --demo ground --board rpi-display-hat-mini --start 8
 all=
 for demo in $("$B/pinhole-sim" --list | sed -n 's/^demo *\([^ ]*\).*/\1/p'); do
-    "$B/pinhole-sim" --demo "$demo" --board waveshare-pico-lcd-1in3 --start 40 --out "$work/all-$demo.ppm"
+    depth=auto
+    [ "$demo" != zfight ] || depth=fixed16
+    "$B/pinhole-sim" --demo "$demo" --board rpi-waveshare-1in3 --depth $depth --start 40 --out "$work/all-$demo.ppm"
     all="$all $work/all-$demo.ppm"
 done
 # shellcheck disable=SC2086 # names without spaces, one word each
