@@ -16,13 +16,13 @@ mutants() {
 pixels sampled 1/32 px further left      | setup.c   | s/32767u/34815u/                                     | test_raster
 left edges not owned                     | setup.c   | s/32767u/32768u/                                     | test_raster
 top edges not owned                      | setup.c   | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
-edges walked to 6 bits                   | setup.c   | s/t->long_edge = .*;/& t->long_edge.dx \&= ~1023;/   | test_coverage
+edges walked to 6 bits                   | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.dx \&= ~1023;/ | test_coverage
 6 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~3;/                   | test_quality
 7 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~1;/                   | test_quality
-positions truncated, not rounded         | mesh.c    | s/(1 << down) >> 1;/0;/                              | test_quality
+positions truncated, not rounded         | mesh.c    | s/q25 + ((1 << down) >> 1)/q25/                      | test_quality
 principal point half a pixel off         | frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
-an edge that depends on its triangle     | setup.c   | s/t->long_edge = .*;/& t->long_edge.x += 128;/       | test_watertight
-a slope that depends on its triangle     | setup.c   | s/t->long_edge = .*;/& t->long_edge.dx \&= ~15;/     | test_watertight
+an edge that depends on its triangle     | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.x += 128;/   | test_watertight
+a slope that depends on its triangle     | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.dx \&= ~15;/ | test_watertight
 a crossing that depends on its direction | clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
 crossings to 10 bits                     | clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
 near plane too near                      | clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
@@ -30,19 +30,23 @@ no far plane                             | clip.c    | s/lens->far_z - v->z;/len
 depth gradients without guard bits       | setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/ | test_quality
 float16 spans not split at octaves       | setup.c   | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
 fixed16 bias without its quarter         | setup.c   | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
-float24 as coarse as float16             | raster.c  | s/d >> 8;/d >> 16 << 8;/                             | test_depth
-the last of equal 24-bit depths wins     | raster.c  | s/code <= \*depth/code < *depth/                     | test_raster
-the last of equal depths wins            | raster.c  | s/code > \*depth/code >= *depth/                     | test_raster
-triangles not carried to the next band   | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_raster
+float24 as coarse as float16             | span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
+the last of equal 24-bit depths wins     | span.h    | s/code <= \*depth/code < *depth/                     | test_raster
+the last of equal depths wins            | span.h    | s/code > \*depth/code >= *depth/                     | test_raster
+the last of equal texels wins            | span_texture.c | s/> depth\[i\]/>= depth[i]/                    | test_texture
+the last of equal lit texels wins        | texture.c | s/> depth\[i\]/>= depth[i]/                          | test_texture
+triangles not carried to the next band   | raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
+triangles not carried by two cores       | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_cores
 triangles drawn in reverse               | frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
-depth not cleared                        | raster.c  | s/fill(r->config.depth.*//                           | test_raster
+depth not cleared                        | raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
-one triangle over the budget             | setup.c   | s/triangle_count >= r->config/triangle_count > r->config/ | test_frame
+no clamp of texels at the left border    | texture.c | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_texture
+one triangle over the budget             | setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
 dropped triangles not counted            | setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
-light of the first corner everywhere     | setup.c   | s/v\[1\]->light << 16/v[0]->light << 16/             | test_frame
+light of the first corner everywhere     | setup.c   | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
 lines too thin                           | mesh.c    | s/wide ? 0 : 128/wide ? 0 : 64/              | test_frame
 clamped textures repeat                  | texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
-texture slope left out                   | texture.c | s/p.du = .*/p.du = 0;/                               | test_texture
+texture slope left out                   | texture.c | s/parabola(from.u, to.u/parabola(from.u, from.u/     | test_texture
 ambient light lost                       | light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
 highlight to another power               | light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
@@ -53,17 +57,26 @@ red and blue bytes exchanged             | colour.c  | s/ph_wire16(/(/          
 END
 }
 
-# Compiles the mutated files alone: they take the place of their archive members. span.h belongs to raster.c.
+sources() { # file; of a header those that include it
+    case $1 in
+    *.h) (cd firmware/core && grep -l "\"$1\"" -- *.c) ;;
+    *) echo "$1" ;;
+    esac
+}
+
+# Compiles the mutated files alone: they take the place of their archive members.
 fails() { # file, sed, test
-    local object=$dir/mutant.o program=$B/tests/$3
-    rm -rf "$dir/core"
-    cp -r firmware/core "$dir/core" && rm -f "$object"
-    [ "$1" != raster.c ] || sed -i "$2" "$dir/core/span.h"
+    local file objects=()
+    rm -rf "$dir/core" "$dir"/*.o
+    cp -r firmware/core "$dir/core"
     sed -i "$2" "$dir/core/$1"
-    ! diff -rq firmware/core "$dir/core" >/dev/null || { echo "changes nothing: $2" && return 1; }
-    $CC -std=c11 -O2 -w -I"$dir/core/portable" -I"$dir/core" -c "$dir/core/$1" -o "$object" || return 1
+    ! cmp -s "firmware/core/$1" "$dir/core/$1" || { echo "changes nothing: $2" && return 1; }
+    for file in $(sources "$1"); do
+        $CC -std=c11 -O2 -w -I"$dir/core/portable" -I"$dir/core" -c "$dir/core/$file" -o "$dir/$file.o" || return 1
+        objects+=("$dir/$file.o")
+    done
     # shellcheck disable=SC2086 # a list of words
-    $CC "$program.o" "$object" "$B/libtests.a" "$B/libpinhole.a" -Wl,--as-needed $libs -lm -o "$dir/mutant" || return 1
+    $CC "$B/tests/$3.o" "${objects[@]}" "$B/libtests.a" "$B/libpinhole.a" -Wl,--as-needed $libs -lm -o "$dir/mutant" || return 1
     ! timeout 120 "$dir/mutant" >/dev/null 2>&1 </dev/null || { echo "$3 did not notice" && return 1; }
 }
 

@@ -196,6 +196,75 @@ static void many_repeats_are_exact(void **state)
     check_squares(8, 16, PH_WRAP_REPEAT, 3, 3, 1.2, .3);
 }
 
+/* The square in one of two materials, or (2) in both, material 0 first. */
+static void draw_two(struct rig *rig, const struct square *s, const struct ref_plane *p,
+                     const struct ph_material materials[2], uint32_t which)
+{
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const struct ph_part parts[2] = {{0, 2, 0}, {0, 2, 1}};
+    static const int16_t normals[4][3] = {{0, 0, 1 << 14}, {0, 0, 1 << 14}, {0, 0, 1 << 14}, {0, 0, 1 << 14}};
+    const struct ph_scene_light half = {.ambient = FX_ONE / 2};
+    struct ph_projection projection;
+    const struct ph_mesh mesh = {.positions = s->positions,
+                                 .normals = normals,
+                                 .uvs = s->uvs,
+                                 .triangles = triangles,
+                                 .parts = &parts[which % 2],
+                                 .materials = materials,
+                                 .vertex_count = 4,
+                                 .triangle_count = 2,
+                                 .part_count = which < 2 ? 1 : 2};
+    ref_lens_projection(&lens, &projection);
+    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &projection, &half, 0), PH_OK);
+    assert_int_equal(ph_draw_mesh(&rig->r, &mesh, &p->xform), PH_OK);
+    assert_true(rig_finish(rig));
+}
+
+static int pixels_that_differ(const uint16_t *a, const uint16_t *b)
+{
+    int n = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        n += a[i] != b[i];
+    }
+    return n;
+}
+
+static void check_equal_depths(struct square *s, enum ph_depth_format format, enum ph_wrap wrap, uint8_t shading)
+{
+    static uint16_t other[TEXELS * TEXELS], first[WIDTH * HEIGHT];
+    const struct ph_texture texture = {other, LOG2, LOG2, (uint8_t)wrap};
+    struct rig rig;
+    struct ref_plane p;
+    square_build(s, 4, 2, wrap);
+    for (int i = 0; i < TEXELS * TEXELS; i++) {
+        other[i] = (uint16_t)~s->texels[i];
+    }
+    const struct ph_material materials[2] = {{.shading = shading, .ambient = FX_ONE, .texture = &s->texture},
+                                             {.shading = shading, .ambient = FX_ONE, .texture = &texture}};
+    rig_open(&rig, WIDTH, HEIGHT, HEIGHT, format, 4, 16);
+    ref_seed(5);
+    ref_plane_place(&p, 3, .3, 1);
+    draw_two(&rig, s, &p, materials, 0);
+    memcpy(first, rig.pixels, sizeof first);
+    draw_two(&rig, s, &p, materials, 1);
+    assert_true(pixels_that_differ(first, rig.pixels) > WIDTH * HEIGHT / 4);
+    draw_two(&rig, s, &p, materials, 2);
+    assert_int_equal(pixels_that_differ(first, rig.pixels), 0);
+    rig_close(&rig);
+}
+
+static void of_two_equal_depths_the_first_texel_stays(void **state)
+{
+    struct square s;
+    (void)state;
+    for (int format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
+        for (int i = 0; i < 4; i++) {
+            check_equal_depths(&s, (enum ph_depth_format)format, i & 1 ? PH_WRAP_CLAMP : PH_WRAP_REPEAT,
+                               i & 2 ? PH_SHADE_TEXTURE_LIT : PH_SHADE_TEXTURE);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -204,6 +273,7 @@ int main(void)
         cmocka_unit_test(textures_through_the_near_plane_are_exact),
         cmocka_unit_test(clamped_textures_are_exact),
         cmocka_unit_test(many_repeats_are_exact),
+        cmocka_unit_test(of_two_equal_depths_the_first_texel_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
