@@ -50,43 +50,23 @@ static bool set_flash(void *to, const char *value)
     return option_text_u32(value, 1, FLASH_LIMIT, &((struct asset_options *)to)->flash_bytes);
 }
 
-static bool set_turntable(void *to, const char *value)
-{
-    (void)value;
-    ((struct asset_options *)to)->turntable = true;
-    return true;
-}
-
-static bool set_report(void *to, const char *value)
-{
-    (void)value;
-    ((struct asset_options *)to)->report = true;
-    return true;
-}
-
-static bool set_help(void *to, const char *value)
-{
-    (void)value;
-    ((struct asset_options *)to)->help = true;
-    return true;
-}
-
 static const struct option_row rows[] = {
-    {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", set_out},
+    {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", .set = set_out},
     {"max-triangles", "N|all|fit",
      "simplifies to N triangles at most; fit: to what the board has room for. all by default",
-     "a whole number, 1 .. 4000000, all or fit", set_triangles},
+     "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
     {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
-     "a power of two, 1 .. 1024", set_texture},
+     "a power of two, 1 .. 1024", .set = set_texture},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
-     "a name that pinhole-sim --list shows", set_board},
-    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824", set_flash},
-    {"turntable", NULL, "on the turntable, also where the file has a camera", NULL, set_turntable},
+     "a name that pinhole-sim --list shows", .set = set_board},
+    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824", .set = set_flash},
+    {"turntable", NULL, "on the turntable, also where the file has a camera", NULL,
+     .at = offsetof(struct asset_options, turntable)},
     {"report", NULL,
      "prints what the scene takes of flash, and of memory on each board: bands of the picture, and the scene's\n"
      "        vertices and triangles in the frame that lists most of them",
-     NULL, set_report},
-    {"help", NULL, "prints this, as does -h", NULL, set_help},
+     NULL, .at = offsetof(struct asset_options, report)},
+    {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct asset_options, help)},
 };
 
 static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};

@@ -2,14 +2,10 @@
 
 #include "complain.h"
 #include "depth_ieee.h"
+#include "option_table.h"
 #include "option_text.h"
 
 #include <string.h>
-
-struct option {
-    const char *name, *argument, *help, *allowed;
-    bool (*set)(struct depth_lab *lab, const char *value); /* false: the value is wrong */
-};
 
 static bool set_fx(fx_t *out, const char *value)
 {
@@ -17,13 +13,15 @@ static bool set_fx(fx_t *out, const char *value)
     return option_text_fx(value, out, &rest) && *rest == '\0';
 }
 
-static bool set_near(struct depth_lab *lab, const char *value)
+static bool set_near(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return (lab->near_set = set_fx(&lab->near_z, value)) && lab->near_z > 0;
 }
 
-static bool set_far(struct depth_lab *lab, const char *value)
+static bool set_far(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return (lab->far_set = set_fx(&lab->far_z, value)) && lab->far_z > 0;
 }
 
@@ -48,8 +46,9 @@ static bool add_format(struct depth_lab *lab, const char *name, size_t length)
     return found;
 }
 
-static bool set_format(struct depth_lab *lab, const char *value)
+static bool set_format(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     lab->formats = lab->host_formats = 0;
     for (;;) {
         const size_t length = strcspn(value, ",");
@@ -63,37 +62,36 @@ static bool set_format(struct depth_lab *lab, const char *value)
     }
 }
 
-static bool set_fov(struct depth_lab *lab, const char *value)
+static bool set_fov(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return set_fx(&lab->fov_deg, value) && lab->fov_deg >= FX_ONE && lab->fov_deg <= FX_INT(170);
 }
 
-static bool set_size(struct depth_lab *lab, const char *value)
+static bool set_size(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return option_text_size(value, 1024, &lab->width, &lab->height);
 }
 
-static bool set_csv(struct depth_lab *lab, const char *value)
+static bool set_count(void *to, const char *value)
 {
-    lab->csv = value;
-    return *value != '\0';
-}
-
-static bool set_count(struct depth_lab *lab, const char *value)
-{
+    struct depth_lab *lab = to;
     return option_text_u32(value, 1, LAB_COUNT_MAX, &lab->count);
 }
 
-static bool set_spacing(struct depth_lab *lab, const char *value)
+static bool set_spacing(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     static const char *const names[] = {[LAB_LINEAR_SPACED] = "linear", [LAB_LOG_SPACED] = "log"};
     const int spacing = option_text_choice(value, names, 2);
     lab->spacing = (uint8_t)(spacing & 1);
     return spacing >= 0;
 }
 
-static bool set_at(struct depth_lab *lab, const char *value)
+static bool set_at(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     for (lab->at_count = 0; lab->at_count < DEPTH_AT_MAX; value++) {
         fx_t *z = &lab->at[lab->at_count++];
         if (!option_text_fx(value, z, &value) || *z <= 0) {
@@ -106,58 +104,59 @@ static bool set_at(struct depth_lab *lab, const char *value)
     return false;
 }
 
-static bool set_separation(struct depth_lab *lab, const char *value)
+static bool set_separation(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return set_fx(&lab->separation, value) && lab->separation > 0;
 }
 
-static bool set_separate(struct depth_lab *lab, const char *value)
+static bool set_separate(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return set_fx(&lab->separate, value) && lab->separate > 0;
 }
 
-static bool set_tilt(struct depth_lab *lab, const char *value)
+static bool set_tilt(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     lab->tilt_set = true;
     return set_fx(&lab->tilt_deg, value) && lab->tilt_deg >= FX_INT(-89) && lab->tilt_deg <= FX_INT(89);
 }
 
-static bool set_bits(struct depth_lab *lab, const char *value)
+static bool set_bits(void *to, const char *value)
 {
+    struct depth_lab *lab = to;
     return option_text_u32(value, 1, 24, &lab->bits) && (lab->bits == 16 || lab->bits == 24);
 }
 
-static bool set_out(struct depth_lab *lab, const char *value)
-{
-    lab->out = value;
-    return *value != '\0';
-}
-
-static const struct option option_table[] = {
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", set_near},
-    {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99", set_far},
+static const struct option_row rows[] = {
+    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
+     .set = set_far},
     {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
-     set_format},
+     .set = set_format},
     {"fov", "DEG",
      "vertical field of view; 60 by default. Planes that face the camera, which pairs, resolve, monotone and\n"
      "        advise measure, resolve the same with any",
-     "degrees, 1 .. 170", set_fov},
-    {"size", "WxH", "size of the picture; 240x240 by default; likewise", "like 320x240, each 1 .. 1024", set_size},
-    {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -", set_csv},
-    {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000", set_count},
+     "degrees, 1 .. 170", .set = set_fov},
+    {"size", "WxH", "size of the picture; 240x240 by default; likewise", "like 320x240, each 1 .. 1024",
+     .set = set_size},
+    {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -",
+     .at = offsetof(struct depth_lab, csv)},
+    {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000", .set = set_count},
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
-     set_spacing},
+     .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
-     "at most 64 numbers, each from near to far", set_at},
+     "at most 64 numbers, each from near to far", .set = set_at},
     {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs",
-     "a number, more than 0", set_separation},
-    {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", set_tilt},
-    {"separate", "S", "separation that must be ordered right", "a number, more than 0", set_separate},
-    {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", set_bits},
-    {"out", "FILE|DIR", "where to write", "a file or directory", set_out},
+     "a number, more than 0", .set = set_separation},
+    {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},
+    {"separate", "S", "separation that must be ordered right", "a number, more than 0", .set = set_separate},
+    {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
+    {"out", "FILE|DIR", "where to write", "a file or directory", .at = offsetof(struct depth_lab, out)},
 };
 
-#define OPTION_COUNT (sizeof option_table / sizeof option_table[0])
+static const struct option_table options = {rows, sizeof rows / sizeof rows[0]};
 
 static const struct depth_command *find_command(const struct depth_command *table, uint32_t count, const char *name)
 {
@@ -185,18 +184,15 @@ void depth_options_help(const struct depth_command *table, uint32_t count)
     puts("pinhole-depth COMMAND [options]: measures what depth resolves, on the renderer's own code.\n");
     for (uint32_t i = 0; i < count; i++) {
         printf("  %-9s %s\n            options:", table[i].name, table[i].summary);
-        for (size_t k = 0; k < OPTION_COUNT; k++) {
-            if (takes(&table[i], option_table[k].name)) {
-                printf(" --%s", option_table[k].name);
+        for (size_t k = 0; k < options.count; k++) {
+            if (takes(&table[i], rows[k].name)) {
+                printf(" --%s", rows[k].name);
             }
         }
         puts("");
     }
     puts("");
-    for (size_t i = 0; i < OPTION_COUNT; i++) {
-        const struct option *p = &option_table[i];
-        printf("  --%s %s\n        %s\n        takes: %s\n", p->name, p->argument, p->help, p->allowed);
-    }
+    option_table_help(&options);
     printf("  --help\n        prints this, as does -h\n\nformats:");
     for (uint32_t i = 0; i < lab_format_count; i++) {
         if (i == 0 || strcmp(lab_formats[i].name, lab_formats[i - 1].name) != 0) {
@@ -208,6 +204,12 @@ void depth_options_help(const struct depth_command *table, uint32_t count)
         printf(" %s", depth_ieee_name(i));
     }
     puts("\n\nExit status: 0 done; 1 failed; 2 wrong usage.");
+}
+
+static int make_projection(const struct depth_lab *lab, struct ph_projection *projection)
+{
+    return ph_projection_perspective(projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
+                                     lab->near_z, lab->far_z);
 }
 
 static int check_together(const struct depth_lab *lab, const struct depth_command *command)
@@ -223,46 +225,13 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
         }
     }
     struct ph_projection projection;
-    if (ph_projection_perspective(&projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
-                                  lab->near_z, lab->far_z) != 0) {
+    if (make_projection(lab, &projection) != 0) {
         return complain(EXIT_USAGE, "--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
         return complain(EXIT_USAGE, "%s needs a KIND; --help lists them", command->name);
     }
     return 0;
-}
-
-/* Reads argv[i] and its value; returns the index of the next option, or 0 when it was wrong. */
-static int read_one(struct depth_lab *lab, const struct depth_command *command, int argc, char *const argv[], int i)
-{
-    const size_t length = strcspn(argv[i], "=");
-    const struct option *p = NULL;
-    for (size_t k = 0; k < OPTION_COUNT; k++) {
-        const char *name = option_table[k].name;
-        if (strncmp(argv[i], "--", 2) == 0 && strlen(name) + 2 == length &&
-            memcmp(argv[i] + 2, name, length - 2) == 0) {
-            p = &option_table[k];
-        }
-    }
-    if (p == NULL) {
-        complain(EXIT_USAGE, "%s: no such option; --help lists them", argv[i]);
-        return 0;
-    }
-    if (!takes(command, p->name)) {
-        complain(EXIT_USAGE, "--%s: %s does not take it; --help lists what it takes", p->name, command->name);
-        return 0;
-    }
-    const char *value = argv[i][length] == '=' ? argv[i] + length + 1 : ++i < argc ? argv[i] : NULL;
-    if (value == NULL) {
-        complain(EXIT_USAGE, "--%s needs a value: %s", p->name, p->argument);
-        return 0;
-    }
-    if (!p->set(lab, value)) {
-        complain(EXIT_USAGE, "--%s '%s': must be %s", p->name, value, p->allowed);
-        return 0;
-    }
-    return i + 1;
 }
 
 static bool asks_for_help(int argc, char *const argv[])
@@ -281,7 +250,7 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
     *lab = (struct depth_lab){
         .near_z = FX_HALF, .far_z = FX_INT(100), .fov_deg = FX_INT(60), .width = 240, .height = 240, .count = 10000};
     *command = NULL;
-    set_format(lab, "all");
+    add_format(lab, "all", 3);
     if (asks_for_help(argc, argv)) {
         return 0;
     }
@@ -297,7 +266,12 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         lab->kind = argv[i++];
     }
     while (i < argc) {
-        i = read_one(lab, *command, argc, argv, i);
+        const struct option_row *row = option_table_find(&options, argv[i]);
+        if (row != NULL && !takes(*command, row->name)) {
+            return complain(EXIT_USAGE, "--%s: %s does not take it; --help lists what it takes", row->name,
+                            (*command)->name);
+        }
+        i = option_table_read(&options, lab, argc, argv, i);
         if (i == 0) {
             return EXIT_USAGE;
         }
@@ -308,7 +282,6 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
 struct ph_projection depth_lab_projection(const struct depth_lab *lab)
 {
     struct ph_projection projection = {.kind = PH_PERSPECTIVE};
-    ph_projection_perspective(&projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
-                              lab->near_z, lab->far_z);
+    make_projection(lab, &projection);
     return projection;
 }

@@ -5,28 +5,41 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct option_row *find(const struct option_table *table, const char *name, size_t length)
+const struct option_row *option_table_find(const struct option_table *table, const char *text)
 {
-    for (size_t i = 0; i < table->count; i++) {
-        const char *known = table->rows[i].name;
-        if (strlen(known) == length && memcmp(known, name, length) == 0) {
+    const size_t length = strcspn(text, "=");
+    for (size_t i = 0; i < table->count && strncmp(text, "--", 2) == 0; i++) {
+        const char *name = table->rows[i].name;
+        if (strlen(name) + 2 == length && memcmp(name, text + 2, length - 2) == 0) {
             return &table->rows[i];
         }
     }
     return NULL;
 }
 
+static bool store(const struct option_row *row, void *options, const char *value)
+{
+    void *at = (char *)options + row->at;
+    if (row->set != NULL) {
+        return row->set(options, value);
+    }
+    if (value == NULL) {
+        *(bool *)at = true;
+        return true;
+    }
+    *(const char **)at = value;
+    return *value != '\0';
+}
+
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i)
 {
     const char *text = strcmp(argv[i], "-h") == 0 ? "--help" : argv[i];
-    const size_t length = strcspn(text, "=");
-    const bool dashes = strncmp(text, "--", 2) == 0 && length > 2;
-    const struct option_row *row = dashes ? find(table, text + 2, length - 2) : NULL;
+    const struct option_row *row = option_table_find(table, text);
     if (row == NULL) {
         complain(EXIT_USAGE, "%s: no such option; --help lists them", text);
         return 0;
     }
-    const char *value = text[length] == '=' ? text + length + 1 : NULL;
+    const char *equals = strchr(text, '='), *value = equals != NULL ? equals + 1 : NULL;
     if (row->argument == NULL && value != NULL) {
         complain(EXIT_USAGE, "--%s takes no value", row->name);
         return 0;
@@ -41,7 +54,7 @@ int option_table_read(const struct option_table *table, void *options, int argc,
             return 0;
         }
     }
-    if (!row->set(options, value)) {
+    if (!store(row, options, value)) {
         complain(EXIT_USAGE, "--%s '%s': must be %s", row->name, value, row->allowed);
         return 0;
     }

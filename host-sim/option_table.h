@@ -14,12 +14,17 @@ struct option_row {
     const char *help;
     const char *allowed;                           /* its values in words; NULL: takes none */
     bool (*set)(void *options, const char *value); /* value: NULL if it has none; false: the value is wrong */
+    size_t at; /* where `set` is NULL: offset in options of what is set: of a bool where it takes none, else of a
+                  const char *, which may not be left out and not be empty */
 };
 
 struct option_table {
     const struct option_row *rows;
     size_t count;
 };
+
+/* The row of "--name" or "--name=value"; NULL: there is none. */
+const struct option_row *option_table_find(const struct option_table *table, const char *text);
 
 /* Reads argv[i], an option, and its value; returns the index of what follows, or 0 when it was wrong. */
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i);

@@ -73,6 +73,14 @@ int option_text_choice(const char *text, const char *const names[], int count)
     return -1;
 }
 
+bool option_text_turns(const char *text, uint8_t *out)
+{
+    static const char *const degrees[] = {"0", "90", "180", "270"};
+    const int turns = option_text_choice(text, degrees, 4);
+    *out = turns >= 0 ? (uint8_t)turns : *out;
+    return turns >= 0;
+}
+
 bool option_text_ends(const char *name, const char *ending)
 {
     const size_t n = strlen(name), m = strlen(ending);

@@ -25,6 +25,9 @@ bool option_text_fx_list(const char *text, fx_t *out, int count, const char **re
 /* Index of text in names[count], or -1. */
 int option_text_choice(const char *text, const char *const names[], int count);
 
+/* "0", "90", "180" or "270" degrees as quarter turns. */
+bool option_text_turns(const char *text, uint8_t *out);
+
 /* Whether a file's name has this ending, and something before it. */
 bool option_text_ends(const char *name, const char *ending);
 

@@ -13,55 +13,6 @@
 #define FOV_DEG     FX_INT(60)
 #define FISHEYE_DEG FX_INT(180)
 
-static bool set_text(const char **out, const char *value)
-{
-    *out = value;
-    return *value != '\0';
-}
-
-static bool set_demo(void *to, const char *value)
-{
-    struct options *o = to;
-    return set_text(&o->demo, value);
-}
-
-static bool set_view(void *to, const char *value)
-{
-    struct options *o = to;
-    return set_text(&o->view, value);
-}
-
-static bool set_keys(void *to, const char *value)
-{
-    struct options *o = to;
-    return set_text(&o->keys, value);
-}
-
-static bool set_window(void *to, const char *value)
-{
-    struct options *o = to;
-    (void)value;
-    return o->show_window = true;
-}
-
-static bool set_model(void *to, const char *value)
-{
-    struct options *o = to;
-    return set_text(&o->model, value);
-}
-
-static bool set_board(void *to, const char *value)
-{
-    struct options *o = to;
-    return set_text(&o->board, value);
-}
-
-static bool set_out(void *to, const char *value)
-{
-    struct options *o = to;
-    return set_text(&o->out, value);
-}
-
 static bool set_size(void *to, const char *value)
 {
     struct options *o = to;
@@ -83,11 +34,8 @@ static bool set_start(void *to, const char *value)
 static bool set_rotate(void *to, const char *value)
 {
     struct options *o = to;
-    static const char *const names[] = {"0", "90", "180", "270"};
-    const int turns = option_text_choice(value, names, 4);
-    o->rotate = (uint8_t)(turns & 3);
     o->rotate_set = true;
-    return turns >= 0;
+    return option_text_turns(value, &o->rotate);
 }
 
 static bool set_band(void *to, const char *value)
@@ -197,34 +145,6 @@ static bool set_depth(void *to, const char *value)
     return format >= 0;
 }
 
-static bool set_overlay(void *to, const char *value)
-{
-    struct options *o = to;
-    (void)value;
-    return o->overlay = true;
-}
-
-static bool set_crc(void *to, const char *value)
-{
-    struct options *o = to;
-    (void)value;
-    return o->crc = true;
-}
-
-static bool set_matrix(void *to, const char *value)
-{
-    struct options *o = to;
-    (void)value;
-    return o->matrix = true;
-}
-
-static bool set_stats(void *to, const char *value)
-{
-    struct options *o = to;
-    (void)value;
-    return o->stats = true;
-}
-
 static bool set_list(void *to, const char *value)
 {
     struct options *o = to;
@@ -242,62 +162,69 @@ static bool set_help(void *to, const char *value)
 }
 
 static const struct option_row rows[] = {
-    {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows", set_demo},
-    {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows", set_view},
-    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file", set_model},
-    {"board", "NAME", "a kit", "a name that --list shows", set_board},
-    {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", set_size},
+    {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows",
+     .at = offsetof(struct options, demo)},
+    {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows",
+     .at = offsetof(struct options, view)},
+    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
+     .at = offsetof(struct options, model)},
+    {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct options, board)},
+    {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
     {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
-     set_frames},
-    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", set_start},
+     .set = set_frames},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", .set = set_start},
     {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
-     "a directory, a file that ends in .ppm, or -", set_out},
+     "a directory, a file that ends in .ppm, or -", .at = offsetof(struct options, out)},
     {"rotate", "0|90|180|270",
      "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
      "        board's own by default. The glass is shown as you would then hold it, the picture upright: 90 and 270\n"
      "        swap width and height of 0 and 180; else only the bytes on the wire differ",
-     "0, 90, 180 or 270 degrees", set_rotate},
+     "0, 90, 180 or 270 degrees", .set = set_rotate},
     {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
      "looks at the origin, y up, when not told. The demo's own view without it, and the demo's own lens\n"
      "        where none of --camera, --fov, --near, --far, --projection is given",
-     "eye=X,Y,Z and, if wanted, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99", set_camera},
+     "eye=X,Y,Z and, if wanted, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99", .set = set_camera},
     {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
-     "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", set_fov},
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", set_near},
-    {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99", set_far},
+     "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
+    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
+     .set = set_far},
     {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]|fisheye",
      "window at the near plane; a fisheye is equidistant; perspective by default",
-     "perspective, ortho, ortho=L,R,B,T, frustum, frustum=L,R,B,T or fisheye", set_projection},
+     "perspective, ortho, ortho=L,R,B,T, frustum, frustum=L,R,B,T or fisheye", .set = set_projection},
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all. gl by default: right-handed, along -z",
-     "gl, d3d, lmu or reversed", set_convention},
+     "gl, d3d, lmu or reversed", .set = set_convention},
     {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
      "        projection is parallel, else float16 (--stats names it). The 24-bit formats take twice the memory, "
      "linear-w\n"
      "        a reciprocal per pixel",
-     "auto, fixed16, float16, fixed24, float24 or linear-w", set_depth},
-    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
-    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
+     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
+     .set = set_band},
+    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
+     .at = offsetof(struct options, overlay)},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
-     set_crc},
+     .at = offsetof(struct options, crc)},
     {"keys", "FILE",
      "presses buttons: lines FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
      "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
-     "a file", set_keys},
+     "a file", .at = offsetof(struct options, keys)},
     {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
-     set_window},
+     .at = offsetof(struct options, show_window)},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
-     NULL, set_matrix},
+     NULL, .at = offsetof(struct options, matrix)},
     {"stats", NULL,
      "prints what each frame took, on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
      "        outside the view volume or between the pixels; clipped: cut at its border; drawn: listed (what was\n"
      "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
      "        wire, bus: bytes and time of the frame on the SPI bus",
-     NULL, set_stats},
-    {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL, set_list},
-    {"help", NULL, "prints this, as does -h", NULL, set_help},
+     NULL, .at = offsetof(struct options, stats)},
+    {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL,
+     .set = set_list},
+    {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
 };
 
 static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};

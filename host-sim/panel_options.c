@@ -13,7 +13,7 @@
 #define LINES_LIMIT 1024
 #define HZ_LIMIT    200000000u
 
-/* The display that the options now speak of: that of the last --board or --panel. */
+/* The display that the options now speak of: that of the last --board. */
 static struct panel_wiring *wiring(struct panel_options *o)
 {
     o->kit_count = o->kit_count == 0 ? 1 : o->kit_count;
@@ -84,34 +84,13 @@ static bool set_mode(void *to, const char *value)
 
 static bool set_rotate(void *to, const char *value)
 {
-    static const char *const names[] = {"0", "90", "180", "270"};
-    const int turns = option_text_choice(value, names, 4);
-    wiring(to)->rotate = (uint8_t)(turns & 3);
     wiring(to)->rotate_set = true;
-    return turns >= 0;
+    return option_text_turns(value, &wiring(to)->rotate);
 }
 
 static bool set_speed(void *to, const char *value)
 {
     return option_text_u32(value, 1, HZ_LIMIT, &wiring(to)->speed_hz);
-}
-
-static bool set_demo(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return set_text(&o->demo, value);
-}
-
-static bool set_view(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return set_text(&o->view, value);
-}
-
-static bool set_model(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return set_text(&o->model, value);
 }
 
 static bool set_frames(void *to, const char *value)
@@ -168,20 +147,6 @@ static bool set_refresh(void *to, const char *value)
     return option_text_u32(value, 1, FRAME_LIMIT, &o->refresh);
 }
 
-static bool set_stats(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    (void)value;
-    return o->stats = true;
-}
-
-static bool set_overlay(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    (void)value;
-    return o->overlay = true;
-}
-
 static bool set_help(void *to, const char *value)
 {
     struct panel_options *o = to;
@@ -194,38 +159,46 @@ static bool set_help(void *to, const char *value)
 
 static const struct option_row rows[] = {
     {"board", "NAME", "a kit; given twice: two displays, in step. What follows it speaks of this display",
-     "a name that `pinhole-panel list` shows, at most 4 times", set_board},
+     "a name that `pinhole-panel list` shows, at most 4 times", .set = set_board},
     {"panel", "NAME", "the glass of a home-wired display, with or without --board",
-     "a name that `pinhole-panel list` shows", set_panel},
-    {"spi", "PATH", "the SPI device", "a path like /dev/spidev0.0", set_spi},
+     "a name that `pinhole-panel list` shows", .set = set_panel},
+    {"spi", "PATH", "the SPI device", "a path like /dev/spidev0.0", .set = set_spi},
     {"usb", "[SERIAL]", "the display hangs on an FT232H; with several the one of this serial number",
-     "nothing or a serial number", set_usb},
+     "nothing or a serial number", .set = set_usb},
     {"dc", "LINE", "the display's D/C line",
-     "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H", set_dc},
-    {"reset", "LINE", "its reset line", LINE_ALLOWED, set_reset},
-    {"backlight", "LINE", "its backlight", LINE_ALLOWED, set_backlight},
-    {"te", "LINE", "its tearing-effect line: each frame begins at its edge", LINE_ALLOWED, set_te},
-    {"mode", "0|3", "SPI mode; 3 for displays without chip select", "0 or 3", set_mode},
-    {"speed", "HZ", "the bus clock asked for; the board's own by default", "a whole number, 1 .. 200000000", set_speed},
-    {"rotate", "0|90|180|270", "how far the picture is turned clockwise on the glass; the board's own by default",
-     "0, 90, 180 or 270 degrees", set_rotate},
-    {"demo", "NAME", "a scene of ours; turntable by default", "a name that `pinhole-sim --list` shows", set_demo},
+     "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H", .set = set_dc},
+    {"reset", "LINE", "its reset line", LINE_ALLOWED, .set = set_reset},
+    {"backlight", "LINE", "its backlight", LINE_ALLOWED, .set = set_backlight},
+    {"te", "LINE", "its tearing-effect line: each frame begins at its edge", LINE_ALLOWED, .set = set_te},
+    {"mode", "0|3", "SPI mode; 3 for displays without chip select", "0 or 3", .set = set_mode},
+    {"speed", "HZ", "the bus clock asked for; the board's own by default", "a whole number, 1 .. 200000000",
+     .set = set_speed},
+    {"rotate", "0|90|180|270",
+     "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
+     "        board's own by default",
+     "0, 90, 180 or 270 degrees", .set = set_rotate},
+    {"demo", "NAME", "a scene of ours; turntable by default", "a name that `pinhole-sim --list` shows",
+     .at = offsetof(struct panel_options, demo)},
     {"view", "NAME", "one of the demo's views; the first by default", "a name that `pinhole-sim --list` shows",
-     set_view},
-    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file", set_model},
+     .at = offsetof(struct panel_options, view)},
+    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
+     .at = offsetof(struct panel_options, model)},
     {"frames", "N", "ends after N frames; else when it is stopped (Ctrl-C)", "a whole number, 1 .. 1000000000",
-     set_frames},
-    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", set_start},
-    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", set_fps},
-    {"diff", "on|off", "sends only what changed; off by default", "on or off", set_diff},
+     .set = set_frames},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", .set = set_start},
+    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", .set = set_fps},
+    {"diff", "on|off", "sends only what changed; off by default", "on or off", .set = set_diff},
     {"refresh", "N", "with --diff on: all of the picture every N frames", "a whole number, 1 .. 1000000000",
-     set_refresh},
-    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024", set_band},
+     .set = set_refresh},
+    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
+     .set = set_band},
     {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim",
-     "auto, fixed16, float16, fixed24, float24 or linear-w", set_depth},
-    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL, set_overlay},
-    {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL, set_stats},
-    {"help", NULL, "prints this, as does -h", NULL, set_help},
+     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
+     .at = offsetof(struct panel_options, overlay)},
+    {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL,
+     .at = offsetof(struct panel_options, stats)},
+    {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
 };
 
 static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};

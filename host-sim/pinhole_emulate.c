@@ -6,42 +6,56 @@
 #include "emulate_qemu.h"
 #include "frame_out.h"
 #include "keys.h"
+#include "option_table.h"
 #include "option_text.h"
 
-#include <string.h>
+#include <stdio.h>
 
 #define FRAMES_MAX 1000000
 
+static const char *const machines[] = {"lm3s6965evb", "netduinoplus2"};
+
 struct request {
-    const char *machine, *board, *keys, *image, *out;
+    int machine; /* of machines; -1: none named */
+    const struct board *board;
+    const char *keys, *image, *out;
     uint32_t frames;
     bool help, log;
     struct frame_out frames_out;
 };
 
-static void print_help(void)
+static bool set_machine(void *to, const char *name)
 {
-    puts("pinhole-emulate --machine lm3s6965evb|netduinoplus2 --board NAME [options] IMAGE.elf [DIR [FRAMES]]\n"
-         "Runs an image of all demos (make firmware) in QEMU and prints `frame N crc32 XXXXXXXX` for each frame that "
-         "its\n"
-         "panel shows, as pinhole-sim --crc does. DIR gets pictures, FRAMES is 4 by default. Exits 1 when the image "
-         "stops\n"
-         "or QEMU or the panel resents anything.\n"
-         "  --keys FILE   a script of button presses, as pinhole-sim's (not before frame 2)\n"
-         "  --log         what the image writes to its UART, on stderr");
+    struct request *r = to;
+    r->machine = option_text_choice(name, machines, 2);
+    return r->machine >= 0;
 }
 
-static bool read_option(struct request *r, const char *option, const char *value)
+static bool set_board(void *to, const char *name)
 {
-    const char **const text = strcmp(option, "--machine") == 0 ? &r->machine
-                              : strcmp(option, "--board") == 0 ? &r->board
-                              : strcmp(option, "--keys") == 0  ? &r->keys
-                                                               : NULL;
-    if (text == NULL || value == NULL) {
-        return false;
-    }
-    *text = value;
-    return true;
+    struct request *r = to;
+    r->board = board_find(name);
+    return r->board != NULL;
+}
+
+static const struct option_row rows[] = {
+    {"machine", "lm3s6965evb|netduinoplus2", "QEMU's", "lm3s6965evb or netduinoplus2", .set = set_machine},
+    {"board", "NAME", "the image's kit", "a name that pinhole-sim --list shows", .set = set_board},
+    {"keys", "FILE", "a script of button presses, as pinhole-sim's (not before frame 2)", "a file",
+     .at = offsetof(struct request, keys)},
+    {"log", NULL, "what the image writes to its UART, on stderr", NULL, .at = offsetof(struct request, log)},
+    {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct request, help)},
+};
+
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+static void print_help(void)
+{
+    puts("pinhole-emulate --machine MACHINE --board NAME [options] IMAGE.elf [DIR [FRAMES]]\n"
+         "Runs an image of all demos (make firmware) in QEMU and prints `frame N crc32 XXXXXXXX` for each frame that\n"
+         "its panel shows, as pinhole-sim --crc does. DIR gets pictures, FRAMES is 4 by default.\n");
+    option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed, the image stopped, or QEMU or the panel resents something; 2 wrong usage.");
 }
 
 static bool read_word(struct request *r, const char *word, int n)
@@ -57,20 +71,17 @@ static bool read_word(struct request *r, const char *word, int n)
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
     int words = 0;
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0) {
-            r->help = true;
-            return 0;
-        }
-        if (strcmp(argv[i], "--log") == 0) {
-            r->log = true;
-        } else if (argv[i][0] == '-' && read_option(r, argv[i], argv[i + 1])) {
-            i++;
-        } else if (argv[i][0] == '-' || !read_word(r, argv[i], words++)) {
-            return complain(EXIT_USAGE, "'%s': wrong option or value; see --help", argv[i]);
+    for (int i = 1; i < argc;) {
+        if (argv[i][0] == '-') {
+            i = option_table_read(&table, r, argc, argv, i);
+            if (i == 0) {
+                return EXIT_USAGE;
+            }
+        } else if (!read_word(r, argv[i++], words++)) {
+            return complain(EXIT_USAGE, "'%s': no number of frames, or a word too many; see --help", argv[i - 1]);
         }
     }
-    return r->machine != NULL && r->board != NULL && r->image != NULL
+    return r->help || (r->machine >= 0 && r->board != NULL && r->image != NULL)
                ? 0
                : complain(EXIT_USAGE, "--machine, --board and an image are needed; see --help");
 }
@@ -86,25 +97,20 @@ static int show(void *context, uint32_t frame, const struct ppm *picture)
 
 static int run(struct request *r)
 {
-    static const char *const machines[] = {"lm3s6965evb", "netduinoplus2"};
-    const int machine = option_text_choice(r->machine, machines, 2);
     struct keys keys = {.count = 0};
-    struct emulation e = {.board = board_find(r->board),
+    struct emulation e = {.board = r->board,
                           .image = r->image,
                           .frames = r->frames,
                           .keys = &keys,
                           .log = r->log ? stderr : NULL,
                           .context = r,
                           .frame = show};
-    if (machine < 0 || e.board == NULL) {
-        return complain(EXIT_USAGE, "--machine '%s', --board '%s': no such machine or board", r->machine, r->board);
-    }
     int status = keys_read(&keys, r->keys);
     if (status == 0) {
         status = frame_out_open(&r->frames_out, r->out, true);
     }
     if (status == 0) {
-        status = machine == 0 ? emulate_screen(&e) : emulate_trace(&e);
+        status = r->machine == 0 ? emulate_screen(&e) : emulate_trace(&e);
     }
     keys_free(&keys);
     return status;
@@ -112,7 +118,7 @@ static int run(struct request *r)
 
 int main(int argc, char *argv[])
 {
-    struct request request = {.frames = 4};
+    struct request request = {.machine = -1, .frames = 4};
     complain_as("pinhole-emulate");
     int status = read_arguments(&request, argc, argv);
     if (status != 0) {

@@ -17,48 +17,15 @@ struct request {
 
 /* ---- the command line --------------------------------------------------------------------------- */
 
-static bool set_serial(void *to, const char *value)
-{
-    struct request *r = to;
-    r->serial = value;
-    return *value != '\0';
-}
-
-static bool set_list(void *to, const char *value)
-{
-    struct request *r = to;
-    (void)value;
-    return r->list = true;
-}
-
-static bool set_no_verify(void *to, const char *value)
-{
-    struct request *r = to;
-    (void)value;
-    return r->no_verify = true;
-}
-
-static bool set_no_reboot(void *to, const char *value)
-{
-    struct request *r = to;
-    (void)value;
-    return r->no_reboot = true;
-}
-
-static bool set_help(void *to, const char *value)
-{
-    struct request *r = to;
-    (void)value;
-    return r->help = true;
-}
-
 static const struct option_row rows[] = {
     {"serial", "S", "the board, where several are: its serial number, or BUS:ADDRESS as --list shows it",
-     "a serial number or BUS:ADDRESS", set_serial},
-    {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number", NULL, set_list},
-    {"no-verify", NULL, "does not read back and compare what was written", NULL, set_no_verify},
-    {"no-reboot", NULL, "leaves the board in its boot loader", NULL, set_no_reboot},
-    {"help", NULL, "this", NULL, set_help},
+     "a serial number or BUS:ADDRESS", .at = offsetof(struct request, serial)},
+    {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number", NULL,
+     .at = offsetof(struct request, list)},
+    {"no-verify", NULL, "does not read back and compare what was written", NULL,
+     .at = offsetof(struct request, no_verify)},
+    {"no-reboot", NULL, "leaves the board in its boot loader", NULL, .at = offsetof(struct request, no_reboot)},
+    {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct request, help)},
 };
 static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
@@ -68,8 +35,9 @@ static void print_help(void)
          "Writes IMAGE, a UF2 or BIN file, into the flash of an RP2040 that is in its boot loader (plugged in with "
          "BOOTSEL\n"
          "held; or a running Pinhole image was sent B over its UART, or started with a button held), reads it back,\n"
-         "compares, and starts it.");
+         "compares, and starts it.\n");
     option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed; 2 wrong usage; 130, 143, 129 stopped by Ctrl-C, SIGTERM, SIGHUP.");
 }
 
 static int read_arguments(struct request *r, int argc, char *argv[])

@@ -3,6 +3,7 @@
  * everywhere between them. A row is as high as its highest picture; pictures stand in its middle.
  */
 #include "complain.h"
+#include "option_table.h"
 #include "option_text.h"
 #include "ppm.h"
 
@@ -12,6 +13,7 @@
 
 struct sheet {
     const char *out;
+    bool help;
     uint32_t width, gap; /* pixels */
     uint32_t count;
     struct ppm *pictures;
@@ -24,14 +26,6 @@ struct row {
 };
 
 static const uint8_t paper_colour[3] = {40, 44, 52};
-
-static void print_help(void)
-{
-    puts("pinhole-sheet --out SHEET.ppm [--width PX] [--gap PX] FILE.ppm...\n"
-         "  --out SHEET.ppm  where the sheet goes\n"
-         "  --width PX       width of the sheet, 1 .. 16384; 1024 by default (wider where a picture is)\n"
-         "  --gap PX         gap around each picture, 0 .. 1024; 12 by default");
-}
 
 /* The pictures from `first` on that fit into one row; at least one. */
 static struct row next_row(const struct sheet *s, uint32_t first)
@@ -91,46 +85,78 @@ static void put_pictures(struct sheet *s)
     }
 }
 
+static bool set_width(void *to, const char *value)
+{
+    return option_text_u32(value, 1, PPM_SIDE_MAX, &((struct sheet *)to)->width);
+}
+
+static bool set_gap(void *to, const char *value)
+{
+    return option_text_u32(value, 0, 1024, &((struct sheet *)to)->gap);
+}
+
+static const struct option_row rows[] = {
+    {"out", "SHEET.ppm", "where the sheet goes", "a file", .at = offsetof(struct sheet, out)},
+    {"width", "PX", "width of the sheet; 1024 by default (wider where a picture is)", "a whole number, 1 .. 16384",
+     .set = set_width},
+    {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024", .set = set_gap},
+    {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct sheet, help)},
+};
+
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+static void print_help(void)
+{
+    puts("pinhole-sheet --out SHEET.ppm [options] FILE.ppm...: puts pictures of any sizes on one sheet.\n");
+    option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed; 2 wrong usage.");
+}
+
 /* Reads the command line; pictures are loaded on the way. */
 static int read_arguments(struct sheet *s, int argc, char *argv[])
 {
-    for (int i = 1; i < argc; i++) {
-        const char *value = i + 1 < argc ? argv[i + 1] : "";
-        if (strcmp(argv[i], "--out") == 0 && *value != '\0') {
-            s->out = argv[++i];
-        } else if ((strcmp(argv[i], "--width") == 0 && option_text_u32(value, 1, PPM_SIDE_MAX, &s->width)) ||
-                   (strcmp(argv[i], "--gap") == 0 && option_text_u32(value, 0, 1024, &s->gap))) {
-            i++;
-        } else if (argv[i][0] == '-') {
-            return complain(EXIT_USAGE, "%s %s: wrong option or value; see --help", argv[i], value);
+    for (int i = 1; i < argc && !s->help;) {
+        if (argv[i][0] == '-') {
+            i = option_table_read(&table, s, argc, argv, i);
+            if (i == 0) {
+                return EXIT_USAGE;
+            }
         } else if (ppm_load(argv[i], &s->pictures[s->count]) != 0) {
             return complain(EXIT_FAILED, "%s: cannot be read as a PPM: %s", argv[i], strerror(errno));
         } else {
             s->count++;
+            i++;
         }
     }
-    return s->out != NULL && s->count > 0 ? 0 : complain(EXIT_USAGE, "--out and at least one FILE.ppm are needed");
+    return s->help || (s->out != NULL && s->count > 0)
+               ? 0
+               : complain(EXIT_USAGE, "--out and at least one FILE.ppm are needed; see --help");
+}
+
+static int make_sheet(struct sheet *s)
+{
+    const int status = make_paper(s);
+    if (status != 0) {
+        return status;
+    }
+    put_pictures(s);
+    return ppm_save(s->out, &s->paper) == 0
+               ? 0
+               : complain(EXIT_FAILED, "%s: cannot be written: %s", s->out, strerror(errno));
 }
 
 int main(int argc, char *argv[])
 {
     struct sheet sheet = {.width = 1024, .gap = 12};
     complain_as("pinhole-sheet");
-    if (argc == 2 && strcmp(argv[1], "--help") == 0) {
-        print_help();
-        return complain_stdout();
-    }
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
     int status =
         sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain(EXIT_FAILED, "not enough memory");
-    if (status == 0) {
-        status = make_paper(&sheet);
-    }
-    if (status == 0) {
-        put_pictures(&sheet);
-        if (ppm_save(sheet.out, &sheet.paper) != 0) {
-            status = complain(EXIT_FAILED, "%s: cannot be written: %s", sheet.out, strerror(errno));
-        }
+    if (status == 0 && sheet.help) {
+        print_help();
+        status = complain_stdout();
+    } else if (status == 0) {
+        status = make_sheet(&sheet);
     }
     for (uint32_t i = 0; i < sheet.count; i++) {
         free(sheet.pictures[i].rgb);

@@ -7,6 +7,7 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
+#include "option_table.h"
 #include "option_text.h"
 #include "wire_events.h"
 
@@ -15,33 +16,18 @@
 #include <string.h>
 
 struct request {
-    const char *in; /* NULL: stdin */
-    const char *out;
-    struct board board;
+    const char *in;               /* NULL: stdin */
+    const char *out;              /* NULL: no pictures */
+    const struct board *named;    /* NULL: none */
+    const struct panel *panel;    /* NULL: as the board has it, like all that follows */
+    const char *dc, *reset, *lit; /* lines */
     bool help, select_set, rotate_set;
+    uint8_t rotate;
+    struct board board; /* with what the command line changes */
     struct wire_config wire;
     struct frame_out frames;
     uint16_t width, height;
 };
-
-static void print_help(void)
-{
-    puts(
-        "pinhole-wire --board NAME [options] [FILE]\n"
-        "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire_events.h has their format), "
-        "prints\n"
-        "`frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a panel would have resented\n"
-        "anything: each complaint is a line on stderr.\n"
-        "  --board NAME     the kit (pinhole-sim --list)\n"
-        "  --rotate DEG     0, 90, 180 or 270: as the picture was drawn; the board's own by default\n"
-        "  --out DIR        pictures as DIR/frame-NNNN.ppm (or one FILE.ppm)\n"
-        "  --last           only the last picture that was seen: for streams that send only what changed\n"
-        "  --idle US        a frame ends when the wires rest for US microseconds, not when all of it was written\n"
-        "  --order          also a line `order STEP MS` for reset, init, first frame, display and backlight\n"
-        "  --select N       the chip select of this panel; the board's own by default\n"
-        "  --panel NAME     another panel on this board\n"
-        "  --dc LINE --reset LINE --backlight LINE   other lines than the board's; '-' for not wired");
-}
 
 /* ---- what the replay tells ---------------------------------------------------------------------- */
 
@@ -76,99 +62,119 @@ static void show_complaint(void *context, const char *complaint)
 
 /* ---- the command line --------------------------------------------------------------------------- */
 
-static bool set_line(struct request *r, const char *option, const char *line)
+static bool set_board(void *to, const char *name)
 {
-    struct board_pins *pins = &r->board.pins;
-    struct board_pin *pin = strcmp(option, "--dc") == 0      ? &pins->dc
-                            : strcmp(option, "--reset") == 0 ? &pins->reset
-                                                             : &pins->backlight;
-    const bool wired = strcmp(line, "-") != 0;
-    *pin = (struct board_pin){.wired = wired, .line = wired ? line : NULL};
-    return true;
+    struct request *r = to;
+    r->named = board_find(name);
+    return r->named != NULL;
 }
 
-static bool set_rotation(struct request *r, const char *text)
+static bool set_panel(void *to, const char *name)
 {
-    static const char *const degrees[] = {"0", "90", "180", "270"};
-    const int i = option_text_choice(text, degrees, 4);
-    r->rotate_set = i >= 0;
-    r->wire.rotation = (unsigned)i;
-    return i >= 0;
+    struct request *r = to;
+    r->panel = panel_find(name);
+    return r->panel != NULL;
 }
 
-static bool set_panel(struct request *r, const char *name)
+static bool set_rotate(void *to, const char *text)
 {
-    r->board.panel = panel_find(name);
-    return r->board.panel != NULL;
+    struct request *r = to;
+    r->rotate_set = true;
+    return option_text_turns(text, &r->rotate);
 }
 
-/* An option that has a value, other than --board. */
-static bool read_option(struct request *r, const char *option, const char *value)
+static bool set_idle(void *to, const char *text)
 {
+    struct request *r = to;
     uint32_t us = 0;
-    if (strcmp(option, "--rotate") == 0) {
-        return set_rotation(r, value);
-    }
-    if (strcmp(option, "--out") == 0) {
-        r->out = value;
-        return *value != '\0';
-    }
-    if (strcmp(option, "--idle") == 0) {
-        const bool read = option_text_u32(value, 1, 1000000000, &us);
-        r->wire.idle_ns = 1000ULL * us;
-        return read;
-    }
-    if (strcmp(option, "--select") == 0) {
-        r->select_set = true;
-        return option_text_u32(value, 0, 255, &r->wire.select);
-    }
-    if (strcmp(option, "--panel") == 0) {
-        return set_panel(r, value);
-    }
-    const bool line =
-        strcmp(option, "--dc") == 0 || strcmp(option, "--reset") == 0 || strcmp(option, "--backlight") == 0;
-    return line && *value != '\0' && set_line(r, option, value);
+    const bool right = option_text_u32(text, 1, 1000000000, &us);
+    r->wire.idle_ns = 1000ULL * us;
+    return right;
 }
 
-/* The board comes first: other options change it. */
-static int read_board(struct request *r, int argc, char *argv[])
+static bool set_select(void *to, const char *text)
 {
-    for (int i = 1; i + 1 < argc; i++) {
-        if (strcmp(argv[i], "--board") == 0) {
-            const struct board *board = board_find(argv[i + 1]);
-            if (board == NULL) {
-                return complain(EXIT_USAGE, "--board '%s': no such board; pinhole-sim --list shows them", argv[i + 1]);
-            }
-            r->board = *board;
-        }
+    struct request *r = to;
+    r->select_set = true;
+    return option_text_u32(text, 0, 255, &r->wire.select);
+}
+
+#define LINE_ALLOWED "a line as the board names it, or - for not wired"
+
+static const struct option_row rows[] = {
+    {"board", "NAME", "the kit", "a name that pinhole-sim --list shows", .set = set_board},
+    {"rotate", "0|90|180|270", "as the picture was drawn; the board's own by default", "0, 90, 180 or 270 degrees",
+     .set = set_rotate},
+    {"out", "DIR|FILE.ppm", "pictures as DIR/frame-NNNN.ppm, or one FILE.ppm",
+     "a directory or a file that ends in .ppm", .at = offsetof(struct request, out)},
+    {"last", NULL, "only the last picture that was seen: for streams that send only what changed", NULL,
+     .at = offsetof(struct request, wire.last)},
+    {"idle", "US", "a frame ends when the wires rest for US microseconds, not when all of it was written",
+     "a whole number, 1 .. 1000000000", .set = set_idle},
+    {"order", NULL, "also a line `order STEP MS` for reset, init, first frame, display and backlight", NULL,
+     .at = offsetof(struct request, wire.order)},
+    {"select", "N", "the chip select of this panel; the board's own by default", "a whole number, 0 .. 255",
+     .set = set_select},
+    {"panel", "NAME", "another panel on this board", "a name that `pinhole-panel list` shows", .set = set_panel},
+    {"dc", "LINE", "another D/C line than the board's", LINE_ALLOWED, .at = offsetof(struct request, dc)},
+    {"reset", "LINE", "another reset line", LINE_ALLOWED, .at = offsetof(struct request, reset)},
+    {"backlight", "LINE", "another backlight", LINE_ALLOWED, .at = offsetof(struct request, lit)},
+    {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct request, help)},
+};
+
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+static void print_help(void)
+{
+    puts("pinhole-wire --board NAME [options] [FILE]\n"
+         "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire_events.h has their format),\n"
+         "prints `frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a panel would have\n"
+         "resented anything: each complaint is a line on stderr.\n");
+    option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed, or the panel resents something; 2 wrong usage.");
+}
+
+static void change_line(struct board_pin *pin, const char *line)
+{
+    if (line != NULL) {
+        const bool wired = strcmp(line, "-") != 0;
+        *pin = (struct board_pin){.wired = wired, .line = wired ? line : NULL};
     }
-    return r->board.panel != NULL ? 0 : complain(EXIT_USAGE, "--board NAME is needed; see --help");
+}
+
+/* The board with what the other options change of it. */
+static void change_board(struct request *r)
+{
+    r->board = *r->named;
+    r->board.panel = r->panel != NULL ? r->panel : r->board.panel;
+    r->wire.rotation = r->rotate_set ? r->rotate : r->board.rotation;
+    r->wire.select = r->select_set ? r->wire.select : r->board.spi_select;
+    change_line(&r->board.pins.dc, r->dc);
+    change_line(&r->board.pins.reset, r->reset);
+    change_line(&r->board.pins.backlight, r->lit);
 }
 
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    if (argc == 2 && strcmp(argv[1], "--help") == 0) {
-        r->help = true;
-        return 0;
-    }
-    const int status = read_board(r, argc, argv);
-    if (status != 0) {
-        return status;
-    }
-    for (int i = 1; i < argc; i++) {
-        const char *value = i + 1 < argc ? argv[i + 1] : "";
-        if (strcmp(argv[i], "--last") == 0) {
-            r->wire.last = true;
-        } else if (strcmp(argv[i], "--order") == 0) {
-            r->wire.order = true;
-        } else if (strcmp(argv[i], "--board") == 0 || read_option(r, argv[i], value)) {
-            i++;
-        } else if (argv[i][0] == '-' || r->in != NULL) {
-            return complain(EXIT_USAGE, "%s %s: wrong option or value; see --help", argv[i], value);
+    for (int i = 1; i < argc;) {
+        if (argv[i][0] == '-') {
+            i = option_table_read(&table, r, argc, argv, i);
+            if (i == 0) {
+                return EXIT_USAGE;
+            }
+        } else if (r->in != NULL) {
+            return complain(EXIT_USAGE, "'%s': one stream at a time, and %s is named already", argv[i], r->in);
         } else {
-            r->in = argv[i];
+            r->in = argv[i++];
         }
     }
+    if (r->help) {
+        return 0;
+    }
+    if (r->named == NULL) {
+        return complain(EXIT_USAGE, "--board NAME is needed; see --help");
+    }
+    change_board(r);
     return 0;
 }
 
@@ -218,8 +224,6 @@ static int run(struct request *r)
 {
     const struct panel *panel = r->board.panel;
     r->wire.board = &r->board;
-    r->wire.rotation = r->rotate_set ? r->wire.rotation : r->board.rotation;
-    r->wire.select = r->select_set ? r->wire.select : r->board.spi_select;
     r->width = panel_width(panel, r->wire.rotation);
     r->height = panel_height(panel, r->wire.rotation);
     int status = frame_out_open(&r->frames, r->out, !r->wire.last);

@@ -171,7 +171,7 @@ several_formats_are_several_rows() { [ "$(csv pairs --count 10 --format fixed16,
 bits_choose_formats() { [ "$(csv advise --separate .1 --at 50 --bits 24 | cut -d, -f2 | sort -u | tr '\n' ' ')" = "24 bits " ]; }
 unwritable_is_one_line() {
     local got=0
-    "$lab" pairs --count 10 --csv /nonexistent/x.csv >"$dir/stdout" 2>"$dir/stderr" || got=$?
+    "$lab" pairs --count 10 --csv "$dir/no/x.csv" >"$dir/stdout" 2>"$dir/stderr" || got=$?
     [ "$got" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ ! -s "$dir/stdout" ]
 }
 file_limit_leaves_nothing() { # 1 KiB
