@@ -17,12 +17,11 @@ static const signed char corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1},
 static const unsigned char quads[6][4] = {{4, 5, 6, 7}, {1, 0, 3, 2}, {5, 1, 2, 6},
                                           {0, 4, 7, 3}, {7, 6, 2, 3}, {0, 1, 5, 4}};
 
-void files_begin(void)
+int files_begin(void **state)
 {
+    (void)state;
     strcpy(folder, "/tmp/pinhole-model-XXXXXX");
-    if (mkdtemp(folder) == NULL) {
-        abort();
-    }
+    return mkdtemp(folder) != NULL ? 0 : -1;
 }
 
 static int remove_one(const char *path, const struct stat *status, int type, struct FTW *where)
@@ -33,9 +32,10 @@ static int remove_one(const char *path, const struct stat *status, int type, str
     return remove(path);
 }
 
-void files_end(void)
+int files_end(void **state)
 {
-    nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
+    (void)state;
+    return nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS);
 }
 
 const char *file_path(const char *name)

@@ -7,9 +7,9 @@
 
 #include "model.h"
 
-/* Makes the directory; files_end removes it with everything in it. */
-void files_begin(void);
-void files_end(void);
+/* For a group of tests: make the directory; remove it with everything in it. */
+int files_begin(void **state);
+int files_end(void **state);
 
 /* Full name of a file in it; one of 8 buffers that take turns. */
 const char *file_path(const char *name);

@@ -603,20 +603,6 @@ static void the_same_model_gives_the_same_file(void **state)
     free(texts[1]);
 }
 
-static int group_begin(void **state)
-{
-    (void)state;
-    files_begin();
-    return 0;
-}
-
-static int group_end(void **state)
-{
-    (void)state;
-    files_end();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -636,5 +622,5 @@ int main(void)
         cmocka_unit_test(a_name_is_plain),
         cmocka_unit_test(the_same_model_gives_the_same_file),
     };
-    return cmocka_run_group_tests(tests, group_begin, group_end);
+    return cmocka_run_group_tests(tests, files_begin, files_end);
 }

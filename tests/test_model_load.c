@@ -614,20 +614,6 @@ static void faulty_files_give_a_model_or_one_line(void **state)
     fault(cube_glb(ONE_NODE));
 }
 
-static int group_begin(void **state)
-{
-    (void)state;
-    files_begin();
-    return 0;
-}
-
-static int group_end(void **state)
-{
-    (void)state;
-    files_end();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -657,5 +643,5 @@ int main(void)
         cmocka_unit_test(what_is_too_large_is_refused),
         cmocka_unit_test(faulty_files_give_a_model_or_one_line),
     };
-    return cmocka_run_group_tests(tests, group_begin, group_end);
+    return cmocka_run_group_tests(tests, files_begin, files_end);
 }

@@ -67,6 +67,9 @@ struct ph_material demo_unlit(uint8_t red, uint8_t green, uint8_t blue);
 /* Ambient light and one lamp far away, up on the left behind the viewer. */
 extern const struct ph_scene_light demo_daylight;
 
+/* A key light from the upper left, a weak one from the right that shows the far side. */
+extern const struct ph_scene_light demo_two_lamps;
+
 /* Draws text over band number `band` at (x, y) of the picture. */
 void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
                const char *text);

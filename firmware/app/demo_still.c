@@ -11,18 +11,6 @@ struct still {
 
 _Static_assert(sizeof(struct still) <= DEMO_STILL_BYTES, "DEMO_STILL_BYTES is too small");
 
-/* As the turntable's, but in the eye's coordinates: from above on the left, and a weak one from the right. */
-static const struct ph_scene_light light_of_eye = {
-    .ambient = FX_ONE,
-    .count = 2,
-    .lights = {{.kind = PH_LIGHT_DIRECTIONAL,
-                .intensity = FX_ONE,
-                .to_light_q30 = {-536870912, 759250125, 536870912}}, /* (-1, sqrt 2, 1) / 2 */
-               {.kind = PH_LIGHT_DIRECTIONAL,
-                .intensity = FX_ONE * 3 / 10,
-                .to_light_q30 = {966367642, 214748365, -414691770}}}, /* (.9, .2, -.386) */
-};
-
 /* The eye's frame as large as it goes into a picture with square pixels. */
 static struct ph_projection fit_frame(const struct demo_context *context, const struct ph_projection *lens)
 {
@@ -45,8 +33,8 @@ int demo_still_init(struct demo_context *context, const struct ph_mesh *meshes, 
         return PH_ERR_NOMEM;
     }
     const struct ph_xform to_world = ph_xform_inverse_rigid(&eye->view);
-    *s = (struct still){meshes, mesh_count, eye->view, fit_frame(context, &eye->lens), light_of_eye};
-    for (uint32_t i = 0; i < s->light.count; i++) {
+    *s = (struct still){meshes, mesh_count, eye->view, fit_frame(context, &eye->lens), demo_two_lamps};
+    for (uint32_t i = 0; i < s->light.count; i++) { /* as on the turntable, but in the eye's coordinates */
         struct fx_vec3 *const to_light = &s->light.lights[i].to_light_q30;
         *to_light = ph_xform_direction_q30(&to_world, *to_light);
     }

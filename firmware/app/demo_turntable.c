@@ -41,8 +41,7 @@ struct pot {
     uint16_t ramp[PH_RAMP_SIZE];
 };
 
-/* A key light from the upper left, a weak one from the right that shows the far side. */
-static const struct ph_scene_light light = {
+const struct ph_scene_light demo_two_lamps = {
     .ambient = FX_ONE,
     .count = 2,
     .lights = {{.kind = PH_LIGHT_DIRECTIONAL,
@@ -136,7 +135,7 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     const struct ph_xform to_world = ph_xform_mul(&turn, &to_axis);
     struct demo_fit camera = t->camera;
     demo_orbit(context, &camera.view, &camera.projection);
-    int status = demo_begin(context, r, &camera.view, &camera.projection, &light, ph_rgb565(20, 26, 38));
+    int status = demo_begin(context, r, &camera.view, &camera.projection, &demo_two_lamps, ph_rgb565(20, 26, 38));
     for (uint32_t i = 0; i < t->mesh_count && status == PH_OK; i++) {
         status = ph_draw_mesh(r, &t->meshes[i], &to_world);
     }
