@@ -13,11 +13,11 @@
 
 enum { PIN_CLOCK = 1, PIN_DATA = 2, PIN_DATA_IN = 4 }; /* bits of AD0, AD1, AD2 */
 
-__attribute__((format(printf, 3, 4))) static int fail(struct ft232h *h, int status, const char *format, ...)
+int ft232h_fail(char *error, int status, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(h->error, sizeof h->error, format, arguments);
+    vsnprintf(error, FT232H_ERROR_SIZE, format, arguments);
     va_end(arguments);
     return status;
 }
@@ -48,12 +48,12 @@ static int check_pin(struct ft232h *h, const char *what, const struct board_pin 
     if (!pin->wired || (fixed != 0 ? bit == fixed : (bit & ~(PIN_CLOCK | PIN_DATA | PIN_DATA_IN)) != 0)) {
         return HAL_OK;
     }
-    return fail(h, HAL_EINVAL, "board %s: %s cannot be pin %s of an FT232H; it is %s", h->board->name, what,
-                pin->line == NULL ? "without a name" : pin->line,
-                fixed == PIN_CLOCK     ? "AD0"
-                : fixed == PIN_DATA    ? "AD1"
-                : fixed == PIN_DATA_IN ? "AD2"
-                                       : "one of AD3 to AD7, AC0 to AC7");
+    return ft232h_fail(h->error, HAL_EINVAL, "board %s: %s cannot be pin %s of an FT232H; it is %s", h->board->name,
+                       what, pin->line == NULL ? "without a name" : pin->line,
+                       fixed == PIN_CLOCK     ? "AD0"
+                       : fixed == PIN_DATA    ? "AD1"
+                       : fixed == PIN_DATA_IN ? "AD2"
+                                              : "one of AD3 to AD7, AC0 to AC7");
 }
 
 static int check_board(struct ft232h *h)
@@ -70,7 +70,8 @@ static int check_board(struct ft232h *h)
         status = check_pin(h, "a button", &h->board->buttons[i].pin, 0);
     }
     if (status == HAL_OK && (!pins->dc.wired || (h->board->spi_mode != 0 && h->board->spi_mode != 3))) {
-        return fail(h, HAL_EINVAL, "board %s: an FT232H needs a D/C pin, and SPI mode 0 or 3", h->board->name);
+        return ft232h_fail(h->error, HAL_EINVAL, "board %s: an FT232H needs a D/C pin, and SPI mode 0 or 3",
+                           h->board->name);
     }
     return status;
 }
@@ -137,10 +138,10 @@ static int ft232h_bus_read(void *context, uint8_t command, uint8_t *bytes, size_
     struct ft232h *h = context;
     uint8_t head[MPSSE_BLOCK + 1] = {0, 0, 0, MPSSE_SEND_NOW};
     if (!h->board->pins.data_in.wired) {
-        return fail(h, HAL_ENOSYS, "board %s has no data line from the panel", h->board->name);
+        return ft232h_fail(h->error, HAL_ENOSYS, "board %s has no data line from the panel", h->board->name);
     }
     if (n == 0 || n > MPSSE_BLOCK_MAX) {
-        return fail(h, HAL_EINVAL, "FT232H: %zu bytes cannot be read at once", n);
+        return ft232h_fail(h->error, HAL_EINVAL, "FT232H: %zu bytes cannot be read at once", n);
     }
     int status = finish(h);
     status = status < 0 ? status : begin(h, HAL_COMMAND);
@@ -166,7 +167,8 @@ static int32_t ft232h_bus_clock(void *context, uint32_t hz)
     uint8_t command[MPSSE_CLOCK];
     const uint32_t got = mpsse_clock(command, hz);
     if (got == 0) {
-        return fail(h, HAL_EINVAL, "FT232H: no clock as slow as %u Hz; the slowest is 458 Hz", (unsigned)hz);
+        return ft232h_fail(h->error, HAL_EINVAL, "FT232H: no clock as slow as %u Hz; the slowest is 458 Hz",
+                           (unsigned)hz);
     }
     int status = finish(h);
     link_pace(h->usb, got);

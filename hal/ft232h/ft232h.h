@@ -12,9 +12,8 @@
  *
  * Bytes are copied into USB transfers, two of which are under way at a time; bus_write waits only while both are full.
  * What was written may stay in the machine's memory until the next long write, bus_wait, pin_set, bus_read, delay_us
- * or close; the time-outs
- * of all waits follow from the bytes and the clock, at least FT232H_WAIT_MS. After an error the kit answers it again
- * until it is closed.
+ * or close; the time-outs of all waits follow from the bytes and the clock, at least FT232H_WAIT_MS. After an error the
+ * kit answers it again until it is closed.
  *
  * Without libusb (its folder is chosen when Pinhole is built) open returns HAL_ENOSYS.
  * Sources: FTDI AN_108 (MPSSE commands), AN_135 (MPSSE basics), DS_FT232H.

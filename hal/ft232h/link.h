@@ -14,6 +14,9 @@
  */
 int link_open(struct ft232h_usb **link, const char *serial, char *error);
 
+/* Writes the line to error (FT232H_ERROR_SIZE), cut to what fits, and returns status. Defined in ft232h.c. */
+int ft232h_fail(char *error, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 /* The clock from here on, for the time-outs; link_get must have returned everything asked for before. */
 void link_pace(struct ft232h_usb *link, uint32_t hz);
 

@@ -1,14 +1,11 @@
 /* See link.h. Built without libusb. */
 #include "ft232h/link.h"
 
-#include <stdio.h>
-
 int link_open(struct ft232h_usb **link, const char *serial, char *error)
 {
     (void)serial;
     *link = NULL;
-    snprintf(error, FT232H_ERROR_SIZE, "FT232H: built without libusb; install libusb-1.0-0-dev and make again");
-    return HAL_ENOSYS;
+    return ft232h_fail(error, HAL_ENOSYS, "FT232H: built without libusb; install libusb-1.0-0-dev and make again");
 }
 
 void link_pace(struct ft232h_usb *link, uint32_t hz)

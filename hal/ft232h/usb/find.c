@@ -1,7 +1,8 @@
 /* See find.h. */
 #include "find.h"
 
-#include <stdarg.h>
+#include "ft232h/link.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -22,15 +23,6 @@ int usb_status(int error)
     default:
         return HAL_EIO;
     }
-}
-
-int usb_fail(char *error, int status, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(error, FT232H_ERROR_SIZE, format, arguments);
-    va_end(arguments);
-    return status;
 }
 
 static bool is_ft232h(libusb_device *device)
@@ -62,7 +54,7 @@ static libusb_device_handle *look_at(libusb_device *device, struct ft232h_look *
 
 /* What was seen of all of them. */
 struct survey {
-    int count, matches;
+    int count;
     struct ft232h_look looks[MOST];
     libusb_device_handle *handle; /* of the first that matches */
 };
@@ -77,7 +69,6 @@ static void survey(struct survey *all, libusb_device **devices, ssize_t n, const
         struct ft232h_look *look = &all->looks[all->count++];
         libusb_device_handle *handle = look_at(devices[i], look);
         const bool matches = serial == NULL || strcmp(serial, look->serial) == 0;
-        all->matches += matches;
         if (handle != NULL && matches && all->handle == NULL) {
             all->handle = handle;
         } else if (handle != NULL) {
@@ -103,13 +94,13 @@ static void name_all(const struct survey *all, char *text, size_t size)
 static int refused(const struct ft232h_look *look, char *error)
 {
     if (look->status == HAL_EACCES) {
-        return usb_fail(error, look->status,
-                        "FT232H (bus %u, address %u): no permission; copy boards/udev/60-pinhole.rules to "
-                        "/etc/udev/rules.d and plug it in again",
-                        look->bus, look->address);
+        return ft232h_fail(error, look->status,
+                           "FT232H (bus %u, address %u): no permission; copy boards/udev/60-pinhole.rules to "
+                           "/etc/udev/rules.d and plug it in again",
+                           look->bus, look->address);
     }
-    return usb_fail(error, look->status, "FT232H (bus %u, address %u) cannot be opened; plug it in again", look->bus,
-                    look->address);
+    return ft232h_fail(error, look->status, "FT232H (bus %u, address %u) cannot be opened; plug it in again", look->bus,
+                       look->address);
 }
 
 static int choose(struct survey *all, const char *serial, char *error)
@@ -117,10 +108,11 @@ static int choose(struct survey *all, const char *serial, char *error)
     char names[200];
     name_all(all, names, sizeof names);
     if (all->count == 0) {
-        return usb_fail(error, HAL_ENODEV, "no FT232H (0403:6014) on USB; plug it in, lsusb lists what is there");
+        return ft232h_fail(error, HAL_ENODEV, "no FT232H (0403:6014) on USB; plug it in, lsusb lists what is there");
     }
     if (serial == NULL && all->count > 1) {
-        return usb_fail(error, HAL_EINVAL, "%d FT232Hs on USB; say which by its serial number: %s", all->count, names);
+        return ft232h_fail(error, HAL_EINVAL, "%d FT232Hs on USB; say which by its serial number: %s", all->count,
+                           names);
     }
     if (all->handle != NULL) {
         return HAL_OK;
@@ -130,7 +122,7 @@ static int choose(struct survey *all, const char *serial, char *error)
             return refused(&all->looks[i], error);
         }
     }
-    return usb_fail(error, HAL_ENODEV, "no FT232H has the serial number %s; on USB: %s", serial, names);
+    return ft232h_fail(error, HAL_ENODEV, "no FT232H has the serial number %s; on USB: %s", serial, names);
 }
 
 int usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error)
@@ -139,7 +131,7 @@ int usb_find(libusb_context *usb, const char *serial, libusb_device_handle **han
     libusb_device **devices = NULL;
     const ssize_t n = libusb_get_device_list(usb, &devices);
     if (n < 0) {
-        return usb_fail(error, usb_status((int)n), "USB devices cannot be listed: %s", libusb_strerror((int)n));
+        return ft232h_fail(error, usb_status((int)n), "USB devices cannot be listed: %s", libusb_strerror((int)n));
     }
     survey(&all, devices, n, serial);
     libusb_free_device_list(devices, 1);

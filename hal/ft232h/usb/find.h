@@ -9,9 +9,6 @@
 /* libusb's error (< 0) as a status of hal.h. */
 int usb_status(int error);
 
-/* Writes the line, cut to what fits, and returns status. */
-int usb_fail(char *error, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
-
 /* Opens the FT232H of this serial number (NULL: the only one). */
 int usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error);
 

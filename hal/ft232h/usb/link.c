@@ -68,19 +68,20 @@ static int fail(struct ft232h_usb *link, int error, const char *what)
     link->status = usb_status(error);
     switch (error) {
     case LIBUSB_ERROR_NO_DEVICE:
-        usb_fail(link->error, 0, "FT232H: unplugged while %s; plug it in and start again", what);
+        ft232h_fail(link->error, 0, "FT232H: unplugged while %s; plug it in and start again", what);
         break;
     case LIBUSB_ERROR_TIMEOUT:
-        usb_fail(link->error, 0, "FT232H: no answer within %u ms while %s; plug it in again", patience_ms(link), what);
+        ft232h_fail(link->error, 0, "FT232H: no answer within %u ms while %s; plug it in again", patience_ms(link),
+                    what);
         break;
     case LIBUSB_ERROR_PIPE:
-        usb_fail(link->error, 0, "FT232H: endpoint stalled while %s; plug it in again", what);
+        ft232h_fail(link->error, 0, "FT232H: endpoint stalled while %s; plug it in again", what);
         break;
     case LIBUSB_ERROR_BUSY:
-        usb_fail(link->error, 0, "FT232H: in use by another program; end that one");
+        ft232h_fail(link->error, 0, "FT232H: in use by another program; end that one");
         break;
     default:
-        usb_fail(link->error, 0, "FT232H: %s while %s; plug it in again", libusb_strerror(error), what);
+        ft232h_fail(link->error, 0, "FT232H: %s while %s; plug it in again", libusb_strerror(error), what);
         break;
     }
     return link->status;
@@ -285,7 +286,7 @@ int link_open(struct ft232h_usb **link_out, const char *serial, char *error)
     struct ft232h_usb *link = calloc(1, sizeof *link);
     *link_out = NULL;
     if (link == NULL) {
-        return usb_fail(error, HAL_EIO, "FT232H: no memory");
+        return ft232h_fail(error, HAL_EIO, "FT232H: no memory");
     }
     link->error = error;
     link->hz = 1000000;
