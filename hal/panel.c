@@ -131,7 +131,12 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
     if (status < 0) {
         return status;
     }
-    d->clock_hz = set_clock(d, config->clock_hz);
+    return panel_clock(d, config->clock_hz);
+}
+
+int panel_clock(struct panel_driver *d, uint32_t hz)
+{
+    d->clock_hz = set_clock(d, hz);
     return d->clock_hz < 0 ? d->clock_hz : HAL_OK;
 }
 

@@ -153,6 +153,9 @@ struct panel_driver {
  */
 int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config);
 
+/* Another full speed, between two frames: of at most hz; d->clock_hz is the one got. 0, or the backend's error. */
+int panel_clock(struct panel_driver *d, uint32_t hz);
+
 int panel_frame_begin(struct panel_driver *d);
 
 /*

@@ -155,11 +155,11 @@ static int next_clock(void *context, struct panel_display *d, uint32_t frame)
         if (t->step == STEPS || steps_hz[t->step] > t->most_hz) {
             return PANEL_SHOW_OVER;
         }
-        const int32_t before_hz = t->got_hz;
-        status = t->got_hz = d->hal.ops->bus_clock(d->hal.context, steps_hz[t->step++]);
-        if (status > 0 && status == before_hz) {
+        status = panel_clock(&d->kit.driver, steps_hz[t->step++]);
+        if (status == 0 && d->kit.driver.clock_hz == t->got_hz) {
             return PANEL_SHOW_OVER; /* there is no faster one */
         }
+        t->got_hz = d->kit.driver.clock_hz;
     }
     if (status < 0) {
         return complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
@@ -263,7 +263,7 @@ static int list(void)
     return EXIT_DONE;
 }
 
-/* ---- */
+/* ---- commands ----------------------------------------------------------------------------------- */
 
 static int obey(struct stage *stage, const struct panel_options *o)
 {

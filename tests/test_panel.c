@@ -185,6 +185,25 @@ static void the_frame_time_is_that_of_the_bits(void **state)
     assert_int_equal(panel_frame_bytes(&panel_ssd0323_128x64, PANEL_GREY4, PANEL_R90), 6 + 4096);
 }
 
+static void the_clock_can_be_changed_between_frames(void **state)
+{
+    (void)state;
+    struct board board = board_with(&panel_st7789_240x240);
+    struct hal hal;
+    struct sim *sim = sim_open(&board, &hal);
+    assert_non_null(sim);
+    const struct panel_config config = {.panel = board.panel, .format = PANEL_RGB565, .clock_hz = board.spi_hz};
+    struct panel_driver d;
+    assert_int_equal(panel_open(&d, &hal, &config), 0);
+    assert_int_equal(d.clock_hz, board.spi_hz);
+    assert_int_equal(panel_clock(&d, 10000000), 0);
+    assert_int_equal(d.clock_hz, 10000000);
+    assert_int_equal(sim_counters(sim).clock_hz, 10000000);
+    sim_fault(sim, SIM_FAULT_CLOCK, 1);
+    assert_int_equal(panel_clock(&d, 20000000), HAL_EINVAL);
+    sim_close(sim);
+}
+
 static void grey_is_dithered_evenly_between_its_levels(void **state)
 {
     (void)state;
@@ -281,6 +300,7 @@ int main(void)
         cmocka_unit_test(one_rule_gives_the_published_offsets),
         cmocka_unit_test(a_frame_costs_at_most_one_percent_more_than_its_pixels),
         cmocka_unit_test(the_frame_time_is_that_of_the_bits),
+        cmocka_unit_test(the_clock_can_be_changed_between_frames),
         cmocka_unit_test(grey_is_dithered_evenly_between_its_levels),
         cmocka_unit_test(odd_greys_are_padded_beside_the_glass),
         cmocka_unit_test(panels_are_found_by_name),
