@@ -151,10 +151,10 @@ static uint32_t unit_lines(const struct panel_diff *diff)
 /* Do two pixels differ on the glass? */
 static bool differ(const struct panel_diff *diff, const uint8_t *a, const uint8_t *b, uint32_t x, uint32_t y)
 {
-    switch (diff->unit_cost) {
-    case 3: /* RGB444 */
+    switch (diff->out->config.format) {
+    case PANEL_RGB444: /* the bits that it leaves out do not count */
         return (((a[0] ^ b[0]) & 0xF7) | ((a[1] ^ b[1]) & 0x9E)) != 0;
-    case 2: /* GREY4 */
+    case PANEL_GREY4:
         return (a[0] != b[0] || a[1] != b[1]) && panel_grey4(a[0], a[1], x, y) != panel_grey4(b[0], b[1], x, y);
     default:
         return a[0] != b[0] || a[1] != b[1];
@@ -182,21 +182,6 @@ static void take_line(struct panel_diff *diff, const uint16_t *pixels)
     diff->row++;
 }
 
-static uint32_t find_bit(const uint32_t *bits, uint32_t from, uint32_t end, bool value);
-
-static void turn_bits(struct panel_diff *diff, const struct area *all)
-{
-    memset(diff->bits[1], 0, sizeof *diff->bits[1] * diff->words[1] * diff->units_x);
-    for (uint32_t y = 0; y < all->y1; y++) {
-        const uint32_t *line = diff->bits[0] + (size_t)y * diff->words[0];
-        for (uint32_t x = find_bit(line, 0, all->x1, true); x < all->x1; x = find_bit(line, x + 1, all->x1, true)) {
-            diff->bits[1][(size_t)x * diff->words[1] + y / 32] |= 1U << y % 32;
-        }
-    }
-}
-
-/* ---- which windows ------------------------------------------------------------------------------ */
-
 /* First unit from `from` on whose bit is `value`, or end. */
 static uint32_t find_bit(const uint32_t *bits, uint32_t from, uint32_t end, bool value)
 {
@@ -211,6 +196,19 @@ static uint32_t find_bit(const uint32_t *bits, uint32_t from, uint32_t end, bool
     }
     return end;
 }
+
+static void turn_bits(struct panel_diff *diff, const struct area *all)
+{
+    memset(diff->bits[1], 0, sizeof *diff->bits[1] * diff->words[1] * diff->units_x);
+    for (uint32_t y = 0; y < all->y1; y++) {
+        const uint32_t *line = diff->bits[0] + (size_t)y * diff->words[0];
+        for (uint32_t x = find_bit(line, 0, all->x1, true); x < all->x1; x = find_bit(line, x + 1, all->x1, true)) {
+            diff->bits[1][(size_t)x * diff->words[1] + y / 32] |= 1U << y % 32;
+        }
+    }
+}
+
+/* ---- which windows ------------------------------------------------------------------------------ */
 
 /* The next window of a slab of `lines` lines: runs whose gap costs more to leave out than to send. False: no more. */
 static bool next_window(const struct panel_diff *diff, const uint32_t *bits, uint32_t lines, struct area *window,
