@@ -140,7 +140,9 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
             struct ph_material *material = &asset->materials[asset->model.mesh_count];
             const bool has_normals = rest->way == ASSET_WHOLE || rest->way == ASSET_KEPT;
             is_done = (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, material, to);
-            count_mesh(asset, to);
+            if (is_done) {
+                count_mesh(asset, to);
+            }
         }
     }
     free(indices);

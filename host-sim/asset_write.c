@@ -18,14 +18,18 @@ static void put_number(FILE *file, int32_t value)
     }
 }
 
-static void put_vec3(FILE *file, struct fx_vec3 v)
+static void put_numbers(FILE *file, const int32_t *values, int count)
 {
-    const int32_t values[3] = {v.x, v.y, v.z};
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < count; i++) {
         fputs(i == 0 ? "{" : ", ", file);
         put_number(file, values[i]);
     }
     fputc('}', file);
+}
+
+static void put_vec3(FILE *file, struct fx_vec3 v)
+{
+    put_numbers(file, (const int32_t[]){v.x, v.y, v.z}, 3);
 }
 
 static void put_positions(FILE *file, const struct ph_mesh *mesh, uint32_t m)
@@ -53,13 +57,10 @@ static void put_normals(FILE *file, const struct ph_mesh *mesh, uint32_t m)
 static void put_uvs(FILE *file, const struct ph_mesh *mesh, uint32_t m)
 {
     fprintf(file, "\nstatic const fx_t uvs_%u[][2] = {", (unsigned)m);
-    for (uint32_t i = 0; mesh->uvs != NULL && i < mesh->vertex_count; i++) {
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         separate(file, i, 4);
-        fputc('{', file);
-        put_number(file, mesh->uvs[i][0]);
-        fputs(", ", file);
-        put_number(file, mesh->uvs[i][1]);
-        fputs("},", file);
+        put_numbers(file, mesh->uvs[i], 2);
+        fputc(',', file);
     }
     fputs("\n};\n", file);
 }

@@ -191,7 +191,7 @@ static double largest_inversion(struct sample *samples, uint32_t n)
     double largest = 0;
     uint32_t first = 0;
     qsort(samples, n, sizeof *samples, compare_samples);
-    uint32_t *const least = malloc((size_t)n * sizeof *least); /* index of the least code up to here */
+    uint32_t *const least = malloc(((size_t)n + 1) * sizeof *least); /* index of the least code up to here */
     for (uint32_t i = 0; i < n && least != NULL; i++) {
         first = samples[i].code < samples[first].code ? i : first;
         least[i] = first;
@@ -208,8 +208,9 @@ static double largest_inversion(struct sample *samples, uint32_t n)
             largest = fmax(largest, samples[i].distance - samples[least[low]].distance);
         }
     }
+    const bool is_done = least != NULL;
     free(least);
-    return largest;
+    return is_done ? largest : NAN;
 }
 
 /* Rolls the camera a little further each time; what the triangles of all turns say must agree. */

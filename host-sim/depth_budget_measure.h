@@ -16,7 +16,7 @@
 #include "depth_budget_terms.h"
 #include "depth_planes_scene.h"
 
-/* In metres. canvas: open, in the format that is measured. */
+/* In metres; NAN without memory. canvas: open, in the format that is measured. */
 double budget_input_m(struct planes_canvas *canvas, double z);
 double budget_matrix_m(struct planes_canvas *canvas, double z);
 double budget_divide_m(struct planes_canvas *canvas, double z);

@@ -41,7 +41,7 @@ static struct style style_of(const struct lab_format *format)
     return others[format->kind];
 }
 
-/* Whether rows of lab_formats before this one bear the same name, so that the name alone does not tell. */
+/* Whether another row of lab_formats bears the same name, so that the name alone does not tell. */
 static bool has_twin(uint32_t row)
 {
     for (uint32_t i = 0; i < lab_format_count; i++) {

@@ -45,62 +45,58 @@ static bool open_ends(struct ends *e)
     return all;
 }
 
+/* The words of a command line, as they come; two at a time make an option. */
+struct words {
+    const char *list[48];
+    size_t count;
+};
+
+static void add(struct words *w, const char *option, const char *value)
+{
+    w->list[w->count++] = option;
+    w->list[w->count++] = value;
+}
+
+static void add_machine(struct words *w, const char *machine, const char *image)
+{
+    w->list[w->count++] = "qemu-system-arm";
+    add(w, "-M", machine);
+    add(w, "-kernel", image);
+    w->list[w->count++] = "-S";
+    add(w, "-display", "none");
+    add(w, "-monitor", "none");
+    add(w, "-nic", "none");
+    add(w, "-icount", "shift=5,sleep=off");
+    add(w, "-semihosting-config", "enable=on,target=native");
+    add(w, "-d", "guest_errors");
+}
+
 /* In the child. */
 static void execute(const struct ends *e, const char *machine, const char *image, unsigned uart, bool traced)
 {
     char monitor[48], serial[48], log[32];
-    const char *arguments[48];
-    size_t n = 0;
+    struct words w = {.count = 0};
     const struct rlimit limit = {CPU_SECONDS, CPU_SECONDS};
     snprintf(monitor, sizeof monitor, "socket,id=monitor,fd=%d", e->monitor[1]);
     snprintf(serial, sizeof serial, "socket,id=uart,fd=%d", e->uart[1]);
     snprintf(log, sizeof log, "/dev/fd/%d", e->trace[1]);
-    const char *const fixed[] = {"qemu-system-arm",
-                                 "-M",
-                                 machine,
-                                 "-kernel",
-                                 image,
-                                 "-S",
-                                 "-display",
-                                 "none",
-                                 "-monitor",
-                                 "none",
-                                 "-nic",
-                                 "none",
-                                 "-icount",
-                                 "shift=5,sleep=off",
-                                 "-chardev",
-                                 monitor,
-                                 "-mon",
-                                 "chardev=monitor,mode=control",
-                                 "-chardev",
-                                 serial,
-                                 "-semihosting-config",
-                                 "enable=on,target=native",
-                                 "-d",
-                                 "guest_errors"};
-    for (; n < sizeof fixed / sizeof fixed[0]; n++) {
-        arguments[n] = fixed[n];
-    }
+    add_machine(&w, machine, image);
+    add(&w, "-chardev", monitor);
+    add(&w, "-mon", "chardev=monitor,mode=control");
+    add(&w, "-chardev", serial);
     for (unsigned i = 0; i < uart && i < 4; i++) {
-        arguments[n++] = "-serial";
-        arguments[n++] = "null";
+        add(&w, "-serial", "null");
     }
-    arguments[n++] = "-serial";
-    arguments[n++] = "chardev:uart";
+    add(&w, "-serial", "chardev:uart");
     if (traced) {
-        arguments[n++] = "-trace";
-        arguments[n++] = "memory_region_ops_write";
-        arguments[n++] = "-trace";
-        arguments[n++] = "nvic_acknowledge_irq";
-        arguments[n++] = "-D";
-        arguments[n++] = log;
+        add(&w, "-trace", "memory_region_ops_write");
+        add(&w, "-trace", "nvic_acknowledge_irq");
+        add(&w, "-D", log);
     }
-    arguments[n] = NULL;
     setrlimit(RLIMIT_CPU, &limit);
     dup2(e->said[1], STDERR_FILENO);
     dup2(e->said[1], STDOUT_FILENO);
-    execvp(arguments[0], (char *const *)(uintptr_t)arguments);
+    execvp(w.list[0], (char *const *)(uintptr_t)w.list);
     dprintf(STDERR_FILENO, "qemu-system-arm does not start: %s; apt-get install qemu-system-arm\n", strerror(errno));
     _exit(127);
 }

@@ -176,7 +176,7 @@ static int run(struct trace *t)
 {
     char line[512];
     FILE *in = fdopen(dup(t->q.trace), "r");
-    int status = in != NULL ? qemu_command(&t->q, "cont", NULL) : EXIT_FAILED;
+    int status = in != NULL ? qemu_command(&t->q, "cont", NULL) : complain(EXIT_FAILED, "QEMU's trace cannot be read");
     while (status == 0 && t->frames < t->e->frames) {
         const bool more = fgets(line, sizeof line, in) != NULL;
         if (qemu_interrupted()) {
@@ -209,6 +209,7 @@ int emulate_trace(const struct emulation *e)
     t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     t.wire = wire_open(&config);
     if (t.picture.rgb == NULL || t.wire == NULL) {
+        wire_close(t.wire);
         free(t.picture.rgb);
         return complain(EXIT_FAILED, "not enough memory, or no model of the board's controller");
     }

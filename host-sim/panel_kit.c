@@ -11,7 +11,8 @@
 /* "AD0" .. "AC7": pins of an FT232H. */
 static bool is_usb_line(const char *line)
 {
-    return line != NULL && line[0] == 'A' && (line[1] == 'C' || line[1] == 'D') && line[2] >= '0' && line[2] <= '7';
+    return line != NULL && line[0] == 'A' && (line[1] == 'C' || line[1] == 'D') && line[2] >= '0' && line[2] <= '7' &&
+           line[3] == '\0';
 }
 
 bool panel_kit_has(const struct board *board)
@@ -33,7 +34,7 @@ static int choose_board(const struct panel_wiring *w, const struct board **board
                         "shows those",
                         name);
     }
-    if (w->usb != is_usb_line((*board)->pins.dc.line) && w->usb) {
+    if (w->usb && !is_usb_line((*board)->pins.dc.line)) {
         return complain(EXIT_USAGE, "--usb: '%s' is no kit for an FT232H", name);
     }
     return 0;
