@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LSB (1 / 65536.0)
+#define LSB     (1 / 65536.0)
+#define OCTAVES 16 /* of a float format */
 
 struct question {
     const struct depth_lab *lab;
@@ -21,32 +22,60 @@ struct question {
     struct lab_search search;
 };
 
+/* What a near plane separates, in LSBs; 0: the renderer refuses this camera. */
+struct reach {
+    uint32_t at_z;
+    uint32_t to_z; /* at every distance from the near plane to z */
+};
+
 /* What is known for one format; 0: no such near plane, or not asked. */
 struct answer {
     fx_t least, safe;
-    uint32_t separates; /* LSBs */
+    struct reach separates;
 };
 
-/*
- * The smallest separation that is ordered right from z on over its next plateaus, in LSBs: measured on the plateau of z
- * and its two neighbours, since a scene does not lie just on one. 0: the renderer refuses this camera.
+/* The smallest separation that is ordered right on the plateau of z and its two neighbours: no scene lies just on one.
  */
-static uint32_t measured(struct question *q, const struct lab_format *format, fx_t near_z)
+static uint32_t around(struct question *q, fx_t z)
 {
-    if (lab_probe_open(&q->probe, format, near_z, q->lab->far_z) != 0) {
-        return 0;
-    }
-    lab_search_open(&q->search, &q->probe);
-    const uint32_t here = lab_search_at(&q->search, &q->probe, q->z);
+    const uint32_t here = lab_search_at(&q->search, &q->probe, z);
     uint32_t most = here;
     for (int side = -1; side <= 1; side += 2) {
-        const int64_t z = (int64_t)q->z + side * (int64_t)here;
-        if (z >= near_z && z <= q->lab->far_z) {
-            const uint32_t beside = lab_search_at(&q->search, &q->probe, (fx_t)z);
+        const int64_t w = (int64_t)z + side * (int64_t)here;
+        if (w >= q->probe.near_z && w <= q->probe.far_z) {
+            const uint32_t beside = lab_search_at(&q->search, &q->probe, (fx_t)w);
             most = beside > most ? beside : most;
         }
     }
     return most;
+}
+
+static bool is_float(const struct lab_format *format)
+{
+    return format->format == PH_DEPTH_FLOAT16 || format->format == PH_DEPTH_FLOAT24;
+}
+
+/*
+ * Measured. The step of a fixed format grows up to z, that of linear-w is the same everywhere; that of a float grows
+ * inside each octave of its d = N/z - N/f, N = n (1 - 2^-9), so that the far ends of the octaves count as well.
+ */
+static struct reach measured(struct question *q, const struct lab_format *format, fx_t near_z)
+{
+    struct reach reach = {0, 0};
+    if (lab_probe_open(&q->probe, format, near_z, q->lab->far_z) != 0) {
+        return reach;
+    }
+    lab_search_open(&q->search, &q->probe);
+    reach.at_z = reach.to_z = around(q, q->z);
+    const double head = near_z * (511 / 512.0);
+    for (int octave = 1; is_float(format) && octave <= OCTAVES; octave++) {
+        const double end = floor(head / (exp2(-octave) + head / q->lab->far_z));
+        if (end > near_z && end < q->z) {
+            const uint32_t there = around(q, (fx_t)end);
+            reach.to_z = there > reach.to_z ? there : reach.to_z;
+        }
+    }
+    return reach;
 }
 
 /* The smallest near plane whose step is at most s up to z by formula, in metres; INFINITY: none. */
@@ -67,7 +96,7 @@ static double solve(const struct lab_format *format, double z, double s, double 
     }
 }
 
-/* The smallest near plane that separates s at z, drawn; 0: none below z does. */
+/* The smallest near plane that separates s at every distance up to z, drawn; 0: none below z does. */
 static fx_t least_near(struct question *q, const struct lab_format *format, fx_t s)
 {
     const double n = solve(format, (q->z + (double)s) * LSB, fmax(s - 1, 0.5) * LSB, q->lab->far_z * LSB);
@@ -76,7 +105,7 @@ static fx_t least_near(struct question *q, const struct lab_format *format, fx_t
     }
     double near_lsb = ceil(n * 65536);
     for (int tries = 0; tries < 200 && near_lsb < q->z; tries++) { /* the planes' own rounding: a little more */
-        const uint32_t separates = measured(q, format, (fx_t)near_lsb);
+        const uint32_t separates = measured(q, format, (fx_t)near_lsb).to_z;
         if (separates != 0 && separates <= (uint32_t)s) {
             return (fx_t)near_lsb;
         }
@@ -102,7 +131,7 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     const struct depth_lab *lab = q->lab;
     char far_text[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], s[LAB_TEXT_SIZE] = "", least[LAB_TEXT_SIZE] = "",
                                                     safe[LAB_TEXT_SIZE] = "", near_text[LAB_TEXT_SIZE] = "",
-                                                    separates[LAB_TEXT_SIZE] = "";
+                                                    separates[2 * LAB_TEXT_SIZE] = ",";
     if (q->separate != 0) {
         lab_fx_text(q->separate, s);
         strcpy(least, "none");
@@ -114,9 +143,11 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     if (a->safe != 0) {
         lab_fx_text(a->safe, safe);
     }
-    if (a->separates != 0) {
+    if (a->separates.at_z != 0) {
+        char at_z[LAB_TEXT_SIZE], to_z[LAB_TEXT_SIZE];
         lab_fx_text(lab->near_z, near_text);
-        metres_of(a->separates, separates);
+        snprintf(separates, sizeof separates, "%s,%s", metres_of(a->separates.at_z, at_z),
+                 metres_of(a->separates.to_z, to_z));
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s\n", format->name, format->bits, metres(lab->far_z, far_text),
             metres(q->z, z), s, least, safe, near_text, separates);
@@ -125,26 +156,36 @@ static void put_row(const struct question *q, const struct lab_format *format, c
 static void say_forward(const struct question *q, const struct lab_format *format, const struct answer *a)
 {
     char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE];
-    fprintf(q->text, "# To separate %s m at %s m with %s (%d bits): ", metres(q->separate, s), metres(q->z, z),
-            format->name, format->bits);
+    fprintf(q->text, "# To separate %s m at every distance up to %s m with %s (%d bits): ", metres(q->separate, s),
+            metres(q->z, z), format->name, format->bits);
     if (a->least == 0) {
-        fprintf(q->text, "no near plane does it at every distance up to there.\n");
+        fprintf(q->text, "no near plane does it.\n");
         return;
     }
-    fprintf(q->text, "the near plane at %s m or more", metres(a->least, n));
+    fprintf(q->text, "the near plane at %s m or more; ", metres(a->least, n));
     if (a->safe != 0) {
-        fprintf(q->text, "; %s m is safe: it separates half of that", metres(a->safe, n));
+        fprintf(q->text, "at %s m or more half of that separation is enough, which leaves a margin.\n",
+                metres(a->safe, n));
     } else {
-        fprintf(q->text, "; none separates half of that, for safety");
+        fprintf(q->text, "none leaves a margin: none separates half of that.\n");
     }
-    fprintf(q->text, ".\n");
 }
 
 static void say_backward(const struct question *q, const struct lab_format *format, const struct answer *a)
 {
     char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE];
-    fprintf(q->text, "# With the near plane at %s m, %s (%d bits) separates %s m at %s m.\n", metres(q->lab->near_z, n),
-            format->name, format->bits, metres_of(a->separates, s), metres(q->z, z));
+    fprintf(q->text, "# With the near plane at %s m, %s (%d bits) ", metres(q->lab->near_z, n), format->name,
+            format->bits);
+    if (a->separates.at_z == 0) {
+        fprintf(q->text, "cannot be drawn.\n");
+        return;
+    }
+    fprintf(q->text, "separates %s m at %s m", metres_of(a->separates.at_z, s), metres(q->z, z));
+    if (a->separates.to_z == a->separates.at_z) {
+        fprintf(q->text, " and at every distance up to there.\n");
+    } else {
+        fprintf(q->text, "; at every distance up to there it takes %s m.\n", metres_of(a->separates.to_z, s));
+    }
 }
 
 /* What a format costs: memory for 24 bits, a divide for each pixel of linear-w. */
@@ -177,10 +218,13 @@ static void conclude(const struct question *q, const struct lab_format *format, 
                 z);
         return;
     }
-    fprintf(
-        q->text, "# Take %s (%d bits), and the largest near plane that the scene allows: safe from %s m on; %s m is ",
-        format->name, format->bits, metres(a->safe != 0 ? a->safe : a->least, n), metres(q->z - q->separate, largest));
-    fprintf(q->text, "the largest that cuts neither plane off.\n");
+    fprintf(q->text,
+            "# Take %s (%d bits), and the largest near plane that the scene allows: from %s m on it is enough; ",
+            format->name, format->bits, metres(a->least, n));
+    if (a->safe != 0) {
+        fprintf(q->text, "from %s m on it leaves a margin; ", metres(a->safe, n));
+    }
+    fprintf(q->text, "beyond %s m it cuts the nearer of the two planes off.\n", metres(q->z - q->separate, largest));
 }
 
 static bool is_asked(const struct depth_lab *lab, uint32_t i)
@@ -193,10 +237,10 @@ static int answer_all(struct question *q)
 {
     const struct depth_lab *lab = q->lab;
     const struct lab_format *best = NULL;
-    struct answer best_answer = {0, 0, 0};
+    struct answer best_answer = {0, 0, {0, 0}};
     uint32_t asked = 0;
     for (uint32_t i = 0; i < lab_format_count; i++) {
-        struct answer a = {0, 0, 0};
+        struct answer a = {0, 0, {0, 0}};
         const struct lab_format *format = &lab_formats[i];
         if (!is_asked(lab, i)) {
             continue;
@@ -240,7 +284,7 @@ int depth_advise(const struct depth_lab *lab)
     q->text = lab->rows;
     q->z = lab->at[0];
     q->separate = lab->separate;
-    fputs("format,bits,far,z_m,separate_m,near_least_m,near_safe_m,near,separates_m\n", lab->rows);
+    fputs("format,bits,far,z_m,separate_m,near_least_m,near_safe_m,near,separates_m,separates_to_z_m\n", lab->rows);
     const int status = answer_all(q);
     free(q);
     return status;

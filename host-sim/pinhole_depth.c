@@ -23,9 +23,8 @@ static const struct depth_command commands[] = {
      depth_monotone},
     {"advise", "which near plane, format and bits separate S at Z; and what separates at Z with this near plane",
      " near far format fov size at separate bits csv ",
-     "format,bits,far [m],z [m],to separate [m],near from [m] (measured),safe near [m] (measured),with near "
-     "[m],separates [m] "
-     "(measured)",
+     "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
+     "[m],separates at z [m] (measured),up to z [m] (measured)",
      depth_advise},
     {"anchors", "every published number that this lab rests on, computed again", " csv ",
      "anchor,published,here,how,verdict", depth_anchors},
