@@ -17,9 +17,9 @@ pixels sampled 1/32 px further left      | setup.c   | s/32767u/34815u/         
 left edges not owned                     | setup.c   | s/32767u/32768u/                                     | test_raster
 top edges not owned                      | setup.c   | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
 edges walked to 6 bits                   | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.dx \&= ~1023;/ | test_coverage
-6 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~3;/                   | test_quality
-7 sub-pixel bits                         | mesh.c    | s/\(v->[xy] = lens.*\);/\1 \& ~1;/                   | test_quality
-positions truncated, not rounded         | mesh.c    | s/q25 + ((1 << down) >> 1)/q25/                      | test_quality
+6 sub-pixel bits                         | vertices.c | s/\(v->[xy] = .*\);/\1 \& ~3;/                      | test_quality
+7 sub-pixel bits                         | vertices.c | s/\(v->[xy] = .*\);/\1 \& ~1;/                      | test_quality
+positions truncated, not rounded         | mesh.c    | s/)1 << (down - 1)/)0 << (down - 1)/               | test_quality
 principal point half a pixel off         | frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
 an edge that depends on its triangle     | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.x += 128;/   | test_watertight
 a slope that depends on its triangle     | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.dx \&= ~15;/ | test_watertight

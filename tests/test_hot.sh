@@ -8,23 +8,25 @@ cd "$(dirname "$0")/.." || exit 1
 . tests/frames.sh
 unset MAKEFLAGS
 B=${B:-build}/hot
-cross=arm-linux-gnueabihf-gcc
+cross=arm-linux-gnueabihf-gcc core=-mcpu=cortex-a15 # one that divides, as a Cortex-M3 does
 mkdir -p "$B"
 for tool in $cross qemu-arm; do
     command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf qemu-user" && exit 77; }
 done
 
-loops=(fill span_flat span_gouraud rows_gouraud span_texture)
+loops=(fill span_flat span_gouraud rows_gouraud span_texture vertices visit)
 
 c_loops() {
-    cc -O2 -std=c11 -Ifirmware/core/portable -Ifirmware/core tests/hot/hot_loops.c "${loops[@]/%/.c}" -o "$B/c" &&
+    cc -O2 -std=c11 -Ifirmware/core/portable -Ifirmware/core tests/hot/hot_loops.c firmware/core/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
         "$B/c" >"$B/c.lines" && [ "$(wc -l <"$B/c.lines")" = ${#loops[@]} ]
 }
 loops=("${loops[@]/#/firmware/core/}")
 
 assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
     local files=("${loops[@]/#firmware\/core/$2}")
-    $cross -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-Ifirmware/core/$1" -Ifirmware/core tests/hot/hot_loops.c "${files[@]/%/.S}" -o "$B/$3" &&
+    files=("${files[@]/%/.S}" firmware/core/fx_root.c)
+    [ ! -e "firmware/core/$1/fx_clz.c" ] || files+=("firmware/core/$1/fx_clz.c")
+    "$cross" "$core" -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-Ifirmware/core/$1" -Ifirmware/core tests/hot/hot_loops.c "${files[@]}" -o "$B/$3" &&
         qemu-arm "$B/$3" >"$B/$3.lines"
 }
 
@@ -41,7 +43,7 @@ change_is_seen() { # CPU, loop, sed command
 }
 
 same_frames() { # CPU
-    make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
+    make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
         USB=nousb all || return 1
     [ -e "$B/sim-$1/firmware/core/$1/rows_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
     frames qemu-arm "$B/sim-$1/pinhole-sim" >"$B/$1.frames" && diff tests/golden/frames.txt "$B/$1.frames"
@@ -55,5 +57,9 @@ done
 check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m rows_gouraud 's/add r12, r0/nop/'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m span_texture 's/lsr #16$/lsr #15/'
+check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
+check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
+check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m visit 's/bmi found/ble found/'
+check "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m visit 's/tst r6, #0x3f/tst r6, #0x1f/'
 check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #31/movs r2, #0/'
 tap_end

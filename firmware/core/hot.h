@@ -8,9 +8,46 @@
 #ifndef PH_HOT_H
 #define PH_HOT_H
 
+#include "clip_rows.h"
 #include "pipeline.h"
 
 #include <stddef.h>
+
+/*
+ * vertices.c: vertices of a mesh under a perspective, as ph_transform leaves them, their light being full. It goes from
+ * `from` to `end`, or to the first one that asks for more: that does not lie between near plane and far, or not in the
+ * guard band (`at` is that one then, before the divide), or that rows does not hold. from and to then stand at it.
+ */
+struct ph_vertex_run {
+    const struct fx_vec3 *from, *end;
+    struct ph_vertex *to;
+    uint32_t codes;           /* grows by the clip codes of each */
+    uint32_t near, range;     /* w is near .. near + range, below 2^28 */
+    int64_t round_x, round_y; /* 2^32 times what is added to x / w, y / w in 2^-25 before `down` */
+    uint32_t depth_scale;     /* as in the lens */
+    int32_t near_shift;       /* as in the lens */
+    uint32_t right, bottom;   /* of the picture, 1/256 px */
+    uint32_t guard_up, down;  /* as in the lens; from 2^-25 to 1/256 px, 1 .. 17 */
+    struct ph_clip_rows rows;
+    struct fx_vec3 at;
+};
+
+void ph_vertices(struct ph_vertex_run *run);
+
+/*
+ * visit.c: the next triangle that may be seen: whose corners are without clip codes and run counter-clockwise, or have
+ * some but are not all outside of one plane. Corners without codes are at most 2^18 apart each way.
+ */
+struct ph_visit {
+    const struct ph_vertex *vertices;
+    const uint16_t (*index)[3], (*end)[3]; /* what is still to be visited */
+    uint32_t codes;                        /* 0 where no vertex has any */
+    const struct ph_vertex *v[3];          /* of the triangle, which is index[-1] */
+    struct ph_sides sides;                 /* the same; only where no corner has a code; area 1 where it is not small */
+};
+
+/* False where there is none. */
+bool ph_visit(struct ph_visit *visit);
 
 /* fill.c: n times a value. */
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n);
@@ -56,6 +93,9 @@ struct ph_texel_run {
     uint16_t *depth, *pixels;
 };
 
+_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_vertex_run, rows) == 64, "assembly relies on it");
+_Static_assert(sizeof(void *) != 4 || (offsetof(struct ph_visit, sides) == 28 && sizeof(struct ph_sides) == 24),
+               "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_rows, count) == 60, "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_run, depth) == 40, "assembly relies on it");
 

@@ -1,7 +1,7 @@
 /* Vertices and triangles of a mesh: transform, project, reject, cull. See pipeline.h. */
 #include "fisheye.h"
+#include "hot.h"
 #include "pipeline.h"
-#include "clip_rows.h"
 
 #define NOINLINE                                                                                                       \
     __attribute__((noinline)) /* keeps what is rare, or has values enough, from the registers of a loop                \
@@ -108,39 +108,64 @@ void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, c
     place_vertex(r, ph_row_times(m, 0, p), ph_row_times(m, 1, p), ph_row_times(m, 2, p), v);
 }
 
-/* -limit <= x <= limit */
-static inline bool is_within(int32_t x, uint32_t limit)
+/* Vertices from here on, 4096.0 and beyond, are not for ph_vertices. */
+#define USUAL_W ((uint32_t)1 << 28)
+
+/* A centre, with half a unit of what will be rounded: see struct ph_vertex_run. */
+static int64_t rounded_centre(int32_t centre, int down)
 {
-    return (uint32_t)x + limit <= 2 * limit;
+    return (int64_t)((uint64_t)((uint32_t)centre << down | (uint32_t)1 << (down - 1)) << 32);
 }
 
-/* All vertices of a mesh. Most are projected by a perspective without any question of clipping. */
-static NOINLINE void transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m,
-                                    const struct ph_mesh *mesh, struct ph_vertex *vertices)
+/* False where nothing is for ph_vertices: it knows a perspective whose numbers keep to their usual size. */
+static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, const struct ph_clip_matrix *m)
 {
     const struct ph_lens *lens = &r->lens;
-    const uint32_t right = (uint32_t)r->config.width * 256, bottom = (uint32_t)r->config.height * 256;
-    const uint32_t near = (uint32_t)lens->near_z, range = (uint32_t)lens->far_z - near;
-    const uint32_t straight =
-        lens->kind == PH_PERSPECTIVE ? (uint32_t)1 << (lens->guard_up < 3 ? 28 + lens->guard_up : 31) : 0;
-    const struct fx_vec3 *p = mesh->positions, *const end = p + mesh->vertex_count;
-    struct ph_clip_rows rows;
-    ph_clip_rows_of(&rows, m);
-    for (struct ph_vertex *v = vertices; p < end; p++, v++) {
-        const struct fx_vec3 at = ph_clip_rows_times(&rows, p);
-        v->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* of what is not lit */
-        const uint32_t limit = ((uint32_t)at.z >> lens->guard_up) * 8;
-        if ((uint32_t)at.z < straight && (uint32_t)at.z - near <= range && is_within(at.x, limit) &&
-            is_within(at.y, limit)) {
-            project_perspective(lens, at.x, at.y, at.z, v);
-            v->code = 0;
-            if ((uint32_t)v->x > right || (uint32_t)v->y > bottom) {
-                v->code = screen_codes(r, v);
-            }
-        } else {
-            place_vertex(r, at.x, at.y, at.z, v);
-        }
+    const uint32_t near = (uint32_t)lens->near_z, far = (uint32_t)lens->far_z;
+    const int down = 17 - lens->focal_log2;
+    ph_clip_rows_of(&run->rows, m);
+    if (lens->kind != PH_PERSPECTIVE || near >= USUAL_W || down < 1 || run->rows.reach == 0) {
+        return false;
     }
+    run->near = near;
+    run->range = (far < USUAL_W ? far : USUAL_W - 1) - near;
+    run->round_x = rounded_centre(lens->centre_x, down);
+    run->round_y = rounded_centre(lens->centre_y, down);
+    run->depth_scale = lens->depth_scale;
+    run->near_shift = lens->near_shift;
+    run->right = (uint32_t)r->config.width * 256;
+    run->bottom = (uint32_t)r->config.height * 256;
+    run->guard_up = lens->guard_up;
+    run->down = (uint32_t)down;
+    return true;
+}
+
+/* All vertices of a mesh. Returns their clip codes, together. */
+static NOINLINE uint32_t transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m,
+                                        const struct ph_mesh *mesh, struct ph_vertex *vertices)
+{
+    struct ph_vertex_run run;
+    run.from = mesh->positions;
+    run.end = mesh->positions + mesh->vertex_count;
+    run.to = vertices;
+    run.codes = 0;
+    const bool usual = start_run(&run, r, m);
+    while (run.from < run.end) {
+        if (usual) {
+            ph_vertices(&run);
+            if (run.from == run.end) {
+                break;
+            }
+        }
+        const bool known = usual && ph_clip_rows_hold(&run.rows, run.from);
+        const struct fx_vec3 at = known ? run.at : ph_matrix_times(m, run.from);
+        place_vertex(r, at.x, at.y, at.z, run.to);
+        run.to->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* of what is not lit */
+        run.codes |= run.to->code;
+        run.from++;
+        run.to++;
+    }
+    return run.codes;
 }
 
 /* What the triangles of one part need. */
@@ -151,8 +176,8 @@ struct part_context {
     const struct ph_clip_matrix *matrix;
     struct ph_vertex *vertices;
     struct ph_local_lights lights;
-    bool lit, two_sided;
-    uint8_t ask_always; /* a code where every triangle goes to fate_of */
+    uint32_t codes; /* of all vertices together */
+    bool lit, two_sided, curved;
 };
 
 static FX_APART void light_vertex(const struct part_context *c, uint32_t index)
@@ -228,89 +253,69 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
     ph_draw_clipped(c->r, c->material, in);
 }
 
-static FX_APART void draw_visible(const struct part_context *c, const uint16_t index[3],
-                                  const struct ph_vertex *const v[3], const struct ph_sides *sides)
+static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
 {
-    const fx_t *uv[3];
     for (int i = 0; i < 3; i++) {
-        if (v[i]->code < PH_LIT && c->lit) {
+        if (v[i]->code < PH_LIT) {
             light_vertex(c, index[i]);
         }
     }
-    const bool textured = c->mesh->uvs != NULL;
-    for (int i = 0; textured && i < 3; i++) {
-        uv[i] = c->mesh->uvs[index[i]];
-    }
-    const bool turned = sides->area <= 0;
-    c->r->stats.triangles_culled += turned ? !ph_setup_triangle(c->r, c->material, v, textured ? uv : NULL)
-                                           : !ph_setup_front(c->r, c->material, v, textured ? uv : NULL, sides);
 }
 
-/* What is to be done with a triangle of which a corner has a clip code. */
-enum fate { FATE_PASSES, FATE_MISSES, FATE_CLIPPED };
+/* A triangle that needs no clipping. */
+static NOINLINE void draw_whole(const struct part_context *c, const uint16_t index[3],
+                                const struct ph_vertex *const v[3], const struct ph_sides *sides)
+{
+    const fx_t *of_corners[3], *const *uv = NULL;
+    if (c->lit) {
+        light_corners(c, index, v);
+    }
+    if (c->mesh->uvs != NULL) {
+        for (int i = 0; i < 3; i++) {
+            of_corners[i] = c->mesh->uvs[index[i]];
+        }
+        uv = of_corners;
+    }
+    c->r->stats.triangles_culled += sides->area > 0 ? !ph_setup_front(c->r, c->material, v, uv, sides)
+                                                    : !ph_setup_triangle(c->r, c->material, v, uv);
+}
 
-static NOINLINE enum fate fate_of(const struct part_context *c, const struct ph_vertex *const v[3])
+/* A triangle of which a corner may have a clip code, which may face away, or under a fisheye. */
+static NOINLINE void draw_any(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
 {
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
-    if ((all & PH_REJECT) != 0) {
-        return FATE_MISSES;
+    if ((all & PH_REJECT) == 0 &&
+        ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2])))) {
+        draw_clipped(c, index);
+        return;
     }
-    const bool curved = c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]);
-    return (any & PH_CLIP) != 0 || curved ? FATE_CLIPPED : FATE_PASSES;
-}
-
-/* A triangle on its way to set-up. */
-struct candidate {
-    const struct ph_vertex *v[3];
-    struct ph_sides sides;
-    enum fate fate;
-};
-
-/* The first triangle from *index on that is to be drawn, or `end`: the loop over all that are not. */
-static NOINLINE const uint16_t (*next_candidate(const struct part_context *c, const uint16_t (*index)[3],
-                                                const uint16_t (*end)[3], struct candidate *out))[3]
-{
-    const struct ph_vertex *const vertices = c->vertices;
-    const unsigned always = c->ask_always;
-    const bool two_sided = c->two_sided;
-    for (; index < end; index++) {
-        const struct ph_vertex *const v0 = &vertices[(*index)[0]], *const v1 = &vertices[(*index)[1]],
-                                      *const v2 = &vertices[(*index)[2]];
-        enum fate fate = FATE_PASSES;
-        if (((v0->code | v1->code | v2->code | always) & (PH_REJECT | PH_GUARD)) != 0) {
-            const struct ph_vertex *const v[3] = {v0, v1, v2};
-            fate = fate_of(c, v);
-            if (fate == FATE_MISSES) {
-                continue;
-            }
-        }
-        struct ph_sides sides;
-        if (!ph_faces(v0, v1, v2, &sides) && fate == FATE_PASSES && !two_sided) {
-            continue;
-        }
-        out->sides = FX_LONG_PRODUCTS ? ph_sides(v0, v1, v2) : sides;
-        out->fate = fate;
-        out->v[0] = v0;
-        out->v[1] = v1;
-        out->v[2] = v2;
-        break;
+    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    if ((all & PH_REJECT) != 0 || (sides.area <= 0 && !c->two_sided)) {
+        c->r->stats.triangles_culled++;
+        return;
     }
-    return index;
+    draw_whole(c, index, v, &sides);
 }
 
 static void draw_triangles(const struct part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
+    struct ph_visit visit = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
     uint32_t seen = 0;
-    struct candidate next;
-    while ((index = next_candidate(c, index, end, &next)) < end) {
-        seen++;
-        if (next.fate == FATE_CLIPPED) {
-            draw_clipped(c, *index);
-        } else {
-            draw_visible(c, *index, next.v, &next.sides);
+    if (c->curved || c->two_sided) { /* all of them */
+        for (; index < end; index++) {
+            const struct ph_vertex *const v[3] = {&c->vertices[(*index)[0]], &c->vertices[(*index)[1]],
+                                                  &c->vertices[(*index)[2]]};
+            draw_any(c, *index, v);
         }
-        index++;
+        return;
+    }
+    for (; ph_visit(&visit); seen++) {
+        if (visit.codes == 0) {
+            draw_whole(c, visit.index[-1], visit.v, &visit.sides);
+        } else {
+            draw_any(c, visit.index[-1], visit.v);
+        }
     }
     c->r->stats.triangles_culled += part->count - seen;
 }
@@ -376,7 +381,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
         ph_light_prepare(&c->lights, r, to_world, c->material);
     }
     r->stats.triangles_in += part->count;
-    c->ask_always = r->lens.kind == PH_FISHEYE ? PH_GUARD : 0;
+    c->curved = r->lens.kind == PH_FISHEYE;
     c->two_sided = c->material->two_sided != 0;
     draw_triangles(c, part);
 }
@@ -390,7 +395,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
     struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = r->config.vertices};
-    transform_mesh(r, &matrix, mesh, c.vertices);
+    c.codes = transform_mesh(r, &matrix, mesh, c.vertices);
     r->stats.vertices += mesh->vertex_count;
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         for (uint32_t k = 0; i > 0 && k < mesh->vertex_count; k++) { /* another material, another light */

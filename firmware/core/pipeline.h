@@ -163,17 +163,6 @@ static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct p
     return (struct ph_sides){dx1, dy1, dx2, dy2, area, small};
 }
 
-/* Whether the triangle faces the viewer, at least cost; it gives its sides where they come of it. */
-static inline bool ph_faces(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
-                            struct ph_sides *sides)
-{
-    if (FX_LONG_PRODUCTS) {
-        return fx_mul_wide(c->x - a->x, b->y - a->y) > fx_mul_wide(b->x - a->x, c->y - a->y);
-    }
-    *sides = ph_sides(a, b, c);
-    return sides->area > 0;
-}
-
 /* a + (b - a) t, t in Q2.30, of all that a vertex carries before the divide; each rounded once. */
 struct ph_clip_vertex ph_clip_between(const struct ph_clip_vertex *a, const struct ph_clip_vertex *b, int32_t t_q30);
 

@@ -115,16 +115,99 @@ static uint32_t try_texture(uint32_t h)
     return word(word(word(h, run.d), (uint32_t)(run.depth - depth)), (uint32_t)(run.pixels - pixels));
 }
 
+static int32_t around(int32_t most)
+{
+    return (int32_t)below(2 * (uint32_t)most) - most;
+}
+
+static struct ph_clip_matrix any_matrix(void)
+{
+    struct ph_clip_matrix m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.m[i][j] = around(1 << 28);
+        }
+        m.t[i] = fx_mul_wide(around(i < 2 ? 1 << 16 : 8 << 16), 1 << 28) + (1 << 27);
+    }
+    return m;
+}
+
+/* Vertices of a mesh, most of them in the picture; one beyond every reach. */
+static uint32_t try_vertices(uint32_t h)
+{
+    enum { VERTICES = 40 };
+    struct fx_vec3 positions[VERTICES];
+    struct ph_vertex out[VERTICES];
+    const struct ph_clip_matrix m = any_matrix();
+    struct ph_vertex_run run = {.from = positions, .end = positions + VERTICES, .to = out};
+    for (int i = 0; i < VERTICES; i++) {
+        const int32_t size = below(8) > 0 ? 1 << 16 : 1 << 20;
+        positions[i] = (struct fx_vec3){around(size), around(size), around(size)};
+    }
+    positions[below(VERTICES)].y = -(1 << 27) - 1;
+    ph_clip_rows_of(&run.rows, &m);
+    run.near = 1 + below(1 << (1 + below(16)));
+    run.range = below((1 << 28) - run.near);
+    run.down = 1 + below(16);
+    run.round_x = (int64_t)((uint64_t)(bits() >> 6) << 32);
+    run.round_y = (int64_t)((uint64_t)(bits() >> 6) << 32);
+    run.depth_scale = bits() | (uint32_t)1 << 31;
+    run.near_shift = (int32_t)below(32);
+    run.guard_up = below(4);
+    run.right = below(1 << 20);
+    run.bottom = below(1 << 20);
+    memset(out, 0, sizeof out);
+    for (; run.from < run.end; run.from++, run.to++) {
+        run.at = (struct fx_vec3){0, 0, 0};
+        ph_vertices(&run);
+        h = word(hash(h, &run.at, sizeof run.at), (uint32_t)(run.to - out));
+    }
+    return word(hash(h, out, sizeof out), run.codes);
+}
+
+static uint8_t any_code(void)
+{
+    static const uint8_t codes[] = {PH_LEFT, PH_RIGHT | PH_TOP, PH_NEAR | PH_GUARD | PH_BOTTOM,
+                                    PH_FAR,  PH_GUARD,          PH_LEFT | PH_BOTTOM};
+    return (uint8_t)((below(3) > 0 ? 0 : codes[below(sizeof codes)]) | (below(2) > 0 ? PH_LIT : 0));
+}
+
+/* Triangles large and small, many without area, of vertices with and without clip codes. */
+static uint32_t try_visit(uint32_t h)
+{
+    enum { VERTICES = 12, TRIANGLES = 40 };
+    struct ph_vertex vertices[VERTICES];
+    uint16_t triangles[TRIANGLES][3];
+    const uint32_t size = 4u << below(17), coded = below(2), at = below(1 << 10);
+    for (int i = 0; i < VERTICES; i++) {
+        vertices[i] = (struct ph_vertex){.x = (int32_t)(at + below(size)), .y = (int32_t)(at + below(size))};
+        vertices[i].code = coded > 0 ? any_code() : 0;
+    }
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int k = 0; k < 3; k++) {
+            triangles[i][k] = (uint16_t)below(VERTICES);
+        }
+    }
+    struct ph_visit visit = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
+    while (ph_visit(&visit)) {
+        h = word(h, (uint32_t)(visit.index - triangles));
+        for (int k = 0; k < 3; k++) {
+            h = word(h, (uint32_t)(visit.v[k] - vertices));
+        }
+        const struct ph_sides *s = &visit.sides;
+        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->small);
+    }
+    return word(h, (uint32_t)(visit.index - triangles));
+}
+
 int main(void)
 {
     static const struct {
         const char *name;
         uint32_t (*one)(uint32_t h);
-    } loops[] = {{"fill", try_fill},
-                 {"span_flat", try_flat},
-                 {"span_gouraud", try_gouraud},
-                 {"rows_gouraud", try_rows},
-                 {"span_texture", try_texture}};
+    } loops[] = {{"fill", try_fill},         {"span_flat", try_flat},       {"span_gouraud", try_gouraud},
+                 {"rows_gouraud", try_rows}, {"span_texture", try_texture}, {"vertices", try_vertices},
+                 {"visit", try_visit}};
     randomise(texels, TEXELS);
     randomise(ramp, 128);
     for (size_t i = 0; i < sizeof loops / sizeof loops[0]; i++) {

@@ -10,14 +10,14 @@
 #define PH_CLIP_ROWS_REACH ((uint32_t)1 << 20)
 
 struct ph_row {
-    int32_t low[3], middle[3], high[3]; /* the element is low + 2^10 middle + 2^20 high; low, middle: -512 .. 511 */
-    int32_t part, whole;                /* the translation in 2^-28 and in ones */
+    int32_t low[3], part, middle[3], high[3], whole;
+    /* the element is low + 2^10 middle + 2^20 high; low, middle: -512 .. 511; the translation in 2^-28 and in ones */
 };
 
 struct ph_clip_rows {
-    struct ph_row row[3];
     const struct ph_clip_matrix *matrix;
     uint32_t reach; /* digits serve -reach .. reach: 2^20, or 0 where the translation is near the end of its range */
+    struct ph_row row[3];
 };
 
 static inline void ph_clip_rows_of(struct ph_clip_rows *rows, const struct ph_clip_matrix *matrix)
@@ -49,15 +49,22 @@ static inline int32_t ph_row_of_digits(const struct ph_row *row, int32_t x, int3
     return (sum >> 8) + row->whole;
 }
 
-static inline struct fx_vec3 ph_clip_rows_times(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+static inline bool ph_clip_rows_hold(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+{
+    const uint32_t reach = rows->reach;
+    return (((uint32_t)p->x + reach) | ((uint32_t)p->y + reach) | ((uint32_t)p->z + reach)) < 2 * reach;
+}
+
+static inline struct fx_vec3 ph_clip_rows_near(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
 {
     const int32_t x = p->x, y = p->y, z = p->z;
-    const uint32_t reach = rows->reach;
-    if ((((uint32_t)x + reach) | ((uint32_t)y + reach) | ((uint32_t)z + reach)) >= 2 * reach) {
-        return ph_matrix_times(rows->matrix, p);
-    }
     return (struct fx_vec3){ph_row_of_digits(&rows->row[0], x, y, z), ph_row_of_digits(&rows->row[1], x, y, z),
                             ph_row_of_digits(&rows->row[2], x, y, z)};
+}
+
+static inline struct fx_vec3 ph_clip_rows_times(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+{
+    return ph_clip_rows_hold(rows, p) ? ph_clip_rows_near(rows, p) : ph_matrix_times(rows->matrix, p);
 }
 
 #endif

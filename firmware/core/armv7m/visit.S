@@ -1,0 +1,100 @@
+@ ph_visit of hot.h for ARMv7-M: 19 instructions a triangle without clip codes, 28 one that may have some, some 35 a call.
+@
+@ r0 vertices, r1 index, r2 end, lr the struct ph_visit; r3 r4 r5 corners a b c; r6 r7 r12 scratch
+    .syntax unified
+    .thumb
+
+    .macro corners
+    ldrh r3, [r1], #2
+    ldrh r4, [r1], #2
+    ldrh r5, [r1], #2
+    add r3, r0, r3, lsl #4
+    add r4, r0, r4, lsl #4
+    add r5, r0, r5, lsl #4
+    .endm
+
+    @ r8 r9: b - a, r10: (a - c).x, r11: (c - a).y; negative where a, b, c runs counter-clockwise: r8 r11 + r10 r9
+    .macro turn
+    ldrd r6, r7, [r3]
+    ldrd r8, r9, [r4]
+    ldrd r10, r11, [r5]
+    subs r8, r6
+    subs r9, r7
+    subs r10, r6, r10
+    subs r11, r7
+    smull r6, r7, r8, r11
+    smlal r6, r7, r10, r9
+    cmp r7, #0
+    .endm
+
+    .section .text.ph_visit, "ax", %progbits
+    .p2align 2
+    .global ph_visit
+    .type ph_visit, %function
+    .thumb_func
+ph_visit: @ r0: struct ph_visit
+    push {r4-r11, lr}
+    mov lr, r0
+    ldmia r0, {r0-r3}
+    cmp r1, r2
+    bhs none
+    cmp r3, #0
+    bne coded
+plain:
+    corners
+    turn
+    bmi found
+    cmp r1, r2
+    bne plain
+    b none
+coded:
+    corners
+    ldrb r6, [r3, #13]
+    ldrb r7, [r4, #13]
+    ldrb r8, [r5, #13]
+    orr r9, r6, r7
+    orr r9, r8
+    tst r9, #0x7f @ all but the bit of light
+    bne 1f
+    turn
+    bmi found
+    cmp r1, r2
+    bne coded
+none:
+    str r1, [lr, #4]
+    movs r0, #0
+    pop {r4-r11, pc}
+1:  ands r6, r7
+    and r6, r8
+    tst r6, #0x3f @ the six planes
+    beq some
+    cmp r1, r2
+    bne coded
+    b none
+some:
+    add r0, lr, #16
+    str r1, [lr, #4]
+    stmia r0, {r3-r5}
+    movs r0, #1
+    pop {r4-r11, pc}
+found:
+    add r0, lr, #16
+    str r1, [lr, #4]
+    rsb r10, r10, #0
+    add r1, r8, #0x4000 @ -2^14 <= each < 2^14: small
+    add r2, r9, #0x4000
+    orrs r1, r2
+    add r2, r10, #0x4000
+    orrs r1, r2
+    add r2, r11, #0x4000
+    orrs r1, r2
+    lsrs r1, #15
+    ite eq
+    rsbeq r12, r6, #0
+    movne r12, #1
+    clz r1, r1
+    lsr lr, r1, #5
+    stmia r0, {r3-r5, r8-r12, lr}
+    movs r0, #1
+    pop {r4-r11, pc}
+    .size ph_visit, . - ph_visit
