@@ -27,7 +27,7 @@ extern uint32_t data_start[], data_end[], data_load[], bss_start[], bss_end[], s
 int main(void);
 void start(void);
 void fault(void);
-void fault_report(const uint32_t *frame);
+void fault_report(uint32_t pc, uint32_t lr, uint32_t saved);
 void tick(void);
 
 static struct {
@@ -144,8 +144,7 @@ static void semihosting_exit(int status)
     semihosting(0x20, block);                              /* SYS_EXIT_EXTENDED */
 }
 
-/* The display off and asleep, whatever state the driver was in. */
-static void darken(void)
+void cortexm_dark(void)
 {
     struct panel_driver d = {.hal = port_hal(), .config = {.panel = board_here->panel}};
     port_bus_stop();
@@ -157,7 +156,7 @@ void port_exit(int status)
 {
     if (!machine.ending) {
         machine.ending = true;
-        darken();
+        cortexm_dark();
         semihosting_exit(status);
     }
     for (;;) {
@@ -177,15 +176,16 @@ static void log_hex(const char *name, uint32_t value)
     port_log(text);
 }
 
-void fault_report(const uint32_t *frame)
+/* saved: pc and lr are known, the stack had room for them. */
+void fault_report(uint32_t pc, uint32_t lr, uint32_t saved)
 {
     if (machine.ending) {
         port_exit(1);
     }
     log_hex("\r\nfault", ICSR & 511);
-    if (frame != NULL) {
-        log_hex(": pc", frame[6]);
-        log_hex(", lr", frame[5]);
+    if (saved != 0) {
+        log_hex(": pc", pc);
+        log_hex(", lr", lr);
     } else {
         port_log(": the stack ran over");
     }
@@ -195,16 +195,19 @@ void fault_report(const uint32_t *frame)
     port_exit(1);
 }
 
-/* On a stack of its own: the old one may be full. r0: what the exception has saved. */
+/* The report starts on an empty stack, for the old one may be full: what the exception saved there is read before. */
 __attribute__((naked)) void fault(void)
 {
-    __asm__ volatile("mrs r0, msp\n"
-                     "ldr r1, =stack_start\n"
-                     "cmp r0, r1\n"
-                     "it lo\n"
-                     "movlo r0, #0\n" /* what the exception wanted to save is lost */
-                     "ldr r1, =stack_top\n"
-                     "mov sp, r1\n"
+    __asm__ volatile("mrs r3, msp\n"
+                     "ldr r2, =stack_start\n"
+                     "cmp r3, r2\n"
+                     "ittte hs\n"
+                     "ldrhs r0, [r3, #24]\n"
+                     "ldrhs r1, [r3, #20]\n"
+                     "movhs r2, #1\n"
+                     "movlo r2, #0\n"
+                     "ldr r3, =stack_top\n"
+                     "mov sp, r3\n"
                      "b fault_report\n");
 }
 

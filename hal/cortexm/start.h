@@ -15,6 +15,9 @@ uint32_t port_start(void);
 /* Given by the port: stops whatever runs on the bus, so that writing works. After a fault, at any moment. */
 void port_bus_stop(void);
 
+/* The display off and asleep, whatever state the driver was in. */
+void cortexm_dark(void);
+
 uint32_t cortexm_time_us(void);
 void cortexm_delay_us(uint32_t us);
 
