@@ -14,7 +14,11 @@
 #define RCC_CFGR    REG32(0x40023808)
 #define RCC_AHB1ENR REG32(0x40023830)
 #define RCC_APB1ENR REG32(0x40023840)
+#define RCC_APB2ENR REG32(0x40023844)
 #define FLASH_ACR   REG32(0x40023C00)
+#define MEMRMP      REG32(0x40013800) /* of SYSCFG */
+#define AIRCR       REG32(0xE000ED0C)
+#define MPU_CTRL    REG32(0xE000ED94)
 
 #define GPIO_MODER   0x00
 #define GPIO_OSPEEDR 0x08
@@ -59,6 +63,7 @@
 #define PLL_HZ      168000000U
 #define BAUD        115200U
 #define BOOT_LOADER 0x1FFF0000U /* system memory */
+#define BOOT_WISH   0xB007B007U
 
 static struct {
     const struct board *board;
@@ -107,6 +112,37 @@ static void gpio_button(const struct board_pin *pin)
     gpio_field(pin->number, GPIO_MODER, 0);
 }
 
+/* ---- the boot loader in ROM ------------------------------------------------------------------------ */
+
+/* It is entered right after a reset, so that it finds the chip as from power-on; this is what a reset does not touch.
+ */
+static __attribute__((section(".noinit"))) uint32_t boot_wish;
+
+void port_boot_loader(void)
+{
+    cortexm_dark();
+    boot_wish = BOOT_WISH;
+    AIRCR = 0x05FA0004; /* system reset */
+    for (;;) {
+    }
+}
+
+/* Its memory at 0, where its vectors are looked for, and no guard in the RAM that it takes (AN2606). */
+static void enter_boot_loader(void)
+{
+    const volatile uint32_t *vectors = (const uint32_t *)BOOT_LOADER; /* NOLINT: an address of the memory map */
+    boot_wish = 0;
+    MPU_CTRL = 0;
+    RCC_APB2ENR |= 1U << 14; /* SYSCFG */
+    (void)RCC_APB2ENR;
+    MEMRMP = 1;
+    const uint32_t stack = vectors[0], entry = vectors[1];
+    __asm__ volatile("msr msp, %0\n"
+                     "bx %1\n"
+                     :
+                     : "r"(stack), "r"(entry));
+}
+
 /* ---- start, log ------------------------------------------------------------------------------------- */
 
 static bool ready(uint32_t bit)
@@ -142,6 +178,9 @@ static void start_clock(void)
 
 uint32_t port_start(void)
 {
+    if (boot_wish == BOOT_WISH) {
+        enter_boot_loader();
+    }
     start_clock();
     RCC_AHB1ENR |= 0x1FU | 1U << 21;    /* ports A .. E, DMA1 */
     RCC_APB1ENR |= 1U << 14 | 1U << 18; /* SPI2, USART3 */
@@ -165,19 +204,6 @@ void port_log(const char *text)
 int port_log_read(void)
 {
     return (USART_SR & USART_RXNE) != 0 ? (int)(USART_DR & 255) : -1;
-}
-
-/* The boot loader in ROM finds the chip as after a reset, but for the clock, which it sets itself. */
-void port_boot_loader(void)
-{
-    const uint32_t *vectors = (const uint32_t *)BOOT_LOADER; /* NOLINT: an address of the memory map */
-    port_bus_stop();
-    REG32(0xE000E010) = 0; /* SysTick */
-    RCC_CFGR = 0;
-    __asm__ volatile("msr msp, %0\n"
-                     "bx %1\n"
-                     :
-                     : "r"(vectors[0]), "r"(vectors[1]));
 }
 
 bool port_core_run(void (*run)(void *argument), void *argument)
