@@ -128,9 +128,12 @@ exit_status_is_passed_on() {
 interrupted() { # no QEMU goes on
     "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$B/firmware/$board-demos.elf" "$dir/cut" 100000 >"$dir/said" 2>"$dir/log" &
     local emulator=$! qemu tries=0
-    until [ -s "$dir/said" ] || [ $((tries++)) = 200 ]; do sleep 0.1; done
+    until [ -s "$dir/said" ] || [ $((tries++)) = 600 ]; do sleep 0.1; done
     qemu=$(ps -eo pid,ppid | awk -v of="$emulator" '$2 == of { print $1 }')
-    [ -n "$qemu" ] && kill "$emulator" && ! wait "$emulator" && ! kill -0 "$qemu" 2>/dev/null && grep -qx 'pinhole-emulate: interrupted' "$dir/log"
+    [ -n "$qemu" ] && kill "$emulator" && ! wait "$emulator" && ! kill -0 "$qemu" 2>/dev/null &&
+        grep -qx 'pinhole-emulate: interrupted' "$dir/log" && return
+    echo "QEMU '$qemu' after $tries tenths of a second: $(tail -n 3 "$dir/log")"
+    return 1
 }
 
 check "the_image_builds" builds
