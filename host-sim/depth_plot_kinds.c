@@ -10,33 +10,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define POINTS      48 /* at most DEPTH_AT_MAX */
-#define CURVE       400
-#define BINS        24
-#define CELLS_MAX   12
-#define COLOUR_GREY "#999999"
+#define POINTS    48 /* at most DEPTH_AT_MAX */
+#define CURVE     400
+#define BINS      24
+#define CELLS_MAX 12
 
 /* ---- styles ------------------------------------------------------------------------------------------- */
 
 struct style {
     const char *colour;
-    int mark, dash;
+    int mark;
 };
 
 static struct style style_of(const struct lab_format *format)
 {
     static const struct style drawn[PH_DEPTH_FORMATS] = {
-        [PH_DEPTH_FIXED16] = {"#e69f00", 5, 1},  [PH_DEPTH_FLOAT16] = {"#0072b2", 7, 1},
-        [PH_DEPTH_FIXED24] = {"#d55e00", 4, 1},  [PH_DEPTH_FLOAT24] = {"#009e73", 6, 1},
-        [PH_DEPTH_LINEAR_W] = {"#cc79a7", 9, 1},
+        [PH_DEPTH_FIXED16] = {"#e69f00", 5}, [PH_DEPTH_FLOAT16] = {"#0072b2", 7},  [PH_DEPTH_FIXED24] = {"#d55e00", 4},
+        [PH_DEPTH_FLOAT24] = {"#009e73", 6}, [PH_DEPTH_LINEAR_W] = {"#cc79a7", 9},
     };
     if (format->kind == LAB_DRAWN) {
         return drawn[format->format];
     }
     static const struct style others[] = {
-        [LAB_NDC_Q16] = {COLOUR_GREY, 0, 3},  [LAB_RECIP_Q16] = {COLOUR_GREY, 0, 4},
-        [LAB_CLIP_Q16] = {COLOUR_GREY, 0, 5}, [LAB_LINEAR] = {"#cc79a7", 0, 2},
-        [LAB_OVER_W] = {"#8a6d3b", 0, 4},     [LAB_LOG] = {"#000000", 0, 5},
+        [LAB_NDC_Q16] = {"#777777", 0}, [LAB_RECIP_Q16] = {"#b2182b", 0}, [LAB_CLIP_Q16] = {"#762a83", 0},
+        [LAB_LINEAR] = {"#cc79a7", 0},  [LAB_OVER_W] = {"#8a6d3b", 0},    [LAB_LOG] = {"#000000", 0},
     };
     return others[format->kind];
 }
@@ -52,13 +49,35 @@ static bool has_twin(uint32_t row)
     return false;
 }
 
-static void put_title(FILE *script, uint32_t row)
+/* What others do: dashes for 16 bits, dashes and dots for 24. */
+static void put_style(FILE *script, const struct lab_format *format, bool marks)
 {
-    fprintf(script, "title '%s", lab_formats[row].name);
-    if (has_twin(row)) {
-        fprintf(script, " %u bits", lab_formats[row].bits);
+    const struct style style = style_of(format);
+    if (format->kind == LAB_DRAWN && marks) {
+        fprintf(script, "linespoints pt %d ps 0.6 pi 4 lw 2.2", style.mark);
+    } else if (format->kind == LAB_DRAWN) {
+        fputs("lines lw 2.4", script);
+    } else {
+        fputs(format->bits == 16 ? "lines lw 1.6 dt 2" : "lines lw 1.3 dt 4", script);
     }
-    fputc('\'', script);
+    fprintf(script, " lc '%s' ", style.colour);
+}
+
+/* The names, in the order of the tables whatever lies on top of what. */
+static void put_legend(const struct depth_lab *lab, FILE *script, bool marks)
+{
+    for (uint32_t i = 0; i < lab_format_count; i++) {
+        if ((lab->formats >> i & 1) != 0) {
+            fputs(", keyentry with ", script);
+            put_style(script, &lab_formats[i], marks);
+            fprintf(script, "title '%s", lab_formats[i].name);
+            if (has_twin(i)) {
+                fprintf(script, " %u bits", lab_formats[i].bits);
+            }
+            fputc('\'', script);
+        }
+    }
+    fputc('\n', script);
 }
 
 static void put_camera(const struct depth_lab *lab, FILE *script)
@@ -193,34 +212,18 @@ static void put_resolve(FILE *script, char *csv)
     fputs(open != lab_format_count ? "EOD\n" : "", script);
 }
 
-static void put_resolve_curve(FILE *script, uint32_t row, int y, bool title)
-{
-    const struct style style = style_of(&lab_formats[row]);
-    fprintf(script, ", $r%u using 1:%d with ", (unsigned)row, y);
-    if (lab_formats[row].kind == LAB_DRAWN) {
-        fprintf(script, "linespoints pt %d ps 0.6 pi 4 lw 2.2", style.mark);
-    } else {
-        fprintf(script, "lines lw %s dt %d", lab_formats[row].bits == 16 ? "1.7" : "0.9", style.dash);
-    }
-    fprintf(script, " lc '%s' ", style.colour);
-    if (title) {
-        put_title(script, row);
-    } else {
-        fputs("notitle", script);
-    }
-}
-
-/* Curves of column y over z, with their names or without; the renderer's own on top of the others. */
-static void put_resolve_curves(const struct depth_lab *lab, FILE *script, int y, bool titles)
+/* Curves of column y over z; the renderer's own on top of the others. */
+static void put_resolve_curves(const struct depth_lab *lab, FILE *script, int y)
 {
     for (uint32_t i = 0; i < 2 * lab_format_count; i++) {
         const uint32_t row = i % lab_format_count;
         const bool drawn = lab_formats[row].kind == LAB_DRAWN;
         if ((lab->formats >> row & 1) != 0 && drawn == (i >= lab_format_count)) {
-            put_resolve_curve(script, row, y, titles);
+            fprintf(script, ", $r%u using 1:%d with ", (unsigned)row, y);
+            put_style(script, &lab_formats[row], true);
+            fputs("notitle", script);
         }
     }
-    fputc('\n', script);
 }
 
 /* T. Ulrich's bands: above 1/1000 of the distance ripe for z-fighting, below 1/1000000 very good. */
@@ -253,17 +256,19 @@ static void put_resolve_upper(const struct depth_lab *lab, FILE *script)
                     style_of(&lab_formats[i]).colour);
         }
     }
-    put_resolve_curves(lab, script, 3, false);
+    put_resolve_curves(lab, script, 3);
+    fputc('\n', script);
 }
 
 static void put_resolve_lower(const struct depth_lab *lab, FILE *script)
 {
     fputs("unset label\nunset title\nset tmargin at screen 0.45\nset bmargin at screen 0.27\nset format x '%g'\n"
           "set xlabel 'distance z [m]'\nset ylabel 'measured / ideal'\nset yrange [0.5:1000]\n"
-          "set key at screen 0.54,0.01 center bottom horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
+          "set key at screen 0.54,0.19 center top horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
           "notitle",
           script);
-    put_resolve_curves(lab, script, 4, true);
+    put_resolve_curves(lab, script, 4);
+    put_legend(lab, script, true);
     fputs("unset multiplot\n", script);
 }
 
@@ -343,20 +348,16 @@ static int write_pairs(const struct depth_lab *lab, FILE *script)
             "'\nset logscale x\nset xrange [%g:%g]\nset yrange [-2:102]\nset xlabel 'distance z [m]'\n"
             "set ylabel 'equal or swapped [%% of the pairs there]'\n"
             "set bmargin at screen 0.37\nset lmargin at screen 0.09\nset rmargin at screen 0.97\n"
-            "set key at screen 0.53,0.01 center bottom horizontal maxcols 4 width -1 samplen 3\nplot -5 notitle",
+            "set key at screen 0.53,0.25 center top horizontal maxcols 4 width -1 samplen 3\nplot -5 notitle",
             depth_metres(lab->near_z), depth_metres(lab->far_z));
     for (uint32_t i = 0; i < lab_format_count; i++) {
-        const struct style style = style_of(&lab_formats[i]);
         if ((lab->formats >> i & 1) != 0) {
-            fprintf(script, ", $p%u with lines lw %s dt %d lc '%s' ", (unsigned)i,
-                    lab_formats[i].kind == LAB_DRAWN ? "2.4"
-                    : lab_formats[i].bits == 16      ? "1.7"
-                                                     : "0.9",
-                    style.dash, style.colour);
-            put_title(script, i);
+            fprintf(script, ", $p%u with ", (unsigned)i);
+            put_style(script, &lab_formats[i], false);
+            fputs("notitle", script);
         }
     }
-    fputc('\n', script);
+    put_legend(lab, script, false);
     return status;
 }
 
