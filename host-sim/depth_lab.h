@@ -59,4 +59,7 @@ int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth
  */
 void depth_table_print(FILE *file, const char *csv, const char *headings);
 
+/* Takes the remarks out: what is left is CSV. */
+void depth_table_drop_remarks(char *csv);
+
 #endif

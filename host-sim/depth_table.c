@@ -89,3 +89,18 @@ int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth
     }
     return status;
 }
+
+void depth_table_drop_remarks(char *csv)
+{
+    char *to = csv;
+    for (const char *line = csv; *line != '\0';) {
+        const char *end = strchr(line, '\n');
+        const size_t n = end != NULL ? (size_t)(end - line) + 1 : strlen(line);
+        if (*line != '#') {
+            memmove(to, line, n);
+            to += n;
+        }
+        line += n;
+    }
+    *to = '\0';
+}

@@ -45,29 +45,13 @@ static const struct depth_command commands[] = {
 
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 
-/* Takes the remarks out: what is left is CSV. */
-static void drop_remarks(char *csv)
-{
-    char *to = csv;
-    for (const char *line = csv; *line != '\0';) {
-        const char *end = strchr(line, '\n');
-        const size_t n = end != NULL ? (size_t)(end - line) + 1 : strlen(line);
-        if (*line != '#') {
-            memmove(to, line, n);
-            to += n;
-        }
-        line += n;
-    }
-    *to = '\0';
-}
-
 static int show(const struct depth_command *command, const struct depth_lab *lab, char *csv)
 {
     if (lab->csv == NULL) {
         depth_table_print(stdout, csv, command->headings);
         return 0;
     }
-    drop_remarks(csv);
+    depth_table_drop_remarks(csv);
     if (strcmp(lab->csv, "-") != 0) {
         return save_bytes(lab->csv, csv, strlen(csv));
     }

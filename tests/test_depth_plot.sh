@@ -107,7 +107,7 @@ error_picture_shows_what_is_counted() {
 report_has_it_all() {
     "$depth" all --near 1 --far 4 --size 24x24 --out "$dir/report" 2>"$dir/stderr" || { cat "$dir/stderr" && return 1; }
     local name
-    for name in resolve pairs budget planes monotone; do
+    for name in advise resolve pairs budget planes monotone; do
         [ -s "$dir/report/$name.csv" ] && grep -q "pinhole-depth $name --near 1 --far 4" "$dir/report/report.md" || { echo "$name" && return 1; }
     done
     [ -s "$dir/report/planes.png" ] || return 1
@@ -116,7 +116,12 @@ report_has_it_all() {
 
 # A command that the report names gives the rows that stand there.
 report_rows_are_the_commands() {
-    "$depth" pairs --near 1 --far 4 --csv - | diff - "$dir/report/pairs.csv"
+    local command
+    "$depth" pairs --near 1 --far 4 --csv - | diff - "$dir/report/pairs.csv" || return 1
+    # shellcheck disable=SC2016 # backquotes of Markdown
+    command=$(grep -o '`pinhole-depth advise [^`]*' "$dir/report/report.md" | cut -d' ' -f2-)
+    # shellcheck disable=SC2086 # options
+    "$depth" $command --csv - | diff - "$dir/report/advise.csv"
 }
 
 # The table between README's marks is made of resolve's S_worst.
