@@ -118,9 +118,9 @@ frames_as_sim() { # name, board, rotation, pinhole-sim's option...
         diff "$kit_out/$1.expected" "$kit_out/$1.seen"
 }
 
-two_rotations_are_as_simulated() { # board
+rotations_are_as_simulated() { # board, rotations
     local rotation
-    for rotation in 0 270; do
+    for rotation in $2; do
         ended "$1-$rotation" 0 "" && frames_as_sim "$1-$rotation" "$1" "$rotation" --frames 2 &&
             released "$1-$rotation" || { echo "rotation $rotation"; return 1; }
     done

@@ -6,14 +6,8 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
 . tests/kit_flash.sh
-unset MAKEFLAGS
-export B=${B:-build}
-why=$(kit_why)
-[ -n "$why" ] || pkg-config --exists libusb-1.0 || why="no libusb-1.0-0-dev"
-[ -z "$why" ] || { skip "a virtual RP2040 is pulled at any moment" "$why" && tap_end; }
+kit_begin "a virtual RP2040 is pulled at any moment" libusb-1.0
 make -s B="$B" all && kit_build || exit 1
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
 make_images "$dir" a 40000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"
 {

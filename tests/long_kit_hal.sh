@@ -6,13 +6,8 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
 . tests/kit/kit.sh
-unset MAKEFLAGS
-export B=${B:-build}
-
-why=$(kit_why)
-[ -z "$why" ] || { echo "$why" && exit 77; }
-make -s -j2 B="$B" "$B/tests/test_hal" || exit 1
-kit_build || exit 1
+kit_begin "the backends keep hal.h's contract in the virtual kit" libusb-1.0
+make -s -j2 B="$B" "$B/tests/test_hal" && kit_build || exit 1
 
 in_the_kit() { # shell text, guest.sh's option...
     kit_guest --timeout 400 --memory 1024 --cpus 2 "${@:2}" -- bash -c "

@@ -6,13 +6,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
 . tests/kit_flash.sh
-unset MAKEFLAGS
-export B=${B:-build}
-why=$(kit_why)
-[ -n "$why" ] || pkg-config --exists libusb-1.0 || why="no libusb-1.0-0-dev"
-[ -z "$why" ] || { skip "pinhole-flash writes a virtual RP2040" "$why" && tap_end; }
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
+kit_begin "pinhole-flash writes a virtual RP2040" libusb-1.0
 chmod 755 "$dir" # somebody without rights reads the images, too
 kit_build && make_images "$dir" a 50000 b 70001 large 700000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"

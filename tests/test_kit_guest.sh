@@ -5,11 +5,8 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
-export B=${B:-build}
 . tests/kit/kit.sh
-why=$(kit_why)
-[ -z "$why" ] || { skip "the virtual kit" "$why" && tap_end; }
-dir=$(mktemp -d) && trap 'rm -rf "$dir"' EXIT
+kit_begin "the virtual kit"
 
 # Exit status, stdout and stderr of a command are as given.
 gives() { # status, stdout, pattern in stderr, command...

@@ -7,13 +7,8 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
 . tests/kit_panel.sh
-unset MAKEFLAGS
-export B=${B:-build}
-
-why=$(kit_why)
-[ -z "$why" ] || { echo "$why" && exit 77; }
-make -s -j2 B="$B" "$B/tests/test_hal" || exit 1
-kit_build || exit 1
+kit_begin "the backends keep hal.h's contract in the virtual kit" libusb-1.0
+make -s -j2 B="$B" "$B/tests/test_hal" && kit_build || exit 1
 
 in_guest='
     . tests/kit_panel.sh
@@ -63,8 +58,7 @@ in_guest='
     try_usb >$KIT/usb.hal 2>&1
     echo $? >$KIT/usb.status
 '
-kit_out=$(mktemp -d) || exit 1
-trap 'rm -rf "$kit_out"' EXIT
+kit_out=$dir
 kit_guest --timeout 300 --bufsiz 64 --out "$kit_out" -- bash -c "$in_guest" >"$kit_out/log" 2>&1 || cat "$kit_out/log"
 
 check "hal_linux_with_a_bufsiz_of_64" hal_passed names

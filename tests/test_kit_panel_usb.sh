@@ -6,12 +6,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
 . tests/kit_panel.sh
-unset MAKEFLAGS
-export B=${B:-build}
-why=$(kit_why)
-[ -z "$why" ] || { skip "pinhole-panel drives a display over virtual USB" "$why" && tap_end; }
-dir=$(mktemp -d) || exit 1
-trap 'rm -rf "$dir"' EXIT
+kit_begin "pinhole-panel drives a display over virtual USB" libusb-1.0
 kit_build || exit 1
 
 usb='
@@ -56,6 +51,11 @@ usb_in_mode_3() {
         awk '$2 == "spi" && $6 != 3 { print; exit 1 }' "$kit_out/usb-mode3.events"
 }
 
+usb_is_dark() {
+    "$B/pinhole-wire" --board ft232h-st7789 --order "$kit_out/usb-TERM.events" >"$dir/term.seen" &&
+        sed -n 's/^order \(.*\) [0-9.]* ms$/\1/p' "$dir/term.seen" | tail -n 1 | grep -qx 'display off'
+}
+
 the_serial_number_selects() {
     ended which 1 "serial" && one_line which && ended other 1 "THREE" && one_line other &&
         ended doctor-which 1 "" && grep -q '^FAIL  FT232H: there are 2: say which' "$kit_out/doctor-which.out" &&
@@ -63,7 +63,7 @@ the_serial_number_selects() {
 }
 
 for board in $kit_usb_boards; do
-    check "on $board the wire carries what pinhole-sim draws" two_rotations_are_as_simulated "$board"
+    check "on $board the wire carries what pinhole-sim draws" rotations_are_as_simulated "$board" "0 270"
 done
 check "over USB with --diff on the last picture is the simulator's" usb_shows_what_changed
 check "the serial number says which FT232H; without it two are refused" the_serial_number_selects
@@ -75,6 +75,6 @@ check "an unplugged FT232H is told" told unplug 1 "$frame unplugged while sendin
 check "a stall is told" told stall 1 "$frame endpoint stalled while sending; plug it in again"
 check "a time-out is told" told hang 1 "$frame no answer within N ms while sending; plug it in again"
 check "a short transfer is told" told short 1 "$frame Input/Output Error while sending; plug it in again"
-check "SIGTERM over USB exits 143" eval 'ended usb-TERM 143 frames/s'
+check "SIGTERM over USB leaves the panel dark and exits 143" eval 'ended usb-TERM 143 frames/s && usb_is_dark'
 check "no permission on USB names the rule" eval 'ended usb-nouser 1 "60-pinhole.rules" && one_line usb-nouser'
 tap_end

@@ -5,12 +5,8 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
-export B=${B:-build}
 . tests/kit/kit.sh
-why=$(kit_why)
-[ -n "$why" ] || pkg-config --exists libusb-1.0 || why="no libusb-1.0-0-dev"
-[ -z "$why" ] || { skip "the virtual USB devices" "$why" && tap_end; }
-dir=$(mktemp -d) && trap 'rm -rf "$dir"' EXIT
+kit_begin "the virtual USB devices" libusb-1.0
 
 check "the devices compile without a warning" kit_build
 

@@ -2,7 +2,9 @@
 # The virtual board of tests/kit/board, for scripts on both sides: `. tests/kit/kit.sh`. Environment: B.
 #
 # On the host:
-#   kit_why                  why there can be no virtual board here, for `skip`; nothing when there can
+#   kit_begin NAME [PKG]     starts a test that sources tests/tap.sh: where there can be no virtual board, or no library
+#                            that pkg-config calls PKG, it skips NAME and ends; else $dir is a directory of its own
+#   kit_why                  why there can be no virtual board here; nothing when there can
 #   kit_build                builds the kernel module for the guest's kernel (once), and the device daemons
 #   kit_guest OPTION... -- COMMAND...   tests/kit/guest.sh
 # In the guest, COMMAND being a script that has this file as well:
@@ -26,6 +28,18 @@ kit_kernel() { "$kit_tests/guest.sh" --kernel; }
 kit_why() {
     "$kit_tests/guest.sh" --why || return 0
     [ -e "/lib/modules/$(kit_kernel)/build/Makefile" ] || echo "no headers for kernel $(kit_kernel) (linux-headers-amd64)"
+}
+
+# shellcheck disable=SC2034 # the caller's
+kit_begin() {
+    local why
+    unset MAKEFLAGS
+    export B
+    why=$(kit_why)
+    [ -n "$why" ] || [ -z "${2-}" ] || pkg-config --exists "$2" || why="pkg-config finds no $2"
+    [ -z "$why" ] || { skip "$1" "$why" && tap_end; }
+    dir=$(mktemp -d) || exit 1
+    trap 'rm -rf "$dir"' EXIT
 }
 
 kit_module() { echo "${B:-build}/kit/board-$(kit_kernel)/pinhole_kit.ko"; }
