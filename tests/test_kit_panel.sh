@@ -18,12 +18,14 @@ all_boards='
     run_fresh diff --board rpi-waveshare-1in3 --frames 12 --diff on
     run_fresh two --board rpi-waveshare-1in44 --board sbc-generic --spi /dev/spidev0.1 --dc GPIO22 \
         --reset GPIO23 --backlight - --frames 3
+    run_fresh options --board rpi-waveshare-1in3 --demo solar --view moon --start 40 --frames 2 --overlay --depth fixed16 --band 7
+    run_fresh refreshed --board rpi-waveshare-1in3 --frames 3 --diff on --refresh 1
     fresh && kit_do set 13 0 && run select --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/select.events
     fresh && kit_do reply 0085855200
     run probe probe --board rpi-pitft-2in8 --panel st7789-240x320
     run_fresh home --panel st7735s-80x160 --spi /dev/spidev0.1 --dc pinctrl-bcm2835:4 --reset gpiochip0:17 \
         --backlight - --demo testcard --frames 2 --rotate 90 --speed 8000000
-    fresh && kit_do te 18 25 && run edges --board rpi-waveshare-1in3 --te GPIO18 --frames 9 && kit_events >$KIT/edges.events
+    fresh && kit_do te 18 100 && run edges --board rpi-waveshare-1in3 --te GPIO18 --frames 9 && kit_events >$KIT/edges.events
     run_fresh card testcard --board rpi-pitft-2in8 --frames 1
     run_fresh speedtest speedtest --board rpi-waveshare-1in44 --speed 15000000 --frames 2
     run_fresh noedges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
@@ -104,6 +106,17 @@ select_takes_the_next_demo() {
     ended select 0 "" && frames_as_sim select rpi-waveshare-1in3 90 --frames 2 --keys "$dir/keys"
 }
 
+options_are_the_simulators() {
+    ended options 0 "" || return 1
+    "$B/pinhole-wire" --board rpi-waveshare-1in3 "$kit_out/options.events" | cut -d' ' -f3- >"$dir/options" # it counts from 0
+    "$B/pinhole-sim" --board rpi-waveshare-1in3 --demo solar --view moon --start 40 --frames 2 --overlay --depth fixed16 --crc |
+        cut -d' ' -f3- | diff - "$dir/options" &&
+        [ "$(awk '$2 == "spi" && length($11) > 1000' "$kit_out/options.events" | wc -l)" -ge 70 ] # 2 frames of 35 bands
+}
+
+# Frames of windows only are no frames to pinhole-wire: these are whole.
+all_is_sent_again() { ended refreshed 0 "" && frames_as_sim refreshed rpi-waveshare-1in3 90 --frames 3; }
+
 a_controller_is_named() { ended probe 0 "" && grep -q '^controller: ST7789$' "$kit_out/probe.out"; }
 
 wires_are_given_by_hand() {
@@ -141,6 +154,8 @@ check "reset, init, first frame, display on, backlight: in this order, and back"
 check "a wire that takes its time carries the same frames" eval 'ended timed 0 "" && frames_as_sim timed rpi-waveshare-1in3 90 --frames 2'
 check "with --diff on the last picture is the simulator's" changes_are_the_picture_in_the_end
 check "one process shows a scene on two displays" two_displays_show_the_same
+check "--view, --start, --overlay, --depth and --band do what they do in pinhole-sim" options_are_the_simulators
+check "--refresh sends all of the picture again" all_is_sent_again
 check "the select button takes the next demo" select_takes_the_next_demo
 check "probe names the controller that answers" a_controller_is_named
 check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand

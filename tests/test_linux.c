@@ -264,6 +264,8 @@ static void chip_and_offset_may_be_given(void **state)
     assert_int_equal(look_up("/dev/gpiochip1:3", &offset, error), 1);
     assert_int_equal(look_up("1f000d0000.gpio:3", &offset, error), 1);
     assert_int_equal(offset, 3);
+    assert_int_equal(look_up("gpiochip1:0", &offset, error), 1);
+    assert_int_equal(offset, 0);
     assert_int_equal(look_up("gpiochip1:54", &offset, error), -1);
     assert_int_equal(look_up("gpiochip0:3", &offset, error), -1);
     assert_non_null(strstr(error, "gpiochip0:3"));

@@ -1,4 +1,5 @@
 /* panel_show, the loop of pinhole-panel, on simulated kits: what is seen, how it ends, what it says; panel_probe. */
+#define _POSIX_C_SOURCE 200809L /* dup */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char *no_words(const void *context)
 {
@@ -98,6 +100,8 @@ static void an_error_ends_it_dark(void **state)
     (void)state;
     static struct panel_display d;
     volatile sig_atomic_t stop = 0;
+    const int told = dup(STDERR_FILENO);
+    assert_true(told >= 0);
     assert_non_null(freopen("/dev/null", "w", stderr));
     for (uint32_t n = 1; n < 200; n += 13) {
         struct sim *sim;
@@ -109,6 +113,46 @@ static void an_error_ends_it_dark(void **state)
         assert_true(is_dark(sim, d.board));
         sim_close(sim);
     }
+    fflush(stderr);
+    assert_true(dup2(told, STDERR_FILENO) >= 0);
+    close(told);
+}
+
+static struct sim_counters counters_of(const struct panel_scene *scene, struct panel_display *d)
+{
+    struct sim *sim;
+    plug(d, &board_rpi_waveshare_1in44, &sim);
+    assert_int_equal(panel_show_run(d, 1, scene), 0);
+    const struct sim_counters counters = sim_counters(sim);
+    sim_close(sim);
+    return counters;
+}
+
+static void each_setting_has_its_effect(void **state)
+{
+    (void)state;
+    static struct panel_display d;
+    const uint64_t pixels = 128 * 128;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(2, &stop);
+    scene.band = 128;
+    scene.depth = PH_DEPTH_FLOAT24;
+    const uint32_t writes = counters_of(&scene, &d).writes;
+    assert_int_equal(d.kit.renderer.stats.depth_format, PH_DEPTH_FLOAT24);
+    scene.band = 8;
+    scene.depth = PH_DEPTH_FIXED16;
+    assert_int_equal(counters_of(&scene, &d).writes, writes + 2 * 15); /* 16 bands a frame for one */
+    assert_int_equal(d.kit.renderer.stats.depth_format, PH_DEPTH_FIXED16);
+    scene.demo = demo_find("testcard"); /* nothing moves */
+    assert_int_equal(counters_of(&scene, &d).pixels, 2 * pixels);
+    scene.diff = true;
+    assert_int_equal(counters_of(&scene, &d).pixels, pixels);
+    scene.refresh = 1;
+    assert_int_equal(counters_of(&scene, &d).pixels, 2 * pixels);
+    scene.fps = 20;
+    const uint64_t start_ns = panel_show_now_ns();
+    counters_of(&scene, &d);
+    assert_true(panel_show_now_ns() - start_ns >= 50000000); /* between the two frames */
 }
 
 static void controllers_are_named_by_their_bytes(void **state)
@@ -140,10 +184,9 @@ static void controllers_are_named_by_their_bytes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_run_shows_its_frames_and_ends_dark),
-        cmocka_unit_test(a_signal_ends_it_after_the_frame),
-        cmocka_unit_test(controllers_are_named_by_their_bytes),
-        cmocka_unit_test(an_error_ends_it_dark),
+        cmocka_unit_test(a_run_shows_its_frames_and_ends_dark), cmocka_unit_test(a_signal_ends_it_after_the_frame),
+        cmocka_unit_test(controllers_are_named_by_their_bytes), cmocka_unit_test(an_error_ends_it_dark),
+        cmocka_unit_test(each_setting_has_its_effect),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
