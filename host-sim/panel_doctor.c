@@ -199,7 +199,7 @@ static void check_usb(struct doctor *doctor, const char *serial, bool needed)
         found |= serial != NULL && strcmp(serial, looks[i].serial) == 0;
     }
     if (!found) {
-        tell(doctor, false, "FT232H: none has the serial number '%s'", serial);
+        tell(doctor, false, "FT232H: none has the serial number '%s': give --usb one of those above", serial);
     }
     if (needed && serial == NULL && count > 1) {
         tell(doctor, false, "FT232H: there are %d: say which with --usb SERIAL", count);

@@ -236,6 +236,9 @@ static int check_together(const struct panel_options *o)
     if (scene && o->command != PANEL_RUN) {
         return complain(EXIT_USAGE, "--demo, --view and --model are for showing a scene, not for this command");
     }
+    if (o->refresh != 0 && !o->diff) {
+        return complain(EXIT_USAGE, "--refresh is for --diff on: without it every frame is sent whole");
+    }
     if (o->command == PANEL_RUN || o->command == PANEL_TESTCARD) {
         return o->kit_count > 0 ? 0
                                 : complain(EXIT_USAGE, "no display: give --board NAME (`pinhole-panel list` shows "

@@ -18,6 +18,7 @@ usb='
     kit_usb ft232h --serial TWO --events $KIT/serial.events && two=$kit_device
     run which --board ft232h-st7789 --frames 2
     run doctor-which doctor --board ft232h-st7789
+    run doctor-other doctor --board ft232h-st7789 --usb THREE
     run serial --board ft232h-st7789 --usb TWO --frames 2
     run other --board ft232h-st7789 --usb THREE --frames 2
     kill $one $two
@@ -59,6 +60,7 @@ usb_is_dark() {
 the_serial_number_selects() {
     ended which 1 "serial" && one_line which && ended other 1 "THREE" && one_line other &&
         ended doctor-which 1 "" && grep -q '^FAIL  FT232H: there are 2: say which' "$kit_out/doctor-which.out" &&
+        ended doctor-other 1 "" && grep -q "^FAIL  FT232H: none has the serial number 'THREE': give --usb" "$kit_out/doctor-other.out" &&
         ended serial 0 "" && frames_as_sim serial ft232h-st7789 0 --frames 2 && ! grep -q ' spi ' "$kit_out/one.events"
 }
 

@@ -65,6 +65,7 @@ what_does_not_fit_together_is_refused() {
     wrong_usage "no display: give --board NAME" &&
         wrong_usage "no display: give --board NAME" testcard &&
         wrong_usage "--demo and --model exclude each other" --board sbc-generic --demo testcard --model x.obj &&
+        wrong_usage "--refresh is for --diff on" --board sbc-generic --refresh 3 &&
         wrong_usage "not for this command" testcard --board sbc-generic --demo ball &&
         wrong_usage "one display at a time" probe --board sbc-generic --board rpi-pirate-audio &&
         wrong_usage "one display at a time" speedtest &&

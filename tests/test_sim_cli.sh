@@ -142,12 +142,13 @@ bands_are_what_is_sent_at_a_time() {
         [ "$one" -gt $((forty + 30)) ] || { echo "$one $forty" && return 1; }
 }
 
-stats_add_up() {
+stats_add_up() { # the bus has 62.5 MHz
     local bytes us
     bytes=$(stat_of wire --demo torus --size 64x64) && us=$(stat_of bus --demo torus --size 64x64) &&
         [ "$bytes" -ge $((64 * 64 * 2)) ] && [ "$bytes" -lt $((64 * 64 * 2 + 64)) ] &&
         [ "$(stat_of in --demo torus --size 64x64)" = 1024 ] && [ "$(stat_of vertices --demo torus --size 64x64)" = 512 ] &&
-        [ "$(stat_of dropped --demo torus --size 64x64)" = 0 ] && [ "$us" -gt 500 ] || { echo "$bytes $us" && return 1; }
+        [ "$(stat_of dropped --demo torus --size 64x64)" = 0 ] &&
+        [ "$us" = $(((bytes * 8 * 1000 + 31250) / 62500)) ] || { echo "$bytes $us" && return 1; }
 }
 
 crc_is_the_one_of_gzip() {
