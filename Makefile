@@ -2,7 +2,7 @@
 CC ?= cc
 AR ?= ar
 CFLAGS ?= -O2 -g
-CPU ?= portable
+CPU ?= $(if $(findstring __x86_64__,$(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)),x86_64,portable)
 B ?= build
 V ?= 0
 PREFIX ?= /usr/local
@@ -40,6 +40,8 @@ SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
 TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
+
+CPU := $(CPU)
 
 # Assembly replaces C where the compiler makes Thumb code; a computer tries a microcontroller's C files without it.
 CORE_S := $(wildcard firmware/core/$(CPU)/*.S)
@@ -187,6 +189,6 @@ clean: ## removes build/
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(PROGRAMS:$(B)/pinhole-%=$(B)/host-sim/pinhole_%.d)

@@ -313,7 +313,7 @@ static bool check_rcp_norm(struct range r, uint32_t *wrong)
         const uint64_t q = fx_rcp_norm(w, &shift);
         const uint32_t v = w != 0 ? w : 1;
         const uint32_t d = v << shift;
-        if (d >> 31 == 0 || d >> shift != v || q * d > one || q * d + d <= one) {
+        if (d >> 31 == 0 || d >> shift != v || q * d > one || q * d + d <= one || fx_rcp_newton(d) != q) {
             *wrong = w;
             return false;
         }

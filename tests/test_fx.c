@@ -442,6 +442,7 @@ static void normalised_reciprocal_is_the_exact_quotient(void **state)
         }
         assert_int_equal(shift, zeros);
         assert_int_equal(got, ((uint64_t)1 << 62) / (v << zeros));
+        assert_int_equal(fx_rcp_newton((uint32_t)(v << zeros)), got);
     }
 }
 

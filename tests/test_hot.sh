@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The hot loops in assembly do what their C does, bit for bit: on random input, and in every frame of tests/frames.sh.
-# The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
+# The hot loops of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
+# tests/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -28,6 +28,23 @@ assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
     [ ! -e "firmware/core/$1/fx_clz.c" ] || files+=("firmware/core/$1/fx_clz.c")
     "$cross" "$core" -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-Ifirmware/core/$1" -Ifirmware/core tests/hot/hot_loops.c "${files[@]}" -o "$B/$3" &&
         qemu-arm "$B/$3" >"$B/$3.lines"
+}
+
+# The loops of this computer, which has a few of its own.
+vector_loops() { # folder with them, name: their lines in $B/NAME.lines
+    local files=() loop
+    for loop in "${loops[@]}"; do
+        if [ -e "$1/${loop##*/}.c" ]; then files+=("$1/${loop##*/}.c"); else files+=("$loop.c"); fi
+    done
+    cc -O2 -std=c11 "-I$1" -Ifirmware/core tests/hot/hot_loops.c firmware/core/fx_root.c "${files[@]}" -o "$B/$2" && "$B/$2" >"$B/$2.lines"
+}
+
+same_vector_loops() { vector_loops firmware/core/x86_64 x86_64 && diff "$B/c.lines" "$B/x86_64.lines"; }
+
+vector_change_is_seen() { # file, sed command
+    rm -rf "${B:?}/changed" && cp -r firmware/core/x86_64 "$B/changed" && sed -i "$2" "$B/changed/$1" || return 1
+    ! cmp -s "$B/changed/$1" "firmware/core/x86_64/$1" || { echo "nothing changed" && return 1; }
+    vector_loops "$B/changed" changed-lines && ! diff -q "$B/c.lines" "$B/changed-lines.lines"
 }
 
 same_loops() { assembled "$1" "firmware/core/$1" "$1" && diff "$B/c.lines" "$B/$1.lines"; } # CPU
@@ -62,4 +79,12 @@ check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vert
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m visit 's/bmi found/ble found/'
 check "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m visit 's/tst r6, #0x3f/tst r6, #0x1f/'
 check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #31/movs r2, #0/'
+if [ "$(uname -m)" = x86_64 ]; then
+    check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
+    check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
+    check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
+    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen rows_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
+else
+    skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"
+fi
 tap_end

@@ -42,6 +42,7 @@ for lines in 1 7 16 1024; do
 done
 check "same_frames_with_gcc_O0" target gcc-O0 "" gcc -O0
 check "same_frames_with_gcc_O3" target gcc-O3 "" gcc -O3
+check "same_frames_with_the_portable_files" target portable "" gcc -O2 CPU=portable
 check "same_frames_with_the_files_for_armv6m" target armv6m "" gcc -O2 CPU=armv6m
 check "same_frames_with_the_files_for_armv7m" target armv7m "" gcc -O2 CPU=armv7m
 if_there clang "no clang" "same_frames_with_clang_O0" target clang-O0 "" clang -O0

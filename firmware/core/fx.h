@@ -114,16 +114,9 @@ extern const uint16_t fx_rcp_table[256]; /* for fx_rcp_norm and a CPU's fx_rcp16
 
 #include "fx_cpu.h" /* their bodies: core/portable, or the folder of the CPU that -I names before */
 
-/*
- * Normalised reciprocal: *shift = leading zeros of w, result = floor(2^62 / (w << *shift)), in 2^30 .. 2^31.
- * So 1/w = result * 2^(*shift - 62) for an integer w. Exactly this integer on every CPU, hence monotone.
- * w = 0 counts as 1. Products of 32 bits only. Cost: 57, 36.
- */
-static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
+/* floor(2^62 / d) for d = 2^31 .. 2^32 - 1, in products of 32 bits. */
+static inline uint32_t fx_rcp_newton(uint32_t d)
 {
-    const uint32_t v = w != 0 ? w : 1;
-    const int zeros = fx_clz32(v);
-    const uint32_t d = v << zeros;
     const uint32_t r0 = fx_rcp_table[(d >> 23) & 255];                    /* 2^43 / d, 8.8 bits */
     const int32_t e0 = (int32_t)(0u - r0 * (d >> 4));                     /* 1 - r0 d in 2^-39 */
     const int32_t u = (e0 >> 12) + (((e0 >> 16) * (e0 >> 16)) >> 19) + 6; /* e0 + e0^2 in 2^-27, half a LSB of r1 */
@@ -131,9 +124,22 @@ static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
     const int32_t e1 = (int32_t)(0u - r1 * (d >> 1) - ((r1 & (0u - (d & 1))) >> 1)); /* 1 - r1 d in 2^-54 */
     const int32_t half = ((int32_t)(r1 >> 9) * ((e1 >> 16) + 48)) >> 21; /* halves to add to 2^7 r1, nearest */
     const uint32_t q = (r1 << 7) + (uint32_t)(half >> 1);
-    *shift = zeros;
     /* A half more than q leaves no doubt; else the remainder, less than d / 2 either way, has a sign in 32 bits. */
     return q - (((0u - q * d) >> 31) & ~(uint32_t)half);
+}
+
+/*
+ * Normalised reciprocal: *shift = leading zeros of w, result = floor(2^62 / (w << *shift)), in 2^30 .. 2^31.
+ * So 1/w = result * 2^(*shift - 62) for an integer w. Exactly this integer on every CPU, hence monotone.
+ * w = 0 counts as 1. Cost: 57, 36.
+ */
+static inline uint32_t fx_rcp_norm(uint32_t w, int *shift)
+{
+    const uint32_t v = w != 0 ? w : 1;
+    *shift = fx_clz32(v);
+    const uint32_t d = v << *shift;
+    /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): the top bit of d is set */
+    return FX_DIVIDES_64 ? (uint32_t)(((uint64_t)1 << 62) / d) : fx_rcp_newton(d);
 }
 
 #define FX_TEXT_SIZE 24 /* longest text is "-32767.9999847412109375" and its zero */

@@ -23,6 +23,7 @@ static inline void project(const struct ph_vertex_run *run, struct fx_vec3 at, s
     v->y = (int32_t)((run->round_y + fx_mul_wide(y, positive)) >> 32) >> run->down;
     v->q = q << half;
     v->s = (int8_t)(run->near_shift - shift + (int32_t)half);
+    v->code = 0;
     v->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN;
 }
 
@@ -37,8 +38,10 @@ void ph_vertices(struct ph_vertex_run *run)
             break;
         }
         project(run, at, v);
-        v->code = side_code(v->x, run->right, PH_LEFT) | side_code(v->y, run->bottom, PH_TOP);
-        run->codes |= v->code;
+        if ((uint32_t)v->x > run->right || (uint32_t)v->y > run->bottom) {
+            v->code = side_code(v->x, run->right, PH_LEFT) | side_code(v->y, run->bottom, PH_TOP);
+            run->codes |= v->code;
+        }
     }
     run->from = p;
     run->to = v;

@@ -14,26 +14,41 @@ static inline bool faces_viewer(const struct ph_vertex *a, const struct ph_verte
     return fx_mul_wide(c->x - a->x, b->y - a->y) > fx_mul_wide(b->x - a->x, c->y - a->y);
 }
 
-bool ph_visit(struct ph_visit *visit)
+/* Whether a triangle may be seen. */
+static inline bool is_candidate(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
+                                bool coded)
+{
+    if (coded && ((a->code | b->code | c->code) & (PH_REJECT | PH_GUARD)) != 0) {
+        return (a->code & b->code & c->code & PH_REJECT) == 0;
+    }
+    return faces_viewer(a, b, c);
+}
+
+static inline bool visit_until(struct ph_visit *visit, bool coded)
 {
     const struct ph_vertex *const vertices = visit->vertices;
-    const uint32_t codes = visit->codes;
-    for (const uint16_t(*index)[3] = visit->index; index < visit->end; index++) {
+    const uint16_t(*index)[3] = visit->index, (*const end)[3] = visit->end;
+    for (; index < end; index++) {
         const struct ph_vertex *const a = &vertices[(*index)[0]], *const b = &vertices[(*index)[1]],
                                       *const c = &vertices[(*index)[2]];
-        const bool coded = codes != 0 && ((a->code | b->code | c->code) & (PH_REJECT | PH_GUARD)) != 0;
-        if (coded ? (a->code & b->code & c->code & PH_REJECT) != 0 : !faces_viewer(a, b, c)) {
-            continue;
+        if (is_candidate(a, b, c, coded)) {
+            visit->index = index + 1;
+            visit->v[0] = a;
+            visit->v[1] = b;
+            visit->v[2] = c;
+            return true;
         }
-        visit->index = index + 1;
-        visit->v[0] = a;
-        visit->v[1] = b;
-        visit->v[2] = c;
-        if (!coded) {
-            visit->sides = sides_of(a, b, c);
-        }
-        return true;
     }
-    visit->index = visit->end;
+    visit->index = end;
     return false;
+}
+
+bool ph_visit(struct ph_visit *visit)
+{
+    const bool coded = visit->codes != 0;
+    if (!(coded ? visit_until(visit, true) : visit_until(visit, false))) {
+        return false;
+    }
+    visit->sides = sides_of(visit->v[0], visit->v[1], visit->v[2]);
+    return true;
 }

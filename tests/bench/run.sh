@@ -11,7 +11,7 @@ case "$core" in
 m0plus) machine=mps2-an385 cpu=armv6m flags='-mcpu=cortex-m0plus -mthumb' ;;
 m3) machine=mps2-an385 cpu=armv7m flags='-mcpu=cortex-m3 -mthumb' ;;
 m4f) machine=mps2-an386 cpu=armv7m flags='-mcpu=cortex-m4 -mthumb -mfloat-abi=soft' ;;
-x86_64) machine='' cpu=portable flags='' ;;
+x86_64) machine='' cpu=x86_64 flags='' ;;
 *) sed -n '2,3s/^# //p' "$0" >&2 && exit 2 ;;
 esac
 unset MAKEFLAGS

@@ -195,6 +195,9 @@ static uint32_t try_visit(uint32_t h)
             h = word(h, (uint32_t)(visit.v[k] - vertices));
         }
         const struct ph_sides *s = &visit.sides;
+        if (((visit.v[0]->code | visit.v[1]->code | visit.v[2]->code) & (PH_REJECT | PH_GUARD)) != 0) {
+            continue;
+        }
         h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->small);
     }
     return word(h, (uint32_t)(visit.index - triangles));

@@ -9,8 +9,8 @@
 
 extern const uint8_t fx_clz_table[256]; /* leading zeros of 8 bits: fx_clz.c */
 
-#define FX_LONG_PRODUCTS 0                         /* whether fx_mul_wide costs no more than a few instructions */
-#define FX_APART         __attribute__((noinline)) /* 8 registers do not hold two of the stages at once */
+#define FX_DIVIDES_64 0                         /* whether a 64-bit division is one instruction */
+#define FX_APART      __attribute__((noinline)) /* 8 registers do not hold two of the stages at once */
 
 static inline int fx_clz32(uint32_t v)
 {

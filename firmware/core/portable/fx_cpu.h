@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-#define FX_LONG_PRODUCTS 1 /* whether fx_mul_wide costs no more than a few instructions */
-#define FX_APART         inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
+#define FX_DIVIDES_64 0                                     /* whether a 64-bit division is one instruction */
+#define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
 
 static inline int fx_clz32(uint32_t v)
 {
