@@ -101,12 +101,30 @@ static void execute(const struct ends *e, const char *machine, const char *image
     _exit(127);
 }
 
+/* QEMU takes any file for an image. False: errno says why, or is 0. */
+static bool is_elf(const char *image)
+{
+    char magic[4] = "";
+    errno = 0;
+    FILE *const file = fopen(image, "rb");
+    if (file == NULL) {
+        return false;
+    }
+    const size_t n = fread(magic, 1, sizeof magic, file);
+    fclose(file);
+    return n == sizeof magic && memcmp(magic,
+                                       "\x7f"
+                                       "ELF",
+                                       sizeof magic) == 0;
+}
+
 int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
 {
     struct ends e;
     *q = (struct qemu){.pid = -1, .monitor = -1, .uart = -1, .trace = -1, .said = -1};
-    if (access(image, R_OK) != 0) {
-        return complain(EXIT_FAILED, "%s: cannot be read: %s", image, strerror(errno));
+    if (!is_elf(image)) {
+        return complain(EXIT_FAILED, "%s: %s", image,
+                        errno != 0 ? strerror(errno) : "no ELF image; make firmware makes one");
     }
     if (!open_ends(&e)) {
         return complain(EXIT_FAILED, "no sockets for QEMU: %s", strerror(errno));
@@ -134,6 +152,43 @@ static bool readable(int fd, int wait_ms)
     return stop_signal == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
 }
 
+/* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
+static bool usual(const char *line)
+{
+    return strstr(line, "has no peer") != NULL || strcmp(line, "Timer with period zero, disabling") == 0;
+}
+
+static int complaints_of(FILE *said)
+{
+    char line[512];
+    int status = 0;
+    while (fgets(line, sizeof line, said) != NULL) {
+        line[strcspn(line, "\r\n")] = '\0';
+        if (status == 0 && line[0] != '\0' && !usual(line)) {
+            status = complain(EXIT_FAILED, "QEMU says: %s", line);
+        }
+    }
+    return status;
+}
+
+/* Ends it, if it has not ended. EXIT_FAILED and one line when it had something to say. */
+static int end(struct qemu *q)
+{
+    if (q->pid > 0) {
+        kill(q->pid, SIGKILL);
+        waitpid(q->pid, NULL, 0);
+        q->pid = -1;
+    }
+    FILE *said = q->said >= 0 ? fdopen(q->said, "r") : NULL;
+    if (said == NULL) {
+        return 0;
+    }
+    q->said = -1;
+    const int status = stop_signal != 0 ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
+    fclose(said);
+    return status;
+}
+
 /* QEMU is gone or mute: the image's own words say why, if there are any. */
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
@@ -146,7 +201,7 @@ static int last_words(struct qemu *q, const char *what, const char *name)
             return EXIT_FAILED;
         }
     }
-    return complain(EXIT_FAILED, "QEMU does not %s %s", what, name);
+    return end(q) != 0 ? EXIT_FAILED : complain(EXIT_FAILED, "QEMU does not %s %s", what, name);
 }
 
 /* Events come between the answers. */
@@ -225,41 +280,15 @@ int qemu_line(struct qemu *q)
             return qemu_check_line(q);
         }
     }
-    return qemu_interrupted() ? EXIT_FAILED : complain(EXIT_FAILED, "the image logs nothing more");
-}
-
-/* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
-static bool usual(const char *line)
-{
-    return strstr(line, "has no peer") != NULL || strcmp(line, "Timer with period zero, disabling") == 0;
-}
-
-static int complaints_of(FILE *said)
-{
-    char line[512];
-    int status = 0;
-    while (fgets(line, sizeof line, said) != NULL) {
-        line[strcspn(line, "\r\n")] = '\0';
-        if (status == 0 && line[0] != '\0' && !usual(line)) {
-            status = complain(EXIT_FAILED, "QEMU says: %s", line);
-        }
+    if (qemu_interrupted() || end(q) != 0) {
+        return EXIT_FAILED;
     }
-    return status;
+    return complain(EXIT_FAILED, "the image logs nothing more");
 }
 
 int qemu_stop(struct qemu *q)
 {
-    int status = 0;
-    const bool was_interrupted = stop_signal != 0;
-    if (q->pid > 0) {
-        kill(q->pid, SIGKILL);
-        waitpid(q->pid, NULL, 0);
-    }
-    FILE *said = q->said >= 0 ? fdopen(q->said, "r") : NULL;
-    if (said != NULL) {
-        status = was_interrupted ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
-        fclose(said);
-    }
+    const int status = end(q);
     const int others[] = {q->monitor, q->uart, q->trace};
     for (int i = 0; i < 3; i++) {
         if (others[i] >= 0) {

@@ -125,6 +125,20 @@ exit_status_is_passed_on() {
     [ $? = 7 ]
 }
 
+# QEMU runs anything for an image; one line, whatever it is.
+no_image_is_refused() {
+    local image
+    printf 'no image' >"$dir/text"
+    head -c 2000 "$B/firmware/$board-demos.elf" >"$dir/cut.elf"
+    for image in "$dir/text" /dev/null "$dir" "$dir/missing" "$dir/cut.elf"; do
+        if timeout 60 "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$image" >"$dir/said" 2>"$dir/log" ||
+            [ "$(wc -l <"$dir/log")" != 1 ] || [ -s "$dir/said" ]; then
+            cat "$dir/log"
+            return 1
+        fi
+    done
+}
+
 interrupted() { # no QEMU goes on
     "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$B/firmware/$board-demos.elf" "$dir/cut" 100000 >"$dir/said" 2>"$dir/log" &
     local emulator=$! qemu tries=0
@@ -149,6 +163,7 @@ check "a_stack_that_runs_over_is_a_fault" fails_with over 'the image says: fault
 check "an_access_to_nowhere_is_a_failure" fails_with nowhere 'QEMU says: Invalid write' 'static volatile uint32_t *volatile nowhere = (uint32_t *)0xA0000000; *nowhere = 1; port_log("frame 1,\\n");'
 check "a_command_that_the_panel_does_not_know_is_a_failure" fails_with unknown 'QEMU says: .*0x99' 'const uint8_t wrong = 0x99; hal.ops->bus_write(hal.context, HAL_COMMAND, &wrong, 1);'
 check "an_image_that_says_no_more_is_a_failure" fails_with silent 'logs nothing more\|QEMU' 'port_exit(0);'
+check "what_is_no_image_is_refused_in_one_line" no_image_is_refused
 check "an_interrupted_emulator_leaves_no_QEMU" interrupted
 check "the_exit_status_is_the_images" exit_status_is_passed_on
 tap_end
