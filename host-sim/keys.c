@@ -1,9 +1,10 @@
-#define _POSIX_C_SOURCE 200809L /* getline */
+#define _POSIX_C_SOURCE 200809L /* strtok_r */
 
 #include "keys.h"
 
 #include "complain.h"
 #include "hal.h"
+#include "line.h"
 #include "option_text.h"
 
 #include <errno.h>
@@ -12,6 +13,7 @@
 #include <string.h>
 
 #define FRAME_LIMIT 1000000000u
+#define LINE_LIMIT  4096u
 #define PRESS_LIMIT 100000u /* lines; every frame looks at all of them */
 
 struct key_press {
@@ -106,9 +108,9 @@ int keys_read(struct keys *keys, const char *path)
     char *line = NULL;
     size_t size = 0;
     int status = 0;
-    errno = 0; /* getline says the end and an error alike */
+    errno = 0; /* line_read says the end and an error alike */
     for (unsigned number = 1; status == 0; number++) {
-        const ssize_t length = getline(&line, &size, file);
+        const ssize_t length = line_read(&line, &size, LINE_LIMIT, file);
         if (length < 0) {
             break;
         }

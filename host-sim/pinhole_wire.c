@@ -2,11 +2,12 @@
  * pinhole-wire: shows what a panel makes of the events on its wires (wire_events.h has their format): a line a frame,
  * pictures, and whatever a real panel would have resented.
  */
-#define _XOPEN_SOURCE 700 /* getline */
+#define _XOPEN_SOURCE 700 /* ssize_t */
 
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
+#include "line.h"
 #include "option_table.h"
 #include "option_text.h"
 #include "wire_events.h"
@@ -14,6 +15,8 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define LINE_LIMIT (16u << 20) /* a transfer of 8 MB */
 
 struct request {
     const char *in;               /* NULL: stdin */
@@ -180,23 +183,32 @@ static int read_arguments(struct request *r, int argc, char *argv[])
 
 /* ---- the run ------------------------------------------------------------------------------------ */
 
+static int replay_line(struct wire *w, char *line, size_t length, const char *name, unsigned number)
+{
+    struct wire_event event;
+    const char *error = "a byte of zero";
+    const int parsed = strlen(line) == length ? wire_parse(line, &event, &error) : HAL_EINVAL;
+    if (parsed < 0) {
+        return complain(EXIT_FAILED, "%s, line %u: %s", name, number, error);
+    }
+    return parsed > 0 ? wire_event(w, &event) : 0;
+}
+
 static int replay(struct wire *w, FILE *in, const char *name)
 {
     char *line = NULL;
     size_t size = 0;
     int status = 0;
-    for (unsigned number = 1; status == 0 && getline(&line, &size, in) > 0; number++) {
-        struct wire_event event;
-        const char *error = NULL;
-        const int parsed = wire_parse(line, &event, &error);
-        if (parsed < 0) {
-            status = complain(EXIT_FAILED, "%s, line %u: %s", name, number, error);
-        } else if (parsed > 0) {
-            status = wire_event(w, &event);
+    errno = 0;
+    for (unsigned number = 1; status == 0; number++) {
+        const ssize_t length = line_read(&line, &size, LINE_LIMIT, in);
+        if (length < 0) {
+            break;
         }
+        status = replay_line(w, line, (size_t)length, name, number);
     }
     free(line);
-    if (status == 0 && ferror(in)) {
+    if (status == 0 && !feof(in)) {
         status = complain(EXIT_FAILED, "%s: cannot be read: %s", name, strerror(errno));
     }
     return status != 0 ? status : wire_end(w);

@@ -310,7 +310,8 @@ wrong_scripts_are_told() {
         refuses 2 "wrong:4: " --crc --keys "$dir/wrong" || { echo "$line" && return 1; }
     done
     printf '1 up\0 2\n' >"$dir/wrong" && refuses 2 "wrong:1: " --crc --keys "$dir/wrong" &&
-        refuses 1 "No such file" --crc --keys "$dir/missing" && refuses 1 "directory" --crc --keys "$dir"
+        refuses 1 "No such file" --crc --keys "$dir/missing" && refuses 1 "directory" --crc --keys "$dir" &&
+        (ulimit -v 4000000 && refuses 2 "zero:1: " --crc --keys /dev/zero) # no line in it is ever complete
 }
 
 # ---- where frames go

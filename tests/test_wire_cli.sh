@@ -74,6 +74,9 @@ pinhole-wire: $dir/race: the panel resents 1 thing" "$wire" --board $board --dc 
         sh -c "head -n 8 '$dir/red' >'$dir/none'; '$wire' --board $board '$dir/none'"
     sed '5s/level/leve/' "$dir/red" >"$dir/broken"
     check "a broken line is named" says 1 '' "pinhole-wire: $dir/broken, line 5: no such kind of event" "$wire" --board $board "$dir/broken"
+    check "a file without lines" says 1 '' "pinhole-wire: /dev/zero, line 1: a byte of zero" sh -c "ulimit -v 4000000; '$wire' --board $board /dev/zero"
+    { head -n 5 "$dir/red" && printf '1 level 0\0\n'; } >"$dir/zero"
+    check "a byte of zero" says 1 '' "pinhole-wire: $dir/zero, line 6: a byte of zero" "$wire" --board $board "$dir/zero"
     check "a file that is not there" says 1 '' "pinhole-wire: $dir/no: cannot be opened: No such file or directory" "$wire" --board $board "$dir/no"
     check "a full disk" says 1 '' "pinhole-wire: stdout cannot be written: No space left on device" \
         sh -c "'$wire' --board $board '$dir/red' >/dev/full"
