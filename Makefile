@@ -5,6 +5,7 @@ CFLAGS ?= -O2 -g
 CPU ?= $(if $(findstring __x86_64__,$(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)),x86_64,portable)
 B ?= build
 V ?= 0
+$(if $(B),,$(error B= is empty: it names the build directory))
 PREFIX ?= /usr/local
 BOARD_DIR ?=
 BUDGET_CORE_BYTES ?= 45056

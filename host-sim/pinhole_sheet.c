@@ -85,6 +85,12 @@ static void put_pictures(struct sheet *s)
     }
 }
 
+static bool set_out(void *to, const char *value)
+{
+    ((struct sheet *)to)->out = value;
+    return strcmp(value, "-") == 0 || option_text_ends(value, ".ppm");
+}
+
 static bool set_width(void *to, const char *value)
 {
     return option_text_u32(value, 1, PPM_SIDE_MAX, &((struct sheet *)to)->width);
@@ -96,7 +102,7 @@ static bool set_gap(void *to, const char *value)
 }
 
 static const struct option_row rows[] = {
-    {"out", "SHEET.ppm", "where the sheet goes", "a file", .at = offsetof(struct sheet, out)},
+    {"out", "SHEET.ppm", "where the sheet goes, - is stdout", "a file that ends in .ppm, or -", .set = set_out},
     {"width", "PX", "width of the sheet; 1024 by default (wider where a picture is)", "a whole number, 1 .. 16384",
      .set = set_width},
     {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024", .set = set_gap},
@@ -140,9 +146,10 @@ static int make_sheet(struct sheet *s)
         return status;
     }
     put_pictures(s);
-    return ppm_save(s->out, &s->paper) == 0
+    const bool streamed = strcmp(s->out, "-") == 0;
+    return (streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper)) == 0
                ? 0
-               : complain(EXIT_FAILED, "%s: cannot be written: %s", s->out, strerror(errno));
+               : complain(EXIT_FAILED, "%s: cannot be written: %s", streamed ? "stdout" : s->out, strerror(errno));
 }
 
 int main(int argc, char *argv[])

@@ -33,6 +33,12 @@ other_flags_build_again() { # a variable
     grep -q 'CC *firmware/core/' <<<"$said" || { echo "nothing was built again for $1" && return 1; }
 }
 
+empty_build_directory_is_refused() { # it would be the root directory
+    local said
+    said=$(make B= -n all 2>&1) && return 1
+    [ "$(wc -l <<<"$said")" = 1 ] && grep -q 'B= is empty' <<<"$said"
+}
+
 verbose_shows_the_commands() {
     run -n -B V=1 all | grep -q -- '-c firmware/core/fx.c -o'
 }
@@ -95,6 +101,7 @@ check "a_second_make_does_nothing" a_second_make_does_nothing
 check "other_CFLAGS_build_again" other_flags_build_again CFLAGS=-O1
 check "another_CPU_builds_again" other_flags_build_again CPU=armv7m
 check "V_1_shows_the_commands" verbose_shows_the_commands
+check "an_empty_build_directory_is_refused" empty_build_directory_is_refused
 check "a_file_of_the_CPU_replaces_the_portable_one" a_file_of_the_cpu_replaces_the_portable_one
 check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
 check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls

@@ -47,6 +47,10 @@ refuses() { # status, arguments
     [ "$got" = "$want" ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ ! -s "$dir/stdout" ] || { cat "$dir/stderr" && return 1; }
 }
 
+stdout_gets_the_same() {
+    "$sheet" --out "$dir/file.ppm" "$dir/a.ppm" && "$sheet" --out - "$dir/a.ppm" | cmp - "$dir/file.ppm"
+}
+
 wrong_pictures_are_refused() {
     printf 'P6\n2 2\n255\nAAA' >"$dir/short.ppm" && printf 'P3\n1 1\n255\n1 2 3\n' >"$dir/text.ppm" && : >"$dir/empty.ppm" &&
         printf 'P6\n99999 99999\n255\n' >"$dir/huge.ppm" && printf 'P6\n1 1\n65535\nAAAAAA' >"$dir/deep.ppm" || return 1
@@ -59,7 +63,8 @@ wrong_pictures_are_refused() {
 
 wrong_usage_is_refused() {
     refuses 2 && refuses 2 "$dir/a.ppm" && refuses 2 --out "$dir/x.ppm" && refuses 2 --out && refuses 2 --gap x --out "$dir/x.ppm" "$dir/a.ppm" &&
-        refuses 2 --width 0 --out "$dir/x.ppm" "$dir/a.ppm" && refuses 2 --nonsense && refuses 1 --out "$dir/no/x.ppm" "$dir/a.ppm"
+        refuses 2 --width 0 --out "$dir/x.ppm" "$dir/a.ppm" && refuses 2 --nonsense &&
+        refuses 2 --out "$dir/x.png" "$dir/a.ppm" && refuses 1 --out "$dir/no/x.ppm" "$dir/a.ppm"
 }
 
 demo_leaves_what_it_says() {
@@ -74,6 +79,7 @@ demo_leaves_what_it_says() {
 check rows_are_broken_at_the_width rows_are_broken_at_the_width
 check gap_and_width_have_an_effect gap_and_width_have_an_effect
 check header_comments_are_read header_comments_are_read
+check stdout_gets_the_same stdout_gets_the_same
 check wrong_pictures_are_refused wrong_pictures_are_refused
 check wrong_usage_is_refused wrong_usage_is_refused
 check demo_leaves_what_it_says demo_leaves_what_it_says
