@@ -61,6 +61,26 @@ int option_table_read(const struct option_table *table, void *options, int argc,
     return i + 1;
 }
 
+int option_table_words(const struct option_table *table, void *options, int argc, char *const argv[],
+                       const char *words[], int most)
+{
+    int count = 0;
+    for (int i = 1; i < argc;) {
+        if (argv[i][0] == '-') {
+            i = option_table_read(table, options, argc, argv, i);
+            if (i == 0) {
+                return -1;
+            }
+        } else if (count == most) {
+            complain(EXIT_USAGE, "'%s': a word too many; see --help", argv[i]);
+            return -1;
+        } else {
+            words[count++] = argv[i++];
+        }
+    }
+    return count;
+}
+
 void option_table_help(const struct option_table *table)
 {
     for (size_t i = 0; i < table->count; i++) {

@@ -29,6 +29,12 @@ const struct option_row *option_table_find(const struct option_table *table, con
 /* Reads argv[i], an option, and its value; returns the index of what follows, or 0 when it was wrong. */
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i);
 
+/* Reads a command line: options, and at most `most` other words, into words[]; returns how many, or -1 when it was
+ * wrong.
+ */
+int option_table_words(const struct option_table *table, void *options, int argc, char *const argv[],
+                       const char *words[], int most);
+
 /* Prints the rows as --help shows them. */
 void option_table_help(const struct option_table *table);
 

@@ -58,28 +58,17 @@ static void print_help(void)
     puts("\nExit status: 0 done; 1 failed, the image stopped, or QEMU or the panel resents something; 2 wrong usage.");
 }
 
-static bool read_word(struct request *r, const char *word, int n)
-{
-    if (n == 0) {
-        r->image = word;
-    } else if (n == 1) {
-        r->out = word;
-    }
-    return n < 2 || (n == 2 && option_text_u32(word, 1, FRAMES_MAX, &r->frames));
-}
-
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    int words = 0;
-    for (int i = 1; i < argc;) {
-        if (argv[i][0] == '-') {
-            i = option_table_read(&table, r, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
-            }
-        } else if (!read_word(r, argv[i++], words++)) {
-            return complain(EXIT_USAGE, "'%s': no number of frames, or a word too many; see --help", argv[i - 1]);
-        }
+    const char *words[3] = {NULL, NULL, NULL};
+    const int count = option_table_words(&table, r, argc, argv, words, 3);
+    r->image = words[0];
+    r->out = words[1];
+    if (count < 0) {
+        return EXIT_USAGE;
+    }
+    if (count == 3 && !option_text_u32(words[2], 1, FRAMES_MAX, &r->frames)) {
+        return complain(EXIT_USAGE, "'%s': FRAMES must be a whole number, 1 .. %d", words[2], FRAMES_MAX);
     }
     return r->help || (r->machine >= 0 && r->board != NULL && r->image != NULL)
                ? 0

@@ -42,17 +42,8 @@ static void print_help(void)
 
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    for (int i = 1; i < argc;) {
-        if (argv[i][0] == '-') {
-            i = option_table_read(&table, r, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
-            }
-        } else if (r->path != NULL) {
-            return complain(EXIT_USAGE, "'%s': one image at a time; see --help", argv[i]);
-        } else {
-            r->path = argv[i++];
-        }
+    if (option_table_words(&table, r, argc, argv, &r->path, 1) < 0) {
+        return EXIT_USAGE;
     }
     if (r->help || r->list) {
         return r->list && r->path != NULL ? complain(EXIT_USAGE, "--list takes no image; see --help") : 0;

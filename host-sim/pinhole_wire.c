@@ -159,17 +159,8 @@ static void change_board(struct request *r)
 
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    for (int i = 1; i < argc;) {
-        if (argv[i][0] == '-') {
-            i = option_table_read(&table, r, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
-            }
-        } else if (r->in != NULL) {
-            return complain(EXIT_USAGE, "'%s': one stream at a time, and %s is named already", argv[i], r->in);
-        } else {
-            r->in = argv[i++];
-        }
+    if (option_table_words(&table, r, argc, argv, &r->in, 1) < 0) {
+        return EXIT_USAGE;
     }
     if (r->help) {
         return 0;

@@ -1,11 +1,14 @@
 #define _XOPEN_SOURCE 700 /* mkdtemp, nftw */
 
-#include "model_files.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
 
 #include "caught.h"
+#include "model_files.h"
 
 #include <ftw.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,6 +110,16 @@ int open_caught(struct model **model, const char *path, char said[1024])
     caught_end(&c);
     snprintf(said, 1024, "%.1023s", c.text);
     return status;
+}
+
+struct model *open_good(const char *path)
+{
+    struct model *model;
+    char said[1024];
+    if (open_caught(&model, path, said) != 0 || said[0] != '\0') {
+        fail_msg("%s", said);
+    }
+    return model;
 }
 
 /* ---- a text that grows, and bytes in little endian ---------------------------------------------------------- */

@@ -17,16 +17,6 @@
 #include <setjmp.h>
 #include <cmocka.h>
 
-static struct model *open_good(const char *path)
-{
-    struct model *model;
-    char said[1024];
-    if (open_caught(&model, path, said) != 0 || said[0] != '\0') {
-        fail_msg("%s", said);
-    }
-    return model;
-}
-
 static void make(struct asset *asset, const struct model *model, uint32_t triangles)
 {
     const struct asset_limits limits = {triangles, 8, false, false, "some where/my model.v2.obj"};

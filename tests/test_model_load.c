@@ -20,16 +20,6 @@
 #define CUBE_SIDE 37837 /* 1 / sqrt(3): where the fitted cube's faces are */
 #define ONE_NODE  "[{\"mesh\":0}]"
 
-static struct model *open_good(const char *path)
-{
-    struct model *model;
-    char said[1024];
-    if (open_caught(&model, path, said) != 0 || said[0] != '\0') {
-        fail_msg("%s", said);
-    }
-    return model;
-}
-
 /* Everything that the renderer takes for granted. */
 static void assert_sound(const struct model *model)
 {
