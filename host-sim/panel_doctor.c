@@ -1,4 +1,4 @@
-#define _GNU_SOURCE /* getgrouplist */
+#define _XOPEN_SOURCE 700 /* getgroups, glob */
 
 #include "panel_doctor.h"
 

@@ -1,5 +1,4 @@
 /* pinhole-depth: what depth resolves; see depth_lab.h. */
-#define _XOPEN_SOURCE 700
 
 #include "complain.h"
 #include "depth_options.h"

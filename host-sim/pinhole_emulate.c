@@ -1,5 +1,4 @@
 /* pinhole-emulate: runs a firmware image in QEMU and shows what its panel shows. See emulate_qemu.h. */
-#define _XOPEN_SOURCE 700
 
 #include "complain.h"
 #include "crc32.h"

@@ -1,5 +1,4 @@
 /* See lines.h. */
-#define _POSIX_C_SOURCE 200809L
 #include "lines.h"
 
 #include "fail.h"
