@@ -12,6 +12,7 @@
 #undef PH_CLIP_ROWS_H
 #undef PH_CLIP_ROWS_REACH
 #define ph_row             armv6m_row
+#define ph_is_within       armv6m_is_within
 #define ph_clip_rows       armv6m_clip_rows
 #define ph_clip_rows_of    armv6m_clip_rows_of
 #define ph_clip_rows_hold  armv6m_clip_rows_hold
@@ -19,6 +20,7 @@
 #define ph_clip_rows_times armv6m_clip_rows_times
 #include "armv6m/clip_rows.h"
 #undef ph_row
+#undef ph_is_within
 #undef ph_clip_rows
 #undef ph_clip_rows_of
 #undef ph_clip_rows_hold
@@ -34,14 +36,18 @@ static unsigned pick(unsigned n)
     return (unsigned)ref_uniform(0, n - 1e-6);
 }
 
-/* Elements below 2 in Q4.28; translation any place that 32 bits hold, or a small one. */
+/*
+ * Elements below 2 in Q4.28, every other time so that those of a row are below 2 together; translation any place that
+ * 32 bits hold, or a small one.
+ */
 static struct ph_clip_matrix any_matrix(int kind)
 {
     struct ph_clip_matrix m;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             const double ends[] = {-(1 << 29), (1 << 29) - 1, 511, 512, -512, -513, 0, 0x7fe00};
-            m.m[i][j] = (int32_t)(kind % 4 == 0 ? ends[pick(8)] : ref_uniform(-(1 << 29), (1 << 29) - 1));
+            m.m[i][j] = (int32_t)(kind % 4 == 0 ? ends[pick(8)] : ref_uniform(-(1 << 29), (1 << 29) - 1)) /
+                        (kind % 2 == 0 ? 1 : 3);
         }
         const double reach = kind % 3 == 0 ? 2147483647. : kind % 3 == 1 ? 1073741823. : 655360.;
         m.t[i] = (int64_t)ref_uniform(-reach, reach) * (1 << 28) + (1 << 27);
@@ -52,6 +58,9 @@ static struct ph_clip_matrix any_matrix(int kind)
 static int32_t any_coordinate(int kind)
 {
     const int bits = kind % 2 == 0 ? 20 : (int)pick(32);
+    if (kind % 3 == 0) {
+        return pick(5) > 0 ? (int32_t)ref_uniform(-(1 << 16), 1 << 16) : pick(2) > 0 ? -(1 << 16) : (1 << 16) - 1;
+    }
     if (kind % 5 == 0) {
         const int32_t ends[] = {-(1 << 20), (1 << 20) - 1, 1 << 20, -(1 << 20) - 1, -(1 << 27), (1 << 27) - 1, 1 << 27};
         return ends[pick(7)];
@@ -64,7 +73,7 @@ static void every_cpu_gives_the_exact_sums(void **state)
 {
     (void)state;
     ref_seed(28);
-    uint32_t near = 0, far = 0;
+    uint32_t near = 0, very_near = 0, far = 0;
     for (int i = 0; i < 200000; i++) {
         const struct ph_clip_matrix m = any_matrix(i / 8);
         const struct fx_vec3 p = {any_coordinate(i), any_coordinate(i), any_coordinate(i)};
@@ -78,9 +87,10 @@ static void every_cpu_gives_the_exact_sums(void **state)
         assert_true(b.x == exact.x && b.y == exact.y && b.z == exact.z);
         const bool is_near = armv6m_clip_rows_hold(&digits, &p);
         near += is_near;
+        very_near += is_near && armv6m_is_within(&p, digits.short_reach);
         far += !is_near;
     }
-    assert_true(near > 20000 && far > 20000); /* both ways were taken */
+    assert_true(near - very_near > 20000 && very_near > 20000 && far > 20000); /* all ways were taken */
 }
 
 /* ph_matrix_times itself, where its sums are known. */

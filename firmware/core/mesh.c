@@ -67,8 +67,8 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
  */
 static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
 {
-    const int64_t at = (int64_t)x * ((int64_t)1 << (lens->focal_log2 + 8)) + (int64_t)centre * w;
-    return (uint8_t)(at < 0 ? below : at > (int64_t)size * 256 * w ? below * 2 : 0);
+    const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + (int64_t)centre * w;
+    return (uint8_t)(at < 0 ? below : at > (int64_t)(size * 256) * w ? below * 2 : 0);
 }
 
 /* Clip codes of the sides, of a vertex that is projected. */

@@ -1,4 +1,4 @@
-@ ph_vertices of hot.h for ARMv6-M: some 245 instructions a vertex.
+@ ph_vertices of hot.h for ARMv6-M: some 245 instructions a vertex, 221 within a cube of 1.0 each way.
 @
 @ r7 run; r8 from, r9 to, r10 run, r11 r12 x y before the divide, lr full light in its place
     .syntax unified
@@ -18,8 +18,10 @@
     .equ bottom, 52
     .equ guard_up, 56
     .equ down, 60
-    .equ row, 72
-    .equ at, 204
+    .equ short_reach, 72
+    .equ short_row, 76
+    .equ row, 172
+    .equ at, 304
 
     @ r3: a row of digits times (r0, r1, r2); see clip_rows.h
     .macro row_times
@@ -47,6 +49,28 @@
     adds r3, r5
     adds r3, r6
     asrs r3, #8
+    ldmia r7!, {r4}
+    adds r3, r4
+    .endm
+
+    @ The same of two digits.
+    .macro short_row_times
+    ldmia r7!, {r3-r6}
+    muls r3, r0
+    muls r4, r1
+    muls r5, r2
+    adds r3, r4
+    adds r3, r5
+    adds r3, r6
+    asrs r3, #14
+    ldmia r7!, {r4-r6}
+    muls r4, r0
+    muls r5, r1
+    muls r6, r2
+    adds r3, r4
+    adds r3, r5
+    adds r3, r6
+    asrs r3, #14
     ldmia r7!, {r4}
     adds r3, r4
     .endm
@@ -98,7 +122,8 @@ hand_back:
     mov r0, r11
     mov r1, r12
     movs r4, r7
-    adds r4, #at
+    adds r4, #at / 2
+    adds r4, #at / 2
     stmia r4!, {r0-r2}
 stop:
     mov r3, r8
@@ -109,22 +134,23 @@ next:
     mov r3, r8
     ldmia r3!, {r0-r2} @ x y z
     mov r8, r3
-    movs r4, #1 @ each below 2^20 either way
-    lsls r4, #20
+    ldr r4, [r7, #short_reach]
     adds r5, r0, r4
     adds r6, r1, r4
     orrs r5, r6
     adds r6, r2, r4
     orrs r5, r6
-    lsrs r5, #21
-    bne stop
-    mov r7, r10
-    adds r7, #row
-    row_times
+    lsls r4, #1
+    cmp r5, r4
+    blo 1f
+    b large
+1:  adds r7, #short_row
+    short_row_times
     mov r11, r3
-    row_times
+    short_row_times
     mov r12, r3
-    row_times
+    short_row_times
+placed:
     @ Near plane, far plane, guard band.
     mov r7, r10
     ldr r4, [r7, #near]
@@ -266,6 +292,24 @@ until:
     cmp r8, r4
     beq done
     b next
+large: @ beyond the cube; each below 2^20 either way
+    movs r4, #1
+    lsls r4, #20
+    adds r5, r0, r4
+    adds r6, r1, r4
+    orrs r5, r6
+    adds r6, r2, r4
+    orrs r5, r6
+    lsrs r5, #21
+    beq 1f
+    b stop
+1:  adds r7, #row
+    row_times
+    mov r11, r3
+    row_times
+    mov r12, r3
+    row_times
+    b placed
 outside: @ codes: left, right, top, bottom = 1, 2, 4, 8
     ldr r5, [r7, #bottom]
     movs r2, #1
