@@ -101,31 +101,10 @@ static void execute(const struct ends *e, const char *machine, const char *image
     _exit(127);
 }
 
-/* QEMU takes any file for an image. False: errno says why, or is 0. */
-static bool is_elf(const char *image)
-{
-    char magic[4] = "";
-    errno = 0;
-    FILE *const file = fopen(image, "rb");
-    if (file == NULL) {
-        return false;
-    }
-    const size_t n = fread(magic, 1, sizeof magic, file);
-    fclose(file);
-    return n == sizeof magic && memcmp(magic,
-                                       "\x7f"
-                                       "ELF",
-                                       sizeof magic) == 0;
-}
-
 int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
 {
     struct ends e;
     *q = (struct qemu){.pid = -1, .monitor = -1, .uart = -1, .trace = -1, .said = -1};
-    if (!is_elf(image)) {
-        return complain(EXIT_FAILED, "%s: %s", image,
-                        errno != 0 ? strerror(errno) : "no ELF image; make firmware makes one");
-    }
     if (!open_ends(&e)) {
         return complain(EXIT_FAILED, "no sockets for QEMU: %s", strerror(errno));
     }

@@ -62,6 +62,9 @@ struct emulation {
     int (*frame)(void *context, uint32_t frame, const struct ppm *picture);
 };
 
+/* The ELF of a whole image that begins in the flash at that address: QEMU runs anything. */
+int emulate_check_image(const char *path, uint32_t flash);
+
 int emulate_screen(const struct emulation *e); /* lm3s6965evb */
 int emulate_trace(const struct emulation *e);  /* netduinoplus2 */
 

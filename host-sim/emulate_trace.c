@@ -58,10 +58,13 @@ static int show(void *context, uint32_t frame, const uint8_t *rgb)
     return t->e->frame(t->e->context, frame, &t->picture);
 }
 
+/* The first one ends it. */
 static void resent(void *context, const char *complaint)
 {
-    (void)context;
-    complain(EXIT_FAILED, "%s", complaint);
+    const struct trace *t = context;
+    if (wire_complaints(t->wire) == 1) {
+        complain(EXIT_FAILED, "%s", complaint);
+    }
 }
 
 /* The bytes since the last event that was not one. */
@@ -188,6 +191,9 @@ static int run(struct trace *t)
         } else {
             status = take_line(t, line);
         }
+        if (status == 0 && wire_complaints(t->wire) > 0) {
+            status = EXIT_FAILED;
+        }
     }
     if (in != NULL) {
         fclose(in);
@@ -217,9 +223,6 @@ int emulate_trace(const struct emulation *e)
     t.q.log = e->log;
     if (status == 0) {
         status = run(&t);
-    }
-    if (status == 0 && wire_complaints(t.wire) > 0) {
-        status = EXIT_FAILED;
     }
     const int stopped = qemu_stop(&t.q);
     wire_close(t.wire);

@@ -93,7 +93,10 @@ static int run(struct request *r)
                           .log = r->log ? stderr : NULL,
                           .context = r,
                           .frame = show};
-    int status = keys_read(&keys, r->keys);
+    int status = emulate_check_image(r->image, r->machine == 0 ? 0 : 0x08000000);
+    if (status == 0) {
+        status = keys_read(&keys, r->keys);
+    }
     if (status == 0) {
         status = frame_out_open(&r->frames_out, r->out, true);
     }
