@@ -5,10 +5,17 @@ CFLAGS ?= -O2 -g
 CPU ?= $(if $(findstring __x86_64__,$(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null)),x86_64,portable)
 B ?= build
 V ?= 0
-$(if $(B),,$(error B= is empty: it names the build directory))
+$(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 PREFIX ?= /usr/local
 BOARD_DIR ?=
 BUDGET_CORE_BYTES ?= 45056
+
+# A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
+OPEN := (
+CLOSE := )
+odd = $(strip $(word 2,$(1))$(foreach c,' " ` ; & < > | * ? [ ] { } : % ! \ $(OPEN) $(CLOSE),$(findstring $(c),$(1))))
+$(if $(call odd,$(B)),$(error B='$(B)': make takes no folder with spaces or other special characters in its name))
+
 Q = $(if $(filter 1,$(V)),,@)
 SAY = $(if $(filter 1,$(V))$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '  %-7s %s\n')
 

@@ -48,18 +48,23 @@ BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
 .PHONY: firmware flash emulate speed image image-size
 
+MCU_BOARDS := $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk))
+
 ifneq ($(BOARD),)
+$(if $(or $(word 2,$(BOARD)),$(findstring /,$(BOARD))),$(error BOARD='$(BOARD)': no such board; microcontroller boards are: $(MCU_BOARDS)))
 ifeq ($(wildcard $(BOARD_HOME)/board.mk),)
-$(error BOARD=$(BOARD): no $(BOARD_HOME)/board.mk; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
+$(error BOARD=$(BOARD): no $(BOARD_HOME)/board.mk; microcontroller boards are: $(MCU_BOARDS))
 endif
+NO_SUCH_NAME = make takes no names with spaces or other special characters; rename or copy the file
 include $(BOARD_HOME)/board.mk
 include hal/$(PORT)/port.mk
 APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
 APP_NAME := $(basename $(notdir $(APP)))
 $(if $(filter $(CORES),$(or $(PORT_CORES),1)),,$(error CORES=$(CORES): $(BOARD) has $(or $(PORT_CORES),1)))
+$(if $(call odd,$(APP)),$(error APP='$(APP)': $(NO_SUCH_NAME)))
+$(if $(call odd,$(SCENE)),$(error SCENE='$(SCENE)': $(NO_SUCH_NAME)))
 $(if $(wildcard $(APP_FILE)),,$(error APP=$(APP): there is no $(APP_FILE); take demos, depth or a file NAME.c))
 IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))
-$(if $(word 2,$(SCENE)),$(error SCENE='$(SCENE)': make takes no names with spaces; rename or copy the file))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
@@ -72,7 +77,8 @@ image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here
              CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
-image_make = @echo 'BOARD= is missing; microcontroller boards are: $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk))' >&2; exit 2 \#
+NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
+image_make = $(NO_BOARD)
 endif
 
 firmware: $(SCENE_C) ## BOARD=x [APP=demos|depth|FILE.c] [SCENE=FILE.glb]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
@@ -96,7 +102,7 @@ emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: ru
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
 
 speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, with one core and with two, emulated
-	$(Q)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 have an emulator whose bus takes time' >&2; exit 2)
+	$(Q)$(NO_BOARD)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 have an emulator whose bus takes time' >&2; exit 2)
 
 # ---- within that make -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
@@ -106,7 +112,7 @@ LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
-	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)'
+	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # nothing to be flashed
 
 image-size: $(OUT).elf
 	$(Q)firmware/modules.sh '$(OUT).map'
@@ -148,8 +154,8 @@ $(B)/board_here.o: $(B)/board_here.c
 $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
-	$(Q)$(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings,-Map='$(OUT).map' \
-	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ) -o $@.part
+	$(Q)firmware/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
+	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
 	$(Q)mv $@.part $@
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # `make firmware`: what it builds, what it prints, and what it refuses. The images themselves run in test_firmware_*.sh.
-# shellcheck disable=SC2317 # functions are called by check
+# shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/tap.sh
@@ -84,7 +84,39 @@ wrong_values_are_told() {
         says "APP=nonsense: there is no firmware/app/image_nonsense.c" firmware BOARD="$board" APP=nonsense &&
         says "FRAMES='0': a whole number" emulate BOARD="$board" FRAMES=0 && says "FRAMES='x': a whole number" emulate BOARD="$board" FRAMES=x &&
         says "no nowhere-gcc here: apt-get install gcc-arm-none-eabi" firmware BOARD="$board" CROSS=nowhere- &&
-        says "only the boards of an RP2040" speed BOARD="$board"
+        says "only the boards of an RP2040" speed BOARD="$board" && says "BOARD= is missing" speed
+}
+
+# What make or the shell would take apart, or make somewhere else.
+names_that_cannot_be_are_told() {
+    local name
+    for name in "a b" "it's" 'a;b' 'a&b' 'a(b)' 'a"b' 'a%'; do
+        says "APP='$name.c': make takes no names with" firmware BOARD="$board" APP="$name.c" &&
+            says "SCENE='$name.obj': make takes no names with" firmware BOARD="$board" SCENE="$name.obj" &&
+            says "BOARD='\\?$name" firmware BOARD="$name" || return 1
+    done
+    says "BOARD='../boards/$board': no such board" firmware BOARD="../boards/$board" || return 1
+    ! make -s B="$dir/a b" all >"$dir/out" 2>&1 && grep -q "B='$dir/a b': make takes no folder with spaces" "$dir/out"
+}
+
+names_of_other_tongues_can_be() {
+    mkdir -p "$dir/früh" && a_program_of_ones_own && cp "$dir/mine.c" "$dir/früh/übung#1.c" && firmware BOARD="$board" APP="$dir/früh/übung#1.c" &&
+        [ -s "$B/firmware/$board-übung#1.uf2" ]
+}
+
+too_large() { # C text, pattern of the one line that is not make's
+    local left
+    printf '%s\n' "$1" >"$dir/large.c"
+    ! firmware BOARD="$board" APP="$dir/large.c" >"$dir/out" 2>"$dir/err" || return 1
+    [ "$(grep -vc '^make' "$dir/err")" = 1 ] && grep -qx "$B/firmware/$board-large.elf: $2" "$dir/err" || { cat "$dir/err" && return 1; }
+    for left in "$B/firmware/$board-large".{bin,uf2,elf.part,map.part}; do [ ! -e "$left" ] || { echo "$left stays" && return 1; }; done
+}
+
+too_large_is_one_line_and_leaves_nothing() {
+    too_large 'static const char big[1200000] = {1}; int main(void) { volatile int i = 3; return big[i]; }' 'too large for the chip: its FLASH lacks [0-9]* bytes' &&
+        too_large 'static char big[150000]; int main(void) { volatile int i = 3; return big[i]++; }' 'too large for the chip: its RAM lacks [0-9]* bytes' &&
+        too_large 'static char big[120000]; int main(void) { volatile int i = 3; return big[i]++; }' 'over the budget of RAM' &&
+        too_large 'int main(void) { volatile char b[8000]; b[3] = 1; return b[3]; }' 'over the budget of stack'
 }
 
 size_adds_up() {
@@ -134,6 +166,9 @@ check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int 
 check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
 check "a_board_that_is_not_there_is_one_clear_line" no_such_board
 check "wrong_values_are_one_clear_line" wrong_values_are_told
+check "names_that_cannot_be_are_one_clear_line" names_that_cannot_be_are_told
+check "names_of_other_tongues_can_be" names_of_other_tongues_can_be
+check "what_is_too_large_is_one_line_and_leaves_nothing" too_large_is_one_line_and_leaves_nothing
 check "the_sizes_of_the_modules_add_up" size_adds_up
 check "no_board_gives_Pinhole_more_than_60_percent_of_its_RAM" at_most_60_percent
 check "the_kit_counts_with_the_targets_sizes" kit_counts_the_targets_sizes

@@ -40,6 +40,8 @@ shift 3
 [ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2
 
 pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
+[ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
+[ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
 mkdir -p "$out"
 unfinished=$out
 node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
