@@ -73,7 +73,7 @@ struct hal_ops {
     /* What a short bus_write takes besides its bits, ns, as far as is known yet; NULL: nothing to speak of. */
     uint32_t (*write_ns)(void *context);
 
-    /* Sends one command byte and reads n bytes; NULL, or HAL_ENOSYS, where the kit has no MISO. */
+    /* Sends one command byte and reads n bytes; HAL_ENOSYS where the kit has no MISO. NULL: this backend never asks. */
     int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
 
     /* RESET true: high, the panel runs. BACKLIGHT true: lit. 0 also where the pin is not wired. */

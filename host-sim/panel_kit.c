@@ -94,6 +94,9 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
     kit->usb = is_usb_line(board->pins.dc.line);
     if (w->panel != NULL) {
         status = change_panel(&kit->board, w->panel);
+        if (status == 0 && w->board == NULL) { /* what is told is about the panel, not about the stand-in */
+            kit->board.name = kit->board.panel->name;
+        }
     }
     for (int i = 0; i < PANEL_LINES && status == 0; i++) {
         status = change_line(kit, (enum panel_line)i, w->lines[i]);

@@ -80,6 +80,7 @@ what_does_not_fit_together_is_refused() {
 what_is_not_there_is_one_line() {
     refuses 1 "sbc-generic: $dir/spidev is not there" --board sbc-generic --spi "$dir/spidev" &&
         refuses 1 ": longer than 63 characters; give a /dev/spidev" --board sbc-generic --spi "/dev/$(printf '%0300d' 5)" &&
+        refuses 1 "st7735s-80x160: $dir/spidev is not there" testcard --panel st7735s-80x160 --spi "$dir/spidev" &&
         refuses 1 "$dir/none.obj" --board sbc-generic --model "$dir/none.obj" &&
         refuses 1 "rpi-pirate-audio: this kit has no data line back (MISO)" probe --board rpi-pirate-audio
 }
