@@ -262,8 +262,8 @@ static void light_corners(const struct part_context *c, const uint16_t index[3],
     }
 }
 
-/* A triangle that needs no clipping. */
-static NOINLINE void draw_whole(const struct part_context *c, const uint16_t index[3],
+/* A triangle that needs no clipping. False: it is not to be seen. */
+static FX_APART bool draw_whole(const struct part_context *c, const uint16_t index[3],
                                 const struct ph_vertex *const v[3], const struct ph_sides *sides)
 {
     const fx_t *of_corners[3], *const *uv = NULL;
@@ -276,47 +276,55 @@ static NOINLINE void draw_whole(const struct part_context *c, const uint16_t ind
         }
         uv = of_corners;
     }
-    c->r->stats.triangles_culled += sides->area > 0 ? !ph_setup_front(c->r, c->material, v, uv, sides)
-                                                    : !ph_setup_triangle(c->r, c->material, v, uv);
+    return sides->area > 0 ? ph_setup_front(c->r, c->material, v, uv, sides)
+                           : ph_setup_triangle(c->r, c->material, v, uv);
 }
 
-/* A triangle of which a corner may have a clip code, which may face away, or under a fisheye. */
-static NOINLINE void draw_any(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
+/*
+ * A triangle of which a corner may have a clip code, which may face away, or under a fisheye. False: it is not to be
+ * seen, which is not counted yet.
+ */
+static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
 {
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
-    if ((all & PH_REJECT) == 0 &&
-        ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2])))) {
+    if ((all & PH_REJECT) != 0) {
+        return false;
+    }
+    if ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
         draw_clipped(c, index);
-        return;
+        return true;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    if ((all & PH_REJECT) != 0 || (sides.area <= 0 && !c->two_sided)) {
-        c->r->stats.triangles_culled++;
-        return;
+    return (sides.area > 0 || c->two_sided) && draw_whole(c, index, v, &sides);
+}
+
+/* All triangles of a part, in a mesh of which none can be passed over. Returns how many are to be seen. */
+static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    uint32_t seen = 0;
+    for (; index < end; index++) {
+        const struct ph_vertex *const v[3] = {&c->vertices[(*index)[0]], &c->vertices[(*index)[1]],
+                                              &c->vertices[(*index)[2]]};
+        seen += draw_any(c, *index, v);
     }
-    draw_whole(c, index, v, &sides);
+    return seen;
+}
+
+static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    struct ph_visit visit = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
+    uint32_t seen = 0;
+    while (ph_visit(&visit)) {
+        seen += visit.codes == 0 ? draw_whole(c, visit.index[-1], visit.v, &visit.sides)
+                                 : draw_any(c, visit.index[-1], visit.v);
+    }
+    return seen;
 }
 
 static void draw_triangles(const struct part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
-    struct ph_visit visit = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
-    uint32_t seen = 0;
-    if (c->curved || c->two_sided) { /* all of them */
-        for (; index < end; index++) {
-            const struct ph_vertex *const v[3] = {&c->vertices[(*index)[0]], &c->vertices[(*index)[1]],
-                                                  &c->vertices[(*index)[2]]};
-            draw_any(c, *index, v);
-        }
-        return;
-    }
-    for (; ph_visit(&visit); seen++) {
-        if (visit.codes == 0) {
-            draw_whole(c, visit.index[-1], visit.v, &visit.sides);
-        } else {
-            draw_any(c, visit.index[-1], visit.v);
-        }
-    }
+    const uint32_t seen = c->curved || c->two_sided ? draw_each(c, index, end) : draw_facing(c, index, end);
     c->r->stats.triangles_culled += part->count - seen;
 }
 
