@@ -3,7 +3,7 @@
 
 typedef uint32_t __attribute__((may_alias)) two_pixels;
 
-enum { TURN = 64 }; /* pixels; the compiler stores them as widely as the machine can */
+enum { TURN = 128 }; /* pixels; the compiler stores them as widely as the machine can */
 
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n)
 {
