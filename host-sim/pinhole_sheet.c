@@ -13,7 +13,7 @@
 
 struct sheet {
     const char *out;
-    bool help;
+    bool streamed, help;
     uint32_t width, gap; /* pixels */
     uint32_t count;
     struct ppm *pictures;
@@ -87,8 +87,10 @@ static void put_pictures(struct sheet *s)
 
 static bool set_out(void *to, const char *value)
 {
-    ((struct sheet *)to)->out = value;
-    return strcmp(value, "-") == 0 || option_text_ends(value, ".ppm");
+    struct sheet *s = to;
+    s->out = value;
+    s->streamed = strcmp(value, "-") == 0;
+    return s->streamed || option_text_ends(value, ".ppm");
 }
 
 static bool set_width(void *to, const char *value)
@@ -146,10 +148,9 @@ static int make_sheet(struct sheet *s)
         return status;
     }
     put_pictures(s);
-    const bool streamed = strcmp(s->out, "-") == 0;
-    return (streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper)) == 0
+    return (s->streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper)) == 0
                ? 0
-               : complain(EXIT_FAILED, "%s: cannot be written: %s", streamed ? "stdout" : s->out, strerror(errno));
+               : complain(EXIT_FAILED, "%s: cannot be written: %s", s->streamed ? "stdout" : s->out, strerror(errno));
 }
 
 int main(int argc, char *argv[])
