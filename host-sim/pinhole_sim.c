@@ -12,6 +12,7 @@
 #include "model.h"
 #include "options.h"
 #include "player.h"
+#include "progress.h"
 #include "stop.h"
 #include "window.h"
 
@@ -228,16 +229,23 @@ static bool press(struct stage *stage, struct player *p, uint32_t frame)
 static int run_frames(const struct options *o, struct stage *stage, struct player *p)
 {
     const bool drawn = o->out != NULL || o->crc || o->stats || o->show_window; /* --matrix alone draws none */
+    const bool bar = o->out != NULL && !o->crc && !o->stats && stage->out.kind != FRAME_OUT_STREAM;
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && stop_signal == 0; i++) {
         if (!press(stage, p, o->start + i)) {
             break;
         }
         status = show_frame(o, &stage->out, p, o->start + i);
+        if (bar && (uint64_t)i * 100 / o->frames != (uint64_t)(i + 1) * 100 / o->frames) {
+            progress_show("frames", i + 1, o->frames);
+        }
         if (status == 0 && stage->window != NULL) {
             const uint64_t ns = player_bus_ns(p);
             window_show(stage->window, p->picture.rgb, ns > SHORTEST_NS ? ns : SHORTEST_NS);
         }
+    }
+    if (bar) {
+        progress_show("frames", 1, 1);
     }
     return status;
 }

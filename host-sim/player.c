@@ -8,8 +8,10 @@
 static int refuse(const struct player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
-        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; take a smaller scene or another board",
-                        setup->board->name, (unsigned)(setup->board->ram_bytes / 1024), setup->demo->name);
+        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; %s", setup->board->name,
+                        (unsigned)(setup->board->ram_bytes / 1024), setup->demo->name,
+                        setup->state != NULL ? "take another board, or simplify the model: pinhole-asset does"
+                                             : "take a smaller scene or another board");
     }
     return complain(EXIT_FAILED, "%s: the panel does not open (%d)", setup->board->name, status);
 }
@@ -60,9 +62,10 @@ static void tell_drops(struct player *p, uint32_t frame)
         return;
     }
     p->drops_told = true;
-    complain(EXIT_DONE, "frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u KB and are left out",
+    complain(EXIT_DONE, "frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u KB and are left out%s",
              (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->kit.demo->name,
-             p->setup.board->name, (unsigned)(p->setup.board->ram_bytes / 1024));
+             p->setup.board->name, (unsigned)(p->setup.board->ram_bytes / 1024),
+             p->setup.state != NULL ? "; pinhole-asset simplifies a model" : "");
 }
 
 int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)

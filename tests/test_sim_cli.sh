@@ -183,6 +183,24 @@ frustum_without_window_is_the_perspective() {
         differ --demo torus --size 40x40 --projection frustum=-.5,.5,-.5,.5 -- --demo torus --size 40x40 --projection frustum=-.2,.5,-.5,.5
 }
 
+grid() { # side: a wrinkled sheet of that many points by as many
+    awk -v n="$1" 'BEGIN { for (i = 0; i < n; i++) for (j = 0; j < n; j++) print "v", i, (i * j) % 3, j
+                           for (i = 1; i < n; i++) for (j = 1; j < n; j++) print "f", n * i + j, n * i + j + 1, n * (i - 1) + j + 1, n * (i - 1) + j }'
+}
+
+a_model_too_large_names_what_helps() {
+    grid 40 >"$dir/grid.obj" && grid 60 >"$dir/grid60.obj"
+    "$sim" --model "$dir/grid.obj" --board pico-display --crc 2>"$dir/stderr" >"$dir/stdout" && [ "$(wc -l <"$dir/stderr")" = 1 ] &&
+        grep -q 'are left out; pinhole-asset simplifies a model$' "$dir/stderr" &&
+        refuses 1 "do not hold 'model'.*pinhole-asset" --model "$dir/grid60.obj" --board pico-display --crc
+}
+
+bar_is_for_terminals() { # and goes away
+    script -qec "'$sim' --size 16x16 --frames 30 --out '$dir/bar'" /dev/null >"$dir/terminal" && grep -q 'frames .*\[####' "$dir/terminal" &&
+        [ "$(tr '\r' '\n' <"$dir/terminal" | tail -n 1 | tr -d ' \n')" = "" ] &&
+        "$sim" --size 16x16 --frames 30 --out "$dir/bar" >"$dir/stdout" 2>"$dir/stderr" && [ ! -s "$dir/stdout" ] && [ ! -s "$dir/stderr" ]
+}
+
 model_has_an_effect() {
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/one.obj"
     differ --model "$dir/one.obj" "${small[@]}" -- --demo turntable "${small[@]}" &&
@@ -400,10 +418,13 @@ check h_is_help h_is_help
 check everything_on_the_list_can_be_drawn everything_on_the_list_can_be_drawn
 check demo_has_an_effect differ --demo cube "${small[@]}" -- --demo torus "${small[@]}"
 check turntable_is_the_default same "${small[@]}" -- --demo turntable "${small[@]}"
+check bar_is_for_terminals bar_is_for_terminals
 if "$sim" --model "$dir" --crc 2>&1 | grep -q 'without assimp'; then
     skip model_has_an_effect "built without assimp"
+    skip a_model_too_large_names_what_helps "built without assimp"
 else
     check model_has_an_effect model_has_an_effect
+    check a_model_too_large_names_what_helps a_model_too_large_names_what_helps
 fi
 check board_has_its_own_size board_has_its_own_size
 check size_is_the_picture_s size_is_the_picture_s
