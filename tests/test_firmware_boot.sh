@@ -50,6 +50,11 @@ holds_steps_and_goes_on() { # a line a frame while it holds, then none within th
     sed -n 's/^frame \([0-9]*\),.*/\1/p' "$dir/log" | tr -d '\r' | tr '\n' ' ' | tee "$dir/lines" | grep -qx '1 2 3 ' || { cat "$dir/lines" && return 1; }
 }
 
+two_buttons_change_the_demo() { # GP12 and GP13, up and down, from frame 2 to 3: this kit has no select
+    echo '2 up+down' >"$dir/keys"
+    emulate "$board" 1 5 - --press 1:12+13 --press 2: && expect "$board" 5 "$dir/keys" && same 5 && grep -q '^demo testcard' "$dir/log"
+}
+
 no_chip_select_is_told() {
     mkdir -p "$dir/home" && sed '/\.select/d' "boards/$board/board.c" >"$dir/home/board.c" || return 1
     ! BOARD=bare BOARD_HOME="$dir/home" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/none" 1 2>"$dir/log" || return 1
@@ -64,5 +69,6 @@ check "... while_it_holds" asked_for_while_it_holds
 check "each_button_held_at_power_up_does_so" held_at_power_up
 check "other_pins_and_later_moments_do_not" not_without_a_reason
 check "H_holds_and_steps_G_goes_on" holds_steps_and_goes_on
+check "two_buttons_held_together_change_the_demo" two_buttons_change_the_demo
 check "a_board_without_chip_select_is_one_clear_line" no_chip_select_is_told
 tap_end

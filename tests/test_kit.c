@@ -158,6 +158,25 @@ static void a_button_that_is_held_selects_once(void **state)
     stage_close(s);
 }
 
+static void up_and_down_together_select(void **state)
+{
+    (void)state;
+    struct stage *s = stage_open(board_find("pico-display"), kit_budget(board_find("pico-display")), 0);
+    const struct demo *first = s->kit.demo;
+    s->bus.buttons = HAL_BUTTON_UP;
+    assert_int_equal(kit_frame(&s->kit, 0), 0);
+    s->bus.buttons = HAL_BUTTON_DOWN;
+    assert_int_equal(kit_frame(&s->kit, 1), 0);
+    assert_ptr_equal(s->kit.demo, first);
+    s->bus.buttons = HAL_BUTTON_UP | HAL_BUTTON_DOWN;
+    assert_int_equal(kit_frame(&s->kit, 2), 0);
+    const struct demo *second = s->kit.demo;
+    assert_ptr_not_equal(second, first);
+    assert_int_equal(kit_frame(&s->kit, 3), 0);
+    assert_ptr_equal(s->kit.demo, second);
+    stage_close(s);
+}
+
 static void too_little_memory_is_refused(void **state)
 {
     (void)state;
@@ -254,6 +273,7 @@ int main(void)
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
         cmocka_unit_test(a_button_that_is_held_selects_once),
+        cmocka_unit_test(up_and_down_together_select),
         cmocka_unit_test(too_little_memory_is_refused),
         cmocka_unit_test(a_smaller_budget_leaves_out_more_and_counts_it),
     };

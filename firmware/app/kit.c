@@ -290,7 +290,8 @@ static int select_next(struct kit *kit)
 
 int kit_buttons(struct kit *kit, uint32_t more)
 {
-    const uint32_t buttons = kit->hal.ops->buttons(kit->hal.context) | more;
+    const uint32_t pressed = kit->hal.ops->buttons(kit->hal.context) | more, both = HAL_BUTTON_UP | HAL_BUTTON_DOWN;
+    const uint32_t buttons = pressed | ((pressed & both) == both ? HAL_BUTTON_SELECT : 0U);
     const bool select = (buttons & ~kit->buttons & HAL_BUTTON_SELECT) != 0; /* one that is held selects but once */
     kit->buttons = buttons;
     const int status = select ? select_next(kit) : PH_OK;

@@ -87,7 +87,8 @@ int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *co
 /* 0, or an error of the renderer (PH_ERR_..) or the panel (HAL_E..). */
 int kit_frame(struct kit *kit, uint32_t frame);
 
-/* The steps of kit_frame. kit_buttons: `more` are held besides the kit's own; 0, or PH_ERR_NOMEM as kit_open.
+/* The steps of kit_frame. kit_buttons: `more` are held besides the kit's own, up and down together are select, which
+ * some kits do not have; 0, or PH_ERR_NOMEM as kit_open.
  * kit_scene: PH_ERR_... kit_send: HAL_E... */
 int kit_buttons(struct kit *kit, uint32_t more);
 int kit_scene(struct kit *kit, uint32_t frame);
