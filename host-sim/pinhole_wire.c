@@ -112,6 +112,8 @@ static const struct option_row rows[] = {
      "a directory or a file that ends in .ppm", .at = offsetof(struct request, out)},
     {"last", NULL, "only the last picture that was seen: for streams that send only what changed", NULL,
      .at = offsetof(struct request, wire.last)},
+    {"notes", NULL, "a frame ends at each note `frame`, whatever was written", NULL,
+     .at = offsetof(struct request, wire.notes)},
     {"idle", "US", "a frame ends when the wires rest for US microseconds, not when all of it was written",
      "a whole number, 1 .. 1000000000", .set = set_idle},
     {"order", NULL, "also a line `order STEP MS` for reset, init, first frame, display and backlight", NULL,

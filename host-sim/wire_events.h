@@ -16,7 +16,7 @@
  *   TIME read SELECT ASKED GOT MODE BITS LEVELS LEVELS_AT_END END_TIME BYTES
  *                           a transfer in which the panel sends: BYTES are its answer (or as many zeros)
  *   TIME lost COUNT         events that were not recorded: the stream is worth nothing
- *   TIME note TEXT          anything else, for people
+ *   TIME note TEXT          anything else, for people; `frame` where a frame's last bit was out, see struct wire_config
  *
  * Empty lines and those that begin with '#' are skipped. A transfer may be split anywhere into several. TIME and
  * END_TIME may be the same (a kit whose wire takes no time): the wire's time then is counted at GOT.
@@ -62,6 +62,7 @@ struct wire_config {
     uint32_t select;   /* chip select of this panel */
     unsigned rotation; /* enum panel_rotation */
     uint64_t idle_ns;  /* 0: a frame ends when every pixel was written; else when the bus rests so long */
+    bool notes;        /* a frame ends at each note `frame`, whatever was written */
     bool order;        /* tell the steps of power-on and power-off */
     bool last;         /* tell only the last picture seen */
     void *context;     /* of the following */

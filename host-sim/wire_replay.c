@@ -140,7 +140,7 @@ static void frame_is_complete(struct wire *w)
         w->was_frame = true;
     }
     w->run_pixels = w->sim->counters.pixels;
-    w->pending = w->config.idle_ns == 0;
+    w->pending = w->config.idle_ns == 0 && !w->config.notes;
     look(w);
 }
 
@@ -361,6 +361,10 @@ int wire_event(struct wire *w, const struct wire_event *event)
         resent_at(w, "%u events were lost", (unsigned)event->number);
         break;
     case WIRE_NOTE:
+        if (w->config.notes && strcmp(event->text, "frame") == 0) {
+            w->pending = true;
+            look(w);
+        }
         break;
     }
     pass_complaints_on(w);

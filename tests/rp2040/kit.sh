@@ -3,6 +3,7 @@
 #   rp2040_here                              exits 77 where something is missing
 #   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
 #                                            runs the image of all demos; KEYS is a file as of pinhole-sim --keys, or -
+#                                            (CHANGES=0 in the environment: the one that sends whole frames);
 #                                            frames to $dir/seen, the UART to $dir/log, the wires to $dir/out/events
 #   expect BOARD FRAMES [KEYS]               pinhole-sim's frames, to $dir/expected
 #   sweep EACH                               keys that show every demo for EACH frames and press buttons, to $dir/keys
@@ -16,7 +17,14 @@ rp2040_here() {
 }
 
 image() { # board, cores
-    make -s -j2 B="$B" firmware BOARD="$1" CORES="$2"
+    make -s -j2 B="$B" firmware BOARD="$1" CORES="$2" CHANGES="${CHANGES:-1}"
+}
+
+elf_of() { # board, cores
+    local name=$1-demos
+    [ "$2" = 1 ] || name=$name-cores$2
+    [ "${CHANGES:-1}" = 1 ] || name=$name-whole
+    echo "$B/firmware/$name.elf"
 }
 
 # A key that acts in a frame must be on the UART when the frame before begins.
@@ -28,10 +36,8 @@ letters() { # keys
 emulate() {
     local board=$1 cores=$2 frames=$3 keys=${4--} options=()
     [ "$keys" = - ] || mapfile -t options < <(letters "$keys")
-    local elf=$B/firmware/$board-demos.elf
-    [ "$cores" = 1 ] || elf=$B/firmware/$board-demos-cores$cores.elf
     rm -rf "$dir/out"
-    BOARD=$board CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/out" "$frames" "${options[@]}" "${@:5}" \
+    BOARD=$board CORES=$cores hal/rp2040/emulate/emulate.sh "$(elf_of "$board" "$cores")" "$dir/out" "$frames" "${options[@]}" "${@:5}" \
         >"$dir/said" 2>"$dir/log"
     local status=$?
     grep '^frame [0-9]* crc32' "$dir/said" >"$dir/seen"
@@ -51,6 +57,12 @@ sweep() {
         echo "$((i * $1)) select"
         [ "$1" -lt 4 ] || printf '%s\n' "$((i * $1 + 1)) left+up" "$((i * $1 + 2)) right+down"
     done >"$dir/keys"
+}
+
+# The mean of frames 4 .. 6 of the first demo, in us: board, cores, options of emulate.mjs.
+frame_us() {
+    EVENTS_ONLY=1 BOARD=$1 CORES=$2 hal/rp2040/emulate/emulate.sh "$(elf_of "$1" "$2")" "$dir/time" 8 "${@:3}" >/dev/null 2>&1 &&
+        awk '$1 >= 4 && $1 <= 6 { us += $2; n++ } END { printf "%.0f\n", us / n }' "$dir/time/report"
 }
 
 same() { [ "$(wc -l <"$dir/seen")" = "$1" ] && diff "$dir/expected" "$dir/seen"; }

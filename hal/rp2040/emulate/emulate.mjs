@@ -16,6 +16,11 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --press FRAME:PINS  from this frame (-1: power-on) on the pins (12+13, or none) are low; may be given several times
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
+  --calls FRAME,WRITE,ROWS  addresses (hexadecimal) of the functions that the image calls when it begins to send a
+                      frame, and to write to the bus: (dc, bytes, n) and (bytes, n, stride, rows). The events then have
+                      a note 'frame' where the last bit of one is out. Without them a frame begins with the command
+                      memory write, 2Ch
+  --free-wire         words take no time on the bus: the report has the cores' own time
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
 What the image says on its UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
 
@@ -25,7 +30,8 @@ const { values: options, positionals } = parseArgs({
     modules: { type: 'string' }, frames: { type: 'string', default: '16' }, events: { type: 'string', default: '-' },
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
-    fault: { type: 'string' }, 'limit-ms': { type: 'string', default: '60000' },
+    fault: { type: 'string' }, calls: { type: 'string' },
+    'free-wire': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
 });
@@ -116,6 +122,10 @@ function makeRecorder(machine, fd) {
         waiting = [];
       }
     },
+    note(text) {
+      flush();
+      put(`${ns(machine.time)} note ${text}`);
+    },
     close() { // the levels of a word that never came to its end count, too
       flush();
       waiting.forEach(([time, levels]) => level(time, levels));
@@ -140,6 +150,7 @@ const machine = makeMachine(lib, {
     }
   },
 });
+machine.freeWire = options['free-wire'];
 const file = readFileSync(positionals[0]);
 machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
 
@@ -165,7 +176,7 @@ const report = [];
 let frame = -1, begun = null, busTime = 0;
 
 function measure() {
-  const current = { time: machine.time, bus: busTime, idle: machine.cores.map((own) => own.idle) };
+  const current = { time: machine.time, bus: busTime, idle: machine.cores.map(machine.idleOf) };
   if (begun !== null) {
     const us = (current.time - begun.time) / 1e3;
     const loads = current.idle.map((idle, i) => machine.cores[i].started ? 100 - (idle - begun.idle[i]) / us / 10 : 0);
@@ -193,17 +204,47 @@ function beginFrame() {
   }
 }
 
-// A frame begins with the command memory write, 2Ch.
+// What the image has given to the bus, and what was on the wire, in bytes: a frame is out when both agree.
+let given = 0, out = 0, done = 0;
+const ends = []; // `given` at the end of frames that are not yet out
+
+function endFrames() {
+  for (; ends.length > 0 && out >= ends[0]; done++) {
+    ends.shift();
+    recorder.note('frame');
+  }
+}
+
+function addCalls([frameAt, writeAt, rowsAt]) {
+  machine.calls.set(frameAt, () => {
+    if (frame >= 0) {
+      ends.push(given);
+      endFrames();
+    }
+    beginFrame();
+  });
+  machine.calls.set(writeAt, ([, , n]) => { given += n; });
+  machine.calls.set(rowsAt, ([, n, , rows]) => { given += n * rows; });
+}
+
+if (options.calls !== undefined) {
+  addCalls(options.calls.split(',').map((address) => parseInt(address, 16) & ~1));
+}
+
 machine.onWord = (value, bits, start, end, hz) => {
-  if (value === 0x2c && bits === 8 && (machine.levels & (1 << Number(options.dc))) === 0) {
+  if (options.calls === undefined && value === 0x2c && bits === 8 && (machine.levels & (1 << Number(options.dc))) === 0) {
+    done = Math.max(frame, 0);
     beginFrame();
   }
   busTime += end - start;
+  out += bits / 8;
   recorder.word(value, bits, start, end, hz);
+  endFrames();
 };
 
 setPins();
-machine.run(() => frame >= frames || machine.time > limit || objections > 0);
+const isDone = options.calls === undefined ? () => frame >= frames : () => done >= frames;
+machine.run(() => isDone() || machine.time > limit || objections > 0);
 recorder.close();
 if (fd !== 1) {
   closeSync(fd);
@@ -222,6 +263,6 @@ if (objections > 0) {
 }
 if (machine.ended !== null) {
   console.error(`emulate: ended in frame ${frame}: ${machine.ended}`);
-} else if (frame < frames) {
-  fail(`only ${frame} frames in ${options['limit-ms']} ms`);
+} else if (!isDone()) {
+  fail(`only ${done} frames in ${options['limit-ms']} ms`);
 }

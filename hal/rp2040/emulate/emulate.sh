@@ -42,14 +42,17 @@ shift 3
 pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
 [ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
 [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
+
+# Where the image begins a frame and writes to the bus; another program than the demos may have no such functions.
+calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("kit_send" in at) { print at["kit_send"] "," at["rp2040_spi_write"] "," at["rp2040_spi_write_rows"] } }')
 mkdir -p "$out"
 unfinished=$out
 node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
-    --frames "$frames" --events "$out/events" --report "$out/report" "$@" "${elf%.elf}.bin" &
+    --frames "$frames" --events "$out/events" --report "$out/report" ${calls:+--calls "$calls"} "$@" "${elf%.elf}.bin" &
 node=$!
 wait "$node" || { node='' && exit 1; }
 node='' unfinished=''
-[ "${EVENTS_ONLY-}" = 1 ] || "$B/pinhole-wire" --board "$BOARD" --out "$out" "$out/events"
+[ "${EVENTS_ONLY-}" = 1 ] || "$B/pinhole-wire" --board "$BOARD" ${calls:+--notes} --out "$out" "$out/events"
 awk '{ us += $2; bus += $3; load += $4; load1 += $5 }
     END { if (NR > 0) { printf "%.1f frames/s: %.2f ms a frame, %.2f of them on the bus; load of core 0 %.0f %%", NR * 1e6 / us, us / NR / 1e3, bus / NR / 1e3, load / NR
                         if (NF > 4) { printf ", core 1 %.0f %%", load1 / NR }

@@ -5,7 +5,9 @@
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
 // Hooks, to be set: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
-// the chip drives changes, onUart(byte), onEnd(why).
+// the chip drives changes, onUart(byte), onEnd(why). machine.calls: a Map from the address of a function to what is
+// called with r0 .. r3 when core 0 enters it. machine.freeWire: words
+// take no time, as in the stock package: what is left is the cores' own.
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
@@ -103,7 +105,7 @@ function addWireTime(machine, spi) {
     word = { value, bits, hz, start: clock.nanos };
     machine.wordInFlight = true;
     machine.onWordStart();
-    alarm.schedule((bits * 1e9) / hz);
+    alarm.schedule(machine.freeWire ? 0 : (bits * 1e9) / hz);
   };
 }
 
@@ -178,7 +180,7 @@ export function makeMachine(lib, { cores = 1, warn }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
-    mcu, warn, levels: 0, wordInFlight: false, ended: null, cores: [],
+    mcu, warn, calls: new Map(), freeWire: false, levels: 0, wordInFlight: false, ended: null, cores: [],
     onWord() {}, onWordStart() {}, onLevels() {}, onUart() {},
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
@@ -223,16 +225,33 @@ export function makeMachine(lib, { cores = 1, warn }) {
   // Stores to flash succeed silently here: they must not have happened.
   machine.flashIntact = () => Buffer.compare(mcu.flash.subarray(0, machine.image.length), machine.image) === 0;
 
+  // An interrupt may come first: then it is the handler's first instruction, and the function is entered later.
+  const execute = (core) => {
+    const call = core === machine.cores[0].core ? machine.calls.get(core.registers[15]) : undefined;
+    if (call === undefined) {
+      core.executeInstruction();
+      return;
+    }
+    const handler = core.IPSR, [r0, r1, r2, r3] = core.registers;
+    core.executeInstruction();
+    if (core.IPSR === handler) {
+      call([r0, r1, r2, r3]);
+    }
+  };
+
   const step = (own) => {
     const { core } = own;
     const before = core.cycles;
-    core.executeInstruction();
+    execute(core);
     own.time += ((core.cycles - before) * 1e9) / mcu.clkSys; // the return value leaves the divider's cycles out
     own.asleep = core.waiting;
     if (core.registers[13] < own.lowest) {
       own.lowest = core.registers[13];
     }
   };
+
+  // What a core has slept, ns, until now.
+  machine.idleOf = (own) => own.idle + (own.asleep ? Math.max(0, clock.nanos - own.time) : 0);
 
   const advance = (time) => {
     clock.tick(Math.max(0, time - clock.nanos));
