@@ -20,6 +20,7 @@
 #   PORT_STACK_BYTES  reserved; the linker script gets it as the symbol stack_bytes
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes (code that runs from RAM, say)
 #   PORT_CORES        optional: what CORES may be; 1
+#   PORT_TILES_BYTES  optional: signatures of what changed (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_STACK_EXTRA  bytes that the call graph does not show: frames of interrupts
 #   PORT_FINISH       optional shell command between linking and objcopy; finds the ELF in "$1" (a checksum, e.g.)
 #   UF2_FAMILY        number of the chip's family, empty: there is none; UF2_BASE: address of the BIN's first byte
@@ -32,7 +33,8 @@
 # All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h, kit.h.
 #
 # The build gives each image board_here and kit_memory (hal/port.h; ram_bytes less KIT_OTHER_BYTES). CORES (make's
-# CORES=1|2) is for a port's make lines.
+# CORES=1|2) is for a port's make lines. CHANGES=0
+# sends every frame whole, CHANGES=1 only what changed, which is what ports that can do.
 
 CROSS ?= arm-none-eabi-
 HOSTCC ?= cc
@@ -64,7 +66,9 @@ $(if $(filter $(CORES),$(or $(PORT_CORES),1)),,$(error CORES=$(CORES): $(BOARD) 
 $(if $(call odd,$(APP)),$(error APP='$(APP)': $(NO_SUCH_NAME)))
 $(if $(call odd,$(SCENE)),$(error SCENE='$(SCENE)': $(NO_SUCH_NAME)))
 $(if $(wildcard $(APP_FILE)),,$(error APP=$(APP): there is no $(APP_FILE); take demos, depth or a file NAME.c))
-IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))
+CHANGES ?= $(if $(PORT_TILES_BYTES),1,0)
+$(if $(filter $(CHANGES),$(if $(PORT_TILES_BYTES),0 1,0)),,$(error CHANGES=$(CHANGES): $(BOARD) has $(if $(PORT_TILES_BYTES),0 1,0)))
+IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))$(if $(PORT_TILES_BYTES),$(if $(filter 0,$(CHANGES)),-whole))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
@@ -74,7 +78,7 @@ RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \([^,]*\),.*/\1/p' $(BOARD_HOME)
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
+             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
@@ -139,6 +143,8 @@ extern const struct board board_$(subst -,_,$(BOARD));
 const struct board *const board_here = &board_$(subst -,_,$(BOARD));
 uint64_t kit_memory[(($(RAM_BYTES)) - KIT_OTHER_BYTES) / 8];
 const size_t kit_memory_bytes = sizeof kit_memory;
+uint32_t kit_tiles[$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),4) / 4];
+const size_t kit_tiles_bytes = $(if $(filter 1,$(CHANGES)),sizeof kit_tiles,0);
 $(if $(SCENE_C),const struct demo *const demo_here = &demo_scene;,extern const struct demo demo_turntable;
 const struct demo *const demo_here = &demo_turntable;)
 endef

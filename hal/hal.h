@@ -55,17 +55,23 @@ struct hal_ops {
 
     /*
      * Starts to send n bytes with the D/C line at dc. Returns when it can; the buffer belongs to the backend until
-     * bus_wait returns or the next bus_write has started (returned); see bus_ahead. Order is kept; n = 0 does nothing.
+     * bus_wait returns or the next bus_write has started (returned); see bus_queue. Order is kept; n = 0 does nothing.
      * D/C and CS do not move before the last bit is out.
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 
-    /*
-     * From now on a buffer belongs to the backend until bus_wait or `writes` further bus_write have returned, so that
-     * as many may wait (1 after open); up to HAL_COPIED bytes are copied. Only after bus_wait. Returns the number that
-     * it takes, 1 .. writes; NULL, or 1: it keeps no queue.
+    /* Data only, as bus_write: `rows` times n bytes, each `stride` bytes further on. NULL: row by row with bus_write.
      */
-    uint32_t (*bus_ahead)(void *context, uint32_t writes);
+    int (*bus_write_rows)(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows);
+
+    /*
+     * A queue; NULL, all three: it keeps none. bus_queue, only after bus_wait, turns it on or off (off after open).
+     * While it is on a buffer belongs to the backend until bus_wait has returned, or bus_until with what bus_written
+     * said after its bus_write; up to HAL_COPIED bytes are copied.
+     */
+    void (*bus_queue)(void *context, bool on);
+    uint32_t (*bus_written)(void *context);            /* how far bus_write has come; wraps */
+    int (*bus_until)(void *context, uint32_t written); /* waits until the bus has come so far */
 
     /* Waits until the last bit is out. */
     int (*bus_wait)(void *context);

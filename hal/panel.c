@@ -233,8 +233,10 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
         !(d->pair_lines ? between_bytes(d, y, y + height, d->height) : between_bytes(d, x, x + width, d->width))) {
         return HAL_EINVAL;
     }
-    /* Without a memory write command it is the borders that take the controller back to the window's start. */
-    return window(d, x, y, width, height, d->config.panel->controller->memory_write == 0);
+    /* Without a memory write command it is the borders that take the controller back to the window's start; an SSD1351
+     * has the command, and goes on where a window was left unfinished all the same. */
+    const bool again = d->config.panel->controller->memory_write == 0 || d->row != d->bottom;
+    return window(d, x, y, width, height, again);
 }
 
 uint32_t panel_border_bytes(const struct panel_controller *c)
@@ -247,9 +249,20 @@ uint32_t panel_start_bytes(const struct panel_controller *c)
     return c->memory_write != 0;
 }
 
+/* Lines that lie apart. */
+static int send_apart(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
+{
+    d->frame_bytes += 2U * d->span * lines;
+    d->row = (uint16_t)(d->row + lines);
+    return d->hal.ops->bus_write_rows(d->hal.context, bytes, 2U * d->span, 2 * (size_t)stride, lines);
+}
+
 /* Straight from where they are, in one piece if they are one. */
 static int send_lines(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
 {
+    if (stride != d->span && d->hal.ops->bus_write_rows != NULL) {
+        return send_apart(d, bytes, stride, lines);
+    }
     uint32_t pieces = stride == d->span ? 1 : lines;
     size_t n = 2U * d->span * (size_t)(lines / pieces);
     int status = HAL_OK;

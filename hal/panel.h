@@ -160,7 +160,7 @@ int panel_frame_begin(struct panel_driver *d);
 
 /*
  * The next `lines` lines. The pixels stay the driver's until the next panel_rows, panel_wait or panel_frame_end
- * returns (panel_rows: as many as bus_ahead says, see hal.h): with two bands one is drawn while the other is sent.
+ * returns (longer where the backend keeps a queue, see hal.h): with two bands one is drawn while the other is sent.
  * Errors: HAL_EINVAL outside of a frame or for more lines than the frame has (nothing is sent then).
  */
 int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines);

@@ -17,6 +17,10 @@ extern const struct board *const board_here;
 extern uint64_t kit_memory[];
 extern const size_t kit_memory_bytes;
 
+/* Static memory for panel_tiles.h, 0 bytes: frames are sent whole. Also the build's (CHANGES=0|1). */
+extern uint32_t kit_tiles[];
+extern const size_t kit_tiles_bytes;
+
 /* Writes text to the log UART (115200 8N1); waits until it is in the transmitter. */
 void port_log(const char *text);
 

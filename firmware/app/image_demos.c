@@ -140,6 +140,13 @@ static void do_nothing(void *argument)
     (void)argument;
 }
 
+/* Sends only what changed where the build gives memory for that, and it is enough. */
+static void open_tiles(struct kit *kit, struct panel_tiles *tiles)
+{
+    const int status = panel_tiles_init(tiles, &kit->driver, kit->config.band_height, kit_tiles, kit_tiles_bytes);
+    kit->config.tiles = status == HAL_OK ? tiles : NULL;
+}
+
 static int open(struct kit *kit)
 {
     const struct hal hal = port_hal();
@@ -168,11 +175,13 @@ static int open(struct kit *kit)
 int main(void)
 {
     static struct kit kit;
+    static struct panel_tiles tiles;
     port_log("\r\nPinhole on ");
     port_log(board_here->title);
     port_log("\r\n");
     int status = open(&kit);
     if (status == 0) {
+        open_tiles(&kit, &tiles);
         status = run(&kit);
     }
     log_named("stopped: error ", (uint32_t)-status);

@@ -227,8 +227,13 @@ static void place_buffers(struct kit *kit, const struct picture *p)
         kit->bands[i] = (uint16_t *)(void *)next;
     }
     kit->scene = next;
-    if (kit->hal.ops->bus_ahead != NULL) {
-        kit->hal.ops->bus_ahead(kit->hal.context, p->buffers - 1);
+    const struct hal *hal = &kit->hal;
+    if (hal->ops->bus_queue != NULL) {
+        hal->ops->bus_queue(hal->context, has_queue(&kit->config));
+        const uint32_t written = hal->ops->bus_written(hal->context);
+        for (uint32_t i = 0; i < p->buffers; i++) {
+            kit->written[i] = written;
+        }
     }
 }
 
@@ -240,6 +245,9 @@ static int open_scene(struct kit *kit, const struct demo *demo)
         return PH_ERR_NOMEM;
     }
     place_buffers(kit, &plan.picture);
+    if (kit->config.tiles != NULL) {
+        panel_tiles_forget(kit->config.tiles);
+    }
     const int status = open_renderer(kit, &plan.picture, &plan.scene);
     return status == PH_OK ? open_demo(kit, demo, &plan.picture, &plan.scene) : status;
 }
@@ -321,10 +329,18 @@ static void draw_overlay(const struct kit *kit, uint32_t band, uint16_t *pixels,
     ph_overlay_text(&over, 2 * scale, 2 * scale, text, &style);
 }
 
-/* Into the buffer that is not on the wire. */
+static bool queues(const struct kit *kit)
+{
+    return has_queue(&kit->config) && kit->hal.ops->bus_queue != NULL;
+}
+
+/* Into the buffer that is not on the wire; without a queue that is so: enough panel_rows came after its own. */
 static uint32_t draw_band(struct kit *kit, uint32_t band)
 {
     uint16_t *pixels = kit->bands[kit->band_next];
+    if (queues(kit)) {
+        kit->hal.ops->bus_until(kit->hal.context, kit->written[kit->band_next]);
+    }
     const uint32_t lines = demo_draw_band(kit->demo, &kit->context, &kit->renderer, band, pixels);
     if (kit->config.overlay) {
         draw_overlay(kit, band, pixels, lines);
@@ -342,23 +358,50 @@ static int wait_for_edge(struct kit *kit)
     return status == HAL_ETIMEDOUT ? HAL_OK : status;
 }
 
+/* They would touch a buffer that is on the wire if its band was not sent, and nobody asked for how long. */
+static struct panel_tiles *tiles_of(const struct kit *kit)
+{
+    return queues(kit) ? kit->config.tiles : NULL;
+}
+
 /* All of the picture, or what changed. */
 static int frame_begin(struct kit *kit)
 {
     struct panel_diff *diff = kit->config.diff;
-    return diff != NULL ? panel_diff_begin(diff, &kit->driver) : panel_frame_begin(&kit->driver);
+    struct panel_tiles *tiles = tiles_of(kit);
+    return diff != NULL    ? panel_diff_begin(diff, &kit->driver)
+           : tiles != NULL ? panel_tiles_begin(tiles, &kit->driver)
+                           : panel_frame_begin(&kit->driver);
 }
 
-static int frame_rows(struct kit *kit, const uint16_t *pixels, uint32_t lines)
+static int send_rows(struct kit *kit, const uint16_t *pixels, uint32_t lines)
 {
     struct panel_diff *diff = kit->config.diff;
-    return diff != NULL ? panel_diff_rows(diff, &kit->driver, pixels, lines) : panel_rows(&kit->driver, pixels, lines);
+    struct panel_tiles *tiles = tiles_of(kit);
+    return diff != NULL    ? panel_diff_rows(diff, &kit->driver, pixels, lines)
+           : tiles != NULL ? panel_tiles_rows(tiles, &kit->driver, pixels, lines)
+                           : panel_rows(&kit->driver, pixels, lines);
+}
+
+/* The band that was drawn last. */
+static int frame_rows(struct kit *kit, uint32_t lines)
+{
+    const uint32_t band = kit->band_next;
+    const int status = send_rows(kit, kit->bands[band], lines);
+    if (queues(kit)) {
+        kit->written[band] = kit->hal.ops->bus_written(kit->hal.context);
+    }
+    kit->band_next = (band + 1) % kit->band_count;
+    return status;
 }
 
 static int frame_end(struct kit *kit)
 {
     struct panel_diff *diff = kit->config.diff;
-    return diff != NULL ? panel_diff_end(diff, &kit->driver) : panel_frame_end(&kit->driver);
+    struct panel_tiles *tiles = tiles_of(kit);
+    return diff != NULL    ? panel_diff_end(diff, &kit->driver)
+           : tiles != NULL ? panel_tiles_end(tiles, &kit->driver)
+                           : panel_frame_end(&kit->driver);
 }
 
 /* The frame before. On a lit panel with a queue nobody need wait for its last bands: this one's follow them. */
@@ -381,8 +424,7 @@ int kit_send(struct kit *kit)
     }
     for (uint32_t band = 0; band < bands && status == HAL_OK; band++) {
         lines = band > 0 ? draw_band(kit, band) : lines;
-        status = frame_rows(kit, kit->bands[kit->band_next], lines);
-        kit->band_next = (kit->band_next + 1) % kit->band_count; /* free: enough panel_rows came after its own */
+        status = frame_rows(kit, lines);
     }
     kit->sending = status == HAL_OK;
     return status;

@@ -15,7 +15,7 @@
  * taken at the coarsest of its levels (demo.h); then its list of triangles is cut, which the renderer's statistics
  * count. Memory for blur is given only where all else fits.
  *
- * Where the backend keeps a queue (bus_ahead) a demo has as many band buffers as fit beside it, and the next scene is
+ * Where the backend keeps a queue (bus_queue) a demo has as many band buffers as fit beside it, and the next scene is
  * made while they are sent; one that hardly fits has two.
  */
 #ifndef KIT_H
@@ -24,6 +24,7 @@
 #include "board.h"
 #include "demo.h"
 #include "panel_diff.h"
+#include "panel_tiles.h"
 
 /* What an image needs beside the kit's memory: stack and variables. A board's budget for the kit is without it. */
 #define KIT_OTHER_BYTES 8192
@@ -44,10 +45,12 @@ struct kit_config {
     struct demo_camera camera;
     bool (*other_core)(void (*run)(void *argument), void *argument); /* see struct ph_config; may be NULL */
     void (*other_core_join)(void);
-    bool overlay;            /* frame time of the bus and triangles over the picture */
-    struct panel_diff *diff; /* sends only what changed: panel_diff_init() after kit_open(); NULL: all is sent */
-    void *memory;            /* 8-byte aligned; the kit's until kit_close */
-    size_t memory_bytes;     /* kit_bytes() or more */
+    bool overlay;              /* frame time of the bus and triangles over the picture */
+    struct panel_diff *diff;   /* sends only what changed: panel_diff_init() after kit_open(); NULL: all is sent */
+    struct panel_tiles *tiles; /* the same by tiles, where the backend keeps a queue: panel_tiles_init() after
+                                  kit_open(); NULL: all is sent */
+    void *memory;              /* 8-byte aligned; the kit's until kit_close */
+    size_t memory_bytes;       /* kit_bytes() or more */
 };
 
 /* Read-only for the caller: demo, context, renderer.stats, driver. Holds no pointer into itself. */
@@ -59,6 +62,7 @@ struct kit {
     struct panel_driver driver;
     struct hal hal;
     uint16_t *bands[KIT_BANDS_MAX];
+    uint32_t written[KIT_BANDS_MAX]; /* how far the bus must have come before one is the kit's again, see bus_until */
     void *depth;
     uint32_t *bins;
     uint8_t *scene; /* what is left of memory: lists, arena, scratch of the demo */

@@ -3,6 +3,7 @@ PORT_CPU = armv6m
 PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
 PORT_SRC = $(addprefix hal/rp2040/,cores$(CORES).c start.c clocks.c rp2040.c spi.c uart.c divide.c boot2.S entry.S)
 PORT_CORES = 1 2
+PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
 PORT_LD = hal/rp2040/rp2040.ld
 PORT_STACK_BYTES = 6656
 PORT_RAM_BYTES = 18432 # code that runs from RAM, stack of core 1

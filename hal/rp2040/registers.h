@@ -88,15 +88,16 @@ enum { FIFO_READABLE = 1, FIFO_WRITABLE = 2 };
 #define SPI_SSPSR(unit)    (SPI_BASE(unit) + 0x0c)
 #define SPI_SSPCPSR(unit)  (SPI_BASE(unit) + 0x10)
 #define SPI_SSPDMACR(unit) (SPI_BASE(unit) + 0x24)
-enum { SSPSR_BSY = 16, SSPCR1_SSE = 2, SSPDMACR_TXDMAE = 2 };
+enum { SSPSR_TNF = 2, SSPSR_BSY = 16, SSPCR1_SSE = 2, SSPDMACR_TXDMAE = 2 };
 
-#define DMA_CH0_READ_ADDR   0x50000000
-#define DMA_CH0_WRITE_ADDR  0x50000004
-#define DMA_CH0_TRANS_COUNT 0x50000008
-#define DMA_CH0_CTRL_TRIG   0x5000000c
-#define DMA_CH0_AL1_CTRL    0x50000010
-#define DMA_INTE0           0x50000404
-#define DMA_INTS0           0x5000040c
+#define DMA_CH0_READ_ADDR          0x50000000
+#define DMA_CH0_WRITE_ADDR         0x50000004
+#define DMA_CH0_TRANS_COUNT        0x50000008
+#define DMA_CH0_CTRL_TRIG          0x5000000c
+#define DMA_CH0_AL3_READ_ADDR_TRIG 0x5000003c
+#define DMA_CH0_AL1_CTRL           0x50000010
+#define DMA_INTE0                  0x50000404
+#define DMA_INTS0                  0x5000040c
 enum {
     DMA_EN = 1,
     DMA_HALFWORDS = 1 << 2,

@@ -78,10 +78,30 @@ static int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes,
     return HAL_OK;
 }
 
-static uint32_t rp2040_bus_ahead(void *context, uint32_t writes)
+static int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
 {
     (void)context;
-    return rp2040_spi_ahead(writes);
+    rp2040_spi_write_rows(bytes, (uint32_t)n, (uint32_t)stride, (uint32_t)rows);
+    return HAL_OK;
+}
+
+static void rp2040_bus_queue(void *context, bool on)
+{
+    (void)context;
+    rp2040_spi_queue(on);
+}
+
+static uint32_t rp2040_bus_written(void *context)
+{
+    (void)context;
+    return rp2040_spi_written();
+}
+
+static int rp2040_bus_until(void *context, uint32_t written)
+{
+    (void)context;
+    rp2040_spi_until(written);
+    return HAL_OK;
 }
 
 static int rp2040_bus_wait(void *context)
@@ -161,7 +181,8 @@ static void rp2040_close(void *context)
 #define RP2040_OPS(te)                                                                                                 \
     {                                                                                                                  \
         .name = "rp2040", .open = rp2040_open, .bus_clock = rp2040_bus_clock, .bus_write = rp2040_bus_write,           \
-        .bus_ahead = rp2040_bus_ahead, .bus_wait = rp2040_bus_wait, .pin_set = rp2040_pin_set, .te_wait = (te),        \
+        .bus_write_rows = rp2040_bus_write_rows, .bus_queue = rp2040_bus_queue, .bus_written = rp2040_bus_written,     \
+        .bus_until = rp2040_bus_until, .bus_wait = rp2040_bus_wait, .pin_set = rp2040_pin_set, .te_wait = (te),        \
         .time_us = rp2040_time_us, .delay_us = rp2040_delay_us, .buttons = rp2040_buttons, .close = rp2040_close,      \
     }
 

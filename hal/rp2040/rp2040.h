@@ -28,7 +28,10 @@ void rp2040_pin_write(uint32_t pin, bool level);
 void rp2040_spi_open(const struct board *board);
 int32_t rp2040_spi_clock(uint32_t hz);
 void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n);
-uint32_t rp2040_spi_ahead(uint32_t writes);
+void rp2040_spi_write_rows(const uint8_t *bytes, uint32_t n, uint32_t stride, uint32_t rows);
+void rp2040_spi_queue(bool on);
+uint32_t rp2040_spi_written(void);
+void rp2040_spi_until(uint32_t written);
 void rp2040_spi_wait(void);
 void rp2040_spi_close(void);
 

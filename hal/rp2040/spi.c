@@ -6,29 +6,43 @@
  * buffer, and bits follow on each other.
  *
  * Whole halfwords go out as 16-bit words: half the DMA transfers, and half the pauses that the PL022 makes between
- * words in mode 0.
+ * words in mode 0. Commands and their parameters go straight into the unit's FIFO, all that wait one after the other:
+ * a window's take 4 us together.
+ *
+ * What a handler does lies in RAM, and so do its data: flash may answer late.
  */
 #include "registers.h"
 #include "rp2040.h"
 
-/* A write that waits or is on its way. */
+#define SHORTS 12 /* bytes: column, row and memory write commands of a window are 11 */
+
+/* A write that waits or is on its way: rows for the DMA, or short ones, copied. */
 struct write {
-    const uint8_t *bytes;
-    uint32_t n;
-    enum hal_dc dc;
-    uint8_t copy[HAL_COPIED];
+    union {
+        struct {
+            const uint8_t *bytes; /* of the first row */
+            uint32_t n, stride;   /* bytes of a row, from one to the next */
+        };
+        uint8_t copy[SHORTS];
+    };
+    uint16_t count; /* rows; or bytes copied */
+    uint16_t data;  /* their D/C, a bit a byte; rows: bit 0 */
+    bool copied;
 };
 
-#define WRITES 16 /* a power of two */
+#define WRITES 32 /* a power of two */
 
 /* The kit's bus: one a chip. Writes are numbered; the one numbered `sent` is on its way unless it equals `given`. */
 static struct {
-    const struct board_pins *pins;
     uint32_t unit;
-    uint32_t cr0; /* clock and mode, without word width */
-    uint32_t bits, dc;
-    bool selected;
-    uint32_t ahead;
+    uint32_t cr0;          /* clock and mode, without word width */
+    uint32_t bits, dc;     /* as they are */
+    uint32_t dc_pin;       /* a bit */
+    uint32_t select_pin;   /* ... or none */
+    bool select_low;       /* selected is low */
+    uint32_t rows_left;    /* of the write on its way, with the one that DMA reads */
+    uint32_t row, stride;  /* address of that one */
+    uint32_t waiting_most; /* writes that may wait */
     struct write writes[WRITES];
     volatile uint32_t given, sent;
 } spi;
@@ -39,12 +53,14 @@ static void wait_for_last_bit(void)
     }
 }
 
-static void chip_select(bool selected)
+static inline void set_level(uint32_t pins, bool high)
 {
-    if (spi.pins->select.wired) {
-        rp2040_pin_write(spi.pins->select.number, selected != spi.pins->select.active_low);
-    }
-    spi.selected = selected;
+    REG(high ? SIO_GPIO_OUT_SET : SIO_GPIO_OUT_CLR) = pins;
+}
+
+static inline void chip_select(bool selected)
+{
+    set_level(spi.select_pin, selected != spi.select_low);
 }
 
 /* Only while the bus is idle. */
@@ -56,41 +72,70 @@ static void set_word(uint32_t bits)
     spi.bits = bits;
 }
 
-static uint32_t transfer_control(uint32_t bits)
+/* What goes into the unit from now on is of this width and has this D/C. */
+static inline void turn_to(uint32_t bits, uint32_t dc)
 {
-    const uint32_t pace = DMA_EN | DMA_INCR_READ | DMA_TREQ_SPI_TX(spi.unit); /* chained to itself: to none */
-    return bits == 16 ? pace | DMA_HALFWORDS | DMA_BSWAP : pace;
-}
-
-/* DMA is idle. */
-static void start(const struct write *w)
-{
-    const uint32_t bits = ((w->n | (uintptr_t)w->bytes) & 1) == 0 ? 16 : 8;
-    if (w->dc != spi.dc || bits != spi.bits) {
+    if (dc != spi.dc || bits != spi.bits) {
         wait_for_last_bit();
         chip_select(false);
-        set_word(bits);
-        rp2040_pin_write(spi.pins->dc.number, w->dc == HAL_DATA);
-        spi.dc = w->dc;
+        if (bits != spi.bits) {
+            set_word(bits);
+        }
+        set_level(spi.dc_pin, dc == HAL_DATA);
+        spi.dc = dc;
     }
-    if (!spi.selected) {
-        chip_select(true);
-    }
-    REG(DMA_CH0_READ_ADDR) = (uint32_t)(uintptr_t)w->bytes;
-    REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
-    REG(DMA_CH0_TRANS_COUNT) = bits == 16 ? w->n / 2 : w->n; /* no division in a handler, see divide.c */
-    REG(DMA_CH0_CTRL_TRIG) = transfer_control(bits);
+    chip_select(true);
 }
 
-/* The DMA has read all of a write. */
+static void send_copied(const struct write *w)
+{
+    uint32_t data = w->data;
+    for (uint32_t i = 0; i < w->count; i++, data >>= 1) {
+        turn_to(8, data & 1);
+        while ((REG(SPI_SSPSR(spi.unit)) & SSPSR_TNF) == 0) {
+        }
+        REG(SPI_SSPDR(spi.unit)) = w->copy[i];
+    }
+}
+
+/* Its first row; DMA is idle. */
+static void start_rows(const struct write *w)
+{
+    const uint32_t bits = ((w->n | w->stride | (uintptr_t)w->bytes) & 1) == 0 ? 16 : 8;
+    const uint32_t pace = DMA_EN | DMA_INCR_READ | DMA_TREQ_SPI_TX(spi.unit); /* chained to itself: to none */
+    turn_to(bits, w->data);
+    spi.rows_left = w->count;
+    spi.row = (uint32_t)(uintptr_t)w->bytes;
+    spi.stride = w->stride;
+    REG(DMA_CH0_READ_ADDR) = spi.row;
+    REG(DMA_CH0_TRANS_COUNT) = bits == 16 ? w->n / 2 : w->n; /* no division in a handler, see divide.c */
+    REG(DMA_CH0_CTRL_TRIG) = bits == 16 ? pace | DMA_HALFWORDS | DMA_BSWAP : pace;
+}
+
+/* Short writes at once, up to one with rows; DMA is idle, nothing interrupts. */
+static void go_on(void)
+{
+    for (uint32_t next = spi.sent; next != spi.given; spi.sent = ++next) {
+        const struct write *w = &spi.writes[next % WRITES];
+        if (!w->copied) {
+            start_rows(w);
+            return;
+        }
+        send_copied(w);
+    }
+}
+
+/* The DMA has read all of a row. */
 void rp2040_spi_interrupt(void)
 {
     REG(DMA_INTS0) = 1;
-    const uint32_t next = spi.sent + 1;
-    spi.sent = next;
-    if (next != spi.given) {
-        start(&spi.writes[next % WRITES]);
+    if (--spi.rows_left > 0) {
+        spi.row += spi.stride;
+        REG(DMA_CH0_AL3_READ_ADDR_TRIG) = spi.row;
+        return;
     }
+    spi.sent++;
+    go_on();
 }
 
 /* The interrupt ends WFE, also one that came between the look and the WFE. */
@@ -109,18 +154,22 @@ static void spi_pin(const struct board_pin *pin)
 
 void rp2040_spi_open(const struct board *board)
 {
-    spi.pins = &board->pins;
+    const struct board_pins *pins = &board->pins;
     spi.unit = board->spi_bus;
-    spi.ahead = 1;
+    spi.waiting_most = 0;
     spi.cr0 = board->spi_mode == 3 ? 3 << 6 : 0; /* SPH, SPO */
-    if (spi.pins->select.wired) {
-        rp2040_pin_output(spi.pins->select.number, spi.pins->select.active_low);
+    if (pins->select.wired) {
+        rp2040_pin_output(pins->select.number, pins->select.active_low);
+        spi.select_pin = 1U << pins->select.number;
+        spi.select_low = pins->select.active_low;
     }
-    rp2040_pin_output(spi.pins->dc.number, true);
+    rp2040_pin_output(pins->dc.number, true);
+    spi.dc_pin = 1U << pins->dc.number;
     spi.dc = HAL_DATA;
-    spi_pin(&spi.pins->clock);
-    spi_pin(&spi.pins->data);
+    spi_pin(&pins->clock);
+    spi_pin(&pins->data);
     REG(SPI_SSPDMACR(spi.unit)) = SSPDMACR_TXDMAE;
+    REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
     REG(DMA_INTE0) = 1;
     REG(NVIC_ISER) = 1U << IRQ_DMA_0;
     rp2040_spi_clock(1000000);
@@ -146,48 +195,107 @@ int32_t rp2040_spi_clock(uint32_t hz)
     return (int32_t)(CLK_HZ / (prescaler * (scr + 1)));
 }
 
-uint32_t rp2040_spi_ahead(uint32_t writes)
+void rp2040_spi_queue(bool on)
 {
-    spi.ahead = writes < 1 ? 1 : writes < WRITES ? writes : WRITES;
-    return spi.ahead;
+    spi.waiting_most = on ? WRITES - 1 : 0;
 }
 
-static void copy(struct write *w, const uint8_t *bytes)
+uint32_t rp2040_spi_written(void)
 {
-    for (uint32_t i = 0; i < w->n; i++) {
-        w->copy[i] = bytes[i];
-    }
-    w->bytes = w->copy;
+    return spi.given;
 }
 
-/* There is a place among the writes when `ahead` - 1 at most wait; ahead is WRITES at most. */
-void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+void rp2040_spi_until(uint32_t written)
 {
-    if (n == 0) {
-        return;
-    }
-    wait_for_dma(spi.ahead - 1);
-    const uint32_t number = spi.given;
-    struct write *w = &spi.writes[number % WRITES];
-    *w = (struct write){.bytes = bytes, .n = n, .dc = dc};
-    if (n <= HAL_COPIED) {
-        copy(w, bytes);
-    }
+    wait_for_dma(spi.given - written);
+}
+
+/* The next free place; nobody else looks at it before `given` has moved. */
+static struct write *place(void)
+{
+    wait_for_dma(spi.waiting_most);
+    return &spi.writes[spi.given % WRITES];
+}
+
+/* The place is filled. */
+static void give(void)
+{
     __asm volatile("cpsid i" ::: "memory"); /* what DMA reads is in memory */
-    spi.given = number + 1;
-    if (spi.sent == number) {
-        start(w);
+    const bool idle = spi.sent == spi.given;
+    spi.given++;
+    if (idle) {
+        go_on();
     }
     __asm volatile("cpsie i" ::: "memory");
+}
+
+static void add_copies(struct write *w, enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        w->copy[w->count] = bytes[i];
+        w->data |= (uint16_t)(dc << w->count);
+        w->count++;
+    }
+}
+
+/* To the short ones that were given last and still wait: they go together. */
+static bool joins(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+{
+    struct write *last = &spi.writes[(spi.given - 1) % WRITES];
+    __asm volatile("cpsid i" ::: "memory");
+    const bool room = spi.sent != spi.given && last->copied && last->count + n <= SHORTS;
+    if (room) {
+        add_copies(last, dc, bytes, n);
+    }
+    __asm volatile("cpsie i" ::: "memory");
+    return room;
+}
+
+static void write_short(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+{
+    if (joins(dc, bytes, n)) {
+        return;
+    }
+    struct write *w = place();
+    w->count = w->data = 0;
+    w->copied = true;
+    add_copies(w, dc, bytes, n);
+    give();
+}
+
+static void write_rows(enum hal_dc dc, const uint8_t *bytes, uint32_t n, uint32_t stride, uint32_t rows)
+{
+    struct write *w = place();
+    w->bytes = bytes;
+    w->n = n;
+    w->stride = stride;
+    w->count = (uint16_t)rows;
+    w->data = (uint16_t)dc;
+    w->copied = false;
+    give();
+}
+
+void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+{
+    if (n > HAL_COPIED) {
+        write_rows(dc, bytes, n, n, 1);
+    } else if (n > 0) {
+        write_short(dc, bytes, n);
+    }
+}
+
+void rp2040_spi_write_rows(const uint8_t *bytes, uint32_t n, uint32_t stride, uint32_t rows)
+{
+    if (n > 0 && rows > 0) {
+        write_rows(HAL_DATA, bytes, n, stride, rows);
+    }
 }
 
 void rp2040_spi_wait(void)
 {
     wait_for_dma(0);
     wait_for_last_bit();
-    if (spi.selected) {
-        chip_select(false);
-    }
+    chip_select(false);
 }
 
 void rp2040_spi_close(void)

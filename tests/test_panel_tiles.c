@@ -1,0 +1,310 @@
+/*
+ * panel_tiles: the picture on the model's glass is the whole one's, little is sent where little changed, and what a
+ * signature has missed is healed in time.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "panel_picture.h"
+#include "panel_tiles.h"
+#include "panels.h"
+#include "sim.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static uint16_t picture[PICTURE_PIXELS] __attribute__((aligned(4)));
+static uint8_t seen[3 * PICTURE_PIXELS], expected[3 * PICTURE_PIXELS];
+
+struct rig {
+    struct board board;
+    struct sim *sim;
+    struct hal hal;
+    struct panel_driver d;
+    struct panel_tiles tiles;
+    uint32_t lines;
+    void *memory;
+};
+
+static void rig_open(struct rig *rig, const struct panel *panel, unsigned rotation, uint32_t lines)
+{
+    rig->board = (struct board){.name = "test",
+                                .panel = panel,
+                                .spi_hz = panel->controller->write_hz,
+                                .pins = {.reset = BOARD_PIN(0), .backlight = BOARD_PIN(1)}};
+    rig->lines = lines;
+    rig->sim = sim_open(&rig->board, &rig->hal);
+    assert_non_null(rig->sim);
+    const struct panel_config config = {panel, (uint8_t)rotation, PANEL_RGB565, rig->board.spi_hz, NULL, 0};
+    assert_int_equal(panel_open(&rig->d, &rig->hal, &config), 0);
+    const size_t bytes = panel_tiles_bytes(rig->d.width, rig->d.height, (uint16_t)lines);
+    rig->memory = malloc(bytes);
+    assert_int_equal(panel_tiles_init(&rig->tiles, &rig->d, (uint16_t)lines, rig->memory, bytes - 1), HAL_EINVAL);
+    assert_int_equal(panel_tiles_init(&rig->tiles, &rig->d, 0, rig->memory, bytes), HAL_EINVAL);
+    assert_int_equal(panel_tiles_init(&rig->tiles, &rig->d, (uint16_t)lines, rig->memory, bytes), 0);
+}
+
+static void rig_close(struct rig *rig)
+{
+    assert_int_equal(panel_close(&rig->d), 0);
+    picture_no_complaint(rig->sim, "tiles");
+    sim_close(rig->sim);
+    free(rig->memory);
+}
+
+/* Bands are copied to where words are aligned, as a kit's are. */
+static int show(struct rig *rig)
+{
+    static uint16_t band[PICTURE_PIXELS] __attribute__((aligned(4)));
+    int status = panel_tiles_begin(&rig->tiles, &rig->d);
+    for (uint32_t y = 0; y < rig->d.height && status >= 0; y += rig->lines) {
+        const uint32_t n = rig->d.height - y < rig->lines ? rig->d.height - y : rig->lines;
+        memcpy(band, picture + y * rig->d.width, sizeof *band * n * rig->d.width);
+        status = panel_tiles_rows(&rig->tiles, &rig->d, band, n);
+    }
+    const int ended = panel_tiles_end(&rig->tiles, &rig->d);
+    return status < 0 ? status : ended;
+}
+
+static bool glass_agrees(struct rig *rig)
+{
+    const struct panel_config *c = &rig->d.config;
+    sim_pixels(rig->sim, c->rotation, seen);
+    picture_expect(picture, rig->d.width, rig->d.height, PANEL_RGB565, c->panel->round, expected);
+    return memcmp(seen, expected, 3U * rig->d.width * rig->d.height) == 0;
+}
+
+static uint32_t random_state;
+
+static uint32_t draw(uint32_t below)
+{
+    random_state = random_state * 1664525U + 1013904223U;
+    return (uint32_t)((uint64_t)random_state * below >> 32);
+}
+
+/* One pixel, a box of noise, nothing, or everything. */
+static void change(uint32_t width, uint32_t height, uint32_t step)
+{
+    if (step % 7 == 3) {
+        return;
+    }
+    if (step % 7 == 5) {
+        picture_fill(picture, width, height, step);
+        return;
+    }
+    const uint32_t w = step % 2 ? 1 : 1 + draw(width / 2), h = step % 2 ? 1 : 1 + draw(height / 2);
+    const uint32_t x = draw(width - w + 1), y = draw(height - h + 1);
+    for (uint32_t i = 0; i < w * h; i++) {
+        picture[(y + i / w) * width + x + i % w] ^= (uint16_t)(1U << draw(16));
+    }
+}
+
+static void the_glass_shows_what_was_drawn(void **state)
+{
+    (void)state;
+    static const struct {
+        const struct panel *panel;
+        unsigned rotation;
+        uint32_t lines;
+    } cases[] = {{&panel_st7789_240x320, PANEL_R90, 16}, {&panel_st7789_240x240, PANEL_R0, 16},
+                 {&panel_st7789_135x240, PANEL_R90, 16}, {&panel_st7789_135x240, PANEL_R0, 7}, /* 135 px wide */
+                 {&panel_st7735s_80x160, PANEL_R270, 8}, {&panel_gc9a01_240x240, PANEL_R180, 240},
+                 {&panel_st7789_170x320, PANEL_R0, 1},   {&panel_ssd1351_128x128, PANEL_R90, 100}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct rig rig;
+        rig_open(&rig, cases[i].panel, cases[i].rotation, cases[i].lines);
+        for (uint32_t step = 0; step < 60; step++) {
+            change(rig.d.width, rig.d.height, step);
+            assert_int_equal(show(&rig), 0);
+            if (!glass_agrees(&rig)) {
+                picture_compare(seen, expected, rig.d.width, rig.d.height, cases[i].panel->name);
+            }
+        }
+        rig_close(&rig);
+    }
+}
+
+/* Shown so often that it is watched, and nothing but tiles in their turn is sent. */
+static void settle(struct rig *rig)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_int_equal(show(rig), 0);
+    }
+}
+
+static void one_pixel_costs_one_tile(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    const uint32_t tile = 2 * 16 * 16, window = 11;
+    assert_int_equal(rig.d.frame_bytes, tile + window); /* nothing: the one in its turn */
+    for (uint32_t i = 0; i < 200; i++) {
+        picture[draw(240 * 240)] ^= (uint16_t)(1U << draw(16));
+        assert_int_equal(show(&rig), 0);
+        assert_true(glass_agrees(&rig));
+        assert_in_range(rig.d.frame_bytes, tile + window, 2 * (tile + window));
+    }
+    rig_close(&rig);
+}
+
+static void if_all_changes_it_costs_no_more_than_whole_frames(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x320, PANEL_R90, 16);
+    const uint32_t whole = panel_frame_bytes(&panel_st7789_240x320, PANEL_RGB565, PANEL_R90);
+    for (uint32_t step = 0; step < 50; step++) {
+        for (uint32_t i = 0; i < 320 * 240; i++) {
+            picture[i] = (uint16_t)draw(65536);
+        }
+        assert_int_equal(show(&rig), 0);
+        assert_int_equal(rig.d.frame_bytes, whole);
+    }
+    assert_true(glass_agrees(&rig));
+    rig_close(&rig);
+}
+
+/* Columns 5 .. 9 of all bands change: one window all the way down. */
+static void bands_with_the_same_columns_share_a_window(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    for (uint32_t y = 0; y < 240; y++) {
+        for (uint32_t x = 80; x < 160; x++) {
+            picture[y * 240 + x] = (uint16_t)draw(65536);
+        }
+    }
+    assert_int_equal(show(&rig), 0);
+    assert_in_range(rig.d.frame_bytes, 2 * 80 * 240 + 11,
+                    2 * 80 * 240 + 2 * 16 * 16 + 4 * 11); /* and one in its turn */
+    assert_true(glass_agrees(&rig));
+    rig_close(&rig);
+}
+
+/* As panel_tiles.c mixes; if that changes, the next test says so. */
+static uint32_t mix(uint32_t sign, uint32_t word)
+{
+    const uint32_t mixed = (sign ^ word) * 0x9e3779b1U;
+    return mixed >> 15 | mixed << 17;
+}
+
+static uint32_t word_at(const uint16_t *pixels)
+{
+    uint32_t word;
+    memcpy(&word, pixels, sizeof word);
+    return word;
+}
+
+/* Another tile with the same signature: the second word takes back what the first has done. */
+static void forge(uint16_t *tile)
+{
+    const uint32_t first = word_at(tile), second = word_at(tile + 2), other = first ^ 0x00f00010;
+    const uint32_t forged = second ^ mix(0, first) ^ mix(0, other);
+    memcpy(tile, &other, sizeof other);
+    memcpy(tile + 2, &forged, sizeof forged);
+}
+
+static void a_false_match_is_healed_in_time(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    for (uint32_t i = 0; i < 20; i++) {
+        forge(picture + draw(15) * 16 * 240 + draw(15) * 16);
+        const uint32_t n = panel_tiles_refresh_frames(&rig.tiles);
+        assert_int_equal(n, 15 * 15);
+        uint32_t frames = 0;
+        do {
+            assert_int_equal(show(&rig), 0);
+            frames++;
+        } while (!glass_agrees(&rig) && frames < 2 * n);
+        assert_in_range(frames, 1, n);
+        assert_true(i != 0 || frames > 1); /* it was a match */
+    }
+    rig_close(&rig);
+}
+
+/* Whoever writes into the panel's memory besides, e.g. a disturbance. */
+static void a_disturbed_panel_is_healed_in_time(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    static uint16_t noise[240 * 240];
+    assert_int_equal(panel_frame_begin(&rig.d), 0);
+    assert_int_equal(panel_rows(&rig.d, noise, 240), 0);
+    assert_int_equal(panel_frame_end(&rig.d), 0);
+    assert_false(glass_agrees(&rig));
+    for (uint32_t i = 0; i < panel_tiles_refresh_frames(&rig.tiles); i++) {
+        assert_int_equal(show(&rig), 0);
+    }
+    assert_true(glass_agrees(&rig));
+    rig_close(&rig);
+}
+
+static int broken_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    (void)context, (void)dc, (void)bytes, (void)n;
+    return HAL_EIO;
+}
+
+static void after_an_error_all_is_sent(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    const struct hal_ops *const works = rig.d.hal.ops;
+    struct hal_ops broken = *works;
+    broken.bus_write = broken_write;
+    rig.d.hal.ops = &broken;
+    picture_fill(picture, 240, 240, 2);
+    assert_int_equal(show(&rig), HAL_EIO);
+    rig.d.hal.ops = works;
+    assert_int_equal(show(&rig), 0);
+    assert_int_equal(rig.d.frame_bytes, panel_frame_bytes(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0));
+    assert_true(glass_agrees(&rig));
+    rig_close(&rig);
+}
+
+static void bands_of_another_height_are_refused(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    assert_int_equal(panel_tiles_begin(&rig.tiles, &rig.d), 0);
+    assert_int_equal(panel_tiles_rows(&rig.tiles, &rig.d, picture, 15), HAL_EINVAL);
+    assert_int_equal(panel_tiles_rows(&rig.tiles, &rig.d, picture, 17), HAL_EINVAL);
+    assert_int_equal(panel_tiles_end(&rig.tiles, &rig.d), HAL_EINVAL); /* bands are missing */
+    assert_int_equal(show(&rig), 0);
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_glass_shows_what_was_drawn),
+        cmocka_unit_test(one_pixel_costs_one_tile),
+        cmocka_unit_test(if_all_changes_it_costs_no_more_than_whole_frames),
+        cmocka_unit_test(bands_with_the_same_columns_share_a_window),
+        cmocka_unit_test(a_false_match_is_healed_in_time),
+        cmocka_unit_test(a_disturbed_panel_is_healed_in_time),
+        cmocka_unit_test(after_an_error_all_is_sent),
+        cmocka_unit_test(bands_of_another_height_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
