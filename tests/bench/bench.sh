@@ -13,6 +13,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 : >"$dir/lines"
 : >"$dir/rp2040"
+: >"$dir/sizes"
 
 say() { [ ! -t 2 ] || printf 'bench: %s\n' "$1" >&2; }
 
@@ -25,17 +26,34 @@ missing() { # core: what it needs and is not here
     esac
 }
 
+# Code and variables of firmware/core as the benchmark has it: core, bytes, bytes.
+core_size() { # core
+    [ "$1" != x86_64 ] || return 0
+    find "$B/bench-$1/firmware/core" -name '*.o' -print0 | xargs -0 arm-none-eabi-size -t | awk -v core="$1" 'END { print core, $1, $2 + $3 }'
+}
+
+# ... of the image of all demos; and the time of a frame. Not all five scenes fit that board.
+on_rp2040() {
+    local cores
+    hal/rp2040/emulate/speed.sh pico-display-2 6 torus cube fill icosphere ground >"$dir/speed" || grep -q '!' "$dir/speed"
+    cp "$B/speed/pico-display-2.csv" "$dir/rp2040"
+    for cores in 1 2; do
+        arm-none-eabi-size "$B/firmware/pico-display-2-demos$([ $cores = 1 ] || echo -cores2).elf" | awk -v cores=$cores 'END { print "rp2040," cores, $1, $2 + $3 }'
+    done >>"$dir/sizes"
+}
+
 # CORE SCENE FORMAT STAGE FRAME COUNT
 for core in "$@"; do
     lack=$(missing "$core" | xargs)
     [ -z "$lack" ] || { echo "bench: $core is left out: apt-get install $lack" >&2 && continue; }
     say "$core"
     if [ "$core" = rp2040 ]; then
-        hal/rp2040/emulate/speed.sh pico-display-2 >"$dir/rp2040"
+        on_rp2040
         continue
     fi
     if [ "$core" = x86_64 ]; then list='fixed16 float16'; else list=${FORMATS:-all}; fi
     for format in $list; do tests/bench/run.sh "$core" all "$format"; done | awk -v core="$core" 'NF == 5 && $1 ~ /^S/ { print core, $0 }' >>"$dir/lines"
+    core_size "$core" >>"$dir/sizes"
 done
 
 # The pictures are those of the simulator, on every core.
@@ -58,7 +76,7 @@ awk 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v * 16 + index
 say "quality"
 "$B/tests/test_quality" >"$dir/quality"
 
-awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/lines"
+awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/sizes" "$dir/lines"
 case " $* " in *' m3 '*)
     say "growth"
     tests/bench/growth.sh m3 ;;

@@ -1,32 +1,78 @@
 #!/usr/bin/env bash
-# Usage: speed.sh BOARD [FRAMES]
-# How fast every demo is on an emulated RP2040 board, with one core and with two: a table of frames/s and of the load of
-# each core, FRAMES (4) frames a demo. The first column of numbers is what the bus allows; core 0 sleeps while core 1
-# finishes its half. `B` is the build directory. `make speed BOARD=x` calls it.
+# Usage: speed.sh BOARD [FRAMES [DEMO...]]
+# How fast every demo is on an emulated RP2040 board, with one core and with two: a table of frames/s. `the bus`: what
+# whole frames would allow; `alone`: what the cores would do if the bus took no time; load: of each core, core 0 sleeps
+# while core 1 finishes its half; sent: of a whole frame's bytes. A demo that is drawn in the bus's time and takes over
+# 1.03 times as long is marked with !, and the exit status is 1.
+# FRAMES (6, at least 5) are drawn of each DEMO (all; as pinhole-sim lists them), and three of
+# them count. Environment: B (build directory), CHANGES=0
+# (whole frames). Leaves $B/speed/BOARD.csv in us a frame. `make speed BOARD=x` calls it.
 set -eu
 cd "$(dirname "$0")/../../.."
 export B=${B:-build} BOARD=$1 EVENTS_ONLY=1
-each=${2:-4}
+each=${2:-6}
+shift $(($# > 2 ? 2 : $#))
+[ "$each" -ge 5 ] || { echo "speed: FRAMES: at least 5" >&2 && exit 2; }
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
-[ -t 2 ] && echo "speed: some minutes" >&2
+[ ! -t 2 ] || echo "speed: some minutes" >&2
 make -s B="$B" "$B/pinhole-sim" >&2
-demos=()
-options=()
-for demo in $("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2 }'); do # the button passes over what does not fit
-    "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 && demos+=("$demo")
+
+# `first frame, frames, name` of those that fit: the button passes over what does not. One frame of those not asked for.
+options=() frame=0 last=${!#}
+[ $# -gt 0 ] || last=
+for demo in $("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2 }'); do
+    "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 || continue
+    case " $* " in '  ' | *" $demo "*) n=$each ;; *) n=1 ;; esac
+    [ $frame = 0 ] || options+=(--send "$((frame - 1)):s")
+    echo "$frame $n $demo" >>"$dir/demos"
+    frame=$((frame + n))
+    [ "$demo" != "$last" ] || break
 done
-for ((i = 1; i < ${#demos[@]}; i++)); do options+=(--send "$((i * each - 1)):s"); done
+
+suffix=
+[ "${CHANGES:-1}" = 1 ] || suffix=-whole
 for cores in 1 2; do
-    make -s B="$B" firmware BOARD="$BOARD" CORES=$cores >&2
-    CORES=$cores hal/rp2040/emulate/emulate.sh "$B/firmware/$BOARD-demos$([ $cores = 1 ] || echo -cores$cores).elf" "$dir/$cores" \
-        "$((each * ${#demos[@]}))" "${options[@]}" >/dev/null 2>"$dir/log" || { tail -n 3 "$dir/log" >&2 && exit 1; }
+    make -s B="$B" firmware BOARD="$BOARD" CORES=$cores CHANGES="${CHANGES:-1}" >&2
+    elf=$B/firmware/$BOARD-demos$([ $cores = 1 ] || echo -cores$cores)$suffix.elf
+    for wire in wire free-wire; do
+        flag=()
+        [ $wire = wire ] || flag=(--free-wire)
+        CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$cores-$wire" "$((frame + 1))" "${options[@]}" "${flag[@]}" \
+            >/dev/null 2>"$dir/log" || { tail -n 3 "$dir/log" >&2 && exit 1; }
+    done
 done
-# The last frame of a demo also makes the next demo: it is left out.
-paste -d' ' "$dir/1/report" "$dir/2/report" | awk -v each="$each" -v names="${demos[*]}" '
-    BEGIN { split(names, name, " "); printf "%-12s %9s %9s %6s %9s %6s %6s\n", "frames/s", "the bus", "one core", "load", "two cores", "load", "load" }
-    $1 % each != each - 1 { n++; bus += $3; one += $2; load += $4; two += $6; load0 += $8; load1 += $9 }
-    $1 % each == each - 1 {
-        printf "%-12s %9.1f %9.1f %4.0f %% %9.1f %4.0f %% %4.0f %%\n", name[int($1 / each) + 1], n * 1e6 / bus, n * 1e6 / one, load / n, n * 1e6 / two, load0 / n, load1 / n
-        n = bus = one = load = two = load0 = load1 = 0
-    }'
+# The first frame shows the panel's start: whole, and nothing else is on the bus.
+whole=$("$B/pinhole-sim" --board "$BOARD" --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')
+cut -d' ' -f1-4 "$dir/1-wire/report" | paste -d' ' - <(cut -d' ' -f2 "$dir/1-free-wire/report") \
+    <(cut -d' ' -f2- "$dir/2-wire/report") <(cut -d' ' -f2 "$dir/2-free-wire/report") |
+    awk -v whole="$whole" -v each="$each" -v list="$dir/demos" -v csv="$dir/csv" '
+    function bar(us, alone) { if (alone <= whole && us > 1.03 * whole) { bad = 1; return "!" } return " " }
+    BEGIN {
+        while ((getline line <list) > 0) {
+            split(line, word, " ")
+            order[++demos] = word[3]
+            for (i = word[2] - 4; word[2] == each && i < word[2] - 1; i++) { name[word[1] + i] = word[3] }
+        }
+        print "demo,bus,one_core,one_core_alone,two_cores,two_cores_alone" >csv
+        printf "%-12s %8s %10s %7s %6s %6s %10s %7s %6s %6s\n", "frames/s", "the bus", "one core", "alone", "load", "sent", "two cores", "alone", "load", "load"
+    }
+    $1 in name {
+        d = name[$1]
+        n[d]++; us[d] += $2; bus[d] += $3; load[d] += $4; alone[d] += $5
+        us2[d] += $6; load0[d] += $8; load1[d] += $9; alone2[d] += $10
+    }
+    END {
+        for (i = 1; i <= demos; i++) {
+            d = order[i]
+            if (!(d in n)) { continue }
+            k = n[d]
+            printf "%s,%d,%.0f,%.0f,%.0f,%.0f\n", d, whole, us[d] / k, alone[d] / k, us2[d] / k, alone2[d] / k >csv
+            printf "%-12s %8.1f %9.1f%s %7.1f %4.0f %% %4.0f %% %9.1f%s %7.1f %4.0f %% %4.0f %%\n", d, 1e6 / whole, k * 1e6 / us[d],
+                bar(us[d] / k, alone[d] / k), k * 1e6 / alone[d], load[d] / k, 100 * bus[d] / k / whole, k * 1e6 / us2[d],
+                bar(us2[d] / k, alone2[d] / k), k * 1e6 / alone2[d], load0[d] / k, load1[d] / k
+        }
+        exit bad
+    }' || status=$?
+mkdir -p "$B/speed" && mv "$dir/csv" "$B/speed/$BOARD.csv"
+exit "${status:-0}"
