@@ -10,7 +10,7 @@
 #define PSM_FRCE_OFF 0x40010004
 enum { PSM_PROC1 = 1 << 16 };
 
-#define STACK_BYTES 1536 /* drawing a band took 624, measured in the emulator */
+#define STACK_BYTES 1280 /* drawing a band took 624, measured in the emulator */
 
 static uint64_t stack[STACK_BYTES / 8];
 
