@@ -183,9 +183,16 @@ struct part_context {
 static FX_APART void light_vertex(const struct part_context *c, uint32_t index)
 {
     struct ph_vertex *v = &c->vertices[index];
-    if ((v->code & PH_LIT) == 0 && c->lit) {
-        v->light = ph_light_vertex(&c->lights, c->mesh->normals[index], &c->mesh->positions[index]);
-        v->code |= PH_LIT;
+    v->light = ph_light_vertex(&c->lights, c->mesh->normals[index], &c->mesh->positions[index]);
+    v->code |= PH_LIT;
+}
+
+static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
+{
+    for (int i = 0; c->lit && i < 3; i++) {
+        if (v[i]->code < PH_LIT) {
+            light_vertex(c, index[i]);
+        }
     }
 }
 
@@ -240,11 +247,12 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
     r->stats.triangles_culled += !any;
 }
 
-static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3])
+static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
+                                  const struct ph_vertex *const v[3])
 {
     struct ph_clip_vertex in[3];
+    light_corners(c, index, v);
     for (int i = 0; i < 3; i++) {
-        light_vertex(c, index[i]);
         in[i] = clip_vertex(c, index[i]);
     }
     if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
@@ -253,23 +261,12 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
     ph_draw_clipped(c->r, c->material, in);
 }
 
-static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (v[i]->code < PH_LIT) {
-            light_vertex(c, index[i]);
-        }
-    }
-}
-
 /* A triangle that needs no clipping. False: it is not to be seen. */
 static FX_APART bool draw_whole(const struct part_context *c, const uint16_t index[3],
                                 const struct ph_vertex *const v[3], const struct ph_sides *sides)
 {
     const fx_t *of_corners[3], *const *uv = NULL;
-    if (c->lit) {
-        light_corners(c, index, v);
-    }
+    light_corners(c, index, v);
     if (c->mesh->uvs != NULL) {
         for (int i = 0; i < 3; i++) {
             of_corners[i] = c->mesh->uvs[index[i]];
@@ -291,7 +288,7 @@ static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index
         return false;
     }
     if ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
-        draw_clipped(c, index);
+        draw_clipped(c, index, v);
         return true;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
