@@ -67,11 +67,11 @@ for demo in torus cube fill icosphere ground; do
             awk -v scene=S$n -v format="$format" '$2 % 8 == 0 { print scene, format, $2, $4 }'
     done
 done >"$dir/sim"
-awk 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v * 16 + index("0123456789abcdef", tolower(substr(hex, i, 1))) - 1 } return v }
+awk -v only="$*" 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v * 16 + index("0123456789abcdef", tolower(substr(hex, i, 1))) - 1 } return v }
      NR == FNR { crc[$1 " " $2 " " $3] = value($4); next }
      $4 == "crc" { seen++; if (crc[$2 " " $3 " " $5] != $6) { print "bench: " $0 ": not the picture of pinhole-sim"; wrong = 1 } }
      $4 == "dropped" && $6 != 0 { print "bench: " $0; wrong = 1 }
-     END { exit wrong || !seen }' "$dir/sim" "$dir/lines" >&2
+     END { exit wrong || (!seen && only != "rp2040") }' "$dir/sim" "$dir/lines" >&2
 
 say "quality"
 "$B/tests/test_quality" >"$dir/quality"
