@@ -14,21 +14,21 @@ trap 'rm -rf "$dir"' EXIT
 # what is broken | file | sed | test that must fail
 mutants() {
     cat <<'END'
-pixels sampled 1/32 px further left      | setup.c   | s/32767u/34815u/                                     | test_raster
-left edges not owned                     | setup.c   | s/32767u/32768u/                                     | test_raster
-top edges not owned                      | setup.c   | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
-edges walked to 6 bits                   | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.dx \&= ~1023;/ | test_coverage
+pixels sampled 1/32 px further left      | edge.h    | s/32767u/34815u/                                     | test_raster
+left edges not owned                     | edge.h    | s/32767u/32768u/                                     | test_raster
+top edges not owned                      | edge.h    | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
+edges walked to 6 bits                   | setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~1023;/      | test_coverage
 6 sub-pixel bits                         | vertices.c | s/\(v->[xy] = .*\);/\1 \& ~3;/                      | test_quality
 7 sub-pixel bits                         | vertices.c | s/\(v->[xy] = .*\);/\1 \& ~1;/                      | test_quality
 positions truncated, not rounded         | mesh.c    | s/)1 << (down - 1)/)0 << (down - 1)/               | test_quality
 principal point half a pixel off         | frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
-an edge that depends on its triangle     | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.x += 128;/   | test_watertight
-a slope that depends on its triangle     | setup.c   | s/setup_edge(.*&t->long_edge);/& t->long_edge.dx \&= ~15;/ | test_watertight
+an edge that depends on its triangle     | setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.x += 128;/           | test_watertight
+a slope that depends on its triangle     | setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
 a crossing that depends on its direction | clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
 crossings to 10 bits                     | clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
 near plane too near                      | clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
 no far plane                             | clip.c    | s/lens->far_z - v->z;/lens->far_z;/                  | test_raster
-depth gradients without guard bits       | setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/ | test_quality
+depth gradients without guard bits       | setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality
 float16 spans not split at octaves       | setup.c   | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
 fixed16 bias without its quarter         | setup.c   | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
 float24 as coarse as float16             | span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
@@ -52,7 +52,7 @@ ambient light lost                       | light.c   | s/diffuse = local->ambien
 attenuation lost                         | light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
 highlight to another power               | light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
 light of another part kept               | mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
-depth bias ignored                       | setup.c   | s/t->material->depth_bias < 56 .*;/0;/               | test_frame
+depth bias ignored                       | setup.c   | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
 light of a texture ignored               | setup.c   | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
 red and blue bytes exchanged             | colour.c  | s/ph_wire16(/(/                                      | test_frame
 END

@@ -14,7 +14,7 @@ for tool in $cross qemu-arm; do
     command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf qemu-user" && exit 77; }
 done
 
-loops=(fill span_flat span_gouraud rows_gouraud span_texture vertices visit)
+loops=(fill span_flat span_gouraud rows_gouraud setup_small float_depths span_texture vertices visit)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/portable -Ifirmware/core tests/hot/hot_loops.c firmware/core/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -72,6 +72,8 @@ for cpu in armv6m armv7m; do
     check "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
 done
 check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m rows_gouraud 's/add r12, r0/nop/'
+check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
+check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m span_texture 's/lsr #16$/lsr #15/'
 check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'

@@ -14,6 +14,13 @@ static bool depth_is_usable(const struct ph_config *config)
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
+/* What of a side is further from both borders than a tiny triangle reaches, and a pixel. */
+static uint32_t inner(uint32_t size)
+{
+    const uint32_t margins = 2 * (PH_TINY + 256);
+    return size * 256 > margins ? size * 256 - margins : 0;
+}
+
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
 {
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
@@ -29,7 +36,8 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     if (config->bin_max < bands) {
         return PH_ERR_NOMEM;
     }
-    *r = (struct ph_renderer){.config = *config, .band_count = bands, .carried = PH_NONE};
+    *r = (struct ph_renderer){
+        .config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands, .carried = PH_NONE};
     return PH_OK;
 }
 

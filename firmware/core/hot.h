@@ -61,22 +61,23 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
                      uint32_t glight, const uint16_t *ramp);
 
 /*
- * rows_gouraud.c: rows of a Gouraud triangle between two edges, each of at most PH_NARROW pixels and within its row
- * (ph_triangle.narrow). Afterwards everything stands at the row below, rows is 0, and count has grown by the pixels.
+ * setup_small.c: edges and planes of a triangle that faces the viewer, sides below PH_TINY, a pixel and more from the
+ * borders of the picture: all of t->rows but the ramp, t->y_top and t->y_bottom. d: depth of its corners, of which
+ * no two are 2^31 apart. False, and nothing in t, where it has no row.
  */
-struct ph_rows {
-    uint32_t left, right, d, light;             /* at the row: edges as in ph_edge, planes at column 0 */
-    uint32_t left_dx, right_dx, d_dy, light_dy; /* per row */
-    uint32_t gd, glight;                        /* per column */
-    uint16_t *depth;                            /* of column 0 */
-    uint32_t stride_bytes;                      /* from row to row, of depth and pixels */
-    uint16_t *pixels;
-    const uint16_t *ramp;
-    uint32_t rows, count;
-};
+bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                    const uint32_t d[3]);
 
-/* Draws them; rows > 0. */
-void ph_rows_gouraud(struct ph_rows *r);
+/*
+ * float_depths.c: 16.16 codes of float16 of a triangle's corners, none behind the far plane, plus `bias`, where all lie
+ * in one octave that is not the lowest: then a float is no different from the fixed formats. Else false.
+ */
+bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
+
+/*
+ * rows_gouraud.c: all rows of a narrow triangle, its first one at depth and pixels. Returns the number of its pixels.
+ */
+uint32_t ph_rows_gouraud(const struct ph_rows *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 
 /*
  * span_texture.c: a run of at most PH_TEXEL_RUN pixels with the depth test, one texel each, along a parabola in u and
@@ -96,7 +97,11 @@ struct ph_texel_run {
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_vertex_run, rows) == 64, "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || (offsetof(struct ph_visit, sides) == 28 && sizeof(struct ph_sides) == 24),
                "assembly relies on it");
-_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_rows, count) == 60, "assembly relies on it");
+_Static_assert(sizeof(void *) != 4 ||
+                   (offsetof(struct ph_triangle, rows) == 20 && offsetof(struct ph_sides, area) == 16 &&
+                    offsetof(struct ph_vertex, light) == 14 && offsetof(struct ph_lens, far_s) == 36),
+               "assembly relies on it");
+_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_rows, lower_is_right) == 56, "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_run, depth) == 40, "assembly relies on it");
 
 /* Draws n = 1 .. PH_TEXEL_RUN pixels; d, depth and pixels then stand behind them. */

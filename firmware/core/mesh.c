@@ -385,6 +385,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     if (c->lit) {
         ph_light_prepare(&c->lights, r, to_world, c->material);
     }
+    ph_setup_part(r, c->material);
     r->stats.triangles_in += part->count;
     c->curved = r->lens.kind == PH_FISHEYE;
     c->two_sided = c->material->two_sided != 0;
@@ -408,6 +409,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
         }
         draw_part(&c, &mesh->parts[i], to_world);
     }
+    r->tiny.material = NULL; /* the caller may change it */
     return PH_OK;
 }
 

@@ -73,7 +73,22 @@ struct ph_plane {
     uint32_t base, gx, gy;
 };
 
-enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE };
+/*
+ * A narrow Gouraud triangle: none of its spans leaves the picture or has more than PH_NARROW pixels. All hangs at
+ * column 0 of its first row. After the upper rows the lower edge takes the place of the left or the right one; a
+ * triangle whose top is flat has its rows in upper_rows, too.
+ */
+struct ph_rows {
+    uint32_t left_dx, right_dx, d_dy, light_dy; /* per row */
+    uint32_t gd, glight;                        /* per column */
+    const uint16_t *ramp;
+    uint32_t left, right, d, light; /* edges as in ph_edge */
+    struct ph_edge lower;
+    uint16_t upper_rows, lower_rows; /* above 0; 0 or more */
+    uint32_t lower_is_right;         /* 0, 1 */
+};
+
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_NARROW };
 
 struct ph_triangle {
     uint32_t next;                  /* in its band's list, PH_NONE at the end */
@@ -82,18 +97,22 @@ struct ph_triangle {
     uint8_t long_left;              /* the long edge is the left one */
     uint8_t block; /* floats: block exponent of depth where it must be split; PH_BLOCK_LINEAR; else PH_BLOCK_NONE */
     uint8_t range_log2; /* texture: |u|, |v| below 2^this */
-    bool narrow;        /* no span leaves the picture or has more than PH_NARROW pixels */
     uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
-    struct ph_edge long_edge, upper, lower;
-    struct ph_plane depth;
-    union {
-        struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
-        struct {
-            struct ph_plane first_two[2];
-            struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` is then */
-        };
-    };
     const struct ph_material *material;
+    union {
+        struct {
+            struct ph_edge long_edge, upper, lower;
+            struct ph_plane depth;
+            union {
+                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+                struct {
+                    struct ph_plane first_two[2];
+                    struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` is then */
+                };
+            };
+        };
+        struct ph_rows rows; /* PH_KIND_NARROW */
+    };
 };
 
 #define PH_NONE         UINT32_MAX
@@ -139,6 +158,7 @@ struct ph_sides {
 };
 
 #define PH_SMALL ((uint32_t)1 << 14) /* 64 px */
+#define PH_TINY  ((uint32_t)1 << 13) /* 32 px: PH_NARROW columns */
 
 static inline int64_t ph_wide_area(const struct ph_sides *s)
 {
@@ -176,6 +196,9 @@ int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, 
  */
 bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]);
+
+/* Before the triangles of a part: what those that are tiny have in common. Others may come in between. */
+void ph_setup_part(struct ph_renderer *r, const struct ph_material *material);
 
 /* The same of one that faces the viewer, with its sides. */
 bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],

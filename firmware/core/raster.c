@@ -61,14 +61,14 @@ static NOINLINE void draw_row(const struct ph_triangle *t, bool wide, struct ph_
 {
     const uint32_t last = row->d + t->depth.gx * (row->n - 1);
     if (!ph_octave_holds(octave, row->d, last)) {
-        ph_octave_of(octave, t, row->d);
+        ph_octave_of(octave, t, row->d, t->depth.gx);
         if (!ph_octave_holds(octave, row->d, last)) {
             draw_span(t, wide, *row);
             return;
         }
     }
     struct row run = *row;
-    run.d = ph_depth_float16_value(row->d, octave->octave) + octave->offset;
+    run.d = ph_depth_float16_code(octave, row->d);
     draw_run(t, wide, &run, octave->slope);
 }
 
@@ -123,11 +123,36 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
     return count;
 }
 
-/* How many of the next rows lie in the octave; r->d, r->gd and r->d_dy in units of the triangle's plane. */
-static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *octave, uint32_t rows)
+/* Where the rows of a narrow triangle lie: column 0 of the next one. */
+struct place {
+    uint16_t *depth, *pixels;
+    uint32_t stride; /* pixels */
+};
+
+static uint32_t draw_at(const struct ph_rows *r, const struct place *at)
+{
+    return ph_rows_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+}
+
+/* n rows further down, of which no more than the last is the last upper one. */
+static void step_rows(struct ph_rows *r, uint32_t n)
+{
+    r->left += n * r->left_dx;
+    r->right += n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->upper_rows = (uint16_t)(r->upper_rows - n);
+    if (r->upper_rows == 0) {
+        ph_rows_lower(r);
+    }
+}
+
+/* How many of the upper rows lie in the octave from the next one on; d, gd and d_dy in units of the triangle's plane.
+ */
+static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *octave)
 {
     uint32_t left = r->left, right = r->right, d = r->d, n = 0;
-    for (; n < rows; n++) {
+    for (; n < r->upper_rows; n++) {
         const uint32_t from = left >> 16, to = right >> 16, first = d + from * r->gd;
         if ((int32_t)(to - from) > 0 && !ph_octave_holds(octave, first, first + (to - from - 1) * r->gd)) {
             break;
@@ -140,129 +165,135 @@ static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *
 }
 
 /* Rows of one octave; the steps of d are multiples of 8, so no bit of a shift to codes is lost. */
-static void draw_rows_in_octave(struct ph_rows *r, const struct ph_octave *octave, uint32_t rows)
+static uint32_t draw_rows_in_octave(struct ph_rows *r, const struct ph_octave *octave, uint32_t rows,
+                                    const struct place *at)
 {
     const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
     const uint32_t above = d + from * gd - octave->bottom; /* the first row may be empty, and below the octave */
+    const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
     r->gd = octave->slope;
     r->d_dy = ph_depth_float16_slope(d_dy, octave->octave);
     r->d = ph_depth_float16_value(octave->bottom, octave->octave) + octave->offset +
            ph_depth_float16_slope(above, octave->octave) - from * r->gd;
-    r->rows = rows;
-    ph_rows_gouraud(r);
+    r->upper_rows = (uint16_t)rows;
+    r->lower_rows = 0;
+    const uint32_t count = draw_at(r, at);
+    r->d = d;
     r->gd = gd;
     r->d_dy = d_dy;
-    r->d = d + rows * d_dy;
+    r->upper_rows = upper_rows;
+    r->lower_rows = lower_rows;
+    return count;
 }
 
-/* One row that crosses octaves. */
-static void draw_row_across(struct ph_rows *r, const struct ph_triangle *t)
+/* How many of n pixels lie in the octave, from one of depth d on: it, and those behind it. */
+static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uint32_t gd, uint32_t n)
 {
-    const uint32_t from = r->left >> 16, n = (r->right >> 16) - from;
-    draw_span(t, false,
-              (struct row){r->pixels + from, r->depth + from, n, r->d + from * r->gd, r->light + from * r->glight});
-    r->count += n;
-    r->left += r->left_dx;
-    r->right += r->right_dx;
-    r->d += r->d_dy;
-    r->light += r->light_dy;
-    r->depth += r->stride_bytes / 2;
-    r->pixels += r->stride_bytes / 2;
+    const uint32_t size = octave->size;
+    uint32_t above = d - octave->bottom, count = 0;
+    do {
+        above += gd;
+        count++;
+    } while (count < n && above < size);
+    return count;
+}
+
+/* One row that crosses octaves, from the first to what may be the next one. */
+static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_rows *r, const struct ph_octave *first,
+                                struct ph_octave *next, const struct place *at)
+{
+    const uint32_t from = r->left >> 16, to = r->right >> 16;
+    const struct ph_octave *octave = first;
+    for (uint32_t x = from, n; x < to; x += n) {
+        const uint32_t d = r->d + x * r->gd;
+        if (!ph_octave_holds(octave, d, d)) {
+            if (!ph_octave_holds(next, d, d)) {
+                ph_octave_of(next, t, d, r->gd);
+            }
+            octave = next;
+        }
+        n = pixels_in_octave(octave, d, r->gd, to - x);
+        ph_span_gouraud(&at->pixels[x], &at->depth[x], n, ph_depth_float16_code(octave, d), octave->slope,
+                        r->light + x * r->glight, r->glight, r->ramp);
+    }
+    return to - from;
 }
 
 /* Rows of a triangle that crosses octaves: most rows do not. */
-static NOINLINE void draw_rows_split(struct ph_rows *r, const struct ph_triangle *t)
+static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_rows *r, struct place at)
 {
-    struct ph_octave octave = {0};
-    for (uint32_t rows = r->rows; rows > 0;) {
-        ph_octave_of(&octave, t, r->d + (r->left >> 16) * r->gd);
-        const uint32_t n = rows_in_octave(r, &octave, rows);
-        if (n > 0) {
-            octave.slope = ph_depth_float16_slope(r->gd, octave.octave);
-            draw_rows_in_octave(r, &octave, n);
-            rows -= n;
-        } else {
-            draw_row_across(r, t);
-            rows--;
+    struct ph_octave octave, next;
+    uint32_t count = 0;
+    octave.bottom = octave.size = next.bottom = next.size = 0; /* none yet */
+    while (r->upper_rows > 0) {
+        const uint32_t d = r->d + (r->left >> 16) * r->gd;
+        if (!ph_octave_holds(&octave, d, d)) {
+            ph_octave_of(&octave, t, d, r->gd);
         }
+        uint32_t n = rows_in_octave(r, &octave);
+        if (n > 0) {
+            count += draw_rows_in_octave(r, &octave, n, &at);
+        } else {
+            n = 1;
+            count += draw_row_across(t, r, &octave, &next, &at);
+        }
+        step_rows(r, n);
+        at.depth += n * at.stride;
+        at.pixels += n * at.stride;
     }
-}
-
-/* The rows of one half of a narrow triangle, the upper or the lower; r stands at the first of them. */
-static void draw_half(struct ph_rows *r, const struct ph_triangle *t, const struct ph_edge *edge, int32_t down,
-                      int32_t rows)
-{
-    const uint32_t x = (uint32_t)edge->x + (uint32_t)down * (uint32_t)edge->dx;
-    if (t->long_left == 0) {
-        r->left = x;
-        r->left_dx = (uint32_t)edge->dx;
-    } else {
-        r->right = x;
-        r->right_dx = (uint32_t)edge->dx;
-    }
-    r->rows = (uint32_t)rows;
-    if (t->block == PH_BLOCK_NONE) {
-        ph_rows_gouraud(r);
-    } else {
-        draw_rows_split(r, t);
-    }
+    return count;
 }
 
 /*
  * A plane in multiples of 8, 3 bits being what codes lose of d in the nearest octave: from the triangle's first pixel
  * on, where no band begins.
  */
-static NOINLINE void round_depth(struct ph_rows *r, const struct ph_triangle *t, uint32_t down)
+static void round_depth(struct ph_rows *r)
 {
-    const uint32_t x = (uint32_t)t->long_edge.x >> 16;
-    const uint32_t d = ph_plane_at(&t->depth, x, (uint32_t)t->y_top);
+    const uint32_t x = (r->lower_is_right ? r->left : r->right) >> 16;
+    const uint32_t d = r->d + x * r->gd;
     r->gd = (r->gd + 4) & ~(uint32_t)7;
     r->d_dy = (r->d_dy + 4) & ~(uint32_t)7;
-    r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd + down * r->d_dy;
+    r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd;
+}
+
+/* A narrow triangle that the band cuts, or that crosses octaves. */
+static NOINLINE uint32_t draw_narrow_parts(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const int32_t y0 = t->y_top > band->y0 ? t->y_top : band->y0, y1 = t->y_bottom < band->y1 ? t->y_bottom : band->y1;
+    const uint32_t start = (uint32_t)(y0 - band->y0) * (uint32_t)band->width, rows = (uint32_t)(y1 - y0);
+    const struct place at = {(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
+    struct ph_rows r = t->rows;
+    if (t->block != PH_BLOCK_NONE) {
+        round_depth(&r);
+    }
+    const uint32_t skip = (uint32_t)(y0 - t->y_top), above = skip < r.upper_rows ? skip : r.upper_rows;
+    step_rows(&r, above);
+    if (skip > above) {
+        step_rows(&r, skip - above);
+    }
+    r.upper_rows = (uint16_t)(r.upper_rows < rows ? r.upper_rows : rows);
+    r.lower_rows = (uint16_t)(r.lower_rows < rows - r.upper_rows ? r.lower_rows : rows - r.upper_rows);
+    return t->block == PH_BLOCK_NONE ? draw_at(&r, &at) : draw_rows_split(t, &r, at);
 }
 
 /* A narrow triangle, which no border but those of the band cuts. */
-static uint32_t draw_gouraud_narrow(const struct ph_triangle *t, const struct ph_band *band)
+static inline uint32_t draw_narrow(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const int32_t y0 = t->y_top > band->y0 ? t->y_top : band->y0, y1 = t->y_bottom < band->y1 ? t->y_bottom : band->y1;
-    const int32_t y_mid = t->y_mid < y1 ? t->y_mid : y1;
-    const uint32_t start = (uint32_t)(y0 - band->y0) * (uint32_t)band->width, y = (uint32_t)y0;
-    const uint32_t long_x = (uint32_t)t->long_edge.x + (uint32_t)(y0 - t->y_top) * (uint32_t)t->long_edge.dx;
-    const uint32_t long_dx = (uint32_t)t->long_edge.dx;
-    struct ph_rows r;
-    r.left = r.right = long_x;
-    r.left_dx = r.right_dx = long_dx;
-    r.d = t->depth.base + y * t->depth.gy;
-    r.light = t->attribute[0].base + y * t->attribute[0].gy;
-    r.d_dy = t->depth.gy;
-    r.light_dy = t->attribute[0].gy;
-    r.gd = t->depth.gx;
-    r.glight = t->attribute[0].gx;
-    r.depth = (uint16_t *)band->depth + start;
-    r.stride_bytes = 2 * (uint32_t)band->width;
-    r.pixels = band->pixels + start;
-    r.ramp = t->material->ramp;
-    r.count = 0;
-    if (t->block != PH_BLOCK_NONE) {
-        round_depth(&r, t, (uint32_t)(y0 - t->y_top));
+    if (t->y_top < band->y0 || t->y_bottom > band->y1 || t->block != PH_BLOCK_NONE) {
+        return draw_narrow_parts(t, band);
     }
-    if (y_mid > y0) {
-        draw_half(&r, t, &t->upper, y0 - t->y_top, y_mid - y0);
-    }
-    const int32_t y_low = y_mid > y0 ? y_mid : y0;
-    if (y1 > y_low) {
-        draw_half(&r, t, &t->lower, y_low - t->y_mid, y1 - y_low);
-    }
-    return r.count;
+    const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
+    return ph_rows_gouraud(&t->rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
 }
 
 static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
 {
+    if (t->kind == PH_KIND_NARROW) {
+        return draw_narrow(t, band);
+    }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);
-    }
-    if (t->narrow && t->kind == PH_KIND_GOURAUD && t->block != PH_BLOCK_LINEAR && !band->wide) {
-        return draw_gouraud_narrow(t, band);
     }
     return walk(t, band);
 }

@@ -147,7 +147,7 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see pipeline.h */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* ... and what these are where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
-#define PH_TRIANGLE_BYTES_32 96
+#define PH_TRIANGLE_BYTES_32 92
 
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */
@@ -198,6 +198,13 @@ struct ph_lens {
     int32_t chord_max;   /* fisheye: 1/256 px; longer ones are */
 };
 
+/* What the tiny triangles of a part have in common: see ph_setup_part. */
+struct ph_tiny {
+    const struct ph_material *material; /* NULL: none are drawn as such */
+    uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
+    bool floats;                        /* float16, else fixed16 */
+};
+
 /* The state of one picture. Its fields are the renderer's own; read stats. Holds no pointer into itself. */
 struct ph_renderer {
     struct ph_config config;
@@ -206,6 +213,8 @@ struct ph_renderer {
     struct ph_projection projection; /* as given; lens is made of it */
     struct ph_xform view;            /* world to view */
     struct ph_scene_light light;
+    struct ph_tiny tiny;
+    uint32_t inner_x, inner_y; /* 1/256 px: where the first corner of a tiny triangle keeps all of it in the picture */
     uint32_t band_count;
     uint32_t triangle_count;
     uint32_t carried; /* list of the triangles that go on in the next band */

@@ -1,54 +1,24 @@
-/*
- * Triangle set-up: edges and attribute planes, once per triangle.
- *
- * Watertight: an edge is always walked from its upper to its lower vertex, and all its arithmetic depends on these two
- * alone, so the triangles on both sides get the same column in every row.
- */
-#include "pipeline.h"
+/* Triangle set-up: edges and attribute planes, once per triangle. Those of most are in setup_small.c. */
+#include "edge.h"
+#include "hot.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps the registers of a long function for what is usual */
 
-/* First row whose centre is at or below y (1/256 px). */
-static int32_t first_row(int32_t y)
-{
-    return (y + 127) >> 8;
-}
-
-/*
- * Edges from a down to b: x at row y0, which is not above the first row of a, and slope. Not for an edge without a row.
- * down: from a to the centre of that first row, 0 .. 255.
- */
-static struct ph_edge edge_at_row(int32_t x, int32_t dx, int32_t row, int32_t y0)
-{
-    return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
-}
-
 static NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
-    const int32_t dx = b->x - a->x, row = first_row(a->y), down = row * 256 + 128 - a->y;
+    const int32_t dx = b->x - a->x, row = ph_first_row(a->y), down = row * 256 + 128 - a->y;
     int shift;
     const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(b->y - a->y), &shift) >> 1); /* 2^(61 - shift) / dy */
     const int32_t offset = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift));
     const int32_t slope = (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift));
-    *edge = edge_at_row(a->x * 256 + offset, slope, row, y0);
-}
-
-/* The same below 64 px each way, in 32 bits, to 2^-9 px at its far end. */
-static inline void short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t y0, struct ph_edge *edge)
-{
-    const int32_t row = first_row(a->y), down = row * 256 + 128 - a->y;
-    const int shift = fx_clz32((uint32_t)dy);
-    /* 2^(47 - shift) dx / dy, never above it: a centre that lies on the edge is on its right, as by the top-left rule
-     */
-    const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
-    *edge = edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
+    *edge = ph_edge_at_row(a->x * 256 + offset, slope, row, y0);
 }
 
 static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
     if ((((uint32_t)dx + PH_SMALL) | ((uint32_t)dy << 1)) < 2 * PH_SMALL) {
-        short_edge(a, dx, dy, y0, edge);
+        *edge = ph_short_edge(a, dx, dy, ph_first_row(a->y), y0);
     } else {
         wide_edge(a, b, y0, edge);
     }
@@ -258,37 +228,39 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
     return down < 32 ? v->q >> down : 0;
 }
 
-static FX_APART void setup_fixed(const struct ph_renderer *r, const struct plane_base *s,
-                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+static uint32_t depth_bias(const struct ph_material *material)
+{
+    return material->depth_bias < 56 ? material->depth_bias : 56;
+}
+
+/* Depth of the corners in units of the fixed formats. */
+static inline void fixed_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
+                                uint32_t d[3])
 {
     const uint32_t far = ph_depth_far(&r->lens, 0), offset = PH_DEPTH_BIAS_FIXED16 + (bias << 16);
-    uint32_t d[3];
     for (int i = 0; i < 3; i++) {
         d[i] = ph_depth_before(ph_depth_of(v[i]), far, 0) + offset;
     }
-    depth_plane(r, s, d, 28, &t->depth);
 }
 
-static NOINLINE void setup_float(const struct ph_renderer *r, const struct plane_base *s,
-                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+/* The same of the floats; returns the block exponent of a triangle that crosses octaves, or PH_BLOCK_NONE. */
+static NOINLINE uint8_t block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
+                                     uint32_t d[3])
 {
     const int block = max_int(least_exponent(v) - 2, 0);
     const uint32_t far = ph_depth_far(&r->lens, block);
-    uint32_t d[3];
     for (int i = 0; i < 3; i++) {
         d[i] = ph_depth_before(ph_depth_of(v[i]), far, block);
     }
     const int octave = ph_depth_octave(d[0], block);
     if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
-        t->block = (uint8_t)block;
-        depth_plane(r, s, d, 27, &t->depth);
-        return;
+        return (uint8_t)block;
     }
     const uint32_t offset = ph_depth_float16_offset(octave, block) + (bias << 13);
     for (int i = 0; i < 3; i++) { /* all in one octave: no different from the fixed formats */
         d[i] = ph_depth_float16_value(d[i], octave) + offset;
     }
-    depth_plane(r, s, d, 27, &t->depth);
+    return PH_BLOCK_NONE;
 }
 
 static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plane_base *s,
@@ -306,15 +278,18 @@ static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plan
 static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
                         struct ph_triangle *t)
 {
-    const uint32_t bias = t->material->depth_bias < 56 ? t->material->depth_bias : 56;
+    const uint32_t bias = depth_bias(t->material);
     const unsigned format = r->stats.depth_format;
     t->block = PH_BLOCK_NONE;
+    uint32_t d[3];
     if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
-        setup_float(r, s, v, bias, t);
+        t->block = block_depths(r, v, bias, d);
+        depth_plane(r, s, d, 27, &t->depth);
     } else if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
         setup_linear(r, s, v, bias, t);
     } else {
-        setup_fixed(r, s, v, bias, t);
+        fixed_depths(r, v, bias, d);
+        depth_plane(r, s, d, 28, &t->depth);
     }
 }
 
@@ -409,15 +384,11 @@ static inline int32_t min_int(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-/*
- * No pixel centre between the outermost columns, or none of them in the picture. *narrow: at most PH_NARROW columns,
- * a pixel and more from the borders, so that no rounding of an edge makes them more or takes them out.
- */
-static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3], bool *narrow)
+/* No pixel centre between the outermost columns, or none of them in the picture. */
+static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3])
 {
     const int32_t a = v[0]->x, b = v[1]->x, c = v[2]->x;
-    const int32_t from = first_row(min_int(min_int(a, b), c)), to = first_row(max_int(max_int(a, b), c));
-    *narrow = from > 1 && to < width - 1 && to - from < PH_NARROW;
+    const int32_t from = ph_first_row(min_int(min_int(a, b), c)), to = ph_first_row(max_int(max_int(a, b), c));
     return from >= to || to <= 0 || from >= width;
 }
 
@@ -428,7 +399,7 @@ static inline bool misses_columns(int32_t width, const struct ph_vertex *const v
 static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const struct ph_vertex *top = v[0], *left = v[1], *right = v[2];
-    int32_t row_top = first_row(top->y), row_left = first_row(left->y), row_right = first_row(right->y);
+    int32_t row_top = ph_first_row(top->y), row_left = ph_first_row(left->y), row_right = ph_first_row(right->y);
     while (row_left < row_top || row_right < row_top) { /* at most twice: the corners turn */
         const struct ph_vertex *const corner = top;
         const int32_t row = row_top;
@@ -462,25 +433,107 @@ int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
     return (int32_t)(area >> 32) | (area > 0);
 }
 
-bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
-                    const fx_t *const uv[3], const struct ph_sides *sides)
+static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *material,
+                               const struct ph_vertex *const v[3], const fx_t *const uv[3],
+                               const struct ph_sides *sides, struct ph_triangle *t)
+{
+    if (misses_columns(r->config.width, v) || !setup_outline(r->config.height, v, t)) {
+        return false;
+    }
+    struct plane_base base;
+    t->material = material;
+    plane_base(v[0], sides, &base);
+    setup_depth(r, &base, v, t);
+    setup_shading(r, &base, v, uv, t);
+    return true;
+}
+
+/* Whether corners between from and to keep a pixel off the borders. */
+static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
+{
+    return min_int(min_int(a, b), c) >= 256 && max_int(max_int(a, b), c) <= (size - 1) * 256;
+}
+
+/* Whether a tiny triangle keeps a pixel off the borders: most do so by far. */
+static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+{
+    const uint32_t margin = PH_TINY + 256;
+    return ((uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
+           (is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
+            is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
+}
+
+static inline bool is_tiny(const struct ph_sides *s)
+{
+    const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
+    return ((dx1 + PH_TINY) | (dy1 + PH_TINY) | (dx2 + PH_TINY) | (dy2 + PH_TINY) | (dx2 - dx1 + PH_TINY)) <
+           2 * PH_TINY;
+}
+
+/* A triangle may miss the centres of all columns. */
+static inline bool is_thin(const struct ph_sides *s)
+{
+    return (((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) < 512;
+}
+
+/* Any triangle but a tiny one of a part that has such. */
+static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_material *material,
+                                  const struct ph_vertex *const v[3], const fx_t *const uv[3],
+                                  const struct ph_sides *sides)
 {
     const uint32_t n = r->triangle_count;
     struct ph_triangle no_room, *const t = n < r->config.triangle_max ? &ph_triangles(r)[n] : &no_room;
-    bool narrow;
-    if (misses_columns(r->config.width, v, &narrow) || !setup_outline(r->config.height, v, t)) {
+    if (!setup_any(r, material, v, uv, sides, t)) {
         return false;
     }
     if (t == &no_room) {
         r->stats.triangles_dropped++;
         return true;
     }
-    struct plane_base base;
+    r->triangle_count = n + 1;
+    r->stats.triangles_drawn++;
+    return true;
+}
+
+void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
+{
+    const unsigned format = r->stats.depth_format;
+    const bool shaded = material->shading == PH_SHADE_GOURAUD && material->ramp != NULL;
+    r->tiny.material = shaded && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    r->tiny.floats = format == PH_DEPTH_FLOAT16;
+    r->tiny.far = ph_depth_far(&r->lens, 0);
+    r->tiny.bias = r->tiny.floats ? PH_DEPTH_BIAS_FLOAT16 + (depth_bias(material) << 13)
+                                  : PH_DEPTH_BIAS_FIXED16 + (depth_bias(material) << 16);
+}
+
+bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                    const fx_t *const uv[3], const struct ph_sides *sides)
+{
+    const uint32_t n = r->triangle_count;
+    if (material != r->tiny.material || n >= r->config.triangle_max || !is_tiny(sides) || !is_inside(r, v)) {
+        return setup_listed(r, material, v, uv, sides);
+    }
+    struct ph_triangle *const t = &ph_triangles(r)[n];
+    uint32_t d[3];
+    t->kind = PH_KIND_NARROW;
+    t->block = PH_BLOCK_NONE;
     t->material = material;
-    t->narrow = narrow;
-    plane_base(v[0], sides, &base);
-    setup_depth(r, &base, v, t);
-    setup_shading(r, &base, v, uv, t);
+    t->rows.ramp = material->ramp;
+    if (r->tiny.floats) {
+        if (!ph_float_depths(&r->lens, v, r->tiny.bias, d)) {
+            t->block = block_depths(r, v, depth_bias(material), d);
+        }
+    } else {
+        for (int i = 0; i < 3; i++) {
+            d[i] = ph_depth_before(ph_depth_of(v[i]), r->tiny.far, 0) + r->tiny.bias;
+        }
+        if (((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 != 0) { /* too far apart for ph_setup_small */
+            return setup_listed(r, material, v, uv, sides);
+        }
+    }
+    if ((is_thin(sides) && misses_columns(r->config.width, v)) || !ph_setup_small(t, v, sides, d)) {
+        return false;
+    }
     r->triangle_count = n + 1;
     r->stats.triangles_drawn++;
     return true;

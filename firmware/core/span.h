@@ -109,6 +109,17 @@ static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_ban
     return true;
 }
 
+/* The lower edge takes over. */
+static inline void ph_rows_lower(struct ph_rows *r)
+{
+    uint32_t *const x = r->lower_is_right ? &r->right : &r->left;
+    uint32_t *const dx = r->lower_is_right ? &r->right_dx : &r->left_dx;
+    *x = (uint32_t)r->lower.x;
+    *dx = (uint32_t)r->lower.dx;
+    r->upper_rows = r->lower_rows;
+    r->lower_rows = 0;
+}
+
 static inline uint32_t ph_plane_at(const struct ph_plane *p, uint32_t x, uint32_t y)
 {
     return p->base + p->gx * x + p->gy * y;
@@ -138,8 +149,8 @@ struct ph_piece {
 };
 
 /*
- * The run that begins at a pixel with depth d (in units of the triangle's plane): the whole span, but where a float
- * triangle crosses octaves *n is cut down to the pixels of the first one.
+ * The run that begins at a pixel with depth d (in units of the triangle's plane): the whole span, but
+ * where a float triangle crosses octaves *n is cut down to the pixels of the first one.
  */
 static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
 {
@@ -166,25 +177,32 @@ struct ph_octave {
 };
 
 /* The octave in which d lies (of no size where d has wrapped), or all there is of a triangle that is not split. */
-static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d)
+static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd)
 {
     if (t->block >= PH_BLOCK_LINEAR) {
-        *o = (struct ph_octave){0, UINT32_MAX, 0, t->depth.gx, 3};
+        *o = (struct ph_octave){0, UINT32_MAX, 0, gd, 3};
         return;
     }
-    const int octave = ph_depth_octave(d, t->block);
+    const bool wrapped = d >= PH_DEPTH_WRAPPED;
+    const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
     const uint32_t half = octave <= 0 ? (uint32_t)1 << 31 : ((uint32_t)1 << 31) >> octave;
     const uint32_t end = octave <= 0 ? PH_DEPTH_WRAPPED : 2 * half;
     o->bottom = octave >= 14 - t->block ? 0 : half;
-    o->size = d < PH_DEPTH_WRAPPED ? end - o->bottom : 0;
+    o->size = wrapped ? 0 : end - o->bottom;
     o->offset = ph_depth_float16_offset(octave, t->block) + ((uint32_t)t->material->depth_bias << 13);
-    o->slope = ph_depth_float16_slope(t->depth.gx, octave);
+    o->slope = ph_depth_float16_slope(gd, octave);
     o->octave = octave;
 }
 
 static inline bool ph_octave_holds(const struct ph_octave *o, uint32_t first, uint32_t last)
 {
     return first - o->bottom < o->size && last - o->bottom < o->size;
+}
+
+/* The code of a d in it; of one that has wrapped: that of 0. */
+static inline uint32_t ph_depth_float16_code(const struct ph_octave *o, uint32_t d)
+{
+    return ph_depth_float16_value(o->size > 0 ? d : 0, o->octave) + o->offset;
 }
 
 #endif

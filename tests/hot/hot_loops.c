@@ -74,7 +74,7 @@ static uint32_t try_gouraud(uint32_t h)
 
 static uint32_t try_rows(uint32_t h)
 {
-    struct ph_rows r;
+    struct ph_rows r = {.ramp = ramp};
     r.d = bits();
     r.light = bits();
     r.left = (40 << 16) + below(20 << 16);
@@ -82,19 +82,68 @@ static uint32_t try_rows(uint32_t h)
     r.light_dy = bits() >> 8;
     r.gd = below(1 << 22);
     r.glight = bits() >> 6;
-    r.depth = depth + below(16);
-    r.stride_bytes = 2 * (96 + below(16));
-    r.pixels = pixels + below(16);
-    r.ramp = ramp;
-    r.rows = 1 + below(15);
-    r.count = bits();
+    r.upper_rows = (uint16_t)(1 + below(8));
+    r.lower_rows = (uint16_t)below(8);
     r.right = r.left + below(16 << 16) - (3 << 16); /* also empty rows */
     r.left_dx = below(1 << 16);
     r.right_dx = r.left_dx + below(1 << 16);
-    ph_rows_gouraud(&r);
-    h = word(word(word(word(h, r.left), r.right), r.d), r.light);
-    h = word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels));
-    return word(word(h, r.rows), r.count);
+    r.lower_is_right = below(2);
+    const uint32_t other = r.upper_rows * (r.lower_is_right ? r.left_dx : r.right_dx);
+    r.lower.x = (int32_t)((r.lower_is_right ? r.left + below(20 << 16) : r.right - below(20 << 16)) + other);
+    r.lower.dx = (int32_t)(r.lower_is_right ? r.left_dx : r.right_dx);
+    const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
+    return word(h, ph_rows_gouraud(&r, depth + at, pixels + pixels_at, stride_bytes));
+}
+
+static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+{
+    const int32_t dx1 = b->x - a->x, dy1 = b->y - a->y, dx2 = c->x - a->x, dy2 = c->y - a->y;
+    return (struct ph_sides){dx1, dy1, dx2, dy2, dx2 * dy1 - dx1 * dy2, true};
+}
+
+/* A triangle round a point within the picture; also without rows, as a sliver and steep. */
+static uint32_t try_small(uint32_t h)
+{
+    const uint32_t size = below(3) > 0 ? 2 * PH_TINY : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
+    struct ph_vertex corner[3];
+    uint32_t d[3], far_apart = below(32);
+    for (int i = 0; i < 3; i++) {
+        corner[i].x = (int32_t)(100 * 256 + below(size) / 2);
+        corner[i].y = (int32_t)(50 * 256 + (below(size) / 2 >> flat));
+        corner[i].light = (uint16_t)(below(4) > 0 ? 30000 + below(2000) : bits());
+        d[i] = (uint32_t)1 << 31 | bits() >> (1 + far_apart % 31);
+    }
+    const struct ph_sides first = sides_of(&corner[0], &corner[1], &corner[2]);
+    const bool turned = first.area < 0;
+    const struct ph_sides sides = turned ? sides_of(&corner[0], &corner[2], &corner[1]) : first;
+    const struct ph_vertex *const v[3] = {&corner[0], &corner[turned ? 2 : 1], &corner[turned ? 1 : 2]};
+    struct ph_triangle t;
+    memset(&t, 0, sizeof t);
+    if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
+        return word(h, 0);
+    }
+    const uint32_t rows[] = {t.rows.left_dx, t.rows.right_dx, t.rows.d_dy,  t.rows.light_dy, t.rows.gd,
+                             t.rows.glight,  t.rows.left,     t.rows.right, t.rows.d,        t.rows.light};
+    h = hash(h, rows, sizeof rows);
+    h = t.rows.lower_rows > 0 ? word(word(h, (uint32_t)t.rows.lower.x), (uint32_t)t.rows.lower.dx) : h;
+    h = word(word(word(h, t.rows.upper_rows), t.rows.lower_rows), t.rows.lower_is_right);
+    return word(word(h, (uint32_t)t.y_top), (uint32_t)t.y_bottom);
+}
+
+/* Corners in front of a far plane, mostly near each other. */
+static uint32_t try_float(uint32_t h)
+{
+    struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = (int8_t)(1 + below(30))};
+    const uint32_t near = below((uint32_t)lens.far_s), down = below(31);
+    struct ph_vertex corner[3];
+    for (int i = 0; i < 3; i++) {
+        corner[i].s = (int8_t)(lens.far_s - (int)(below(4) > 0 ? near : below((uint32_t)lens.far_s)));
+        corner[i].q = ((uint32_t)1 << 30) + (bits() >> (2 + down % 30));
+        corner[i].q = corner[i].s == lens.far_s ? lens.far_q + (bits() >> (3 + down % 29)) : corner[i].q;
+    }
+    const struct ph_vertex *const v[3] = {&corner[0], &corner[1], &corner[2]};
+    uint32_t d[3];
+    return ph_float_depths(&lens, v, below(1 << 20), d) ? hash(h, d, sizeof d) : word(h, 0);
 }
 
 static uint32_t try_texture(uint32_t h)
@@ -208,8 +257,14 @@ int main(void)
     static const struct {
         const char *name;
         uint32_t (*one)(uint32_t h);
-    } loops[] = {{"fill", try_fill},         {"span_flat", try_flat},       {"span_gouraud", try_gouraud},
-                 {"rows_gouraud", try_rows}, {"span_texture", try_texture}, {"vertices", try_vertices},
+    } loops[] = {{"fill", try_fill},
+                 {"span_flat", try_flat},
+                 {"span_gouraud", try_gouraud},
+                 {"rows_gouraud", try_rows},
+                 {"setup_small", try_small},
+                 {"float_depths", try_float},
+                 {"span_texture", try_texture},
+                 {"vertices", try_vertices},
                  {"visit", try_visit}};
     randomise(texels, TEXELS);
     randomise(ramp, 128);

@@ -1,22 +1,26 @@
-@ ph_rows_gouraud of hot.h for ARMv6-M: 44 instructions a row, 11 a pixel that is drawn, 6 a hidden one, some 45 a call.
+@ ph_rows_gouraud of hot.h for ARMv6-M: 40 instructions a row, 11 a pixel that is drawn, 6 a hidden one, some 40 a call.
 @
-@ r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 the struct ph_rows; r8 gd, r9 glight, r10 left,
-@ r11 right, r12 d and lr light at column 0; on the stack: from depth to pixels, and where a row's pixels end
+@ r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; r8 gd, r9 glight, r10 left,
+@ r11 right, r12 d and lr light at column 0
     .syntax unified
     .thumb
 
-    .equ left_dx, 16
-    .equ right_dx, 20
-    .equ d_dy, 24
-    .equ light_dy, 28
-    .equ gd, 32
-    .equ glight, 36
-    .equ depth, 40
-    .equ stride, 44
-    .equ pixels, 48
-    .equ ramp, 52
-    .equ rows, 56
-    .equ count, 60
+    .equ lower, 44 - 16 @ struct ph_rows, from gd on
+    .equ upper_rows, 52 - 16
+    .equ lower_rows, 54 - 16
+    .equ lower_is_right, 56 - 16
+
+    .equ count, 0 @ on the stack
+    .equ left_dx, 4
+    .equ right_dx, 8
+    .equ d_dy, 12
+    .equ light_dy, 16
+    .equ rows, 20
+    .equ pixels_end, 24 @ where a row's pixels end in the code
+    .equ triangle, 28   @ 0 once the lower edge has taken over
+    .equ to_pixels, 32  @ from depth
+    .equ stride, 36
+    .equ frame, 40
 
     .macro pixel at
     ldrh.n r5, [r0, #2 * \at]
@@ -38,72 +42,35 @@
     .global ph_rows_gouraud
     .type ph_rows_gouraud, %function
     .thumb_func
-ph_rows_gouraud: @ r0: struct ph_rows
+ph_rows_gouraud: @ r0: struct ph_rows, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r7, lr}
     mov r4, r8
     mov r5, r9
     mov r6, r10
     mov r7, r11
     push {r4-r7}
-    movs r7, r0
+    ldmia r0!, {r4-r7}
+    subs r2, r2, r1
+    push {r0, r2, r3}
+    ldrh r2, [r0, #upper_rows]
+    ldr r3, =last + 1
+    push {r2, r3}
+    movs r3, #0
+    push {r3-r7}
+    movs r7, r1
+    subs r7, #64 @ the last column's pixel is the last of 32
     ldmia r0!, {r1-r4}
-    mov r10, r1
-    mov r11, r2
-    mov r12, r3
-    mov lr, r4
-    ldr r1, [r7, #gd]
     mov r8, r1
-    ldr r1, [r7, #glight]
-    mov r9, r1
-    ldr r4, [r7, #ramp]
-    ldr r0, [r7, #depth]
-    ldr r1, [r7, #pixels]
-    subs r1, r0
-    subs r0, #64 @ the last column's pixel is the last of 32
-    str r0, [r7, #depth]
-    ldr r2, =last + 1
-    push {r1, r2}
-row:
-    mov r5, r10
-    ldr r6, [r7, #left_dx]
-    add r10, r6
-    mov r1, r11
-    ldr r6, [r7, #right_dx]
-    add r11, r6
-    lsrs r5, r5, #16
-    lsrs r1, r1, #16
-    ldr r0, [r7, #depth]
-    lsls r6, r1, #1
-    adds r6, r6, r0
-    ldr r2, [r7, #stride]
-    adds r0, r0, r2
-    str r0, [r7, #depth]
-    mov r2, r12
-    ldr r0, [r7, #d_dy]
-    add r12, r0
-    mov r3, lr
-    ldr r0, [r7, #light_dy]
-    add lr, r0
-    subs r1, r1, r5
-    ble 2f
-    mov r0, r8
-    muls r0, r5
-    adds r2, r2, r0
-    mov r0, r9
-    muls r0, r5
-    adds r3, r3, r0
-    ldr r0, [r7, #count]
-    adds r0, r0, r1
-    str r0, [r7, #count]
-    movs r0, #pixel_bytes
-    muls r1, r0
-    ldr r5, [sp, #4]
-    subs r5, r5, r1
-    movs r0, r6
-    ldr r1, [sp]
-    adds r1, r1, r0
-    bx r5 @ as far before `last` as there are pixels
-2:  b last
+    mov r9, r2
+    mov r10, r4
+    movs r4, r3
+    ldmia r0!, {r1-r3}
+    mov r11, r1
+    mov r12, r2
+    mov lr, r3
+    b row
+    .p2align 2
+    .ltorg
 first:
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
     pixel \at
@@ -112,23 +79,69 @@ first:
     .error "pixel_bytes is wrong"
     .endif
 last:
-    ldr r0, [r7, #rows]
+    ldr r0, [sp, #rows]
     subs r0, #1
-    str r0, [r7, #rows]
-    beq 3f
-    b row
-3:  pop {r1, r2}
-    mov r2, r10
-    mov r3, r11
-    mov r4, r12
-    mov r5, lr
-    movs r0, r7
-    stmia r0!, {r2-r5}
-    ldr r0, [r7, #depth]
-    adds r0, #64
+    str r0, [sp, #rows]
+    beq 2f
+row:
+    mov r5, r10
+    ldr r0, [sp, #left_dx]
+    add r10, r0
+    mov r6, r11
+    ldr r0, [sp, #right_dx]
+    add r11, r0
+    lsrs r5, r5, #16
+    lsrs r6, r6, #16
+    mov r2, r12
+    ldr r0, [sp, #d_dy]
+    add r12, r0
+    mov r3, lr
+    ldr r0, [sp, #light_dy]
+    add lr, r0
+    lsls r0, r6, #1
+    adds r0, r0, r7
+    ldr r1, [sp, #stride]
+    adds r7, r7, r1
+    subs r6, r6, r5
+    ble last
+    ldr r1, [sp, #count]
+    adds r1, r1, r6
+    str r1, [sp, #count]
+    mov r1, r8
+    muls r1, r5
+    adds r2, r2, r1
+    mov r1, r9
+    muls r1, r5
+    adds r3, r3, r1
+    movs r1, #pixel_bytes
+    muls r6, r1
+    ldr r5, [sp, #pixels_end]
+    subs r5, r5, r6
+    ldr r1, [sp, #to_pixels]
     adds r1, r1, r0
-    str r0, [r7, #depth]
-    str r1, [r7, #pixels]
+    bx r5 @ as far before `last` as there are pixels
+2:  ldr r0, [sp, #triangle]
+    cmp r0, #0
+    beq 5f
+    ldrh r1, [r0, #lower_rows]
+    cmp r1, #0
+    beq 5f
+    str r1, [sp, #rows]
+    movs r1, #0
+    str r1, [sp, #triangle]
+    ldr r1, [r0, #lower]
+    ldr r2, [r0, #lower + 4]
+    ldr r3, [r0, #lower_is_right]
+    cmp r3, #0
+    beq 3f
+    mov r11, r1
+    str r2, [sp, #right_dx]
+    b row
+3:  mov r10, r1
+    str r2, [sp, #left_dx]
+    b row
+5:  ldr r0, [sp, #count]
+    add sp, #frame
     pop {r4-r7}
     mov r8, r4
     mov r9, r5
@@ -136,5 +149,3 @@ last:
     mov r11, r7
     pop {r4-r7, pc}
     .size ph_rows_gouraud, . - ph_rows_gouraud
-    .p2align 2
-    .ltorg

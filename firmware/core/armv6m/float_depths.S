@@ -1,0 +1,85 @@
+@ ph_float_depths of hot.h for ARMv6-M: some 80 instructions a triangle.
+@
+@ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s; r12 corners, lr octave + 2
+    .syntax unified
+    .thumb
+
+    .equ far_q, 32 @ struct ph_lens
+    .equ far_s, 36
+    .equ vertex_q, 8 @ struct ph_vertex
+    .equ vertex_s, 12
+
+    @ d of the vertex r0 to r6, its s to r7; takes r0, r1
+    .macro own_depth
+    ldr r6, [r0, #vertex_q]
+    ldrb r7, [r0, #vertex_s]
+    subs r0, r5, r7
+    movs r1, r4
+    lsrs r1, r0
+    subs r6, r6, r1
+    bls none
+    .endm
+
+    @ the code of corner `at`
+    .macro corner at
+    mov r0, r12
+    ldr r0, [r0, #4 * \at]
+    own_depth
+    mov r0, lr
+    subs r0, r0, r7
+    movs r1, #31
+    subs r1, r1, r0
+    movs r7, r6
+    lsrs r7, r1
+    cmp r7, #1
+    bne none
+    lsls r6, r0
+    lsrs r6, r6, #3
+    adds r6, r6, r2
+    str r6, [r3, #4 * \at]
+    .endm
+
+    .section .text.ph_float_depths, "ax", %progbits
+    .p2align 2
+    .global ph_float_depths
+    .type ph_float_depths, %function
+    .thumb_func
+ph_float_depths: @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
+    push {r4-r7, lr}
+    mov r12, r1
+    ldr r4, [r0, #far_q]
+    adds r0, #far_s
+    ldrb r5, [r0]
+    ldr r0, [r1]
+    own_depth
+    ldr r1, =fx_clz_table
+    lsrs r0, r6, #24
+    beq 2f
+    ldrb r0, [r1, r0]
+1:  adds r7, r7, r0
+    cmp r7, #16
+    bhs none
+    mov lr, r7
+    movs r1, #16
+    subs r1, r1, r7
+    lsls r1, r1, #28
+    adds r2, r2, r1
+    lsls r6, r0
+    lsrs r6, r6, #3
+    adds r6, r6, r2
+    str r6, [r3]
+    corner 1
+    corner 2
+    movs r0, #1
+    pop {r4-r7, pc}
+2:  lsrs r0, r6, #16
+    beq none @ 16 leading zeros: the lowest octave
+    ldrb r0, [r1, r0]
+    adds r0, #8
+    b 1b
+none:
+    movs r0, #0
+    pop {r4-r7, pc}
+    .size ph_float_depths, . - ph_float_depths
+    .p2align 2
+    .ltorg

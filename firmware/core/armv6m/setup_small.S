@@ -1,0 +1,416 @@
+@ ph_setup_small of hot.h for ARMv6-M: some 370 instructions a triangle.
+    .syntax unified
+    .thumb
+
+    .equ y_top, 4 @ struct ph_triangle
+    .equ y_bottom, 8
+    .equ left_dx, 20
+    .equ d_dy, 28
+    .equ light_dy, 32
+    .equ gd, 36
+    .equ glight, 40
+    .equ left, 48
+    .equ d, 56
+    .equ light, 60
+    .equ lower, 64
+    .equ upper_rows, 72
+    .equ lower_rows, 74
+    .equ lower_is_right, 76
+
+    .equ vertex_y, 4 @ struct ph_vertex
+    .equ vertex_light, 14
+
+    .equ corners, 4 @ on the stack
+    .equ sides, 8
+    .equ depths, 12
+
+    @ fx_rcp16(d) in to, r7 to use
+    .macro rcp16 to, d
+    lsrs \to, \d, #7
+    lsls \to, \to, #1
+    ldr r7, =fx_rcp_table - 512
+    ldrh \to, [r7, \to]
+    movs r7, \to
+    muls r7, \d
+    lsls r7, r7, #5
+    rsbs r7, r7, #0
+    asrs r7, r7, #11 @ (1 - to d) in 2^-21
+    muls r7, \to
+    asrs r7, r7, #17
+    lsls \to, \to, #4
+    adds \to, \to, r7
+    adds \to, #1
+    movs r7, \to
+    muls r7, \d
+    lsrs r7, r7, #31
+    subs \to, \to, r7
+    .endm
+
+    @ the long edge, r5 the lowest corner
+    .macro long_edge
+    mov r4, r10
+    mov r6, r8
+    bl edge
+    ldr r2, [sp]
+    mov r3, r12
+    lsls r2, r2, #1
+    subs r2, r2, r3
+    str r1, [r2, #left + 4]
+    str r0, [r2, #left_dx + 4]
+    .endm
+
+    .section .text.ph_setup_small, "ax", %progbits
+    .p2align 2
+    .thumb_func
+edge: @ from r4 down to r5, r6 its first row: r1 x at that row, r0 slope; takes r0-r3, r6, r7
+    ldr r0, [r4]
+    ldr r2, [r5]
+    subs r2, r2, r0
+    ldr r1, [r4, #vertex_y]
+    ldr r3, [r5, #vertex_y]
+    subs r3, r3, r1
+    lsls r6, r6, #8
+    subs r6, r6, r1
+    adds r6, #128
+    ldr r7, =fx_clz_table
+    lsrs r1, r3, #8
+    beq 2f
+    ldrb r1, [r7, r1]
+1:  lsls r3, r1
+    rcp16 r0, r3
+    lsrs r7, r2, #31
+    adds r0, r0, r7
+    muls r0, r2
+    movs r7, #15
+    subs r7, r7, r1
+    asrs r2, r0, #8
+    muls r2, r6
+    asrs r2, r7
+    asrs r0, r7
+    ldr r1, [r4]
+    lsls r1, r1, #8
+    adds r1, r1, r2
+    ldr r2, =32767 @ .5 px, rounded up
+    adds r1, r1, r2
+    bx lr
+2:  ldrb r1, [r7, r3]
+    adds r1, #8
+    b 1b
+
+    .thumb_func
+flatten: @ gradient r5, r6 and its shift r7 to 32 - r4 bits; takes r4
+    push {r0-r3}
+    asrs r0, r5, #31
+    eors r0, r5
+    asrs r1, r6, #31
+    eors r1, r6
+    orrs r0, r1
+    movs r1, #0
+    lsrs r2, r0, #16
+    bne 1f
+    movs r1, #16
+    movs r2, r0
+1:  lsrs r3, r2, #8
+    bne 2f
+    adds r1, #8
+    movs r3, r2
+2:  ldr r2, =fx_clz_table
+    ldrb r3, [r2, r3]
+    adds r1, r1, r3
+    subs r4, r4, r1
+    cmp r7, r4
+    bge 3f
+    movs r7, r4
+3:  pop {r0-r3}
+    cmp r7, #0
+    blt 4f
+    asrs r5, r7
+    asrs r6, r7
+    bx lr
+4:  rsbs r7, r7, #0
+    lsls r5, r7
+    lsls r6, r7
+    bx lr
+
+flat_top: @ part of ph_setup_small: the lower edge is the first one
+    strh r3, [r0]
+    strh r2, [r0, #lower_rows - upper_rows]
+    mov r4, r11
+    mov r6, r9
+    bl edge
+    mov r3, r12
+    str r1, [r3, #left]
+    str r0, [r3, #left_dx]
+    long_edge
+    b planes
+
+    .p2align 2
+    .global ph_setup_small
+    .type ph_setup_small, %function
+    .thumb_func
+ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
+    push {r4-r7, lr}
+    mov r4, r8
+    mov r5, r9
+    mov r6, r10
+    mov r7, r11
+    push {r4-r7}
+    push {r0-r3}
+    ldmia r1!, {r4-r6}
+    ldr r1, [r4, #vertex_y]
+    ldr r2, [r5, #vertex_y]
+    ldr r3, [r6, #vertex_y]
+    adds r1, #127
+    adds r2, #127
+    adds r3, #127
+    asrs r1, r1, #8
+    asrs r2, r2, #8
+    asrs r3, r3, #8
+    @ the corners turn until r4 to r6 are the top, the left and the right one, and r1 to r3 their rows
+    cmp r2, r1
+    blt 1f
+    cmp r3, r1
+    bge 3f
+1:  movs r0, r4
+    movs r7, r1
+    cmp r3, r2
+    blt 2f
+    movs r4, r5
+    movs r1, r2
+    movs r5, r6
+    movs r2, r3
+    movs r6, r0
+    movs r3, r7
+    b 3f
+2:  movs r4, r6
+    movs r1, r3
+    movs r6, r5
+    movs r3, r2
+    movs r5, r0
+    movs r2, r7
+    @ then r5 is the middle one and r6 the lowest; r12 where the first edge goes, which is not the long one
+3:  ldr r0, [sp]
+    mov r12, r0
+    movs r7, #0
+    cmp r2, r3
+    ble 4f
+    movs r7, r5
+    movs r5, r6
+    movs r6, r7
+    movs r7, r2
+    movs r2, r3
+    movs r3, r7
+    movs r7, #4
+    add r12, r7 @ the long edge is the left one
+    movs r7, #1
+4:  cmp r1, r3
+    bge none
+    strh r1, [r0, #y_top]
+    strh r3, [r0, #y_bottom]
+    mov r8, r1
+    mov r9, r2
+    mov r10, r4
+    mov r11, r5
+    movs r5, r6
+    adds r0, #upper_rows
+    str r7, [r0, #lower_is_right - upper_rows]
+    subs r3, r3, r2
+    subs r2, r2, r1
+    beq flat_top
+    strh r2, [r0]
+    strh r3, [r0, #lower_rows - upper_rows]
+    cmp r3, #0
+    beq 5f
+    mov r4, r11
+    mov r6, r9
+    bl edge
+    ldr r2, [sp]
+    str r1, [r2, #lower]
+    str r0, [r2, #lower + 4]
+5:  long_edge
+    mov r5, r11
+    mov r6, r8
+    bl edge
+    mov r3, r12
+    str r1, [r3, #left]
+    str r0, [r3, #left_dx]
+planes:
+    @ sides over the area, as in setup_small.c: r8 C, r9 A, r10 D, r11 B, r12 shift
+    ldr r1, [sp, #sides]
+    ldmia r1!, {r2-r6}
+    asrs r7, r2, #31
+    eors r7, r2
+    asrs r0, r3, #31
+    eors r0, r3
+    orrs r7, r0
+    asrs r0, r4, #31
+    eors r0, r4
+    orrs r7, r0
+    asrs r0, r5, #31
+    eors r0, r5
+    orrs r7, r0
+    lsrs r7, r7, #5
+    ldr r1, =fx_clz_table
+    ldrb r0, [r1, r7]
+    mov r8, r0 @ 13 - bits
+    lsrs r7, r6, #16
+    beq 3f
+    movs r0, #0
+1:  lsrs r7, r7, #8
+    bne 2f
+    adds r0, #8
+    movs r7, r6
+    lsls r7, r0
+    lsrs r7, r7, #24
+2:  ldrb r7, [r1, r7]
+    adds r0, r0, r7
+    b 4f
+none:
+    movs r0, #0
+    b leave
+3:  movs r0, #16
+    movs r7, r6
+    b 1b
+4:  lsls r6, r0
+    lsrs r6, r6, #16
+    rcp16 r1, r6
+    mov r6, r8
+    movs r7, #14
+    subs r7, r7, r6
+    muls r2, r1
+    muls r3, r1
+    muls r4, r1
+    muls r5, r1
+    asrs r2, r7
+    asrs r3, r7
+    asrs r4, r7
+    asrs r5, r7
+    mov r8, r2
+    mov r9, r3
+    mov r10, r4
+    mov r11, r5
+    movs r6, #47
+    subs r6, r6, r0
+    subs r6, r6, r7
+    mov r12, r6
+    @ light
+    ldr r1, [sp, #corners]
+    ldmia r1, {r1-r3}
+    ldrh r4, [r1, #vertex_light]
+    ldrh r2, [r2, #vertex_light]
+    ldrh r3, [r3, #vertex_light]
+    subs r2, r2, r4
+    subs r3, r3, r4
+    asrs r2, r2, #1
+    asrs r3, r3, #1
+    mov r5, r9
+    muls r5, r3
+    mov r7, r11
+    muls r7, r2
+    subs r5, r5, r7
+    mov r7, r8
+    muls r7, r3
+    mov r3, r10
+    muls r3, r2
+    subs r6, r3, r7
+    mov r7, r12
+    subs r7, #17
+    cmp r7, #31 - 28
+    blt steep_light
+    asrs r5, r7
+    asrs r6, r7
+5:  movs r3, #128
+    ldr r2, [r1]
+    subs r2, r3, r2
+    ldr r1, [r1, #vertex_y]
+    ldr r0, [sp]
+    ldrh r7, [r0, #y_top]
+    lsls r7, r7, #8
+    adds r7, r7, r3
+    subs r7, r7, r1
+    mov lr, r7 @ r2, lr: from the first corner to column 0 of the first row
+    lsls r4, r4, #16
+    movs r3, r5
+    muls r3, r2
+    adds r4, r4, r3
+    muls r7, r6
+    adds r4, r4, r7
+    lsls r5, r5, #8
+    lsls r6, r6, #8
+    str r4, [r0, #light]
+    str r5, [r0, #glight]
+    str r6, [r0, #light_dy]
+    @ depth
+    ldr r3, [sp, #depths]
+    ldmia r3, {r3-r5}
+    subs r1, r4, r3
+    subs r4, r5, r3
+    asrs r6, r1, #31
+    eors r6, r1
+    asrs r7, r4, #31
+    eors r7, r4
+    orrs r6, r7
+    lsrs r6, r6, #15
+    beq 9f
+    ldr r5, =fx_clz_table
+    lsrs r7, r6, #8
+    beq 8f
+    ldrb r7, [r5, r7]
+    movs r6, #16
+6:  subs r6, r6, r7
+    asrs r1, r6
+    asrs r4, r6
+7:  mov r7, r12
+    subs r7, r7, r6
+    mov r5, r9
+    muls r5, r4
+    mov r6, r11
+    muls r6, r1
+    subs r5, r5, r6
+    mov r6, r10
+    muls r6, r1
+    mov r1, r8
+    muls r1, r4
+    subs r6, r6, r1
+    cmp r7, #31 - 19
+    blt steep_depth
+    asrs r5, r7
+    asrs r6, r7
+10: muls r2, r5
+    adds r3, r3, r2
+    mov r2, lr
+    muls r2, r6
+    adds r3, r3, r2
+    lsls r5, r5, #8
+    lsls r6, r6, #8
+    str r3, [r0, #d]
+    str r5, [r0, #gd]
+    str r6, [r0, #d_dy]
+    movs r0, #1
+leave:
+    add sp, #16
+    pop {r4-r7}
+    mov r8, r4
+    mov r9, r5
+    mov r10, r6
+    mov r11, r7
+    pop {r4-r7, pc}
+8:  ldrb r7, [r5, r6]
+    movs r6, #8
+    b 6b
+9:  b 7b @ r6 is 0: nothing to drop
+steep_light:
+    push {r4}
+    movs r4, #32 - 28
+    bl flatten
+    pop {r4}
+    b 5b
+steep_depth:
+    mov r1, lr
+    movs r4, #32 - 19
+    bl flatten
+    mov lr, r1
+    b 10b
+    .size ph_setup_small, . - ph_setup_small
+    .p2align 2
+    .ltorg

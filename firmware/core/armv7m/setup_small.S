@@ -1,0 +1,253 @@
+@ ph_setup_small of hot.h for ARMv7-M: some 185 instructions a triangle.
+    .syntax unified
+    .thumb
+
+    .equ y_top, 4 @ struct ph_triangle
+    .equ y_bottom, 8
+    .equ left_dx, 20
+    .equ d_dy, 28
+    .equ light_dy, 32
+    .equ gd, 36
+    .equ glight, 40
+    .equ left, 48
+    .equ d, 56
+    .equ light, 60
+    .equ lower, 64
+    .equ upper_rows, 72
+    .equ lower_rows, 74
+    .equ lower_is_right, 76
+
+    .equ vertex_y, 4 @ struct ph_vertex
+    .equ vertex_light, 14
+
+    .equ corners, 4 @ on the stack
+    .equ depths, 12
+
+    @ An edge from a down to b, a's first row: r1 x at that row, r10 slope; r12 is 2^31 - 1. Takes r2, r3, lr.
+    .macro edge a, b, row
+    ldrd r1, r2, [\a]
+    ldrd r3, r10, [\b]
+    subs r3, r3, r1
+    sub r10, r10, r2
+    rsb r2, r2, \row, lsl #8
+    adds r2, #128
+    clz lr, r10
+    lsl r10, r10, lr
+    lsr r10, r10, #16
+    udiv r10, r12, r10
+    add r10, r10, r3, lsr #31
+    mul r10, r10, r3
+    rsb lr, lr, #31
+    asrs r3, r10, #8
+    muls r3, r2, r3
+    asr r3, r3, lr
+    asr r10, r10, lr
+    add r1, r3, r1, lsl #8
+    add r1, r1, r12, lsr #16 @ .5 px, rounded up
+    .endm
+
+    @ The shift of a gradient in r11 and lr to `limit` bits; two registers to use.
+    .macro flatten down, limit, a, b
+    eor \a, r11, r11, asr #31
+    eor \b, lr, lr, asr #31
+    orr \a, \a, \b
+    clz \a, \a
+    rsb \a, \a, #32 - \limit
+    cmp \down, \a
+    it lt
+    movlt \down, \a
+    cmp \down, #0
+    .endm
+
+    .section .text.ph_setup_small, "ax", %progbits
+    .p2align 2
+    .global ph_setup_small
+    .type ph_setup_small, %function
+    .thumb_func
+ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
+    push {r0-r11, lr}
+    ldmia r1, {r4-r6}
+    ldr r7, [r4, #vertex_y]
+    ldr r8, [r5, #vertex_y]
+    ldr r9, [r6, #vertex_y]
+    adds r7, #127
+    add r8, r8, #127
+    add r9, r9, #127
+    asrs r7, r7, #8
+    asr r8, r8, #8
+    asr r9, r9, #8
+    @ the corners turn until r4 to r6 are the top, the left and the right one, and r7 to r9 their rows
+    cmp r8, r7
+    it ge
+    cmpge r9, r7
+    bge 2f
+    mov r10, r4
+    mov r11, r7
+    cmp r9, r8
+    blt 1f
+    mov r4, r5
+    mov r7, r8
+    mov r5, r6
+    mov r8, r9
+    mov r6, r10
+    mov r9, r11
+    b 2f
+1:  mov r4, r6
+    mov r7, r9
+    mov r6, r5
+    mov r9, r8
+    mov r5, r10
+    mov r8, r11
+    @ then r5 is the middle one and r6 the lowest
+2:  mov r11, r0
+    cmp r8, r9
+    ble 3f
+    mov r10, r5
+    mov r5, r6
+    mov r6, r10
+    mov r10, r8
+    mov r8, r9
+    mov r9, r10
+    adds r11, #4 @ the long edge is the left one
+3:  cmp r7, r9
+    bge none
+    sub r1, r11, r0
+    lsrs r1, r1, #2
+    str r1, [r0, #lower_is_right]
+    strh r7, [r0, #y_top]
+    strh r9, [r0, #y_bottom]
+    mvn r12, #1 << 31
+    edge r4, r6, r7
+    rsb lr, r11, r0, lsl #1
+    str r1, [lr, #left + 4]
+    str r10, [lr, #left_dx + 4]
+    cmp r8, r7
+    beq flat_top
+    edge r4, r5, r7
+    str r1, [r11, #left]
+    str r10, [r11, #left_dx]
+    sub r2, r8, r7
+    strh r2, [r0, #upper_rows]
+    subs r9, r9, r8
+    strh r9, [r0, #lower_rows]
+    beq planes
+    edge r5, r6, r8
+    strd r1, r10, [r0, #lower]
+planes:
+    @ sides over the area: r4 C, r5 A, r6 D, r8 B, r10 shift (see setup_small.c)
+    ldrd r1, r2, [sp, #corners]
+    ldmia r2, {r4-r6, r8, r9}
+    eor r10, r4, r4, asr #31
+    eor r11, r5, r5, asr #31
+    orr r10, r10, r11
+    eor r11, r6, r6, asr #31
+    orr r10, r10, r11
+    eor r11, r8, r8, asr #31
+    orr r10, r10, r11
+    orr r10, r10, #31
+    clz r10, r10
+    clz r11, r9
+    lsl r9, r9, r11
+    lsr r9, r9, #16
+    udiv r9, r12, r9
+    rsb lr, r10, #33
+    mul r4, r4, r9
+    mul r5, r5, r9
+    mul r6, r6, r9
+    mul r8, r8, r9
+    asr r4, r4, lr
+    asr r5, r5, lr
+    asr r6, r6, lr
+    asr r8, r8, lr
+    sub r10, r10, r11
+    add r10, r10, #14
+    @ light
+    ldmia r1, {r1-r3}
+    ldrh r9, [r1, #vertex_light]
+    ldrh r2, [r2, #vertex_light]
+    ldrh r3, [r3, #vertex_light]
+    sub r2, r2, r9
+    sub r3, r3, r9
+    asrs r2, r2, #1
+    asrs r3, r3, #1
+    mul r11, r3, r5
+    mls r11, r2, r8, r11
+    mul lr, r2, r6
+    mls lr, r3, r4, lr
+    sub r12, r10, #17
+    cmp r12, #31 - 28
+    blt steep_light
+4:  asr r11, r11, r12
+    asr lr, lr, r12
+5:  ldrd r2, r3, [r1]
+    rsb r2, r2, #128
+    rsb r3, r3, r7, lsl #8
+    adds r3, #128 @ r2, r3: from the first corner to column 0 of the first row
+    lsl r9, r9, #16
+    mla r9, r11, r2, r9
+    mla r9, lr, r3, r9
+    lsl r11, r11, #8
+    lsl lr, lr, #8
+    str r9, [r0, #light]
+    str r11, [r0, #glight]
+    str lr, [r0, #light_dy]
+    @ depth
+    ldr r1, [sp, #depths]
+    ldmia r1, {r1, r7, r12}
+    subs r7, r7, r1
+    sub r12, r12, r1
+    eor r9, r7, r7, asr #31
+    eor r11, r12, r12, asr #31
+    orr r9, r9, r11
+    clz r9, r9
+    rsbs r9, r9, #32 - 15
+    it mi
+    movmi r9, #0
+    asr r7, r7, r9
+    asr r12, r12, r9
+    mul r11, r12, r5
+    mls r11, r7, r8, r11
+    mul lr, r7, r6
+    mls lr, r12, r4, lr
+    sub r9, r10, r9
+    cmp r9, #31 - 19
+    blt steep_depth
+6:  asr r11, r11, r9
+    asr lr, lr, r9
+7:  mla r1, r11, r2, r1
+    mla r1, lr, r3, r1
+    lsl r11, r11, #8
+    lsl lr, lr, #8
+    str r1, [r0, #d]
+    str r11, [r0, #gd]
+    str lr, [r0, #d_dy]
+    movs r0, #1
+8:  add sp, sp, #16
+    pop {r4-r11, pc}
+none:
+    movs r0, #0
+    b 8b
+flat_top: @ the lower edge is the first one
+    edge r5, r6, r8
+    str r1, [r11, #left]
+    str r10, [r11, #left_dx]
+    subs r9, r9, r8
+    movs r2, #0
+    strh r9, [r0, #upper_rows]
+    strh r2, [r0, #lower_rows]
+    b planes
+steep_light:
+    flatten r12, 28, r2, r3
+    bge 4b
+    rsb r12, r12, #0
+    lsl r11, r11, r12
+    lsl lr, lr, r12
+    b 5b
+steep_depth:
+    flatten r9, 19, r7, r12
+    bge 6b
+    rsb r9, r9, #0
+    lsl r11, r11, r9
+    lsl lr, lr, r9
+    b 7b
+    .size ph_setup_small, . - ph_setup_small
