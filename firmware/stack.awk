@@ -1,5 +1,6 @@
 # Reads gcc's call graphs (-fcallgraph-info=su). Prints a line for each recursion, dynamic stack frame, call through a
 # pointer that nothing is known about, and path over `most` bytes; `-v list=1`: "worst BYTES FUNCTION" as the last line.
+# of=FILE:FUNCTION: that line is about the paths from there (of another core, say).
 # library: bytes taken for each call of a function without a graph (libgcc, libc).
 #
 # Whom a call through a pointer may reach is said by the tables `from` and `to`: regular expressions over FILE:FUNCTION.
@@ -61,6 +62,7 @@ END {
     }
     for (f in frame) {
         d = depth(f)
+        if (of != "" && f != of) { continue }
         if (d > worst) { worst = d; who = f }
         if (most && d > most) { print "stack: " f " takes " d " bytes, " most " allowed" }
     }

@@ -50,6 +50,17 @@ holds_steps_and_goes_on() { # a line a frame while it holds, then none within th
     sed -n 's/^frame \([0-9]*\),.*/\1/p' "$dir/log" | tr -d '\r' | tr '\n' ' ' | tee "$dir/lines" | grep -qx '1 2 3 ' || { cat "$dir/lines" && return 1; }
 }
 
+stack_of_core_1_stays_below_its_bound() { # six demos; 32: one interrupt, of which it has none
+    local place size top lowest bound
+    printf '%s select\n' 1 3 5 7 9 >"$dir/keys"
+    emulate "$board" 2 12 "$dir/keys" || return 1
+    read -r place size < <(arm-none-eabi-nm -S "$B/firmware/$board-demos-cores2.elf" | awk '$4 == "stack" { print $1, $2 }')
+    top=$((0x$place + 0x$size)) lowest=$(sed -n 's/^emulate: core 1: lowest stack //p' "$dir/log")
+    bound=$(find "$B/firmware/$board-cores2-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/rp2040/cores2.c:serve -f firmware/stack.awk | awk '/^worst/ { print $2 }')
+    echo "$((top - 0x$lowest)) used, at most $bound of $((0x$size))"
+    [ $((top - 0x$lowest)) -gt 200 ] && [ $((top - 0x$lowest)) -le "$bound" ] && [ $((bound + 32)) -le $((0x$size)) ]
+}
+
 two_buttons_change_the_demo() { # GP12 and GP13, up and down, from frame 2 to 3: this kit has no select
     echo '2 up+down' >"$dir/keys"
     emulate "$board" 1 5 - --press 1:12+13 --press 2: && expect "$board" 5 "$dir/keys" && same 5 && grep -q '^demo testcard' "$dir/log"
@@ -70,5 +81,6 @@ check "each_button_held_at_power_up_does_so" held_at_power_up
 check "other_pins_and_later_moments_do_not" not_without_a_reason
 check "H_holds_and_steps_G_goes_on" holds_steps_and_goes_on
 check "two_buttons_held_together_change_the_demo" two_buttons_change_the_demo
+check "the_stack_of_core_1_stays_below_its_bound" stack_of_core_1_stays_below_its_bound
 check "a_board_without_chip_select_is_one_clear_line" no_chip_select_is_told
 tap_end
