@@ -1,9 +1,9 @@
 /*
  * hot: the loops in which a frame's time goes, each in a file of its own. Private to firmware/core.
  *
- * The file in core/ is the portable form; core/armv6m and core/armv7m have the same function in assembly, where the
- * compiler leaves time, and give the same result bit for bit (tests/test_hot.sh). Assembly takes at most 80 bytes
- * of stack and calls nothing.
+ * The file in core/ is the portable form; core/armv6m and core/armv7m have the same function in assembly, core/x86_64
+ * some of them in vectors, where the compiler leaves time, and give the same result bit for bit (tests/test_hot.sh).
+ * Assembly takes at most 80 bytes of stack and calls nothing.
  */
 #ifndef PH_HOT_H
 #define PH_HOT_H
