@@ -263,10 +263,10 @@ int depth_report(const struct depth_lab *lab)
         return complain(EXIT_USAGE, "all needs --out DIR, a directory for the report");
     }
     struct stat directory;
-    const bool made = mkdir(lab->out, 0777) == 0;
-    if (!made && (stat(lab->out, &directory) != 0 || !S_ISDIR(directory.st_mode))) {
+    const int error = mkdir(lab->out, 0777) == 0 ? 0 : errno;
+    if (error != 0 && (stat(lab->out, &directory) != 0 || !S_ISDIR(directory.st_mode))) {
         return complain(EXIT_FAILED, "--out %s: cannot be used as a directory: %s", lab->out,
-                        errno == EEXIST ? strerror(ENOTDIR) : strerror(errno));
+                        strerror(error == EEXIST ? ENOTDIR : error));
     }
     FILE *const report = open_memstream(&text, &length);
     if (report == NULL) {

@@ -114,6 +114,11 @@ report_has_it_all() {
     grep -oE '\]\([^)]+' "$dir/report/report.md" | cut -c3- | while read -r name; do [ -s "$dir/report/$name" ] || { echo "$name" && exit 1; }; done
 }
 
+report_says_why_it_has_no_directory() {
+    ln -s missing "$dir/dangling"
+    ! "$depth" all --near 1 --far 4 --out "$dir/dangling" 2>"$dir/stderr" && grep -qx 'pinhole-depth: --out .*: Not a directory' "$dir/stderr"
+}
+
 # A command that the report names gives the rows that stand there.
 report_rows_are_the_commands() {
     local command
@@ -165,6 +170,7 @@ check "wrong_usage_is_refused_in_one_line" wrong_usage_is_refused
 check "missing_gnuplot_is_one_line" missing_gnuplot_is_one_line
 check "the_error_picture_shows_what_is_counted" error_picture_shows_what_is_counted
 check "the_report_has_it_all" report_has_it_all
+check "a_report_says_why_it_has_no_directory" report_says_why_it_has_no_directory
 check "rows_of_the_report_are_those_of_the_command" report_rows_are_the_commands
 check "the_readme_table_is_what_resolve_measures" readme_table_is_measured
 check "the_readme_names_the_sub_pixel_share_that_budget_measures" readme_millimetres_are_measured
