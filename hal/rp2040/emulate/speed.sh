@@ -18,12 +18,13 @@ trap 'rm -rf "$dir"' EXIT
 [ ! -t 2 ] || echo "speed: some minutes" >&2
 make -s B="$B" "$B/pinhole-sim" >&2
 
-# `first frame, frames, name` of those that fit: the button passes over what does not. One frame of those not asked for.
+# `first frame, frames, name` of those that fit: the button passes over what does not. Two frames of those not asked for: a button that is held
+# selects but once.
 options=() frame=0 last=${!#}
 [ $# -gt 0 ] || last=
 for demo in $("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2 }'); do
     "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 || continue
-    case " $* " in '  ' | *" $demo "*) n=$each ;; *) n=1 ;; esac
+    case " $* " in '  ' | *" $demo "*) n=$each ;; *) n=2 ;; esac
     [ $frame = 0 ] || options+=(--send "$((frame - 1)):s")
     echo "$frame $n $demo" >>"$dir/demos"
     frame=$((frame + n))
