@@ -45,6 +45,13 @@ no clamp of texels at the left border    | texture.c | s/left.x < 0 ? 0 : left.x
 one triangle over the budget             | setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
 dropped triangles not counted            | setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | setup.c   | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
+a small triangle's edge depends on it    | setup_small.c | s/set_edge(top, low, row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
+a small triangle's slope depends on it   | setup_small.c | s/set_edge(top, low, row_top, &long_edge);/& long_edge.dx \&= ~15;/ | test_quality
+a small triangle's light is its first    | setup_small.c | s/(v\[1\]->light - v\[0\]->light)/0/      | test_quality
+a small triangle's depth to fewer bits   | setup_small.c | s/(uint32_t)depth.x \* 256/& \& ~0x3ffffu/      | test_quality
+a small triangle without its lower half  | setup_small.c | s/set_edge(mid, low, row_mid, &rows->lower);/& rows->lower.dx = 0;/ | test_quality
+vertices truncated in the fast loop      | vertices.c | s/run->round_\([xy]\) + //                           | test_quality
+6 sub-pixel bits in the fast loop        | vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
 lines too thin                           | mesh.c    | s/wide ? 0 : 128/wide ? 0 : 64/              | test_frame
 clamped textures repeat                  | texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
 texture slope left out                   | texture.c | s/parabola(from.u, to.u/parabola(from.u, from.u/     | test_texture
