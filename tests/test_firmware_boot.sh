@@ -13,7 +13,7 @@ trap 'rm -rf "$dir"' EXIT
 rp2040_here
 board=pico-display
 
-builds() { make -s -j2 B="$B" "$B/pinhole-wire" && image "$board" 1 && image "$board" 2; }
+builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" && image "$board" 1 && image "$board" 2; }
 
 ended_in_the_boot_loader() { # frame
     grep -qx "emulate: ended in frame $1: boot loader" "$dir/log" || { tail -n 5 "$dir/log" && return 1; }
