@@ -34,7 +34,7 @@ fixed16 bias without its quarter         | setup.c   | s/PH_DEPTH_BIAS_FIXED16 +
 float24 as coarse as float16             | span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | span.h    | s/code > \*depth/code >= *depth/                     | test_raster
-the last of equal texels wins            | span_texture.c | s/> depth\[i\]/>= depth[i]/                    | test_texture
+the last of equal texels wins            | rows_texture_plain.h | s/code > \*depth/code >= *depth/              | test_texture
 the last of equal lit texels wins        | texture.c | s/> depth\[i\]/>= depth[i]/                          | test_texture
 triangles not carried to the next band   | raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
 triangles not carried by two cores       | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_cores
@@ -54,7 +54,7 @@ vertices truncated in the fast loop      | vertices.c | s/run->round_\([xy]\) + 
 6 sub-pixel bits in the fast loop        | vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
 lines too thin                           | mesh.c    | s/wide ? 0 : 128/wide ? 0 : 64/              | test_frame
 clamped textures repeat                  | texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
-texture slope left out                   | texture.c | s/parabola(from.u, to.u/parabola(from.u, from.u/     | test_texture
+texture slope left out                   | texture.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
 highlight to another power               | light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light

@@ -4,7 +4,7 @@
 # Environment: B (build directory), BUDGET (bytes of code and constants), CROSS (tool prefix).
 set -eu
 cd "$(dirname "$0")/.."
-B=${B:-build} CROSS=${CROSS:-arm-none-eabi-} BUDGET=${BUDGET:-32768}
+B=${B:-build} CROSS=${CROSS:-arm-none-eabi-} BUDGET=${BUDGET:?bytes}
 command -v "${CROSS}gcc" >/dev/null || { echo "size: no ${CROSS}gcc here; apt-get install gcc-arm-none-eabi" >&2 && exit 1; }
 
 make -s -j"$(nproc)" B="$B/m0plus" CC="${CROSS}gcc" CPU=armv6m \

@@ -14,7 +14,7 @@ for tool in $cross qemu-arm; do
     command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf qemu-user" && exit 77; }
 done
 
-loops=(fill span_flat span_gouraud rows_gouraud setup_small float_depths span_texture vertices visit)
+loops=(fill span_flat span_gouraud rows_gouraud setup_small float_depths rows_texture vertices visit)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/portable -Ifirmware/core tests/hot/hot_loops.c firmware/core/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -75,7 +75,7 @@ check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m rows_go
 check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
 check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
-check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m span_texture 's/lsr #16$/lsr #15/'
+check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m rows_texture 's/lsr #16$/lsr #15/'
 check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
 check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m visit 's/bmi found/ble found/'
@@ -85,6 +85,7 @@ if [ "$(uname -m)" = x86_64 ]; then
     check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
+    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen rows_texture.c 's/U_TO_V ((uint64_t)1 << 26 | 1)/U_TO_V ((uint64_t)1 << 27 | 1)/'
     check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen rows_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
 else
     skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"

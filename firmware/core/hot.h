@@ -80,19 +80,52 @@ bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v
 uint32_t ph_rows_gouraud(const struct ph_rows *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 
 /*
- * span_texture.c: a run of at most PH_TEXEL_RUN pixels with the depth test, one texel each, along a parabola in u and
- * in v: du, dv are the steps from the first pixel, ddu, ddv what each step is longer than the last.
+ * rows_texture.c: rows of a textured triangle within a tile of at most PH_TILE columns. Along a row u and v follow a
+ * parabola, at + i step + i^2 bend at column i; from row to row its coefficients change by second differences.
  */
-#define PH_TEXEL_RUN 32
+#define PH_TILE 32
 
-struct ph_texel_run {
-    uint32_t d, gd;      /* depth, 16.16 code, and per pixel */
-    uint32_t u, du, ddu; /* texel column in 2^-16, within the texture at each pixel */
-    uint32_t v, dv, ddv; /* texel row times the texture's width in 2^-16, modulo the texture's size */
-    uint32_t row_mask;   /* of the row's bits in an index: (height - 1) * width */
-    const uint16_t *texels;
-    uint16_t *depth, *pixels;
+struct ph_texel_way {
+    uint32_t at, step, bend;          /* of the row */
+    uint32_t at_dy, step_dy, bend_dy; /* what they grow by to the row below */
+    uint32_t at_ddy, step_ddy;        /* what that grows by */
 };
+
+struct ph_texel_rows {
+    uint32_t left, right; /* at the row: edges as in ph_edge, from column 0 of the tile on */
+    uint32_t left_dx, right_dx;
+    uint32_t d, d_dy;         /* depth at column 0, 16.16 code, and per row */
+    uint16_t *depth, *pixels; /* of column 0 */
+    uint32_t stride_bytes;    /* from row to row, of both */
+    uint32_t gd;              /* depth per column */
+    uint32_t u_mask, v_mask;  /* of the column's and the row's bits in the index of a texel */
+    const uint16_t *texels;
+    uint32_t columns; /* of the tile that are in the picture: 1 .. PH_TILE */
+    uint32_t rows, count;
+    uint32_t u_outside, v_outside; /* bits that u and v have outside a clamped texture; both 0 where it is no matter */
+    struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
+};
+
+/*
+ * Draws them; rows > 0. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
+ * stands at the next row, rows is how many are left, and count has grown by the pixels.
+ */
+void ph_rows_texture(struct ph_texel_rows *r);
+
+/* Coefficients of the next row. */
+static inline void ph_texel_way_down(struct ph_texel_way *w)
+{
+    w->at += w->at_dy;
+    w->step += w->step_dy;
+    w->bend += w->bend_dy;
+    w->at_dy += w->at_ddy;
+    w->step_dy += w->step_ddy;
+}
+
+static inline uint32_t ph_texel_at(const struct ph_texel_way *w, uint32_t i)
+{
+    return w->at + i * (w->step + i * w->bend);
+}
 
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_vertex_run, rows) == 64, "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || (offsetof(struct ph_visit, sides) == 28 && sizeof(struct ph_sides) == 24),
@@ -102,9 +135,6 @@ _Static_assert(sizeof(void *) != 4 ||
                     offsetof(struct ph_vertex, light) == 14 && offsetof(struct ph_lens, far_s) == 36),
                "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_rows, lower_is_right) == 56, "assembly relies on it");
-_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_run, depth) == 40, "assembly relies on it");
-
-/* Draws n = 1 .. PH_TEXEL_RUN pixels; d, depth and pixels then stand behind them. */
-void ph_span_texture(struct ph_texel_run *run, uint32_t n);
+_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_rows, u) == 72, "assembly relies on it");
 
 #endif

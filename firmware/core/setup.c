@@ -155,17 +155,6 @@ static inline void scaled_plane(struct ph_plane *out, const struct plane_base *s
     small_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop, limit);
 }
 
-static struct ph_plane setup_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2, int limit)
-{
-    const int64_t limit_small = (int64_t)1 << 30;
-    if (s->sides->small && d1 < limit_small && d1 > -limit_small && d2 < limit_small && d2 > -limit_small) {
-        struct ph_plane plane;
-        scaled_plane(&plane, s, value, (int32_t)d1, (int32_t)d2, limit);
-        return plane;
-    }
-    return wide_plane(s, value, d1, d2, limit);
-}
-
 /* The plane through three unsigned values. */
 static void plane_of(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3], int limit)
 {
@@ -293,22 +282,21 @@ static void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
     }
 }
 
-/* u or v of the corners, in Q16.16 from a whole number of repeats; returns the log2 of their range. */
-static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, int64_t out[3])
+/*
+ * u or v of the corners, Q16.16, from a whole number of repeats on (then without a sign); returns the log2 of their
+ * range.
+ */
+static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, uint32_t out[3])
 {
-    int64_t least = uv[0][axis], most = 0;
+    const bool repeats = texture->wrap == PH_WRAP_REPEAT;
+    const int32_t a = uv[0][axis], b = uv[1][axis], c = uv[2][axis], ab = a < b ? a : b, least = ab < c ? ab : c;
+    uint32_t most = 1;
     for (int i = 0; i < 3; i++) {
-        out[i] = uv[i][axis];
-        least = out[i] < least ? out[i] : least;
-    }
-    for (int i = 0; i < 3; i++) {
-        if (texture->wrap == PH_WRAP_REPEAT) {
-            out[i] -= least & ~(int64_t)0xffff;
-        }
-        const int64_t size = out[i] < 0 ? -out[i] : out[i];
+        out[i] = (uint32_t)uv[i][axis] - (repeats ? (uint32_t)least & ~(uint32_t)0xffff : 0);
+        const uint32_t size = repeats ? out[i] : fx_magnitude((int32_t)out[i]);
         most = size > most ? size : most;
     }
-    return max_int(bits_of(most - 1) - 16, 0);
+    return max_int(16 - fx_clz32(most - 1), 0);
 }
 
 static NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
@@ -318,9 +306,11 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
     static const fx_t origin[2];
     static const fx_t *const origins[3] = {origin, origin, origin};
     const fx_t *const *from = corner_uv != NULL ? corner_uv : origins;
-    int64_t uv[2][3];
-    const int range_u = texture_range(t->material->texture, from, 0, uv[0]);
-    const int range = max_int(range_u, texture_range(t->material->texture, from, 1, uv[1]));
+    const struct ph_texture *const texture = t->material->texture;
+    const uint32_t positive = (uint32_t)1 << 28;
+    uint32_t uv[2][3];
+    const int range_u = texture_range(texture, from, 0, uv[0]);
+    const int range = max_int(range_u, texture_range(texture, from, 1, uv[1]));
     const bool perspective = r->lens.kind != PH_ORTHOGRAPHIC;
     const int least = least_exponent(v);
     uint32_t w[3]; /* 1/w to a common exponent, up to 2^29 */
@@ -328,11 +318,14 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
         w[i] = perspective ? corner_over_w(v[i], least) : (uint32_t)1 << 28;
     }
     for (int axis = 0; axis < 2; axis++) {
-        int64_t over_w[3]; /* (u / 2^range) / w */
+        uint32_t over_w[3]; /* u over its range and w, and over 4: at most 2^27, made positive */
         for (int i = 0; i < 3; i++) {
-            over_w[i] = (uv[axis][i] * w[i]) >> (16 + range);
+            const uint32_t u = uv[axis][i];
+            const int32_t share = range <= 14 ? (int32_t)(u << (14 - range)) : (int32_t)u >> (range - 14); /* Q2.30 */
+            over_w[i] = (uint32_t)(fx_mul_wide(share, (int32_t)w[i]) >> 32) + positive;
         }
-        t->attribute[axis] = setup_plane(s, (uint32_t)over_w[0], over_w[1] - over_w[0], over_w[2] - over_w[0], 31);
+        plane_of(&t->attribute[axis], s, over_w, 31);
+        t->attribute[axis].base -= positive;
     }
     if (t->block != PH_BLOCK_LINEAR) { /* it is there already */
         plane_of(&t->attribute[2], s, w, 31);

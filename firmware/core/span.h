@@ -36,6 +36,17 @@ static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d
     }
 }
 
+/* Stores a depth where it is nearer. */
+static inline bool ph_nearer16(uint16_t *depth, uint32_t d)
+{
+    const uint32_t code = d >> 16;
+    if (code <= *depth) {
+        return false;
+    }
+    *depth = (uint16_t)code;
+    return true;
+}
+
 /* The same of a 24-bit code. */
 static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
 {

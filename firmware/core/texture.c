@@ -1,36 +1,56 @@
 /*
- * Textured spans: perspective-correct in blocks of up to 32 pixels. At both ends of a block u and v are divided
- * exactly; between, they run along the parabola that is exact in the middle, too (two additions a pixel and
- * coordinate): where 1/w goes from w0 to w1 and u by U, the middle lies U (w1 - w0) / (2 (w0 + w1)) beside the straight
- * line's. Measured error: tests/test_quality.c.
+ * Textured triangles, perspective-correct: in tiles of up to 32 x 16 pixels. At the four corners of a tile u and v are
+ * divided exactly; between, they follow the surface that is a parabola along each row and each column and is exact in
+ * the middle of each side, too (where 1/w goes from w0 to w1 and u by U, the middle lies U (w1 - w0) / (2 (w0 + w1))
+ * beside the straight line's): a few additions a pixel and a row. A tile is made smaller where 1/w changes much along
+ * it. Tiles hang on the triangle, not on the band. Measured error: tests/test_quality.c, tests/test_texture.c.
  */
 #include "hot.h"
 #include "pipeline.h"
 #include "span.h"
 #include "wire.h"
 
-enum { BLOCK = PH_TEXEL_RUN };
+enum { WIDTH_LOG2 = 5, HEIGHT_LOG2 = 4 };
 
-/* u, v at one pixel, in units of 2^-27 of their range. */
-struct texture_point {
-    int32_t u, v;
-};
+_Static_assert(1 << WIDTH_LOG2 == PH_TILE, "hot.h");
 
-/* The planes at one pixel: u/w and v/w (signed), 1/w. */
-struct texture_row {
-    int32_t u, v;
-    uint32_t w;
-};
-
-/* Texels of one triangle. */
-struct sampler {
+/* How the pixels of a tile are drawn. */
+struct tile_kind {
+    const struct ph_triangle *triangle;
     const uint16_t *texels;
-    int u_down, v_down; /* coordinate to texel */
     uint32_t u_mask, v_mask, log2_width;
-    uint32_t light; /* 0 .. 32 */
+    int u_down, v_down; /* from u, v to whole texels */
+    uint32_t light;     /* 0 .. 32 */
     bool clamp;
     bool wide;  /* struct ph_band */
-    bool plain; /* ph_span_texture can draw it where it stays within the texture */
+    bool plain; /* ph_rows_texture can draw them */
+};
+
+/* u or v, in 2^-25 of their range, at the top and the bottom of the left and the right side of a tile. */
+struct corners {
+    int32_t left[2], right[2];
+};
+
+/*
+ * What u and v follow over a tile. part: of the change of u or v along a side, what the parabola through its ends and
+ * its middle bends: change of 1/w over its mean, in 2^-16.
+ */
+struct surface {
+    struct corners u, v;
+    int32_t top, bottom, left, right;
+};
+
+struct tile {
+    uint32_t x, y;
+    int width_log2, height_log2;
+};
+
+/* Rows of a triangle, the tiles in them of one height. */
+struct strip {
+    uint32_t y, y_end;
+    int height_log2;
+    int32_t x, x_end; /* the columns that they have pixels in; none if x >= x_end */
+    uint32_t least_w; /* 1/w at its pixels */
 };
 
 /* linear-w has the plane of 1/w in place of the depth. */
@@ -44,58 +64,103 @@ static int32_t mulhi(int32_t a, int32_t b)
     return (int32_t)(fx_mul_wide(a, b) >> 32);
 }
 
-static int32_t shift_left(int32_t v, int by)
+static uint32_t size_of(uint32_t slope)
 {
-    return (int32_t)((uint32_t)v << by);
+    return (int32_t)slope < 0 ? 0u - slope : slope;
 }
 
-/*
- * The exact quotients at one pixel. |u/w| <= 1/w inside the triangle, with room for twice that; a sliver that
- * overshoots further gets some wrong texel, but never one outside the texture. change: of 1/w from the
- * last such pixel, at most a quarter of it; *part: that change over their mean 1/w, in 2^-16.
- */
-static inline __attribute__((always_inline)) struct texture_point divide(const struct texture_row *row, uint32_t change,
-                                                                         int32_t *part)
-{
+/* 1/w at a point: 2^(61 - shift) / reciprocal. */
+struct over_w {
+    int32_t reciprocal;
     int shift;
-    const uint32_t w = row->w - 4 < ((uint32_t)1 << 30) - 4 ? row->w : 4; /* 2^29 with head room */
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm(w, &shift) >> 1);
-    const int32_t q = ((int32_t)(change << shift) >> 16) * (reciprocal >> 15) >> 14; /* change / w, 2^-16 */
-    *part = q + (int32_t)((uint32_t)q * (uint32_t)q >> 17);
-    shift -= 2; /* a 2^shift times the reciprocal, high word: a 2^27 / w */
-    return (struct texture_point){mulhi(shift_left(row->u, shift), reciprocal),
-                                  mulhi(shift_left(row->v, shift), reciprocal)};
-}
-
-/* A parabola in steps: value, first difference, second difference; all modulo 2^32. */
-struct parabola {
-    uint32_t at, step, bend;
 };
 
-/* The way of u or v along m pixels; part: how 1/w changes along them, as divide() says. */
-static inline __attribute__((always_inline)) struct parabola parabola(int32_t from, int32_t to, int32_t part,
-                                                                      uint32_t m)
+/* The exact quotients at a point, from u/w and v/w as setup_texture() has them: below 8 of their range. */
+static inline struct over_w divide(const struct ph_triangle *t, uint32_t x, uint32_t y, int32_t *u, int32_t *v)
 {
-    /* 2^31 / m; m = 0 is a single pixel, which takes no step */
-    static const int32_t inverse[BLOCK] = {0,         INT32_MAX, 1073741824, 715827882, 536870912, 429496729, 357913941,
-                                           306783378, 268435456, 238609294,  214748364, 195225786, 178956970, 165191049,
-                                           153391689, 143165576, 134217728,  126322567, 119304647, 113025455, 107374182,
-                                           102261126, 97612893,  93368854,   89478485,  85899345,  82595524,  79536431,
-                                           76695844,  74051160,  71582788,   69273666};
-    const int32_t way = (int32_t)((uint32_t)to - (uint32_t)from);
-    const int32_t bow = (int32_t)(0u - (uint32_t)(way >> 12) * (uint32_t)part) >> 4;
-    const int32_t straight = (int32_t)((uint32_t)way - (uint32_t)bow);
-    if (m == BLOCK) { /* from + straight i / m + bow (i / m)^2 */
-        return (struct parabola){(uint32_t)from, (uint32_t)((straight >> 5) + (bow >> 10)), (uint32_t)(bow >> 9)};
-    }
-    const int32_t bend = (bow >> 12) * (inverse[m] >> 16) >> 2; /* 2 bow / m */
-    const int32_t step = mulhi((int32_t)((uint32_t)straight + (uint32_t)(bend >> 1)), inverse[m]);
-    return (struct parabola){(uint32_t)from, (uint32_t)step * 2, 2 * (uint32_t)mulhi(bend, inverse[m])};
+    const uint32_t plane = ph_plane_at(over_w(t), x, y);
+    const uint32_t w = plane - 4 < ((uint32_t)1 << 30) - 4 ? plane : 4; /* 2^29 with head room */
+    struct over_w at;
+    at.reciprocal = (int32_t)(fx_rcp_norm(w, &at.shift) >> 1);
+    *u = mulhi((int32_t)(ph_plane_at(&t->attribute[0], x, y) << (at.shift - 2)), at.reciprocal);
+    *v = mulhi((int32_t)(ph_plane_at(&t->attribute[1], x, y) << (at.shift - 2)), at.reciprocal);
+    return at;
 }
 
-static uint32_t clamp_texel(int32_t texel, uint32_t mask)
+/* Part of a side that ends here, 1/w having changed by at most a quarter: q (1 + q / 2), q the change over 1/w. */
+static inline int32_t part_of(const struct over_w *end, uint32_t change)
 {
-    return texel < 0 ? 0 : (uint32_t)texel > mask ? mask : (uint32_t)texel;
+    const int32_t q = ((int32_t)(change << end->shift) >> 16) * (end->reciprocal >> 15) >> 14;
+    return q + (int32_t)((uint32_t)q * (uint32_t)q >> 17);
+}
+
+/* The right side of a tile, which ends at column x; ends: its upper and its lower corner. */
+static void divide_side(const struct ph_triangle *t, const struct tile *tile, uint32_t x, struct surface *s,
+                        struct over_w ends[2])
+{
+    const uint32_t height = 1u << tile->height_log2;
+    for (int i = 0; i < 2; i++) {
+        ends[i] = divide(t, x, i == 0 ? tile->y : tile->y + height, &s->u.right[i], &s->v.right[i]);
+    }
+    s->right = part_of(&ends[1], over_w(t)->gy * height);
+}
+
+/* The next tile: its left side is the right one of that before. */
+static void divide_tile(const struct ph_triangle *t, const struct tile *tile, struct surface *s)
+{
+    const uint32_t width = 1u << tile->width_log2, change = over_w(t)->gx * width;
+    struct over_w ends[2];
+    for (int i = 0; i < 2; i++) {
+        s->u.left[i] = s->u.right[i];
+        s->v.left[i] = s->v.right[i];
+    }
+    s->left = s->right;
+    divide_side(t, tile, tile->x + width, s, ends);
+    s->top = part_of(&ends[0], change);
+    s->bottom = part_of(&ends[1], change);
+}
+
+/* A change along a side in two terms: linear times s and square times s^2, s from 0 to 1. */
+struct curve {
+    uint32_t linear, square;
+};
+
+static inline struct curve curve_of(int32_t from, int32_t to, int32_t part)
+{
+    const uint32_t change = (uint32_t)to - (uint32_t)from;
+    const uint32_t square = (uint32_t)((int32_t)(0u - (uint32_t)((int32_t)change >> 10) * (uint32_t)part) >> 6);
+    return (struct curve){change - square, square};
+}
+
+/* v 2^by. */
+static inline uint32_t scaled(uint32_t v, int by)
+{
+    return by >= 0 ? v << by : (uint32_t)((int32_t)v >> -by);
+}
+
+/* The way of u or v over a tile, in 2^-(25 + up) of their range. */
+static void set_way(struct ph_texel_way *way, const struct corners *c, const struct surface *s, const struct tile *tile,
+                    int up)
+{
+    const int x = up - tile->width_log2, xx = x - tile->width_log2, y = tile->height_log2;
+    const struct curve top = curve_of(c->left[0], c->right[0], s->top);
+    const struct curve bottom = curve_of(c->left[1], c->right[1], s->bottom);
+    const struct curve left = curve_of(c->left[0], c->left[1], s->left);
+    const struct curve right = curve_of(c->right[0], c->right[1], s->right);
+    const uint32_t twist = right.square - left.square;
+    way->at = scaled((uint32_t)c->left[0], up);
+    way->at_dy = scaled(left.linear, up - y) + scaled(left.square, up - 2 * y);
+    way->at_ddy = scaled(left.square, up - 2 * y + 1);
+    way->step = scaled(top.linear, x);
+    way->step_dy = scaled(bottom.linear - top.linear - twist, x - y) + scaled(twist, x - 2 * y);
+    way->step_ddy = scaled(twist, x - 2 * y + 1);
+    way->bend = scaled(top.square, xx);
+    way->bend_dy = scaled(bottom.square - top.square, xx - y);
+}
+
+static int32_t clamp_texel(int32_t texel, uint32_t mask)
+{
+    return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
 }
 
 /* c * light / 32 for all three channels at once. */
@@ -107,249 +172,407 @@ static uint16_t shade(uint16_t wire, uint32_t light)
 }
 
 /* The texel at u, v, clamped or repeated, lit or as it is. */
-static inline __attribute__((always_inline)) uint16_t sample(const struct sampler *s, uint32_t u, uint32_t v,
-                                                             bool clamp, bool lit)
+static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
 {
-    const int32_t tu = (int32_t)u >> s->u_down, tv = (int32_t)v >> s->v_down;
-    const uint32_t column = clamp ? clamp_texel(tu, s->u_mask) : (uint32_t)tu & s->u_mask;
-    const uint32_t line = clamp ? clamp_texel(tv, s->v_mask) : (uint32_t)tv & s->v_mask;
-    const uint16_t texel = s->texels[line << s->log2_width | column];
-    return lit ? shade(texel, s->light) : texel;
+    int32_t column = (int32_t)u >> k->u_down, line = (int32_t)v >> k->v_down;
+    if (k->clamp) {
+        column = clamp_texel(column, k->u_mask);
+        line = clamp_texel(line, k->v_mask);
+    }
+    const uint16_t texel = k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];
+    return k->light < 32 ? shade(texel, k->light) : texel;
 }
 
-static inline __attribute__((always_inline)) void go_on(struct parabola *p)
+/* What ph_rows_texture does not draw: n pixels from column i of the tile on, in one piece of the depth. */
+static inline __attribute__((always_inline)) void draw_run(const struct tile_kind *k, const struct ph_texel_rows *r,
+                                                           uint32_t i, uint32_t n, struct ph_piece piece, bool wide)
 {
-    p->at += p->step;
-    p->step += p->bend;
-}
-
-static inline __attribute__((always_inline)) void draw_block(const struct sampler *s, uint16_t *pixels, uint16_t *depth,
-                                                             uint32_t n, uint32_t d, uint32_t gd, struct parabola u,
-                                                             struct parabola v, bool clamp, bool lit)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        if (d >> 16 > depth[i]) {
-            depth[i] = (uint16_t)(d >> 16);
-            pixels[i] = sample(s, u.at, v.at, clamp, lit);
+    const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
+    uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
+    uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
+    uint16_t *pixel = r->pixels + i;
+    void *depth = ph_depth_from(r->depth, i, wide);
+    for (; n > 0; n--) {
+        const uint32_t d =
+            k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&k->triangle->linear, piece.d) : piece.d;
+        if (wide ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
+            *pixel = sample(k, u, v);
         }
-        d += gd;
-        go_on(&u);
-        go_on(&v);
-    }
-}
-
-static void draw_plain(const struct sampler *s, uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
-                       struct parabola u, struct parabola v, bool clamp)
-{
-    if (clamp) {
-        draw_block(s, pixels, depth, n, d, gd, u, v, true, false);
-    } else {
-        draw_block(s, pixels, depth, n, d, gd, u, v, false, false);
-    }
-}
-
-static void draw_lit(const struct sampler *s, uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
-                     struct parabola u, struct parabola v, bool clamp)
-{
-    if (clamp) {
-        draw_block(s, pixels, depth, n, d, gd, u, v, true, true);
-    } else {
-        draw_block(s, pixels, depth, n, d, gd, u, v, false, true);
-    }
-}
-
-/* The 24-bit formats. */
-static void draw_wide(const struct sampler *s, uint16_t *pixels, uint32_t *depth, uint32_t n, struct ph_piece piece,
-                      struct parabola u, struct parabola v, bool clamp)
-{
-    for (uint32_t i = 0; i < n; i++) {
-        if (ph_nearer24(&depth[i], piece.d)) {
-            pixels[i] = sample(s, u.at, v.at, clamp, s->light < 32);
-        }
+        depth = ph_depth_from(depth, 1, wide);
+        pixel++;
         piece.d += piece.gd;
-        go_on(&u);
-        go_on(&v);
+        u += du;
+        du += ddu;
+        v += dv;
+        dv += ddv;
     }
 }
 
-/* linear-w: over_w is 1/w at the first pixel and per pixel. */
-static void draw_linear(const struct sampler *s, uint16_t *pixels, uint16_t *depth, uint32_t n, struct ph_piece over_w,
-                        const struct ph_linear *linear, struct parabola u, struct parabola v, bool clamp)
+static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
+                       struct ph_piece piece)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const uint32_t code = ph_depth_linear(linear, over_w.d) >> 16;
-        if (code > depth[i]) {
-            depth[i] = (uint16_t)code;
-            pixels[i] = sample(s, u.at, v.at, clamp, s->light < 32);
-        }
-        over_w.d += over_w.gd;
-        go_on(&u);
-        go_on(&v);
-    }
-}
-
-/* Whether 1/w changes by more than 3/16 along a block: a parabola does not follow u and v closely then. */
-static inline bool is_steep(uint32_t w, uint32_t change)
-{
-    const uint32_t size = (int32_t)change < 0 ? 0u - change : change;
-    return size > (w >> 3) + (w >> 4);
-}
-
-/* n pixels of a block that ph_span_texture does not draw. */
-static void draw_piece(const struct ph_triangle *t, const struct sampler *s, struct ph_texel_run *run, uint32_t n,
-                       struct parabola u, struct parabola v)
-{
-    const struct ph_piece piece = {run->d, run->gd};
-    if (s->wide) {
-        draw_wide(s, run->pixels, (uint32_t *)(void *)run->depth, n, piece, u, v, s->clamp);
-    } else if (t->block == PH_BLOCK_LINEAR) {
-        draw_linear(s, run->pixels, run->depth, n, piece, &t->linear, u, v, s->clamp);
-    } else if (s->light < 32) {
-        draw_lit(s, run->pixels, run->depth, n, piece.d, piece.gd, u, v, s->clamp);
+    if (k->wide) {
+        draw_run(k, r, i, n, piece, true);
     } else {
-        draw_plain(s, run->pixels, run->depth, n, piece.d, piece.gd, u, v, s->clamp);
+        draw_run(k, r, i, n, piece, false);
     }
-    run->d += run->gd * n;
-    run->pixels += n;
-    run->depth = ph_depth_from(run->depth, n, s->wide);
 }
 
-/* Whether all of a block lies in one repeat of the texture, or of a clamped one in the only one; its columns from 0. */
-static inline bool is_within(const struct sampler *s, const struct texture_point *from, const struct texture_point *to,
-                             uint32_t *column)
+/* The columns between two edges that are in the tile. */
+static bool row_columns(uint32_t left_edge, uint32_t right_edge, uint32_t columns, uint32_t *from, uint32_t *n)
 {
-    const uint32_t margin = 256, width = (s->u_mask + 1) << 16, height = (s->v_mask + 1) << 16;
-    const uint32_t u = (uint32_t)(from->u >> (s->u_down - 16)), u_to = (uint32_t)(to->u >> (s->u_down - 16));
-    const uint32_t repeat = u & (0u - width);
-    *column = u - repeat;
-    if (*column - margin >= width - 2 * margin || u_to - repeat - margin >= width - 2 * margin) {
-        return false;
+    const int32_t left = (int32_t)left_edge >> 16, right = (int32_t)right_edge >> 16;
+    const int32_t first = left > 0 ? left : 0, end = right < (int32_t)columns ? right : (int32_t)columns;
+    *from = (uint32_t)first;
+    *n = (uint32_t)(end - first);
+    return first < end;
+}
+
+/* To the next row. */
+static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
+{
+    r->left += r->left_dx;
+    r->right += r->right_dx;
+    r->d += r->d_dy;
+    ph_texel_way_down(&r->u);
+    ph_texel_way_down(&r->v);
+    r->depth += k->wide ? r->stride_bytes : r->stride_bytes / 2;
+    r->pixels += r->stride_bytes / 2;
+    r->rows--;
+}
+
+/* Rows whose depth may be of several pieces each; r->d, r->gd in units of the triangle's plane, as in the next two. */
+static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows *r)
+{
+    for (; r->rows > 0; row_down(k, r)) {
+        uint32_t i, left, n;
+        if (!row_columns(r->left, r->right, r->columns, &i, &left)) {
+            continue;
+        }
+        r->count += left;
+        for (; left > 0; i += n, left -= n) {
+            n = left;
+            const struct ph_piece piece = ph_depth_piece(k->triangle, r->d + i * r->gd, &n);
+            draw_other(k, r, i, n, piece);
+        }
     }
-    const uint32_t v = (uint32_t)(from->v >> (s->v_down - 16)), v_to = (uint32_t)(to->v >> (s->v_down - 16));
-    return !s->clamp || (repeat == 0 && v - margin < height - 2 * margin && v_to - margin < height - 2 * margin);
 }
 
-/* Texel run of a block. */
-static inline void set_run(struct ph_texel_run *run, const struct sampler *s, struct parabola u, struct parabola v,
-                           uint32_t column)
+/* Rows with depth in codes. */
+static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
 {
-    const int u_down = s->u_down - 16, v_down = s->v_down - 16;
-    run->u = column;
-    run->du = (uint32_t)((int32_t)u.step >> u_down);
-    run->ddu = (uint32_t)((int32_t)u.bend >> u_down);
-    run->v = (uint32_t)((int32_t)v.at >> v_down) << s->log2_width;
-    run->dv = (uint32_t)((int32_t)v.step >> v_down) << s->log2_width;
-    run->ddv = (uint32_t)((int32_t)v.bend >> v_down) << s->log2_width;
+    for (;;) {
+        uint32_t i, n;
+        ph_rows_texture(r);
+        if (r->rows == 0) {
+            return;
+        }
+        if (row_columns(r->left, r->right, r->columns, &i, &n)) {
+            draw_other(k, r, i, n, (struct ph_piece){r->d + i * r->gd, r->gd});
+            r->count += n;
+        }
+        row_down(k, r);
+        if (r->rows == 0) {
+            return;
+        }
+    }
 }
 
-/* Steps of the planes for a block; that of 1/w alone is the last. */
-struct texture_step {
-    uint32_t u, v, w;
+/* Depth of a tile that crosses octaves; codes and border are those of its first row, stepped down, in every band. */
+struct tile_depth {
+    uint32_t d, d_dy;            /* of its first row, in units of the triangle's plane */
+    struct ph_octave octaves[2]; /* the far and the near one, or twice the only one */
 };
 
-static inline void advance(struct texture_row *row, const struct texture_step *per_pixel, uint32_t pixels)
+/* Rows in one octave; the first of them is row `row` of the tile. */
+static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
+                                bool near, uint32_t row)
 {
-    row->u = (int32_t)((uint32_t)row->u + per_pixel->u * pixels);
-    row->v = (int32_t)((uint32_t)row->v + per_pixel->v * pixels);
-    row->w += per_pixel->w * pixels;
+    const struct ph_octave *const octave = &depth->octaves[near];
+    const uint32_t d = r->d, gd = r->gd, rows = r->rows;
+    r->d_dy = ph_depth_float16_slope(depth->d_dy, octave->octave);
+    r->d = ph_depth_float16_value(octave->bottom, octave->octave) + octave->offset +
+           ph_depth_float16_slope(depth->d - octave->bottom, octave->octave) + row * r->d_dy;
+    r->gd = octave->slope;
+    draw_plain_rows(k, r);
+    r->d = d + rows * depth->d_dy;
+    r->gd = gd;
+    r->d_dy = depth->d_dy;
 }
 
-/* Pixels of the next block, of n that are left. */
-static inline uint32_t block_pixels(uint32_t n, uint32_t w, uint32_t gw)
+/* How many of the next rows begin on the same side of the octaves' border as the first, and end on the same; one
+ * without pixels is on the far one. */
+static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool near[2])
 {
-    uint32_t k = n < BLOCK ? n : BLOCK;
-    while (k > 1 && is_steep(w, gw * k)) {
-        k >>= 1;
-    }
-    return k;
-}
-
-/* A span of n pixels from run->pixels, run->depth on; d: depth there, in units of the plane. */
-static void textured_span(const struct ph_triangle *t, const struct sampler *s, struct ph_texel_run *run, uint32_t n,
-                          uint32_t d, struct texture_row row)
-{
-    const struct texture_step step = {t->attribute[0].gx, t->attribute[1].gx, over_w(t)->gx};
-    int32_t part;
-    struct texture_point from = divide(&row, 0, &part);
-    uint32_t left = 0; /* pixels left of the piece */
-    while (n > 0) {
-        if (left == 0) {
-            left = n;
-            const struct ph_piece piece = ph_depth_piece(t, d, &left);
-            run->d = piece.d;
-            run->gd = piece.gd;
+    uint32_t left = r->left, right = r->right, d = r->d, n = 0;
+    for (; n < r->rows; n++) {
+        uint32_t i, pixels;
+        const bool any = row_columns(left, right, r->columns, &i, &pixels);
+        const bool first = any && d + i * r->gd >= border, last = any && d + (i + pixels - 1) * r->gd >= border;
+        if (n > 0 && (first != near[0] || last != near[1])) {
+            break;
         }
-        uint32_t k = block_pixels(n, row.w, step.w);
-        k = k < left ? k : left;
-        const uint32_t m = k < n ? k : k - 1; /* never past the last pixel of the span */
-        advance(&row, &step, m);
-        const struct texture_point to = divide(&row, step.w * m, &part);
-        const struct parabola u = parabola(from.u, to.u, part, m), v = parabola(from.v, to.v, part, m);
-        uint32_t column;
-        if (s->plain && is_within(s, &from, &to, &column)) {
-            set_run(run, s, u, v, column);
-            ph_span_texture(run, k);
-        } else {
-            draw_piece(t, s, run, k, u, v);
+        near[0] = first;
+        near[1] = last;
+        left += r->left_dx;
+        right += r->right_dx;
+        d += r->d_dy;
+    }
+    return n;
+}
+
+/* The line where d is that of the octaves' border, as an edge of the tile, at row `row`. */
+static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, uint32_t row)
+{
+    int shift;
+    const int32_t reciprocal = (int32_t)(fx_rcp_norm(size_of(gd), &shift) >> 1); /* 2^(61 - shift) / |gd| */
+    const uint32_t sign = (int32_t)gd < 0 ? UINT32_MAX : 1, way = depth->octaves[1].bottom - depth->d;
+    const int64_t x = fx_mul_wide((int32_t)(way * sign), reciprocal) >> (45 - shift);
+    const uint32_t dx = (uint32_t)(fx_mul_wide((int32_t)((0u - depth->d_dy) * sign), reciprocal) >> (45 - shift));
+    return (struct ph_edge){(int32_t)((uint32_t)x + 65535u + row * dx), (int32_t)dx};
+}
+
+/* Rows with a near and a far octave in them, from row `row` of the tile on. */
+static void draw_rows_in_two(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
+                             uint32_t row)
+{
+    const uint32_t way = depth->octaves[1].bottom - depth->d;
+    uint32_t n;
+    for (uint32_t rows = r->rows; rows > 0; rows -= n, row += n) {
+        bool near[2] = {false, false};
+        r->rows = rows;
+        r->rows = n = rows_alike(r, depth->octaves[1].bottom, near);
+        if (near[0] == near[1] || size_of(r->gd) <= size_of(way) >> 29) { /* so flat that the border is a row */
+            draw_rows_in_octave(k, r, depth, near[0], row);
+            continue;
         }
-        from = to;
-        d += t->depth.gx * k;
-        left -= k;
-        n -= k;
+        const struct ph_edge border = border_edge(depth, r->gd, row);
+        const uint32_t left = r->left, left_dx = r->left_dx;
+        struct ph_texel_rows part = *r;
+        part.right = (uint32_t)border.x;
+        part.right_dx = (uint32_t)border.dx;
+        draw_rows_in_octave(k, &part, depth, near[0], row);
+        r->left = (uint32_t)border.x;
+        r->left_dx = (uint32_t)border.dx;
+        r->count = part.count;
+        draw_rows_in_octave(k, r, depth, near[1], row);
+        r->left = left + n * left_dx;
+        r->left_dx = left_dx;
+    }
+    r->rows = 0;
+}
+
+static inline bool are_inside(const struct corners *c, uint32_t margin, uint32_t span)
+{
+    return (uint32_t)c->left[0] - margin < span && (uint32_t)c->left[1] - margin < span &&
+           (uint32_t)c->right[0] - margin < span && (uint32_t)c->right[1] - margin < span;
+}
+
+/* Whether all of a tile lies in the texture's only repeat, with a margin. */
+static bool is_inside(const struct ph_triangle *t, const struct surface *s)
+{
+    const uint32_t margin = 1 << 15, span = ((uint32_t)1 << (25 - t->range_log2)) - 2 * margin;
+    return are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
+}
+
+/* Texture of a tile, and how it is to be drawn. */
+static void set_texels(struct tile_kind *k, const struct tile *tile, const struct surface *s, struct ph_texel_rows *r)
+{
+    const struct ph_triangle *const t = k->triangle;
+    const struct ph_texture *const texture = t->material->texture;
+    const int width = texture->log2_width, height = texture->log2_height, range = t->range_log2;
+    k->texels = r->texels = texture->texels;
+    k->u_mask = r->u_mask = (1u << width) - 1;
+    k->v_mask = (1u << height) - 1;
+    k->log2_width = texture->log2_width;
+    k->clamp = texture->wrap == PH_WRAP_CLAMP && !is_inside(t, s);
+    k->plain = !k->wide && t->block != PH_BLOCK_LINEAR && t->colour >= 32 && width + height <= 16 &&
+               (!k->clamp || (range + width <= 8 && range + width + height <= 14));
+    k->u_down = k->plain ? 22 : 29 - range - width;
+    k->v_down = k->plain ? 16 + width : 29 - range - height;
+    r->v_mask = k->v_mask << width;
+    r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
+    r->v_outside = k->clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    set_way(&r->u, &s->u, s, tile, k->u_down + range + width - 25);
+    set_way(&r->v, &s->v, s, tile, k->v_down + range + height - 25);
+}
+
+/* False if it is of more than two octaves. */
+static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, struct tile_depth *depth)
+{
+    const uint32_t right = ((1u << tile->width_log2) - 1) * t->depth.gx;
+    const uint32_t below = ((1u << tile->height_log2) - 1) * t->depth.gy;
+    const uint32_t d = ph_plane_at(&t->depth, tile->x, tile->y);
+    const uint32_t least = d + ((int32_t)right < 0 ? right : 0) + ((int32_t)below < 0 ? below : 0);
+    const uint32_t most = d + ((int32_t)right < 0 ? 0 : right) + ((int32_t)below < 0 ? 0 : below);
+    struct ph_octave *const octaves = depth->octaves;
+    depth->d = d;
+    depth->d_dy = t->depth.gy;
+    ph_octave_of(&octaves[0], t, least, t->depth.gx);
+    ph_octave_of(&octaves[1], t, most, t->depth.gx);
+    return octaves[0].size > 0 && octaves[1].size > 0 && least <= most && octaves[0].octave - octaves[1].octave < 2;
+}
+
+/* The upper or lower half of the rows in the band; r stands at their first one. */
+static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int half, const struct tile *tile,
+                      struct ph_texel_rows *r)
+{
+    const struct ph_triangle *const t = k->triangle;
+    int32_t from, to;
+    struct ph_edge left, right;
+    struct tile_depth depth;
+    if (!ph_half_rows(t, rows, half, &from, &to, &left, &right)) {
+        return;
+    }
+    const uint32_t row = (uint32_t)from - tile->y;
+    r->left = (uint32_t)left.x - (tile->x << 16);
+    r->left_dx = (uint32_t)left.dx;
+    r->right = (uint32_t)right.x - (tile->x << 16);
+    r->right_dx = (uint32_t)right.dx;
+    r->rows = (uint32_t)(to - from);
+    if (k->plain && t->block == PH_BLOCK_NONE) {
+        draw_plain_rows(k, r);
+    } else if (!k->plain || !tile_depth(t, tile, &depth)) {
+        draw_rows_in_pieces(k, r);
+    } else if (depth.octaves[0].octave == depth.octaves[1].octave) {
+        draw_rows_in_octave(k, r, &depth, false, row);
+    } else {
+        draw_rows_in_two(k, r, &depth, row);
     }
 }
 
-static struct sampler sampler_of(const struct ph_triangle *t, bool wide)
+/* The rows of a tile that are in the band. */
+static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *band, const struct tile *tile,
+                          const struct surface *s)
 {
-    const struct ph_texture *texture = t->material->texture;
-    const int down = 27 - t->range_log2, u_down = down - texture->log2_width, v_down = down - texture->log2_height;
-    const bool fits = u_down >= 16 && v_down >= 16 && texture->log2_width + texture->log2_height <= 16;
-    return (struct sampler){texture->texels,
-                            u_down,
-                            v_down,
-                            ((uint32_t)1 << texture->log2_width) - 1,
-                            ((uint32_t)1 << texture->log2_height) - 1,
-                            texture->log2_width,
-                            t->colour,
-                            texture->wrap == PH_WRAP_CLAMP,
-                            wide,
-                            fits && !wide && t->block != PH_BLOCK_LINEAR && t->colour >= 32};
+    const int32_t y = (int32_t)tile->y, y1 = y + (1 << tile->height_log2);
+    const struct ph_band rows = {NULL, NULL, false, y > band->y0 ? y : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
+    const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
+    const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
+    struct tile_kind k = {.triangle = t, .light = t->colour, .wide = band->wide};
+    struct ph_texel_rows r;
+    r.depth = ph_depth_from(band->depth, at, band->wide);
+    r.pixels = band->pixels + at;
+    r.stride_bytes = 2 * width;
+    r.columns = left < columns ? left : columns;
+    r.count = 0;
+    r.d = ph_plane_at(&t->depth, tile->x, (uint32_t)rows.y0);
+    r.gd = t->depth.gx;
+    r.d_dy = t->depth.gy;
+    set_texels(&k, tile, s, &r);
+    for (int32_t skipped = y; skipped < rows.y0; skipped++) {
+        ph_texel_way_down(&r.u);
+        ph_texel_way_down(&r.v);
+    }
+    draw_half(&k, &rows, 0, tile, &r);
+    draw_half(&k, &rows, 1, tile, &r);
+    return r.count;
 }
 
-static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *band, const struct sampler *s, int32_t y,
-                          int32_t y_end, struct ph_edge left, struct ph_edge right)
+/* Whether slopes are small enough for a side of 2^log2: 1/w changes by 3/16 at most, u and v by 2 of their range. */
+static bool is_gentle(uint32_t gu, uint32_t gv, uint32_t gw, uint32_t least_w, int log2)
 {
-    struct ph_texel_run run = {.texels = s->texels, .row_mask = s->v_mask << s->log2_width};
+    return least_w < (uint32_t)1 << 30 && size_of(gw) <= ((least_w >> 3) + (least_w >> 4)) >> log2 &&
+           (size_of(gu) | size_of(gv)) <= (least_w >> 1) >> log2;
+}
+
+/* The widest tile at x, y that is gentle. */
+static int tile_width(const struct ph_triangle *t, const struct tile *tile, uint32_t columns)
+{
+    const struct ph_plane *const w = over_w(t);
+    uint32_t least = ph_plane_at(w, tile->x, tile->y);
+    const uint32_t below = w->gy << tile->height_log2;
+    least += (int32_t)below < 0 ? below : 0;
+    int log2 = WIDTH_LOG2;
+    while (log2 > 0 && 1u << (log2 - 1) >= columns) {
+        log2--;
+    }
+    for (; log2 > 0; log2--) {
+        const uint32_t right = w->gx << log2, corner = (int32_t)right < 0 ? least + right : least;
+        if (is_gentle(t->attribute[0].gx, t->attribute[1].gx, w->gx, corner, log2)) {
+            break;
+        }
+    }
+    return log2;
+}
+
+/* Columns and least 1/w of the rows that begin at strip->y. */
+static void measure_strip(const struct ph_triangle *t, int32_t width, struct strip *strip)
+{
+    const struct ph_band rows = {NULL, NULL, false, (int32_t)strip->y, (int32_t)strip->y_end, 0};
+    strip->x = width;
+    strip->x_end = 0;
+    strip->least_w = UINT32_MAX;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (!ph_half_rows(t, &rows, half, &y, &y_end, &left, &right)) {
+            continue;
+        }
+        for (int end = 0; end < 2; end++) {
+            const int32_t from = left.x < 0 ? 0 : left.x >> 16;
+            const int32_t right_column = right.x >> 16, to = right_column > width ? width : right_column;
+            strip->x = from < strip->x ? from : strip->x;
+            strip->x_end = to > strip->x_end ? to : strip->x_end;
+            if (from < to) {
+                const uint32_t w0 = ph_plane_at(over_w(t), (uint32_t)from, (uint32_t)y);
+                const uint32_t w1 = ph_plane_at(over_w(t), (uint32_t)to - 1, (uint32_t)y);
+                strip->least_w = w0 < strip->least_w ? w0 : strip->least_w;
+                strip->least_w = w1 < strip->least_w ? w1 : strip->least_w;
+            }
+            const int32_t more = y_end - 1 - y;
+            left.x = (int32_t)((uint32_t)left.x + (uint32_t)more * (uint32_t)left.dx);
+            right.x = (int32_t)((uint32_t)right.x + (uint32_t)more * (uint32_t)right.dx);
+            y = y_end - 1;
+        }
+    }
+}
+
+/* The highest strip from row y on that is gentle. */
+static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y, struct strip *strip)
+{
+    const uint32_t rows = (uint32_t)t->y_bottom - y;
+    strip->y = y;
+    strip->height_log2 = HEIGHT_LOG2;
+    while (strip->height_log2 > 0 && 1u << (strip->height_log2 - 1) >= rows) {
+        strip->height_log2--;
+    }
+    for (;; strip->height_log2--) {
+        const uint32_t height = 1u << strip->height_log2;
+        strip->y_end = y + (height < rows ? height : rows);
+        measure_strip(t, width, strip);
+        if (strip->height_log2 == 0 || strip->x >= strip->x_end ||
+            is_gentle(t->attribute[0].gy, t->attribute[1].gy, over_w(t)->gy, strip->least_w, strip->height_log2)) {
+            return;
+        }
+    }
+}
+
+static uint32_t draw_strip(const struct ph_triangle *t, const struct ph_band *band, const struct strip *strip)
+{
+    struct surface surface;
+    struct over_w ends[2];
+    struct tile tile = {(uint32_t)strip->x, strip->y, 0, strip->height_log2};
     uint32_t count = 0;
-    for (; y < y_end; y++) {
-        const int32_t from = left.x < 0 ? 0 : left.x >> 16;
-        const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
-        if (from < to) {
-            const uint32_t x = (uint32_t)from, at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
-            const struct texture_row row = {(int32_t)ph_plane_at(&t->attribute[0], x, (uint32_t)y),
-                                            (int32_t)ph_plane_at(&t->attribute[1], x, (uint32_t)y),
-                                            ph_plane_at(over_w(t), x, (uint32_t)y)};
-            const uint32_t n = (uint32_t)(to - from);
-            run.pixels = band->pixels + at;
-            run.depth = ph_depth_from(band->depth, at, s->wide);
-            textured_span(t, s, &run, n, ph_plane_at(&t->depth, x, (uint32_t)y), row);
-            count += n;
-        }
-        left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
-        right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
+    if (strip->x < strip->x_end) {
+        divide_side(t, &tile, tile.x, &surface, ends);
+    }
+    for (; (int32_t)tile.x < strip->x_end; tile.x += 1u << tile.width_log2) {
+        tile.width_log2 = tile_width(t, &tile, (uint32_t)strip->x_end - tile.x);
+        divide_tile(t, &tile, &surface);
+        count += draw_tile(t, band, &tile, &surface);
     }
     return count;
 }
 
 uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const struct sampler s = sampler_of(t, band->wide);
     uint32_t count = 0;
-    for (int half = 0; half < 2; half++) {
-        int32_t y, y_end;
-        struct ph_edge left, right;
-        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
-            count += draw_rows(t, band, &s, y, y_end, left, right);
+    struct strip strip;
+    for (uint32_t y = (uint32_t)t->y_top; y < (uint32_t)t->y_bottom && y < (uint32_t)band->y1; y = strip.y_end) {
+        choose_strip(t, band->width, y, &strip);
+        if (strip.y_end > (uint32_t)band->y0) {
+            count += draw_strip(t, band, &strip);
         }
     }
     return count;

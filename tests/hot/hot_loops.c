@@ -4,6 +4,7 @@
  */
 #include "hot.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -146,22 +147,56 @@ static uint32_t try_float(uint32_t h)
     return ph_float_depths(&lens, v, below(1 << 20), d) ? hash(h, d, sizeof d) : word(h, 0);
 }
 
+static uint32_t spread(int log2)
+{
+    return below((uint32_t)2 << log2) - ((uint32_t)1 << log2);
+}
+
+/* Coefficients as a tile has them, or (wild) any at all. */
+static struct ph_texel_way way(int log2, bool wild)
+{
+    struct ph_texel_way w;
+    w.at = wild ? bits() : below((uint32_t)64 << log2);
+    w.step = wild ? bits() : spread(log2 - 1);
+    w.bend = wild ? bits() : spread(log2 - 6);
+    w.at_dy = wild ? bits() : spread(log2);
+    w.step_dy = wild ? bits() : spread(log2 - 5);
+    w.bend_dy = wild ? bits() : spread(log2 - 10);
+    w.at_ddy = wild ? bits() : spread(log2 - 4);
+    w.step_ddy = wild ? bits() : spread(log2 - 9);
+    return w;
+}
+
+static uint32_t hash_way(uint32_t h, const struct ph_texel_way *w)
+{
+    return hash(h, w, sizeof *w);
+}
+
 static uint32_t try_texture(uint32_t h)
 {
-    const uint32_t n = 1 + below(PH_TEXEL_RUN);
-    struct ph_texel_run run = {.row_mask = 63 * 64, .texels = texels};
-    run.d = bits();
-    run.gd = below(1 << 24);
-    run.u = (20 << 16) + below(20 << 16);
-    run.du = below(1 << 15) - (1 << 14);
-    run.ddu = below(1 << 8) - (1 << 7);
-    run.v = bits();
-    run.dv = bits() >> 4;
-    run.ddv = bits() >> 8;
-    run.depth = depth + below(64);
-    run.pixels = pixels + below(64);
-    ph_span_texture(&run, n);
-    return word(word(word(h, run.d), (uint32_t)(run.depth - depth)), (uint32_t)(run.pixels - pixels));
+    const bool wild = below(4) == 0, clamp = below(2) == 0;
+    struct ph_texel_rows r = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    r.left = below(30 << 16) - (10 << 16);
+    r.right = r.left + below(40 << 16) - (5 << 16);
+    r.left_dx = below(1 << 17) - (1 << 16);
+    r.right_dx = below(1 << 17) - (1 << 16);
+    r.d = bits();
+    r.d_dy = below(1 << 24);
+    r.depth = depth + below(16);
+    r.pixels = pixels + below(16);
+    r.stride_bytes = 2 * (64 + below(16));
+    r.gd = below(1 << 24);
+    r.columns = 1 + below(PH_TILE);
+    r.rows = 1 + below(16);
+    r.count = bits();
+    r.u_outside = clamp ? UINT32_MAX << 28 : 0;
+    r.v_outside = r.u_outside;
+    r.u = way(22, wild);
+    r.v = way(22, wild || below(2) == 0);
+    ph_rows_texture(&r);
+    h = word(word(word(word(h, r.left), r.right), r.d), r.rows);
+    h = word(word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels)), r.count);
+    return hash_way(hash_way(h, &r.u), &r.v);
 }
 
 static int32_t around(int32_t most)
@@ -263,7 +298,7 @@ int main(void)
                  {"rows_gouraud", try_rows},
                  {"setup_small", try_small},
                  {"float_depths", try_float},
-                 {"span_texture", try_texture},
+                 {"rows_texture", try_texture},
                  {"vertices", try_vertices},
                  {"visit", try_visit}};
     randomise(texels, TEXELS);
