@@ -15,7 +15,7 @@
 #define TEXTURE_TEXELS (1u << (2 * TEXTURE_LOG2))
 
 struct bench {
-    struct ph_mesh mesh;
+    struct ph_mesh mesh; /* first: tests/bench/icosphere_image.inc has one in flash */
     struct ph_material material;
     struct ph_texture texture;
     uint16_t ramp[PH_RAMP_SIZE];

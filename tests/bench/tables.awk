@@ -105,6 +105,7 @@ function rp2040_table(   s) {
         row("rp2040", "S" s, "frame_ms_1core", sprintf("%.3f", one[s] / 1e3), "", "", "")
         row("rp2040", "S" s, "frame_ms_2cores", sprintf("%.3f", two[s] / 1e3), "", "", "")
     }
+    print "S4 has an image of its own, which takes all of the RAM and has the mesh in flash; the emulator's flash is as fast as RAM."
 }
 
 function sizes_table(   n, i, list, name, tail) {
