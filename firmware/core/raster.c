@@ -191,6 +191,10 @@ static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uin
 {
     const uint32_t size = octave->size;
     uint32_t above = d - octave->bottom, count = 0;
+    if (FX_DIVIDES_32 && above < size && gd != 0) {
+        const uint32_t room = (int32_t)gd > 0 ? (size - 1 - above) / gd : above / (0u - gd);
+        return room < n ? room + 1 : n;
+    }
     do {
         above += gd;
         count++;
@@ -257,31 +261,74 @@ static void round_depth(struct ph_rows *r)
     r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd;
 }
 
-/* A narrow triangle that the band cuts, or that crosses octaves. */
-static NOINLINE uint32_t draw_narrow_parts(const struct ph_triangle *t, const struct ph_band *band)
+/* n rows further down, of either half. */
+static FX_APART void skip_rows(struct ph_rows *r, uint32_t n)
 {
-    const int32_t y0 = t->y_top > band->y0 ? t->y_top : band->y0, y1 = t->y_bottom < band->y1 ? t->y_bottom : band->y1;
-    const uint32_t start = (uint32_t)(y0 - band->y0) * (uint32_t)band->width, rows = (uint32_t)(y1 - y0);
-    const struct place at = {(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
+    const uint32_t upper_rows = r->upper_rows, left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->left = left;
+    r->right = right;
+    if (n < upper_rows) {
+        r->upper_rows = (uint16_t)(upper_rows - n);
+        return;
+    }
+    const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
+    if (r->lower_is_right) {
+        r->right = x;
+        r->right_dx = dx;
+    } else {
+        r->left = x;
+        r->left_dx = dx;
+    }
+    r->upper_rows = (uint16_t)(r->lower_rows - below);
+    r->lower_rows = 0;
+}
+
+/* What of a triangle's rows lies in the band, and where. */
+static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_rows *r)
+{
+    int32_t y = t->y_top - band->y0;
+    if (y < 0) {
+        skip_rows(r, 0u - (uint32_t)y);
+        y = 0;
+    }
+    const uint32_t rows = (uint32_t)(band->y1 - band->y0 - y), upper_rows = r->upper_rows;
+    if (upper_rows >= rows) {
+        r->upper_rows = (uint16_t)rows;
+        r->lower_rows = 0;
+    } else if (r->lower_rows > rows - upper_rows) {
+        r->lower_rows = (uint16_t)(rows - upper_rows);
+    }
+    const uint32_t start = (uint32_t)y * (uint32_t)band->width;
+    return (struct place){(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
+}
+
+/* A narrow triangle that the band cuts. */
+static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
+{
     struct ph_rows r = t->rows;
-    if (t->block != PH_BLOCK_NONE) {
-        round_depth(&r);
-    }
-    const uint32_t skip = (uint32_t)(y0 - t->y_top), above = skip < r.upper_rows ? skip : r.upper_rows;
-    step_rows(&r, above);
-    if (skip > above) {
-        step_rows(&r, skip - above);
-    }
-    r.upper_rows = (uint16_t)(r.upper_rows < rows ? r.upper_rows : rows);
-    r.lower_rows = (uint16_t)(r.lower_rows < rows - r.upper_rows ? r.lower_rows : rows - r.upper_rows);
-    return t->block == PH_BLOCK_NONE ? draw_at(&r, &at) : draw_rows_split(t, &r, at);
+    const struct place at = cut_rows(t, band, &r);
+    return draw_at(&r, &at);
+}
+
+/* A narrow triangle that crosses octaves. */
+static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_rows r = t->rows;
+    round_depth(&r);
+    const struct place at = cut_rows(t, band, &r);
+    return draw_rows_split(t, &r, at);
 }
 
 /* A narrow triangle, which no border but those of the band cuts. */
 static inline uint32_t draw_narrow(const struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->y_top < band->y0 || t->y_bottom > band->y1 || t->block != PH_BLOCK_NONE) {
-        return draw_narrow_parts(t, band);
+    if (t->block != PH_BLOCK_NONE) {
+        return draw_split(t, band);
+    }
+    if (t->y_top < band->y0 || t->y_bottom > band->y1) {
+        return draw_cut(t, band);
     }
     const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
     return ph_rows_gouraud(&t->rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
@@ -315,22 +362,33 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->wide ? 2 * area : area);
 }
 
+/* Leaves a triangle, of which y_bottom is below y1, as it is from row y1 on. One that is split hangs on its first row.
+ */
+static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
+{
+    if (t->kind == PH_KIND_NARROW && t->block == PH_BLOCK_NONE) {
+        skip_rows(&t->rows, (uint32_t)(y1 - t->y_top));
+        t->y_top = (int16_t)y1;
+    }
+}
+
 /* Merges, draws and sorts out in one pass. */
 static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
 {
     struct ph_triangle *triangles = ph_triangles(r);
     uint32_t begun = r->carried, *carry = &r->carried;
     clear(rows, r->background);
-    *carry = PH_NONE;
     while (begun != PH_NONE || fresh != PH_NONE) {
         const uint32_t i = take_first(triangles, &begun, &fresh);
-        r->stats.fragments += draw(&triangles[i], rows);
-        if (triangles[i].y_bottom > rows->y1) { /* goes on in the next band */
+        struct ph_triangle *const t = &triangles[i];
+        r->stats.fragments += draw(t, rows);
+        if (t->y_bottom > rows->y1) { /* goes on in the next band */
+            step_below(t, rows->y1);
             *carry = i;
-            carry = &triangles[i].next;
-            *carry = PH_NONE;
+            carry = &t->next;
         }
     }
+    *carry = PH_NONE;
 }
 
 /* What a core draws: some rows of a list that nobody changes meanwhile. */
@@ -378,6 +436,7 @@ static uint32_t keep_below(struct ph_triangle *triangles, uint32_t list, int32_t
     uint32_t first = PH_NONE, *link = &first;
     for (uint32_t i = list; i != PH_NONE; i = triangles[i].next) {
         if (triangles[i].y_bottom > y1) {
+            step_below(&triangles[i], y1);
             *link = i;
             link = &triangles[i].next;
         }

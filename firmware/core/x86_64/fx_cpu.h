@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #define FX_DIVIDES_64 1                                     /* whether a 64-bit division is one instruction */
+#define FX_DIVIDES_32 1                                     /* whether a 32-bit one is */
 #define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
 
 static inline int fx_clz32(uint32_t v)
