@@ -2,6 +2,7 @@
 # For shell tests: `. tests/tap.sh`, then one `check` or `skip` per test and `tap_end`. Output is TAP; tests/run.sh counts it.
 #   check "a name as a sentence" command [argument...]    passes when the command does; its output is shown when not
 #   skip  "a name as a sentence" "reason"
+#   make_image argument...                                make of an image in $B, one at a time: tests run side by side
 tap_count=0
 tap_failed=0
 
@@ -27,4 +28,8 @@ tap_end() {
     echo "1..$tap_count"
     [ "$tap_failed" = 0 ]
     exit
+}
+
+make_image() {
+    mkdir -p "$B" && flock "$B/images.lock" make -s -j2 B="$B" "$@"
 }

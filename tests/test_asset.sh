@@ -142,13 +142,13 @@ reports_every_board() {
 
 an_image_draws_it() { # in QEMU, as the compiled file on the simulated board
     local name=lm3s6965evb
-    make -s -j2 B="$B" firmware BOARD="$name" SCENE="$scene" && timeout 60 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
+    make_image firmware BOARD="$name" SCENE="$scene" && timeout 60 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
     compile "$B/firmware/$name-scene.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
         [ "$(wc -l <"$dir/emulated.crc")" = 2 ]
 }
 
 an_image_too_large_is_not_made() {
-    ! make -s -j2 B="$B" firmware BOARD=lm3s6965evb SCENE="$dir/sphere.obj" SCENE_TRIANGLES=all >"$dir/out" 2>"$dir/err" && grep -q 'SCENE_TRIANGLES=fit' "$dir/err" &&
+    ! make_image firmware BOARD=lm3s6965evb SCENE="$dir/sphere.obj" SCENE_TRIANGLES=all >"$dir/out" 2>"$dir/err" && grep -q 'SCENE_TRIANGLES=fit' "$dir/err" &&
         [ ! -e "$B/firmware/lm3s6965evb-sphere.elf" ]
 }
 

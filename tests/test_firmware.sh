@@ -12,7 +12,7 @@ trap 'rm -rf "$dir"' EXIT
 board=feather-stm32f405
 image=$B/firmware/$board-demos
 
-firmware() { make -s -j2 B="$B" firmware "$@"; }
+firmware() { make_image firmware "$@"; }
 
 near() { # number, number, most
     awk -v a="$1" -v b="$2" -v most="$3" 'BEGIN { d = a - b; if (d < 0) { d = -d } if (d >= most) { print a " and " b; exit 1 } }'

@@ -14,7 +14,7 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 each=4 # frames a demo
 
-firmware() { make -s -j2 B="$B" firmware BOARD="$board" "$@"; }
+firmware() { make_image firmware BOARD="$board" "$@"; }
 emulate() { # app, pinhole-emulate's arguments...
     timeout 100 "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "${@:2}" "$B/firmware/$board-$1.elf" "$dir/out" "$frames"
 }
@@ -57,7 +57,7 @@ pictures_are_written() {
 }
 
 make_emulate_writes_pictures() {
-    make -s B="$B" emulate BOARD="$board" FRAMES=3 >"$dir/said" && grep -q '^frame 2 crc32' "$dir/said" && [ -s "$B/emulate/$board/frame-0002.ppm" ]
+    make_image emulate BOARD="$board" FRAMES=3 >"$dir/said" && grep -q '^frame 2 crc32' "$dir/said" && [ -s "$B/emulate/$board/frame-0002.ppm" ]
 }
 
 stack_stays_below_its_bound() { # the most that was used, measured; the deepest path, computed

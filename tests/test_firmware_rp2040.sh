@@ -85,7 +85,7 @@ uf2_is_the_same_image() {
 
 per_pixel_from_ram() { # flash is slow, see rp2040.ld; the emulator does not show it
     local symbol
-    for symbol in ph_draw_band ph_draw_textured ph_fill ph_rows_gouraud ph_span_flat ph_span_gouraud ph_rows_texture __aeabi_uidiv 'sign_of[.a-z0-9]*' 'go_on[.a-z0-9]*' rp2040_spi_interrupt; do
+    for symbol in ph_draw_band draw_plain_rows draw_other ph_fill ph_rows_gouraud ph_span_flat ph_span_gouraud ph_rows_texture __aeabi_uidiv 'sign_of[.a-z0-9]*' 'go_on[.a-z0-9]*' rp2040_spi_interrupt; do
         arm-none-eabi-nm "$B/firmware/$board-demos.elf" | grep -q "^2000.* $symbol\$" || { echo "$symbol" && return 1; }
     done
 }
@@ -105,7 +105,7 @@ interrupted() { # no node goes on, nothing half-written stays
 small_panel() { emulate waveshare-pico-lcd-0in96 1 3 && expect waveshare-pico-lcd-0in96 3 && same 3; }
 
 make_emulate() {
-    make -s B="$B" emulate BOARD="$board" FRAMES=1 >"$dir/said" 2>/dev/null && grep -q '^frame 0 crc32' "$dir/said" &&
+    make_image emulate BOARD="$board" FRAMES=1 >"$dir/said" 2>/dev/null && grep -q '^frame 0 crc32' "$dir/said" &&
         [ -s "$B/emulate/$board/frame-0000.ppm" ] && grep -q 'frames/s.*load of core 0' "$dir/said"
 }
 

@@ -15,7 +15,7 @@ trap 'rm -rf "$dir"' EXIT
 demos=$(grep -c '^ *&\?demo_[a-z]*,' <(sed -n '/^const struct demo \*const demo_list/,/};/p' firmware/app/demo.c | tr ' ' '\n'))
 
 builds() {
-    make -s -j2 B="$B" "$B/pinhole-emulate" "$B/pinhole-sim" && make -s -j2 B="$B" firmware BOARD="$board" >"$dir/built"
+    make -s -j2 B="$B" "$B/pinhole-emulate" "$B/pinhole-sim" && make_image firmware BOARD="$board" >"$dir/built"
 }
 
 # Held for a frame, then up for none: so every second frame, and the frames between show the demo move.
@@ -62,7 +62,7 @@ int main(void)
     for (;;) { }
 }
 EOT
-    make -s -j2 B="$B" firmware BOARD="$board" APP="$dir/wrong.c" >/dev/null || return 1
+    make_image firmware BOARD="$board" APP="$dir/wrong.c" >/dev/null || return 1
     timeout 60 "$B/pinhole-emulate" --machine netduinoplus2 --board "$board" "$B/firmware/$board-wrong.elf" >"$dir/said" 2>&1 && return 1
     cat "$dir/said"
     [ "$(wc -l <"$dir/said")" = 1 ] && grep -qi '^pinhole-emulate: .*EEh' "$dir/said"

@@ -57,7 +57,7 @@ obeys_and_ends() {
 }
 
 for board in lm3s6965evb feather-stm32f405; do
-    check "the_image_of_${board}_builds" make -s -j2 B="$B" firmware BOARD="$board"
+    check "the_image_of_${board}_builds" make_image firmware BOARD="$board"
     check "it_holds_steps_goes_on_and_takes_buttons_and_B" obeys_and_ends "$board"
 done
 tap_end

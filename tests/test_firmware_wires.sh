@@ -55,7 +55,7 @@ int main(void)
     return 1;
 }
 EOT
-    make -s B="$B" firmware BOARD="$1" APP="$dir/$2.c" >"$dir/said" 2>&1 || { cat "$dir/said" && return 1; }
+    make_image firmware BOARD="$1" APP="$dir/$2.c" >"$dir/said" 2>&1 || { cat "$dir/said" && return 1; }
     [ "$1" = lm3s6965evb ] || { machine=netduinoplus2 && null=(-serial null -serial null); }
     timeout 10 qemu-system-arm -M "$machine" -display none -monitor none -nic none "${null[@]}" -serial "file:$dir/$2.$1.log" \
         -icount shift=5,sleep=off -semihosting-config enable=on,target=native -d guest_errors \

@@ -17,7 +17,7 @@ rp2040_here() {
 }
 
 image() { # board, cores
-    make -s -j2 B="$B" firmware BOARD="$1" CORES="$2" CHANGES="${CHANGES:-1}"
+    make_image firmware BOARD="$1" CORES="$2" CHANGES="${CHANGES:-1}"
 }
 
 elf_of() { # board, cores
