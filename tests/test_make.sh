@@ -35,7 +35,7 @@ other_flags_build_again() { # a variable
 
 empty_build_directory_is_refused() { # it would be the root directory
     local said
-    said=$(make B= -n all 2>&1) && return 1
+    said=$(make --no-print-directory B= -n all 2>&1) && return 1
     [ "$(wc -l <<<"$said")" = 1 ] && grep -q 'B= is empty' <<<"$said"
 }
 
