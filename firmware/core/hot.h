@@ -1,9 +1,10 @@
 /*
  * hot: the loops in which a frame's time goes, each in a file of its own. Private to firmware/core.
  *
- * The file in core/ is the portable form; core/armv6m and core/armv7m have the same function in assembly, core/x86_64
- * some of them in vectors, where the compiler leaves time, and give the same result bit for bit (tests/test_hot.sh).
- * Assembly takes at most 80 bytes of stack and calls nothing.
+ * The file in core/ is the portable form. core/armv6m and core/armv7m have the same function in assembly, core/x86_64
+ * some of them in C with vectors or with two values in a word. All give the same result bit for bit
+ * (tests/test_hot.sh), so whoever changes the arithmetic here changes it there. Assembly takes at most 80 bytes of
+ * stack and calls nothing outside its file.
  */
 #ifndef PH_HOT_H
 #define PH_HOT_H
@@ -22,7 +23,7 @@ struct ph_vertex_run {
     const struct fx_vec3 *from, *end;
     struct ph_vertex *to;
     uint32_t codes;           /* grows by the clip codes of each */
-    uint32_t near, range;     /* w is near .. near + range, below 2^28 */
+    uint32_t near, range;     /* w is near .. near + range, below 2^28: it has 4 leading zeros or more */
     int64_t round_x, round_y; /* 2^32 times what is added to x / w, y / w in 2^-25 before `down` */
     uint32_t depth_scale;     /* as in the lens */
     int32_t near_shift;       /* as in the lens */
@@ -80,8 +81,12 @@ bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v
 uint32_t ph_rows_gouraud(const struct ph_rows *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 
 /*
- * rows_texture.c: rows of a textured triangle within a tile of at most PH_TILE columns. Along a row u and v follow a
- * parabola, at + i step + i^2 bend at column i; from row to row its coefficients change by second differences.
+ * rows_texture.c: rows of a textured triangle within a tile (texture.c) of at most PH_TILE columns. Along a row u and v
+ * follow a parabola, at + i step + i^2 bend at column i; from row to row its coefficients change by second differences.
+ * All of it is modulo 2^32. Two pixels share a step, the mean of what the parabola does over both: the step changes
+ * half as often, and every second pixel lies on the parabola. Pairs are counted from the row's last pixel, because
+ * unrolled loops are entered in the middle and end there; in a row of odd length the first pixel is the second of a
+ * pair, and those behind it are off by one bend.
  */
 #define PH_TILE 32
 

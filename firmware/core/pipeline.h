@@ -1,12 +1,17 @@
 /*
  * pipeline: what the stages of the renderer hand to each other. Private to firmware/core.
  *
+ *   frame.c   the camera of a frame as a lens, the bands' lists
  *   mesh.c    vertices: transform, project, clip codes; triangles: reject, cull, light, hand on
  *   light.c   intensity of a vertex
  *   clip.c    the few that meet a clip plane
  *   fisheye.c what curves under a fisheye, divided
  *   setup.c   edges and planes of a triangle, into the list
- *   raster.c  lists by band, clears, rows; texture.c: those of textured triangles; hot.h: the loops in them
+ *   raster.c  bands: clears, their triangles in order, rows of these
+ *   texture.c rows of textured triangles, in tiles
+ *
+ * Around them: depth.h (depth codes), edge.h (edges of a triangle), span.h (pixels of a row), and hot.h, the loops in
+ * which the time goes: those are in files of their own, of which a CPU may have another form.
  */
 #ifndef PH_PIPELINE_H
 #define PH_PIPELINE_H
@@ -147,7 +152,7 @@ struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_
 void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
                   struct ph_vertex *v);
 
-/* Projects a vertex inside near plane and guard band: v->x, v->y, v->depth. */
+/* Projects a vertex inside near plane and guard band: its x, y, q and s. */
 void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int32_t z, struct ph_vertex *v);
 
 /* Of a triangle a, b, c, 1/256 px: two sides, and twice its area, positive where they run counter-clockwise. */
@@ -200,14 +205,15 @@ bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material
 /* Before the triangles of a part: what those that are tiny have in common. Others may come in between. */
 void ph_setup_part(struct ph_renderer *r, const struct ph_material *material);
 
-/* The same of one that faces the viewer, with its sides. */
+/* ph_setup_triangle of one that faces the viewer, with its sides. */
 bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                     const fx_t *const uv[3], const struct ph_sides *sides);
 
+/* ph_setup_triangle of corners that are no vertices of the mesh. */
 bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                       const struct ph_corner *b, const struct ph_corner *c);
 
-/* The same of a triangle that may meet clip planes, and of one that is curved; counts them. */
+/* Clips a triangle, or divides one that is curved, and sets up and lists what is left; counts it. */
 void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3]);
 
 /* A line one pixel wide. */
@@ -240,7 +246,7 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
                       const struct ph_material *material);
 uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position);
 
-/* Draws rows y0 .. y1 - 1 of a textured triangle: see texture.c. */
+/* Rows y0 .. y1 - 1 of the picture, and the memory that they are drawn into. */
 struct ph_band {
     uint16_t *pixels; /* of row y0 */
     void *depth;      /* the same; uint32_t where wide, else uint16_t */
@@ -248,6 +254,7 @@ struct ph_band {
     int32_t y0, y1, width;
 };
 
+/* Draws the rows of a textured triangle that are in the band: see texture.c. Returns the number of its pixels. */
 uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band);
 
 #endif

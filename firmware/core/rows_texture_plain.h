@@ -11,7 +11,7 @@
 /* Columns of the row, and what is the same for u and v. */
 struct ph_row_run {
     uint32_t first, n;
-    uint32_t pair; /* times bend: the first step beyond `step` */
+    uint32_t pair; /* times bend: the first step beyond `step`, that of the pair which the first pixel begins or ends */
 };
 
 static inline bool ph_next_row(const struct ph_texel_rows *r, struct ph_row_run *row)
@@ -40,7 +40,8 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/* A row; steps change behind every second pixel, counted from the last. */
+/* A row; steps change behind every second pixel, counted from the last: see hot.h. A parabola's step over two pixels
+ * grows by 8 bend, each one's share of it by 4. */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     uint32_t u = ph_texel_at(&r->u, row->first), du = r->u.step + row->pair * r->u.bend;

@@ -13,7 +13,11 @@ static uint32_t size_of(int32_t v)
     return (uint32_t)(v ^ v >> 31);
 }
 
-/* The sides over twice the area, in units of 2^-shift px / 256: a and b are those of y, c and d those of x. */
+/*
+ * dy1, dy2, dx1, dx2 of the sides, in this order, over their area (twice the triangle's), times 2^shift. With d1, d2,
+ * the differences of a value at the second and third corner to the first, its gradient is x = (d2 dy1 - d1 dy2) / area
+ * and y = (d1 dx2 - d2 dx1) / area.
+ */
 struct slopes {
     int32_t a, b, c, d;
     int shift;
@@ -60,6 +64,7 @@ static struct gradient depth_gradient(const struct slopes *s, const uint32_t d[3
     return gradient_of(s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
+/* Light's plane is in 2^-16. Of 16 bits of a difference FRACTION are left: 17 of the plane's are dropped. */
 static struct gradient light_gradient(const struct slopes *s, const struct ph_vertex *const v[3])
 {
     return gradient_of(s, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17, STEEP_LIGHT);

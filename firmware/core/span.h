@@ -1,5 +1,6 @@
 /*
- * Spans: the inner loops, and how a triangle's edges give their rows. Private to firmware/core.
+ * Spans: a pixel and runs of pixels, how a triangle's edges give its rows, and how its depth becomes codes along them.
+ * The loops in which the time goes are in hot.h. Private to firmware/core.
  * d is a 16.16 number whose high half is the depth code (depth.h); a pixel is drawn where it is above the stored one.
  */
 #ifndef PH_SPAN_H

@@ -3,7 +3,11 @@
  * divided exactly; between, they follow the surface that is a parabola along each row and each column and is exact in
  * the middle of each side, too (where 1/w goes from w0 to w1 and u by U, the middle lies U (w1 - w0) / (2 (w0 + w1))
  * beside the straight line's): a few additions a pixel and a row. A tile is made smaller where 1/w changes much along
- * it. Tiles hang on the triangle, not on the band. Measured error: tests/test_quality.c, tests/test_texture.c.
+ * it. Tiles hang on the triangle, not on the band: the picture does not depend on where bands begin. Measured error:
+ * tests/test_quality.c, tests/test_texture.c.
+ *
+ * A triangle is cut into strips (rows in which all tiles have one height), a strip into tiles from left to right. What
+ * is usual (16-bit depth, full light, up to 65,536 texels) ph_rows_texture of hot.h draws, all else draw_run here.
  */
 #include "hot.h"
 #include "pipeline.h"
@@ -120,7 +124,8 @@ static void divide_tile(const struct ph_triangle *t, const struct tile *tile, st
     s->bottom = part_of(&ends[1], change);
 }
 
-/* A change along a side in two terms: linear times s and square times s^2, s from 0 to 1. */
+/* A change along a side in two terms: linear times s and square times s^2, s from 0 to 1. In the middle it is a quarter
+ * of -square beside the straight line's. */
 struct curve {
     uint32_t linear, square;
 };
@@ -138,7 +143,11 @@ static inline uint32_t scaled(uint32_t v, int by)
     return by >= 0 ? v << by : (uint32_t)((int32_t)v >> -by);
 }
 
-/* The way of u or v over a tile, in 2^-(25 + up) of their range. */
+/*
+ * The way of u or v over a tile, in 2^-(25 + up) of their range: polynomials of the row, as forward differences (a
+ * row's is linear + square at first and grows by 2 square). The left side gives at, the top and the bottom step and
+ * bend. twist is what the right side bends more than the left: step has it, for `at` has the left side's alone.
+ */
 static void set_way(struct ph_texel_way *way, const struct corners *c, const struct surface *s, const struct tile *tile,
                     int up)
 {
@@ -241,7 +250,7 @@ static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
     r->rows--;
 }
 
-/* Rows whose depth may be of several pieces each; r->d, r->gd in units of the triangle's plane, as in the next two. */
+/* Rows whose depth may be of several pieces each; r->d, r->gd in units of the triangle's plane. */
 static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     for (; r->rows > 0; row_down(k, r)) {
@@ -258,7 +267,7 @@ static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows 
     }
 }
 
-/* Rows with depth in codes. */
+/* Rows with depth in codes. ph_rows_texture stops before one that leaves a clamped texture: that one is drawn here. */
 static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     for (;;) {
@@ -375,7 +384,11 @@ static bool is_inside(const struct ph_triangle *t, const struct surface *s)
     return are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
 }
 
-/* Texture of a tile, and how it is to be drawn. */
+/*
+ * Texture of a tile, and how it is to be drawn. Where ph_rows_texture can, u and v are in its units: the texture
+ * repeats as they wrap. A clamped one must not, for then what is outside would seem inside: so many texels fit in
+ * beside the sign, with room for as much again. Otherwise u and v are in 2^-29 of their range.
+ */
 static void set_texels(struct tile_kind *k, const struct tile *tile, const struct surface *s, struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;

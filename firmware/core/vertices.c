@@ -12,6 +12,8 @@ static inline uint8_t side_code(int32_t at, uint32_t most, unsigned below)
     return (uint8_t)(at < 0 ? below : (uint32_t)at > most ? 2 * below : 0);
 }
 
+/* at.z has 4 leading zeros or more, and x and y are within 8 z: none of the shifts up loses a bit. q is shifted up by
+ * one where its upper bit is not at 30, as struct ph_quotient has it. */
 static inline void project(const struct ph_vertex_run *run, struct fx_vec3 at, struct ph_vertex *v)
 {
     int shift;

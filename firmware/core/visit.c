@@ -14,7 +14,7 @@ static inline bool faces_viewer(const struct ph_vertex *a, const struct ph_verte
     return fx_mul_wide(c->x - a->x, b->y - a->y) > fx_mul_wide(b->x - a->x, c->y - a->y);
 }
 
-/* Whether a triangle may be seen. */
+/* Whether a triangle may be seen. A corner with a clip code may have no x and y: the caller looks closer. */
 static inline bool is_candidate(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
                                 bool coded)
 {
@@ -24,6 +24,7 @@ static inline bool is_candidate(const struct ph_vertex *a, const struct ph_verte
     return faces_viewer(a, b, c);
 }
 
+/* Called with a constant: a loop of its own for meshes that are wholly in the picture. */
 static inline bool visit_until(struct ph_visit *visit, bool coded)
 {
     const struct ph_vertex *const vertices = visit->vertices;

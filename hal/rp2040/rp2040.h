@@ -6,7 +6,8 @@
  *   rp2040.c   struct hal_ops: pins, time        uart.c               log: UART0, TX GP0, RX GP1
  *   divide.c   / and % by the SIO's divider      cores1.c, cores2.c   without and with the second core (CORES=)
  *
- * Core 0 sleeps (WFE) while it waits for the bus or an alarm. Its two handlers only wake it.
+ * Core 0 sleeps (WFE) while it waits for the bus or an alarm. Its two handlers wake it; that of
+ * the DMA also starts what is next on the bus.
  */
 #ifndef RP2040_H
 #define RP2040_H
