@@ -7,7 +7,7 @@ static inline uint32_t far_at(const struct ph_lens *lens, int s)
     return lens->far_q >> ((lens->far_s - s) & 31);
 }
 
-static inline uint32_t before(uint32_t q, uint32_t far)
+static inline uint32_t in_front(uint32_t q, uint32_t far)
 {
     return q > far ? q - far : 0;
 }
@@ -15,7 +15,7 @@ static inline uint32_t before(uint32_t q, uint32_t far)
 /* d of a vertex in units of its own, 2^-(30 + s). */
 static inline uint32_t own_depth(const struct ph_lens *lens, const struct ph_vertex *v)
 {
-    return before(v->q, far_at(lens, v->s));
+    return in_front(v->q, far_at(lens, v->s));
 }
 
 /* Code of a d with the octave's offset; false where d is not in it. octave: see ph_depth_octave. */
@@ -35,7 +35,7 @@ static inline bool depths_alike(const struct ph_lens *lens, const struct ph_vert
 {
     const int s = v[0]->s;
     const uint32_t far = far_at(lens, s);
-    const uint32_t d0 = before(v[0]->q, far), d1 = before(v[1]->q, far), d2 = before(v[2]->q, far);
+    const uint32_t d0 = in_front(v[0]->q, far), d1 = in_front(v[1]->q, far), d2 = in_front(v[2]->q, far);
     const int up = fx_clz32(d0), octave = up - 2 + s;
     if (octave >= 14 || d0 == 0 || ((d0 ^ d1) | (d0 ^ d2)) >> (31 - up) != 0) {
         return false;

@@ -418,12 +418,12 @@ static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, str
     const uint32_t d = ph_plane_at(&t->depth, tile->x, tile->y);
     const uint32_t least = d + ((int32_t)right < 0 ? right : 0) + ((int32_t)below < 0 ? below : 0);
     const uint32_t most = d + ((int32_t)right < 0 ? 0 : right) + ((int32_t)below < 0 ? 0 : below);
-    struct ph_octave *const octaves = depth->octaves;
+    struct ph_octave *const least_in = &depth->octaves[0], *const most_in = &depth->octaves[1];
     depth->d = d;
     depth->d_dy = t->depth.gy;
-    ph_octave_of(&octaves[0], t, least, t->depth.gx);
-    ph_octave_of(&octaves[1], t, most, t->depth.gx);
-    return octaves[0].size > 0 && octaves[1].size > 0 && least <= most && octaves[0].octave - octaves[1].octave < 2;
+    ph_octave_of(least_in, t, least, t->depth.gx);
+    ph_octave_of(most_in, t, most, t->depth.gx);
+    return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->octave - most_in->octave < 2;
 }
 
 /* The upper or lower half of the rows in the band; r stands at their first one. */
