@@ -138,7 +138,8 @@ void rp2040_spi_interrupt(void)
     go_on();
 }
 
-/* The interrupt ends WFE, also one that came between the look and the WFE. */
+/* Until at most so many writes wait or are on their way. The interrupt ends WFE, also one that came between the look
+ * and the WFE. */
 static void wait_for_dma(uint32_t waiting)
 {
     while (spi.given - spi.sent > waiting) {

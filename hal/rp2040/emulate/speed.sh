@@ -4,9 +4,9 @@
 # whole frames would allow; `alone`: what the cores would do if the bus took no time; load: of each core, core 0 sleeps
 # while core 1 finishes its half; sent: of a whole frame's bytes. A demo that is drawn in the bus's time and takes over
 # 1.03 times as long is marked with !, and the exit status is 1.
-# FRAMES (6, at least 5) are drawn of each DEMO (all; as pinhole-sim lists them), and three of
-# them count. Environment: B (build directory), CHANGES=0
-# (whole frames). Leaves $B/speed/BOARD.csv in us a frame. `make speed BOARD=x` calls it.
+# FRAMES (6, at least 5) are drawn of each DEMO (all; as pinhole-sim lists them), and three of them count.
+# Environment: B (build directory), CHANGES=0 (whole frames). Leaves $B/speed/BOARD.csv in us a frame.
+# `make speed BOARD=x` calls it.
 set -eu
 cd "$(dirname "$0")/../../.."
 export B=${B:-build} BOARD=$1 EVENTS_ONLY=1
