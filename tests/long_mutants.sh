@@ -35,13 +35,14 @@ float24 as coarse as float16             | span.h    | s/d >> 8;/d >> 16 << 8;/ 
 the last of equal 24-bit depths wins     | span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | span.h    | s/code > \*depth/code >= *depth/                     | test_raster
 the last of equal texels wins            | rows_texture_plain.h | s/code > \*depth/code >= *depth/              | test_texture
-the last of equal lit texels wins        | texture.c | s/> depth\[i\]/>= depth[i]/                          | test_texture
+the last of equal lit texels wins        | span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
 triangles not carried to the next band   | raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
+a carried triangle begins where it did   | raster.c  | s/t->y_top = (int16_t)y1;//                          | test_raster
 triangles not carried by two cores       | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_cores
 triangles drawn in reverse               | frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
 depth not cleared                        | raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
-no clamp of texels at the left border    | texture.c | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_texture
+no clamp of texels at the left border    | rows_texture_plain.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
 dropped triangles not counted            | setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | setup.c   | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
