@@ -37,7 +37,7 @@ the last of equal depths wins            | span.h    | s/code > \*depth/code >= 
 the last of equal texels wins            | rows_texture_plain.h | s/code > \*depth/code >= *depth/              | test_texture
 the last of equal lit texels wins        | span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
 triangles not carried to the next band   | raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
-a carried triangle begins where it did   | raster.c  | s/t->y_top = (int16_t)y1;//                          | test_raster
+a carried triangle begins where it did   | raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
 triangles not carried by two cores       | raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_cores
 triangles drawn in reverse               | frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
 depth not cleared                        | raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
