@@ -4,6 +4,7 @@
 @ r11 right, r12 d and lr light at column 0
     .syntax unified
     .thumb
+#include "registers.inc"
 
     .equ lower, 44 - 16 @ struct ph_rows, from gd on
     .equ upper_rows, 52 - 16
@@ -43,12 +44,7 @@
     .type ph_rows_gouraud, %function
     .thumb_func
 ph_rows_gouraud: @ r0: struct ph_rows, r1: depth, r2: pixels, r3: bytes from row to row
-    push {r4-r7, lr}
-    mov r4, r8
-    mov r5, r9
-    mov r6, r10
-    mov r7, r11
-    push {r4-r7}
+    save_registers
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
     push {r0, r2, r3}
@@ -142,10 +138,5 @@ row:
     b row
 5:  ldr r0, [sp, #count]
     add sp, #frame
-    pop {r4-r7}
-    mov r8, r4
-    mov r9, r5
-    mov r10, r6
-    mov r11, r7
-    pop {r4-r7, pc}
+    restore_and_return
     .size ph_rows_gouraud, . - ph_rows_gouraud

@@ -5,6 +5,7 @@
 @ by what dv and du grow
     .syntax unified
     .thumb
+#include "registers.inc"
 
     .equ left, 0
     .equ right, 4
@@ -86,12 +87,7 @@ pixel_\at:
     .type ph_rows_texture, %function
     .thumb_func
 ph_rows_texture: @ r0: struct ph_texel_rows
-    push {r4-r7, lr}
-    mov r4, r8
-    mov r5, r9
-    mov r6, r10
-    mov r7, r11
-    push {r4-r7}
+    save_registers
     sub sp, #frame
     movs r7, r0
     str r7, [sp, #self]
@@ -227,12 +223,7 @@ done:
     adds r0, r0, r1
     str r0, [r7, #pixels]
     add sp, #frame
-    pop {r4-r7}
-    mov r8, r4
-    mov r9, r5
-    mov r10, r6
-    mov r11, r7
-    pop {r4-r7, pc}
+    restore_and_return
 
     @ The first and the last pixel of a row in a clamped texture; r3: bits that u has outside.
 clamped:

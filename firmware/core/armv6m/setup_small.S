@@ -1,24 +1,8 @@
 @ ph_setup_small of hot.h for ARMv6-M: some 370 instructions a triangle.
     .syntax unified
     .thumb
-
-    .equ y_top, 4 @ struct ph_triangle
-    .equ y_bottom, 8
-    .equ left_dx, 20
-    .equ d_dy, 28
-    .equ light_dy, 32
-    .equ gd, 36
-    .equ glight, 40
-    .equ left, 48
-    .equ d, 56
-    .equ light, 60
-    .equ lower, 64
-    .equ upper_rows, 72
-    .equ lower_rows, 74
-    .equ lower_is_right, 76
-
-    .equ vertex_y, 4 @ struct ph_vertex
-    .equ vertex_light, 14
+#include "registers.inc"
+#include "setup_small.inc"
 
     .equ corners, 4 @ on the stack
     .equ sides, 8
@@ -149,12 +133,7 @@ flat_top: @ part of ph_setup_small: the lower edge is the first one
     .type ph_setup_small, %function
     .thumb_func
 ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
-    push {r4-r7, lr}
-    mov r4, r8
-    mov r5, r9
-    mov r6, r10
-    mov r7, r11
-    push {r4-r7}
+    save_registers
     push {r0-r3}
     ldmia r1!, {r4-r6}
     ldr r1, [r4, #vertex_y]
@@ -389,12 +368,7 @@ none:
     movs r0, #1
 leave:
     add sp, #16
-    pop {r4-r7}
-    mov r8, r4
-    mov r9, r5
-    mov r10, r6
-    mov r11, r7
-    pop {r4-r7, pc}
+    restore_and_return
 8:  ldrb r7, [r5, r6]
     movs r6, #8
     b 6b

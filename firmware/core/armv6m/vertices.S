@@ -3,6 +3,7 @@
 @ r7 run; r8 from, r9 to, r10 run, r11 r12 x y before the divide, lr full light in its place
     .syntax unified
     .thumb
+#include "registers.inc"
 
     .equ from, 0
     .equ end, 4
@@ -101,12 +102,7 @@
     .type ph_vertices, %function
     .thumb_func
 ph_vertices: @ r0: struct ph_vertex_run
-    push {r4-r7, lr}
-    mov r4, r8
-    mov r5, r9
-    mov r6, r10
-    mov r7, r11
-    push {r4-r7}
+    save_registers
     mov r10, r0
     movs r7, r0
     ldr r1, [r0, #from]
@@ -339,12 +335,7 @@ done:
     str r1, [r7, #from]
     mov r2, r9
     str r2, [r7, #to]
-    pop {r4-r7}
-    mov r8, r4
-    mov r9, r5
-    mov r10, r6
-    mov r11, r7
-    pop {r4-r7, pc}
+    restore_and_return
     .size ph_vertices, . - ph_vertices
     .p2align 2
     .ltorg

@@ -1,24 +1,7 @@
 @ ph_setup_small of hot.h for ARMv7-M: some 185 instructions a triangle.
     .syntax unified
     .thumb
-
-    .equ y_top, 4 @ struct ph_triangle
-    .equ y_bottom, 8
-    .equ left_dx, 20
-    .equ d_dy, 28
-    .equ light_dy, 32
-    .equ gd, 36
-    .equ glight, 40
-    .equ left, 48
-    .equ d, 56
-    .equ light, 60
-    .equ lower, 64
-    .equ upper_rows, 72
-    .equ lower_rows, 74
-    .equ lower_is_right, 76
-
-    .equ vertex_y, 4 @ struct ph_vertex
-    .equ vertex_light, 14
+#include "../armv6m/setup_small.inc"
 
     .equ corners, 4 @ on the stack
     .equ depths, 12
