@@ -226,9 +226,8 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_row
 /* Rows of a triangle that crosses octaves: most rows do not. */
 static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_rows *r, struct place at)
 {
-    struct ph_octave octave, next;
+    struct ph_octave octave = {0}, next = {0}; /* none yet */
     uint32_t count = 0;
-    octave.bottom = octave.size = next.bottom = next.size = 0; /* none yet */
     while (r->upper_rows > 0) {
         const uint32_t d = r->d + (r->left >> 16) * r->gd;
         if (!ph_octave_holds(&octave, d, d)) {
