@@ -52,12 +52,14 @@ TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(she
 CPU := $(CPU)
 
 # Assembly replaces C where the compiler makes Thumb code; a computer tries a microcontroller's C files without it.
-CORE_S := $(wildcard firmware/core/$(CPU)/*.S)
-CORE_S := $(if $(CORE_S),$(if $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null | grep __thumb__),$(CORE_S)))
-CORE_CPU := $(wildcard firmware/core/$(CPU)/*.c) $(CORE_S)
-CORE := $(filter-out $(patsubst firmware/core/$(CPU)/%,firmware/core/%.c,$(basename $(CORE_CPU))),$(wildcard firmware/core/*.c)) $(CORE_CPU)
-APP_SRC := $(filter-out firmware/app/image_%,$(wildcard firmware/app/*.c))
-HAL := $(wildcard hal/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
+KERNELS := firmware/core/kernels
+CPU_S := $(wildcard $(KERNELS)/$(CPU)/*.S)
+CPU_S := $(if $(CPU_S),$(if $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null | grep __thumb__),$(CPU_S)))
+CPU_SRC := $(wildcard $(KERNELS)/$(CPU)/*.c) $(CPU_S)
+CORE := $(wildcard $(patsubst %,firmware/core/%/*.c,fx geom render effects)) $(CPU_SRC) \
+        $(filter-out $(patsubst $(KERNELS)/$(CPU)/%,$(KERNELS)/portable/%.c,$(basename $(CPU_SRC))),$(wildcard $(KERNELS)/portable/*.c))
+APP_SRC := $(wildcard firmware/app/*.c firmware/app/demos/*.c firmware/app/models/*.c firmware/app/depthlab/*.c)
+HAL := $(wildcard hal/panel/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
 # Boards from elsewhere: BOARD_DIR/NAME/board.c defines board_NAME (with _ for -), as a folder of boards/ does.
@@ -66,32 +68,55 @@ $(if $(BOARD_DIR),$(if $(BOARDS_MORE),,$(error BOARD_DIR=$(BOARD_DIR): there is 
 BOARDS_ODD := $(if $(BOARDS_MORE),$(shell printf '%s\n' '$(BOARDS_MORE)' | tr ' ' '\n' | grep -v '^[a-z0-9-]*$$'))
 $(if $(BOARDS_ODD),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_ODD): a board's name has a-z, 0-9 and - only))
 $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DIR=$(BOARD_DIR): $(b) is a board of Pinhole: take another name)))
-SIM := $(filter-out host-sim/pinhole_%,$(wildcard host-sim/*.c host-sim/$(ASSIMP)/*.c host-sim/$(PNG)/*.c \
-                                             host-sim/$(MESHOPT)/*.c \
-                                             host-sim/$(SDL)/*.c host-sim/$(USB)/*.c))
-PROGRAMS := $(patsubst host-sim/pinhole_%.c,$(B)/pinhole-%,$(filter-out $(if $(SPIDEV),,host-sim/pinhole_panel.c),\
-                                                             $(wildcard host-sim/pinhole_*.c)))
+# host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
+MAINS := $(wildcard host-sim/*/pinhole_*.c)
+ROOMS := common controllers model $(patsubst host-sim/%/,%,$(dir $(MAINS)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(PNG) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+HOST := $(filter-out $(MAINS),$(HOST))
+PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
-LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(SIM)
-OBJ = $(patsubst %,$(B)/%.o,$(basename $(LIB))) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
+# The libraries, in the order in which they are linked: each uses those that come after it.
+objects = $(patsubst %,$(B)/%.o,$(basename $(1)))
+LIBS := $(B)/libpinhole-host.a $(B)/libpinhole-app.a $(B)/libpinhole-hal.a $(B)/libpinhole.a
+LIB := $(CORE) $(APP_SRC) $(HAL) $(BOARDS) $(HOST)
+OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 
-# Programs in tests/ are named after what runs them; what remains there they share.
-TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/test_*.c))
-FUZZ := $(patsubst %.c,$(B)/%,$(wildcard tests/fuzz_*.c))
-LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/exhaustive_*.c)) $(FUZZ)
-TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out tests/test_% tests/exhaustive_% tests/fuzz_%,$(wildcard tests/*.c)))
+# Programs in tests/ are named after what runs them; what support/ and oracle/ hold they share.
+TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_*.c))
+FUZZ := $(patsubst %.c,$(B)/%,$(wildcard tests/*/fuzz_*.c))
+LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/*/exhaustive_*.c)) $(FUZZ)
+TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(wildcard tests/support/*.c tests/oracle/*.c))
 
 # Includes run one way: what a folder may not know about, it does not find.
-INC_CORE = -Ifirmware/core/$(CPU) -Ifirmware/core
+# Headers at the top of firmware/core, firmware/app, hal and boards are public; those of a room are its own, and of the
+# rooms that are named here beside it. (A source finds its own room without a flag.)
+INC_CPU = $(if $(filter-out portable,$(CPU)),-I$(KERNELS)/$(CPU)) -I$(KERNELS)/portable
+INC_CORE = -Ifirmware/core $(INC_CPU)
 INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
-INC_ALL = $(INC_CORE) -Ifirmware/app -Ihal -Iboards $(INC_MORE) -Ihost-sim -Itests
+INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
+INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common
+rooms = $(patsubst %,-I$(1)/%,$(2))
+INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
+          -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS))) $(call rooms,tests,support oracle)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
-$(B)/firmware/app/%.o: INC = $(INC_CORE) -Ifirmware/app -Ihal -Iboards
+$(B)/firmware/core/render/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels effects)
+$(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render)
+$(KERNELS:%=$(B)/%)/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,kernels render)
+$(B)/firmware/app/%.o: INC = $(INC_APP)
 $(B)/hal/%.o: INC = -Ihal
 $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
+$(B)/host-sim/%.o: INC = $(INC_HOST)
+$(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model)
+$(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
+$(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
+$(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
+$(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render)
+$(B)/host-sim/flash/%.o: INC = $(INC_HOST) $(call rooms,host-sim,flash)
+$(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,wire)
+$(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
@@ -104,7 +129,7 @@ all: $(PROGRAMS) ## the programs, under build/
 
 # What was built with other flags or from other files is built again; tests link all objects of the core that they find.
 $(B)/flags: FORCE
-	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -f $(B)/firmware/core/*.o; echo '$(ALL_FLAGS)' >$@; }
+	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -rf $(B)/firmware/core; echo '$(ALL_FLAGS)' >$@; }
 
 $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
@@ -130,7 +155,11 @@ $(B)/boards_more/%.o: $(BOARD_DIR)/%.c $(B)/flags
 	$(Q)$(COMPILE) -c $< -o $@
 endif
 
-$(B)/libpinhole.a: $(OBJ)
+$(B)/libpinhole.a: $(call objects,$(CORE))
+$(B)/libpinhole-hal.a: $(call objects,$(HAL) $(BOARDS)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
+$(B)/libpinhole-app.a: $(call objects,$(APP_SRC))
+$(B)/libpinhole-host.a: $(call objects,$(HOST))
+$(LIBS):
 	$(SAY) AR $@
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
@@ -138,16 +167,17 @@ $(B)/libtests.a: $(TEST_OBJ) $(B)/flags
 	$(SAY) AR $@
 	$(Q)rm -f $@; $(AR) rcs $@ $(TEST_OBJ)
 
-$(B)/pinhole-%: $(B)/host-sim/pinhole_%.o $(B)/libpinhole.a
+$(PROGRAMS): $(LIBS)
 	$(SAY) LD $@
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(SIM_LIBS) -lm -o $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@
+$(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
 
-$(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(B)/libpinhole.a
+$(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
-core-objects: $(patsubst %,$(B)/%.o,$(basename $(CORE)))
-firmware-objects: core-objects $(patsubst %.c,$(B)/%.o,$(APP_SRC) $(wildcard hal/*.c))
+core-objects: $(call objects,$(CORE))
+firmware-objects: core-objects $(call objects,$(APP_SRC) $(wildcard hal/panel/*.c))
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 
@@ -163,13 +193,13 @@ test-exhaustive: ## the long tests: every input of the unary functions, long fuz
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
 
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
-	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/lint.sh
+	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh
 
 bench: ## instructions a frame of the five scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget. BOARD=x: of its image
-	+$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/size.sh)
+	+$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/tools/size.sh)
 
 depth: all ## measures what depth resolves for the default camera: a report in build/depth/ (plots need gnuplot)
 	$(Q)'$(B)/pinhole-depth' all --out '$(B)/depth' && echo '$(B)/depth/report.md'
@@ -178,7 +208,7 @@ gallery: all ## makes the README's pictures again
 	$(Q)B='$(B)' host-sim/gallery.sh
 
 golden: all ## writes the frame CRCs that the tests compare with again (look at the pictures first)
-	$(Q)B='$(B)' tests/golden.sh
+	$(Q)B='$(B)' tests/tools/golden.sh
 
 RULES = $(DESTDIR)$(PREFIX)/lib/udev/rules.d
 UNITS = $(DESTDIR)$(PREFIX)/lib/systemd/system
@@ -199,4 +229,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
 	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
 
--include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(PROGRAMS:$(B)/pinhole-%=$(B)/host-sim/pinhole_%.d)
+-include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d)

@@ -1,7 +1,7 @@
 # Images for microcontroller kits. Included by the Makefile.
 #
 #   make firmware BOARD=pico-display              build/firmware/pico-display-demos.elf .bin .uf2 .map, and what they take
-#   make firmware BOARD=lm3s6965evb APP=depth     another program: firmware/app/image_depth.c; or a file, APP=mine.c
+#   make firmware BOARD=lm3s6965evb APP=depth     another program: firmware/app/images/depth.c; or a file, APP=mine.c
 #   make firmware BOARD=pico-display SCENE=my.glb  a model first, through pinhole-asset: build/firmware/pico-display-my.elf
 #                                                 SCENE_TRIANGLES=N|all|fit, SCENE_TEXTURE=N, SCENE_FLAGS=--turntable
 #   make size BOARD=pico-display                  the image's size by module
@@ -27,10 +27,10 @@
 #   EMULATE           command of `make emulate`, called with the ELF, an empty folder for frames, and FRAMES
 #   EMULATE_NEEDS     what is made for it first, on the computer
 #   SPEED             optional: command of `make speed`
-#   FLASH             command of `make flash`, for $(IMAGE).elf, .bin or .uf2; firmware/flash_with.sh runs a tool from elsewhere
+#   FLASH             command of `make flash`, for $(IMAGE).elf, .bin or .uf2; firmware/tools/flash_with.sh runs a tool from elsewhere
 #   FLASH_NEEDS       what is made for it first, on the computer
 # A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
-# All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h, kit.h.
+# All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h and firmware/app/runner.h.
 #
 # The build gives each image board_here and kit_memory (hal/port.h; ram_bytes less KIT_OTHER_BYTES). CORES (make's
 # CORES=1|2) is for a port's make lines. CHANGES=0
@@ -60,7 +60,7 @@ endif
 NO_SUCH_NAME = make takes no names with spaces or other special characters; rename or copy the file
 include $(BOARD_HOME)/board.mk
 include hal/$(PORT)/port.mk
-APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/image_$(APP).c)
+APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/images/$(APP).c)
 APP_NAME := $(basename $(notdir $(APP)))
 $(if $(filter $(CORES),$(or $(PORT_CORES),1)),,$(error CORES=$(CORES): $(BOARD) has $(or $(PORT_CORES),1)))
 $(if $(call odd,$(APP)),$(error APP='$(APP)': $(NO_SUCH_NAME)))
@@ -110,16 +110,16 @@ speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, w
 
 # ---- within that make -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
-IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
+IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)firmware/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # nothing to be flashed
 
 image-size: $(OUT).elf
-	$(Q)firmware/modules.sh '$(OUT).map'
+	$(Q)firmware/tools/modules.sh '$(OUT).map'
 
 # The renderer's loops are worth the bytes; frames are the same at every level.
 $(B)/firmware/core/%.o: override CFLAGS += -O3
@@ -127,7 +127,7 @@ $(B)/firmware/core/%.o: override CFLAGS += -O3
 $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
-	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -Ihal -Iboards \
+	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_APP) -Ifirmware/app/depthlab -Iboards \
 	    -MMD -MP -c $< -o $@
 	$(Q)sed 's#$(APP_FILE)##' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a file of one's own may move
 
@@ -137,7 +137,7 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
 define BOARD_HERE
-#include "kit.h"
+#include "runner.h"
 #include "port.h"
 extern const struct board board_$(subst -,_,$(BOARD));
 const struct board *const board_here = &board_$(subst -,_,$(BOARD));
@@ -155,12 +155,12 @@ $(B)/board_here.c: FORCE
 	@printf '%s\n' "$$BOARD_HERE" | cmp -s - $@ || printf '%s\n' "$$BOARD_HERE" >$@
 
 $(B)/board_here.o: $(B)/board_here.c
-	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_CORE) -Ifirmware/app -Ihal -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) -MMD -MP -c $< -o $@
 
 $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
-	$(Q)firmware/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
+	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
 	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
 	$(Q)mv $@.part $@
@@ -168,7 +168,7 @@ $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
 $(OUT).bin: $(OUT).elf
 	$(Q)$(CROSS)objcopy -O binary $< $@
 
-$(B)/image-uf2: firmware/image_uf2.c
+$(B)/image-uf2: firmware/tools/image_uf2.c
 	@mkdir -p $(@D)
 	$(Q)$(HOSTCC) -O2 -o $@ $<
 

@@ -2,9 +2,9 @@
 # Usage: tests/run.sh quick|long [VARIABLE=value for make...]
 # Builds and runs the tests, each with a time limit, as many at a time as there are processors; ends with the one line
 # `N passed, N failed, N skipped` and exits 1 when a test failed.
-#   quick  tests/test_*.c plain and under sanitizers, tests/fuzz_*.c under sanitizers, tests/test_*.sh
-#   long   tests/exhaustive_*.c, tests/long_*.sh, tests/fuzz_*.c under sanitizers with the argument `long`
-# A test speaks TAP (cmocka does; tests/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
+#   quick  tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
+#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`
+# A test speaks TAP (cmocka does; tests/tools/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
 # What it says goes to $B/log/ and is shown when it fails.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -17,7 +17,7 @@ esac
 shift
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
-export LSAN_OPTIONS=suppressions=$PWD/tests/leaks.suppress:print_suppressions=0
+export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressions=0
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results
 sanitize='-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
 processors=$(nproc)
@@ -87,18 +87,18 @@ export sanitize
 list() {
     local f
     if [ "$mode" = quick ]; then
-        for f in tests/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
-        for f in tests/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
-        for f in tests/test_*.c; do echo "$(basename "$f" .c) $B $f"; done
-        for f in tests/test_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
+        for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
+        for f in tests/*/test_*.c; do echo "$(basename "$f" .c) $B $f"; done
+        for f in tests/*/test_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
     else
-        for f in tests/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
-        for f in tests/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
-        for f in tests/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done
+        for f in tests/*/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
+        for f in tests/*/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
+        for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done
     fi
 }
 
-tests/packages.sh test
+tests/tools/packages.sh test
 shopt -s nullglob
 mkdir -p "$B/log"
 : >"$results"

@@ -6,7 +6,7 @@
  * Rounding is to nearest; a tie goes towards +infinity unless the function says otherwise.
  * Angles are binary turns. In an fx_t 65536 is one turn; in a uint32_t ("turn32") 2^32 is one turn.
  * No function divides by zero, loops without bound, or depends on the compiler: >> of a negative number is
- * arithmetic on every compiler that we support (checked in tests/test_fx.c).
+ * arithmetic on every compiler that we support (checked in tests/core/test_fx.c).
  *
  * Error bounds below are proved over every input by `make test-exhaustive` (unary) and against 128-bit
  * integers on all edges squared (binary). Tables: 1368 bytes in all.

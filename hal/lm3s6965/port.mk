@@ -8,5 +8,5 @@ PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler
 UF2_BASE := 0x0
 EMULATE = $(B)/pinhole-emulate --machine lm3s6965evb --board $(BOARD)
 EMULATE_NEEDS = $(B)/pinhole-emulate
-FLASH = firmware/flash_with.sh 'plug the debugger of the board (its USB) in; it must be free, and you must be allowed to use it' \
+FLASH = firmware/tools/flash_with.sh 'plug the debugger of the board (its USB) in; it must be free, and you must be allowed to use it' \
     openocd -f board/ek-lm3s6965.cfg $(if $(SERIAL),-c 'adapter serial $(SERIAL)') -c 'program {$(IMAGE).elf} verify reset exit'

@@ -9,5 +9,5 @@ UF2_FAMILY := 0x57755a57
 UF2_BASE := 0x08000000
 EMULATE = $(B)/pinhole-emulate --machine netduinoplus2 --board $(BOARD)
 EMULATE_NEEDS = $(B)/pinhole-emulate
-FLASH = firmware/flash_with.sh 'start the chip in its boot loader (0483:df11): BOOT0 high while it is reset, or send B to its UART' \
+FLASH = firmware/tools/flash_with.sh 'start the chip in its boot loader (0483:df11): BOOT0 high while it is reset, or send B to its UART' \
     dfu-util --device 0483:df11 --alt 0 $(if $(SERIAL),--serial '$(SERIAL)') --dfuse-address '$(UF2_BASE):leave' --download '$(IMAGE).bin'

@@ -59,7 +59,7 @@ done
 
 # The pictures are those of the simulator, on every core.
 say "frame CRCs"
-make -s "$B/pinhole-sim" "$B/tests/test_quality" >&2
+make -s "$B/pinhole-sim" "$B/tests/core/test_quality" >&2
 n=0
 for demo in torus cube fill icosphere ground; do
     n=$((n + 1))
@@ -75,7 +75,7 @@ awk -v only="$*" 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v
      END { exit wrong || (!seen && only != "rp2040") }' "$dir/sim" "$dir/lines" >&2
 
 say "quality"
-"$B/tests/test_quality" >"$dir/quality"
+"$B/tests/core/test_quality" >"$dir/quality"
 
 awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/sizes" "$dir/lines"
 case " $* " in *' m3 '*)

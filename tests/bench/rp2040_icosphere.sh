@@ -18,7 +18,7 @@ sed "s/board_pico_display_2 /board_${board//-/_} /; s/\.ram_bytes = .*/.ram_byte
 cp boards/pico-display-2/board.mk "$dir/kits/$board"
 
 make -s "$B/pinhole-sim" "$B/pinhole-wire" "$B/libpinhole.a" >&2
-"${CC:-gcc}" -std=c11 -O2 -Ifirmware/core/portable -Ifirmware/core -Ifirmware/app tests/bench/icosphere_flash.c "$B/libpinhole.a" \
+"${CC:-gcc}" -std=c11 -O2 -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app tests/bench/icosphere_flash.c "$B/libpinhole-app.a" "$B/libpinhole.a" \
     -o "$dir/icosphere_flash"
 "$dir/icosphere_flash" >"$dir/mesh.h"
 cp tests/bench/icosphere_image.inc "$dir/icosphere.c"

@@ -16,13 +16,13 @@ x86_64) machine='' cpu=x86_64 flags='' ;;
 esac
 unset MAKEFLAGS
 mkdir -p "$dir"
-include="-Ifirmware/core/$cpu -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Itests/bench"
+include="-Ifirmware/core/kernels/$cpu -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ifirmware/app/demos -Itests/bench"
 wrap=
 [ "$program" != bench ] || wrap='-Wl,--wrap=ph_draw_mesh'
 
 objects() { # compiler, flags: builds them and prints their names
     make -s -j"$(nproc)" B="$dir" CC="$1" CPU="$cpu" CFLAGS="$2" firmware-objects >&2 || return 1
-    find "$dir/firmware/core" "$dir/firmware/app" -name '*.o' ! -name 'kit.o' ! -name 'image_*' ! -name 'lab*' | sort
+    find "$dir/firmware/core" "$dir/firmware/app" -name '*.o' ! -name 'runner.o' ! -path '*/depthlab/*' | sort
 }
 
 arm() {

@@ -1,0 +1,190 @@
+/*
+ * The image of all demos: the first one starts (or the scene that the image was built with), the select button takes
+ * the next.
+ *
+ * On the log UART (115200 8N1) it writes what starts, once a second how it goes on, and why it stopped; and it listens
+ * for single characters:
+ *   B          reboot into the chip's boot loader (so does a button that is held at power-up)
+ *   H          draw one frame, write a line about it, and hold; G: go on
+ *   u d l r s  as if the kit's button were held during one frame
+ */
+#include "runner.h"
+#include "port.h"
+
+#define SECOND_US 1000000U
+
+struct console {
+    bool holding;
+    uint32_t buttons;    /* for the next frame */
+    uint32_t line_us;    /* time of the last line about frames */
+    uint32_t line_frame; /* the frame then */
+};
+
+static void log_number(uint32_t value)
+{
+    char text[11], *digit = text + 10;
+    *digit = '\0';
+    do {
+        *--digit = (char)('0' + value % 10);
+        value /= 10;
+    } while (value > 0);
+    port_log(digit);
+}
+
+static void log_named(const char *name, uint32_t value)
+{
+    port_log(name);
+    log_number(value);
+}
+
+/* "frame 117, 24 frames/s, left out 0 triangles 0 vertices, stack 4032" */
+static void log_frame(const struct kit *kit, uint32_t frame, uint32_t rate)
+{
+    log_named("frame ", frame);
+    log_named(", ", rate);
+    log_named(" frames/s, left out ", kit->renderer.stats.triangles_dropped);
+    log_named(" triangles ", kit->renderer.stats.vertices_dropped);
+    log_named(" vertices, stack ", port_stack_used());
+    port_log("\r\n");
+}
+
+static void log_demo(const struct kit *kit)
+{
+    port_log("demo ");
+    port_log(kit->demo->name);
+    port_log("\r\n");
+}
+
+/* Returns true for what starts the next frame. */
+static bool obey(struct console *console, int byte)
+{
+    static const struct {
+        char byte;
+        uint8_t button;
+    } keys[] = {{'u', HAL_BUTTON_UP},
+                {'d', HAL_BUTTON_DOWN},
+                {'l', HAL_BUTTON_LEFT},
+                {'r', HAL_BUTTON_RIGHT},
+                {'s', HAL_BUTTON_SELECT}};
+    for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        console->buttons |= byte == keys[i].byte ? keys[i].button : 0U;
+    }
+    if (byte == 'B') {
+        port_boot_loader();
+    }
+    if (byte == 'H' || byte == 'G') {
+        console->holding = byte == 'H';
+    }
+    return byte == 'H' || byte == 'G';
+}
+
+/* All that waits; while it holds, until the next frame is asked for. */
+static void listen(struct console *console)
+{
+    bool next = !console->holding;
+    console->buttons = 0;
+    for (int byte = port_log_read(); byte >= 0 || !next; byte = port_log_read()) {
+        if (byte >= 0 && obey(console, byte)) {
+            return;
+        }
+    }
+}
+
+static int draw(struct kit *kit, const struct console *console, uint32_t frame)
+{
+    const struct demo *before = kit->demo;
+    int status = kit_buttons(kit, console->buttons);
+    if (status == 0) {
+        status = kit_scene(kit, frame);
+    }
+    if (status == 0) {
+        status = kit_send(kit);
+    }
+    if (status == 0 && (console->holding || frame == 0)) {
+        status = kit_finish(kit);
+    }
+    if (kit->demo != before) {
+        log_demo(kit);
+    }
+    return status;
+}
+
+static void report(const struct kit *kit, struct console *console, uint32_t frame)
+{
+    const uint32_t now = kit->hal.ops->time_us(kit->hal.context), passed = now - console->line_us;
+    if (!console->holding && passed < SECOND_US) {
+        return;
+    }
+    const uint32_t frames = frame + 1 - console->line_frame, ms = passed / 1000;
+    log_frame(kit, frame, ms > 0 ? frames * 1000 / ms : 0);
+    console->line_us = now;
+    console->line_frame = frame + 1;
+}
+
+static int run(struct kit *kit)
+{
+    struct console console = {.line_us = kit->hal.ops->time_us(kit->hal.context)};
+    int status = 0;
+    log_demo(kit);
+    for (uint32_t frame = 0; status == 0; frame++) {
+        listen(&console);
+        status = draw(kit, &console, frame);
+        report(kit, &console, frame);
+    }
+    return status;
+}
+
+/* Is there another core? */
+static void do_nothing(void *argument)
+{
+    (void)argument;
+}
+
+/* Sends only what changed where the build gives memory for that, and it is enough. */
+static void open_tiles(struct kit *kit, struct panel_tiles *tiles)
+{
+    const int status = panel_tiles_init(tiles, &kit->driver, kit->config.band_height, kit_tiles, kit_tiles_bytes);
+    kit->config.tiles = status == HAL_OK ? tiles : NULL;
+}
+
+static int open(struct kit *kit)
+{
+    const struct hal hal = port_hal();
+    int status = hal.ops->open(hal.context, board_here);
+    if (status != 0) {
+        return status;
+    }
+    if (hal.ops->buttons(hal.context) != 0) {
+        port_boot_loader();
+    }
+    const bool second = port_core_run(do_nothing, NULL);
+    port_core_join();
+    const struct kit_config config = {.board = board_here,
+                                      .rotation = board_here->rotation,
+                                      .depth_format = PH_DEPTH_AUTO,
+                                      .band_height = board_here->band_height,
+                                      .budget_bytes = kit_budget(board_here),
+                                      .other_core = second ? port_core_run : NULL,
+                                      .other_core_join = second ? port_core_join : NULL,
+                                      .demo = demo_here,
+                                      .memory = kit_memory,
+                                      .memory_bytes = kit_memory_bytes};
+    return kit_open(kit, &hal, &config);
+}
+
+int main(void)
+{
+    static struct kit kit;
+    static struct panel_tiles tiles;
+    port_log("\r\nPinhole on ");
+    port_log(board_here->title);
+    port_log("\r\n");
+    int status = open(&kit);
+    if (status == 0) {
+        open_tiles(&kit, &tiles);
+        status = run(&kit);
+    }
+    log_named("stopped: error ", (uint32_t)-status);
+    port_log("\r\n");
+    return 1;
+}

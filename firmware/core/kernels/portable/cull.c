@@ -1,0 +1,55 @@
+/* Triangles that cannot be seen, passed over: see hot.h. */
+#include "kernels.h"
+
+static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+{
+    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
+    const bool small = ph_sides_small(dx1, dy1, dx2, dy2);
+    return (struct ph_sides){dx1, dy1, dx2, dy2, small ? dx2 * dy1 - dx1 * dy2 : 1, small};
+}
+
+/* Of corners without clip codes. */
+static inline bool faces_viewer(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+{
+    return fx_mul_wide(c->x - a->x, b->y - a->y) > fx_mul_wide(b->x - a->x, c->y - a->y);
+}
+
+/* Whether a triangle may be seen. A corner with a clip code may have no x and y: the caller looks closer. */
+static inline bool is_candidate(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
+                                bool coded)
+{
+    if (coded && ((a->code | b->code | c->code) & (PH_REJECT | PH_GUARD)) != 0) {
+        return (a->code & b->code & c->code & PH_REJECT) == 0;
+    }
+    return faces_viewer(a, b, c);
+}
+
+/* Called with a constant: a loop of its own for meshes that are wholly in the picture. */
+static inline bool visit_until(struct ph_visit *visit, bool coded)
+{
+    const struct ph_vertex *const vertices = visit->vertices;
+    const uint16_t(*index)[3] = visit->index, (*const end)[3] = visit->end;
+    for (; index < end; index++) {
+        const struct ph_vertex *const a = &vertices[(*index)[0]], *const b = &vertices[(*index)[1]],
+                                      *const c = &vertices[(*index)[2]];
+        if (is_candidate(a, b, c, coded)) {
+            visit->index = index + 1;
+            visit->v[0] = a;
+            visit->v[1] = b;
+            visit->v[2] = c;
+            return true;
+        }
+    }
+    visit->index = end;
+    return false;
+}
+
+bool ph_visit(struct ph_visit *visit)
+{
+    const bool coded = visit->codes != 0;
+    if (!(coded ? visit_until(visit, true) : visit_until(visit, false))) {
+        return false;
+    }
+    visit->sides = sides_of(visit->v[0], visit->v[1], visit->v[2]);
+    return true;
+}

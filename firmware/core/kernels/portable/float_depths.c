@@ -1,0 +1,61 @@
+/* Depth of a triangle's corners as floats: see hot.h. */
+#include "kernels.h"
+
+/* The far plane in units of 2^-(30 + s), s a vertex's: its own is the largest. */
+static inline uint32_t far_at(const struct ph_lens *lens, int s)
+{
+    return lens->far_q >> ((lens->far_s - s) & 31);
+}
+
+static inline uint32_t in_front(uint32_t q, uint32_t far)
+{
+    return q > far ? q - far : 0;
+}
+
+/* d of a vertex in units of its own, 2^-(30 + s). */
+static inline uint32_t own_depth(const struct ph_lens *lens, const struct ph_vertex *v)
+{
+    return in_front(v->q, far_at(lens, v->s));
+}
+
+/* Code of a d with the octave's offset; false where d is not in it. octave: see ph_depth_octave. */
+static bool code_in_octave(const struct ph_vertex *v, uint32_t d, int octave, uint32_t offset, uint32_t *code)
+{
+    const uint32_t up = (uint32_t)(octave + 2 - v->s);
+    if (up > 31 || d >> (31 - up) != 1) {
+        return false;
+    }
+    *code = (d << up >> 3) + offset;
+    return true;
+}
+
+/* Of three corners with one exponent, as most triangles have. */
+static inline bool depths_alike(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias,
+                                uint32_t d[3])
+{
+    const int s = v[0]->s;
+    const uint32_t far = far_at(lens, s);
+    const uint32_t d0 = in_front(v[0]->q, far), d1 = in_front(v[1]->q, far), d2 = in_front(v[2]->q, far);
+    const int up = fx_clz32(d0), octave = up - 2 + s;
+    if (octave >= 14 || d0 == 0 || ((d0 ^ d1) | (d0 ^ d2)) >> (31 - up) != 0) {
+        return false;
+    }
+    const uint32_t offset = ((uint32_t)(14 - octave) << 28) + bias;
+    d[0] = (d0 << up >> 3) + offset;
+    d[1] = (d1 << up >> 3) + offset;
+    d[2] = (d2 << up >> 3) + offset;
+    return true;
+}
+
+bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3])
+{
+    if (v[0]->s == v[1]->s && v[0]->s == v[2]->s) {
+        return depths_alike(lens, v, bias, d);
+    }
+    const uint32_t d0 = own_depth(lens, v[0]);
+    const int octave = fx_clz32(d0) - 2 + v[0]->s;
+    const uint32_t offset = ((uint32_t)(14 - octave) << 28) + bias;
+    return octave < 14 && code_in_octave(v[0], d0, octave, offset, &d[0]) &&
+           code_in_octave(v[1], own_depth(lens, v[1]), octave, offset, &d[1]) &&
+           code_in_octave(v[2], own_depth(lens, v[2]), octave, offset, &d[2]);
+}

@@ -1,0 +1,481 @@
+/*
+ * Bands: clear, walk the triangles down their edges, draw their spans. See pipeline.h.
+ *
+ * Everything at a pixel is a function of the triangle and the pixel alone (planes are exact modulo 2^32), so the
+ * picture does not depend on where a band begins.
+ */
+#include "kernels.h"
+#include "pipeline.h"
+#include "span.h"
+
+#define NOINLINE __attribute__((noinline)) /* keeps what is rare from the registers of what is usual */
+
+/* One row of a triangle: columns from .. from + n - 1, pixels and depths of its first one. */
+struct row {
+    uint16_t *pixels;
+    void *depth;        /* see struct ph_band */
+    uint32_t n, d;      /* d: depth at the first pixel, in units of the plane */
+    uint32_t attribute; /* Gouraud: light at the first pixel */
+};
+
+/* A run of pixels whose depth codes are linear. */
+static inline void draw_run(const struct ph_triangle *t, bool wide, const struct row *row, uint32_t gd)
+{
+    const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
+    const uint32_t light = row->attribute, glight = t->attribute[0].gx;
+    const uint16_t *const ramp = t->material->ramp;
+    if (wide && gouraud) {
+        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+    } else if (wide) {
+        ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+    } else if (linear && gouraud) {
+        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, light, glight, ramp);
+    } else if (linear) {
+        ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, t->colour);
+    } else if (gouraud) {
+        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+    } else {
+        ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+    }
+}
+
+/* A span that may be of several runs. */
+static void draw_span(const struct ph_triangle *t, bool wide, struct row row)
+{
+    uint32_t left = row.n, d = row.d;
+    while (left > 0) { /* each turn draws at least one pixel */
+        row.n = left;
+        const struct ph_piece piece = ph_depth_piece(t, d, &row.n);
+        row.d = piece.d;
+        draw_run(t, wide, &row, piece.gd);
+        row.pixels += row.n;
+        row.depth = ph_depth_from(row.depth, row.n, wide);
+        row.attribute += t->attribute[0].gx * row.n;
+        d += t->depth.gx * row.n;
+        left -= row.n;
+    }
+}
+
+/* A span, with the octave of the last one. */
+static NOINLINE void draw_row(const struct ph_triangle *t, bool wide, struct ph_octave *octave, const struct row *row)
+{
+    const uint32_t last = row->d + t->depth.gx * (row->n - 1);
+    if (!ph_octave_holds(octave, row->d, last)) {
+        ph_octave_of(octave, t, row->d, t->depth.gx);
+        if (!ph_octave_holds(octave, row->d, last)) {
+            draw_span(t, wide, *row);
+            return;
+        }
+    }
+    struct row run = *row;
+    run.d = ph_depth_float16_code(octave, row->d);
+    draw_run(t, wide, &run, octave->slope);
+}
+
+/* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
+static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
+                          struct ph_edge left, struct ph_edge right)
+{
+    const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)band->width;
+    uint16_t *pixels = band->pixels + start;
+    void *depth = ph_depth_from(band->depth, start, band->wide);
+    uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
+    uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
+    const int kind = t->block == PH_BLOCK_NONE && !band->wide ? t->kind : -1; /* -1: the longer way */
+    struct ph_octave octave = {0};
+    for (; y < y_end; y++) {
+        const int32_t from = left.x < 0 ? 0 : left.x >> 16;
+        const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
+        if (from < to) {
+            const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from), first_d = d + x * t->depth.gx;
+            const uint32_t light = attribute + x * t->attribute[0].gx;
+            if (kind == PH_KIND_FLAT) {
+                ph_span_flat(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, t->colour);
+            } else if (kind == PH_KIND_GOURAUD) {
+                ph_span_gouraud(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, light, t->attribute[0].gx,
+                                t->material->ramp);
+            } else {
+                const struct row row = {pixels + x, ph_depth_from(depth, x, band->wide), n, first_d, light};
+                draw_row(t, band->wide, &octave, &row);
+            }
+            count += n;
+        }
+        left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
+        right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
+        pixels += band->width;
+        depth = ph_depth_from(depth, (uint32_t)band->width, band->wide);
+        d += t->depth.gy;
+        attribute += t->attribute[0].gy;
+    }
+    return count;
+}
+
+static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
+{
+    uint32_t count = 0;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+            count += walk_rows(t, band, y, y_end, left, right);
+        }
+    }
+    return count;
+}
+
+/* Where the rows of a narrow triangle lie: column 0 of the next one. */
+struct place {
+    uint16_t *depth, *pixels;
+    uint32_t stride; /* pixels */
+};
+
+static uint32_t draw_at(const struct ph_rows *r, const struct place *at)
+{
+    return ph_rows_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+}
+
+/* n rows further down, of which no more than the last is the last upper one. */
+static void step_rows(struct ph_rows *r, uint32_t n)
+{
+    r->left += n * r->left_dx;
+    r->right += n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->upper_rows = (uint16_t)(r->upper_rows - n);
+    if (r->upper_rows == 0) {
+        ph_rows_lower(r);
+    }
+}
+
+/* How many of the upper rows lie in the octave from the next one on; d, gd and d_dy in units of the triangle's plane.
+ */
+static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *octave)
+{
+    uint32_t left = r->left, right = r->right, d = r->d, n = 0;
+    for (; n < r->upper_rows; n++) {
+        const uint32_t from = left >> 16, to = right >> 16, first = d + from * r->gd;
+        if ((int32_t)(to - from) > 0 && !ph_octave_holds(octave, first, first + (to - from - 1) * r->gd)) {
+            break;
+        }
+        left += r->left_dx;
+        right += r->right_dx;
+        d += r->d_dy;
+    }
+    return n;
+}
+
+/* Rows of one octave; the steps of d are multiples of 8, so no bit of a shift to codes is lost. */
+static uint32_t draw_rows_in_octave(struct ph_rows *r, const struct ph_octave *octave, uint32_t rows,
+                                    const struct place *at)
+{
+    const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
+    const uint32_t above = d + from * gd - octave->bottom; /* the first row may be empty, and below the octave */
+    const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
+    r->gd = octave->slope;
+    r->d_dy = ph_depth_float16_slope(d_dy, octave->octave);
+    r->d = ph_depth_float16_value(octave->bottom, octave->octave) + octave->offset +
+           ph_depth_float16_slope(above, octave->octave) - from * r->gd;
+    r->upper_rows = (uint16_t)rows;
+    r->lower_rows = 0;
+    const uint32_t count = draw_at(r, at);
+    r->d = d;
+    r->gd = gd;
+    r->d_dy = d_dy;
+    r->upper_rows = upper_rows;
+    r->lower_rows = lower_rows;
+    return count;
+}
+
+/* How many of n pixels lie in the octave, from one of depth d on: it, and those behind it. */
+static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uint32_t gd, uint32_t n)
+{
+    const uint32_t size = octave->size;
+    uint32_t above = d - octave->bottom, count = 0;
+    if (FX_DIVIDES_32 && above < size && gd != 0) {
+        const uint32_t room = (int32_t)gd > 0 ? (size - 1 - above) / gd : above / (0u - gd);
+        return room < n ? room + 1 : n;
+    }
+    do {
+        above += gd;
+        count++;
+    } while (count < n && above < size);
+    return count;
+}
+
+/* One row that crosses octaves, from the first to what may be the next one. */
+static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_rows *r, const struct ph_octave *first,
+                                struct ph_octave *next, const struct place *at)
+{
+    const uint32_t from = r->left >> 16, to = r->right >> 16;
+    const struct ph_octave *octave = first;
+    for (uint32_t x = from, n; x < to; x += n) {
+        const uint32_t d = r->d + x * r->gd;
+        if (!ph_octave_holds(octave, d, d)) {
+            if (!ph_octave_holds(next, d, d)) {
+                ph_octave_of(next, t, d, r->gd);
+            }
+            octave = next;
+        }
+        n = pixels_in_octave(octave, d, r->gd, to - x);
+        ph_span_gouraud(&at->pixels[x], &at->depth[x], n, ph_depth_float16_code(octave, d), octave->slope,
+                        r->light + x * r->glight, r->glight, r->ramp);
+    }
+    return to - from;
+}
+
+/* Rows of a triangle that crosses octaves: most rows do not. */
+static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_rows *r, struct place at)
+{
+    struct ph_octave octave = {0}, next = {0}; /* none yet */
+    uint32_t count = 0;
+    while (r->upper_rows > 0) {
+        const uint32_t d = r->d + (r->left >> 16) * r->gd;
+        if (!ph_octave_holds(&octave, d, d)) {
+            ph_octave_of(&octave, t, d, r->gd);
+        }
+        uint32_t n = rows_in_octave(r, &octave);
+        if (n > 0) {
+            count += draw_rows_in_octave(r, &octave, n, &at);
+        } else {
+            n = 1;
+            count += draw_row_across(t, r, &octave, &next, &at);
+        }
+        step_rows(r, n);
+        at.depth += n * at.stride;
+        at.pixels += n * at.stride;
+    }
+    return count;
+}
+
+/*
+ * A plane in multiples of 8, 3 bits being what codes lose of d in the nearest octave: from the triangle's first pixel
+ * on, where no band begins.
+ */
+static void round_depth(struct ph_rows *r)
+{
+    const uint32_t x = (r->lower_is_right ? r->left : r->right) >> 16;
+    const uint32_t d = r->d + x * r->gd;
+    r->gd = (r->gd + 4) & ~(uint32_t)7;
+    r->d_dy = (r->d_dy + 4) & ~(uint32_t)7;
+    r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd;
+}
+
+/* n rows further down, of either half. */
+static FX_APART void skip_rows(struct ph_rows *r, uint32_t n)
+{
+    const uint32_t upper_rows = r->upper_rows, left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->left = left;
+    r->right = right;
+    if (n < upper_rows) {
+        r->upper_rows = (uint16_t)(upper_rows - n);
+        return;
+    }
+    const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
+    if (r->lower_is_right) {
+        r->right = x;
+        r->right_dx = dx;
+    } else {
+        r->left = x;
+        r->left_dx = dx;
+    }
+    r->upper_rows = (uint16_t)(r->lower_rows - below);
+    r->lower_rows = 0;
+}
+
+/* What of a triangle's rows lies in the band, and where. */
+static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_rows *r)
+{
+    int32_t y = t->y_top - band->y0;
+    if (y < 0) {
+        skip_rows(r, 0u - (uint32_t)y);
+        y = 0;
+    }
+    const uint32_t rows = (uint32_t)(band->y1 - band->y0 - y), upper_rows = r->upper_rows;
+    if (upper_rows >= rows) {
+        r->upper_rows = (uint16_t)rows;
+        r->lower_rows = 0;
+    } else if (r->lower_rows > rows - upper_rows) {
+        r->lower_rows = (uint16_t)(rows - upper_rows);
+    }
+    const uint32_t start = (uint32_t)y * (uint32_t)band->width;
+    return (struct place){(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
+}
+
+/* A narrow triangle that the band cuts. */
+static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_rows r = t->rows;
+    const struct place at = cut_rows(t, band, &r);
+    return draw_at(&r, &at);
+}
+
+/* A narrow triangle that crosses octaves. */
+static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_rows r = t->rows;
+    round_depth(&r);
+    const struct place at = cut_rows(t, band, &r);
+    return draw_rows_split(t, &r, at);
+}
+
+/* A narrow triangle, which no border but those of the band cuts. */
+static inline uint32_t draw_narrow(const struct ph_triangle *t, const struct ph_band *band)
+{
+    if (t->block != PH_BLOCK_NONE) {
+        return draw_split(t, band);
+    }
+    if (t->y_top < band->y0 || t->y_bottom > band->y1) {
+        return draw_cut(t, band);
+    }
+    const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
+    return ph_rows_gouraud(&t->rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
+}
+
+static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
+{
+    if (t->kind == PH_KIND_NARROW) {
+        return draw_narrow(t, band);
+    }
+    if (t->kind == PH_KIND_TEXTURE) {
+        return ph_draw_textured(t, band);
+    }
+    return walk(t, band);
+}
+
+/* Takes the first triangle, in drawing order, off two lists that are both in drawing order. */
+static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uint32_t *b)
+{
+    uint32_t *from = *a < *b ? a : b; /* PH_NONE is the largest */
+    const uint32_t first = *from;
+    *from = triangles[first].next;
+    return first;
+}
+
+/* Rows of a band, cleared before they are drawn. */
+static void clear(const struct ph_band *rows, uint16_t background)
+{
+    const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
+    ph_fill(rows->pixels, background, area);
+    ph_fill(rows->depth, 0, rows->wide ? 2 * area : area);
+}
+
+/* Leaves a triangle, of which y_bottom is below y1, as it is from row y1 on. One that is split hangs on its first row.
+ */
+static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
+{
+    if (t->kind == PH_KIND_NARROW && t->block == PH_BLOCK_NONE) {
+        skip_rows(&t->rows, (uint32_t)(y1 - t->y_top));
+        t->y_top = (int16_t)y1;
+    }
+}
+
+/* Merges, draws and sorts out in one pass. */
+static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
+{
+    struct ph_triangle *triangles = ph_triangles(r);
+    uint32_t begun = r->carried, *carry = &r->carried;
+    clear(rows, r->background);
+    while (begun != PH_NONE || fresh != PH_NONE) {
+        const uint32_t i = take_first(triangles, &begun, &fresh);
+        struct ph_triangle *const t = &triangles[i];
+        r->stats.fragments += draw(t, rows);
+        if (t->y_bottom > rows->y1) { /* goes on in the next band */
+            step_below(t, rows->y1);
+            *carry = i;
+            carry = &t->next;
+        }
+    }
+    *carry = PH_NONE;
+}
+
+/* What a core draws: some rows of a list that nobody changes meanwhile. */
+struct share {
+    const struct ph_triangle *triangles;
+    uint32_t first;
+    uint32_t fragments;
+    uint16_t background;
+    struct ph_band rows;
+};
+
+static void draw_share(struct share *s)
+{
+    s->fragments = 0;
+    clear(&s->rows, s->background);
+    for (uint32_t i = s->first; i != PH_NONE; i = s->triangles[i].next) {
+        const struct ph_triangle *t = &s->triangles[i];
+        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
+            s->fragments += draw(t, &s->rows);
+        }
+    }
+}
+
+static void draw_other_share(void *argument)
+{
+    draw_share(argument);
+}
+
+/* One list in drawing order of two. */
+static uint32_t merge(struct ph_triangle *triangles, uint32_t a, uint32_t b)
+{
+    uint32_t first = PH_NONE, *link = &first;
+    while (a != PH_NONE || b != PH_NONE) {
+        const uint32_t i = take_first(triangles, &a, &b);
+        *link = i;
+        link = &triangles[i].next;
+    }
+    *link = PH_NONE;
+    return first;
+}
+
+/* What of a list goes on below row y1. */
+static uint32_t keep_below(struct ph_triangle *triangles, uint32_t list, int32_t y1)
+{
+    uint32_t first = PH_NONE, *link = &first;
+    for (uint32_t i = list; i != PH_NONE; i = triangles[i].next) {
+        if (triangles[i].y_bottom > y1) {
+            step_below(&triangles[i], y1);
+            *link = i;
+            link = &triangles[i].next;
+        }
+    }
+    *link = PH_NONE;
+    return first;
+}
+
+/* Two halves of a band, of 2 rows or more. */
+static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
+{
+    struct ph_triangle *triangles = ph_triangles(r);
+    const uint32_t list = merge(triangles, r->carried, fresh);
+    struct share upper = {triangles, list, 0, r->background, *rows}, lower = upper;
+    upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
+    const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
+    lower.rows.pixels += above;
+    lower.rows.depth = (uint8_t *)rows->depth + above * (rows->wide ? sizeof(uint32_t) : sizeof(uint16_t));
+    const bool both = r->config.other_core(draw_other_share, &lower);
+    draw_share(&upper);
+    if (both) {
+        r->config.other_core_join();
+    } else {
+        draw_share(&lower);
+    }
+    r->stats.fragments += upper.fragments + lower.fragments;
+    r->carried = keep_below(triangles, list, rows->y1);
+}
+
+uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const int32_t lines = r->config.band_height, height = r->config.height;
+    const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
+    const bool wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
+    struct ph_band rows = {NULL, r->config.depth, wide, y0, y1, r->config.width};
+    rows.pixels = pixels; /* not above: clang-tidy would have them const */
+    if (r->config.other_core != NULL && y1 - y0 >= 2) {
+        draw_with_other(r, r->config.bins[band], &rows);
+    } else {
+        draw_alone(r, r->config.bins[band], &rows);
+    }
+    return (uint32_t)(y1 - y0);
+}

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Usage: firmware/tools/budget.sh IMAGE.elf OBJECTS MAIN flash=BYTES ram=BYTES chip_ram=BYTES stack=BYTES extra=BYTES
+# Prints what an image takes of its board's flash, of its budget of RAM and of its stack; exits 1 over one of them, and
+# when it holds floating point, a heap or input and output. firmware.mk calls it. Environment: CROSS (tool prefix).
+set -eu
+elf=$1 objects=$2 main=$3 # of the mains among the objects, the image's
+shift 3
+for pair; do
+    case $pair in
+    flash=* | ram=* | chip_ram=* | stack=* | extra=*) eval "${pair%%=*}=${pair#*=}" ;;
+    *) echo "budget: '$pair'?" >&2 && exit 2 ;;
+    esac
+done
+: "${flash:?}" "${ram:?}" "${chip_ram:?}" "${stack:?}" "${extra:=0}"
+CROSS=${CROSS:-arm-none-eabi-}
+
+# What must not be in an image: soft floating point, the heap, files.
+bad=$("${CROSS}nm" "$elf" | awk '$3 ~ /^(__aeabi_[fd][a-z0-9]*|__aeabi_(ui|i|l|ul)2[fd]|__(add|sub|mul|div|float|fix|extend|trunc)[a-z]*[sd]f[a-z0-9]*|_?(malloc|calloc|realloc|free|sbrk)(_r)?|_?(printf|fopen|write|puts)(_r)?)$/ { print $3 }' | sort -u | tr '\n' ' ')
+[ -z "$bad" ] || { echo "$elf: floating point, heap or files are in it: $bad" >&2 && exit 1; }
+
+graphs=$(find "$objects" -name '*.ci' ! -name 'main-*' && find "$objects" -name "$main.ci")
+# shellcheck disable=SC2086 # one file a word
+faults=$(awk -v library=96 -v list=1 -f "$(dirname "$0")/stack.awk" $graphs)
+worst=$(echo "$faults" | awk '/^worst / { print $2 }')
+if echo "$faults" | grep -qv '^worst '; then
+    echo "$elf: the stack has no bound:" >&2
+    echo "$faults" | grep -v '^worst ' >&2
+    exit 1
+fi
+
+"${CROSS}size" -A "$elf" | awk -v elf="$elf" -v flash="$flash" -v ram="$ram" -v chip="$chip_ram" -v stack="$stack" -v worst="$((worst + extra))" '
+    function line(what, used, of, rest) { printf "%-6s %7d of %7d bytes, %2d %%%s\n", what, used, of, 100 * used / of, rest; if (used > of) { over = over " " what } }
+    $3 < 4096 && $1 !~ /^\.(text|vectors|boot2|rodata|ARM)/ { next }
+    $1 ~ /^\.(boot2|vectors|text|rodata|ARM)/ { code += $2 }
+    $1 ~ /^\.(data|ram_?text|ramfunc)/ { code += $2; memory += $2 }
+    $1 ~ /^\.(bss|kit|stack|noinit|scratch)/ { memory += $2 }
+    END {
+        line("flash", code, flash, "")
+        line("RAM", memory, ram, sprintf(", stack included; %d %% of the chip", 100 * memory / chip))
+        line("stack", worst, stack, ", the deepest path")
+        if (over != "") { print elf ": over the budget of" over > "/dev/stderr"; exit 1 }
+    }'

@@ -1,0 +1,70 @@
+# Reads gcc's call graphs (-fcallgraph-info=su). Prints a line for each recursion, dynamic stack frame, call through a
+# pointer that nothing is known about, and path over `most` bytes; `-v list=1`: "worst BYTES FUNCTION" as the last line.
+# of=FILE:FUNCTION: that line is about the paths from there (of another core, say).
+# library: bytes taken for each call of a function without a graph (libgcc, libc).
+#
+# Whom a call through a pointer may reach is said by the tables `from` and `to`: regular expressions over FILE:FUNCTION.
+
+BEGIN {
+    demos = "firmware/app/demos/[a-z]*\\.c:"
+    ops = "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:[a-z0-9]+_(open|bus_clock|bus_write|bus_write_rows|bus_queue|bus_written|bus_until|bus_wait|bus_read|pin_set|te_wait|time_us|delay_us|buttons|close)$"
+    rules = 0
+    rule("firmware/app/demos/parts\\.c:", demos "[a-z]*_band$")
+    rule("firmware/app/runner\\.c:", demos "[a-z]*_(init|frame)$")
+    rule("firmware/app/runner\\.c:", ops)
+    rule("hal/panel/[a-z_]*\\.c:", ops)
+    rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
+    rule("firmware/app/images/[a-z]*\\.c:", ops)
+    rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
+    rule("firmware/core/render/raster\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
+    rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", "firmware/core/render/raster\\.c:.*other.*")
+}
+function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }
+function after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }
+function depth(f,    i, n, callee, d, deepest) {
+    if (f in known) { return known[f] }
+    if (f in open) { print "recursion: " f; return 0 }
+    if (!(f in frame)) { return library }
+    open[f]
+    n = split(calls[f], callee, "\n")
+    deepest = 0
+    for (i = 1; i < n; i++) { d = depth(callee[i]); if (d > deepest) { deepest = d } }
+    delete open[f]
+    return known[f] = frame[f] + deepest
+}
+/^node:/ {
+    if (match($0, /[0-9]+ bytes \([a-z,]*\)/)) {
+        split(substr($0, RSTART, RLENGTH), word, " ")
+        f = after("title")
+        frame[f] = word[1]
+        if (word[3] ~ /dynamic/) { print "dynamic stack: " f }
+        place[f] = f
+        if (f !~ /:/ && split(after("label"), line, /\\n/) > 1) { # not static: its file stands in the label
+            sub(/:[0-9]+:[0-9]+$/, "", line[2])
+            place[f] = line[2] ":" f
+        }
+    }
+}
+/^edge:/ {
+    callee_name = after("targetname")
+    caller = after("sourcename")
+    if (callee_name == "__indirect_call") { pointers[caller] } else { calls[caller] = calls[caller] callee_name "\n" }
+}
+END {
+    for (f in pointers) {
+        ruled = 0
+        for (r = 0; r < rules; r++) {
+            if (place[f] !~ from[r]) { continue }
+            ruled = 1
+            for (g in frame) { if (place[g] ~ to[r]) { calls[f] = calls[f] g "\n" } }
+        }
+        if (!ruled) { print "call through a pointer: " place[f] }
+    }
+    for (f in frame) {
+        d = depth(f)
+        if (of != "" && f != of) { continue }
+        if (d > worst) { worst = d; who = f }
+        if (most && d > most) { print "stack: " f " takes " d " bytes, " most " allowed" }
+    }
+    if (list) { print "worst " worst " " who } else { print "# deepest: " who ", " worst " bytes of stack" > "/dev/stderr" }
+}

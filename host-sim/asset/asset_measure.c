@@ -1,0 +1,134 @@
+#include "asset.h"
+#include "complain.h"
+#include "runner.h"
+
+#include <stdlib.h>
+
+#define SIDES_MOST  64 /* from which it is looked at */
+#define SIDES_LEAST 4
+#define WORK        1000000u /* triangles in all, about */
+
+/* A renderer with room for everything, and the scene. */
+struct stage {
+    struct demo demo;
+    struct demo_context context;
+    struct ph_renderer r;
+    void *memory;
+};
+
+static uint32_t sides_of(uint32_t triangles)
+{
+    uint32_t sides = SIDES_MOST;
+    while (sides > SIDES_LEAST && (uint64_t)sides * triangles > WORK) {
+        sides /= 2;
+    }
+    return sides;
+}
+
+static int set_up(struct stage *s, struct asset *asset, const struct board *board)
+{
+    s->demo = asset_demo(asset);
+    const uint32_t triangles = asset->model.triangle_count + asset->model.triangle_count / 2 + 1024;
+    const uint16_t width = panel_width(board->panel, board->rotation);
+    const uint16_t height = panel_height(board->panel, board->rotation);
+    const size_t vertex_bytes = (s->demo.vertex_max * ph_vertex_bytes + 15) & ~(size_t)15;
+    const size_t list_bytes = (triangles * ph_triangle_bytes + 15) & ~(size_t)15;
+    const size_t depth_bytes = ((size_t)width * 4 + 15) & ~(size_t)15,
+                 bin_bytes = ((size_t)height * 4 + 15) & ~(size_t)15;
+    s->memory = malloc(vertex_bytes + list_bytes + depth_bytes + bin_bytes + s->demo.arena_bytes);
+    if (s->memory == NULL) {
+        return PH_ERR_NOMEM;
+    }
+    uint8_t *const vertices = s->memory, *const list = vertices + vertex_bytes, *const depth = list + list_bytes,
+                   *const bins = depth + depth_bytes;
+    const struct ph_config config = {.width = width,
+                                     .height = height,
+                                     .band_height = 1,
+                                     .vertices = vertices,
+                                     .vertex_max = s->demo.vertex_max,
+                                     .triangles = list,
+                                     .triangle_max = triangles,
+                                     .bins = (uint32_t *)(void *)bins,
+                                     .bin_max = height,
+                                     .depth = depth};
+    s->context = (struct demo_context){
+        .arena = {.base = (uint8_t *)s->memory + vertex_bytes + list_bytes + depth_bytes + bin_bytes,
+                  .size = s->demo.arena_bytes},
+        .state = &asset->model,
+        .width = width,
+        .height = height};
+    const int status = ph_renderer_init(&s->r, &config);
+    return status == 0 ? s->demo.init(&s->context) : status;
+}
+
+static int look_around(struct stage *s, fx_t dolly, uint32_t sides, uint32_t *most)
+{
+    s->context.dolly = dolly;
+    for (uint32_t side = 0; side < sides; side++) {
+        s->context.orbit = (uint32_t)(((uint64_t)side << 32) / sides);
+        const int status = s->demo.frame(&s->context, &s->r, 0);
+        if (status != 0) {
+            return status;
+        }
+        const uint32_t listed = s->r.stats.triangles_drawn + s->r.stats.triangles_dropped;
+        *most = listed > *most ? listed : *most;
+    }
+    return 0;
+}
+
+int asset_measure(struct asset *asset, const struct board *board)
+{
+    struct stage s = {.memory = NULL};
+    const uint32_t sides = sides_of(asset->model.triangle_count);
+    uint32_t most = 0;
+    int status = set_up(&s, asset, board);
+    if (status == 0) {
+        status = look_around(&s, 0, sides, &most);
+    }
+    for (int i = 0; i < 2 && status == 0; i++) {
+        status = look_around(&s, i == 0 ? -DEMO_DOLLY_MAX : DEMO_DOLLY_MAX, sides / 4, &most);
+    }
+    free(s.memory);
+    const uint32_t listed = most + most / 16 + 8;
+    asset->listed = listed > asset->listed ? listed : asset->listed;
+    return status == 0 ? 0 : complain(EXIT_FAILED, "%s: the scene cannot be drawn there (%d)", board->name, status);
+}
+
+struct demo asset_demo(const struct asset *asset)
+{
+    struct demo demo = model_demo(&asset->model);
+    demo.name = asset->name;
+    demo.views = NULL;
+    demo.triangle_max = asset->listed;
+    if (asset->model.has_camera) {
+        demo.arena_bytes = demo.arena_bytes_32 = DEMO_STILL_BYTES;
+        demo.vertex_max = asset->model.vertex_max;
+    } else if (asset->is_bare) {
+        demo.arena_bytes = demo.arena_bytes_32 = DEMO_TURNTABLE_BARE_BYTES;
+        demo.vertex_max = asset->model.vertex_max;
+    }
+    return demo;
+}
+
+static struct kit_config config_of(const struct board *board, const struct demo *demo)
+{
+    return (struct kit_config){.board = board,
+                               .rotation = board->rotation,
+                               .depth_format = PH_DEPTH_AUTO,
+                               .band_height = board->band_height,
+                               .demo = demo};
+}
+
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board)
+{
+    const struct demo demo = asset_demo(asset);
+    const struct kit_config config = config_of(board, &demo);
+    return kit_whole_bytes(&config);
+}
+
+uint64_t asset_band_bytes(const struct board *board)
+{
+    const struct demo none = {.arena_bytes = 0};
+    const struct kit_config config = config_of(board, &none);
+    return kit_whole_bytes(&config);
+}

@@ -1,0 +1,132 @@
+#include "asset.h"
+#include "runner.h"
+#include "texture_make.h"
+
+/* What lies beside the arrays, in bytes of a 32-bit target. */
+#define MESH_BYTES     44
+#define MATERIAL_BYTES 28
+#define PART_BYTES     12
+#define TEXTURE_BYTES  8
+#define DEMO_BYTES     56
+#define EYE_BYTES      76
+#define RAMP_BYTES     (2 * PH_RAMP_SIZE)
+
+static uint8_t smaller(uint8_t a, uint8_t b)
+{
+    return a < b ? a : b;
+}
+
+uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max)
+{
+    const struct model *model = &asset->model;
+    uint64_t bytes = 0;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_texture *t = model->meshes[m].materials->texture;
+        if (t != NULL && asset_first_texture(model, m) == m) {
+            bytes +=
+                TEXTURE_BYTES + ((uint64_t)2 << (smaller(t->log2_width, log2_max) + smaller(t->log2_height, log2_max)));
+        }
+    }
+    return bytes;
+}
+
+struct asset_sizes asset_sizes(const struct asset *asset)
+{
+    const struct model *model = &asset->model;
+    struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0),
+                            .textures = asset_texture_bytes(asset, TEXTURE_LOG2_MAX)};
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_mesh *mesh = &model->meshes[m];
+        s.positions += 12 * (uint64_t)mesh->vertex_count;
+        s.normals += 6 * (uint64_t)mesh->vertex_count;
+        s.uvs += mesh->uvs != NULL ? 8 * (uint64_t)mesh->vertex_count : 0;
+        s.triangles += 6 * (uint64_t)mesh->triangle_count;
+        s.tables += MESH_BYTES + MATERIAL_BYTES + PART_BYTES + (asset_first_ramp(model, m) == m ? RAMP_BYTES : 0);
+    }
+    return s;
+}
+
+uint64_t asset_flash_bytes(const struct asset *asset)
+{
+    const struct asset_sizes s = asset_sizes(asset);
+    return s.positions + s.normals + s.uvs + s.triangles + s.tables + s.textures;
+}
+
+static void report_model(FILE *file, const struct asset *asset)
+{
+    static const char *const ways[] = {"as in the file", "simplified", "simplified, normals made again",
+                                       "simplified roughly, normals made again"};
+    const struct model *model = &asset->model;
+    uint32_t vertices = 0;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        vertices += model->meshes[m].vertex_count;
+    }
+    fprintf(file, "model      %s\n", asset->name);
+    fprintf(file, "triangles  %u of %u: %s", (unsigned)model->triangle_count, (unsigned)asset->triangles_read,
+            ways[asset->way]);
+    if (asset->way != ASSET_WHOLE) {
+        fprintf(file, "; the surface moved by about %.2g %% of the model's radius", 100 * asset->error);
+    }
+    fprintf(file, "\nvertices   %u of %u, %u in the largest of %u meshes\n", (unsigned)vertices,
+            (unsigned)asset->vertices_read, (unsigned)model->vertex_max, (unsigned)model->mesh_count);
+    if (asset->fetched > 0) {
+        fprintf(file, "reuse      %.2f vertices fetched a triangle, %.2f before (16 at hand)\n", asset->fetched,
+                asset->fetched_read);
+    }
+    fprintf(file, "camera     %s\n",
+            model->has_camera ? "the file's"
+            : asset->is_bare  ? "turntable without its platter"
+                              : "turntable");
+}
+
+static void report_flash(FILE *file, const struct asset *asset)
+{
+    const struct asset_sizes s = asset_sizes(asset);
+    const struct {
+        const char *name;
+        uint64_t bytes;
+    } rows[] = {{"positions", s.positions},          {"normals", s.normals}, {"uvs", s.uvs},
+                {"triangles", s.triangles},          {"tables", s.tables},   {"textures", s.textures},
+                {"in all", asset_flash_bytes(asset)}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        fprintf(file, "%-10s %-10s %8llu bytes\n", i == 0 ? "flash" : "", rows[i].name,
+                (unsigned long long)rows[i].bytes);
+    }
+}
+
+static void report_board(FILE *file, const struct asset *asset, const struct board *board)
+{
+    const uint64_t need = asset_frame_bytes(asset, board), bands = asset_band_bytes(board), budget = kit_budget(board);
+    char size[16];
+    snprintf(size, sizeof size, "%ux%u", (unsigned)panel_width(board->panel, board->rotation),
+             (unsigned)panel_height(board->panel, board->rotation));
+    fprintf(file, "%-27s %-8s %6llu %10u %8llu %8llu %9llu  ", board->name, size, (unsigned long long)bands,
+            (unsigned)asset->listed, (unsigned long long)(need - bands), (unsigned long long)need,
+            (unsigned long long)budget);
+    if (need <= budget) {
+        fputs("fits\n", file);
+    } else {
+        fprintf(file, "%llu too many\n", (unsigned long long)(need - budget));
+    }
+}
+
+int asset_report(FILE *file, const struct asset *asset, const struct board *board)
+{
+    report_model(file, asset);
+    report_flash(file, asset);
+    fprintf(file, "\n%-27s %-8s %6s %10s %8s %8s %9s\n", "board: bytes for a frame", "picture", "bands", "triangles",
+            "scene", "in all", "budget");
+    for (uint32_t i = 0; i < board_count; i++) {
+        struct asset here = *asset;
+        here.listed = 0;
+        if (board != NULL && board != board_list[i]) {
+            continue;
+        }
+        const int status = asset_measure(&here, board_list[i]);
+        if (status != 0) {
+            return status;
+        }
+        report_board(file, &here, board_list[i]);
+    }
+    return 0;
+}

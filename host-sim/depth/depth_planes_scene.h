@@ -1,0 +1,79 @@
+/*
+ * depth_planes_scene: two parallel planes drawn by the renderer, and where they exactly are.
+ *
+ * Each is a parallelogram a, a + u, a + u + v, a + v in Q16.16, seen by a camera at the origin that looks along -z;
+ * u = (ux, 0, 0), v = (0, vy, vz), so rows of the picture see one distance, and the four corners lie exactly in one
+ * plane. Both have the same u and v, so they are exactly parallel. (v is a multiple of 64, so that one plane can be
+ * moved within itself, exactly: else both would be snapped to the same sub-pixels, and could not be out of order.) The
+ * one behind is drawn first: of two equal depth codes it stays, and what the format cannot tell apart counts as wrong.
+ *
+ *            \     \
+ *             \     \  tilt: angle of the planes with the screen, 0 facing, positive leaning away at the top
+ *     eye ---- \ --- \ ---- z = at (behind)
+ *         front \     \ behind,  separation: along their normal
+ *
+ * Exactly: the ray of row j of H is y = s D (D the distance along the view), s = (H - 1 - 2 j) 2^20 / (scale_y H),
+ * scale_y the projection's in Q12.20. It meets the plane at D = (vz ay - az vy) / (vy + s vz). The denominator is
+ * common to both planes, so at every pixel the nearer one is the one with the smaller numerator by size: 64 bits
+ * decide it exactly, and tests/host-sim/test_depth_planes.c confirms it pixel by pixel in rational numbers.
+ */
+#ifndef DEPTH_PLANES_SCENE_H
+#define DEPTH_PLANES_SCENE_H
+
+#include "depth_lab.h"
+
+struct planes_quad {
+    struct fx_vec3 a;
+    fx_t ux, vy, vz;
+};
+
+struct planes_pair {
+    struct planes_quad behind, front;
+};
+
+/* What is asked for. Slopes y/D of the planes' lower and upper edge, x/D of their sides at the middle. */
+struct planes_place {
+    double at_m, tilt_deg, separation_m;
+    double slope_low, slope_high, slope_side;
+    int shift; /* moves the plane in front within itself by this many 64ths of its height, and a little sideways */
+};
+
+/* The renderer and its memory for pictures of lab's size in one format. */
+struct planes_canvas {
+    const struct depth_lab *lab;
+    struct ph_renderer renderer;
+    struct ph_xform view; /* the identity; who measures may turn it about z */
+    struct ph_projection projection;
+    uint16_t *pixels;  /* PLANES_NONE, PLANES_FRONT or PLANES_BEHIND */
+    uint8_t *verdicts; /* room for a byte a pixel, for whoever counts */
+    void *memory;
+};
+
+enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
+
+/* 0, or EXIT_FAILED and one line. planes_close() afterwards in any case. */
+int planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format);
+void planes_close(struct planes_canvas *canvas);
+
+/* The widest place that the picture, near and far plane allow for planes at this distance and tilt. */
+struct planes_place planes_whole(const struct depth_lab *lab, double at_m, double tilt_deg, double separation_m);
+
+/* Rounds to Q16.16. False where a plane would be a line, or its corners lie outside near .. far. */
+bool planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair);
+
+/* Draws the quads in order (the last two arguments may be NULL) into canvas->pixels and the depth buffer. */
+void planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front);
+
+/* Depth code of a pixel of what was drawn last; 0: nothing there. */
+uint32_t planes_code(const struct planes_canvas *canvas, uint32_t pixel);
+
+/* Distance along the view at which the ray of a row meets the plane, in metres. */
+double planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t row);
+
+/* Whether the plane called front is exactly nearer than the other one, at every pixel. */
+bool planes_front_is_nearer(const struct planes_pair *pair);
+
+/* The distance between the planes as they are after rounding, along their normal, in metres. */
+double planes_separation_m(const struct planes_pair *pair);
+
+#endif

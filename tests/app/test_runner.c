@@ -1,0 +1,384 @@
+/* kit: buffers and an asynchronous bus, with a queue and without, memory as it is given, select and what fits. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "runner.h"
+#include "sim.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define QUEUED_MAX 4096
+
+/* A bus that looks at a buffer only when it has to give it back: whoever changed it before is seen. */
+struct late_bus {
+    struct sim *sim;
+    struct hal below;
+    const uint8_t *bytes;
+    uint8_t copy[65536];
+    size_t n;
+    uint32_t held; /* writes of pixels that were under way when the next came */
+    uint32_t buttons;
+    bool queue;
+    struct queued {
+        const uint8_t *bytes;
+        uint8_t *copy;
+        size_t n;
+    } queued[QUEUED_MAX]; /* numbered released .. written - 1; copied ones have no bytes */
+    uint32_t written, released, most;
+    uint32_t pixel_bytes;
+};
+
+static void give_back(struct late_bus *bus)
+{
+    if (bus->n > 0) {
+        assert_memory_equal(bus->bytes, bus->copy, bus->n);
+        bus->n = 0;
+    }
+}
+
+/* Writes below number `to`: nobody has changed what was to be sent. */
+static void release(struct late_bus *bus, uint32_t to)
+{
+    for (; bus->released != to; bus->released++) {
+        struct queued *q = &bus->queued[bus->released % QUEUED_MAX];
+        if (q->copy != NULL) {
+            assert_memory_equal(q->bytes, q->copy, q->n);
+            free(q->copy);
+        }
+    }
+}
+
+static int queue_write(struct late_bus *bus, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    assert_true(bus->written - bus->released < QUEUED_MAX);
+    struct queued *q = &bus->queued[bus->written++ % QUEUED_MAX];
+    *q = (struct queued){bytes, NULL, n};
+    if (n > HAL_COPIED) {
+        q->copy = malloc(n);
+        memcpy(q->copy, bytes, n);
+        bus->pixel_bytes += (uint32_t)n;
+    }
+    const uint32_t waiting = bus->written - bus->released;
+    bus->most = waiting > bus->most ? waiting : bus->most;
+    return bus->below.ops->bus_write(bus->below.context, dc, bytes, n);
+}
+
+static int late_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    struct late_bus *bus = context;
+    if (bus->queue) {
+        return queue_write(bus, dc, bytes, n);
+    }
+    bus->held += bus->n > 1000 && n > 1000;
+    assert_true(bus->n < 1000 || bytes + n <= bus->bytes || bytes >= bus->bytes + bus->n);
+    give_back(bus);
+    assert_true(n <= sizeof bus->copy);
+    memcpy(bus->copy, bytes, n);
+    bus->bytes = bytes;
+    bus->n = n;
+    return bus->below.ops->bus_write(bus->below.context, dc, bytes, n);
+}
+
+static int late_wait(void *context)
+{
+    struct late_bus *bus = context;
+    give_back(bus);
+    release(bus, bus->written);
+    return HAL_OK;
+}
+
+static void late_queue(void *context, bool on)
+{
+    struct late_bus *bus = context;
+    assert_int_equal(bus->n, 0); /* nothing is on its way when buffers move */
+    assert_int_equal(bus->released, bus->written);
+    bus->queue = on;
+}
+
+static uint32_t late_written(void *context)
+{
+    const struct late_bus *bus = context;
+    return bus->written;
+}
+
+static int late_until(void *context, uint32_t written)
+{
+    struct late_bus *bus = context;
+    if ((int32_t)(written - bus->released) > 0) {
+        release(bus, written);
+    }
+    return HAL_OK;
+}
+
+static int32_t late_clock(void *context, uint32_t hz)
+{
+    const struct late_bus *bus = context;
+    return bus->below.ops->bus_clock(bus->below.context, hz);
+}
+
+static int late_pin(void *context, enum hal_pin pin, bool level)
+{
+    const struct late_bus *bus = context;
+    return bus->below.ops->pin_set(bus->below.context, pin, level);
+}
+
+static void late_delay(void *context, uint32_t us)
+{
+    const struct late_bus *bus = context;
+    bus->below.ops->delay_us(bus->below.context, us);
+}
+
+static uint32_t late_buttons(void *context)
+{
+    const struct late_bus *bus = context;
+    return bus->buttons;
+}
+
+static const struct hal_ops late_ops = {.name = "late",
+                                        .bus_clock = late_clock,
+                                        .bus_write = late_write,
+                                        .bus_wait = late_wait,
+                                        .pin_set = late_pin,
+                                        .delay_us = late_delay,
+                                        .buttons = late_buttons};
+
+static const struct hal_ops queue_ops = {.name = "late",
+                                         .bus_clock = late_clock,
+                                         .bus_write = late_write,
+                                         .bus_wait = late_wait,
+                                         .bus_queue = late_queue,
+                                         .bus_written = late_written,
+                                         .bus_until = late_until,
+                                         .pin_set = late_pin,
+                                         .delay_us = late_delay,
+                                         .buttons = late_buttons};
+
+struct stage {
+    struct late_bus bus;
+    struct hal hal;
+    struct kit kit;
+    struct kit_config config;
+};
+
+static struct stage *stage_of(const struct board *board, const char *demo, uint16_t band_height, uint32_t budget,
+                              int expected)
+{
+    struct stage *s = calloc(1, sizeof *s);
+    assert_non_null(s);
+    s->bus.sim = sim_open(board, &s->bus.below);
+    s->hal = (struct hal){&late_ops, &s->bus};
+    s->config = (struct kit_config){.board = board,
+                                    .rotation = board->rotation,
+                                    .band_height = band_height,
+                                    .budget_bytes = budget,
+                                    .demo = demo_find(demo)};
+    s->config.memory_bytes = kit_bytes(&s->config);
+    s->config.memory = malloc(s->config.memory_bytes); /* to the byte: a sanitizer sees more */
+    assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), expected);
+    return s;
+}
+
+static struct stage *stage_open(const struct board *board, uint32_t budget, int expected)
+{
+    return stage_of(board, "cube", board->band_height, budget, expected);
+}
+
+static void stage_close(struct stage *s)
+{
+    sim_close(s->bus.sim);
+    free(s->config.memory);
+    free(s);
+}
+
+static void no_buffer_is_touched_while_it_is_sent(void **state)
+{
+    (void)state;
+    struct stage *s = stage_open(board_find("waveshare-pico-lcd-1in3"), kit_budget(board_find("pico-display")), 0);
+    for (uint32_t frame = 0; frame < 5; frame++) {
+        assert_int_equal(kit_frame(&s->kit, frame), 0);
+    }
+    assert_int_equal(kit_finish(&s->kit), 0);
+    assert_true(s->bus.held >= 5 * 13); /* 15 bands a frame: each was drawn while the one before was sent */
+    assert_int_equal(kit_close(&s->kit), 0);
+    assert_int_equal(sim_complaint_count(s->bus.sim), 0);
+    stage_close(s);
+}
+
+/* 64 KB: the icosphere's meshes do not fit beside the bands. */
+static void select_takes_the_next_demo_that_fits(void **state)
+{
+    (void)state;
+    const struct board *board = board_find("lm3s6965evb");
+    struct stage *s = stage_open(board, kit_budget(board), 0);
+    for (uint32_t i = 0; i < 2 * demo_count; i++) {
+        s->bus.buttons = i % 2 == 0 ? HAL_BUTTON_SELECT : 0;
+        assert_int_equal(kit_frame(&s->kit, i), 0);
+        assert_string_not_equal(s->kit.demo->name, "icosphere");
+    }
+    stage_close(s);
+}
+
+static void a_button_that_is_held_selects_once(void **state)
+{
+    (void)state;
+    struct stage *s = stage_open(board_find("pico-display"), kit_budget(board_find("pico-display")), 0);
+    s->bus.buttons = HAL_BUTTON_SELECT;
+    assert_int_equal(kit_frame(&s->kit, 0), 0);
+    const struct demo *first = s->kit.demo;
+    assert_int_equal(kit_frame(&s->kit, 1), 0);
+    assert_ptr_equal(s->kit.demo, first);
+    assert_ptr_not_equal(s->kit.demo, demo_find("cube"));
+    stage_close(s);
+}
+
+static void up_and_down_together_select(void **state)
+{
+    (void)state;
+    struct stage *s = stage_open(board_find("pico-display"), kit_budget(board_find("pico-display")), 0);
+    const struct demo *first = s->kit.demo;
+    s->bus.buttons = HAL_BUTTON_UP;
+    assert_int_equal(kit_frame(&s->kit, 0), 0);
+    s->bus.buttons = HAL_BUTTON_DOWN;
+    assert_int_equal(kit_frame(&s->kit, 1), 0);
+    assert_ptr_equal(s->kit.demo, first);
+    s->bus.buttons = HAL_BUTTON_UP | HAL_BUTTON_DOWN;
+    assert_int_equal(kit_frame(&s->kit, 2), 0);
+    const struct demo *second = s->kit.demo;
+    assert_ptr_not_equal(second, first);
+    assert_int_equal(kit_frame(&s->kit, 3), 0);
+    assert_ptr_equal(s->kit.demo, second);
+    stage_close(s);
+}
+
+static void too_little_memory_is_refused(void **state)
+{
+    (void)state;
+    stage_close(stage_open(board_find("pico-display"), 30000, PH_ERR_NOMEM)); /* bands, no scene */
+    stage_close(stage_open(board_find("pico-display"), 1000, PH_ERR_NOMEM));
+}
+
+static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
+{
+    (void)state;
+    uint32_t dropped = UINT32_MAX;
+    for (uint32_t budget = 30000; dropped > 0; budget += 30000) {
+        struct stage *s = stage_open(board_find("lm3s6965evb"), budget, 0);
+        while (strcmp(s->kit.demo->name, "fisheye") != 0) {
+            assert_int_equal(kit_buttons(&s->kit, HAL_BUTTON_SELECT), 0);
+            assert_int_equal(kit_buttons(&s->kit, 0), 0);
+        }
+        assert_int_equal(kit_frame(&s->kit, 0), 0);
+        assert_true(s->kit.renderer.stats.triangles_dropped < dropped);
+        dropped = s->kit.renderer.stats.triangles_dropped;
+        assert_true((budget == 30000) <= (dropped > 0)); /* the first has too little */
+        stage_close(s);
+    }
+}
+
+static struct stage *stage_on(const struct board *board, const char *demo, uint16_t band_height)
+{
+    return stage_of(board, demo, band_height, kit_budget(board), 0);
+}
+
+static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
+{
+    (void)state;
+    const struct board *board = board_find("waveshare-pico-lcd-1in3");
+    static const struct {
+        const char *demo;
+        uint32_t least, most;
+    } expected[] = {{"fill", 15, 15}, {"solar", 6, 6}, {"hitchcock", 3, 5}, {"shadow", 2, 2}};
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        struct stage *s = stage_on(board, expected[i].demo, board->band_height);
+        assert_in_range(s->kit.band_count, expected[i].least, expected[i].most);
+        stage_close(s);
+    }
+    struct stage *s = stage_on(board_find("lm3s6965evb"), "fill", 8); /* its backend has no queue */
+    assert_int_equal(s->kit.band_count, 2);
+    stage_close(s);
+}
+
+/* What is left out, too. */
+static void other_bands_share_the_memory_out_alike(void **state)
+{
+    (void)state;
+    static const uint16_t heights[] = {1, 8, 40, 1024};
+    const struct board *board = board_find("lm3s6965evb");
+    for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
+        struct stage *own = stage_on(board, "fisheye", board->band_height),
+                     *other = stage_on(board, "fisheye", heights[i]);
+        assert_int_equal(own->kit.renderer.config.triangle_max, other->kit.renderer.config.triangle_max);
+        stage_close(own);
+        stage_close(other);
+    }
+}
+
+static struct stage *queue_on(const char *demo)
+{
+    struct stage *s = stage_on(board_find("pico-display"), demo, 16);
+    s->hal.ops = &queue_ops;
+    assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), 0);
+    return s;
+}
+
+static void no_buffer_in_the_queue_is_touched(void **state)
+{
+    (void)state;
+    struct stage *s = queue_on("fill");
+    for (uint32_t frame = 0; frame < 2 * demo_count; frame++) {
+        s->bus.buttons = frame % 2 == 1 ? HAL_BUTTON_SELECT : 0;
+        assert_int_equal(kit_frame(&s->kit, frame), 0);
+        assert_true(s->bus.queue);
+    }
+    assert_true(s->bus.most >= s->kit.band_count);
+    assert_int_equal(kit_close(&s->kit), 0);
+    stage_close(s);
+}
+
+/* What is on the glass is the whole picture's; what was sent is less, but for demos in which all moves. */
+static void tiles_show_every_demo_as_it_is(void **state)
+{
+    (void)state;
+    static uint8_t seen[3 * 240 * 135], expected[sizeof seen];
+    struct stage *whole = queue_on("fill"), *s = queue_on("fill");
+    const uint32_t bytes = (uint32_t)panel_tiles_bytes(240, 135, 16);
+    struct panel_tiles tiles;
+    void *memory = malloc(bytes);
+    assert_int_equal(panel_tiles_init(&tiles, &s->kit.driver, 16, memory, bytes), 0);
+    s->kit.config.tiles = &tiles;
+    for (uint32_t frame = 0; frame < 6 * demo_count; frame++) {
+        whole->bus.buttons = s->bus.buttons = frame % 6 == 5 ? HAL_BUTTON_SELECT : 0;
+        assert_int_equal(kit_frame(&whole->kit, frame), 0);
+        assert_int_equal(kit_frame(&s->kit, frame), 0);
+        sim_pixels(whole->bus.sim, whole->config.rotation, expected);
+        sim_pixels(s->bus.sim, s->config.rotation, seen);
+        assert_memory_equal(seen, expected, sizeof seen);
+    }
+    print_message("# sent %u %% of the pixels\n", (unsigned)(100ULL * s->bus.pixel_bytes / whole->bus.pixel_bytes));
+    assert_true(10 * (uint64_t)s->bus.pixel_bytes < 8 * (uint64_t)whole->bus.pixel_bytes);
+    assert_int_equal(kit_close(&s->kit), 0);
+    assert_int_equal(kit_close(&whole->kit), 0);
+    free(memory);
+    stage_close(whole);
+    stage_close(s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_demo_has_the_buffers_that_fit_beside_it),
+        cmocka_unit_test(other_bands_share_the_memory_out_alike),
+        cmocka_unit_test(no_buffer_in_the_queue_is_touched),
+        cmocka_unit_test(tiles_show_every_demo_as_it_is),
+        cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
+        cmocka_unit_test(select_takes_the_next_demo_that_fits),
+        cmocka_unit_test(a_button_that_is_held_selects_once),
+        cmocka_unit_test(up_and_down_together_select),
+        cmocka_unit_test(too_little_memory_is_refused),
+        cmocka_unit_test(a_smaller_budget_leaves_out_more_and_counts_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

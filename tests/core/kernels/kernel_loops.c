@@ -1,0 +1,320 @@
+/*
+ * The hot loops (hot.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
+ * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
+ */
+#include "kernels.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TURNS = 20000, ROOM = 2048, TEXELS = 64 * 64 };
+
+static uint32_t state;
+static uint16_t pixels[ROOM], depth[ROOM], texels[TEXELS], ramp[128];
+
+static uint32_t bits(void)
+{
+    state = state * 1664525u + 1013904223u;
+    return state ^ state >> 15;
+}
+
+static uint32_t below(uint32_t n)
+{
+    return (uint32_t)((uint64_t)bits() * n >> 32);
+}
+
+static void randomise(uint16_t *to, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        to[i] = (uint16_t)bits();
+    }
+}
+
+static uint32_t hash(uint32_t h, const void *data, size_t bytes)
+{
+    for (size_t i = 0; i < bytes; i++) {
+        h = (h ^ ((const uint8_t *)data)[i]) * 16777619u;
+    }
+    return h;
+}
+
+static uint32_t hash_rows(uint32_t h)
+{
+    return hash(hash(h, pixels, sizeof pixels), depth, sizeof depth);
+}
+
+static uint32_t word(uint32_t h, uint32_t value)
+{
+    return hash(h, &value, sizeof value);
+}
+
+static uint32_t try_fill(uint32_t h)
+{
+    uint16_t *const to = pixels + below(64);
+    const uint32_t n = below(4) > 0 ? below(200) : below(ROOM - 64);
+    ph_fill(to, (uint16_t)bits(), n);
+    return h;
+}
+
+static uint32_t try_flat(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
+    const uint32_t gd = below(1 << 22);
+    ph_span_flat(pixels + at, depth + depth_at, n, d, gd, (uint16_t)bits());
+    return h;
+}
+
+static uint32_t try_gouraud(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
+    const uint32_t gd = below(1 << 22), light = bits(), down = below(16);
+    ph_span_gouraud(pixels + at, depth + depth_at, n, d, gd, light, bits() >> down, ramp);
+    return h;
+}
+
+static uint32_t try_rows(uint32_t h)
+{
+    struct ph_rows r = {.ramp = ramp};
+    r.d = bits();
+    r.light = bits();
+    r.left = (40 << 16) + below(20 << 16);
+    r.d_dy = below(1 << 24);
+    r.light_dy = bits() >> 8;
+    r.gd = below(1 << 22);
+    r.glight = bits() >> 6;
+    r.upper_rows = (uint16_t)(1 + below(8));
+    r.lower_rows = (uint16_t)below(8);
+    r.right = r.left + below(16 << 16) - (3 << 16); /* also empty rows */
+    r.left_dx = below(1 << 16);
+    r.right_dx = r.left_dx + below(1 << 16);
+    r.lower_is_right = below(2);
+    const uint32_t other = r.upper_rows * (r.lower_is_right ? r.left_dx : r.right_dx);
+    r.lower.x = (int32_t)((r.lower_is_right ? r.left + below(20 << 16) : r.right - below(20 << 16)) + other);
+    r.lower.dx = (int32_t)(r.lower_is_right ? r.left_dx : r.right_dx);
+    const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
+    return word(h, ph_rows_gouraud(&r, depth + at, pixels + pixels_at, stride_bytes));
+}
+
+static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+{
+    const int32_t dx1 = b->x - a->x, dy1 = b->y - a->y, dx2 = c->x - a->x, dy2 = c->y - a->y;
+    return (struct ph_sides){dx1, dy1, dx2, dy2, dx2 * dy1 - dx1 * dy2, true};
+}
+
+/* A triangle round a point within the picture; also without rows, as a sliver and steep. */
+static uint32_t try_small(uint32_t h)
+{
+    const uint32_t size = below(3) > 0 ? 2 * PH_TINY : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
+    struct ph_vertex corner[3];
+    uint32_t d[3], far_apart = below(32);
+    for (int i = 0; i < 3; i++) {
+        corner[i].x = (int32_t)(100 * 256 + below(size) / 2);
+        corner[i].y = (int32_t)(50 * 256 + (below(size) / 2 >> flat));
+        corner[i].light = (uint16_t)(below(4) > 0 ? 30000 + below(2000) : bits());
+        d[i] = (uint32_t)1 << 31 | bits() >> (1 + far_apart % 31);
+    }
+    const struct ph_sides first = sides_of(&corner[0], &corner[1], &corner[2]);
+    const bool turned = first.area < 0;
+    const struct ph_sides sides = turned ? sides_of(&corner[0], &corner[2], &corner[1]) : first;
+    const struct ph_vertex *const v[3] = {&corner[0], &corner[turned ? 2 : 1], &corner[turned ? 1 : 2]};
+    struct ph_triangle t;
+    memset(&t, 0, sizeof t);
+    if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
+        return word(h, 0);
+    }
+    const uint32_t rows[] = {t.rows.left_dx, t.rows.right_dx, t.rows.d_dy,  t.rows.light_dy, t.rows.gd,
+                             t.rows.glight,  t.rows.left,     t.rows.right, t.rows.d,        t.rows.light};
+    h = hash(h, rows, sizeof rows);
+    h = t.rows.lower_rows > 0 ? word(word(h, (uint32_t)t.rows.lower.x), (uint32_t)t.rows.lower.dx) : h;
+    h = word(word(word(h, t.rows.upper_rows), t.rows.lower_rows), t.rows.lower_is_right);
+    return word(word(h, (uint32_t)t.y_top), (uint32_t)t.y_bottom);
+}
+
+/* Corners in front of a far plane, mostly near each other. */
+static uint32_t try_float(uint32_t h)
+{
+    struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = (int8_t)(1 + below(30))};
+    const uint32_t near = below((uint32_t)lens.far_s), down = below(31);
+    struct ph_vertex corner[3];
+    for (int i = 0; i < 3; i++) {
+        corner[i].s = (int8_t)(lens.far_s - (int)(below(4) > 0 ? near : below((uint32_t)lens.far_s)));
+        corner[i].q = ((uint32_t)1 << 30) + (bits() >> (2 + down % 30));
+        corner[i].q = corner[i].s == lens.far_s ? lens.far_q + (bits() >> (3 + down % 29)) : corner[i].q;
+    }
+    const struct ph_vertex *const v[3] = {&corner[0], &corner[1], &corner[2]};
+    uint32_t d[3];
+    return ph_float_depths(&lens, v, below(1 << 20), d) ? hash(h, d, sizeof d) : word(h, 0);
+}
+
+static uint32_t spread(int log2)
+{
+    return below((uint32_t)2 << log2) - ((uint32_t)1 << log2);
+}
+
+/* Coefficients as a tile has them, or (wild) any at all. */
+static struct ph_texel_way way(int log2, bool wild)
+{
+    struct ph_texel_way w;
+    w.at = wild ? bits() : below((uint32_t)64 << log2);
+    w.step = wild ? bits() : spread(log2 - 1);
+    w.bend = wild ? bits() : spread(log2 - 6);
+    w.at_dy = wild ? bits() : spread(log2);
+    w.step_dy = wild ? bits() : spread(log2 - 5);
+    w.bend_dy = wild ? bits() : spread(log2 - 10);
+    w.at_ddy = wild ? bits() : spread(log2 - 4);
+    w.step_ddy = wild ? bits() : spread(log2 - 9);
+    return w;
+}
+
+static uint32_t hash_way(uint32_t h, const struct ph_texel_way *w)
+{
+    return hash(h, w, sizeof *w);
+}
+
+static uint32_t try_texture(uint32_t h)
+{
+    const bool wild = below(4) == 0, clamp = below(2) == 0;
+    struct ph_texel_rows r = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    r.left = below(30 << 16) - (10 << 16);
+    r.right = r.left + below(40 << 16) - (5 << 16);
+    r.left_dx = below(1 << 17) - (1 << 16);
+    r.right_dx = below(1 << 17) - (1 << 16);
+    r.d = bits();
+    r.d_dy = below(1 << 24);
+    r.depth = depth + below(16);
+    r.pixels = pixels + below(16);
+    r.stride_bytes = 2 * (64 + below(16));
+    r.gd = below(1 << 24);
+    r.columns = 1 + below(PH_TILE);
+    r.rows = 1 + below(16);
+    r.count = bits();
+    r.u_outside = clamp ? UINT32_MAX << 28 : 0;
+    r.v_outside = r.u_outside;
+    r.u = way(22, wild);
+    r.v = way(22, wild || below(2) == 0);
+    ph_rows_texture(&r);
+    h = word(word(word(word(h, r.left), r.right), r.d), r.rows);
+    h = word(word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels)), r.count);
+    return hash_way(hash_way(h, &r.u), &r.v);
+}
+
+static int32_t around(int32_t most)
+{
+    return (int32_t)below(2 * (uint32_t)most) - most;
+}
+
+static struct ph_clip_matrix any_matrix(void)
+{
+    struct ph_clip_matrix m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.m[i][j] = around(1 << 28);
+        }
+        m.t[i] = fx_mul_wide(around(i < 2 ? 1 << 16 : 8 << 16), 1 << 28) + (1 << 27);
+    }
+    return m;
+}
+
+/* Vertices of a mesh, most of them in the picture; one beyond every reach. */
+static uint32_t try_vertices(uint32_t h)
+{
+    enum { VERTICES = 40 };
+    struct fx_vec3 positions[VERTICES];
+    struct ph_vertex out[VERTICES];
+    const struct ph_clip_matrix m = any_matrix();
+    struct ph_vertex_run run = {.from = positions, .end = positions + VERTICES, .to = out};
+    for (int i = 0; i < VERTICES; i++) {
+        const int32_t size = below(8) > 0 ? 1 << 16 : 1 << 20;
+        positions[i] = (struct fx_vec3){around(size), around(size), around(size)};
+    }
+    positions[below(VERTICES)].y = -(1 << 27) - 1;
+    ph_clip_rows_of(&run.rows, &m);
+    run.near = 1 + below(1 << (1 + below(16)));
+    run.range = below((1 << 28) - run.near);
+    run.down = 1 + below(16);
+    run.round_x = (int64_t)((uint64_t)(bits() >> 6) << 32);
+    run.round_y = (int64_t)((uint64_t)(bits() >> 6) << 32);
+    run.depth_scale = bits() | (uint32_t)1 << 31;
+    run.near_shift = (int32_t)below(32);
+    run.guard_up = below(4);
+    run.right = below(1 << 20);
+    run.bottom = below(1 << 20);
+    memset(out, 0, sizeof out);
+    for (; run.from < run.end; run.from++, run.to++) {
+        run.at = (struct fx_vec3){0, 0, 0};
+        ph_vertices(&run);
+        h = word(hash(h, &run.at, sizeof run.at), (uint32_t)(run.to - out));
+    }
+    return word(hash(h, out, sizeof out), run.codes);
+}
+
+static uint8_t any_code(void)
+{
+    static const uint8_t codes[] = {PH_LEFT, PH_RIGHT | PH_TOP, PH_NEAR | PH_GUARD | PH_BOTTOM,
+                                    PH_FAR,  PH_GUARD,          PH_LEFT | PH_BOTTOM};
+    return (uint8_t)((below(3) > 0 ? 0 : codes[below(sizeof codes)]) | (below(2) > 0 ? PH_LIT : 0));
+}
+
+/* Triangles large and small, many without area, of vertices with and without clip codes. */
+static uint32_t try_visit(uint32_t h)
+{
+    enum { VERTICES = 12, TRIANGLES = 40 };
+    struct ph_vertex vertices[VERTICES];
+    uint16_t triangles[TRIANGLES][3];
+    const uint32_t size = 4u << below(17), coded = below(2), at = below(1 << 10);
+    for (int i = 0; i < VERTICES; i++) {
+        vertices[i] = (struct ph_vertex){.x = (int32_t)(at + below(size)), .y = (int32_t)(at + below(size))};
+        vertices[i].code = coded > 0 ? any_code() : 0;
+    }
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int k = 0; k < 3; k++) {
+            triangles[i][k] = (uint16_t)below(VERTICES);
+        }
+    }
+    struct ph_visit visit = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
+    while (ph_visit(&visit)) {
+        h = word(h, (uint32_t)(visit.index - triangles));
+        for (int k = 0; k < 3; k++) {
+            h = word(h, (uint32_t)(visit.v[k] - vertices));
+        }
+        const struct ph_sides *s = &visit.sides;
+        if (((visit.v[0]->code | visit.v[1]->code | visit.v[2]->code) & (PH_REJECT | PH_GUARD)) != 0) {
+            continue;
+        }
+        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->small);
+    }
+    return word(h, (uint32_t)(visit.index - triangles));
+}
+
+int main(void)
+{
+    static const struct {
+        const char *name;
+        uint32_t (*one)(uint32_t h);
+    } loops[] = {{"fill", try_fill},
+                 {"span_flat", try_flat},
+                 {"span_gouraud", try_gouraud},
+                 {"rows_gouraud", try_rows},
+                 {"setup_small", try_small},
+                 {"float_depths", try_float},
+                 {"rows_texture", try_texture},
+                 {"vertices", try_vertices},
+                 {"visit", try_visit}};
+    randomise(texels, TEXELS);
+    randomise(ramp, 128);
+    for (size_t i = 0; i < sizeof loops / sizeof loops[0]; i++) {
+        uint32_t h = 2166136261u;
+        state = 1;
+        for (int turn = 0; turn < TURNS; turn++) {
+            if (turn % 64 == 0) {
+                h = turn > 0 ? hash_rows(h) : h;
+                randomise(pixels, ROOM);
+                memset(depth, 0, sizeof depth);
+            }
+            h = loops[i].one(h);
+        }
+        printf("%s %08lx\n", loops[i].name, (unsigned long)hash_rows(h));
+    }
+    return 0;
+}

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# The raster tests are tested: each line breaks one thing in a copy of the core on purpose; the test named beside it must
+# fail. A line that changes nothing any more fails too: the code has moved on, the line should follow.
+# (The portable core: what a CPU has of its own is held to it by tests/test_hot.sh.)
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}/mutants CC=${CC:-cc}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+# what is broken | file | sed | test that must fail
+mutants() {
+    cat <<'END'
+pixels sampled 1/32 px further left      | render/edge.h    | s/32767u/34815u/                                     | test_raster
+left edges not owned                     | render/edge.h    | s/32767u/32768u/                                     | test_raster
+top edges not owned                      | render/edge.h    | s/(y + 127) >> 8/(y + 128) >> 8/                     | test_raster
+edges walked to 6 bits                   | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~1023;/      | test_coverage
+6 sub-pixel bits                         | kernels/portable/vertices.c | s/\(v->[xy] = .*\);/\1 \& ~3;/                      | test_quality
+7 sub-pixel bits                         | kernels/portable/vertices.c | s/\(v->[xy] = .*\);/\1 \& ~1;/                      | test_quality
+positions truncated, not rounded         | render/mesh.c    | s/)1 << (down - 1)/)0 << (down - 1)/               | test_quality
+principal point half a pixel off         | render/frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
+an edge that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.x += 128;/           | test_watertight
+a slope that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
+a crossing that depends on its direction | render/clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
+crossings to 10 bits                     | render/clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
+near plane too near                      | render/clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
+no far plane                             | render/clip.c    | s/lens->far_z - v->z;/lens->far_z;/                  | test_raster
+depth gradients without guard bits       | render/setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality
+float16 spans not split at octaves       | render/setup.c   | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
+fixed16 bias without its quarter         | render/setup.c   | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
+float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
+the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
+the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
+the last of equal texels wins            | kernels/portable/rows_texture_plain.h | s/code > \*depth/code >= *depth/              | test_texture
+the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
+triangles not carried to the next band   | render/raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
+a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
+triangles not carried by two cores       | render/raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_cores
+triangles drawn in reverse               | render/frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
+depth not cleared                        | render/raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
+no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
+no clamp of texels at the left border    | kernels/portable/rows_texture_plain.h | s/left > 0 ? left : 0/left/                | test_texture
+one triangle over the budget             | render/setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
+dropped triangles not counted            | render/setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
+light of the first corner everywhere     | render/setup.c   | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
+a small triangle's edge depends on it    | kernels/portable/setup_small.c | s/set_edge(top, low, row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
+a small triangle's slope depends on it   | kernels/portable/setup_small.c | s/set_edge(top, low, row_top, &long_edge);/& long_edge.dx \&= ~15;/ | test_quality
+a small triangle's light is its first    | kernels/portable/setup_small.c | s/(v\[1\]->light - v\[0\]->light)/0/      | test_quality
+a small triangle's depth to fewer bits   | kernels/portable/setup_small.c | s/(uint32_t)depth.x \* 256/& \& ~0x3ffffu/      | test_quality
+a small triangle without its lower half  | kernels/portable/setup_small.c | s/set_edge(mid, low, row_mid, &rows->lower);/& rows->lower.dx = 0;/ | test_quality
+vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->round_\([xy]\) + //                           | test_quality
+6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
+lines too thin                           | render/mesh.c    | s/wide ? 0 : 128/wide ? 0 : 64/              | test_frame
+clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
+texture slope left out                   | render/texture.c | s/way->step = .*/way->step = 0;/                      | test_texture
+ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
+attenuation lost                         | render/light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
+highlight to another power               | render/light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
+light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
+depth bias ignored                       | render/setup.c   | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
+light of a texture ignored               | render/setup.c   | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
+red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame
+END
+}
+
+sources() { # file; of a header those that include it
+    case $1 in
+    *.h) (cd firmware/core && grep -l "\"${1##*/}\"" -- {fx,geom,render,effects,kernels/portable}/*.c) ;;
+    *) echo "$1" ;;
+    esac
+}
+
+# Compiles the mutated files alone: they take the place of their archive members.
+fails() { # file, sed, test
+    local file object objects=()
+    rm -rf "$dir/core" "$dir"/*.o
+    cp -r firmware/core "$dir/core"
+    sed -i "$2" "$dir/core/$1"
+    ! cmp -s "firmware/core/$1" "$dir/core/$1" || { echo "changes nothing: $2" && return 1; }
+    for file in $(sources "$1"); do
+        object=$dir/$(basename "$file").o
+        $CC -std=c11 -O2 -w -I"$dir/core"{,/kernels/portable,/render,/effects,/kernels} -c "$dir/core/$file" -o "$object" || return 1
+        objects+=("$object")
+    done
+    # shellcheck disable=SC2086 # a list of words
+    $CC "$B/tests/core/$3.o" "${objects[@]}" "$B/libtests.a" "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -Wl,--as-needed $libs -lm -o "$dir/mutant" || return 1
+    ! timeout 120 "$dir/mutant" >/dev/null 2>&1 </dev/null || { echo "$3 did not notice" && return 1; }
+}
+
+libs="$(pkg-config --libs cmocka 2>/dev/null) $(pkg-config --libs osmesa 2>/dev/null)"
+[ "${libs/cmocka/}" != "$libs" ] || { echo "no cmocka: apt-get install libcmocka-dev" && exit 77; }
+for test in $(mutants | sed 's/.*| //' | sort -u); do
+    make -s CPU=portable B="$B" "$B/tests/core/$test" >"$dir/log" 2>&1 || { [ "$test" = test_mesa ] && continue; cat "$dir/log"; exit 1; }
+    check "${test}_passes_untouched" "$B/tests/core/$test"
+done
+while IFS='|' read -r what file change test; do
+    read -r test <<<"$test"
+    read -r file <<<"$file"
+    if [ -e "$B/tests/core/$test" ]; then
+        read -r what <<<"$what"
+        check "${test}_sees_${what//[ ,]/_}" fails "$file" "$(sed 's/^ *//; s/ *$//' <<<"$change")" "$test"
+    else
+        skip "$test: $what" "$test is not built here"
+    fi
+done < <(mutants)
+tap_end

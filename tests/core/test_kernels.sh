@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# The hot loops of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
+# tests/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/tools/frames.sh
+unset MAKEFLAGS
+B=${B:-build}/hot
+cross=arm-linux-gnueabihf-gcc core=-mcpu=cortex-a15 # one that divides, as a Cortex-M3 does
+mkdir -p "$B"
+for tool in $cross qemu-arm; do
+    command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf qemu-user" && exit 77; }
+done
+
+kernels=firmware/core/kernels
+include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
+loops=(fill span_flat span_gouraud rows_gouraud setup_small float_depths rows_texture vertices cull)
+
+c_loops() {
+    cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
+        "$B/c" >"$B/c.lines" && [ "$(wc -l <"$B/c.lines")" = ${#loops[@]} ]
+}
+loops=("${loops[@]/#/$kernels/portable/}")
+
+assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
+    local files=("${loops[@]/#$kernels\/portable/$2}")
+    files=("${files[@]/%/.S}" firmware/core/fx/fx_root.c)
+    [ ! -e "$kernels/$1/fx_clz.c" ] || files+=("$kernels/$1/fx_clz.c")
+    "$cross" "$core" -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-I$kernels/$1" "-I$kernels/portable" "${include[@]}" tests/core/kernels/kernel_loops.c "${files[@]}" -o "$B/$3" &&
+        qemu-arm "$B/$3" >"$B/$3.lines"
+}
+
+# The loops of this computer, which has a few of its own.
+vector_loops() { # folder with them, name: their lines in $B/NAME.lines
+    local files=() loop
+    for loop in "${loops[@]}"; do
+        if [ -e "$1/${loop##*/}.c" ]; then files+=("$1/${loop##*/}.c"); else files+=("$loop.c"); fi
+    done
+    cc -O2 -std=c11 "-I$1" "-I$kernels/portable" "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${files[@]}" -o "$B/$2" && "$B/$2" >"$B/$2.lines"
+}
+
+same_vector_loops() { vector_loops "$kernels/x86_64" x86_64 && diff "$B/c.lines" "$B/x86_64.lines"; }
+
+vector_change_is_seen() { # file, sed command
+    rm -rf "${B:?}/changed" && cp -r "$kernels/x86_64" "$B/changed" && sed -i "$2" "$B/changed/$1" || return 1
+    ! cmp -s "$B/changed/$1" "firmware/core/x86_64/$1" || { echo "nothing changed" && return 1; }
+    vector_loops "$B/changed" changed-lines && ! diff -q "$B/c.lines" "$B/changed-lines.lines"
+}
+
+same_loops() { assembled "$1" "$kernels/$1" "$1" && diff "$B/c.lines" "$B/$1.lines"; } # CPU
+
+# One change in the assembly of one loop is seen, and in no other loop.
+change_is_seen() { # CPU, loop, sed command
+    rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r "$kernels/armv6m" "$kernels/armv7m" "$B/changed/" || return 1
+    sed -i "$3" "$B/changed/$1/$2.S"
+    ! cmp -s "$B/changed/$1/$2.S" "$kernels/$1/$2.S" || { echo "nothing changed" && return 1; }
+    assembled "$1" "$B/changed/$1" changed-lines || return 1
+    [ "$(diff "$B/c.lines" "$B/changed-lines.lines" | grep -c '^>')" = 1 ] &&
+        diff "$B/c.lines" "$B/changed-lines.lines" | grep -q "^> $2 "
+}
+
+same_frames() { # CPU
+    make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
+        USB=nousb all || return 1
+    [ -e "$B/sim-$1/$kernels/$1/rows_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
+    frames qemu-arm "$B/sim-$1/pinhole-sim" >"$B/$1.frames" && diff tests/golden/frames.txt "$B/$1.frames"
+}
+
+check "the_loops_in_C_run" c_loops
+for cpu in armv6m armv7m; do
+    check "the_loops_for_${cpu}_leave_what_those_in_C_leave" same_loops $cpu
+    check "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
+done
+check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m rows_gouraud 's/add r12, r0/nop/'
+check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
+check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
+check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
+check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m rows_texture 's/lsr #16$/lsr #15/'
+check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
+check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
+check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
+check "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m cull 's/tst r6, #0x3f/tst r6, #0x1f/'
+check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #31/movs r2, #0/'
+if [ "$(uname -m)" = x86_64 ]; then
+    check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
+    check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
+    check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
+    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen rows_texture.c 's/U_TO_V ((uint64_t)1 << 26 | 1)/U_TO_V ((uint64_t)1 << 27 | 1)/'
+    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen rows_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
+else
+    skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"
+fi
+tap_end

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# The same scene gives the same bytes on every target: the frames of tests/tools/frames.sh, compiled by gcc and clang at several
+# levels of optimisation, for 32 and 64 bits, little and big endian, with each CPU's own files, in bands of any height.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/tools/frames.sh
+unset MAKEFLAGS
+B=${B:-build}/targets
+golden=tests/golden/frames.txt
+mkdir -p "$B"
+
+same() { # file
+    diff "$golden" "$1" >"$1.diff" || { echo "$(grep -c '^>' "$1.diff") frames differ, the first:" && head -n 4 "$1.diff" && return 1; }
+}
+
+target() { # name, runner or "", CC, CFLAGS, [make variable...]
+    local name=$1 runner=$2
+    make -s -j2 B="$B/$name" CC="$3" CFLAGS="$4" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb "${@:5}" all || return 1
+    # shellcheck disable=SC2086 # no runner is no word
+    frames $runner "$B/$name/pinhole-sim" >"$B/$name.frames" && same "$B/$name.frames"
+}
+
+bands() { # lines
+    frames "$B/gcc-O2/pinhole-sim" --band "$1" >"$B/band-$1.frames" && same "$B/band-$1.frames"
+}
+
+differs() { # a build that draws differently is seen
+    sed '3s/.$/x/' "$golden" >"$B/wrong.frames"
+    ! same "$B/wrong.frames"
+}
+
+if_there() { # tool, reason, check's arguments
+    if command -v "$1" >/dev/null; then check "${@:3}"; else skip "$3" "$2"; fi
+}
+
+check "a_frame_that_differs_is_seen" differs
+check "same_frames_with_gcc_O2" target gcc-O2 "" gcc -O2
+for lines in 1 7 16 1024; do
+    check "same_frames_in_bands_of_$lines" bands $lines
+done
+check "same_frames_with_gcc_O0" target gcc-O0 "" gcc -O0
+check "same_frames_with_gcc_O3" target gcc-O3 "" gcc -O3
+check "same_frames_with_the_portable_files" target portable "" gcc -O2 CPU=portable
+check "same_frames_with_the_files_for_armv6m" target armv6m "" gcc -O2 CPU=armv6m
+check "same_frames_with_the_files_for_armv7m" target armv7m "" gcc -O2 CPU=armv7m
+if_there clang "no clang" "same_frames_with_clang_O0" target clang-O0 "" clang -O0
+if_there clang "no clang" "same_frames_with_clang_O2" target clang-O2 "" clang -O2
+if_there clang "no clang" "same_frames_with_clang_O3" target clang-O3 "" clang -O3
+if printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32.probe" 2>/dev/null; then
+    check "same_frames_on_32_bit_x86" target m32 "" "gcc -m32" "-O2 -idirafter /usr/include/x86_64-linux-gnu"
+else
+    skip "same_frames_on_32_bit_x86" "no gcc-12-multilib"
+fi
+for cpu in aarch64-linux-gnu:aarch64 arm-linux-gnueabihf:arm s390x-linux-gnu:s390x; do
+    if command -v "qemu-${cpu#*:}" >/dev/null; then
+        if_there "${cpu%:*}-gcc" "no compiler for it" "same_frames_on_${cpu#*:}" \
+            target "${cpu#*:}" "qemu-${cpu#*:}" "${cpu%:*}-gcc" -O2 LDFLAGS=-static
+    else
+        skip "same_frames_on_${cpu#*:}" "no qemu-user"
+    fi
+done
+tap_end

@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# `make firmware`: what it builds, what it prints, and what it refuses. The images themselves run in test_firmware_*.sh.
+# shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}/firmware-test
+command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+board=feather-stm32f405
+image=$B/firmware/$board-demos
+
+firmware() { make_image firmware "$@"; }
+
+near() { # number, number, most
+    awk -v a="$1" -v b="$2" -v most="$3" 'BEGIN { d = a - b; if (d < 0) { d = -d } if (d >= most) { print a " and " b; exit 1 } }'
+}
+
+builds_and_says_what_it_takes() {
+    firmware BOARD="$board" >"$dir/said" || { cat "$dir/said" && return 1; }
+    for kind in elf bin uf2 map; do [ -s "$image.$kind" ] || { echo "no $kind" && return 1; }; done
+    cat "$dir/said"
+    grep -Eq '^flash +[0-9]+ of 1048576 bytes' "$dir/said" && grep -Eq '^RAM +[0-9]+ of +114688 bytes' "$dir/said" &&
+        grep -Eq '^stack +[0-9]+ of +[0-9]+ bytes' "$dir/said"
+}
+
+flash_is_the_size_of_the_bin() { # within the padding between sections
+    local said size
+    said=$(awk '/^flash/ { print $2 }' "$dir/said") size=$(stat -c %s "$image.bin")
+    near "$said" "$size" 64
+}
+
+# Read back with od and awk alone: magics, flags, addresses, numbers, family, and the payload against the BIN.
+uf2_holds_the_bin() {
+    local blocks=$((($(stat -c %s "$image.bin") + 255) / 256))
+    od -An -v -tx4 -w512 "$image.uf2" | awk -v blocks="$blocks" '
+        function hex(text,    i, n) { n = 0; for (i = 1; i <= length(text); i++) { n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1 }; return n }
+        $1 != "0a324655" || $2 != "9e5d5157" || $3 != "00002000" || $128 != "0ab16f30" { print "magic of block " NR - 1 > "/dev/stderr"; exit 1 }
+        hex($4) != hex("08000000") + 256 * (NR - 1) || hex($5) != 256 || hex($6) != NR - 1 || hex($7) != blocks || $8 != "57755a57" { print "header of block " NR - 1 > "/dev/stderr"; exit 1 }
+        { for (i = 9; i <= 72; i++) { print $i } }
+        END { if (NR != blocks) { print NR " blocks, not " blocks > "/dev/stderr"; exit 1 } }' >"$dir/payload" || return 1
+    { cat "$image.bin" && head -c $((256 * blocks - $(stat -c %s "$image.bin"))) /dev/zero; } | od -An -v -tx4 -w4 | tr -d ' ' | cmp - "$dir/payload"
+}
+
+budget() { # changed pair
+    CROSS=arm-none-eabi- firmware/tools/budget.sh "$image.elf" "$B/firmware/$board-objects" main-demos flash=1048576 ram=114688 chip_ram=196608 stack=6656 extra=40 "$@" 2>&1
+}
+
+over() { # pair, word
+    local said
+    said=$(budget "$1") && echo "accepts $1" && return 1
+    grep -q "over the budget of.* $2" <<<"$said" || { echo "$said" && return 1; }
+}
+
+refuses() { # pattern in its one line, C text
+    printf '%s\n' "$2" >"$dir/mine.c"
+    firmware BOARD="$board" APP="$dir/mine.c" >"$dir/out" 2>&1 && echo "accepts it" && return 1
+    grep -q "$1" "$dir/out" || { cat "$dir/out" && return 1; }
+}
+
+a_program_of_ones_own() {
+    printf '#include "port.h"\nint main(void) { port_log("here\\n"); return 0; }\n' >"$dir/mine.c"
+    firmware BOARD="$board" APP="$dir/mine.c" && [ "$(stat -c %s "$B/firmware/$board-mine.bin")" -lt 16384 ]
+}
+
+no_such_board() {
+    local said
+    said=$(make -s B="$B" firmware BOARD=nonsense 2>&1) && return 1
+    grep -q "BOARD=nonsense: no .*lm3s6965evb" <<<"$said" || { echo "$said" && return 1; }
+    said=$(make -s B="$B" firmware 2>&1) && return 1
+    grep -q "BOARD= is missing.*lm3s6965evb" <<<"$said" || { echo "$said" && return 1; }
+}
+
+says() { # pattern of its one line, make's arguments...
+    local said
+    said=$(make -s B="$B" "${@:2}" 2>&1) && return 1
+    grep -q "$1" <<<"$said" || { echo "$said" && return 1; }
+}
+
+wrong_values_are_told() {
+    says "CORES=3: pico-display has 1 2" firmware BOARD=pico-display CORES=3 && says "CORES=2: $board has 1" firmware BOARD="$board" CORES=2 &&
+        says "APP=nonsense: there is no firmware/app/images/nonsense.c" firmware BOARD="$board" APP=nonsense &&
+        says "FRAMES='0': a whole number" emulate BOARD="$board" FRAMES=0 && says "FRAMES='x': a whole number" emulate BOARD="$board" FRAMES=x &&
+        says "no nowhere-gcc here: apt-get install gcc-arm-none-eabi" firmware BOARD="$board" CROSS=nowhere- &&
+        says "only the boards of an RP2040" speed BOARD="$board" && says "BOARD= is missing" speed
+}
+
+# What make or the shell would take apart, or make somewhere else.
+names_that_cannot_be_are_told() {
+    local name
+    for name in "a b" "it's" 'a;b' 'a&b' 'a(b)' 'a"b' 'a%'; do
+        says "APP='$name.c': make takes no names with" firmware BOARD="$board" APP="$name.c" &&
+            says "SCENE='$name.obj': make takes no names with" firmware BOARD="$board" SCENE="$name.obj" &&
+            says "BOARD='\\?$name" firmware BOARD="$name" || return 1
+    done
+    says "BOARD='../boards/$board': no such board" firmware BOARD="../boards/$board" || return 1
+    ! make -s B="$dir/a b" all >"$dir/out" 2>&1 && grep -q "B='$dir/a b': make takes no folder with spaces" "$dir/out"
+}
+
+names_of_other_tongues_can_be() {
+    mkdir -p "$dir/früh" && a_program_of_ones_own && cp "$dir/mine.c" "$dir/früh/übung#1.c" && firmware BOARD="$board" APP="$dir/früh/übung#1.c" &&
+        [ -s "$B/firmware/$board-übung#1.uf2" ]
+}
+
+too_large() { # C text, pattern of the one line that is not make's
+    local left
+    printf '%s\n' "$1" >"$dir/large.c"
+    ! firmware BOARD="$board" APP="$dir/large.c" >"$dir/out" 2>"$dir/err" || return 1
+    [ "$(grep -vc '^make' "$dir/err")" = 1 ] && grep -qx "$B/firmware/$board-large.elf: $2" "$dir/err" || { cat "$dir/err" && return 1; }
+    for left in "$B/firmware/$board-large".{bin,uf2,elf.part,map.part}; do [ ! -e "$left" ] || { echo "$left stays" && return 1; }; done
+}
+
+too_large_is_one_line_and_leaves_nothing() {
+    too_large 'static const char big[1200000] = {1}; int main(void) { volatile int i = 3; return big[i]; }' 'too large for the chip: its FLASH lacks [0-9]* bytes' &&
+        too_large 'static char big[150000]; int main(void) { volatile int i = 3; return big[i]++; }' 'too large for the chip: its RAM lacks [0-9]* bytes' &&
+        too_large 'static char big[120000]; int main(void) { volatile int i = 3; return big[i]++; }' 'over the budget of RAM' &&
+        too_large 'int main(void) { volatile char b[8000]; b[3] = 1; return b[3]; }' 'over the budget of stack'
+}
+
+size_adds_up() {
+    make -s B="$B" size BOARD="$board" >"$dir/size" || return 1
+    grep -q '^firmware/core/render/raster ' "$dir/size" || { cat "$dir/size" && return 1; }
+    awk 'NR > 1 && $1 != "all" { f += $2; r += $3 } $1 == "all" { exit !(f == $2 && r == $3) }' "$dir/size" || return 1
+    local all size
+    all=$(awk '$1 == "all" { print $2 }' "$dir/size") size=$(stat -c %s "$image.bin")
+    near "$all" "$size" 1024 # fill between objects
+}
+
+# board.c's budget and what the port takes beside it, of the chip's RAM.
+at_most_60_percent() {
+    local mk found=0
+    for mk in boards/*/board.mk; do
+        local name=${mk#boards/} ram chip port beside
+        name=${name%/board.mk}
+        ram=$(($(sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' "boards/$name/board.c")))
+        chip=$(sed -n 's/^CHIP_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "$mk") port=$(sed -n 's/^PORT *:*= *\([a-z0-9]*\).*/\1/p' "$mk")
+        beside=$(sed -n 's/^PORT_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "hal/$port/port.mk")
+        found=$((found + 1))
+        [ $((100 * (ram + ${beside:-0}))) -le $((60 * chip)) ] || { echo "$name: $ram and ${beside:-0} of $chip" && return 1; }
+    done
+    [ "$found" -ge 2 ]
+}
+
+kit_counts_the_targets_sizes() {
+    local vertex triangle
+    vertex=$(sed -n 's/^#define PH_VERTEX_BYTES_32 *//p' firmware/core/render.h) triangle=$(sed -n 's/^#define PH_TRIANGLE_BYTES_32 *//p' firmware/core/render.h)
+    size() { printf '#include "pipeline.h"\n_Static_assert(sizeof(struct ph_vertex) == %s && sizeof(struct ph_triangle) == %s, "");\n' "$1" "$2" |
+        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -Ifirmware/core/kernels/armv7m -Ifirmware/core -x c -fsyntax-only -; }
+    size "$vertex" "$triangle" && ! size "$((vertex + 4))" "$triangle"
+}
+
+check "an_image_is_built_and_says_what_it_takes" builds_and_says_what_it_takes
+check "the_flash_that_it_says_is_the_size_of_the_BIN" flash_is_the_size_of_the_bin
+check "the_UF2_holds_the_BIN_with_the_chips_family" uf2_holds_the_bin
+check "within_the_budget_it_passes" budget
+check "over_the_flash_it_fails" over flash=90000 flash
+check "over_the_RAM_it_fails" over ram=100000 RAM
+check "over_the_stack_it_fails" over stack=4000 stack
+check "floating_point_is_refused" refuses 'floating point, heap' 'volatile float x = 2; int main(void) { x = x * x; return 0; }'
+check "a_heap_is_refused" refuses 'floating point, heap' '#include <stdlib.h>
+void *_sbrk(int n); void *_sbrk(int n) { (void)n; return 0; }
+int main(void) { return malloc(8) != 0; }'
+check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
+check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
+check "a_board_that_is_not_there_is_one_clear_line" no_such_board
+check "wrong_values_are_one_clear_line" wrong_values_are_told
+check "names_that_cannot_be_are_one_clear_line" names_that_cannot_be_are_told
+check "names_of_other_tongues_can_be" names_of_other_tongues_can_be
+check "what_is_too_large_is_one_line_and_leaves_nothing" too_large_is_one_line_and_leaves_nothing
+check "the_sizes_of_the_modules_add_up" size_adds_up
+check "no_board_gives_Pinhole_more_than_60_percent_of_its_RAM" at_most_60_percent
+check "the_kit_counts_with_the_targets_sizes" kit_counts_the_targets_sizes
+tap_end

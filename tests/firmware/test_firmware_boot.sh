@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# How an RP2040 kit comes into its boot loader, on the emulated chip: asked for on the UART at any moment, or by a button
+# that is held at power-up. The emulator's ROM knows the function by its letters (RP2040 datasheet 2.8.3).
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/firmware/rp2040.sh
+unset MAKEFLAGS
+export B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+rp2040_here
+board=pico-display
+
+builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" && image "$board" 1 && image "$board" 2; }
+
+ended_in_the_boot_loader() { # frame
+    grep -qx "emulate: ended in frame $1: boot loader" "$dir/log" || { tail -n 5 "$dir/log" && return 1; }
+}
+
+dark() { # the last levels of backlight (GP20) and reset (GP21)
+    local last
+    last=$(awk '$2 == "level" { last = $3 } END { print last }' "$dir/out/events")
+    [ $((0x$last >> 20 & 3)) = 0 ] || { echo "levels $last" && return 1; }
+}
+
+asked_for() { # cores, frame
+    EVENTS_ONLY=1 emulate "$board" "$1" 9 - --send "$2:B" && ended_in_the_boot_loader "$2" && dark
+}
+
+asked_for_while_it_holds() { EVENTS_ONLY=1 emulate "$board" 1 9 - --send 0:HB && ended_in_the_boot_loader 1; }
+
+held_at_power_up() { # each button of the kit; the panel gets no byte
+    local pin pins=
+    while read -r pin; do
+        EVENTS_ONLY=1 emulate "$board" 1 9 - --press="-1:$pin" && ended_in_the_boot_loader -1 || return 1
+        ! grep -q ' spi ' "$dir/out/events" || { echo "GP$pin: bytes to the panel" && return 1; }
+        pins+="$pin "
+    done < <(sed -n 's/.*{HAL_BUTTON_[A-Z]*, BOARD_PIN_LOW(\([0-9]*\))}.*/\1/p' "boards/$board/board.c")
+    [ "$pins" = "12 13 14 15 " ] || { echo "buttons: $pins" && return 1; }
+}
+
+not_without_a_reason() { # a pin that is no button; a button pressed later
+    EVENTS_ONLY=1 emulate "$board" 1 3 - --press=-1:22 && EVENTS_ONLY=1 emulate "$board" 1 3 - --press 0:12+15 && ! grep -q 'boot loader' "$dir/log"
+}
+
+holds_steps_and_goes_on() { # a line a frame while it holds, then none within the second
+    emulate "$board" 1 12 - --send 0:HHHG && expect "$board" 12 && same 12 || return 1
+    sed -n 's/^frame \([0-9]*\),.*/\1/p' "$dir/log" | tr -d '\r' | tr '\n' ' ' | tee "$dir/lines" | grep -qx '1 2 3 ' || { cat "$dir/lines" && return 1; }
+}
+
+stack_of_core_1_stays_below_its_bound() { # six demos; 32: one interrupt, of which it has none
+    local place size top lowest bound
+    printf '%s select\n' 1 3 5 7 9 >"$dir/keys"
+    emulate "$board" 2 12 "$dir/keys" || return 1
+    read -r place size < <(arm-none-eabi-nm -S "$B/firmware/$board-demos-cores2.elf" | awk '$4 == "stack" { print $1, $2 }')
+    top=$((0x$place + 0x$size)) lowest=$(sed -n 's/^emulate: core 1: lowest stack //p' "$dir/log")
+    bound=$(find "$B/firmware/$board-cores2-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/rp2040/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
+    echo "$((top - 0x$lowest)) used, at most $bound of $((0x$size))"
+    [ $((top - 0x$lowest)) -gt 200 ] && [ $((top - 0x$lowest)) -le "$bound" ] && [ $((bound + 32)) -le $((0x$size)) ]
+}
+
+two_buttons_change_the_demo() { # GP12 and GP13, up and down, from frame 2 to 3: this kit has no select
+    echo '2 up+down' >"$dir/keys"
+    emulate "$board" 1 5 - --press 1:12+13 --press 2: && expect "$board" 5 "$dir/keys" && same 5 && grep -q '^demo testcard' "$dir/log"
+}
+
+no_chip_select_is_told() {
+    mkdir -p "$dir/home" && sed '/\.select/d' "boards/$board/board.c" >"$dir/home/board.c" || return 1
+    ! BOARD=bare BOARD_HOME="$dir/home" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/none" 1 2>"$dir/log" || return 1
+    grep -qx 'emulate: bare: has no chip select (.*' "$dir/log" && [ ! -e "$dir/none" ]
+}
+
+check "images_are_built" builds
+check "B_on_the_UART_reboots_into_the_boot_loader" asked_for 1 1
+check "... before_the_second_frame" asked_for 1 0
+check "... with_two_cores" asked_for 2 3
+check "... while_it_holds" asked_for_while_it_holds
+check "each_button_held_at_power_up_does_so" held_at_power_up
+check "other_pins_and_later_moments_do_not" not_without_a_reason
+check "H_holds_and_steps_G_goes_on" holds_steps_and_goes_on
+check "two_buttons_held_together_change_the_demo" two_buttons_change_the_demo
+check "the_stack_of_core_1_stays_below_its_bound" stack_of_core_1_stays_below_its_bound
+check "a_board_without_chip_select_is_one_clear_line" no_chip_select_is_told
+tap_end

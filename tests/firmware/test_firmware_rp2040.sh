@@ -1,0 +1,129 @@
+#!/usr/bin/env bash
+# Images for RP2040 kits on the emulated chip (rp2040js with SPI time, see hal/rp2040/emulate): frames are pinhole-sim's,
+# byte for byte, with one core and with two; the wires are as a panel wants them; what the kit does when asked or hurt.
+# Any warning of the emulator fails. tests/firmware/long_firmware_rp2040.sh takes every board.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/firmware/rp2040.sh
+unset MAKEFLAGS
+export B=${B:-build}
+board=pico-display
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+rp2040_here
+
+builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" && image "$board" 1 && image "$board" 2 && image waveshare-pico-lcd-0in96 1; }
+
+every_demo() { # cores
+    sweep 2
+    emulate "$board" "$1" $((2 * demos)) "$dir/keys" && expect "$board" $((2 * demos)) "$dir/keys" && same $((2 * demos)) || return 1
+    [ "$1" != 1 ] || cp "$dir/log" "$dir/every.log"
+}
+
+both_cores_work() { # the second one a tenth of the time at least
+    awk '{ load += $5 } END { print "# core 1: " load / NR " %"; exit !(load / NR >= 10) }' "$dir/out/report"
+}
+
+order_is() { # the steps of power-on in pinhole-wire --order
+    "$B/pinhole-wire" --board "$1" --order "$dir/out/events" | awk '$1 == "order" { print $2, $3 }' | tr '\n' ';' | grep -q "$2"
+}
+
+# Two cores draw the turntable in less than a whole frame takes on this board's bus, and it does not take longer.
+overlap() {
+    local alone us bus
+    image pico-display-2 2 >/dev/null || return 1
+    bus=$("$B/pinhole-sim" --board pico-display-2 --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')
+    alone=$(frame_us pico-display-2 2 --free-wire) && us=$(frame_us pico-display-2 2) || return 1
+    echo "# the cores alone $alone us a frame, a whole frame on the bus $bus us, both $us us"
+    [ "$alone" -le "$bus" ] && [ $((100 * us)) -le $((103 * bus)) ]
+}
+
+a_pin_is_a_button() { # GP14, left on this kit, from frame 3 to 4
+    echo '3 left 2' >"$dir/keys"
+    emulate "$board" 1 7 - --press 2:14 --press 4: && expect "$board" 7 "$dir/keys" && same 7 && expect "$board" 7 && ! same 7
+}
+
+ended() { grep -q "^emulate: ended in frame $1: $2\$" "$dir/log" || { tail -n 5 "$dir/log" && return 1; }; }
+
+boot_loader_on_request() { emulate "$board" 1 9 - --send 1:B && ended 1 'boot loader' && dark; }
+
+boot_loader_by_a_button() { EVENTS_ONLY=1 emulate "$board" 1 9 - --press=-1:12 && ended -1 'boot loader'; }
+
+dark() { # the backlight, GP20, is off at the end
+    local last
+    last=$(awk '$2 == "level" { print $3 }' "$dir/out/events" | tail -n 1)
+    [ $((0x$last >> 20 & 1)) = 0 ]
+}
+
+fault_is_told() {
+    emulate "$board" 1 9 - --fault 2 && ended 2 'every core sleeps for ever' && grep -q '^fault at 0x[12]00[0-9a-f]*, called from 0x' "$dir/log" && dark
+}
+
+stack_stays_below_its_bound() { # the lowest that a stack pointer was, in the run of every demo; reserved: see port.mk
+    local top lowest bound
+    top=$(arm-none-eabi-nm "$B/firmware/$board-demos.elf" | awk '$3 == "ld_stack_top" { print $1 }')
+    lowest=$(sed -n 's/^emulate: core 0: lowest stack //p' "$dir/every.log")
+    bound=$(image "$board" 1 | awk '/^stack/ { print $2 }')
+    echo "# $((0x$top - 0x$lowest)) used, at most $bound"
+    [ $((0x$top - 0x$lowest)) -gt 1000 ] && [ $((0x$top - 0x$lowest)) -le "$bound" ]
+}
+
+flipped_bit_in_boot2_is_refused() {
+    cp "$B/firmware/$board-demos.elf" "$dir/bad.elf" && cp "$B/firmware/$board-demos.bin" "$dir/bad.bin" &&
+        printf '\001' | dd of="$dir/bad.bin" bs=1 seek=200 conv=notrunc status=none
+    BOARD="$board" hal/rp2040/emulate/emulate.sh "$dir/bad.elf" "$dir/out" 1 >"$dir/said" 2>&1 && return 1
+    grep -q 'checksum of boot2' "$dir/said"
+}
+
+uf2_is_the_same_image() {
+    cp "$B/firmware/$board-demos.elf" "$dir/uf2.elf" && cp "$B/firmware/$board-demos.uf2" "$dir/uf2.bin" # emulate.mjs tells by the magic
+    emulate "$board" 1 2 && expect "$board" 2 && same 2 || return 1
+    BOARD="$board" hal/rp2040/emulate/emulate.sh "$dir/uf2.elf" "$dir/out" 2 2>/dev/null | grep '^frame' | diff "$dir/expected" -
+}
+
+per_pixel_from_ram() { # flash is slow, see rp2040.ld; the emulator does not show it
+    local symbol
+    for symbol in ph_draw_band draw_plain_rows draw_other ph_fill ph_rows_gouraud ph_span_flat ph_span_gouraud ph_rows_texture __aeabi_uidiv 'sign_of[.a-z0-9]*' 'go_on[.a-z0-9]*' rp2040_spi_interrupt; do
+        arm-none-eabi-nm "$B/firmware/$board-demos.elf" | grep -q "^2000.* $symbol\$" || { echo "$symbol" && return 1; }
+    done
+}
+
+node_of() { ps -eo pid,args | awk -v dir="$1" '$2 == "node" && index($0, dir) { print $1 }'; }
+
+interrupted() { # no node goes on, nothing half-written stays
+    BOARD="$board" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/cut" 1000 >/dev/null 2>"$dir/log" &
+    local script=$! tries=0
+    until [ -s "$dir/cut/events" ] || [ $((tries++)) = 200 ]; do sleep 0.1; done
+    [ -n "$(node_of "$dir/cut")" ] && kill "$script" && ! wait "$script" || return 1
+    grep -qx 'emulate: interrupted' "$dir/log" && [ -z "$(ls "$dir/cut")" ] || return 1
+    for ((tries = 0; tries < 50; tries++)); do [ -n "$(node_of "$dir/cut")" ] || return 0; sleep 0.1; done
+    return 1
+}
+
+small_panel() { emulate waveshare-pico-lcd-0in96 1 3 && expect waveshare-pico-lcd-0in96 3 && same 3; }
+
+make_emulate() {
+    make_image emulate BOARD="$board" FRAMES=1 >"$dir/said" 2>/dev/null && grep -q '^frame 0 crc32' "$dir/said" &&
+        [ -s "$B/emulate/$board/frame-0000.ppm" ] && grep -q 'frames/s.*load of core 0' "$dir/said"
+}
+
+check "images_are_within_their_budgets" builds
+check "every_demo_is_the_simulators" every_demo 1
+check "the_panel_is_dark_until_its_first_frame" order_is "$board" 'init [^;]*;first frame;display on;backlight [^;]*;$'
+check "two_cores_draw_the_same" every_demo 2
+check "both_cores_work" both_cores_work
+check "a_frame_that_fits_the_bus_takes_no_longer" overlap
+check "the_stack_stays_below_its_bound" stack_stays_below_its_bound
+check "a_pin_is_a_button" a_pin_is_a_button
+check "B_on_the_UART_reboots_into_the_boot_loader" boot_loader_on_request
+check "a_button_held_at_power_up_does_so_too" boot_loader_by_a_button
+check "a_fault_is_told_and_the_panel_is_dark" fault_is_told
+check "a_flipped_bit_in_boot2_is_refused" flipped_bit_in_boot2_is_refused
+check "the_UF2_file_holds_the_same_image" uf2_is_the_same_image
+check "frames_of_an_ST7735S_at_10_MHz" small_panel
+check "what_is_done_per_pixel_runs_from_RAM" per_pixel_from_ram
+check "an_interrupted_emulator_leaves_nothing_behind" interrupted
+check "make_emulate_writes_pictures" make_emulate
+tap_end

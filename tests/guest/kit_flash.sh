@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# pinhole-flash in the virtual kit, for tests/guest/test_kit_flash.sh and tests/guest/long_kit_flash.sh: sourced on the host and in
+# the guest. What a run leaves in $KIT: NAME.status, NAME.out, NAME.err; the flash of a board is a file. Environment: B.
+# shellcheck source-path=SCRIPTDIR
+# shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; kit_device, kit_out, images, cut: others'
+. "$(dirname "${BASH_SOURCE[0]}")/kit/kit.sh"
+kit_wrap=${kit_wrap-} # valgrind, say
+
+# ---- on the host, before -------------------------------------------------------------------------
+
+# DIR/NAME.bin, .uf2: an image of so many random bytes; its boot2 and its UF2 as `make firmware` makes them.
+make_images() { # directory, then name and bytes of each
+    local dir=$1 name
+    cc -O1 -o "$dir/seal" hal/rp2040/boot2_seal.c && cc -O1 -o "$dir/uf2" firmware/tools/image_uf2.c || return 1
+    shift
+    while [ $# -gt 0 ]; do
+        name=$dir/$1
+        head -c 256 /dev/urandom | "$dir/seal" >"$name.bin" && head -c $(($2 - 256)) /dev/urandom >>"$name.bin" &&
+            "$dir/uf2" 0xe48bff56 0x10000000 "$name.bin" "$name.uf2" || return 1
+        shift 2
+    done
+}
+
+# ---- in the guest --------------------------------------------------------------------------------
+
+run() { # name, argument...
+    # shellcheck disable=SC2086 # words of kit_wrap
+    timeout "${kit_limit:-60}" $kit_wrap "$B/pinhole-flash" "${@:2}" >"$KIT/$1.out" 2>"$KIT/$1.err"
+    echo $? >"$KIT/$1.status"
+}
+
+plug() { kit_usb bootsel "$@"; }
+
+pull() {
+    kill "$kit_device" 2>/dev/null
+    wait "$kit_device" 2>/dev/null
+}
+
+# Plugs a board in with this flash and these options, runs, and pulls it.
+run_on() { # name, flash, options of the board, argument...
+    # shellcheck disable=SC2086 # words of $3
+    plug --flash "$KIT/$2" $3 && run "$1" "${@:4}"
+    pull
+}
+
+# Sends a signal to a run once the flash has changed, which is when it writes.
+run_signalled() { # name, flash, signal, argument...
+    local pid i
+    plug --flash "$KIT/$2"
+    cp "$KIT/$2" "$KIT/before"
+    "$B/pinhole-flash" "${@:4}" >"$KIT/$1.out" 2>"$KIT/$1.err" &
+    pid=$!
+    for ((i = 0; i < 2000; i++)); do
+        cmp -s "$KIT/$2" "$KIT/before" || break
+    done
+    kill "-$3" $pid
+    wait $pid
+    echo $? >"$KIT/$1.status"
+    run "$1-list" --list
+    pull
+}
+
+# Cuts a run off, by `cut NUMBER`, and runs again on the flash that was left: a line with both statuses, whether the flash
+# holds what it should, and the first run's line.
+cut_and_again() { # number, image, flash as it should be
+    local same=no
+    cp "$images/old" "$KIT/flash"
+    cut "$1" "$2"
+    run_on second flash "" "$2"
+    cmp -s "$KIT/flash" "$3" && same=yes
+    echo "$(cat "$KIT/first.status") $(cat "$KIT/second.status") $same $(cat "$KIT/first.err")" >>"$KIT/cuts"
+}
+
+# ---- on the host, after --------------------------------------------------------------------------
+
+# The run ended with this status and this line on stderr ("" for none); @ stands for BUS:ADDRESS.
+ended() { # name, status, line
+    local status
+    status=$(cat "$kit_out/$1.status" 2>&1)
+    [ "$status" = "$2" ] || { echo "status $status, not $2"; cat "$kit_out/$1.err"; return 1; }
+    sed 's/RP2040 [0-9]*:[0-9]*:/RP2040 @:/' "$kit_out/$1.err" | diff - <(if [ -n "$3" ]; then echo "pinhole-flash: $3"; fi)
+}
+
+said() { # name, line
+    sed 's/[0-9]*:[0-9]*/@/' "$kit_out/$1.out" | diff - <(echo "$2")
+}
+
+# The flash holds the image, padded as its UF2 is or not at all, then erased bytes up to the sector's end, then what it
+# held before.
+holds() { # flash, image, zeros|erased, flash before
+    local bytes pages end
+    bytes=$(stat -c %s "$2")
+    pages=$(((bytes + 255) / 256 * 256)) end=$(((bytes + 4095) / 4096 * 4096))
+    {
+        cat "$2"
+        [ "$3" = zeros ] && head -c $((pages - bytes)) /dev/zero || head -c $((pages - bytes)) /dev/zero | tr '\0' '\377'
+        head -c $((end - pages)) /dev/zero | tr '\0' '\377'
+        tail -c +$((end + 1)) "$4"
+    } | cmp - "$1"
+}

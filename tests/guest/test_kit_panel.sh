@@ -1,0 +1,264 @@
+#!/usr/bin/env bash
+# pinhole-panel on a virtual Raspberry Pi (tests/kit): the real program, kernel, spidev and libgpiod. What comes out of
+# the wires is what pinhole-sim draws; what goes wrong is one line and leaves nothing behind.
+# shellcheck disable=SC2317,SC2015,SC2016 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/guest/kit_panel.sh
+kit_begin "pinhole-panel drives a display in the virtual kit"
+make -s B="$B" "$B/tests/hal/test_hal" && kit_build || exit 1
+
+# ---- what the guests do --------------------------------------------------------------------------
+
+all_boards='
+    . tests/guest/kit_panel.sh
+    guest_rotations 2 "0 270" $kit_boards
+    fresh && kit_do wire-time 1 && run timed --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/timed.events
+    run_fresh diff --board rpi-waveshare-1in3 --frames 12 --diff on
+    run_fresh two --board rpi-waveshare-1in44 --board sbc-generic --spi /dev/spidev0.1 --dc GPIO22 \
+        --reset GPIO23 --backlight - --frames 3
+    run_fresh options --board rpi-waveshare-1in3 --demo solar --view moon --start 40 --frames 2 --overlay --depth fixed16 --band 7
+    run_fresh refreshed --board rpi-waveshare-1in3 --frames 3 --diff on --refresh 1
+    fresh && kit_do set 13 0 && run select --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/select.events
+    fresh && kit_do reply 0085855200
+    run probe probe --board rpi-pitft-2in8 --panel st7789-240x320 --reset GPIO24 && kit_events >$KIT/probe.events
+    run_fresh home --panel st7735s-80x160 --spi /dev/spidev0.1 --dc pinctrl-bcm2835:4 --reset gpiochip0:17 \
+        --backlight - --demo testcard --frames 2 --rotate 90 --speed 8000000
+    fresh && kit_do te 18 100 && run edges --board rpi-waveshare-1in3 --te GPIO18 --frames 9 && kit_events >$KIT/edges.events
+    run_fresh card testcard --board rpi-pitft-2in8 --frames 1
+    run_fresh speedtest speedtest --board rpi-waveshare-1in44 --speed 15000000 --frames 2
+    run_fresh noedges --board rpi-waveshare-1in3 --te GPIO18 --frames 3
+    run_hal hal unplugged
+'
+
+faults='
+    . tests/guest/kit_panel.sh
+    run nospi --board rpi-waveshare-1in3 --frames 2
+    run doctor-nospi doctor --board rpi-waveshare-1in3
+    fresh && run doctor doctor --board rpi-waveshare-1in3
+    kit_do busy 25 && run busy --board rpi-waveshare-1in3 --frames 2
+    run doctor-busy doctor --board rpi-waveshare-1in3
+    fresh && kit_do dir-error 27 5 && run direction --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/direction.events
+    for n in 3 4; do # mode and bits a word come first
+        fresh && kit_do spi-setup-error $n 22 && run clock-$n --board rpi-waveshare-1in3 --frames 2 && kit_events >$KIT/clock-$n.events
+    done
+    fresh && mkfifo /tmp/fifo && run fifo --board rpi-waveshare-1in3 --spi /tmp/fifo
+    run folder --board rpi-waveshare-1in3 --spi /dev
+    run no-chip --board rpi-waveshare-1in3 --dc /dev/null:3
+    run no-line --board rpi-waveshare-1in3 --dc GPIO99
+    run chip-select --board rpi-waveshare-1in3 --dc GPIO8
+    run twice --board rpi-waveshare-1in3 --board rpi-waveshare-1in3
+    for n in 1 2 100 230; do
+        fresh && kit_do spi-error $n 5 && run eio-$n --board rpi-waveshare-1in3 --frames 9 && kit_events >$KIT/eio-$n.events
+    done
+    fresh && chmod 600 /dev/spidev* /dev/gpiochip*
+    kit_wrap="setpriv --reuid 65534 --clear-groups" run nouser --board rpi-waveshare-1in3 --frames 2
+    chmod 666 /dev/spidev* && kit_wrap="setpriv --reuid 65534 --clear-groups" run nogpio --board rpi-waveshare-1in3 --frames 2
+    for signal in INT TERM HUP; do
+        fresh
+        run_signalled $signal $signal --board rpi-waveshare-1in44 --fps 20 --frames 200
+        kit_events >$KIT/$signal.events
+    done
+    fresh
+    run_signalled killed KILL --board rpi-waveshare-1in44 --fps 20 --frames 200
+    kit_events >$KIT/killed.events
+    run after --board rpi-waveshare-1in44 --frames 2
+    kit_events >$KIT/after.events
+    run_hal hal stays
+    fresh && kit_do spi-unplug 200
+    run unplugged --board rpi-waveshare-1in44 --frames 90
+'
+
+tests/guest/guest.sh --bufsiz 65536 --timeout 240 --out "$dir/boards" -- bash -c "$all_boards" >"$dir/boards.log" 2>&1 ||
+    { cat "$dir/boards.log"; exit 1; }
+tests/guest/guest.sh --timeout 240 --out "$dir/faults" -- bash -c "$faults" >"$dir/faults.log" 2>&1 ||
+    cat "$dir/faults.log"
+
+# ---- what came out -------------------------------------------------------------------------------
+kit_out=$dir/boards
+
+the_order_is_right() {
+    local lit='init,first frame,display on,backlight on,backlight off,display off,'
+    in_order rpi-waveshare-1in3-0 rpi-waveshare-1in3 "reset begins,reset ends,reset begins,reset ends,$lit" &&
+        in_order rpi-pirate-audio-0 rpi-pirate-audio "$lit" &&
+        in_order rpi-pitft-2in8-0 rpi-pitft-2in8 'init,first frame,display on,display off,'
+}
+
+changes_are_the_picture_in_the_end() {
+    ended diff 0 "" || return 1
+    "$B/pinhole-sim" --board rpi-waveshare-1in3 --frames 12 --out "$dir/sim" &&
+        "$B/pinhole-wire" --board rpi-waveshare-1in3 --last --out "$dir/wire.ppm" "$kit_out/diff.events" >/dev/null &&
+        cmp "$dir/sim/frame-0011.ppm" "$dir/wire.ppm"
+}
+
+two_displays_show_the_same() {
+    ended two 0 "" &&
+        "$B/pinhole-sim" --board rpi-waveshare-1in44 --frames 3 --crc >"$dir/first" &&
+        "$B/pinhole-sim" --board sbc-generic --frames 3 --crc >"$dir/second" &&
+        "$B/pinhole-wire" --board rpi-waveshare-1in44 "$kit_out/two.events" | diff "$dir/first" - &&
+        "$B/pinhole-wire" --board sbc-generic --select 1 --dc GPIO22 --reset GPIO23 --backlight - "$kit_out/two.events" |
+        diff "$dir/second" -
+}
+
+select_takes_the_next_demo() {
+    printf '0 select 9\n' >"$dir/keys"
+    ended select 0 "" && frames_as_sim select rpi-waveshare-1in3 90 --frames 2 --keys "$dir/keys"
+}
+
+options_are_the_simulators() {
+    ended options 0 "" || return 1
+    "$B/pinhole-wire" --board rpi-waveshare-1in3 "$kit_out/options.events" | cut -d' ' -f3- >"$dir/options" # it counts from 0
+    "$B/pinhole-sim" --board rpi-waveshare-1in3 --demo solar --view moon --start 40 --frames 2 --overlay --depth fixed16 --crc |
+        cut -d' ' -f3- | diff - "$dir/options" &&
+        [ "$(awk '$2 == "spi" && length($11) > 1000' "$kit_out/options.events" | wc -l)" -ge 70 ] # 2 frames of 35 bands
+}
+
+# Frames of windows only are no frames to pinhole-wire: these are whole.
+all_is_sent_again() { ended refreshed 0 "" && frames_as_sim refreshed rpi-waveshare-1in3 90 --frames 3; }
+
+# Line 24 falls and rises before it is asked.
+a_controller_is_reset_and_named() {
+    ended probe 0 "" && grep -q '^controller: ST7789$' "$kit_out/probe.out" &&
+        awk '$2 == "level" { was = high; high = index("13579bdf", substr($3, length($3) - 6, 1)) > 0; pulses += high && !was && fell; fell += was && !high }
+            $2 == "read" { exit } END { exit !(pulses == 1 && high) }' "$kit_out/probe.events"
+}
+
+wires_are_given_by_hand() {
+    ended home 0 "" &&
+        "$B/pinhole-wire" --board sbc-generic --panel st7735s-80x160 --rotate 90 --select 1 --dc GPIO4 --reset GPIO17 \
+            --backlight - "$kit_out/home.events" >"$dir/home.seen" &&
+        "$B/pinhole-sim" --board waveshare-pico-lcd-0in96 --rotate 90 --demo testcard --frames 2 --crc | # it has this panel
+        diff - "$dir/home.seen" && grep -q 'spi 1 8000000' "$kit_out/home.events"
+}
+
+# Between the last pixels of a frame and the first command of the next one line 18 rises.
+an_edge_is_before_each_frame() {
+    awk '$2 == "level" { was = high; high = index("4567cdef", substr($3, length($3) - 4, 1)) > 0; edges += high && !was }
+        $2 == "spi" && length($11) > 1000 { edges = 0; frames += !pixels; pixels = 1 }
+        $2 == "spi" && $11 == "2a" && pixels { pixels = 0; missed += edges == 0 }
+        END { print frames " frames, " missed + 0 " without an edge"; exit frames != 9 || missed > 0 }' "$kit_out/edges.events"
+}
+
+frames_wait_for_the_edge() {
+    ended edges 0 "" && an_edge_is_before_each_frame &&
+        told noedges 0 "rpi-waveshare-1in3: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check its wire, or use --te -"
+}
+
+the_card_is_at_every_clock() {
+    ended card 0 "" && frames_as_sim card rpi-pitft-2in8 90 --demo testcard --frames 1 &&
+        ended speedtest 0 "" && frames_as_sim speedtest rpi-waveshare-1in44 90 --demo testcard --frames 8 &&
+        [ "$(sed -n 's/^\(asked.*Hz\): *[0-9.]* frames.s$/\1/p' "$kit_out/speedtest.out" | tr -s ' ' | cut -d' ' -f2,5 | tr '\n' ,)" = \
+            "4000000 4000000,8000000 8000000,10000000 10000000,15000000 15000000," ]
+}
+
+for board in $kit_boards; do
+    check "on $board the wire carries what pinhole-sim draws" rotations_are_as_simulated "$board" "0 270"
+done
+check "reset, init, first frame, display on, backlight: in this order, and back" the_order_is_right
+check "a wire that takes its time carries the same frames" eval 'ended timed 0 "" && frames_as_sim timed rpi-waveshare-1in3 90 --frames 2'
+check "with --diff on the last picture is the simulator's" changes_are_the_picture_in_the_end
+check "one process shows a scene on two displays" two_displays_show_the_same
+check "--view, --start, --overlay, --depth and --band do what they do in pinhole-sim" options_are_the_simulators
+check "--refresh sends all of the picture again" all_is_sent_again
+check "the select button takes the next demo" select_takes_the_next_demo
+check "probe resets the display and names the controller that answers" a_controller_is_reset_and_named
+check "a display can be wired by hand, its lines named by label and offset" wires_are_given_by_hand
+check "testcard and speedtest show the card, at each clock" the_card_is_at_every_clock
+check "frames wait for the tearing-effect edge, and say so when none comes" frames_wait_for_the_edge
+check "hal_linux_with_a_bufsiz_of_65536" hal_passed hal
+
+kit_out=$dir/faults
+dark() { # name
+    "$B/pinhole-wire" --board rpi-waveshare-1in44 --order "$kit_out/$1.events" | sed -n 's/^order \(.*\) [0-9.]* ms$/\1/p' |
+        tail -n 2 | tr '\n' ',' | grep -qx 'backlight off,display off,' || { echo "not dark at the end"; return 1; }
+}
+
+kit=rpi-waveshare-1in3
+a_missing_device_is_told() {
+    told nospi 1 "$kit: /dev/spidev0.0 is not there: SPI is off; on a Raspberry Pi add dtparam=spi=on to config.txt and restart (other boards: their device tree overlay)"
+}
+
+a_busy_line_is_named() {
+    local end='end that program, or remove the overlay that claims it'
+    told busy 1 "$kit: line GPIO25 (/dev/gpiochip0:25) is taken by \"kit\"; $end" &&
+        told chip-select 1 "$kit: line GPIO8 (/dev/gpiochip0:8) is taken by \"spi0 CS0\"; $end" &&
+        told twice 1 "$kit: line GPIO25 (/dev/gpiochip0:25) is taken by \"pinhole\"; $end"
+}
+
+what_is_no_device_is_told() {
+    told fifo 1 "$kit: /tmp/fifo is no SPI device; give a /dev/spidev" &&
+        told folder 1 "$kit: /dev cannot be opened: Is a directory" &&
+        told no-chip 1 "$kit: /dev/null is no GPIO chip (looking for line /dev/null:3); gpiodetect lists them" &&
+        told no-line 1 "$kit: line GPIO99: no chip has it; name it as gpioinfo lists it, or as chip:offset (gpiochip0:25)"
+}
+
+a_refused_clock_is_told() {
+    told clock-3 1 "$kit: the panel does not wake up: /dev/spidev0.0: a clock of 4000000 Hz cannot be set: Invalid argument; ask for another" &&
+        told clock-4 1 "$kit: the panel does not wake up: /dev/spidev0.0: a clock of 40000000 Hz cannot be set: Invalid argument; ask for another" &&
+        released clock-3 && released clock-4
+}
+
+a_refused_direction_is_told() {
+    told direction 1 "$kit: line GPIO27 (/dev/gpiochip0:27) cannot be used: Input/output error; take another line" && released direction
+}
+
+the_doctor_knows() {
+    ended doctor 0 "" && ! grep -q FAIL "$kit_out/doctor.out" &&
+        ended doctor-nospi 1 "" && grep -q '^FAIL  /dev/spidev0.0 is not there: SPI is off' "$kit_out/doctor-nospi.out" &&
+        ended doctor-busy 1 "" && [ "$(grep -c FAIL "$kit_out/doctor-busy.out")" = 1 ] &&
+        grep -q "^FAIL  D/C: line GPIO25 (/dev/gpiochip0, offset 25) is taken by 'kit'" "$kit_out/doctor-busy.out"
+}
+
+no_permission_names_the_way() {
+    told nouser 1 "$kit: /dev/spidev0.0: no permission; add yourself to the group spi (usermod -aG spi NAME, then log in again) or install boards/udev/60-pinhole.rules" &&
+        told nogpio 1 "$kit: /dev/gpiochip0: no permission (looking for line GPIO25); add yourself to the group gpio (usermod -aG gpio NAME, then log in again) or install boards/udev/60-pinhole.rules"
+}
+
+a_failing_transfer_ends_the_run() { # number, what was going on, clock
+    told "eio-$1" 1 "$kit: $2: /dev/spidev0.0: sending N bytes at $3 Hz failed: Input/output error; dmesg may say more" &&
+        released "eio-$1"
+}
+
+an_unplugged_board_is_told() {
+    local frame='rpi-waveshare-1in44: frame N:'
+    told unplugged 1 "$frame /dev/spidev0.0 is gone: the SPI device was removed while in use; start again" \
+        "$frame the D/C line cannot be set: No such device"
+}
+
+a_signal_leaves_it_dark() { # signal, status
+    ended "$1" "$2" "frames/s" && dark "$1" && released "$1"
+}
+
+# The panel sees both runs; what it resents of the one that was cut off does not count.
+after_a_kill_it_starts_again() {
+    local restart
+    ended killed 137 "frames/s" && ended after 0 "" || return 1
+    restart=$(awk '{ print int($1 / 1e6); exit }' "$kit_out/after.events")
+    cat "$kit_out/killed.events" "$kit_out/after.events" >"$dir/both.events"
+    "$B/pinhole-wire" --board rpi-waveshare-1in44 "$dir/both.events" 2>"$dir/both.err" | tail -n 2 | cut -d' ' -f4 >"$dir/both"
+    "$B/pinhole-sim" --board rpi-waveshare-1in44 --frames 2 --crc | cut -d' ' -f4 | diff - "$dir/both" &&
+        awk -v restart="$restart" 'match($0, /[0-9.]+ ms:/) && substr($0, RSTART) + 0 > restart { print; bad = 1 }
+            END { exit bad }' "$dir/both.err"
+}
+
+check "a device that is not there is told" a_missing_device_is_told
+check "what is no SPI device, no GPIO chip or no line is told" what_is_no_device_is_told
+check "no permission is told, and the way to it" no_permission_names_the_way
+check "a line that somebody has is told, and who has it" a_busy_line_is_named
+check "a line that cannot become an output is told" a_refused_direction_is_told
+check "a clock that cannot be set is told, lines released" a_refused_clock_is_told
+for n in 1 2; do
+    check "an error of transfer $n ends the run in one line, lines released" a_failing_transfer_ends_the_run $n "the panel does not wake up" 4000000
+done
+for n in 100 230; do
+    check "an error of transfer $n ends the run in one line, lines released" a_failing_transfer_ends_the_run $n "frame N" 40000000
+done
+check "doctor finds what is wrong, and nothing else" the_doctor_knows
+check "Ctrl-C leaves the panel dark and exits 130" a_signal_leaves_it_dark INT 130
+check "SIGTERM leaves the panel dark and exits 143" a_signal_leaves_it_dark TERM 143
+check "SIGHUP leaves the panel dark and exits 129" a_signal_leaves_it_dark HUP 129
+check "after kill -9 the next start is clean" after_a_kill_it_starts_again
+check "an unplugged board ends the run in one line" an_unplugged_board_is_told
+check "hal_linux_in_the_kit" hal_passed hal
+tap_end

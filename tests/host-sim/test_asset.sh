@@ -1,0 +1,181 @@
+#!/usr/bin/env bash
+# pinhole-asset: what it writes compiles and draws, byte for byte, what the simulator draws of the same data, in an
+# emulated kit too; what is wrong costs one line and leaves nothing behind.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+asset=$B/pinhole-asset
+scene=tests/host-sim/asset/scene.gltf
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+make -s -j2 B="$B" "$asset" "$B/pinhole-sim" || exit 1
+if "$asset" README.md --report 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
+
+include='-Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Iboards/none -Ihost-sim/common -Ihost-sim/asset -Ihost-sim/model -Ihost-sim/sim -Ihost-sim/controllers'
+strict='-std=c11 -Wall -Wextra -Wshadow -Wconversion -Wundef -Wcast-qual -Wpedantic -Werror'
+read -ra libraries < <({ for l in assimp libpng sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; }; } | xargs)
+
+sphere() { # rings: smooth, 4 rings^2 triangles and some
+    awk -v n="$1" 'BEGIN {
+        for (j = 0; j <= n; j++) { for (i = 0; i < 2 * n; i++) {
+            u = i * 3.14159265358979 / n; v = (j / n - .5) * 3.14159265358979
+            printf "v %.5f %.5f %.5f\n", cos(u) * cos(v), sin(v), -sin(u) * cos(v) } }
+        for (j = 0; j < n; j++) { for (i = 0; i < 2 * n; i++) {
+            a = 2 * n * j + i + 1; b = 2 * n * j + (i + 1) % (2 * n) + 1
+            print "f", a, b, b + 2 * n, a + 2 * n } } }'
+}
+sphere 24 >"$dir/sphere.obj"
+
+# shellcheck disable=SC2086 # lists of flags
+compile() { # scene.c, program
+    gcc $strict -O1 $include -c "$1" -o "$2.o" &&
+        gcc -std=c11 -Wall -Wextra -Werror -O1 $include tests/host-sim/asset/frames.c "$2.o" "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -Wl,--as-needed "${libraries[@]}" -lm -pthread -o "$2"
+}
+
+# The compiled file against what pinhole-asset has in memory, and (no fewer triangles) against the model file.
+same_frames() { # model, triangles, boards...
+    local model=$1 triangles=$2 board last
+    "$asset" "$model" -o "$dir/same.c" --max-triangles "${triangles/4294967295/all}" && compile "$dir/same.c" "$dir/same" || return 1
+    for board in "${@:3}"; do
+        "$dir/same" "$board" 8 32 - "$model" "$triangles" 8 own >"$dir/said" || { echo "$board" && return 1; }
+        last=$(tail -n 1 "$dir/said")
+        echo "# $board: $last"
+        [ "$(grep -c '^frame' "$dir/said")" = 8 ] || return 1
+        [ "$triangles" != 4294967295 ] || [[ $last =~ ^pixels\ 0\ outline\ 0\ triangles\ ([0-9]+)\ of\ ([0-9]+)$ && ${BASH_REMATCH[1]} = "${BASH_REMATCH[2]}" ]] || return 1
+    done
+}
+
+frames_move() { # a driver that draws nothing would pass otherwise
+    "$asset" "$dir/sphere.obj" -o "$dir/s.c" --max-triangles 300 && compile "$dir/s.c" "$dir/s" && "$dir/s" pico-display 1 1 "$dir/pictures" >/dev/null &&
+        "$dir/s" pico-display 3 50 | cut -d' ' -f4 >"$dir/crcs" && [ "$(sort -u "$dir/crcs" | wc -l)" = 3 ]
+}
+
+other_data_is_seen() {
+    "$asset" "$dir/sphere.obj" -o "$dir/o.c" --max-triangles 300 && sed -i '/positions_0/,/^};/ s/{\([0-9]\)\([0-9]*\),/{1\2,/' "$dir/o.c" && compile "$dir/o.c" "$dir/o" || return 1
+    ! "$dir/o" pico-display 4 32 - "$dir/sphere.obj" 300 8 own >/dev/null 2>"$dir/said" && grep -q 'frame 0 differs' "$dir/said"
+}
+
+close_to_the_model() { # simplified to a quarter: the outline differs in at most 1 % of the picture
+    "$asset" "$dir/sphere.obj" -o "$dir/close.c" --max-triangles 576 && compile "$dir/close.c" "$dir/close" || return 1
+    "$dir/close" rpi-waveshare-1in3 8 32 - "$dir/sphere.obj" 576 8 own | tail -n 1 | tee "$dir/said"
+    awk '{ exit !($4 > 0 && $4 < 8 * 240 * 240 * .01 && $6 < $8 / 3) }' "$dir/said"
+}
+
+clang_and_arm_compile_it() {
+    local sizes reported
+    "$asset" "$scene" -o "$dir/c.c" --report --board pico-display >"$dir/report" || return 1
+    # shellcheck disable=SC2086 # lists of flags
+    { ! command -v clang >/dev/null || clang $strict $include -c "$dir/c.c" -o "$dir/c.o"; } || return 1
+    command -v arm-none-eabi-gcc >/dev/null || return 0
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $strict -mcpu=cortex-m0plus -mthumb -O2 ${include/portable/armv6m} -c "$dir/c.c" -o "$dir/arm.o" || return 1
+    sizes=$(arm-none-eabi-size -A "$dir/arm.o" | awk '/rodata/ { n += $2 } /^\.(data|bss)/ && $2 > 0 { print "not const" } END { print n }')
+    reported=$(awk '/in all .*bytes/ { print $3; exit }' "$dir/report")
+    echo "# $sizes bytes in the object, $reported in the report"
+    [ "$sizes" -ge $((reported - 8)) ] && [ "$sizes" -le $((reported + 32)) ]
+}
+
+output_is_deterministic() {
+    "$asset" "$dir/sphere.obj" -o "$dir/1.c" --max-triangles 300 && mkdir -p "$dir/else" && cp "$dir/sphere.obj" "$dir/else" &&
+        (program=$(realpath "$asset") && cd "$dir/else" && "$program" sphere.obj -o - --max-triangles 300) >"$dir/2.c" && cmp "$dir/1.c" "$dir/2.c"
+}
+
+odd_names_stay_out_of_the_c_file() {
+    local odd="$dir/a*%2f\"??.obj"
+    odd=${odd/\%2f/\\}
+    cp "$dir/sphere.obj" "$odd" && "$asset" "$odd" -o "$dir/odd.c" && compile "$dir/odd.c" "$dir/odd" && ! grep -qF '??' "$dir/odd.c"
+}
+
+refuses() { # status, pattern, arguments...: one line on stderr, nothing on stdout
+    local status=$1 pattern=$2 got=0
+    shift 2
+    "$asset" "$@" >"$dir/out" 2>"$dir/err" || got=$?
+    if [ "$got" != "$status" ] || [ "$(wc -l <"$dir/err")" != 1 ] || [ -s "$dir/out" ] || ! grep -qe "$pattern" "$dir/err"; then
+        echo "status $got: $*" && cat "$dir/err" && return 1
+    fi
+}
+
+wrong_usage_is_told() {
+    refuses 2 'no model named' && refuses 2 'nothing to do' x.obj && refuses 2 'name a --board' x.obj -o y.c --max-triangles fit &&
+        refuses 2 'power of two' x.obj --texture-size 100 && refuses 2 'one model at a time' x.obj y.obj && refuses 2 'no such option' --turn &&
+        refuses 2 'that pinhole-sim --list shows' x.obj --board none && refuses 2 '-o needs a value' x.obj -o && refuses 2 'whole number' x.obj --max-triangles 0 &&
+        refuses 2 'both want stdout' x.obj --report -o - && "$asset" --help | grep -q -- '--max-triangles'
+}
+
+bad_models_are_told_and_leave_nothing() {
+    rm -f "$dir/n.c" && head -c 300 "$scene" >"$dir/cut.gltf" && echo 'v 1 2 3' >"$dir/points.obj" && : >"$dir/empty.obj" || return 1
+    refuses 1 'No such file' "$dir/none.obj" -o "$dir/n.c" && refuses 1 'no model that can be read' "$dir/cut.gltf" -o "$dir/n.c" &&
+        refuses 1 'is empty' "$dir/empty.obj" -o "$dir/n.c" && refuses 1 '' "$dir/points.obj" -o "$dir/n.c" && refuses 1 'directory' "$dir" -o "$dir/n.c" &&
+        refuses 1 'cannot be written' "$scene" -o "$dir/nowhere/n.c" && refuses 1 'remain, not 1' "$scene" -o "$dir/n.c" --max-triangles 1 && [ "$(echo "$dir"/n.c*)" = "$dir/n.c*" ]
+}
+
+a_file_limit_leaves_nothing() { # 1 KiB
+    mkdir -p "$dir/limit" && (ulimit -f 1 && refuses 1 'n.c: cannot be written: File too large' "$scene" -o "$dir/limit/n.c") && [ -z "$(ls "$dir/limit")" ]
+}
+
+too_large_for_the_board_says_what_to_do() {
+    refuses 1 'need [0-9]* bytes of memory, and pico-display has [0-9]*; [0-9]* fit: --max-triangles fit (make: SCENE_TRIANGLES=fit)' "$dir/sphere.obj" --board pico-display -o "$dir/n.c" &&
+        refuses 1 'take [0-9]* bytes, and the flash has 15000' "$dir/sphere.obj" --flash 15000 -o "$dir/n.c" --board pico-display --max-triangles 1000 &&
+        refuses 1 'textures take 2056 of the 1500 bytes.*--texture-size 16 has room (make: SCENE_TEXTURE=16)' "$scene" --flash 1500 -o "$dir/n.c" &&
+        [ ! -e "$dir/n.c" ]
+}
+
+as_said() { # what the lines above advise works; one line says what was done
+    "$asset" "$dir/sphere.obj" --board pico-display -o "$dir/fit.c" --max-triangles fit --report >"$dir/report" 2>"$dir/err" && [ "$(wc -l <"$dir/err")" = 1 ] &&
+        grep -q 'have room on pico-display; it was simplified' "$dir/err" && grep -q '^pico-display .* fits$' "$dir/report" && compile "$dir/fit.c" "$dir/fit" &&
+        "$dir/fit" pico-display 16 16 >/dev/null && # which fails where a triangle is left out
+        "$asset" "$scene" --flash 6000 --texture-size 16 -o "$dir/fit.c"
+}
+
+a_small_board_gets_no_platter() {
+    "$asset" "$dir/sphere.obj" --board lm3s6965evb -o "$dir/small.c" --max-triangles fit 2>"$dir/err" && grep -q 'without a platter' "$dir/err" && grep -q 'arena_bytes_32 = 256' "$dir/small.c"
+}
+
+reports_every_board() {
+    "$asset" "$scene" --report >"$dir/report" || return 1
+    "$B/pinhole-sim" --list | awk '$1 == "board" { print $2 }' | while read -r name; do grep -q "^$name .* fits$" "$dir/report" || { echo "$name" && exit 1; }; done &&
+        grep -q "^camera *the file's" "$dir/report" && "$asset" "$scene" --report --turntable | grep -q '^camera *turntable$'
+}
+
+an_image_draws_it() { # in QEMU, as the compiled file on the simulated board
+    local name=lm3s6965evb
+    make_image firmware BOARD="$name" SCENE="$scene" && timeout 60 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
+    compile "$B/firmware/$name-scene.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
+        [ "$(wc -l <"$dir/emulated.crc")" = 2 ]
+}
+
+an_image_too_large_is_not_made() {
+    ! make_image firmware BOARD=lm3s6965evb SCENE="$dir/sphere.obj" SCENE_TRIANGLES=all >"$dir/out" 2>"$dir/err" && grep -q 'SCENE_TRIANGLES=fit' "$dir/err" &&
+        [ ! -e "$B/firmware/lm3s6965evb-sphere.elf" ]
+}
+
+check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
+check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
+if [ -e /usr/include/meshoptimizer.h ]; then
+    check "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
+    check "simplified_scene_is_close_to_the_model" close_to_the_model
+    check "frames_move" frames_move
+    check "other_data_is_seen" other_data_is_seen
+    check "output_is_deterministic" output_is_deterministic
+    check "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
+    check "what_it_says_to_do_works" as_said
+    check "a_small_board_gets_no_platter" a_small_board_gets_no_platter
+else
+    skip "simplified_scene_draws_the_simulators_bytes" "no meshoptimizer: apt-get install libmeshoptimizer-dev"
+fi
+check "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it
+check "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
+check "wrong_usage_is_told" wrong_usage_is_told
+check "bad_models_are_told_and_leave_nothing" bad_models_are_told_and_leave_nothing
+check "a_file_limit_leaves_nothing" a_file_limit_leaves_nothing
+check "every_board_is_in_the_report" reports_every_board
+if ! command -v arm-none-eabi-gcc >/dev/null || ! command -v qemu-system-arm >/dev/null; then
+    skip "an_image_draws_it_in_an_emulated_kit" "no arm-none-eabi-gcc or no qemu-system-arm"
+else
+    check "an_image_draws_it_in_an_emulated_kit" an_image_draws_it
+    check "an_image_too_large_for_its_board_is_not_made" an_image_too_large_is_not_made
+fi
+tap_end

@@ -1,0 +1,161 @@
+#!/usr/bin/env bash
+# pinhole-sim --window on a virtual screen: what it shows is what the glass shows, at the rate of the kit's bus, and the
+# keyboard is the kit's buttons.
+# shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+B=${B:-build}
+sim=$(realpath "$B/pinhole-sim") || exit 1
+dir=$(mktemp -d) || exit 1
+xvfb=
+trap 'kill $xvfb 2>/dev/null; rm -rf "$dir"' EXIT
+kit=(--board pico-display-2)
+title='Pico Display Pack 2.0'
+
+# Starts pinhole-sim with these options and waits for its window: its process in $pid, its window in $id.
+start() {
+    "$sim" --window "${kit[@]}" "$@" >"$dir/stdout" 2>"$dir/stderr" &
+    pid=$!
+    id=$(timeout 20 xdotool search --sync --onlyvisible --name "$title" | head -n 1)
+    sleep .5
+    [ -n "$id" ]
+}
+
+ended() { # the process of the window: its exit status, killed after 10 s
+    local i
+    for ((i = 0; i < 100; i++)); do
+        kill -0 "$pid" 2>/dev/null || break
+        sleep .1
+    done
+    kill -9 "$pid" 2>/dev/null
+    wait "$pid"
+}
+
+shot() { # file: the window, scaled down again
+    import -window "$id" "$dir/shot.ppm" && identify -format '%wx%h' "$dir/shot.ppm" >"$dir/shot.size" &&
+        convert "$dir/shot.ppm" -sample 50% -depth 8 "$1"
+}
+
+is_the_glass() { # file, demo: same pixels
+    "$sim" "${kit[@]}" --demo "$2" --out "$dir/glass.ppm" && cmp "$dir/glass.ppm" "$1"
+}
+
+it_shows_the_glass_scaled_by_two() { # 320x240 on a screen of 1024x768
+    start --demo testcard && shot "$dir/a.ppm"
+    xdotool key --window 0 Escape
+    ended && [ "$(cat "$dir/shot.size")" = 640x480 ] && is_the_glass "$dir/a.ppm" testcard &&
+        cmp <(convert "$dir/shot.ppm" -depth 8 rgb:-) <(convert "$dir/glass.ppm" -scale 200% -depth 8 rgb:-)
+}
+
+escape_ends_it() {
+    start && xdotool key Escape && ended
+}
+
+closing_it_ends_it() {
+    cat >"$dir/close.c" <<'END'
+#include <X11/Xlib.h>
+#include <stdlib.h>
+int main(int argc, char **argv) /* asks a window to close, as a window manager does */
+{
+    Display *d = XOpenDisplay(NULL);
+    if (argc != 2 || d == NULL) {
+        return 1;
+    }
+    XEvent e = {.xclient = {.type = ClientMessage, .window = strtoul(argv[1], NULL, 0), .format = 32}};
+    e.xclient.message_type = XInternAtom(d, "WM_PROTOCOLS", False);
+    e.xclient.data.l[0] = (long)XInternAtom(d, "WM_DELETE_WINDOW", False);
+    XSendEvent(d, e.xclient.window, False, NoEventMask, &e);
+    return XCloseDisplay(d);
+}
+END
+    cc "$dir/close.c" -lX11 -o "$dir/close" && start && "$dir/close" "$id" && ended
+}
+
+a_signal_ends_it() {
+    start && kill "$pid"
+    ended
+    [ $? = 143 ]
+}
+
+select_takes_the_next_demo() { # the second on the list is a still picture
+    local key
+    for key in Return space; do
+        start --demo turntable && xdotool key "$key" && sleep .5 && shot "$dir/b.ppm"
+        xdotool key Escape
+        ended && is_the_glass "$dir/b.ppm" testcard || return 1
+    done
+}
+
+an_arrow_moves_the_camera() { # key: from some frame on, and not before
+    "$sim" "${kit[@]}" --demo turntable --frames 20 --crc >"$dir/alone" && start --demo turntable --crc &&
+        xdotool keydown "$1" && sleep .3 && xdotool keyup "$1" key Escape
+    ended && [ "$(head -n 1 "$dir/stdout")" = "$(head -n 1 "$dir/alone")" ] || return 1
+    "$sim" "${kit[@]}" --demo turntable --frames "$(wc -l <"$dir/stdout")" --crc >"$dir/alone"
+    ! cmp -s "$dir/stdout" "$dir/alone"
+}
+
+frames_limit_it() {
+    "$sim" --window "${kit[@]}" --frames 7 --crc >"$dir/seven" && cmp "$dir/seven" <("$sim" "${kit[@]}" --frames 7 --crc)
+}
+
+milliseconds() { # of a command
+    local before
+    before=$(date +%s%3N)
+    "$@" >"$dir/stdout" || return 1
+    echo $(($(date +%s%3N) - before))
+}
+
+it_keeps_the_rate_of_the_bus() { # 40 frames; the bus takes 19.7 ms, faster ones are held at 60 a second
+    local us ms least options
+    for options in "${kit[*]}" "--size 32x32"; do
+        read -ra options <<<"$options"
+        us=$("$sim" "${options[@]}" --demo cube --stats 2>&1 | sed -n 's/.* bus \([0-9]*\) us.*/\1/p')
+        least=$(((us > 16667 ? us : 16667) * 39 / 1000))
+        ms=$(milliseconds "$sim" --window "${options[@]}" --demo cube --frames 40)
+        [ "$ms" -ge "$least" ] && [ "$ms" -le $((least * 2 + 1500)) ] || { echo "$ms ms, not $least" && return 1; }
+    done
+    [ "$us" -lt 16667 ]
+}
+
+refuses() { # pattern, command...: exit 1 and one line
+    local pattern=$1 got=0
+    shift
+    timeout 20 "$@" >"$dir/stdout" 2>"$dir/stderr" || got=$?
+    [ "$got" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && grep -q "^pinhole.*$pattern" "$dir/stderr" && [ ! -s "$dir/stdout" ] ||
+        { echo "exit $got" && cat "$dir/stderr" && return 1; }
+}
+
+without_sdl2_it_says_what_to_install() { # nosdl's window comes before the library's
+    local libraries
+    read -ra libraries < <({ pkg-config --libs assimp; pkg-config --libs libpng; } 2>/dev/null | xargs)
+    ${CC:-cc} -std=c11 -Ihost-sim/common -Ihost-sim/sim host-sim/sim/nosdl/window.c "$B/host-sim/sim/pinhole_sim.o" "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" \
+        "${libraries[@]}" -lm -o "$dir/nosdl" && refuses libsdl2-dev "$dir/nosdl" --window &&
+        "$dir/nosdl" --crc --size 8x8
+}
+
+tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it select_takes_the_next_demo
+    frames_limit_it it_keeps_the_rate_of_the_bus)
+
+check without_sdl2_it_says_what_to_install without_sdl2_it_says_what_to_install
+missing=
+pkg-config --exists sdl2 || missing=libsdl2-dev
+for need in Xvfb:xvfb xdotool:xdotool import:imagemagick; do
+    command -v "${need%:*}" >/dev/null || missing=${need#*:}
+done
+if [ -n "$missing" ]; then
+    for name in "${tests[@]}" left_moves_the_camera up_moves_the_camera without_a_screen_it_is_one_line; do skip "$name" "no $missing"; done
+    tap_end
+fi
+
+check without_a_screen_it_is_one_line refuses "no screen" env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR "$sim" --window
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp 3>"$dir/display" >"$dir/xvfb.log" 2>&1 &
+xvfb=$!
+for ((i = 0; i < 100; i++)); do [ ! -s "$dir/display" ] && sleep .1; done
+DISPLAY=:$(cat "$dir/display")
+export DISPLAY
+unset SDL_VIDEODRIVER WAYLAND_DISPLAY
+for name in "${tests[@]}"; do check "$name" "$name"; done
+check left_moves_the_camera an_arrow_moves_the_camera Left
+check up_moves_the_camera an_arrow_moves_the_camera Up
+tap_end

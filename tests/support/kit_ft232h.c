@@ -1,0 +1,80 @@
+/* See hal_conformance.h: hal/ft232h over the real libusb, on the device that tests/guest/usb_main.c plays. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "boards.h"
+#include "ft232h/ft232h.h"
+#include "hal_conformance.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct ft232h kit;
+
+/* Opens, tries and closes; the first error. For runs in which the device fails somewhere. */
+static int send_frames(const char *serial)
+{
+    static uint8_t bytes[115200];
+    memset(&kit, 0, sizeof kit);
+    kit.serial = serial;
+    int status = ft232h_ops.open(&kit, &board_ft232h_st7789);
+    if (status == 0) {
+        const int32_t clock = ft232h_ops.bus_clock(&kit, 30000000);
+        status = clock < 0 ? clock : 0;
+    }
+    for (int i = 0; i < 3 && status == 0; i++) {
+        status = ft232h_ops.bus_write(&kit, HAL_COMMAND, bytes, 1);
+        status = status != 0 ? status : ft232h_ops.bus_write(&kit, HAL_DATA, bytes, sizeof bytes);
+    }
+    status = status != 0 ? status : ft232h_ops.bus_wait(&kit);
+    if (status != 0) {
+        puts(ft232h_error(&kit));
+    }
+    ft232h_ops.close(&kit);
+    ft232h_ops.close(&kit);
+    return status;
+}
+
+static void the_backend_keeps_the_contract(void **state)
+{
+    (void)state;
+    static const struct board *const boards[] = {&board_ft232h_st7789, &board_ft232h_ili9341};
+    for (size_t i = 0; i < sizeof boards / sizeof boards[0]; i++) {
+        const struct hal hal = {&ft232h_ops, &kit};
+        memset(&kit, 0, sizeof kit);
+        hal_conforms(&hal, boards[i], "ft232h", true);
+    }
+}
+
+static void the_device_is_listed(void **state)
+{
+    (void)state;
+    struct ft232h_look look;
+    char version[FT232H_VERSION_SIZE];
+    assert_int_equal(ft232h_list(&look, 1), 1);
+    assert_int_equal(look.status, 0);
+    assert_true(strlen(look.serial) > 0);
+    assert_non_null(ft232h_libusb_version(version));
+    memset(&kit, 0, sizeof kit);
+    kit.serial = "no such number";
+    assert_int_equal(ft232h_ops.open(&kit, &board_ft232h_st7789), HAL_ENODEV);
+    assert_non_null(strstr(ft232h_error(&kit), "no FT232H has the serial number no such number; on USB: "));
+    assert_non_null(strstr(ft232h_error(&kit), look.serial));
+}
+
+int kit_ft232h_tests(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_backend_keeps_the_contract),
+        cmocka_unit_test(the_device_is_listed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
+
+int kit_ft232h_send(const char *serial)
+{
+    return -send_frames(serial);
+}

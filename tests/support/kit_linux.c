@@ -1,0 +1,396 @@
+/* See hal_conformance.h: hal/linux over the real spidev and libgpiod, on the board that tests/guest/board plays. */
+#define _XOPEN_SOURCE 700 /* usleep's kin, dirent */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+#include "boards.h"
+#include "hal_conformance.h"
+#include "linux/linux.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#define KIT_PATH "/dev/pinhole-kit"
+
+static struct linux_hal kit, other;
+
+static int close_kits(void **state)
+{
+    (void)state;
+    linux_ops.close(&kit);
+    linux_ops.close(&other);
+    return 0;
+}
+
+bool kit_is_here(void)
+{
+    return access(KIT_PATH, F_OK) == 0;
+}
+
+/* A fault or an input: tests/guest/board/kit.h. */
+__attribute__((format(printf, 1, 2))) static void kit_do(const char *format, ...)
+{
+    char command[80];
+    va_list arguments;
+    va_start(arguments, format);
+    const int n = vsnprintf(command, sizeof command, format, arguments);
+    va_end(arguments);
+    const int wire = open(KIT_PATH, O_WRONLY);
+    assert_true(wire >= 0);
+    assert_int_equal(write(wire, command, (size_t)n), n);
+    close(wire);
+}
+
+static void pause_ms(long ms)
+{
+    const struct timespec time = {ms / 1000, ms % 1000 * 1000000};
+    nanosleep(&time, NULL);
+}
+
+/* Looks until these buttons are seen; on a busy machine the kernel takes its time to tell of an edge. */
+static void expect_buttons(uint32_t expected)
+{
+    uint32_t seen = 0;
+    for (int i = 0; i < 100; i++) {
+        pause_ms(20);
+        seen = linux_ops.buttons(&kit);
+        if (seen == expected) {
+            return;
+        }
+    }
+    assert_int_equal(seen, expected);
+}
+
+/* The Waveshare HAT with a TE line on GPIO23 and the panel's answers on GPIO9. */
+static struct board more_wires(void)
+{
+    struct board board = board_rpi_waveshare_1in3;
+    board.pins.tearing = (struct board_pin)BOARD_LINE("GPIO23");
+    board.pins.data_in = (struct board_pin)BOARD_LINE("GPIO9");
+    return board;
+}
+
+static void open_kit(struct linux_hal *one, const struct board *board)
+{
+    memset(one, 0, sizeof *one);
+    const int status = linux_ops.open(one, board);
+    if (status != 0) {
+        fail_msg("%s", linux_hal_error(one));
+    }
+    assert_string_equal(linux_hal_error(one), "");
+}
+
+static void the_backend_keeps_the_contract(void **state)
+{
+    (void)state;
+    static const struct board *const boards[] = {&board_rpi_waveshare_1in3, &board_rpi_pitft_2in8,
+                                                 &board_rpi_pirate_audio, &board_sbc_generic};
+    for (size_t i = 0; i < sizeof boards / sizeof boards[0]; i++) {
+        const struct hal hal = {&linux_ops, &kit};
+        memset(&kit, 0, sizeof kit);
+        hal_conforms(&hal, boards[i], "linux", true);
+    }
+}
+
+static void two_kits_live_side_by_side(void **state)
+{
+    (void)state;
+    struct board second = board_rpi_pirate_audio;
+    second.button_count = 0;             /* GPIO5 and 6 are the first one's */
+    second.pins.backlight.wired = false; /* and so is GPIO13 */
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    open_kit(&other, &second);
+    static const uint8_t nops[4096];
+    for (int i = 0; i < 20; i++) {
+        assert_int_equal(linux_ops.bus_write(&kit, HAL_DATA, nops, sizeof nops), 0);
+        assert_int_equal(linux_ops.bus_write(&other, HAL_COMMAND, nops, sizeof nops), 0);
+    }
+    assert_int_equal(linux_ops.bus_wait(&kit), 0);
+    assert_int_equal(linux_ops.bus_wait(&other), 0);
+    linux_ops.close(&kit);
+    linux_ops.close(&other);
+}
+
+/* 32,768 bytes take 262 ms at 1 MHz (and longer, the guest's timers being what they are). */
+static void a_long_write_goes_on_by_itself(void **state)
+{
+    (void)state;
+    static uint8_t bytes[32768];
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    kit_do("wire-time 1");
+    assert_int_equal(linux_ops.bus_clock(&kit, 1000000), 1000000);
+    const uint32_t start = linux_ops.time_us(&kit);
+    assert_int_equal(linux_ops.bus_write(&kit, HAL_DATA, bytes, sizeof bytes), 0);
+    const uint32_t started = linux_ops.time_us(&kit) - start;
+    assert_int_equal(linux_ops.bus_write(&kit, HAL_COMMAND, bytes, 1), 0);
+    const uint32_t sent = linux_ops.time_us(&kit) - start;
+    kit_do("wire-time 0");
+    assert_in_range(started, 0, 100000);
+    assert_true(sent >= 262144);
+    const uint32_t rate = linux_hal_bits_per_second(&kit);
+    assert_in_range(rate, 10000, 1000000);
+    linux_ops.close(&kit);
+}
+
+static void an_error_of_a_long_write_is_told_once(void **state)
+{
+    (void)state;
+    static uint8_t bytes[20000];
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    assert_int_equal(linux_ops.bus_clock(&kit, 20000000), 20000000);
+    kit_do("spi-error 3 5 1");
+    assert_int_equal(
+        linux_ops.bus_write(&kit, HAL_DATA, bytes, kit.bufsiz * 3 > sizeof bytes ? sizeof bytes : kit.bufsiz * 3), 0);
+    const int status = linux_ops.bus_wait(&kit);
+    if (kit.bufsiz * 3 <= sizeof bytes) {
+        assert_int_equal(status, HAL_EIO);
+        assert_non_null(strstr(linux_hal_error(&kit), "/dev/spidev0.0: sending"));
+        assert_non_null(strstr(linux_hal_error(&kit), "at 20000000 Hz failed: Input/output error"));
+    }
+    kit_do("spi-error 1 5 1");
+    assert_int_equal(linux_ops.bus_write(&kit, HAL_COMMAND, bytes, 1), HAL_EIO); /* short: told at once */
+    assert_int_equal(linux_ops.bus_write(&kit, HAL_COMMAND, bytes, 1), 0);
+    assert_int_equal(linux_ops.bus_wait(&kit), 0);
+    linux_ops.close(&kit);
+}
+
+static void the_panel_answers(void **state)
+{
+    (void)state;
+    uint8_t id[4] = {0, 0, 0, 0};
+    const struct board board = more_wires();
+    open_kit(&kit, &board);
+    assert_true(linux_ops.bus_clock(&kit, 4000000) > 0);
+    kit_do("reply 0085a2b3");
+    assert_int_equal(linux_ops.bus_read(&kit, 0x04, id, sizeof id), 0);
+    assert_memory_equal(id, "\x00\x85\xa2\xb3", 4);
+    linux_ops.close(&kit);
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    assert_int_equal(linux_ops.bus_read(&kit, 0x04, id, sizeof id), HAL_ENOSYS);
+    linux_ops.close(&kit);
+}
+
+static void the_next_tearing_edge_is_waited_for(void **state)
+{
+    (void)state;
+    const struct board board = more_wires();
+    open_kit(&kit, &board);
+    kit_do("te 23 20");
+    pause_ms(300); /* six old edges: not what is meant */
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(linux_ops.te_wait(&kit, 500000), 0);
+    }
+    const uint32_t start = linux_ops.time_us(&kit);
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(linux_ops.te_wait(&kit, 500000), 0);
+    }
+    assert_true(linux_ops.time_us(&kit) - start >= 100000); /* four periods of 50 ms, less jitter */
+    kit_do("te 23 0");
+    pause_ms(100);
+    const uint32_t silent = linux_ops.time_us(&kit);
+    assert_int_equal(linux_ops.te_wait(&kit, 120000), HAL_ETIMEDOUT);
+    assert_in_range(linux_ops.time_us(&kit) - silent, 120000, 1000000);
+    assert_non_null(strstr(linux_hal_error(&kit), "no edge on the TE line for 120 ms"));
+    linux_ops.close(&kit);
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    assert_int_equal(linux_ops.te_wait(&kit, 1000), HAL_ENOSYS);
+    linux_ops.close(&kit);
+}
+
+static void buttons_are_seen(void **state)
+{
+    (void)state;
+    static const unsigned lines[] = {6, 19, 5, 26, 13};
+    for (size_t i = 0; i < 5; i++) {
+        kit_do("set %u 1", lines[i]);
+    }
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    expect_buttons(0);
+    kit_do("set 6 0");
+    expect_buttons(HAL_BUTTON_UP);
+    kit_do("set 13 0");
+    expect_buttons(HAL_BUTTON_UP | HAL_BUTTON_SELECT);
+    kit_do("set 6 1");
+    kit_do("set 13 1");
+    expect_buttons(0);
+    kit_do("set 26 0"); /* pressed and let go between two looks */
+    pause_ms(15);
+    kit_do("set 26 1");
+    expect_buttons(HAL_BUTTON_RIGHT);
+    expect_buttons(0);
+    linux_ops.close(&kit);
+}
+
+static void check_refused(const struct board *board, const char *path, int status, const char *text)
+{
+    struct linux_hal refused;
+    memset(&refused, 0, sizeof refused);
+    refused.spi_path = path;
+    assert_int_equal(linux_ops.open(&refused, board), status);
+    if (strstr(linux_hal_error(&refused), text) == NULL) {
+        fail_msg("said: %s", linux_hal_error(&refused));
+    }
+}
+
+static void what_cannot_be_opened_is_told(void **state)
+{
+    (void)state;
+    struct board board = board_rpi_waveshare_1in3;
+    check_refused(&board, "/dev/spidev7.0", HAL_ENODEV, "/dev/spidev7.0 is not there: SPI is off");
+    kit_do("busy 25");
+    check_refused(&board, NULL, HAL_EBUSY, "line GPIO25 (/dev/gpiochip0:25) is taken by \"kit\"");
+    kit_do("free 25");
+    kit_do("dir-error 27 5");
+    check_refused(&board, NULL, HAL_EIO, "line GPIO27 (/dev/gpiochip0:27) cannot be used: Input/output error");
+    kit_do("dir-error 27 0");
+    board.pins.dc = (struct board_pin)BOARD_LINE("GPIO99");
+    check_refused(&board, NULL, HAL_ENODEV, "line GPIO99: no chip has it");
+    board.pins.dc = (struct board_pin)BOARD_LINE("gpiochip7:3");
+    check_refused(&board, NULL, HAL_ENODEV, "line gpiochip7:3: there is no such /dev/gpiochip");
+    board = board_rpi_waveshare_1in3;
+    open_kit(&other, &board);
+    check_refused(&board, NULL, HAL_EBUSY, "is taken by \"pinhole\"");
+    linux_ops.close(&other);
+    open_kit(&other, &board);
+    linux_ops.close(&other);
+}
+
+/* As the user nobody. */
+static void no_permission_is_told_with_its_cure(void **state)
+{
+    (void)state;
+    assert_int_equal(chmod("/dev/spidev0.0", 0600) | chmod("/dev/gpiochip0", 0600), 0);
+    assert_int_equal(seteuid(65534), 0);
+    check_refused(&board_rpi_waveshare_1in3, NULL, HAL_EACCES,
+                  "/dev/spidev0.0: no permission; add yourself to the group spi");
+    assert_int_equal(seteuid(0) | chmod("/dev/spidev0.0", 0666) | seteuid(65534), 0);
+    check_refused(&board_rpi_waveshare_1in3, NULL, HAL_EACCES,
+                  "/dev/gpiochip0: no permission (looking for line GPIO25); add yourself to the group gpio");
+    assert_int_equal(seteuid(0), 0);
+}
+
+static void lines_are_found_by_chip_and_offset(void **state)
+{
+    (void)state;
+    struct board board = board_rpi_waveshare_1in3;
+    board.pins.dc.line = "gpiochip0:25";
+    board.pins.reset.line = "/dev/gpiochip0:27";
+    open_kit(&kit, &board);
+    linux_ops.close(&kit);
+    char error[LINUX_ERROR_SIZE];
+    struct linux_line_look line;
+    assert_int_equal(linux_line_look(&board, &board.pins.dc, &line, error), 0);
+    assert_string_equal(line.chip, "/dev/gpiochip0");
+    assert_int_equal(line.offset, 25);
+    assert_false(line.taken);
+    char by_label[LINUX_PATH_SIZE];
+    snprintf(by_label, sizeof by_label, "%s:25", line.label);
+    board.pins.dc.line = by_label;
+    open_kit(&kit, &board);
+    assert_int_equal(linux_line_look(&board, &board.pins.dc, &line, error), 0);
+    assert_true(line.taken);
+    assert_string_equal(line.holder, "pinhole");
+    linux_ops.close(&kit);
+}
+
+static void a_look_at_spi_tells_the_clock(void **state)
+{
+    (void)state;
+    char error[LINUX_ERROR_SIZE];
+    struct linux_spi_look spi;
+    assert_int_equal(linux_spi_look(&board_rpi_pirate_audio, NULL, &spi, error), 0);
+    assert_string_equal(spi.path, "/dev/spidev0.1");
+    assert_int_equal(spi.asked_hz, 62500000);
+    assert_int_equal(spi.got_hz, 62500000);
+    assert_true(linux_spi_bufsiz() > 0);
+    assert_non_null(linux_gpiod_version());
+}
+
+static unsigned entries(const char *path)
+{
+    unsigned count = 0;
+    DIR *folder = opendir(path);
+    assert_non_null(folder);
+    while (readdir(folder) != NULL) {
+        count++;
+    }
+    closedir(folder);
+    return count;
+}
+
+/* A thread that has ended is still listed for a moment: looks until there are so few, or for 5 s. */
+static unsigned threads_left(unsigned few)
+{
+    unsigned count = entries("/proc/self/task");
+    for (int i = 0; i < 500 && count > few; i++) {
+        pause_ms(10);
+        count = entries("/proc/self/task");
+    }
+    return count;
+}
+
+static void nothing_is_left_open(void **state)
+{
+    (void)state;
+    static const uint8_t bytes[1000];
+    const unsigned descriptors = entries("/proc/self/fd");
+    const unsigned threads = entries("/proc/self/task");
+    for (int i = 0; i < 50; i++) {
+        open_kit(&kit, &board_rpi_waveshare_1in3);
+        assert_true(linux_ops.bus_clock(&kit, 40000000) > 0);
+        assert_int_equal(linux_ops.bus_write(&kit, HAL_DATA, bytes, sizeof bytes), 0);
+        linux_ops.close(&kit); /* while it is being sent */
+        linux_ops.close(&kit); /* a second close does nothing */
+        check_refused(&board_rpi_waveshare_1in3, "/dev/null", HAL_ENODEV, "/dev/null is no SPI device");
+    }
+    assert_int_equal(entries("/proc/self/fd"), descriptors);
+    assert_in_range(threads_left(threads), 0, threads);
+}
+
+/* Last: the board does not come back. */
+static void an_unplugged_board_ends_it(void **state)
+{
+    (void)state;
+    static const uint8_t bytes[20000];
+    open_kit(&kit, &board_rpi_waveshare_1in3);
+    assert_true(linux_ops.bus_clock(&kit, 40000000) > 0);
+    kit_do("spi-unplug 2");
+    int status = 0;
+    for (int i = 0; i < 100 && status == 0; i++) {
+        status = linux_ops.bus_write(&kit, HAL_DATA, bytes, sizeof bytes);
+        pause_ms(10);
+    }
+    assert_int_equal(status, HAL_ENODEV);
+    assert_non_null(strstr(linux_hal_error(&kit), "/dev/spidev0.0 is gone"));
+    linux_ops.buttons(&kit);
+    linux_ops.pin_set(&kit, HAL_PIN_BACKLIGHT, false);
+    linux_ops.close(&kit);
+    check_refused(&board_rpi_waveshare_1in3, NULL, HAL_ENODEV, "/dev/spidev0.0 is not there");
+}
+
+int kit_linux_tests(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_teardown(the_backend_keeps_the_contract, close_kits),
+        cmocka_unit_test_teardown(two_kits_live_side_by_side, close_kits),
+        cmocka_unit_test_teardown(a_long_write_goes_on_by_itself, close_kits),
+        cmocka_unit_test_teardown(an_error_of_a_long_write_is_told_once, close_kits),
+        cmocka_unit_test_teardown(the_panel_answers, close_kits),
+        cmocka_unit_test_teardown(the_next_tearing_edge_is_waited_for, close_kits),
+        cmocka_unit_test_teardown(buttons_are_seen, close_kits),
+        cmocka_unit_test_teardown(what_cannot_be_opened_is_told, close_kits),
+        cmocka_unit_test_teardown(no_permission_is_told_with_its_cure, close_kits),
+        cmocka_unit_test_teardown(lines_are_found_by_chip_and_offset, close_kits),
+        cmocka_unit_test_teardown(a_look_at_spi_tells_the_clock, close_kits),
+        cmocka_unit_test_teardown(nothing_is_left_open, close_kits),
+        cmocka_unit_test_teardown(an_unplugged_board_ends_it, close_kits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,19 @@
+# shellcheck shell=bash
+# The frames whose CRCs stand in tests/golden/frames.txt: every demo, all depth formats, every wire format.
+# `. tests/tools/frames.sh`, then: frames simulator-command... ; prints a line a frame.
+
+frames() {
+    local demo board depth
+    for demo in turntable testcard torus cube fill icosphere ground wireframe solar snake ball hitchcock parallel shadow \
+        fisheye focus conventions zfight; do
+        "$@" --demo $demo --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 auto /" || return 1
+    done
+    for depth in fixed16 float16 fixed24 float24 linear-w; do
+        for demo in cube ground zfight $([ ${depth#*16} ] || echo torus wireframe fisheye); do
+            "$@" --demo "$demo" --size 320x240 --start 40 --depth $depth --crc | sed "s/^/$demo 320x240 $depth /" || return 1
+        done
+    done
+    "$@" --list | while read -r what board _; do
+        [ "$what" != board ] || "$@" --demo testcard --board "$board" --crc | sed "s/^/testcard $board auto /"
+    done
+}

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Usage: tests/tools/lint.sh
+# Reads every source with every tool that is here; exits 1 when one of them finds something. `make lint` calls it.
+# Environment: B (build directory), INCLUDE (the compiler's -I flags).
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+export B=${B:-build} MAKEFLAGS=
+processors=$(nproc)
+read -ra include <<<"${INCLUDE:--Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Iboards/none -Ihost-sim -Itests}"
+folders=(firmware hal boards host-sim tests)
+failed=0
+
+sources() { find "${folders[@]}" -type f "$@" | sort; }
+
+# The tool's findings, or a line that says it had none.
+tool() { # name, command...
+    local name=$1 start=$SECONDS output word=clean
+    command -v "$name" >/dev/null || { echo "$name: not here, skipped" && return; }
+    output=$("${@:2}" 2>&1) || { word=FINDINGS && failed=1; }
+    [ $word = clean ] || printf '%s\n' "$output"
+    echo "$name: $word ($((SECONDS - start)) s)"
+}
+
+format() { sources -name '*.[ch]' | xargs -r clang-format --dry-run -Werror; }
+
+warnings() { # compiler
+    make -k -s -j"$processors" B="$B/lint-$1" CC="$1" CFLAGS='-O2 -Werror' all test-programs long-programs
+}
+
+# Of libgpiod's two versions one is here.
+other_gpiod="hal/linux/gpiod$(if pkg-config --exists 'libgpiod >= 2'; then echo 1; else echo 2; fi)/*"
+
+# The kit's modules need the kernel's headers and flags; tests/guest/kit.sh builds them with warnings as errors.
+kernel='tests/guest/board/*'
+
+# A file that was clean is read again when it, a header or the rules have changed.
+tidy_one() { # file, include paths
+    local file=$1 stamp=$B/tidy/${1//\//-}
+    [[ $stamp -nt $file && $stamp -nt $newest ]] || { clang-tidy --quiet "$file" -- -std=c11 "${@:2}" 2>/dev/null && touch "$stamp"; }
+}
+
+tidy() {
+    mkdir -p "$B/tidy"
+    newest=$(find "${folders[@]}" .clang-tidy \( -name '*.h' -o -name .clang-tidy \) -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d' ' -f2)
+    export newest
+    export -f tidy_one
+    sources -name '*.c' -not -path "$other_gpiod" -not -path "$kernel" | xargs -r -P "$processors" -I{} bash -c 'tidy_one "$@"' - {} "${include[@]}"
+}
+
+check() {
+    mkdir -p "$B/cppcheck"
+    cppcheck -q -j"$processors" --cppcheck-build-dir="$B/cppcheck" --std=c11 --error-exitcode=1 --inline-suppr \
+        --enable=warning,style,performance,portability --suppressions-list=tests/tools/cppcheck.suppress \
+        --template='{file}:{line}: {id}: {message}' "${include[@]}" "${folders[@]}"
+}
+
+shell() { { sources -name '*.sh' && echo .ci/run; } | xargs -r shellcheck -x; }
+
+tests/tools/packages.sh lint
+mkdir -p "$B"
+tool clang-format format
+tool shellcheck shell
+tool cppcheck check
+tool gcc warnings gcc
+tool clang warnings clang
+tool clang-tidy tidy
+[ $failed = 0 ] || { echo "lint: findings above" >&2 && exit 1; }

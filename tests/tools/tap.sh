@@ -1,0 +1,35 @@
+# shellcheck shell=bash
+# For shell tests: `. tests/tools/tap.sh`, then one `check` or `skip` per test and `tap_end`. Output is TAP; tests/run.sh counts it.
+#   check "a name as a sentence" command [argument...]    passes when the command does; its output is shown when not
+#   skip  "a name as a sentence" "reason"
+#   make_image argument...                                make of an image in $B, one at a time: tests run side by side
+tap_count=0
+tap_failed=0
+
+check() {
+    local name=$1 output
+    shift
+    tap_count=$((tap_count + 1))
+    if output=$("$@" 2>&1); then
+        echo "ok $tap_count - $name"
+    else
+        tap_failed=$((tap_failed + 1))
+        echo "not ok $tap_count - $name"
+        [ -z "$output" ] || echo "# ${output//$'\n'/$'\n'# }"
+    fi
+}
+
+skip() {
+    tap_count=$((tap_count + 1))
+    echo "ok $tap_count - $1 # SKIP $2"
+}
+
+tap_end() {
+    echo "1..$tap_count"
+    [ "$tap_failed" = 0 ]
+    exit
+}
+
+make_image() {
+    mkdir -p "$B" && flock "$B/images.lock" make -s -j2 B="$B" "$@"
+}

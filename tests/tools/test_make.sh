@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# The Makefile does what its help says, and every option of it has an effect.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb "$@"; }
+
+help_names_the_targets() {
+    local target text
+    text=$(make help) || return 1
+    for target in all demo test test-exhaustive lint size gallery golden install uninstall clean help; do
+        grep -q "^make $target  *[a-z]" <<<"$text" || { echo "no $target" && return 1; }
+    done
+}
+
+builds() { run all; }
+
+a_second_make_does_nothing() {
+    local said
+    said=$(run all --no-print-directory)
+    [ -z "$said" ] || [ "$said" = "make: Nothing to be done for 'all'." ] || { echo "$said" && return 1; }
+}
+
+other_flags_build_again() { # a variable
+    local said
+    said=$(run all "$1" && run all) || { echo "$said" && return 1; }
+    grep -q 'CC *firmware/core/' <<<"$said" || { echo "nothing was built again for $1" && return 1; }
+}
+
+empty_build_directory_is_refused() { # it would be the root directory
+    local said
+    said=$(make --no-print-directory B= -n all 2>&1) && return 1
+    [ "$(wc -l <<<"$said")" = 1 ] && grep -q 'B= is empty' <<<"$said"
+}
+
+verbose_shows_the_commands() {
+    run -n -B V=1 all | grep -q -- '-c firmware/core/fx/fx.c -o'
+}
+
+a_file_of_the_cpu_replaces_the_portable_one() {
+    local kernels=$dir/firmware/core/kernels
+    mkdir -p "$kernels/some_cpu" "$kernels/portable" && cp Makefile "$dir" && touch "$kernels"/portable/{a,b}.c "$kernels/some_cpu/b.c"
+    make -n -C "$dir" CPU=some_cpu V=1 core-objects >"$dir/log" && grep -q -- '-Ifirmware/core/kernels/some_cpu' "$dir/log" &&
+        grep -q 'portable/a\.c' "$dir/log" && grep -q 'some_cpu/b\.c' "$dir/log" && ! grep -q 'portable/b\.c' "$dir/log" &&
+        make -n -C "$dir" V=1 core-objects | grep -q 'portable/b\.c'
+}
+
+the_core_cannot_include_the_hal() {
+    mkdir -p "$dir/hal" "$dir/firmware/core/render" && cp Makefile "$dir" && touch "$dir/hal/hal.h"
+    echo '#include "hal.h"' >"$dir/firmware/core/render/wrong.c"
+    ! make -s -C "$dir" build/firmware/core/render/wrong.o
+}
+
+installs_and_uninstalls() {
+    run install DESTDIR="$dir/stage" PREFIX=/usr && [ -x "$dir/stage/usr/bin/pinhole-sim" ] &&
+        [ -r "$dir/stage/usr/lib/udev/rules.d/60-pinhole.rules" ] &&
+        grep -qx 'ExecStart=/usr/bin/pinhole-panel .PINHOLE' "$dir/stage/usr/lib/systemd/system/pinhole.service" &&
+        "$dir/stage/usr/bin/pinhole-sim" --help && run uninstall DESTDIR="$dir/stage" PREFIX=/usr &&
+        [ -z "$(find "$dir/stage" -type f)" ]
+}
+
+boards_come_from_elsewhere() {
+    mkdir -p "$dir/kits/my-kit" "$dir/empty"
+    sed 's/"rpi-pirate-audio"/"my-kit"/; s/board_rpi_pirate_audio/board_my_kit/' boards/rpi-pirate-audio/board.c >"$dir/kits/my-kit/board.c"
+    make -s -j2 B="$B/make-boards" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb CFLAGS=-O0 \
+        BOARD_DIR="$dir/kits" "$B/make-boards/pinhole-sim" || return 1
+    "$B/make-boards/pinhole-sim" --list | grep '^board  my-kit ' &&
+        "$B/make-boards/pinhole-sim" --board my-kit --demo testcard --crc | grep 'frame 0' || return 1
+    ! make -s B="$B/make-boards" BOARD_DIR="$dir/empty" all
+}
+
+# A folder that holds one board of this name, with a board.c that defines another.
+board_is_refused() { # name, words
+    mkdir -p "$dir/odd-$1/$1" && echo 'const int board_other;' >"$dir/odd-$1/$1/board.c"
+    make -s B="$B/make-boards" BOARD_DIR="$dir/odd-$1" "$B/make-boards/boards_more/$1/board.o" 2>"$dir/refused" && return 1
+    grep -qF "$2" "$dir/refused" || { cat "$dir/refused"; return 1; }
+}
+
+boards_that_cannot_be_are_refused() {
+    board_is_refused odd/name 'there is no NAME/board.c in it' && board_is_refused 'my!kit' "a board's name has a-z, 0-9 and - only" &&
+        board_is_refused rpi-pirate-audio 'is a board of Pinhole: take another name' &&
+        board_is_refused my-kit 'defines no board_my_kit'
+}
+
+needs_no_library() {
+    run all && ! ldd "$B/make/pinhole-sim" | grep -E 'assimp|png|SDL|gpiod|usb'
+}
+
+size_fails_over_the_budget() {
+    make size B="$B/make" && ! make size B="$B/make" BUDGET_CORE_BYTES=1000
+}
+
+check "help_names_every_target" help_names_the_targets
+check "everything_builds_without_optional_libraries" builds
+check "a_second_make_does_nothing" a_second_make_does_nothing
+check "other_CFLAGS_build_again" other_flags_build_again CFLAGS=-O1
+check "another_CPU_builds_again" other_flags_build_again CPU=armv7m
+check "V_1_shows_the_commands" verbose_shows_the_commands
+check "an_empty_build_directory_is_refused" empty_build_directory_is_refused
+check "a_file_of_the_CPU_replaces_the_portable_one" a_file_of_the_cpu_replaces_the_portable_one
+check "the_core_cannot_include_the_hal" the_core_cannot_include_the_hal
+check "what_is_installed_runs_and_uninstalls" installs_and_uninstalls
+check "boards_come_from_an_external_folder" boards_come_from_elsewhere
+check "a folder without boards, odd names, names that are taken and wrong definitions are refused" boards_that_cannot_be_are_refused
+check "without_the_libraries_none_is_linked" needs_no_library
+if command -v arm-none-eabi-gcc >/dev/null; then
+    check "size_fails_over_the_budget" size_fails_over_the_budget
+else
+    skip "size_fails_over_the_budget" "no arm-none-eabi-gcc"
+fi
+tap_end

@@ -1,0 +1,137 @@
+#!/usr/bin/env bash
+# What the README shows works: its program compiles without a warning and prints what stands there, its commands run, its
+# links lead somewhere, its numbers are those that the checks hold. (Its tables: test_readme_tables.c.)
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+block() { # language, pattern: the first fenced block of that language in which a line matches
+    awk -v fence="^\`\`\`$1\$" -v pattern="$2" '
+        $0 ~ fence { inside = 1; text = ""; found = 0; next }
+        inside && /^```$/ { if (found) { printf "%s", text; exit } inside = 0 }
+        inside { text = text $0 "\n"; if ($0 ~ pattern) { found = 1 } }' README.md
+}
+
+program_prints_what_is_shown() {
+    block c 'int main' >"$dir/hello.c"
+    block text '####' >"$dir/expected"
+    if [ ! -s "$dir/hello.c" ] || [ ! -s "$dir/expected" ]; then
+        echo "no program or no output in README.md"
+        return 1
+    fi
+    make -s B="$B" all || return 1
+    cc -std=c11 -Wall -Wextra -Werror -Ifirmware/core/kernels/portable -Ifirmware/core "$dir/hello.c" "$B/libpinhole.a" -o "$dir/hello" &&
+        "$dir/hello" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
+}
+
+# What the README's board.c and show() do on a simulated kit: the whole glass gets the background, nobody complains.
+cat >"$dir/main.c" <<'END'
+#include "board.h"
+#include "render.h"
+#include "sim.h"
+
+#include <stdlib.h>
+
+static int show(struct ph_renderer *r, const struct board *board, const struct hal *hal, uint16_t *pixels);
+extern const struct board board_mine;
+int main(void)
+{
+    enum { SIDE = 240, BAND = 16, BANDS = SIDE / BAND };
+    static uint16_t depth[SIDE * BAND], pixels[SIDE * BAND];
+    static uint8_t seen[SIDE * SIDE * 3];
+    uint32_t bins[BANDS], red = 0;
+    const struct ph_config config = {SIDE, SIDE, BAND, PH_DEPTH_FIXED16, malloc(3 * ph_vertex_bytes), 3,
+                                     malloc(ph_triangle_bytes), 1, bins, BANDS, depth, NULL, NULL};
+    struct ph_projection lens;
+    struct ph_renderer r;
+    struct hal hal;
+    struct sim *sim = sim_open(&board_mine, &hal);
+    if (sim == NULL || ph_projection_perspective(&lens, FX_INT(45), FX_ONE, FX_HALF, FX_INT(10)) ||
+        ph_renderer_init(&r, &config) || ph_frame_begin(&r, &ph_xform_identity, &lens, NULL, ph_rgb565(255, 0, 0)) ||
+        show(&r, &board_mine, &hal, pixels)) {
+        return 1;
+    }
+    sim_pixels(sim, board_mine.rotation, seen);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        red += seen[3 * i] == 255 && seen[3 * i + 1] == 0 && seen[3 * i + 2] == 0;
+    }
+    return red == SIDE * SIDE && sim_complaint_count(sim) == 0 ? 0 : 2;
+}
+END
+
+board_and_show_fill_the_glass() {
+    block c 'struct board board_mine' >"$dir/board.c"
+    { cat "$dir/main.c" && block c 'panel_open'; } >"$dir/show.c"
+    [ -s "$dir/board.c" ] && grep -q panel_frame_end "$dir/show.c" && make -s B="$B" all || return 1
+    cc -std=c11 -Wall -Wextra -Werror -Ihal -Iboards -Ihost-sim/controllers -Ifirmware/core/kernels/portable -Ifirmware/core "$dir/board.c" "$dir/show.c" \
+        "$B"/libpinhole-{host,app,hal}.a "$B/libpinhole.a" -o "$dir/show" && "$dir/show"
+}
+
+image_of_that_board_gets_its_memory() { # that of board.c, with a board.mk as the README tells
+    mkdir -p "$dir/kits/mine" && cp boards/pico-display/board.mk "$dir/kits/mine" && block c 'struct board board_mine' >"$dir/kits/mine/board.c"
+    local bytes
+    bytes=$(make -np B="$B" BOARD_DIR="$dir/kits" BOARD=mine help 2>/dev/null | sed -n 's/^RAM_BYTES := //p')
+    [ "$bytes" = '140 * 1024' ] || { echo "RAM_BYTES is '$bytes'" && return 1; }
+}
+
+commands_run() {
+    block sh '--board' | grep -E '^build/pinhole-sim [^|]*$' | grep -Ev -- '--model|--window' | sed 's/ *#.*//' >"$dir/commands"
+    [ -s "$dir/commands" ] || return 1
+    mkdir -p "$dir/build" && ln -sf "$(realpath "$B")/pinhole-sim" "$dir/build" && (cd "$dir" && bash -e commands)
+}
+
+links_exist() {
+    local link missing=0
+    while read -r link; do
+        [ -e "$link" ] || { echo "$link" && missing=1; }
+    done < <(grep -oE '\]\([^)#]+' README.md | cut -c3- | grep -v '^http')
+    return "$missing"
+}
+
+targets_exist() {
+    local target
+    while read -r target; do
+        grep -qh "^$target:.*##" Makefile firmware/firmware.mk || { echo "make $target" && return 1; }
+    done < <(grep -oE '(^|`)make [a-z][a-z-]*' README.md | cut -d' ' -f2 | sort -u)
+}
+
+numbers_are_those_of_the_checks() { # budgets and counts, as the README writes them
+    local number name missing=0
+    while read -r number name; do
+        grep -q "$(LC_ALL=C sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/; ta' <<<"$number") $name" README.md || { echo "$number $name" && missing=1; }
+    done <<EOF
+$(sed -n 's/^BUDGET_CORE_BYTES ?= //p' Makefile) bytes of code
+$(sed -n 's/^stack_max=\([0-9]*\).*/\1/p' tests/firmware/test_objects.sh) bytes of stack
+$(wc -l <tests/golden/frames.txt) frames
+EOF
+    return "$missing"
+}
+
+gallery_makes_the_pictures() {
+    local picture shown=0
+    B="$B" host-sim/gallery.sh "$dir/gallery" >"$dir/log" || return 1
+    while read -r picture; do
+        [ -s "$dir/gallery/${picture##*/}" ] || { echo "$picture is not made" && return 1; }
+        shown=$((shown + 1))
+    done < <(grep -oE 'host-sim/gallery/[a-z-]+\.png' README.md)
+    [ "$shown" -ge 3 ]
+}
+
+check "the_program_prints_what_is_shown" program_prints_what_is_shown
+check "the_board_and_show_fill_the_glass" board_and_show_fill_the_glass
+check "an_image_of_that_board_gets_its_memory" image_of_that_board_gets_its_memory
+check "the_commands_run" commands_run
+if ! { command -v convert && command -v gnuplot; } >/dev/null; then
+    skip "the_gallery_makes_the_pictures" "ImageMagick or gnuplot is missing"
+else
+    check "the_gallery_makes_the_pictures" gallery_makes_the_pictures
+fi
+check "the_links_lead_somewhere" links_exist
+check "the_make_targets_exist" targets_exist
+check "the_numbers_are_those_of_the_checks" numbers_are_those_of_the_checks
+tap_end

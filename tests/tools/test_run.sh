@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# tests/run.sh counts what really happened: dummy tests that pass, fail, crash, hang, do not compile, overrun a buffer.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+mkdir -p "$dir/tests/tools" "$dir/tests/core" && cp Makefile "$dir" && cp tests/run.sh "$dir/tests" && cp tests/tools/packages.sh tests/tools/tap.sh "$dir/tests/tools" && : >"$dir/tests/tools/packages"
+
+# Runs the one dummy test that stdin holds; the last line must be as expected.
+counts() { # file, expected last line
+    local out
+    rm -rf "$dir"/tests/core/* "$dir/build"
+    cat >"$dir/tests/core/$1"
+    chmod +x "$dir/tests/core/$1"
+    out=$(cd "$dir" && env -u MAKEFLAGS B=build TEST_TIMEOUT=2 tests/run.sh quick 2>&1)
+    [ "$(tail -n 1 <<<"$out")" = "$2" ] || { echo "$out" && return 1; }
+}
+
+cmocka='#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <setjmp.h>
+#include <cmocka.h>
+static void good(void **state) { (void)state; assert_true(1); }
+static void bad(void **state) { (void)state; %s; }
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(good), cmocka_unit_test(bad), cmocka_unit_test(good)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}'
+unit() { # body of the second test, expected
+    # shellcheck disable=SC2059 # the format is the program
+    printf "$cmocka" "$1" | counts test_dummy.c "$2"
+}
+
+if pkg-config --exists cmocka 2>/dev/null; then
+    check "tests_that_pass_are_counted_plain_and_under_sanitizers" unit "assert_true(1)" "6 passed, 0 failed, 0 skipped"
+    check "a_test_that_fails_is_counted_alone" unit "assert_true(0)" "4 passed, 2 failed, 0 skipped"
+    check "a_skipped_test_is_no_passed_test" unit "skip()" "4 passed, 0 failed, 2 skipped"
+    check "after_a_crash_the_tests_that_did_not_run_fail" unit "abort()" "2 passed, 4 failed, 0 skipped"
+    check "a_test_that_hangs_is_stopped_and_fails" unit "for (;;) {}" "2 passed, 4 failed, 0 skipped"
+    check "a_test_that_does_not_compile_fails" unit "no such thing" "0 passed, 2 failed, 0 skipped"
+    check "an_overrun_is_seen_by_the_sanitizers_only" unit \
+        "volatile char *p = malloc(4); assert_true(p[4] + 1000 > 0); free((void *)p)" "4 passed, 2 failed, 0 skipped"
+else
+    skip "unit_tests_are_counted" "no libcmocka-dev"
+fi
+check "a_missing_library_skips_the_program" counts test_dummy.c "0 passed, 0 failed, 2 skipped" <<<'#include <no_such_library.h>'
+check "a_script_may_just_succeed" counts test_dummy.sh "1 passed, 0 failed, 0 skipped" <<<'#!/bin/sh'
+check "a_script_may_just_fail" counts test_dummy.sh "0 passed, 1 failed, 0 skipped" <<<'#!/bin/sh
+exit 3'
+check "a_script_may_skip_itself" counts test_dummy.sh "0 passed, 0 failed, 1 skipped" <<<'#!/bin/sh
+exit 77'
+check "lines_of_TAP_are_counted_one_by_one" counts test_dummy.sh "1 passed, 1 failed, 1 skipped" <<<'#!/usr/bin/env bash
+. tests/tools/tap.sh
+check "true" true
+check "false" false
+skip "neither" "no reason"
+tap_end'
+check "a_bad_exit_after_good_lines_fails" counts test_dummy.sh "1 passed, 1 failed, 0 skipped" <<<'#!/bin/sh
+echo "1..1"; echo "ok 1 - fine"; exit 1'
+tap_end
