@@ -32,7 +32,7 @@
 # A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
 # All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h and firmware/app/runner.h.
 #
-# The build gives each image board_here and kit_memory (hal/port.h; ram_bytes less KIT_OTHER_BYTES). CORES (make's
+# The build gives each image board_here and image_memory (hal/port.h; ram_bytes less RUNNER_OTHER_BYTES). CORES (make's
 # CORES=1|2) is for a port's make lines. CHANGES=0
 # sends every frame whole, CHANGES=1 only what changed, which is what ports that can do.
 
@@ -141,10 +141,10 @@ define BOARD_HERE
 #include "port.h"
 extern const struct board board_$(subst -,_,$(BOARD));
 const struct board *const board_here = &board_$(subst -,_,$(BOARD));
-uint64_t kit_memory[(($(RAM_BYTES)) - KIT_OTHER_BYTES) / 8];
-const size_t kit_memory_bytes = sizeof kit_memory;
-uint32_t kit_tiles[$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),4) / 4];
-const size_t kit_tiles_bytes = $(if $(filter 1,$(CHANGES)),sizeof kit_tiles,0);
+uint64_t image_memory[(($(RAM_BYTES)) - RUNNER_OTHER_BYTES) / 8];
+const size_t image_memory_bytes = sizeof image_memory;
+uint32_t image_tiles[$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),4) / 4];
+const size_t image_tiles_bytes = $(if $(filter 1,$(CHANGES)),sizeof image_tiles,0);
 $(if $(SCENE_C),const struct demo *const demo_here = &demo_scene;,extern const struct demo demo_turntable;
 const struct demo *const demo_here = &demo_turntable;)
 endef

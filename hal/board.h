@@ -68,7 +68,7 @@ struct board {
     struct board_button buttons[BOARD_BUTTONS_MAX];
     uint8_t button_count;
     uint16_t band_height; /* lines, default */
-    uint8_t band_buffers; /* that its kit (kit.h) takes as a rule; 0: 2, for backends without a queue (bus_queue) */
+    uint8_t band_buffers; /* that its kit (runner.h) takes as a rule; 0: 2, for backends without a queue (bus_queue) */
     uint32_t ram_bytes;   /* budget for everything that Pinhole keeps in memory */
 };
 

@@ -8,8 +8,8 @@
  * A copy of the picture on the glass is kept; lines are compared with it as they come. Where something changed,
  * windows are chosen so that commands and pixels together are few bytes: lines are cut into slabs and slabs into
  * windows by dynamic programming over the lines, each window is cut again as long as that saves bytes. It is not
- * always the fewest: tests/hal/test_panel_diff.c compares with an exhaustive search. Where the backend's writes cost time
- * besides their bits (hal.h, write_ns), each counts as the bytes that the bus could send in that time: windows are
+ * always the fewest: tests/hal/test_panel_diff.c compares with an exhaustive search. Where the backend's writes cost
+ * time besides their bits (hal.h, write_ns), each counts as the bytes that the bus could send in that time: windows are
  * fewer then, and larger.
  *
  * The picture is exact always, in every format. What is sent depends on how many lines come at a time (each call

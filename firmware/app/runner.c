@@ -1,4 +1,4 @@
-/* See kit.h. */
+/* See runner.h. */
 #include "runner.h"
 
 #include "overlay.h"
@@ -30,13 +30,13 @@ struct plan {
 };
 
 /* Pixels go out as they are drawn, through a backend that can keep a queue. */
-static bool has_queue(const struct kit_config *config)
+static bool has_queue(const struct runner_config *config)
 {
     return config->board->band_buffers > BUFFERS_MIN && config->board->format == PANEL_RGB565 && config->diff == NULL;
 }
 
 /* In bands of `lines`, with the fewest buffers. */
-static struct picture picture_of(const struct kit_config *config, uint16_t lines)
+static struct picture picture_of(const struct runner_config *config, uint16_t lines)
 {
     const struct panel *panel = config->board->panel;
     struct picture p = {.width = panel_width(panel, config->rotation),
@@ -99,7 +99,7 @@ static uint64_t scene_bytes(const struct scene *s)
 }
 
 /* The demo in what the budget leaves beside the picture. */
-static struct scene scene_beside(const struct kit_config *config, const struct demo *demo, const struct picture *p)
+static struct scene scene_beside(const struct runner_config *config, const struct demo *demo, const struct picture *p)
 {
     const uint64_t taken = picture_bytes(p);
     return scene_of(demo, p, config->budget_bytes > taken ? config->budget_bytes - taken : 0);
@@ -107,7 +107,7 @@ static struct scene scene_beside(const struct kit_config *config, const struct d
 
 /* As many buffers as the board takes as a rule; fewer for a demo that does not fit otherwise, more where there is room.
  */
-static struct plan share(const struct kit_config *config, const struct demo *demo)
+static struct plan share(const struct runner_config *config, const struct demo *demo)
 {
     const bool queue = has_queue(config);
     struct plan plan = {.picture = picture_of(config, config->board->band_height)};
@@ -118,7 +118,7 @@ static struct plan share(const struct kit_config *config, const struct demo *dem
         p->buffers--;
         plan.scene = scene_beside(config, demo, p);
     }
-    while (queue && plan.scene.whole && p->buffers < p->bands && p->buffers < KIT_BANDS_MAX &&
+    while (queue && plan.scene.whole && p->buffers < p->bands && p->buffers < RUNNER_BANDS_MAX &&
            picture_bytes(p) + p->band_bytes + plan.scene.bytes_32 <= config->budget_bytes) {
         p->buffers++;
     }
@@ -126,7 +126,7 @@ static struct plan share(const struct kit_config *config, const struct demo *dem
 }
 
 /* Shared out as with the board's own bands, so that other bands show the same; of higher ones there are fewer. */
-static struct plan plan_of(const struct kit_config *config, const struct demo *demo)
+static struct plan plan_of(const struct runner_config *config, const struct demo *demo)
 {
     struct plan plan = share(config, demo);
     struct picture p = picture_of(config, config->band_height);
@@ -145,12 +145,12 @@ static uint64_t plan_bytes(const struct plan *plan)
     return picture_bytes(&plan->picture) + scene_bytes(&plan->scene);
 }
 
-uint32_t kit_budget(const struct board *board)
+uint32_t runner_budget(const struct board *board)
 {
-    return board->ram_bytes > KIT_OTHER_BYTES ? board->ram_bytes - KIT_OTHER_BYTES : 0;
+    return board->ram_bytes > RUNNER_OTHER_BYTES ? board->ram_bytes - RUNNER_OTHER_BYTES : 0;
 }
 
-size_t kit_bytes(const struct kit_config *config)
+size_t runner_bytes(const struct runner_config *config)
 {
     const struct plan own = plan_of(config, config->demo);
     uint64_t most = plan_bytes(&own);
@@ -162,7 +162,7 @@ size_t kit_bytes(const struct kit_config *config)
     return (size_t)most;
 }
 
-uint64_t kit_whole_bytes(const struct kit_config *config)
+uint64_t runner_whole_bytes(const struct runner_config *config)
 {
     const struct demo *demo = config->demo;
     const struct picture p = picture_of(config, config->board->band_height);
@@ -170,108 +170,109 @@ uint64_t kit_whole_bytes(const struct kit_config *config)
     return picture_bytes(&p) + level_bytes_32(&level, level.triangle_max);
 }
 
-static int open_panel(struct kit *kit, const struct picture *p)
+static int open_panel(struct runner *runner, const struct picture *p)
 {
-    const struct board *board = kit->config.board;
+    const struct board *board = runner->config.board;
     const struct panel_config config = {.panel = board->panel,
-                                        .rotation = kit->config.rotation,
+                                        .rotation = runner->config.rotation,
                                         .format = board->format,
-                                        .clock_hz = kit->config.clock_hz != 0 ? kit->config.clock_hz : board->spi_hz,
-                                        .scratch = p->wire_bytes > 0 ? (uint8_t *)kit->bins + p->bin_bytes : NULL,
+                                        .clock_hz =
+                                            runner->config.clock_hz != 0 ? runner->config.clock_hz : board->spi_hz,
+                                        .scratch = p->wire_bytes > 0 ? (uint8_t *)runner->bins + p->bin_bytes : NULL,
                                         .scratch_bytes = p->wire_bytes};
-    return panel_open(&kit->driver, &kit->hal, &config);
+    return panel_open(&runner->driver, &runner->hal, &config);
 }
 
-static int open_renderer(struct kit *kit, const struct picture *p, const struct scene *s)
+static int open_renderer(struct runner *runner, const struct picture *p, const struct scene *s)
 {
     const struct ph_config config = {.width = p->width,
                                      .height = p->height,
                                      .band_height = p->lines,
-                                     .depth_format = kit->config.depth_format,
-                                     .other_core = kit->config.other_core,
-                                     .other_core_join = kit->config.other_core_join,
-                                     .vertices = kit->scene,
+                                     .depth_format = runner->config.depth_format,
+                                     .other_core = runner->config.other_core,
+                                     .other_core_join = runner->config.other_core_join,
+                                     .vertices = runner->scene,
                                      .vertex_max = s->vertex_max,
-                                     .triangles = kit->scene + ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes),
+                                     .triangles = runner->scene + ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes),
                                      .triangle_max = s->triangle_max,
-                                     .bins = kit->bins,
+                                     .bins = runner->bins,
                                      .bin_max = p->bands,
-                                     .depth = kit->depth};
-    return ph_renderer_init(&kit->renderer, &config);
+                                     .depth = runner->depth};
+    return ph_renderer_init(&runner->renderer, &config);
 }
 
-static int open_demo(struct kit *kit, const struct demo *demo, const struct picture *p, const struct scene *s)
+static int open_demo(struct runner *runner, const struct demo *demo, const struct picture *p, const struct scene *s)
 {
-    const bool first = demo == kit->config.demo;
-    uint8_t *arena = kit->scene + ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes) +
+    const bool first = demo == runner->config.demo;
+    uint8_t *arena = runner->scene + ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes) +
                      ROUND8((uint64_t)s->triangle_max * ph_triangle_bytes);
-    kit->demo = demo;
-    kit->context = (struct demo_context){.arena = {arena, s->arena_bytes, 0},
-                                         .state = first ? kit->config.state : NULL,
-                                         .view = first ? kit->config.view : NULL,
-                                         .width = p->width,
-                                         .height = p->height,
-                                         .camera = kit->config.camera,
-                                         .scratch = s->scratch_bytes > 0 ? arena + ROUND8(s->arena_bytes) : NULL,
-                                         .scratch_bytes = s->scratch_bytes};
-    return demo->init(&kit->context);
+    runner->demo = demo;
+    runner->context = (struct demo_context){.arena = {arena, s->arena_bytes, 0},
+                                            .state = first ? runner->config.state : NULL,
+                                            .view = first ? runner->config.view : NULL,
+                                            .width = p->width,
+                                            .height = p->height,
+                                            .camera = runner->config.camera,
+                                            .scratch = s->scratch_bytes > 0 ? arena + ROUND8(s->arena_bytes) : NULL,
+                                            .scratch_bytes = s->scratch_bytes};
+    return demo->init(&runner->context);
 }
 
 /* Buffers stand behind what is the same for every demo. */
-static void place_buffers(struct kit *kit, const struct picture *p)
+static void place_buffers(struct runner *runner, const struct picture *p)
 {
-    uint8_t *next = (uint8_t *)kit->bins + p->bin_bytes + p->wire_bytes;
-    kit->band_count = p->buffers;
-    kit->band_next = 0;
+    uint8_t *next = (uint8_t *)runner->bins + p->bin_bytes + p->wire_bytes;
+    runner->band_count = p->buffers;
+    runner->band_next = 0;
     for (uint32_t i = 0; i < p->buffers; i++, next += p->band_bytes) {
-        kit->bands[i] = (uint16_t *)(void *)next;
+        runner->bands[i] = (uint16_t *)(void *)next;
     }
-    kit->scene = next;
-    const struct hal *hal = &kit->hal;
+    runner->scene = next;
+    const struct hal *hal = &runner->hal;
     if (hal->ops->bus_queue != NULL) {
-        hal->ops->bus_queue(hal->context, has_queue(&kit->config));
+        hal->ops->bus_queue(hal->context, has_queue(&runner->config));
         const uint32_t written = hal->ops->bus_written(hal->context);
         for (uint32_t i = 0; i < p->buffers; i++) {
-            kit->written[i] = written;
+            runner->written[i] = written;
         }
     }
 }
 
 /* Nothing is on the wire. */
-static int open_scene(struct kit *kit, const struct demo *demo)
+static int open_scene(struct runner *runner, const struct demo *demo)
 {
-    const struct plan plan = plan_of(&kit->config, demo);
-    if (plan.scene.triangle_max == 0 || plan_bytes(&plan) > kit->config.memory_bytes) {
+    const struct plan plan = plan_of(&runner->config, demo);
+    if (plan.scene.triangle_max == 0 || plan_bytes(&plan) > runner->config.memory_bytes) {
         return PH_ERR_NOMEM;
     }
-    place_buffers(kit, &plan.picture);
-    if (kit->config.tiles != NULL) {
-        panel_tiles_forget(kit->config.tiles);
+    place_buffers(runner, &plan.picture);
+    if (runner->config.tiles != NULL) {
+        panel_tiles_forget(runner->config.tiles);
     }
-    const int status = open_renderer(kit, &plan.picture, &plan.scene);
-    return status == PH_OK ? open_demo(kit, demo, &plan.picture, &plan.scene) : status;
+    const int status = open_renderer(runner, &plan.picture, &plan.scene);
+    return status == PH_OK ? open_demo(runner, demo, &plan.picture, &plan.scene) : status;
 }
 
-int kit_open(struct kit *kit, const struct hal *hal, const struct kit_config *config)
+int runner_open(struct runner *runner, const struct hal *hal, const struct runner_config *config)
 {
     const struct picture p = picture_of(config, config->band_height);
-    *kit = (struct kit){.config = *config, .hal = *hal};
+    *runner = (struct runner){.config = *config, .hal = *hal};
     if (p.bands == 0) {
         return PH_ERR_INVAL;
     }
     if (picture_bytes(&p) > config->memory_bytes) {
         return PH_ERR_NOMEM;
     }
-    kit->depth = config->memory;
-    kit->bins = (uint32_t *)(void *)((uint8_t *)kit->depth + p.depth_bytes);
-    const int status = open_scene(kit, config->demo);
-    return status == PH_OK ? open_panel(kit, &p) : status;
+    runner->depth = config->memory;
+    runner->bins = (uint32_t *)(void *)((uint8_t *)runner->depth + p.depth_bytes);
+    const int status = open_scene(runner, config->demo);
+    return status == PH_OK ? open_panel(runner, &p) : status;
 }
 
 /* A demo that is not on the list, e.g. a model's, stands before the first. */
-static const struct demo *demo_after(const struct kit *kit, const struct demo *demo)
+static const struct demo *demo_after(const struct runner *runner, const struct demo *demo)
 {
-    const struct demo *first = kit->config.demo;
+    const struct demo *first = runner->config.demo;
     uint32_t i = 0;
     while (i < demo_count && demo_list[i] != demo) {
         i++;
@@ -284,172 +285,173 @@ static const struct demo *demo_after(const struct kit *kit, const struct demo *d
 }
 
 /* The next one for which there is room. */
-static int select_next(struct kit *kit)
+static int select_next(struct runner *runner)
 {
-    const struct demo *demo = kit->demo;
-    const int finished = kit_finish(kit); /* buffers and lists go elsewhere */
+    const struct demo *demo = runner->demo;
+    const int finished = runner_finish(runner); /* buffers and lists go elsewhere */
     int status = finished == HAL_OK ? PH_ERR_NOMEM : finished;
     for (uint32_t tries = 0; tries <= demo_count && status == PH_ERR_NOMEM; tries++) {
-        demo = demo_after(kit, demo);
-        status = open_scene(kit, demo);
+        demo = demo_after(runner, demo);
+        status = open_scene(runner, demo);
     }
     return status;
 }
 
-int kit_buttons(struct kit *kit, uint32_t more)
+int runner_buttons(struct runner *runner, uint32_t more)
 {
-    const uint32_t pressed = kit->hal.ops->buttons(kit->hal.context) | more, both = HAL_BUTTON_UP | HAL_BUTTON_DOWN;
+    const uint32_t pressed = runner->hal.ops->buttons(runner->hal.context) | more,
+                   both = HAL_BUTTON_UP | HAL_BUTTON_DOWN;
     const uint32_t buttons = pressed | ((pressed & both) == both ? HAL_BUTTON_SELECT : 0U);
-    const bool select = (buttons & ~kit->buttons & HAL_BUTTON_SELECT) != 0; /* one that is held selects but once */
-    kit->buttons = buttons;
-    const int status = select ? select_next(kit) : PH_OK;
-    demo_input(&kit->context, buttons);
+    const bool select = (buttons & ~runner->buttons & HAL_BUTTON_SELECT) != 0; /* one that is held selects but once */
+    runner->buttons = buttons;
+    const int status = select ? select_next(runner) : PH_OK;
+    demo_input(&runner->context, buttons);
     return status;
 }
 
-int kit_scene(struct kit *kit, uint32_t frame)
+int runner_scene(struct runner *runner, uint32_t frame)
 {
-    return kit->demo->frame(&kit->context, &kit->renderer, frame);
+    return runner->demo->frame(&runner->context, &runner->renderer, frame);
 }
 
 /* Frame time and triangles, top left; twice as large where there is room. */
-static void draw_overlay(const struct kit *kit, uint32_t band, uint16_t *pixels, uint32_t lines)
+static void draw_overlay(const struct runner *runner, uint32_t band, uint16_t *pixels, uint32_t lines)
 {
     char text[PH_OVERLAY_STATS_SIZE];
-    const struct board *board = kit->config.board;
-    const uint16_t width = kit->driver.width;
+    const struct board *board = runner->config.board;
+    const uint16_t width = runner->driver.width;
     const uint32_t us =
-        panel_frame_us(board->panel, board->format, kit->config.rotation, (uint32_t)kit->driver.clock_hz);
-    ph_overlay_stats(text, us, kit->renderer.stats.triangles_drawn);
+        panel_frame_us(board->panel, board->format, runner->config.rotation, (uint32_t)runner->driver.clock_hz);
+    ph_overlay_stats(text, us, runner->renderer.stats.triangles_drawn);
     struct ph_overlay_band over = {
-        .width = width, .y0 = (int32_t)(band * kit->renderer.config.band_height), .lines = (int32_t)lines};
+        .width = width, .y0 = (int32_t)(band * runner->renderer.config.band_height), .lines = (int32_t)lines};
     over.pixels = pixels;
     const uint8_t scale = ph_overlay_width(text, 2) + 8 <= width ? 2 : 1;
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), scale};
     ph_overlay_text(&over, 2 * scale, 2 * scale, text, &style);
 }
 
-static bool queues(const struct kit *kit)
+static bool queues(const struct runner *runner)
 {
-    return has_queue(&kit->config) && kit->hal.ops->bus_queue != NULL;
+    return has_queue(&runner->config) && runner->hal.ops->bus_queue != NULL;
 }
 
 /* Into the buffer that is not on the wire; without a queue that is so: enough panel_rows came after its own. */
-static uint32_t draw_band(struct kit *kit, uint32_t band)
+static uint32_t draw_band(struct runner *runner, uint32_t band)
 {
-    uint16_t *pixels = kit->bands[kit->band_next];
-    if (queues(kit)) {
-        kit->hal.ops->bus_until(kit->hal.context, kit->written[kit->band_next]);
+    uint16_t *pixels = runner->bands[runner->band_next];
+    if (queues(runner)) {
+        runner->hal.ops->bus_until(runner->hal.context, runner->written[runner->band_next]);
     }
-    const uint32_t lines = demo_draw_band(kit->demo, &kit->context, &kit->renderer, band, pixels);
-    if (kit->config.overlay) {
-        draw_overlay(kit, band, pixels, lines);
+    const uint32_t lines = demo_draw_band(runner->demo, &runner->context, &runner->renderer, band, pixels);
+    if (runner->config.overlay) {
+        draw_overlay(runner, band, pixels, lines);
     }
     return lines;
 }
 
 /* A panel that gives no edge is drawn without. */
-static int wait_for_edge(struct kit *kit)
+static int wait_for_edge(struct runner *runner)
 {
-    const struct hal *hal = &kit->hal;
-    const bool wired = kit->config.board->pins.tearing.wired && hal->ops->te_wait != NULL;
+    const struct hal *hal = &runner->hal;
+    const bool wired = runner->config.board->pins.tearing.wired && hal->ops->te_wait != NULL;
     const int status = wired ? hal->ops->te_wait(hal->context, TE_WAIT_US) : HAL_OK;
-    kit->edges_missed += status == HAL_ETIMEDOUT;
+    runner->edges_missed += status == HAL_ETIMEDOUT;
     return status == HAL_ETIMEDOUT ? HAL_OK : status;
 }
 
 /* They would touch a buffer that is on the wire if its band was not sent, and nobody asked for how long. */
-static struct panel_tiles *tiles_of(const struct kit *kit)
+static struct panel_tiles *tiles_of(const struct runner *runner)
 {
-    return queues(kit) ? kit->config.tiles : NULL;
+    return queues(runner) ? runner->config.tiles : NULL;
 }
 
 /* All of the picture, or what changed. */
-static int frame_begin(struct kit *kit)
+static int frame_begin(struct runner *runner)
 {
-    struct panel_diff *diff = kit->config.diff;
-    struct panel_tiles *tiles = tiles_of(kit);
-    return diff != NULL    ? panel_diff_begin(diff, &kit->driver)
-           : tiles != NULL ? panel_tiles_begin(tiles, &kit->driver)
-                           : panel_frame_begin(&kit->driver);
+    struct panel_diff *diff = runner->config.diff;
+    struct panel_tiles *tiles = tiles_of(runner);
+    return diff != NULL    ? panel_diff_begin(diff, &runner->driver)
+           : tiles != NULL ? panel_tiles_begin(tiles, &runner->driver)
+                           : panel_frame_begin(&runner->driver);
 }
 
-static int send_rows(struct kit *kit, const uint16_t *pixels, uint32_t lines)
+static int send_rows(struct runner *runner, const uint16_t *pixels, uint32_t lines)
 {
-    struct panel_diff *diff = kit->config.diff;
-    struct panel_tiles *tiles = tiles_of(kit);
-    return diff != NULL    ? panel_diff_rows(diff, &kit->driver, pixels, lines)
-           : tiles != NULL ? panel_tiles_rows(tiles, &kit->driver, pixels, lines)
-                           : panel_rows(&kit->driver, pixels, lines);
+    struct panel_diff *diff = runner->config.diff;
+    struct panel_tiles *tiles = tiles_of(runner);
+    return diff != NULL    ? panel_diff_rows(diff, &runner->driver, pixels, lines)
+           : tiles != NULL ? panel_tiles_rows(tiles, &runner->driver, pixels, lines)
+                           : panel_rows(&runner->driver, pixels, lines);
 }
 
 /* The band that was drawn last. */
-static int frame_rows(struct kit *kit, uint32_t lines)
+static int frame_rows(struct runner *runner, uint32_t lines)
 {
-    const uint32_t band = kit->band_next;
-    const int status = send_rows(kit, kit->bands[band], lines);
-    if (queues(kit)) {
-        kit->written[band] = kit->hal.ops->bus_written(kit->hal.context);
+    const uint32_t band = runner->band_next;
+    const int status = send_rows(runner, runner->bands[band], lines);
+    if (queues(runner)) {
+        runner->written[band] = runner->hal.ops->bus_written(runner->hal.context);
     }
-    kit->band_next = (band + 1) % kit->band_count;
+    runner->band_next = (band + 1) % runner->band_count;
     return status;
 }
 
-static int frame_end(struct kit *kit)
+static int frame_end(struct runner *runner)
 {
-    struct panel_diff *diff = kit->config.diff;
-    struct panel_tiles *tiles = tiles_of(kit);
-    return diff != NULL    ? panel_diff_end(diff, &kit->driver)
-           : tiles != NULL ? panel_tiles_end(tiles, &kit->driver)
-                           : panel_frame_end(&kit->driver);
+    struct panel_diff *diff = runner->config.diff;
+    struct panel_tiles *tiles = tiles_of(runner);
+    return diff != NULL    ? panel_diff_end(diff, &runner->driver)
+           : tiles != NULL ? panel_tiles_end(tiles, &runner->driver)
+                           : panel_frame_end(&runner->driver);
 }
 
 /* The frame before. On a lit panel with a queue nobody need wait for its last bands: this one's follow them. */
-static int end_before(struct kit *kit)
+static int end_before(struct runner *runner)
 {
-    const bool follows = has_queue(&kit->config) && kit->driver.lit && !kit->config.board->pins.tearing.wired;
-    return follows ? HAL_OK : kit_finish(kit);
+    const bool follows = has_queue(&runner->config) && runner->driver.lit && !runner->config.board->pins.tearing.wired;
+    return follows ? HAL_OK : runner_finish(runner);
 }
 
-int kit_send(struct kit *kit)
+int runner_send(struct runner *runner)
 {
-    const uint32_t bands = ph_frame_bands(&kit->renderer);
-    uint32_t lines = draw_band(kit, 0); /* the frame before may still be on the wire */
-    int status = end_before(kit);
+    const uint32_t bands = ph_frame_bands(&runner->renderer);
+    uint32_t lines = draw_band(runner, 0); /* the frame before may still be on the wire */
+    int status = end_before(runner);
     if (status == HAL_OK) {
-        status = wait_for_edge(kit);
+        status = wait_for_edge(runner);
     }
     if (status == HAL_OK) {
-        status = frame_begin(kit);
+        status = frame_begin(runner);
     }
     for (uint32_t band = 0; band < bands && status == HAL_OK; band++) {
-        lines = band > 0 ? draw_band(kit, band) : lines;
-        status = frame_rows(kit, lines);
+        lines = band > 0 ? draw_band(runner, band) : lines;
+        status = frame_rows(runner, lines);
     }
-    kit->sending = status == HAL_OK;
+    runner->sending = status == HAL_OK;
     return status;
 }
 
-int kit_finish(struct kit *kit)
+int runner_finish(struct runner *runner)
 {
-    if (!kit->sending) {
+    if (!runner->sending) {
         return HAL_OK;
     }
-    kit->sending = false;
-    return frame_end(kit);
+    runner->sending = false;
+    return frame_end(runner);
 }
 
-int kit_frame(struct kit *kit, uint32_t frame)
+int runner_frame(struct runner *runner, uint32_t frame)
 {
-    int status = kit_buttons(kit, 0);
+    int status = runner_buttons(runner, 0);
     if (status == PH_OK) {
-        status = kit_scene(kit, frame);
+        status = runner_scene(runner, frame);
     }
-    return status == PH_OK ? kit_send(kit) : status;
+    return status == PH_OK ? runner_send(runner) : status;
 }
 
-int kit_close(struct kit *kit)
+int runner_close(struct runner *runner)
 {
-    kit->sending = false;
-    return panel_close(&kit->driver);
+    runner->sending = false;
+    return panel_close(&runner->driver);
 }

@@ -112,7 +112,7 @@ static inline uint32_t fx_rcp16(uint32_t d);
 
 extern const uint16_t fx_rcp_table[256]; /* for fx_rcp_norm and a CPU's fx_rcp16 alone */
 
-#include "fx_cpu.h" /* their bodies: core/portable, or the folder of the CPU that -I names before */
+#include <fx_cpu.h> /* the one of the CPU, whose folder -I names before firmware/core */
 
 /* floor(2^62 / d) for d = 2^31 .. 2^32 - 1, in products of 32 bits. */
 static inline uint32_t fx_rcp_newton(uint32_t d)

@@ -198,8 +198,8 @@ struct ph_lens {
     int32_t chord_max;   /* fisheye: 1/256 px; longer ones are */
 };
 
-/* What the tiny triangles of a part have in common: see ph_setup_part. */
-struct ph_tiny {
+/* What the small triangles of a part have in common: see ph_setup_part. */
+struct ph_small {
     const struct ph_material *material; /* NULL: none are drawn as such */
     uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
     bool floats;                        /* float16, else fixed16 */
@@ -213,8 +213,8 @@ struct ph_renderer {
     struct ph_projection projection; /* as given; lens is made of it */
     struct ph_xform view;            /* world to view */
     struct ph_scene_light light;
-    struct ph_tiny tiny;
-    uint32_t inner_x, inner_y; /* 1/256 px: where the first corner of a tiny triangle keeps all of it in the picture */
+    struct ph_small small;
+    uint32_t inner_x, inner_y; /* 1/256 px: where the first corner of a small triangle keeps all of it in the picture */
     uint32_t band_count;
     uint32_t triangle_count;
     uint32_t carried; /* list of the triangles that go on in the next band */

@@ -64,7 +64,7 @@ int asset_measure(struct asset *asset, const struct board *board);
 /* Its context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 
-/* Memory that the board needs to draw it whole, and what its bands alone need; see kit_whole_bytes(). */
+/* Memory that the board needs to draw it whole, and what its bands alone need; see runner_whole_bytes(). */
 uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board);
 uint64_t asset_band_bytes(const struct board *board);
 

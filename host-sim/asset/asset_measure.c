@@ -110,25 +110,25 @@ struct demo asset_demo(const struct asset *asset)
     return demo;
 }
 
-static struct kit_config config_of(const struct board *board, const struct demo *demo)
+static struct runner_config config_of(const struct board *board, const struct demo *demo)
 {
-    return (struct kit_config){.board = board,
-                               .rotation = board->rotation,
-                               .depth_format = PH_DEPTH_AUTO,
-                               .band_height = board->band_height,
-                               .demo = demo};
+    return (struct runner_config){.board = board,
+                                  .rotation = board->rotation,
+                                  .depth_format = PH_DEPTH_AUTO,
+                                  .band_height = board->band_height,
+                                  .demo = demo};
 }
 
 uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board)
 {
     const struct demo demo = asset_demo(asset);
-    const struct kit_config config = config_of(board, &demo);
-    return kit_whole_bytes(&config);
+    const struct runner_config config = config_of(board, &demo);
+    return runner_whole_bytes(&config);
 }
 
 uint64_t asset_band_bytes(const struct board *board)
 {
     const struct demo none = {.arena_bytes = 0};
-    const struct kit_config config = config_of(board, &none);
-    return kit_whole_bytes(&config);
+    const struct runner_config config = config_of(board, &none);
+    return runner_whole_bytes(&config);
 }

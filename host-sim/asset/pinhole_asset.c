@@ -41,7 +41,7 @@ static double room(const struct asset *asset, const struct asset_options *o)
     if (o->board != NULL) {
         const double bands = (double)asset_band_bytes(o->board);
         const double frame =
-            ((double)kit_budget(o->board) - bands) / ((double)asset_frame_bytes(asset, o->board) - bands);
+            ((double)runner_budget(o->board) - bands) / ((double)asset_frame_bytes(asset, o->board) - bands);
         share = frame < share ? frame : share;
     }
     return share > 0 ? share : 0;
@@ -50,7 +50,7 @@ static double room(const struct asset *asset, const struct asset_options *o)
 static bool fits(const struct asset *asset, const struct asset_options *o)
 {
     return asset_flash_bytes(asset) <= o->flash_bytes &&
-           (o->board == NULL || asset_frame_bytes(asset, o->board) <= kit_budget(o->board));
+           (o->board == NULL || asset_frame_bytes(asset, o->board) <= runner_budget(o->board));
 }
 
 /* What to do about textures that alone are too large for the flash. */
@@ -148,7 +148,7 @@ static int refuse(const struct asset *asset, const struct model *model, const st
     } else {
         snprintf(need, sizeof need, "need %llu bytes of memory, and %s has %u",
                  (unsigned long long)asset_frame_bytes(asset, o->board), o->board->name,
-                 (unsigned)kit_budget(o->board));
+                 (unsigned)runner_budget(o->board));
     }
     struct asset smaller = {.memory = NULL};
     const int status = o->fit ? EXIT_FAILED : make_fitting(&smaller, model, o);

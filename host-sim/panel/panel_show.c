@@ -37,10 +37,10 @@ const char *panel_show_text(const struct panel_display *display, int status)
 
 /* ---- opening and closing ------------------------------------------------------------------------ */
 
-static int open_memory(struct panel_display *d, struct kit_config *config)
+static int open_memory(struct panel_display *d, struct runner_config *config)
 {
     const struct board *board = d->board;
-    config->memory_bytes = kit_bytes(config);
+    config->memory_bytes = runner_bytes(config);
     config->memory = d->memory = malloc(config->memory_bytes);
     const size_t diff_bytes =
         panel_diff_bytes(panel_width(board->panel, board->rotation), panel_height(board->panel, board->rotation));
@@ -56,15 +56,15 @@ static int fail(const struct panel_display *d, const char *what, int status)
     return complain(EXIT_FAILED, "%s: %s%s", d->board->name, what, panel_show_text(d, status));
 }
 
-static int open_kit(struct panel_display *d, const struct kit_config *config)
+static int open_kit(struct panel_display *d, const struct runner_config *config)
 {
     int status = d->hal.ops->open(d->hal.context, d->board);
     if (status < 0) {
         return fail(d, "", status);
     }
     d->hal_open = true;
-    status = kit_open(&d->kit, &d->hal, config);
-    d->kit_open = d->kit.driver.config.panel != NULL; /* also half awake it must go dark */
+    status = runner_open(&d->runner, &d->hal, config);
+    d->runner_open = d->runner.driver.config.panel != NULL; /* also half awake it must go dark */
     if (status == PH_ERR_NOMEM) {
         return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; take a smaller scene or another board",
                         d->board->name, (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
@@ -75,23 +75,23 @@ static int open_kit(struct panel_display *d, const struct kit_config *config)
 static int open_display(struct panel_display *d, const struct panel_scene *scene)
 {
     const struct board *board = d->board;
-    struct kit_config config = {.board = board,
-                                .rotation = board->rotation,
-                                .depth_format = scene->depth,
-                                .band_height = scene->band != 0 ? scene->band : board->band_height,
-                                .budget_bytes = kit_budget(board),
-                                .demo = scene->demo,
-                                .state = scene->state,
-                                .view = scene->view,
-                                .overlay = scene->overlay,
-                                .diff = scene->diff ? &d->diff : NULL};
+    struct runner_config config = {.board = board,
+                                   .rotation = board->rotation,
+                                   .depth_format = scene->depth,
+                                   .band_height = scene->band != 0 ? scene->band : board->band_height,
+                                   .budget_bytes = runner_budget(board),
+                                   .demo = scene->demo,
+                                   .state = scene->state,
+                                   .view = scene->view,
+                                   .overlay = scene->overlay,
+                                   .diff = scene->diff ? &d->diff : NULL};
     int status = open_memory(d, &config);
     if (status == 0) {
         status = open_kit(d, &config);
     }
     if (status == 0 && scene->diff) {
-        const size_t bytes = panel_diff_bytes(d->kit.driver.width, d->kit.driver.height);
-        status = panel_diff_init(&d->diff, &d->kit.driver, scene->refresh, d->diff_memory, bytes);
+        const size_t bytes = panel_diff_bytes(d->runner.driver.width, d->runner.driver.height);
+        status = panel_diff_init(&d->diff, &d->runner.driver, scene->refresh, d->diff_memory, bytes);
     }
     return status;
 }
@@ -99,9 +99,9 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
 /* Dark and released, whatever happened before: what fails here has been told already, or concerns nobody any more. */
 static void close_display(struct panel_display *d)
 {
-    if (d->kit_open) {
-        kit_finish(&d->kit);
-        kit_close(&d->kit);
+    if (d->runner_open) {
+        runner_finish(&d->runner);
+        runner_close(&d->runner);
     }
     if (d->hal_open) {
         d->hal.ops->close(d->hal.context);
@@ -109,7 +109,7 @@ static void close_display(struct panel_display *d)
     free(d->diff_memory);
     free(d->memory);
     d->memory = d->diff_memory = NULL;
-    d->kit_open = d->hal_open = false;
+    d->runner_open = d->hal_open = false;
 }
 
 /* ---- frames ------------------------------------------------------------------------------------- */
@@ -117,14 +117,14 @@ static void close_display(struct panel_display *d)
 /* Once each: nothing is lost silently. */
 static void tell_losses(struct panel_display *d, uint32_t frame)
 {
-    const struct ph_stats *s = &d->kit.renderer.stats;
+    const struct ph_stats *s = &d->runner.renderer.stats;
     if (!d->drops_told && (s->triangles_dropped != 0 || s->vertices_dropped != 0)) {
         d->drops_told = true;
         complain(EXIT_DONE, "%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
                  d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
-                 d->kit.demo->name, (unsigned)(d->board->ram_bytes / 1024));
+                 d->runner.demo->name, (unsigned)(d->board->ram_bytes / 1024));
     }
-    if (!d->edge_told && d->kit.edges_missed != 0) {
+    if (!d->edge_told && d->runner.edges_missed != 0) {
         d->edge_told = true;
         complain(EXIT_DONE,
                  "%s: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check "
@@ -140,8 +140,8 @@ static int show_frame(struct panel_display *d, const struct panel_scene *scene, 
     if (status != 0) {
         return status;
     }
-    status = kit_frame(&d->kit, frame);
-    d->bytes += d->kit.driver.frame_bytes;
+    status = runner_frame(&d->runner, frame);
+    d->bytes += d->runner.driver.frame_bytes;
     if (status != 0) {
         snprintf(what, sizeof what, "frame %u: ", (unsigned)frame);
         return fail(d, what, status);
@@ -161,8 +161,8 @@ static void print_stats(const struct panel_display *d, uint32_t frames, double s
     const double bits = 8.0 * (double)d->bytes;
     fprintf(stderr, "%s: %.1f frames/s, %.0f bytes/frame, %.0f kB/s, bus %.0f %% of %d Hz, %u triangles\n",
             d->board->name, frames / seconds, frames > 0 ? (double)d->bytes / frames : 0.0,
-            (double)d->bytes / seconds / 1000, 100 * bits / seconds / d->kit.driver.clock_hz,
-            (int)d->kit.driver.clock_hz, (unsigned)d->kit.renderer.stats.triangles_drawn);
+            (double)d->bytes / seconds / 1000, 100 * bits / seconds / d->runner.driver.clock_hz,
+            (int)d->runner.driver.clock_hz, (unsigned)d->runner.renderer.stats.triangles_drawn);
 }
 
 static void report_stats(struct panel_display *displays, int count, struct report *report, bool now)
@@ -210,7 +210,7 @@ static int run_frames(struct panel_display *displays, int count, const struct pa
     }
     status = status == PANEL_SHOW_OVER ? 0 : status;
     for (int k = 0; k < count && status == 0; k++) {
-        const int finished = kit_finish(&displays[k].kit); /* the last frame is out, too */
+        const int finished = runner_finish(&displays[k].runner); /* the last frame is out, too */
         status = finished == 0 ? 0 : fail(&displays[k], "the last frame: ", finished);
     }
     if (scene->stats) {

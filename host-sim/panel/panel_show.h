@@ -20,10 +20,10 @@ struct panel_display {
     const void *why_context;
 
     /* Private from here on. */
-    struct kit kit;
+    struct runner runner;
     struct panel_diff diff;
     void *memory, *diff_memory;
-    bool hal_open, kit_open, drops_told, edge_told;
+    bool hal_open, runner_open, drops_told, edge_told;
     uint64_t bytes; /* on the wire since the last report */
 };
 

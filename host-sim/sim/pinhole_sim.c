@@ -185,8 +185,8 @@ static int show_matrices(const struct options *o, const struct frame_out *out, s
     if (player_camera(p, o->start, &view, &projection) != 0) {
         return EXIT_FAILED;
     }
-    const int status = matrix_print(report_file(out), &view, &projection, p->kit.driver.width, p->kit.driver.height,
-                                    (enum ph_convention)o->convention);
+    const int status = matrix_print(report_file(out), &view, &projection, p->runner.driver.width,
+                                    p->runner.driver.height, (enum ph_convention)o->convention);
     if (status == PH_ERR_RANGE) {
         return complain(EXIT_USAGE, "--matrix: an element does not fit Q16.16; move --near and --far apart");
     }

@@ -24,31 +24,31 @@ int player_open(struct player *p, const struct player_setup *setup)
     if (p->sim == NULL) {
         return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", board->name);
     }
-    struct kit_config config = {.board = board,
-                                .rotation = (uint8_t)setup->rotation,
-                                .depth_format = setup->depth_format,
-                                .band_height = setup->band_height,
-                                .budget_bytes = kit_budget(board),
-                                .demo = setup->demo,
-                                .state = setup->state,
-                                .view = setup->view,
-                                .camera = setup->camera,
-                                .overlay = setup->overlay};
+    struct runner_config config = {.board = board,
+                                   .rotation = (uint8_t)setup->rotation,
+                                   .depth_format = setup->depth_format,
+                                   .band_height = setup->band_height,
+                                   .budget_bytes = runner_budget(board),
+                                   .demo = setup->demo,
+                                   .state = setup->state,
+                                   .view = setup->view,
+                                   .camera = setup->camera,
+                                   .overlay = setup->overlay};
     const uint16_t width = panel_width(board->panel, setup->rotation);
     const uint16_t height = panel_height(board->panel, setup->rotation);
-    config.memory_bytes = kit_bytes(&config);
+    config.memory_bytes = runner_bytes(&config);
     config.memory = p->memory = malloc(config.memory_bytes);
     p->picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     if (p->memory == NULL || p->picture.rgb == NULL) {
         return complain(EXIT_FAILED, "not enough memory for this scene");
     }
-    const int status = kit_open(&p->kit, &p->hal, &config);
+    const int status = runner_open(&p->runner, &p->hal, &config);
     return status == 0 ? 0 : refuse(setup, status);
 }
 
 static int make_frame(struct player *p, uint32_t frame)
 {
-    const int status = kit_scene(&p->kit, frame);
+    const int status = runner_scene(&p->runner, frame);
     return status == 0 ? 0
                        : complain(EXIT_FAILED, "frame %u cannot be drawn with this camera or budget (%d)",
                                   (unsigned)frame, status);
@@ -57,13 +57,13 @@ static int make_frame(struct player *p, uint32_t frame)
 /* Once: nothing is lost silently. */
 static void tell_drops(struct player *p, uint32_t frame)
 {
-    const struct ph_stats *s = &p->kit.renderer.stats;
+    const struct ph_stats *s = &p->runner.renderer.stats;
     if (p->drops_told || (s->triangles_dropped == 0 && s->vertices_dropped == 0)) {
         return;
     }
     p->drops_told = true;
     complain(EXIT_DONE, "frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u KB and are left out%s",
-             (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->kit.demo->name,
+             (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->runner.demo->name,
              p->setup.board->name, (unsigned)(p->setup.board->ram_bytes / 1024),
              p->setup.state != NULL ? "; pinhole-asset simplifies a model" : "");
 }
@@ -73,24 +73,24 @@ int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struc
     if (make_frame(p, frame) != 0) {
         return EXIT_FAILED;
     }
-    const struct demo_camera *user = &p->kit.context.camera; /* a demo with several cameras makes its own of it */
-    *view = p->kit.renderer.view;
-    *projection = user->projection_set ? user->projection : p->kit.renderer.projection;
+    const struct demo_camera *user = &p->runner.context.camera; /* a demo with several cameras makes its own of it */
+    *view = p->runner.renderer.view;
+    *projection = user->projection_set ? user->projection : p->runner.renderer.projection;
     return 0;
 }
 
 int player_frame(struct player *p, uint32_t frame)
 {
     p->counters = sim_counters(p->sim);
-    if (kit_buttons(&p->kit, 0) != 0) {
+    if (runner_buttons(&p->runner, 0) != 0) {
         return refuse(&p->setup, PH_ERR_NOMEM);
     }
     if (make_frame(p, frame) != 0) {
         return EXIT_FAILED;
     }
-    int status = kit_send(&p->kit);
+    int status = runner_send(&p->runner);
     if (status == 0) {
-        status = kit_finish(&p->kit);
+        status = runner_finish(&p->runner);
     }
     if (status != 0) {
         return complain(EXIT_FAILED, "frame %u: the panel failed (%d)", (unsigned)frame, status);
@@ -107,7 +107,7 @@ uint64_t player_bus_ns(const struct player *p)
 
 void player_print_stats(const struct player *p, uint32_t frame)
 {
-    const struct ph_stats *s = &p->kit.renderer.stats;
+    const struct ph_stats *s = &p->runner.renderer.stats;
     const struct sim_counters now = sim_counters(p->sim);
     const double bus_us = (double)player_bus_ns(p) / 1000;
     fprintf(stderr, "frame %u: vertices %u, triangles in %u, culled %u, clipped %u, drawn %u, dropped %u; ",
@@ -137,8 +137,8 @@ int player_close(struct player *p)
 {
     uint32_t complaints = 0;
     if (p->sim != NULL) {
-        if (p->kit.driver.width != 0) { /* it was opened */
-            kit_close(&p->kit);
+        if (p->runner.driver.width != 0) { /* it was opened */
+            runner_close(&p->runner);
         }
         complaints = print_complaints(p->sim);
         sim_close(p->sim);

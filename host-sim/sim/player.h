@@ -25,7 +25,7 @@ struct player_setup {
 /* Owns all its memory. */
 struct player {
     struct player_setup setup;
-    struct kit kit;
+    struct runner runner;
     struct hal hal;
     struct sim *sim;
     void *memory;                 /* the kit's */

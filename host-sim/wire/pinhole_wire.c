@@ -132,7 +132,8 @@ static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 static void print_help(void)
 {
     puts("pinhole-wire --board NAME [options] [FILE]\n"
-         "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire/wire_events.h has their format),\n"
+         "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire/wire_events.h has their "
+         "format),\n"
          "prints `frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a panel would have\n"
          "resented anything: each complaint is a line on stderr.\n");
     option_table_help(&table);

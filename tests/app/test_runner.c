@@ -159,8 +159,8 @@ static const struct hal_ops queue_ops = {.name = "late",
 struct stage {
     struct late_bus bus;
     struct hal hal;
-    struct kit kit;
-    struct kit_config config;
+    struct runner runner;
+    struct runner_config config;
 };
 
 static struct stage *stage_of(const struct board *board, const char *demo, uint16_t band_height, uint32_t budget,
@@ -170,14 +170,14 @@ static struct stage *stage_of(const struct board *board, const char *demo, uint1
     assert_non_null(s);
     s->bus.sim = sim_open(board, &s->bus.below);
     s->hal = (struct hal){&late_ops, &s->bus};
-    s->config = (struct kit_config){.board = board,
-                                    .rotation = board->rotation,
-                                    .band_height = band_height,
-                                    .budget_bytes = budget,
-                                    .demo = demo_find(demo)};
-    s->config.memory_bytes = kit_bytes(&s->config);
+    s->config = (struct runner_config){.board = board,
+                                       .rotation = board->rotation,
+                                       .band_height = band_height,
+                                       .budget_bytes = budget,
+                                       .demo = demo_find(demo)};
+    s->config.memory_bytes = runner_bytes(&s->config);
     s->config.memory = malloc(s->config.memory_bytes); /* to the byte: a sanitizer sees more */
-    assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), expected);
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), expected);
     return s;
 }
 
@@ -196,13 +196,13 @@ static void stage_close(struct stage *s)
 static void no_buffer_is_touched_while_it_is_sent(void **state)
 {
     (void)state;
-    struct stage *s = stage_open(board_find("waveshare-pico-lcd-1in3"), kit_budget(board_find("pico-display")), 0);
+    struct stage *s = stage_open(board_find("waveshare-pico-lcd-1in3"), runner_budget(board_find("pico-display")), 0);
     for (uint32_t frame = 0; frame < 5; frame++) {
-        assert_int_equal(kit_frame(&s->kit, frame), 0);
+        assert_int_equal(runner_frame(&s->runner, frame), 0);
     }
-    assert_int_equal(kit_finish(&s->kit), 0);
+    assert_int_equal(runner_finish(&s->runner), 0);
     assert_true(s->bus.held >= 5 * 13); /* 15 bands a frame: each was drawn while the one before was sent */
-    assert_int_equal(kit_close(&s->kit), 0);
+    assert_int_equal(runner_close(&s->runner), 0);
     assert_int_equal(sim_complaint_count(s->bus.sim), 0);
     stage_close(s);
 }
@@ -212,11 +212,11 @@ static void select_takes_the_next_demo_that_fits(void **state)
 {
     (void)state;
     const struct board *board = board_find("lm3s6965evb");
-    struct stage *s = stage_open(board, kit_budget(board), 0);
+    struct stage *s = stage_open(board, runner_budget(board), 0);
     for (uint32_t i = 0; i < 2 * demo_count; i++) {
         s->bus.buttons = i % 2 == 0 ? HAL_BUTTON_SELECT : 0;
-        assert_int_equal(kit_frame(&s->kit, i), 0);
-        assert_string_not_equal(s->kit.demo->name, "icosphere");
+        assert_int_equal(runner_frame(&s->runner, i), 0);
+        assert_string_not_equal(s->runner.demo->name, "icosphere");
     }
     stage_close(s);
 }
@@ -224,32 +224,32 @@ static void select_takes_the_next_demo_that_fits(void **state)
 static void a_button_that_is_held_selects_once(void **state)
 {
     (void)state;
-    struct stage *s = stage_open(board_find("pico-display"), kit_budget(board_find("pico-display")), 0);
+    struct stage *s = stage_open(board_find("pico-display"), runner_budget(board_find("pico-display")), 0);
     s->bus.buttons = HAL_BUTTON_SELECT;
-    assert_int_equal(kit_frame(&s->kit, 0), 0);
-    const struct demo *first = s->kit.demo;
-    assert_int_equal(kit_frame(&s->kit, 1), 0);
-    assert_ptr_equal(s->kit.demo, first);
-    assert_ptr_not_equal(s->kit.demo, demo_find("cube"));
+    assert_int_equal(runner_frame(&s->runner, 0), 0);
+    const struct demo *first = s->runner.demo;
+    assert_int_equal(runner_frame(&s->runner, 1), 0);
+    assert_ptr_equal(s->runner.demo, first);
+    assert_ptr_not_equal(s->runner.demo, demo_find("cube"));
     stage_close(s);
 }
 
 static void up_and_down_together_select(void **state)
 {
     (void)state;
-    struct stage *s = stage_open(board_find("pico-display"), kit_budget(board_find("pico-display")), 0);
-    const struct demo *first = s->kit.demo;
+    struct stage *s = stage_open(board_find("pico-display"), runner_budget(board_find("pico-display")), 0);
+    const struct demo *first = s->runner.demo;
     s->bus.buttons = HAL_BUTTON_UP;
-    assert_int_equal(kit_frame(&s->kit, 0), 0);
+    assert_int_equal(runner_frame(&s->runner, 0), 0);
     s->bus.buttons = HAL_BUTTON_DOWN;
-    assert_int_equal(kit_frame(&s->kit, 1), 0);
-    assert_ptr_equal(s->kit.demo, first);
+    assert_int_equal(runner_frame(&s->runner, 1), 0);
+    assert_ptr_equal(s->runner.demo, first);
     s->bus.buttons = HAL_BUTTON_UP | HAL_BUTTON_DOWN;
-    assert_int_equal(kit_frame(&s->kit, 2), 0);
-    const struct demo *second = s->kit.demo;
+    assert_int_equal(runner_frame(&s->runner, 2), 0);
+    const struct demo *second = s->runner.demo;
     assert_ptr_not_equal(second, first);
-    assert_int_equal(kit_frame(&s->kit, 3), 0);
-    assert_ptr_equal(s->kit.demo, second);
+    assert_int_equal(runner_frame(&s->runner, 3), 0);
+    assert_ptr_equal(s->runner.demo, second);
     stage_close(s);
 }
 
@@ -266,13 +266,13 @@ static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
     uint32_t dropped = UINT32_MAX;
     for (uint32_t budget = 30000; dropped > 0; budget += 30000) {
         struct stage *s = stage_open(board_find("lm3s6965evb"), budget, 0);
-        while (strcmp(s->kit.demo->name, "fisheye") != 0) {
-            assert_int_equal(kit_buttons(&s->kit, HAL_BUTTON_SELECT), 0);
-            assert_int_equal(kit_buttons(&s->kit, 0), 0);
+        while (strcmp(s->runner.demo->name, "fisheye") != 0) {
+            assert_int_equal(runner_buttons(&s->runner, HAL_BUTTON_SELECT), 0);
+            assert_int_equal(runner_buttons(&s->runner, 0), 0);
         }
-        assert_int_equal(kit_frame(&s->kit, 0), 0);
-        assert_true(s->kit.renderer.stats.triangles_dropped < dropped);
-        dropped = s->kit.renderer.stats.triangles_dropped;
+        assert_int_equal(runner_frame(&s->runner, 0), 0);
+        assert_true(s->runner.renderer.stats.triangles_dropped < dropped);
+        dropped = s->runner.renderer.stats.triangles_dropped;
         assert_true((budget == 30000) <= (dropped > 0)); /* the first has too little */
         stage_close(s);
     }
@@ -280,7 +280,7 @@ static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
 
 static struct stage *stage_on(const struct board *board, const char *demo, uint16_t band_height)
 {
-    return stage_of(board, demo, band_height, kit_budget(board), 0);
+    return stage_of(board, demo, band_height, runner_budget(board), 0);
 }
 
 static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
@@ -293,11 +293,11 @@ static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
     } expected[] = {{"fill", 15, 15}, {"solar", 6, 6}, {"hitchcock", 3, 5}, {"shadow", 2, 2}};
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
         struct stage *s = stage_on(board, expected[i].demo, board->band_height);
-        assert_in_range(s->kit.band_count, expected[i].least, expected[i].most);
+        assert_in_range(s->runner.band_count, expected[i].least, expected[i].most);
         stage_close(s);
     }
     struct stage *s = stage_on(board_find("lm3s6965evb"), "fill", 8); /* its backend has no queue */
-    assert_int_equal(s->kit.band_count, 2);
+    assert_int_equal(s->runner.band_count, 2);
     stage_close(s);
 }
 
@@ -310,7 +310,7 @@ static void other_bands_share_the_memory_out_alike(void **state)
     for (size_t i = 0; i < sizeof heights / sizeof heights[0]; i++) {
         struct stage *own = stage_on(board, "fisheye", board->band_height),
                      *other = stage_on(board, "fisheye", heights[i]);
-        assert_int_equal(own->kit.renderer.config.triangle_max, other->kit.renderer.config.triangle_max);
+        assert_int_equal(own->runner.renderer.config.triangle_max, other->runner.renderer.config.triangle_max);
         stage_close(own);
         stage_close(other);
     }
@@ -320,7 +320,7 @@ static struct stage *queue_on(const char *demo)
 {
     struct stage *s = stage_on(board_find("pico-display"), demo, 16);
     s->hal.ops = &queue_ops;
-    assert_int_equal(kit_open(&s->kit, &s->hal, &s->config), 0);
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
     return s;
 }
 
@@ -330,11 +330,11 @@ static void no_buffer_in_the_queue_is_touched(void **state)
     struct stage *s = queue_on("fill");
     for (uint32_t frame = 0; frame < 2 * demo_count; frame++) {
         s->bus.buttons = frame % 2 == 1 ? HAL_BUTTON_SELECT : 0;
-        assert_int_equal(kit_frame(&s->kit, frame), 0);
+        assert_int_equal(runner_frame(&s->runner, frame), 0);
         assert_true(s->bus.queue);
     }
-    assert_true(s->bus.most >= s->kit.band_count);
-    assert_int_equal(kit_close(&s->kit), 0);
+    assert_true(s->bus.most >= s->runner.band_count);
+    assert_int_equal(runner_close(&s->runner), 0);
     stage_close(s);
 }
 
@@ -347,20 +347,20 @@ static void tiles_show_every_demo_as_it_is(void **state)
     const uint32_t bytes = (uint32_t)panel_tiles_bytes(240, 135, 16);
     struct panel_tiles tiles;
     void *memory = malloc(bytes);
-    assert_int_equal(panel_tiles_init(&tiles, &s->kit.driver, 16, memory, bytes), 0);
-    s->kit.config.tiles = &tiles;
+    assert_int_equal(panel_tiles_init(&tiles, &s->runner.driver, 16, memory, bytes), 0);
+    s->runner.config.tiles = &tiles;
     for (uint32_t frame = 0; frame < 6 * demo_count; frame++) {
         whole->bus.buttons = s->bus.buttons = frame % 6 == 5 ? HAL_BUTTON_SELECT : 0;
-        assert_int_equal(kit_frame(&whole->kit, frame), 0);
-        assert_int_equal(kit_frame(&s->kit, frame), 0);
+        assert_int_equal(runner_frame(&whole->runner, frame), 0);
+        assert_int_equal(runner_frame(&s->runner, frame), 0);
         sim_pixels(whole->bus.sim, whole->config.rotation, expected);
         sim_pixels(s->bus.sim, s->config.rotation, seen);
         assert_memory_equal(seen, expected, sizeof seen);
     }
     print_message("# sent %u %% of the pixels\n", (unsigned)(100ULL * s->bus.pixel_bytes / whole->bus.pixel_bytes));
     assert_true(10 * (uint64_t)s->bus.pixel_bytes < 8 * (uint64_t)whole->bus.pixel_bytes);
-    assert_int_equal(kit_close(&s->kit), 0);
-    assert_int_equal(kit_close(&whole->kit), 0);
+    assert_int_equal(runner_close(&s->runner), 0);
+    assert_int_equal(runner_close(&whole->runner), 0);
     free(memory);
     stage_close(whole);
     stage_close(s);

@@ -34,7 +34,7 @@ fixed16 bias without its quarter         | render/setup.c   | s/PH_DEPTH_BIAS_FI
 float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
-the last of equal texels wins            | kernels/portable/rows_texture_plain.h | s/code > \*depth/code >= *depth/              | test_texture
+the last of equal texels wins            | kernels/portable/texture_tile_plain.h | s/code > \*depth/code >= *depth/              | test_texture
 the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
 triangles not carried to the next band   | render/raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
@@ -42,7 +42,7 @@ triangles not carried by two cores       | render/raster.c  | s/y_bottom > y1)/y
 triangles drawn in reverse               | render/frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
 depth not cleared                        | render/raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
-no clamp of texels at the left border    | kernels/portable/rows_texture_plain.h | s/left > 0 ? left : 0/left/                | test_texture
+no clamp of texels at the left border    | kernels/portable/texture_tile_plain.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
 dropped triangles not counted            | render/setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | render/setup.c   | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame

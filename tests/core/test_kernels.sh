@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The hot loops of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
+# The kernels of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
 # tests/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -16,7 +16,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud rows_gouraud setup_small float_depths rows_texture vertices cull)
+loops=(fill span_flat span_gouraud small_gouraud setup_small float_depths texture_tile vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -64,7 +64,7 @@ change_is_seen() { # CPU, loop, sed command
 same_frames() { # CPU
     make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
         USB=nousb all || return 1
-    [ -e "$B/sim-$1/$kernels/$1/rows_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
+    [ -e "$B/sim-$1/$kernels/$1/small_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
     frames qemu-arm "$B/sim-$1/pinhole-sim" >"$B/$1.frames" && diff tests/golden/frames.txt "$B/$1.frames"
 }
 
@@ -73,11 +73,11 @@ for cpu in armv6m armv7m; do
     check "the_loops_for_${cpu}_leave_what_those_in_C_leave" same_loops $cpu
     check "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
 done
-check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m rows_gouraud 's/add r12, r0/nop/'
+check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r0/nop/'
 check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
 check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
-check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m rows_texture 's/lsr #16$/lsr #15/'
+check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/lsr #16$/lsr #15/'
 check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
 check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
@@ -87,8 +87,8 @@ if [ "$(uname -m)" = x86_64 ]; then
     check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
-    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen rows_texture.c 's/U_TO_V ((uint64_t)1 << 26 | 1)/U_TO_V ((uint64_t)1 << 27 | 1)/'
-    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen rows_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
+    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texture_tile.c 's/U_TO_V ((uint64_t)1 << 26 | 1)/U_TO_V ((uint64_t)1 << 27 | 1)/'
+    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
 else
     skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"
 fi

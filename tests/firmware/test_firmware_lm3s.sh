@@ -88,12 +88,12 @@ int (*volatile call)(volatile char *, int) = deep;
 int deep(volatile char *before, int n) { volatile char here[64]; here[n % 64] = before[0]; return n > 0 ? deep(here, n + 1) + here[3] : 0; }
 int main(void)
 {
-    static struct kit kit;
+    static struct runner runner;
     const struct hal hal = port_hal();
     hal.ops->open(hal.context, board_here);
-    const struct kit_config config = {.board = board_here, .band_height = board_here->band_height, .budget_bytes = kit_budget(board_here),
-        .demo = demo_find("cube"), .memory = kit_memory, .memory_bytes = kit_memory_bytes};
-    if (kit_open(&kit, &hal, &config) != 0 || kit_frame(&kit, 0) != 0 || kit_finish(&kit) != 0) { return 1; }
+    const struct runner_config config = {.board = board_here, .band_height = board_here->band_height, .budget_bytes = runner_budget(board_here),
+        .demo = demo_find("cube"), .memory = image_memory, .memory_bytes = image_memory_bytes};
+    if (runner_open(&runner, &hal, &config) != 0 || runner_frame(&runner, 0) != 0 || runner_finish(&runner) != 0) { return 1; }
     port_log("frame 0,\\n");
     $2
     for (;;) { }

@@ -43,14 +43,14 @@ runs() { # board, name, C text
     cat >"$dir/$2.c" <<EOT
 #include "runner.h"
 #include "port.h"
-static struct kit kit;
+static struct runner runner;
 int main(void)
 {
     const struct hal hal = port_hal();
-    const struct kit_config config = {.board = board_here, .rotation = board_here->rotation, .band_height = board_here->band_height,
-        .budget_bytes = kit_budget(board_here), .demo = demo_find("cube"), .memory = kit_memory, .memory_bytes = kit_memory_bytes};
+    const struct runner_config config = {.board = board_here, .rotation = board_here->rotation, .band_height = board_here->band_height,
+        .budget_bytes = runner_budget(board_here), .demo = demo_find("cube"), .memory = image_memory, .memory_bytes = image_memory_bytes};
     ${4-}
-    if (hal.ops->open(hal.context, board_here) != 0 || kit_open(&kit, &hal, &config) != 0 || kit_frame(&kit, 0) != 0 || kit_finish(&kit) != 0) { return 1; }
+    if (hal.ops->open(hal.context, board_here) != 0 || runner_open(&runner, &hal, &config) != 0 || runner_frame(&runner, 0) != 0 || runner_finish(&runner) != 0) { return 1; }
     $3
     return 1;
 }
@@ -105,7 +105,7 @@ fault_leaves_the_panel_dark() { # board
 }
 
 fault_within_a_frame_leaves_it_dark() { # board; half of its rows are out
-    runs "$1" rows 'uint16_t *rows = kit.bands[0]; if (panel_frame_begin(&kit.driver) == 0 && panel_rows(&kit.driver, rows, board_here->band_height) == 0) { __builtin_trap(); }' &&
+    runs "$1" rows 'uint16_t *rows = runner.bands[0]; if (panel_frame_begin(&runner.driver) == 0 && panel_rows(&runner.driver, rows, board_here->band_height) == 0) { __builtin_trap(); }' &&
         fault_is_told "$1" rows main && ends_asleep "$1" "$dir/rows.$1.events" &&
         [ "$(order "$1" "$dir/rows.$1.events")" = "init;first frame;display on;display off;" ]
 }

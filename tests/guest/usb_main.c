@@ -4,8 +4,8 @@
  *   usb ft232h  [--serial TEXT] [--events FILE] [--flash FILE] [--wire-time] [FAULT]
  *   usb bootsel [--serial TEXT] --flash FILE [--flash-bytes N] [--product HEX] [--stall-once] [FAULT]
  *
- * --events FILE  what the FT232H's pins do (host-sim/wire/wire_events.h); --flash FILE: a W25X10 of 131072 bytes at AD3, or
- * the RP2040's flash, kept in that file (2 MB by default). --wire-time: transfers take the time of their bits.
+ * --events FILE  what the FT232H's pins do (host-sim/wire/wire_events.h); --flash FILE: a W25X10 of 131072 bytes at
+ * AD3, or the RP2040's flash, kept in that file (2 MB by default). --wire-time: transfers take the time of their bits.
  * --product: 3 by default; f is an RP2350. --stall-once: each command is refused when it comes for the first time (to
  * that sector of the flash). --ready FILE is made as soon as the kernel has configured the device.
  * FAULT, when so many bytes of bulk data have come from the host: --unplug-after N, --stall-after N (every transfer

@@ -506,11 +506,11 @@ static uint32_t longest_list(struct asset *asset, const struct board *board)
     uint32_t most = 0;
     assert_int_equal(player_open(&p, &setup), 0);
     for (uint32_t frame = 0; frame < 320; frame++) {
-        demo_input(&p.kit.context, frame < 64 ? HAL_BUTTON_UP : frame < 256 ? HAL_BUTTON_DOWN : HAL_BUTTON_LEFT);
-        assert_int_equal(kit_scene(&p.kit, frame), 0);
-        assert_int_equal(p.kit.renderer.stats.triangles_dropped, 0);
-        assert_int_equal(p.kit.renderer.stats.vertices_dropped, 0);
-        most = p.kit.renderer.stats.triangles_drawn > most ? p.kit.renderer.stats.triangles_drawn : most;
+        demo_input(&p.runner.context, frame < 64 ? HAL_BUTTON_UP : frame < 256 ? HAL_BUTTON_DOWN : HAL_BUTTON_LEFT);
+        assert_int_equal(runner_scene(&p.runner, frame), 0);
+        assert_int_equal(p.runner.renderer.stats.triangles_dropped, 0);
+        assert_int_equal(p.runner.renderer.stats.vertices_dropped, 0);
+        most = p.runner.renderer.stats.triangles_drawn > most ? p.runner.renderer.stats.triangles_drawn : most;
     }
     player_close(&p);
     return most;
@@ -545,7 +545,7 @@ static void what_a_frame_needs_is_what_the_kit_takes(void **state)
     const uint64_t need = asset_frame_bytes(&asset, &board);
     assert_true(need > asset_band_bytes(&board) + 50000);
     for (uint32_t less = 0; less <= 8; less += 8) {
-        board.ram_bytes = (uint32_t)need + KIT_OTHER_BYTES - less;
+        board.ram_bytes = (uint32_t)need + RUNNER_OTHER_BYTES - less;
         const struct player_setup setup = {.board = &board,
                                            .rotation = board.rotation,
                                            .band_height = board.band_height,
@@ -553,7 +553,7 @@ static void what_a_frame_needs_is_what_the_kit_takes(void **state)
                                            .state = &asset.model};
         struct player p;
         assert_int_equal(player_open(&p, &setup), 0);
-        assert_int_equal(p.kit.renderer.config.triangle_max == demo.triangle_max, less == 0);
+        assert_int_equal(p.runner.renderer.config.triangle_max == demo.triangle_max, less == 0);
         player_close(&p);
     }
     asset_free(&asset);

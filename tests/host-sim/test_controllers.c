@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "sim_kit.h"
+#include "sim_bus.h"
 
 /*
  * ST7789 240x240 on its IPS glass: red stored at column 2, row 1 is seen there only once inverted; swapped with blue by
@@ -13,7 +13,7 @@
 static void inversion_and_colour_order_are_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     show_dbi(&k, 240 * 320, 0x0000);
@@ -47,7 +47,7 @@ static void memory_access_control_mirrors_and_swaps(void **state)
         {'\xA0', {5, 5}, {317, 316}},     {'\xE0', {234, 234}, {317, 316}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct kit k = kit_with(&panel_st7789_240x320);
+        struct sim_bus k = sim_bus_with(&panel_st7789_240x320);
         plug(&k);
         wake_dbi(&k);
         command(&k, 0x21);
@@ -68,7 +68,7 @@ static void memory_access_control_mirrors_and_swaps(void **state)
 static void the_glass_shows_a_part_of_the_memory(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_135x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_135x240);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x21);
@@ -95,7 +95,7 @@ static void the_glass_shows_a_part_of_the_memory(void **state)
 static void formats_are_decoded(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x320);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x320);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x21);
@@ -129,7 +129,7 @@ static void formats_are_decoded(void **state)
 static void software_reset_restores_the_registers(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x320);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x320);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x21);
@@ -155,7 +155,7 @@ static void software_reset_restores_the_registers(void **state)
 static void memory_write_continues_after_other_commands(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x320);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x320);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x21);
@@ -176,7 +176,7 @@ static void memory_write_continues_after_other_commands(void **state)
 static void ili9488_takes_three_and_eighteen_bits(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_ili9488_320x480);
+    struct sim_bus k = sim_bus_with(&panel_ili9488_320x480);
     plug(&k);
     wake_dbi(&k);
     only(&k, SIM_BAD_PARAMETER, 1); /* 16 bits */
@@ -202,7 +202,7 @@ static void display_function_control_turns_the_scan(void **state)
         uint32_t x, y;
     } cases[] = {{"\x08\x82\x27", 237, 5}, {"\x08\xA2\x27", 2, 5}, {"\x08\xC2\x27", 237, 314}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct kit k = kit_with(&panel_ili9341_240x320);
+        struct sim_bus k = sim_bus_with(&panel_ili9341_240x320);
         plug(&k);
         wake_dbi(&k);
         show_dbi(&k, 240 * 320, 0x0000);
@@ -222,7 +222,7 @@ static void display_function_control_turns_the_scan(void **state)
 static void what_is_off_or_asleep_is_dark(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     assert_int_equal(seen_at(&k, 240, 9, 9), 0);
     wake_dbi(&k);
@@ -255,7 +255,7 @@ static void what_is_off_or_asleep_is_dark(void **state)
 static void memory_is_noise_after_power_on(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x29);
@@ -285,7 +285,7 @@ static void ssd1351_remaps(void **state)
         {'\x70', {4, 5}, {6, 6}, 0x0000FF},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct kit k = kit_with(&panel_ssd1351_128x128);
+        struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
         plug(&k);
         wait_ms(&k, 1);
         command(&k, 0xA0);
@@ -312,7 +312,7 @@ static void ssd1351_remaps(void **state)
 static void ssd1351_moves_lines(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_ssd1351_128x128);
+    struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
     plug(&k);
     wait_ms(&k, 1);
     command(&k, 0xA0);
@@ -343,7 +343,7 @@ static void ssd1351_moves_lines(void **state)
 static void ssd1351_locks_commands(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_ssd1351_128x128);
+    struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
     plug(&k);
     wait_ms(&k, 1);
     command(&k, 0xB3);
@@ -367,7 +367,7 @@ static void ssd0323_takes_two_greys_a_byte(void **state)
     (void)state;
     static const uint8_t set_up[] = {0xA8, 0x3F, 0xA2, 0x4C, 0xA0, 0x52};
     static const uint8_t corner[] = {0x15, 2, 3, 0x75, 5, 5};
-    struct kit k = kit_with(&panel_ssd0323_128x64);
+    struct sim_bus k = sim_bus_with(&panel_ssd0323_128x64);
     plug(&k);
     wait_ms(&k, 1);
     k.hal.ops->bus_write(k.hal.context, HAL_COMMAND, set_up, sizeof set_up);

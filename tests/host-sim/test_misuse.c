@@ -4,14 +4,14 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "sim_kit.h"
+#include "sim_bus.h"
 
 #include <string.h>
 
 static void unknown_commands_are_named(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0xD6);
@@ -20,14 +20,14 @@ static void unknown_commands_are_named(void **state)
     assert_non_null(strstr(sim_complaint(k.sim, 0), "D6h"));
     sim_close(k.sim);
 
-    struct kit old = kit_with(&panel_st7735s_128x160);
+    struct sim_bus old = sim_bus_with(&panel_st7735s_128x160);
     plug(&old);
     wake_dbi(&old);
     command(&old, 0x3C); /* it has no continuation */
     only(&old, SIM_UNKNOWN_COMMAND, 1);
     sim_close(old.sim);
 
-    struct kit oled = kit_with(&panel_ssd0323_128x64);
+    struct sim_bus oled = sim_bus_with(&panel_ssd0323_128x64);
     plug(&oled);
     wait_ms(&oled, 1);
     command(&oled, 0x5C);
@@ -38,7 +38,7 @@ static void unknown_commands_are_named(void **state)
 static void wrong_numbers_of_parameters_are_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x2A);
@@ -51,7 +51,7 @@ static void wrong_numbers_of_parameters_are_seen(void **state)
     only(&k, SIM_PARAMETER_COUNT, 2);
     sim_close(k.sim);
 
-    struct kit oled = kit_with(&panel_ssd1351_128x128);
+    struct sim_bus oled = sim_bus_with(&panel_ssd1351_128x128);
     plug(&oled);
     wait_ms(&oled, 1);
     command(&oled, 0x15);
@@ -64,7 +64,7 @@ static void wrong_numbers_of_parameters_are_seen(void **state)
 static void pixels_in_sleep_are_resented(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wait_ms(&k, 130);
     command(&k, 0x2C);
@@ -76,14 +76,14 @@ static void pixels_in_sleep_are_resented(void **state)
 static void data_without_a_command_is_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wait_ms(&k, 130);
     DATA(&k, "\0\0");
     only(&k, SIM_PIXELS_NOWHERE, 1);
     sim_close(k.sim);
 
-    struct kit oled = kit_with(&panel_ssd1351_128x128);
+    struct sim_bus oled = sim_bus_with(&panel_ssd1351_128x128);
     plug(&oled);
     wait_ms(&oled, 1);
     command(&oled, 0x15);
@@ -95,7 +95,7 @@ static void data_without_a_command_is_seen(void **state)
 static void short_reset_and_early_bytes_are_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wait_ms(&k, 130);
     pin(&k, HAL_PIN_RESET, false);
@@ -104,7 +104,7 @@ static void short_reset_and_early_bytes_are_seen(void **state)
     only(&k, SIM_SHORT_RESET, 1);
     sim_close(k.sim);
 
-    struct kit early = kit_with(&panel_st7789_240x240);
+    struct sim_bus early = sim_bus_with(&panel_st7789_240x240);
     plug(&early);
     pin(&early, HAL_PIN_RESET, false);
     wait_ms(&early, 1);
@@ -124,7 +124,7 @@ static void short_reset_and_early_bytes_are_seen(void **state)
 static void a_byte_in_or_right_after_reset_is_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     pin(&k, HAL_PIN_RESET, false);
@@ -140,7 +140,7 @@ static void a_byte_in_or_right_after_reset_is_seen(void **state)
 static void sleep_commands_need_their_waits(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x01);
@@ -169,7 +169,7 @@ static void sleep_commands_need_their_waits(void **state)
 static void windows_outside_of_the_memory_are_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     window(&k, "\0\0\0\xF0", "\0\0\0\0"); /* column 240 */
@@ -184,7 +184,7 @@ static void windows_outside_of_the_memory_are_seen(void **state)
     only(&k, SIM_WINDOW_OUTSIDE, 2);
     sim_close(k.sim);
 
-    struct kit oled = kit_with(&panel_ssd0323_128x64);
+    struct sim_bus oled = sim_bus_with(&panel_ssd0323_128x64);
     static const uint8_t columns[] = {0x15, 0, 64};
     plug(&oled);
     wait_ms(&oled, 1);
@@ -196,7 +196,7 @@ static void windows_outside_of_the_memory_are_seen(void **state)
 static void more_pixels_than_the_window_has_are_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     window(&k, "\0\0\0\x01", "\0\0\0\0");
@@ -207,7 +207,7 @@ static void more_pixels_than_the_window_has_are_seen(void **state)
     only(&k, SIM_TOO_MANY_PIXELS, 1);
     sim_close(k.sim);
 
-    struct kit oled = kit_with(&panel_ssd1351_128x128);
+    struct sim_bus oled = sim_bus_with(&panel_ssd1351_128x128);
     plug(&oled);
     wait_ms(&oled, 1);
     command(&oled, 0x15);
@@ -225,7 +225,7 @@ static void more_pixels_than_the_window_has_are_seen(void **state)
 static void split_pixels_are_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     command(&k, 0x2C);
@@ -238,7 +238,7 @@ static void split_pixels_are_seen(void **state)
 static void data_command_line_must_not_move_inside_a_byte(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     for (unsigned i = 0; i < 8; i++) {
@@ -256,7 +256,7 @@ static void data_command_line_must_not_move_inside_a_byte(void **state)
 static void a_stray_clock_pulse_shifts_the_bytes(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wait_ms(&k, 130);
     sim_bit(k.sim, HAL_COMMAND, 0);
@@ -272,7 +272,7 @@ static void a_stray_clock_pulse_shifts_the_bytes(void **state)
 static void a_racing_backend_is_caught(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wake_dbi(&k);
     sim_fault(k.sim, SIM_FAULT_DC_EARLY, 2);
@@ -286,7 +286,7 @@ static void a_racing_backend_is_caught(void **state)
 static void a_clock_above_the_limit_is_seen(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_ili9341_240x320);
+    struct sim_bus k = sim_bus_with(&panel_ili9341_240x320);
     plug(&k);
     wake_dbi(&k);
     k.hal.ops->bus_clock(k.hal.context, 10000000);
@@ -299,7 +299,7 @@ static void a_clock_above_the_limit_is_seen(void **state)
     assert_null(sim_note(k.sim));
     sim_close(k.sim);
 
-    struct kit usual = kit_with(&panel_ili9341_240x320);
+    struct sim_bus usual = sim_bus_with(&panel_ili9341_240x320);
     usual.board.over_limit = true;
     plug(&usual);
     wake_dbi(&usual);
@@ -313,7 +313,7 @@ static void a_clock_above_the_limit_is_seen(void **state)
 static void a_delay_that_does_not_wait_is_caught(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     struct panel_config config = {&panel_st7789_240x240, 0, PANEL_RGB565, 1000000, NULL, 0};
     struct panel_driver d;
     plug(&k);
@@ -328,7 +328,7 @@ static void a_delay_that_does_not_wait_is_caught(void **state)
 static void time_is_that_of_bits_and_delays(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wait_ms(&k, 130);
     uint64_t before = sim_time_ns(k.sim);
@@ -350,7 +350,7 @@ static void time_is_that_of_bits_and_delays(void **state)
 static void unwired_pins_do_nothing(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     k.board.pins = (struct board_pins){.reset = {.wired = false}};
     plug(&k);
     wait_ms(&k, 130);
@@ -372,7 +372,7 @@ static void unwired_pins_do_nothing(void **state)
 static void complaints_are_counted_when_there_are_too_many_to_keep(void **state)
 {
     (void)state;
-    struct kit k = kit_with(&panel_st7789_240x240);
+    struct sim_bus k = sim_bus_with(&panel_st7789_240x240);
     plug(&k);
     wait_ms(&k, 130);
     for (int i = 0; i < 100; i++) {

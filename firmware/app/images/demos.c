@@ -38,20 +38,20 @@ static void log_named(const char *name, uint32_t value)
 }
 
 /* "frame 117, 24 frames/s, left out 0 triangles 0 vertices, stack 4032" */
-static void log_frame(const struct kit *kit, uint32_t frame, uint32_t rate)
+static void log_frame(const struct runner *runner, uint32_t frame, uint32_t rate)
 {
     log_named("frame ", frame);
     log_named(", ", rate);
-    log_named(" frames/s, left out ", kit->renderer.stats.triangles_dropped);
-    log_named(" triangles ", kit->renderer.stats.vertices_dropped);
+    log_named(" frames/s, left out ", runner->renderer.stats.triangles_dropped);
+    log_named(" triangles ", runner->renderer.stats.vertices_dropped);
     log_named(" vertices, stack ", port_stack_used());
     port_log("\r\n");
 }
 
-static void log_demo(const struct kit *kit)
+static void log_demo(const struct runner *runner)
 {
     port_log("demo ");
-    port_log(kit->demo->name);
+    port_log(runner->demo->name);
     port_log("\r\n");
 }
 
@@ -90,46 +90,46 @@ static void listen(struct console *console)
     }
 }
 
-static int draw(struct kit *kit, const struct console *console, uint32_t frame)
+static int draw(struct runner *runner, const struct console *console, uint32_t frame)
 {
-    const struct demo *before = kit->demo;
-    int status = kit_buttons(kit, console->buttons);
+    const struct demo *before = runner->demo;
+    int status = runner_buttons(runner, console->buttons);
     if (status == 0) {
-        status = kit_scene(kit, frame);
+        status = runner_scene(runner, frame);
     }
     if (status == 0) {
-        status = kit_send(kit);
+        status = runner_send(runner);
     }
     if (status == 0 && (console->holding || frame == 0)) {
-        status = kit_finish(kit);
+        status = runner_finish(runner);
     }
-    if (kit->demo != before) {
-        log_demo(kit);
+    if (runner->demo != before) {
+        log_demo(runner);
     }
     return status;
 }
 
-static void report(const struct kit *kit, struct console *console, uint32_t frame)
+static void report(const struct runner *runner, struct console *console, uint32_t frame)
 {
-    const uint32_t now = kit->hal.ops->time_us(kit->hal.context), passed = now - console->line_us;
+    const uint32_t now = runner->hal.ops->time_us(runner->hal.context), passed = now - console->line_us;
     if (!console->holding && passed < SECOND_US) {
         return;
     }
     const uint32_t frames = frame + 1 - console->line_frame, ms = passed / 1000;
-    log_frame(kit, frame, ms > 0 ? frames * 1000 / ms : 0);
+    log_frame(runner, frame, ms > 0 ? frames * 1000 / ms : 0);
     console->line_us = now;
     console->line_frame = frame + 1;
 }
 
-static int run(struct kit *kit)
+static int run(struct runner *runner)
 {
-    struct console console = {.line_us = kit->hal.ops->time_us(kit->hal.context)};
+    struct console console = {.line_us = runner->hal.ops->time_us(runner->hal.context)};
     int status = 0;
-    log_demo(kit);
+    log_demo(runner);
     for (uint32_t frame = 0; status == 0; frame++) {
         listen(&console);
-        status = draw(kit, &console, frame);
-        report(kit, &console, frame);
+        status = draw(runner, &console, frame);
+        report(runner, &console, frame);
     }
     return status;
 }
@@ -141,13 +141,14 @@ static void do_nothing(void *argument)
 }
 
 /* Sends only what changed where the build gives memory for that, and it is enough. */
-static void open_tiles(struct kit *kit, struct panel_tiles *tiles)
+static void open_tiles(struct runner *runner, struct panel_tiles *tiles)
 {
-    const int status = panel_tiles_init(tiles, &kit->driver, kit->config.band_height, kit_tiles, kit_tiles_bytes);
-    kit->config.tiles = status == HAL_OK ? tiles : NULL;
+    const int status =
+        panel_tiles_init(tiles, &runner->driver, runner->config.band_height, image_tiles, image_tiles_bytes);
+    runner->config.tiles = status == HAL_OK ? tiles : NULL;
 }
 
-static int open(struct kit *kit)
+static int open(struct runner *runner)
 {
     const struct hal hal = port_hal();
     int status = hal.ops->open(hal.context, board_here);
@@ -159,30 +160,30 @@ static int open(struct kit *kit)
     }
     const bool second = port_core_run(do_nothing, NULL);
     port_core_join();
-    const struct kit_config config = {.board = board_here,
-                                      .rotation = board_here->rotation,
-                                      .depth_format = PH_DEPTH_AUTO,
-                                      .band_height = board_here->band_height,
-                                      .budget_bytes = kit_budget(board_here),
-                                      .other_core = second ? port_core_run : NULL,
-                                      .other_core_join = second ? port_core_join : NULL,
-                                      .demo = demo_here,
-                                      .memory = kit_memory,
-                                      .memory_bytes = kit_memory_bytes};
-    return kit_open(kit, &hal, &config);
+    const struct runner_config config = {.board = board_here,
+                                         .rotation = board_here->rotation,
+                                         .depth_format = PH_DEPTH_AUTO,
+                                         .band_height = board_here->band_height,
+                                         .budget_bytes = runner_budget(board_here),
+                                         .other_core = second ? port_core_run : NULL,
+                                         .other_core_join = second ? port_core_join : NULL,
+                                         .demo = demo_here,
+                                         .memory = image_memory,
+                                         .memory_bytes = image_memory_bytes};
+    return runner_open(runner, &hal, &config);
 }
 
 int main(void)
 {
-    static struct kit kit;
+    static struct runner runner;
     static struct panel_tiles tiles;
     port_log("\r\nPinhole on ");
     port_log(board_here->title);
     port_log("\r\n");
-    int status = open(&kit);
+    int status = open(&runner);
     if (status == 0) {
-        open_tiles(&kit, &tiles);
-        status = run(&kit);
+        open_tiles(&runner, &tiles);
+        status = run(&runner);
     }
     log_named("stopped: error ", (uint32_t)-status);
     port_log("\r\n");

@@ -1,15 +1,15 @@
 /*
- * hot: the loops in which a frame's time goes, each in a file of its own. Private to firmware/core.
+ * kernels: the loops in which a frame's time goes, each in a file of its own. Private to firmware/core.
  *
  * The file in core/ is the portable form. core/armv6m and core/armv7m have the same function in assembly, core/x86_64
  * some of them in C with vectors or with two values in a word. All give the same result bit for bit
- * (tests/core/test_kernels.sh), so whoever changes the arithmetic here changes it there. Assembly takes at most 80 bytes of
- * stack and calls nothing outside its file.
+ * (tests/core/test_kernels.sh), so whoever changes the arithmetic here changes it there. Assembly takes at most 80
+ * bytes of stack and calls nothing outside its file.
  */
-#ifndef PH_HOT_H
-#define PH_HOT_H
+#ifndef PH_KERNELS_H
+#define PH_KERNELS_H
 
-#include "clip_rows.h"
+#include "matvec.h"
 #include "pipeline.h"
 
 #include <stddef.h>
@@ -29,17 +29,17 @@ struct ph_vertex_run {
     int32_t near_shift;       /* as in the lens */
     uint32_t right, bottom;   /* of the picture, 1/256 px */
     uint32_t guard_up, down;  /* as in the lens; from 2^-25 to 1/256 px, 1 .. 17 */
-    struct ph_clip_rows rows;
+    struct ph_matvec rows;
     struct fx_vec3 at;
 };
 
 void ph_vertices(struct ph_vertex_run *run);
 
 /*
- * visit.c: the next triangle that may be seen: whose corners are without clip codes and run counter-clockwise, or have
+ * cull.c: the next triangle that may be seen: whose corners are without clip codes and run counter-clockwise, or have
  * some but are not all outside of one plane. Corners without codes are at most 2^18 apart each way.
  */
-struct ph_visit {
+struct ph_cull_run {
     const struct ph_vertex *vertices;
     const uint16_t (*index)[3], (*end)[3]; /* what is still to be visited */
     uint32_t codes;                        /* 0 where no vertex has any */
@@ -48,7 +48,7 @@ struct ph_visit {
 };
 
 /* False where there is none. */
-bool ph_visit(struct ph_visit *visit);
+bool ph_cull(struct ph_cull_run *visit);
 
 /* fill.c: n times a value. */
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n);
@@ -62,7 +62,7 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
                      uint32_t glight, const uint16_t *ramp);
 
 /*
- * setup_small.c: edges and planes of a triangle that faces the viewer, sides below PH_TINY, a pixel and more from the
+ * setup_small.c: edges and planes of a triangle that faces the viewer, sides below PH_SMALL, a pixel and more from the
  * borders of the picture: all of t->rows but the ramp, t->y_top and t->y_bottom. d: depth of its corners, of which
  * no two are 2^31 apart. False, and nothing in t, where it has no row.
  */
@@ -76,12 +76,13 @@ bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], c
 bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
 /*
- * rows_gouraud.c: all rows of a narrow triangle, its first one at depth and pixels. Returns the number of its pixels.
+ * small_gouraud.c: all rows of a small triangle, its first one at depth and pixels. Returns the number of its pixels.
  */
-uint32_t ph_rows_gouraud(const struct ph_rows *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
+uint32_t ph_small_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                          uint32_t stride_bytes);
 
 /*
- * rows_texture.c: rows of a textured triangle within a tile (texture.c) of at most PH_TILE columns. Along a row u and v
+ * texture_tile.c: rows of a textured triangle within a tile (texture.c) of at most PH_TILE columns. Along a row u and v
  * follow a parabola, at + i step + i^2 bend at column i; from row to row its coefficients change by second differences.
  * All of it is modulo 2^32. Two pixels share a step, the mean of what the parabola does over both: the step changes
  * half as often, and every second pixel lies on the parabola. Pairs are counted from the row's last pixel, because
@@ -115,7 +116,7 @@ struct ph_texel_rows {
  * Draws them; rows > 0. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
  * stands at the next row, rows is how many are left, and count has grown by the pixels.
  */
-void ph_rows_texture(struct ph_texel_rows *r);
+void ph_texture_tile(struct ph_texel_rows *r);
 
 /* Coefficients of the next row. */
 static inline void ph_texel_way_down(struct ph_texel_way *w)
@@ -133,13 +134,14 @@ static inline uint32_t ph_texel_at(const struct ph_texel_way *w, uint32_t i)
 }
 
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_vertex_run, rows) == 64, "assembly relies on it");
-_Static_assert(sizeof(void *) != 4 || (offsetof(struct ph_visit, sides) == 28 && sizeof(struct ph_sides) == 24),
+_Static_assert(sizeof(void *) != 4 || (offsetof(struct ph_cull_run, sides) == 28 && sizeof(struct ph_sides) == 24),
                "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 ||
-                   (offsetof(struct ph_triangle, rows) == 20 && offsetof(struct ph_sides, area) == 16 &&
+                   (offsetof(struct ph_triangle, small) == 20 && offsetof(struct ph_sides, area) == 16 &&
                     offsetof(struct ph_vertex, light) == 14 && offsetof(struct ph_lens, far_s) == 36),
                "assembly relies on it");
-_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_rows, lower_is_right) == 56, "assembly relies on it");
+_Static_assert(sizeof(void *) != 4 || offsetof(struct ph_small_triangle, lower_is_right) == 56,
+               "assembly relies on it");
 _Static_assert(sizeof(void *) != 4 || offsetof(struct ph_texel_rows, u) == 72, "assembly relies on it");
 
 #endif

@@ -23,7 +23,7 @@ static inline struct ph_edge ph_edge_at_row(int32_t x, int32_t dx, int32_t row, 
     return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
 }
 
-/* One below 64 px each way (PH_SMALL), in 32 bits, to 2^-9 px at its far end. */
+/* One below 64 px each way (PH_SIDE_SHORT), in 32 bits, to 2^-9 px at its far end. */
 static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t row, int32_t y0)
 {
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */

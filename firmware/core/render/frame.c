@@ -14,10 +14,10 @@ static bool depth_is_usable(const struct ph_config *config)
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
-/* What of a side is further from both borders than a tiny triangle reaches, and a pixel. */
+/* What of a side is further from both borders than a small triangle reaches, and a pixel. */
 static uint32_t inner(uint32_t size)
 {
-    const uint32_t margins = 2 * (PH_TINY + 256);
+    const uint32_t margins = 2 * (PH_SMALL + 256);
     return size * 256 > margins ? size * 256 - margins : 0;
 }
 

@@ -105,7 +105,7 @@ static NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int32_
 void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
                   struct ph_vertex *v)
 {
-    place_vertex(r, ph_row_times(m, 0, p), ph_row_times(m, 1, p), ph_row_times(m, 2, p), v);
+    place_vertex(r, ph_matrix_row_mul(m, 0, p), ph_matrix_row_mul(m, 1, p), ph_matrix_row_mul(m, 2, p), v);
 }
 
 /* Vertices from here on, 4096.0 and beyond, are not for ph_vertices. */
@@ -123,7 +123,7 @@ static bool start_run(struct ph_vertex_run *run, const struct ph_renderer *r, co
     const struct ph_lens *lens = &r->lens;
     const uint32_t near = (uint32_t)lens->near_z, far = (uint32_t)lens->far_z;
     const int down = 17 - lens->focal_log2;
-    ph_clip_rows_of(&run->rows, m);
+    ph_matvec_prepare(&run->rows, m);
     if (lens->kind != PH_PERSPECTIVE || near >= USUAL_W || down < 1 || run->rows.reach == 0) {
         return false;
     }
@@ -157,8 +157,8 @@ static NOINLINE uint32_t transform_mesh(const struct ph_renderer *r, const struc
                 break;
             }
         }
-        const bool known = usual && ph_clip_rows_hold(&run.rows, run.from);
-        const struct fx_vec3 at = known ? run.at : ph_matrix_times(m, run.from);
+        const bool known = usual && ph_matvec_in_range(&run.rows, run.from);
+        const struct fx_vec3 at = known ? run.at : ph_matrix_mul(m, run.from);
         place_vertex(r, at.x, at.y, at.z, run.to);
         run.to->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* of what is not lit */
         run.codes |= run.to->code;
@@ -198,7 +198,7 @@ static void light_corners(const struct part_context *c, const uint16_t index[3],
 
 struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_clip_matrix *m, const struct fx_vec3 *p)
 {
-    const int32_t x = ph_row_times(m, 0, p), y = ph_row_times(m, 1, p), z = ph_row_times(m, 2, p);
+    const int32_t x = ph_matrix_row_mul(m, 0, p), y = ph_matrix_row_mul(m, 1, p), z = ph_matrix_row_mul(m, 2, p);
     const int32_t w = lens->kind == PH_ORTHOGRAPHIC ? FX_ONE : z;
     return (struct ph_clip_vertex){.x = x, .y = y, .w = w, .z = z};
 }
@@ -309,9 +309,9 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
 
 static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
-    struct ph_visit visit = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
+    struct ph_cull_run visit = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
     uint32_t seen = 0;
-    while (ph_visit(&visit)) {
+    while (ph_cull(&visit)) {
         seen += visit.codes == 0 ? draw_whole(c, visit.index[-1], visit.v, &visit.sides)
                                  : draw_any(c, visit.index[-1], visit.v);
     }
@@ -409,7 +409,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
         }
         draw_part(&c, &mesh->parts[i], to_world);
     }
-    r->tiny.material = NULL; /* the caller may change it */
+    r->small.material = NULL; /* the caller may change it */
     return PH_OK;
 }
 

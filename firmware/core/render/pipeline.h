@@ -10,8 +10,8 @@
  *   raster.c  bands: clears, their triangles in order, rows of these
  *   texture.c rows of textured triangles, in tiles
  *
- * Around them: depth.h (depth codes), edge.h (edges of a triangle), span.h (pixels of a row), and hot.h, the loops in
- * which the time goes: those are in files of their own, of which a CPU may have another form.
+ * Around them: depth.h (depth codes), edge.h (edges of a triangle), span.h (pixels of a row), and kernels.h, the loops
+ * in which the time goes: those are in files of their own, of which a CPU may have another form.
  */
 #ifndef PH_PIPELINE_H
 #define PH_PIPELINE_H
@@ -79,11 +79,11 @@ struct ph_plane {
 };
 
 /*
- * A narrow Gouraud triangle: none of its spans leaves the picture or has more than PH_NARROW pixels. All hangs at
+ * A small Gouraud triangle: none of its spans leaves the picture or has more than PH_SMALL_COLUMNS pixels. All hangs at
  * column 0 of its first row. After the upper rows the lower edge takes the place of the left or the right one; a
  * triangle whose top is flat has its rows in upper_rows, too.
  */
-struct ph_rows {
+struct ph_small_triangle {
     uint32_t left_dx, right_dx, d_dy, light_dy; /* per row */
     uint32_t gd, glight;                        /* per column */
     const uint16_t *ramp;
@@ -93,7 +93,7 @@ struct ph_rows {
     uint32_t lower_is_right;         /* 0, 1 */
 };
 
-enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_NARROW };
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };
 
 struct ph_triangle {
     uint32_t next;                  /* in its band's list, PH_NONE at the end */
@@ -116,14 +116,14 @@ struct ph_triangle {
                 };
             };
         };
-        struct ph_rows rows; /* PH_KIND_NARROW */
+        struct ph_small_triangle small; /* PH_KIND_SMALL */
     };
 };
 
-#define PH_NONE         UINT32_MAX
-#define PH_NARROW       32
-#define PH_BLOCK_NONE   127
-#define PH_BLOCK_LINEAR 126
+#define PH_NONE          UINT32_MAX
+#define PH_SMALL_COLUMNS 32
+#define PH_BLOCK_NONE    127
+#define PH_BLOCK_LINEAR  126
 
 static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
 {
@@ -134,16 +134,16 @@ static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
 struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view);
 
 /* A row of the matrix times a point. Elements below 2 in Q4.28 times 2^31: all together stays below 2^62. */
-static inline int32_t ph_row_times(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
+static inline int32_t ph_matrix_row_mul(const struct ph_clip_matrix *m, int row, const struct fx_vec3 *p)
 {
     const int64_t sum =
         m->t[row] + fx_mul_wide(m->m[row][0], p->x) + fx_mul_wide(m->m[row][1], p->y) + fx_mul_wide(m->m[row][2], p->z);
     return fx_sat64(sum >> 28);
 }
 
-static inline struct fx_vec3 ph_matrix_times(const struct ph_clip_matrix *m, const struct fx_vec3 *p)
+static inline struct fx_vec3 ph_matrix_mul(const struct ph_clip_matrix *m, const struct fx_vec3 *p)
 {
-    return (struct fx_vec3){ph_row_times(m, 0, p), ph_row_times(m, 1, p), ph_row_times(m, 2, p)};
+    return (struct fx_vec3){ph_matrix_row_mul(m, 0, p), ph_matrix_row_mul(m, 1, p), ph_matrix_row_mul(m, 2, p)};
 }
 
 /* A point before the divide, without light and texture; and projected, with clip codes. */
@@ -159,11 +159,11 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
 struct ph_sides {
     int32_t dx1, dy1, dx2, dy2; /* a to b, a to c */
     int32_t area;               /* small: in 1/65536 px^2, below 2^29; else its sign */
-    bool small;                 /* all four below PH_SMALL: products of two fit 30 bits */
+    bool is_short;              /* all four below PH_SIDE_SHORT: products of two fit 30 bits */
 };
 
-#define PH_SMALL ((uint32_t)1 << 14) /* 64 px */
-#define PH_TINY  ((uint32_t)1 << 13) /* 32 px: PH_NARROW columns */
+#define PH_SIDE_SHORT ((uint32_t)1 << 14) /* 64 px */
+#define PH_SMALL      ((uint32_t)1 << 13) /* 32 px: PH_SMALL_COLUMNS columns */
 
 static inline int64_t ph_wide_area(const struct ph_sides *s)
 {
@@ -173,8 +173,8 @@ static inline int64_t ph_wide_area(const struct ph_sides *s)
 /* Sign of ph_wide_area. */
 int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2);
 
-/* Whether -PH_SMALL <= d < PH_SMALL of all four; without constants, which would take registers. */
-static inline bool ph_sides_small(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+/* Whether -PH_SIDE_SHORT <= d < PH_SIDE_SHORT of all four; without constants, which would take registers. */
+static inline bool ph_sides_are_short(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
 {
     return ((uint32_t)((dx1 >> 14) + 1) | (uint32_t)((dy1 >> 14) + 1) | (uint32_t)((dx2 >> 14) + 1) |
             (uint32_t)((dy2 >> 14) + 1)) <= 1;
@@ -183,7 +183,7 @@ static inline bool ph_sides_small(int32_t dx1, int32_t dy1, int32_t dx2, int32_t
 static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
 {
     const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
-    const bool small = ph_sides_small(dx1, dy1, dx2, dy2);
+    const bool small = ph_sides_are_short(dx1, dy1, dx2, dy2);
     const int32_t area = small ? dx2 * dy1 - dx1 * dy2 : ph_wide_area_sign(dx1, dy1, dx2, dy2);
     return (struct ph_sides){dx1, dy1, dx2, dy2, area, small};
 }
@@ -202,7 +202,7 @@ int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, 
 bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]);
 
-/* Before the triangles of a part: what those that are tiny have in common. Others may come in between. */
+/* Before the triangles of a part: what those that are small have in common. Others may come in between. */
 void ph_setup_part(struct ph_renderer *r, const struct ph_material *material);
 
 /* ph_setup_triangle of one that faces the viewer, with its sides. */

@@ -123,19 +123,19 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
     return count;
 }
 
-/* Where the rows of a narrow triangle lie: column 0 of the next one. */
+/* Where the rows of a small triangle lie: column 0 of the next one. */
 struct place {
     uint16_t *depth, *pixels;
     uint32_t stride; /* pixels */
 };
 
-static uint32_t draw_at(const struct ph_rows *r, const struct place *at)
+static uint32_t draw_at(const struct ph_small_triangle *r, const struct place *at)
 {
-    return ph_rows_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+    return ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
 /* n rows further down, of which no more than the last is the last upper one. */
-static void step_rows(struct ph_rows *r, uint32_t n)
+static void step_rows(struct ph_small_triangle *r, uint32_t n)
 {
     r->left += n * r->left_dx;
     r->right += n * r->right_dx;
@@ -149,7 +149,7 @@ static void step_rows(struct ph_rows *r, uint32_t n)
 
 /* How many of the upper rows lie in the octave from the next one on; d, gd and d_dy in units of the triangle's plane.
  */
-static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *octave)
+static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct ph_octave *octave)
 {
     uint32_t left = r->left, right = r->right, d = r->d, n = 0;
     for (; n < r->upper_rows; n++) {
@@ -165,7 +165,7 @@ static uint32_t rows_in_octave(const struct ph_rows *r, const struct ph_octave *
 }
 
 /* Rows of one octave; the steps of d are multiples of 8, so no bit of a shift to codes is lost. */
-static uint32_t draw_rows_in_octave(struct ph_rows *r, const struct ph_octave *octave, uint32_t rows,
+static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t rows,
                                     const struct place *at)
 {
     const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
@@ -203,8 +203,8 @@ static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uin
 }
 
 /* One row that crosses octaves, from the first to what may be the next one. */
-static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_rows *r, const struct ph_octave *first,
-                                struct ph_octave *next, const struct place *at)
+static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_small_triangle *r,
+                                const struct ph_octave *first, struct ph_octave *next, const struct place *at)
 {
     const uint32_t from = r->left >> 16, to = r->right >> 16;
     const struct ph_octave *octave = first;
@@ -224,7 +224,7 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_row
 }
 
 /* Rows of a triangle that crosses octaves: most rows do not. */
-static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_rows *r, struct place at)
+static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct place at)
 {
     struct ph_octave octave = {0}, next = {0}; /* none yet */
     uint32_t count = 0;
@@ -251,7 +251,7 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_rows *r, 
  * A plane in multiples of 8, 3 bits being what codes lose of d in the nearest octave: from the triangle's first pixel
  * on, where no band begins.
  */
-static void round_depth(struct ph_rows *r)
+static void round_depth(struct ph_small_triangle *r)
 {
     const uint32_t x = (r->lower_is_right ? r->left : r->right) >> 16;
     const uint32_t d = r->d + x * r->gd;
@@ -261,7 +261,7 @@ static void round_depth(struct ph_rows *r)
 }
 
 /* n rows further down, of either half. */
-static FX_APART void skip_rows(struct ph_rows *r, uint32_t n)
+static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
 {
     const uint32_t upper_rows = r->upper_rows, left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
     r->d += n * r->d_dy;
@@ -285,7 +285,8 @@ static FX_APART void skip_rows(struct ph_rows *r, uint32_t n)
 }
 
 /* What of a triangle's rows lies in the band, and where. */
-static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_rows *r)
+static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct ph_band *band,
+                                      struct ph_small_triangle *r)
 {
     int32_t y = t->y_top - band->y0;
     if (y < 0) {
@@ -303,25 +304,25 @@ static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct 
     return (struct place){(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
 }
 
-/* A narrow triangle that the band cuts. */
+/* A small triangle that the band cuts. */
 static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_rows r = t->rows;
+    struct ph_small_triangle r = t->small;
     const struct place at = cut_rows(t, band, &r);
     return draw_at(&r, &at);
 }
 
-/* A narrow triangle that crosses octaves. */
+/* A small triangle that crosses octaves. */
 static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_rows r = t->rows;
+    struct ph_small_triangle r = t->small;
     round_depth(&r);
     const struct place at = cut_rows(t, band, &r);
     return draw_rows_split(t, &r, at);
 }
 
-/* A narrow triangle, which no border but those of the band cuts. */
-static inline uint32_t draw_narrow(const struct ph_triangle *t, const struct ph_band *band)
+/* A small triangle, which no border but those of the band cuts. */
+static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->block != PH_BLOCK_NONE) {
         return draw_split(t, band);
@@ -330,13 +331,13 @@ static inline uint32_t draw_narrow(const struct ph_triangle *t, const struct ph_
         return draw_cut(t, band);
     }
     const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
-    return ph_rows_gouraud(&t->rows, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
+    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
 }
 
 static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind == PH_KIND_NARROW) {
-        return draw_narrow(t, band);
+    if (t->kind == PH_KIND_SMALL) {
+        return draw_small(t, band);
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);
@@ -365,8 +366,8 @@ static void clear(const struct ph_band *rows, uint16_t background)
  */
 static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
 {
-    if (t->kind == PH_KIND_NARROW && t->block == PH_BLOCK_NONE) {
-        skip_rows(&t->rows, (uint32_t)(y1 - t->y_top));
+    if (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE) {
+        skip_rows(&t->small, (uint32_t)(y1 - t->y_top));
         t->y_top = (int16_t)y1;
     }
 }

@@ -17,7 +17,7 @@ static NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex
 static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
-    if ((((uint32_t)dx + PH_SMALL) | ((uint32_t)dy << 1)) < 2 * PH_SMALL) {
+    if ((((uint32_t)dx + PH_SIDE_SHORT) | ((uint32_t)dy << 1)) < 2 * PH_SIDE_SHORT) {
         *edge = ph_short_edge(a, dx, dy, ph_first_row(a->y), y0);
     } else {
         wide_edge(a, b, y0, edge);
@@ -62,7 +62,7 @@ static inline void plane_base(const struct ph_vertex *first, const struct ph_sid
     s->y = y >> 8;
     s->part_x = x & 255;
     s->part_y = y & 255;
-    if (sides->small) {
+    if (sides->is_short) {
         const uint32_t area = (uint32_t)sides->area;
         s->shift = fx_clz32(area);
         /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): area > 0 */
@@ -92,7 +92,7 @@ struct gradient {
 static struct gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int limit)
 {
     struct plane_base base = *any, *const s = &base;
-    if (any->sides->small) {
+    if (any->sides->is_short) {
         wide_base(&base);
     }
     const struct ph_sides *t = s->sides;
@@ -160,7 +160,7 @@ static void plane_of(struct ph_plane *out, const struct plane_base *s, const uin
 {
     /* Halves that differ by less than 2^29: differences below 2^30. */
     const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
-    if (s->sides->small && ((uint32_t)((half1 >> 29) + 1) | (uint32_t)((half2 >> 29) + 1)) <= 1) {
+    if (s->sides->is_short && ((uint32_t)((half1 >> 29) + 1) | (uint32_t)((half2 >> 29) + 1)) <= 1) {
         scaled_plane(out, s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]), limit);
     } else {
         *out = wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
@@ -173,7 +173,7 @@ static void light_plane(struct ph_plane *out, const struct plane_base *s, const 
     const int32_t d1 = v[1]->light - v[0]->light, d2 = v[2]->light - v[0]->light;
     const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
     out->base = (uint32_t)v[0]->light << 16;
-    if (s->sides->small) {
+    if (s->sides->is_short) {
         small_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop, 31);
     } else {
         *out = wide_plane(s, out->base, (int64_t)d1 * 65536, (int64_t)d2 * 65536, 31);
@@ -447,20 +447,20 @@ static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
     return min_int(min_int(a, b), c) >= 256 && max_int(max_int(a, b), c) <= (size - 1) * 256;
 }
 
-/* Whether a tiny triangle keeps a pixel off the borders: most do so by far. */
+/* Whether a small triangle keeps a pixel off the borders: most do so by far. */
 static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
-    const uint32_t margin = PH_TINY + 256;
+    const uint32_t margin = PH_SMALL + 256;
     return ((uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
            (is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
-static inline bool is_tiny(const struct ph_sides *s)
+static inline bool is_small(const struct ph_sides *s)
 {
     const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
-    return ((dx1 + PH_TINY) | (dy1 + PH_TINY) | (dx2 + PH_TINY) | (dy2 + PH_TINY) | (dx2 - dx1 + PH_TINY)) <
-           2 * PH_TINY;
+    return ((dx1 + PH_SMALL) | (dy1 + PH_SMALL) | (dx2 + PH_SMALL) | (dy2 + PH_SMALL) | (dx2 - dx1 + PH_SMALL)) <
+           2 * PH_SMALL;
 }
 
 /* A triangle may miss the centres of all columns. */
@@ -469,7 +469,7 @@ static inline bool is_thin(const struct ph_sides *s)
     return (((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) < 512;
 }
 
-/* Any triangle but a tiny one of a part that has such. */
+/* Any triangle but a small one of a part that has such. */
 static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_material *material,
                                   const struct ph_vertex *const v[3], const fx_t *const uv[3],
                                   const struct ph_sides *sides)
@@ -492,33 +492,33 @@ void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
 {
     const unsigned format = r->stats.depth_format;
     const bool shaded = material->shading == PH_SHADE_GOURAUD && material->ramp != NULL;
-    r->tiny.material = shaded && format <= PH_DEPTH_FLOAT16 ? material : NULL;
-    r->tiny.floats = format == PH_DEPTH_FLOAT16;
-    r->tiny.far = ph_depth_far(&r->lens, 0);
-    r->tiny.bias = r->tiny.floats ? PH_DEPTH_BIAS_FLOAT16 + (depth_bias(material) << 13)
-                                  : PH_DEPTH_BIAS_FIXED16 + (depth_bias(material) << 16);
+    r->small.material = shaded && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    r->small.floats = format == PH_DEPTH_FLOAT16;
+    r->small.far = ph_depth_far(&r->lens, 0);
+    r->small.bias = r->small.floats ? PH_DEPTH_BIAS_FLOAT16 + (depth_bias(material) << 13)
+                                    : PH_DEPTH_BIAS_FIXED16 + (depth_bias(material) << 16);
 }
 
 bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                     const fx_t *const uv[3], const struct ph_sides *sides)
 {
     const uint32_t n = r->triangle_count;
-    if (material != r->tiny.material || n >= r->config.triangle_max || !is_tiny(sides) || !is_inside(r, v)) {
+    if (material != r->small.material || n >= r->config.triangle_max || !is_small(sides) || !is_inside(r, v)) {
         return setup_listed(r, material, v, uv, sides);
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
     uint32_t d[3];
-    t->kind = PH_KIND_NARROW;
+    t->kind = PH_KIND_SMALL;
     t->block = PH_BLOCK_NONE;
     t->material = material;
-    t->rows.ramp = material->ramp;
-    if (r->tiny.floats) {
-        if (!ph_float_depths(&r->lens, v, r->tiny.bias, d)) {
+    t->small.ramp = material->ramp;
+    if (r->small.floats) {
+        if (!ph_float_depths(&r->lens, v, r->small.bias, d)) {
             t->block = block_depths(r, v, depth_bias(material), d);
         }
     } else {
         for (int i = 0; i < 3; i++) {
-            d[i] = ph_depth_before(ph_depth_of(v[i]), r->tiny.far, 0) + r->tiny.bias;
+            d[i] = ph_depth_before(ph_depth_of(v[i]), r->small.far, 0) + r->small.bias;
         }
         if (((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 != 0) { /* too far apart for ph_setup_small */
             return setup_listed(r, material, v, uv, sides);

@@ -1,6 +1,6 @@
 /*
  * Spans: a pixel and runs of pixels, how a triangle's edges give its rows, and how its depth becomes codes along them.
- * The loops in which the time goes are in hot.h. Private to firmware/core.
+ * The loops in which the time goes are in kernels.h. Private to firmware/core.
  * d is a 16.16 number whose high half is the depth code (depth.h); a pixel is drawn where it is above the stored one.
  */
 #ifndef PH_SPAN_H
@@ -122,7 +122,7 @@ static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_ban
 }
 
 /* The lower edge takes over. */
-static inline void ph_rows_lower(struct ph_rows *r)
+static inline void ph_rows_lower(struct ph_small_triangle *r)
 {
     uint32_t *const x = r->lower_is_right ? &r->right : &r->left;
     uint32_t *const dx = r->lower_is_right ? &r->right_dx : &r->left_dx;

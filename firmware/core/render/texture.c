@@ -7,7 +7,7 @@
  * tests/core/test_quality.c, tests/test_texture.c.
  *
  * A triangle is cut into strips (rows in which all tiles have one height), a strip into tiles from left to right. What
- * is usual (16-bit depth, full light, up to 65,536 texels) ph_rows_texture of hot.h draws, all else draw_run here.
+ * is usual (16-bit depth, full light, up to 65,536 texels) ph_texture_tile of kernels.h draws, all else draw_run here.
  */
 #include "kernels.h"
 #include "pipeline.h"
@@ -27,7 +27,7 @@ struct tile_kind {
     uint32_t light;     /* 0 .. 32 */
     bool clamp;
     bool wide;  /* struct ph_band */
-    bool plain; /* ph_rows_texture can draw them */
+    bool plain; /* ph_texture_tile can draw them */
 };
 
 /* u or v, in 2^-25 of their range, at the top and the bottom of the left and the right side of a tile. */
@@ -192,7 +192,7 @@ static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
     return k->light < 32 ? shade(texel, k->light) : texel;
 }
 
-/* What ph_rows_texture does not draw: n pixels from column i of the tile on, in one piece of the depth. */
+/* What ph_texture_tile does not draw: n pixels from column i of the tile on, in one piece of the depth. */
 static inline __attribute__((always_inline)) void draw_run(const struct tile_kind *k, const struct ph_texel_rows *r,
                                                            uint32_t i, uint32_t n, struct ph_piece piece, bool wide)
 {
@@ -267,12 +267,12 @@ static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows 
     }
 }
 
-/* Rows with depth in codes. ph_rows_texture stops before one that leaves a clamped texture: that one is drawn here. */
+/* Rows with depth in codes. ph_texture_tile stops before one that leaves a clamped texture: that one is drawn here. */
 static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     for (;;) {
         uint32_t i, n;
-        ph_rows_texture(r);
+        ph_texture_tile(r);
         if (r->rows == 0) {
             return;
         }
@@ -385,7 +385,7 @@ static bool is_inside(const struct ph_triangle *t, const struct surface *s)
 }
 
 /*
- * Texture of a tile, and how it is to be drawn. Where ph_rows_texture can, u and v are in its units: the texture
+ * Texture of a tile, and how it is to be drawn. Where ph_texture_tile can, u and v are in its units: the texture
  * repeats as they wrap. A clamped one must not, for then what is outside would seem inside: so many texels fit in
  * beside the sign, with room for as much again. Otherwise u and v are in 2^-29 of their range.
  */

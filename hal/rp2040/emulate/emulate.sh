@@ -44,7 +44,7 @@ pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:
 [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
 
 # Where the image begins a frame and writes to the bus; another program than the demos may have no such functions.
-calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("kit_send" in at) { print at["kit_send"] "," at["rp2040_spi_write"] "," at["rp2040_spi_write_rows"] } }')
+calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_spi_write"] "," at["rp2040_spi_write_rows"] } }')
 mkdir -p "$out"
 unfinished=$out
 node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \

@@ -1,5 +1,5 @@
 /*
- * The hot loops (hot.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
+ * The kernels (kernels.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
  * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
  */
 #include "kernels.h"
@@ -75,7 +75,7 @@ static uint32_t try_gouraud(uint32_t h)
 
 static uint32_t try_rows(uint32_t h)
 {
-    struct ph_rows r = {.ramp = ramp};
+    struct ph_small_triangle r = {.ramp = ramp};
     r.d = bits();
     r.light = bits();
     r.left = (40 << 16) + below(20 << 16);
@@ -93,7 +93,7 @@ static uint32_t try_rows(uint32_t h)
     r.lower.x = (int32_t)((r.lower_is_right ? r.left + below(20 << 16) : r.right - below(20 << 16)) + other);
     r.lower.dx = (int32_t)(r.lower_is_right ? r.left_dx : r.right_dx);
     const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
-    return word(h, ph_rows_gouraud(&r, depth + at, pixels + pixels_at, stride_bytes));
+    return word(h, ph_small_gouraud(&r, depth + at, pixels + pixels_at, stride_bytes));
 }
 
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
@@ -105,7 +105,7 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
 /* A triangle round a point within the picture; also without rows, as a sliver and steep. */
 static uint32_t try_small(uint32_t h)
 {
-    const uint32_t size = below(3) > 0 ? 2 * PH_TINY : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
+    const uint32_t size = below(3) > 0 ? 2 * PH_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
     struct ph_vertex corner[3];
     uint32_t d[3], far_apart = below(32);
     for (int i = 0; i < 3; i++) {
@@ -193,7 +193,7 @@ static uint32_t try_texture(uint32_t h)
     r.v_outside = r.u_outside;
     r.u = way(22, wild);
     r.v = way(22, wild || below(2) == 0);
-    ph_rows_texture(&r);
+    ph_texture_tile(&r);
     h = word(word(word(word(h, r.left), r.right), r.d), r.rows);
     h = word(word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels)), r.count);
     return hash_way(hash_way(h, &r.u), &r.v);
@@ -229,7 +229,7 @@ static uint32_t try_vertices(uint32_t h)
         positions[i] = (struct fx_vec3){around(size), around(size), around(size)};
     }
     positions[below(VERTICES)].y = -(1 << 27) - 1;
-    ph_clip_rows_of(&run.rows, &m);
+    ph_matvec_prepare(&run.rows, &m);
     run.near = 1 + below(1 << (1 + below(16)));
     run.range = below((1 << 28) - run.near);
     run.down = 1 + below(16);
@@ -272,8 +272,8 @@ static uint32_t try_visit(uint32_t h)
             triangles[i][k] = (uint16_t)below(VERTICES);
         }
     }
-    struct ph_visit visit = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
-    while (ph_visit(&visit)) {
+    struct ph_cull_run visit = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
+    while (ph_cull(&visit)) {
         h = word(h, (uint32_t)(visit.index - triangles));
         for (int k = 0; k < 3; k++) {
             h = word(h, (uint32_t)(visit.v[k] - vertices));
@@ -295,10 +295,10 @@ int main(void)
     } loops[] = {{"fill", try_fill},
                  {"span_flat", try_flat},
                  {"span_gouraud", try_gouraud},
-                 {"rows_gouraud", try_rows},
+                 {"small_gouraud", try_rows},
                  {"setup_small", try_small},
                  {"float_depths", try_float},
-                 {"rows_texture", try_texture},
+                 {"texture_tile", try_texture},
                  {"vertices", try_vertices},
                  {"visit", try_visit}};
     randomise(texels, TEXELS);

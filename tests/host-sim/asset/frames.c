@@ -39,7 +39,7 @@ static int draw(struct player *p, struct player *other, uint32_t frames, uint32_
             return EXIT_FAILED;
         }
         printf("frame %u crc32 %08X\n", (unsigned)frame, (unsigned)crc32_update(0, p->picture.rgb, picture_bytes(p)));
-        if (p->kit.renderer.stats.triangles_dropped + p->kit.renderer.stats.vertices_dropped > 0) {
+        if (p->runner.renderer.stats.triangles_dropped + p->runner.renderer.stats.vertices_dropped > 0) {
             return complain(EXIT_FAILED, "frame %u: triangles are left out", (unsigned)frame);
         }
         if (other == NULL) {
@@ -72,7 +72,7 @@ static int compare(struct player *p, struct player *file, uint32_t frames, uint3
         }
     }
     printf("pixels %u outline %u triangles %u of %u\n", different, outline,
-           (unsigned)p->kit.renderer.stats.triangles_in, (unsigned)file->kit.renderer.stats.triangles_in);
+           (unsigned)p->runner.renderer.stats.triangles_in, (unsigned)file->runner.renderer.stats.triangles_in);
     return 0;
 }
 

@@ -1,8 +1,8 @@
-@ ph_visit of hot.h for ARMv6-M: 29 instructions a triangle without clip codes (38 where it is 16 px high or more), 36
+@ ph_cull of kernels.h for ARMv6-M: 29 instructions a triangle without clip codes (38 where it is 16 px high or more), 36
 @ one that may have some; some 65 a call.
 @
 @ r0 vertices, r1 index; r3 r4 r5 corners a b c, then r3 r6 the first's x y, r4 r7 the second's, r2 r5 the third's; r8 end,
-@ r9 2^12, r10 the struct ph_visit
+@ r9 2^12, r10 the struct ph_cull_run
     .syntax unified
     .thumb
 
@@ -59,12 +59,12 @@
     cmp r1, r8
     .endm
 
-    .section .text.ph_visit, "ax", %progbits
+    .section .text.ph_cull, "ax", %progbits
     .p2align 2
-    .global ph_visit
-    .type ph_visit, %function
+    .global ph_cull
+    .type ph_cull, %function
     .thumb_func
-ph_visit: @ r0: struct ph_visit
+ph_cull: @ r0: struct ph_cull_run
     push {r4-r7, lr}
     mov r4, r8
     mov r5, r9
@@ -163,4 +163,4 @@ out:
     mov r9, r5
     mov r10, r6
     pop {r4-r7, pc}
-    .size ph_visit, . - ph_visit
+    .size ph_cull, . - ph_cull

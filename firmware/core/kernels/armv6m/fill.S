@@ -1,4 +1,4 @@
-@ ph_fill of hot.h for ARMv6-M (and ARMv7-M): 24 bytes a store.
+@ ph_fill of kernels.h for ARMv6-M (and ARMv7-M): 24 bytes a store.
     .syntax unified
     .thumb
     .section .text.ph_fill, "ax", %progbits

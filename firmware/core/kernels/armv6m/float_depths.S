@@ -1,4 +1,4 @@
-@ ph_float_depths of hot.h for ARMv6-M: some 80 instructions a triangle.
+@ ph_float_depths of kernels.h for ARMv6-M: some 80 instructions a triangle.
 @
 @ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s; r12 corners, lr octave + 2
     .syntax unified

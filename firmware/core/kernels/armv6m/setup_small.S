@@ -1,4 +1,4 @@
-@ ph_setup_small of hot.h for ARMv6-M: some 370 instructions a triangle.
+@ ph_setup_small of kernels.h for ARMv6-M: some 370 instructions a triangle.
     .syntax unified
     .thumb
 #include "registers.inc"

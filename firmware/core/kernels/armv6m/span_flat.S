@@ -1,4 +1,4 @@
-@ ph_span_flat of hot.h for ARMv6-M: 7 instructions a pixel that is drawn, 5 a hidden one.
+@ ph_span_flat of kernels.h for ARMv6-M: 7 instructions a pixel that is drawn, 5 a hidden one.
 @
 @ r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r6 r7 scratch
     .syntax unified

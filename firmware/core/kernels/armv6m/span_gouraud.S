@@ -1,4 +1,4 @@
-@ ph_span_gouraud of hot.h for ARMv6-M: 11 instructions a pixel that is drawn, 6 a hidden one.
+@ ph_span_gouraud of kernels.h for ARMv6-M: 11 instructions a pixel that is drawn, 6 a hidden one.
 @
 @ r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 light, r5 ramp; r8 gd, r9 glight; r6 r7 scratch
     .syntax unified

@@ -1,4 +1,4 @@
-@ ph_vertices of hot.h for ARMv6-M: some 245 instructions a vertex, 221 within a cube of 1.0 each way.
+@ ph_vertices of kernels.h for ARMv6-M: some 245 instructions a vertex, 221 within a cube of 1.0 each way.
 @
 @ r7 run; r8 from, r9 to, r10 run, r11 r12 x y before the divide, lr full light in its place
     .syntax unified
@@ -24,7 +24,7 @@
     .equ row, 172
     .equ at, 304
 
-    @ r3: a row of digits times (r0, r1, r2); see clip_rows.h
+    @ r3: a row of digits times (r0, r1, r2); see matvec.h
     .macro row_times
     ldmia r7!, {r3-r6}
     muls r3, r0

@@ -1,6 +1,6 @@
-@ ph_visit of hot.h for ARMv7-M: 19 instructions a triangle without clip codes, 28 one that may have some, some 35 a call.
+@ ph_cull of kernels.h for ARMv7-M: 19 instructions a triangle without clip codes, 28 one that may have some, some 35 a call.
 @
-@ r0 vertices, r1 index, r2 end, lr the struct ph_visit; r3 r4 r5 corners a b c; r6 r7 r12 scratch
+@ r0 vertices, r1 index, r2 end, lr the struct ph_cull_run; r3 r4 r5 corners a b c; r6 r7 r12 scratch
     .syntax unified
     .thumb
 
@@ -27,12 +27,12 @@
     cmp r7, #0
     .endm
 
-    .section .text.ph_visit, "ax", %progbits
+    .section .text.ph_cull, "ax", %progbits
     .p2align 2
-    .global ph_visit
-    .type ph_visit, %function
+    .global ph_cull
+    .type ph_cull, %function
     .thumb_func
-ph_visit: @ r0: struct ph_visit
+ph_cull: @ r0: struct ph_cull_run
     push {r4-r11, lr}
     mov lr, r0
     ldmia r0, {r0-r3}
@@ -97,4 +97,4 @@ found:
     stmia r0, {r3-r5, r8-r12, lr}
     movs r0, #1
     pop {r4-r11, pc}
-    .size ph_visit, . - ph_visit
+    .size ph_cull, . - ph_cull

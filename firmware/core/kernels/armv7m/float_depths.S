@@ -1,4 +1,4 @@
-@ ph_float_depths of hot.h for ARMv7-M: some 50 instructions a triangle.
+@ ph_float_depths of kernels.h for ARMv7-M: some 50 instructions a triangle.
 @
 @ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s, r6 r7 the first corner; r8 octave + 2
     .syntax unified

@@ -1,4 +1,4 @@
-@ ph_setup_small of hot.h for ARMv7-M: some 185 instructions a triangle.
+@ ph_setup_small of kernels.h for ARMv7-M: some 185 instructions a triangle.
     .syntax unified
     .thumb
 #include "../armv6m/setup_small.inc"

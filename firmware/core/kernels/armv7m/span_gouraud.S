@@ -1,4 +1,4 @@
-@ ph_span_gouraud of hot.h for ARMv7-M: 10 instructions a pixel that is drawn, 6 a hidden one.
+@ ph_span_gouraud of kernels.h for ARMv7-M: 10 instructions a pixel that is drawn, 6 a hidden one.
 @
 @ r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 light, r6 glight, r7 ramp; r8 r12 scratch
     .syntax unified

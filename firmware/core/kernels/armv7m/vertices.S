@@ -1,4 +1,4 @@
-@ ph_vertices of hot.h for ARMv7-M: 82 instructions a vertex.
+@ ph_vertices of kernels.h for ARMv7-M: 82 instructions a vertex.
 @
 @ r0 run, r1 from, r2 to; r7 r8 r9: x y w, see below
     .syntax unified

@@ -1,10 +1,10 @@
-/* Triangles that cannot be seen, passed over: see hot.h. */
+/* Triangles that cannot be seen, passed over: see kernels.h. */
 #include "kernels.h"
 
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
 {
     const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
-    const bool small = ph_sides_small(dx1, dy1, dx2, dy2);
+    const bool small = ph_sides_are_short(dx1, dy1, dx2, dy2);
     return (struct ph_sides){dx1, dy1, dx2, dy2, small ? dx2 * dy1 - dx1 * dy2 : 1, small};
 }
 
@@ -25,7 +25,7 @@ static inline bool is_candidate(const struct ph_vertex *a, const struct ph_verte
 }
 
 /* Called with a constant: a loop of its own for meshes that are wholly in the picture. */
-static inline bool visit_until(struct ph_visit *visit, bool coded)
+static inline bool visit_until(struct ph_cull_run *visit, bool coded)
 {
     const struct ph_vertex *const vertices = visit->vertices;
     const uint16_t(*index)[3] = visit->index, (*const end)[3] = visit->end;
@@ -44,7 +44,7 @@ static inline bool visit_until(struct ph_visit *visit, bool coded)
     return false;
 }
 
-bool ph_visit(struct ph_visit *visit)
+bool ph_cull(struct ph_cull_run *visit)
 {
     const bool coded = visit->codes != 0;
     if (!(coded ? visit_until(visit, true) : visit_until(visit, false))) {

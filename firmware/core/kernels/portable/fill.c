@@ -1,4 +1,4 @@
-/* Filling rows with one value: see hot.h. */
+/* Filling rows with one value: see kernels.h. */
 #include "kernels.h"
 
 typedef uint32_t __attribute__((may_alias)) two_pixels;

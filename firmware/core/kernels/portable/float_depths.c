@@ -1,4 +1,4 @@
-/* Depth of a triangle's corners as floats: see hot.h. */
+/* Depth of a triangle's corners as floats: see kernels.h. */
 #include "kernels.h"
 
 /* The far plane in units of 2^-(30 + s), s a vertex's: its own is the largest. */

@@ -1,4 +1,4 @@
-/* Set-up of a small Gouraud triangle: see hot.h. */
+/* Set-up of a small Gouraud triangle: see kernels.h. */
 #include "edge.h"
 #include "kernels.h"
 
@@ -76,12 +76,12 @@ static void set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3]
     const struct slopes slopes = slopes_of(sides);
     const struct gradient depth = depth_gradient(&slopes, d), light = light_gradient(&slopes, v);
     const uint32_t x = (uint32_t)(128 - v[0]->x), y = (uint32_t)(t->y_top * 256 + 128 - v[0]->y);
-    t->rows.gd = (uint32_t)depth.x * 256;
-    t->rows.d_dy = (uint32_t)depth.y * 256;
-    t->rows.d = d[0] + (uint32_t)depth.x * x + (uint32_t)depth.y * y;
-    t->rows.glight = (uint32_t)light.x * 256;
-    t->rows.light_dy = (uint32_t)light.y * 256;
-    t->rows.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
+    t->small.gd = (uint32_t)depth.x * 256;
+    t->small.d_dy = (uint32_t)depth.y * 256;
+    t->small.d = d[0] + (uint32_t)depth.x * x + (uint32_t)depth.y * y;
+    t->small.glight = (uint32_t)light.x * 256;
+    t->small.light_dy = (uint32_t)light.y * 256;
+    t->small.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
 }
 
 static void set_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t row, struct ph_edge *edge)
@@ -107,7 +107,7 @@ bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], c
     if (row_top >= row_low) {
         return false;
     }
-    struct ph_rows *const rows = &t->rows;
+    struct ph_small_triangle *const rows = &t->small;
     const bool flat_top = row_mid == row_top;
     struct ph_edge long_edge, first;
     set_edge(top, low, row_top, &long_edge);

@@ -1,4 +1,4 @@
-/* A span of one colour, four pixels a turn: see hot.h. */
+/* A span of one colour, four pixels a turn: see kernels.h. */
 #include "kernels.h"
 #include "span.h"
 

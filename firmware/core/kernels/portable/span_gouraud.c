@@ -1,4 +1,4 @@
-/* A Gouraud span, two pixels a turn: see hot.h. */
+/* A Gouraud span, two pixels a turn: see kernels.h. */
 #include "kernels.h"
 #include "span.h"
 

@@ -1,4 +1,4 @@
-/* A run of pixels along a ramp, x86-64: 8 at once. See hot.h. */
+/* A run of pixels along a ramp, x86-64: 8 at once. See kernels.h. */
 #include "kernels.h"
 #include "pixels8.h"
 #include "span.h"

@@ -1,4 +1,4 @@
-@ ph_rows_texture of hot.h for ARMv7-M: 14.5 instructions a pixel that is drawn, 9.5 a hidden one, 67 a row (15 more in a
+@ ph_texture_tile of kernels.h for ARMv7-M: 14.5 instructions a pixel that is drawn, 9.5 a hidden one, 67 a row (15 more in a
 @ clamped texture), some 25 a call.
 @
 @ r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_rows, r10 v_mask, r11 texels, r12 depth,
@@ -56,12 +56,12 @@ pixel_\at:
     stm lr, {r0, r1, r2, r4, r5}
     .endm
 
-    .section .text.ph_rows_texture, "ax", %progbits
+    .section .text.ph_texture_tile, "ax", %progbits
     .p2align 2
-    .global ph_rows_texture
-    .type ph_rows_texture, %function
+    .global ph_texture_tile
+    .type ph_texture_tile, %function
     .thumb_func
-ph_rows_texture: @ r0: struct ph_texel_rows
+ph_texture_tile: @ r0: struct ph_texel_rows
     push {r4-r11, lr}
     sub sp, #12
     mov r9, r0
@@ -156,4 +156,4 @@ down_rows:
 done:
     add sp, #12
     pop {r4-r11, pc}
-    .size ph_rows_texture, . - ph_rows_texture
+    .size ph_texture_tile, . - ph_texture_tile

@@ -1,11 +1,11 @@
-@ ph_rows_gouraud of hot.h for ARMv7-M: 23 instructions a row, 10 a pixel that is drawn, 6 a hidden one, 15 to 30 a call.
+@ ph_small_gouraud of kernels.h for ARMv7-M: 23 instructions a row, 10 a pixel that is drawn, 6 a hidden one, 15 to 30 a call.
 @
 @ r0 r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels; r9 left, r10 right, r11 d and
 @ r12 light at column 0; lr rows to come << 16 | pixels
     .syntax unified
     .thumb
 
-    .equ lower, 44 - 16 @ struct ph_rows, from gd on
+    .equ lower, 44 - 16 @ struct ph_small_triangle, from gd on
     .equ upper_rows, 52 - 16
     .equ lower_rows, 54 - 16
     .equ lower_is_right, 56 - 16
@@ -32,12 +32,12 @@ pixel_\at:
     add r3, r5
     .endm
 
-    .section .text.ph_rows_gouraud, "ax", %progbits
+    .section .text.ph_small_gouraud, "ax", %progbits
     .p2align 2
-    .global ph_rows_gouraud
-    .type ph_rows_gouraud, %function
+    .global ph_small_gouraud
+    .type ph_small_gouraud, %function
     .thumb_func
-ph_rows_gouraud: @ r0: struct ph_rows, r1: depth, r2: pixels, r3: bytes from row to row
+ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
@@ -100,4 +100,4 @@ entries:
 5:  uxth r0, lr
     add sp, sp, #frame
     pop {r4-r11, pc}
-    .size ph_rows_gouraud, . - ph_rows_gouraud
+    .size ph_small_gouraud, . - ph_small_gouraud

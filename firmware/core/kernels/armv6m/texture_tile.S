@@ -1,4 +1,4 @@
-@ ph_rows_texture of hot.h for ARMv6-M: 18 instructions a pixel that is drawn, 9 a hidden one, 113 a row (33 more in a
+@ ph_texture_tile of kernels.h for ARMv6-M: 18 instructions a pixel that is drawn, 9 a hidden one, 113 a row (33 more in a
 @ clamped texture), some 60 a call.
 @
 @ r0 depth, r1 pixels, r2 d, r3 u, r4 v, r5 r6 scratch, r7 u_mask times 2; r8 gd, r9 du, r10 dv, r11 texels, r12 and lr:
@@ -81,12 +81,12 @@ pixel_\at:
     adds r0, #way - 20
     .endm
 
-    .section .text.ph_rows_texture, "ax", %progbits
+    .section .text.ph_texture_tile, "ax", %progbits
     .p2align 2
-    .global ph_rows_texture
-    .type ph_rows_texture, %function
+    .global ph_texture_tile
+    .type ph_texture_tile, %function
     .thumb_func
-ph_rows_texture: @ r0: struct ph_texel_rows
+ph_texture_tile: @ r0: struct ph_texel_rows
     save_registers
     sub sp, #frame
     movs r7, r0
@@ -257,4 +257,4 @@ clamped:
 stop:
     mov r7, r10
     b done
-    .size ph_rows_texture, . - ph_rows_texture
+    .size ph_texture_tile, . - ph_texture_tile

@@ -1,5 +1,5 @@
-/* Rows of a textured tile for x86-64, u and v in one word: see hot.h. */
-#include "rows_texture_plain.h"
+/* Rows of a textured tile for x86-64, u and v in one word: see kernels.h. */
+#include "texture_tile_plain.h"
 
 /* 2^32 v + u of all coefficients, for arithmetic with both at once. */
 struct both {
@@ -107,7 +107,7 @@ static void draw_rows(struct ph_texel_rows *r)
     part(b.step_dy, &r->u.step_dy, &r->v.step_dy);
 }
 
-void ph_rows_texture(struct ph_texel_rows *r)
+void ph_texture_tile(struct ph_texel_rows *r)
 {
     if (fits_both(r)) {
         draw_rows(r);

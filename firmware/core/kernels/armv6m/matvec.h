@@ -1,14 +1,14 @@
 /*
- * clip_rows, ARMv6-M, where a product of 64 bits takes 17 instructions: elements as three digits of 10 bits, so that
+ * matvec, ARMv6-M, where a product of 64 bits takes 17 instructions: elements as three digits of 10 bits, so that
  * products with positions below 16.0, and sums of three, fit 32 bits; and as two of 14 bits for positions within a cube
- * of 1.0 each way. Exact all the same. See clip_rows_wide.h.
+ * of 1.0 each way. Exact all the same. See matvec_wide.h.
  */
-#ifndef PH_CLIP_ROWS_H
-#define PH_CLIP_ROWS_H
+#ifndef PH_MATVEC_H
+#define PH_MATVEC_H
 
 #include "pipeline.h"
 
-#define PH_CLIP_ROWS_REACH ((uint32_t)1 << 20)
+#define PH_MATVEC_REACH ((uint32_t)1 << 20)
 
 struct ph_row {
     int32_t low[3], part, middle[3], high[3], whole;
@@ -20,7 +20,7 @@ struct ph_short_row {
     int32_t low[3], part, high[3], whole;
 };
 
-struct ph_clip_rows {
+struct ph_matvec {
     const struct ph_clip_matrix *matrix;
     uint32_t reach; /* digits serve -reach .. reach: 2^20, or 0 where the translation is near the end of its range */
     uint32_t short_reach; /* the same of two digits: 2^16, or 0 where a row's elements are too large together */
@@ -42,10 +42,10 @@ static inline uint32_t ph_short_row_of(struct ph_short_row *row, const int32_t m
     return together;
 }
 
-static inline void ph_clip_rows_of(struct ph_clip_rows *rows, const struct ph_clip_matrix *matrix)
+static inline void ph_matvec_prepare(struct ph_matvec *rows, const struct ph_clip_matrix *matrix)
 {
     rows->matrix = matrix;
-    rows->reach = PH_CLIP_ROWS_REACH;
+    rows->reach = PH_MATVEC_REACH;
     rows->short_reach = (uint32_t)1 << 16;
     for (int i = 0; i < 3; i++) {
         struct ph_row *row = &rows->row[i];
@@ -87,12 +87,12 @@ static inline bool ph_is_within(const struct fx_vec3 *p, uint32_t reach)
     return (((uint32_t)p->x + reach) | ((uint32_t)p->y + reach) | ((uint32_t)p->z + reach)) < 2 * reach;
 }
 
-static inline bool ph_clip_rows_hold(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+static inline bool ph_matvec_in_range(const struct ph_matvec *rows, const struct fx_vec3 *p)
 {
     return ph_is_within(p, rows->reach);
 }
 
-static inline struct fx_vec3 ph_clip_rows_near(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+static inline struct fx_vec3 ph_matvec_near(const struct ph_matvec *rows, const struct fx_vec3 *p)
 {
     const int32_t x = p->x, y = p->y, z = p->z;
     if (ph_is_within(p, rows->short_reach)) {
@@ -104,9 +104,9 @@ static inline struct fx_vec3 ph_clip_rows_near(const struct ph_clip_rows *rows, 
                             ph_row_of_digits(&rows->row[2], x, y, z)};
 }
 
-static inline struct fx_vec3 ph_clip_rows_times(const struct ph_clip_rows *rows, const struct fx_vec3 *p)
+static inline struct fx_vec3 ph_matvec_mul(const struct ph_matvec *rows, const struct fx_vec3 *p)
 {
-    return ph_clip_rows_hold(rows, p) ? ph_clip_rows_near(rows, p) : ph_matrix_times(rows->matrix, p);
+    return ph_matvec_in_range(rows, p) ? ph_matvec_near(rows, p) : ph_matrix_mul(rows->matrix, p);
 }
 
 #endif

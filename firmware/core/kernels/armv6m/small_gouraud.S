@@ -1,4 +1,4 @@
-@ ph_rows_gouraud of hot.h for ARMv6-M: 40 instructions a row, 11 a pixel that is drawn, 6 a hidden one, some 40 a call.
+@ ph_small_gouraud of kernels.h for ARMv6-M: 40 instructions a row, 11 a pixel that is drawn, 6 a hidden one, some 40 a call.
 @
 @ r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; r8 gd, r9 glight, r10 left,
 @ r11 right, r12 d and lr light at column 0
@@ -6,7 +6,7 @@
     .thumb
 #include "registers.inc"
 
-    .equ lower, 44 - 16 @ struct ph_rows, from gd on
+    .equ lower, 44 - 16 @ struct ph_small_triangle, from gd on
     .equ upper_rows, 52 - 16
     .equ lower_rows, 54 - 16
     .equ lower_is_right, 56 - 16
@@ -38,12 +38,12 @@
     .endm
     .equ pixel_bytes, 22
 
-    .section .text.ph_rows_gouraud, "ax", %progbits
+    .section .text.ph_small_gouraud, "ax", %progbits
     .p2align 2
-    .global ph_rows_gouraud
-    .type ph_rows_gouraud, %function
+    .global ph_small_gouraud
+    .type ph_small_gouraud, %function
     .thumb_func
-ph_rows_gouraud: @ r0: struct ph_rows, r1: depth, r2: pixels, r3: bytes from row to row
+ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
@@ -139,4 +139,4 @@ row:
 5:  ldr r0, [sp, #count]
     add sp, #frame
     restore_and_return
-    .size ph_rows_gouraud, . - ph_rows_gouraud
+    .size ph_small_gouraud, . - ph_small_gouraud

@@ -1,5 +1,5 @@
 /*
- * rows_texture_plain: ph_rows_texture of hot.h in plain C, for a CPU without a file of its own and for what that
+ * texture_tile_plain: ph_texture_tile of kernels.h in plain C, for a CPU without a file of its own and for what that
  * leaves.
  */
 #ifndef PH_ROWS_TEXTURE_PLAIN_H
@@ -40,8 +40,8 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/* A row; steps change behind every second pixel, counted from the last: see hot.h. A parabola's step over two pixels
- * grows by 8 bend, each one's share of it by 4. */
+/* A row; steps change behind every second pixel, counted from the last: see kernels.h. A parabola's step over two
+ * pixels grows by 8 bend, each one's share of it by 4. */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     uint32_t u = ph_texel_at(&r->u, row->first), du = r->u.step + row->pair * r->u.bend;

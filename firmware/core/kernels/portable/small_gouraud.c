@@ -1,4 +1,4 @@
-/* Rows of a Gouraud triangle: see hot.h. */
+/* Rows of a Gouraud triangle: see kernels.h. */
 #include "kernels.h"
 #include "span.h"
 
@@ -8,7 +8,8 @@ static uint16_t *row_below(uint16_t *row, uint32_t bytes)
 }
 
 /* As many rows between the edges of r, which then stand at the row below. */
-static uint32_t draw_rows(struct ph_rows *r, uint32_t rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
+                          uint32_t stride_bytes)
 {
     const uint16_t *const ramp = r->ramp;
     const uint32_t gd = r->gd, glight = r->glight;
@@ -39,9 +40,10 @@ static uint32_t draw_rows(struct ph_rows *r, uint32_t rows, uint16_t *depth, uin
     return count;
 }
 
-uint32_t ph_rows_gouraud(const struct ph_rows *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+uint32_t ph_small_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                          uint32_t stride_bytes)
 {
-    struct ph_rows r = *rows;
+    struct ph_small_triangle r = *rows;
     const uint32_t above = r.upper_rows * stride_bytes;
     const uint32_t count = draw_rows(&r, r.upper_rows, depth, pixels, stride_bytes);
     if (r.lower_rows == 0) {

@@ -1,11 +1,11 @@
-/* Rows of a Gouraud triangle, x86-64: edges and planes, and depth and light, step in one addition. See hot.h. */
+/* Rows of a Gouraud triangle, x86-64: edges and planes, and depth and light, step in one addition. See kernels.h. */
 #include "kernels.h"
 #include "span.h"
 
 #include <emmintrin.h>
 
-_Static_assert(offsetof(struct ph_rows, light_dy) == 12 &&
-                   offsetof(struct ph_rows, light) == offsetof(struct ph_rows, left) + 12,
+_Static_assert(offsetof(struct ph_small_triangle, light_dy) == 12 &&
+                   offsetof(struct ph_small_triangle, light) == offsetof(struct ph_small_triangle, left) + 12,
                "left, right, d, light are loaded at once, and so are their steps");
 
 /* Pixels -n .. -1 before the row's end. at: depth in word 0, light in word 2, step likewise. */
@@ -28,7 +28,7 @@ static uint16_t *row_below(uint16_t *row, uint32_t bytes)
 }
 
 /* The upper rows of r, which then stands below them. */
-static inline uint32_t draw_upper(struct ph_rows *r, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+static inline uint32_t draw_upper(struct ph_small_triangle *r, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
     const uint16_t *const ramp = r->ramp;
     const __m128i down = _mm_loadu_si128((const __m128i *)&r->left_dx);
@@ -51,9 +51,10 @@ static inline uint32_t draw_upper(struct ph_rows *r, uint16_t *depth, uint16_t *
     return count;
 }
 
-uint32_t ph_rows_gouraud(const struct ph_rows *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+uint32_t ph_small_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                          uint32_t stride_bytes)
 {
-    struct ph_rows r = *rows;
+    struct ph_small_triangle r = *rows;
     const uint32_t above = r.upper_rows * stride_bytes;
     const uint32_t count = draw_upper(&r, depth, pixels, stride_bytes);
     if (r.lower_rows == 0) {

@@ -1,5 +1,5 @@
 /*
- * clip_rows.h of each CPU against the sums of 64 bits that they shorten: points of all sizes, small ones (the digits
+ * matvec.h of each CPU against the sums of 64 bits that they shorten: points of all sizes, small ones (the digits
  * of ARMv6-M), matrices up to the ends of their range.
  */
 #include <setjmp.h>
@@ -7,25 +7,25 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "clip_rows_wide.h"
+#include "matvec_wide.h"
 
-#undef PH_CLIP_ROWS_H
-#undef PH_CLIP_ROWS_REACH
+#undef PH_MATVEC_H
+#undef PH_MATVEC_REACH
 #define ph_row             armv6m_row
 #define ph_is_within       armv6m_is_within
-#define ph_clip_rows       armv6m_clip_rows
-#define ph_clip_rows_of    armv6m_clip_rows_of
-#define ph_clip_rows_hold  armv6m_clip_rows_hold
-#define ph_clip_rows_near  armv6m_clip_rows_near
-#define ph_clip_rows_times armv6m_clip_rows_times
-#include "armv6m/clip_rows.h"
+#define ph_matvec          armv6m_clip_rows
+#define ph_matvec_prepare  armv6m_clip_rows_of
+#define ph_matvec_in_range armv6m_clip_rows_hold
+#define ph_matvec_near     armv6m_clip_rows_near
+#define ph_matvec_mul      armv6m_clip_rows_times
+#include "armv6m/matvec.h"
 #undef ph_row
 #undef ph_is_within
-#undef ph_clip_rows
-#undef ph_clip_rows_of
-#undef ph_clip_rows_hold
-#undef ph_clip_rows_near
-#undef ph_clip_rows_times
+#undef ph_matvec
+#undef ph_matvec_prepare
+#undef ph_matvec_in_range
+#undef ph_matvec_near
+#undef ph_matvec_mul
 
 #include "ref_random.h"
 
@@ -77,12 +77,12 @@ static void every_cpu_gives_the_exact_sums(void **state)
     for (int i = 0; i < 200000; i++) {
         const struct ph_clip_matrix m = any_matrix(i / 8);
         const struct fx_vec3 p = {any_coordinate(i), any_coordinate(i), any_coordinate(i)};
-        struct ph_clip_rows wide;
+        struct ph_matvec wide;
         struct armv6m_clip_rows digits;
-        ph_clip_rows_of(&wide, &m);
+        ph_matvec_prepare(&wide, &m);
         armv6m_clip_rows_of(&digits, &m);
-        const struct fx_vec3 exact = ph_matrix_times(&m, &p);
-        const struct fx_vec3 a = ph_clip_rows_times(&wide, &p), b = armv6m_clip_rows_times(&digits, &p);
+        const struct fx_vec3 exact = ph_matrix_mul(&m, &p);
+        const struct fx_vec3 a = ph_matvec_mul(&wide, &p), b = armv6m_clip_rows_times(&digits, &p);
         assert_true(a.x == exact.x && a.y == exact.y && a.z == exact.z);
         assert_true(b.x == exact.x && b.y == exact.y && b.z == exact.z);
         const bool is_near = armv6m_clip_rows_hold(&digits, &p);
@@ -93,13 +93,13 @@ static void every_cpu_gives_the_exact_sums(void **state)
     assert_true(near - very_near > 20000 && very_near > 20000 && far > 20000); /* all ways were taken */
 }
 
-/* ph_matrix_times itself, where its sums are known. */
+/* ph_matrix_mul itself, where its sums are known. */
 static void the_sums_are_those_of_a_matrix(void **state)
 {
     (void)state;
     const struct ph_clip_matrix m = {{{1 << 28, 0, 0}, {0, -(1 << 27), 0}, {1 << 28, 1 << 28, -(1 << 28)}},
                                      {1 << 27, ((int64_t)7 << 28) + (1 << 27), 1 << 27}};
-    const struct fx_vec3 p = {FX_INT(3), FX_INT(5), -9}, at = ph_matrix_times(&m, &p);
+    const struct fx_vec3 p = {FX_INT(3), FX_INT(5), -9}, at = ph_matrix_mul(&m, &p);
     assert_int_equal(at.x, FX_INT(3));
     assert_int_equal(at.y, 7 - FX_INT(5) / 2);
     assert_int_equal(at.z, FX_INT(8) + 9);

@@ -1,0 +1,2 @@
+/* matvec: see matvec_wide.h. */
+#include "matvec_wide.h"
