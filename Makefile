@@ -91,7 +91,7 @@ TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(wildcard tests/support/*.c tests/oracle/*.
 # Headers at the top of firmware/core, firmware/app, hal and boards are public; those of a room are its own, and of the
 # rooms that are named here beside it. (A source finds its own room without a flag.)
 INC_CPU = $(if $(filter-out portable,$(CPU)),-I$(KERNELS)/$(CPU)) -I$(KERNELS)/portable
-INC_CORE = -Ifirmware/core $(INC_CPU)
+INC_CORE = $(INC_CPU) -Ifirmware/core
 INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
 INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common

@@ -149,17 +149,17 @@ static int next_clock(void *context, struct panel_display *d, uint32_t frame)
         t->frames++;
         return 0;
     }
-    int status = kit_finish(&d->kit);
+    int status = runner_finish(&d->runner);
     if (status == 0) {
         print_step(t, d);
         if (t->step == STEPS || steps_hz[t->step] > t->most_hz) {
             return PANEL_SHOW_OVER;
         }
-        status = panel_clock(&d->kit.driver, steps_hz[t->step++]);
-        if (status == 0 && d->kit.driver.clock_hz == t->got_hz) {
+        status = panel_clock(&d->runner.driver, steps_hz[t->step++]);
+        if (status == 0 && d->runner.driver.clock_hz == t->got_hz) {
             return PANEL_SHOW_OVER; /* there is no faster one */
         }
-        t->got_hz = d->kit.driver.clock_hz;
+        t->got_hz = d->runner.driver.clock_hz;
     }
     if (status < 0) {
         return complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
