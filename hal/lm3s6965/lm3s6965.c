@@ -157,7 +157,7 @@ static uint32_t buttons_down(void)
 {
     uint32_t down = 0;
     for (uint32_t i = 0; i < kit.board->button_count; i++) {
-        const struct board_button *button = &runner.board->buttons[i];
+        const struct board_button *button = &kit.board->buttons[i];
         down |= gpio_read(button->pin.number) != button->pin.active_low ? button->button : 0U;
     }
     return down;
@@ -166,7 +166,7 @@ static uint32_t buttons_down(void)
 static void open_buttons(void)
 {
     for (uint32_t i = 0; i < kit.board->button_count; i++) {
-        const struct board_pin *pin = &runner.board->buttons[i].pin;
+        const struct board_pin *pin = &kit.board->buttons[i].pin;
         gpio_set_bit(pin->number, GPIO_DEN);
         gpio_set_bit(pin->number, GPIO_PUR);
     }

@@ -345,7 +345,7 @@ static int stm32f4_open(void *context, const struct board *board)
 
 static int stm32f4_pin_set(void *context, enum hal_pin pin, bool level)
 {
-    const struct board_pins *pins = &runner.board->pins;
+    const struct board_pins *pins = &kit.board->pins;
     const struct board_pin *p = pin == HAL_PIN_RESET ? &pins->reset : &pins->backlight;
     (void)context;
     if (p->wired) {
@@ -371,7 +371,7 @@ static uint32_t stm32f4_buttons(void *context)
     uint32_t down = 0;
     (void)context;
     for (uint32_t i = 0; i < kit.board->button_count; i++) {
-        const struct board_pin *pin = &runner.board->buttons[i].pin;
+        const struct board_pin *pin = &kit.board->buttons[i].pin;
         const bool high = (REG32(gpio_base(pin->number) + GPIO_IDR) >> pin->number % 32 & 1) != 0;
         down |= high != pin->active_low ? kit.board->buttons[i].button : 0U;
     }
@@ -381,7 +381,7 @@ static uint32_t stm32f4_buttons(void *context)
 static void stm32f4_close(void *context)
 {
     stm32f4_bus_wait(context);
-    gpio_output(&runner.board->pins.select, false);
+    gpio_output(&kit.board->pins.select, false);
     SPI_CR1 &= ~CR1_SPE;
 }
 

@@ -3,7 +3,7 @@
 # the guest. What a run leaves in $KIT: NAME.status, NAME.out, NAME.err; the flash of a board is a file. Environment: B.
 # shellcheck source-path=SCRIPTDIR
 # shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; kit_device, kit_out, images, cut: others'
-. "$(dirname "${BASH_SOURCE[0]}")/kit/kit.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/kit.sh"
 kit_wrap=${kit_wrap-} # valgrind, say
 
 # ---- on the host, before -------------------------------------------------------------------------

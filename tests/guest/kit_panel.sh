@@ -7,7 +7,7 @@
 kit_boards='rpi-waveshare-1in3 rpi-waveshare-1in44 rpi-pirate-audio rpi-display-hat-mini rpi-pitft-2in8
 rpi-mini-pitft-1in14 rpi-mini-pitft-1in3 sbc-generic'
 kit_usb_boards='ft232h-st7789 ft232h-ili9341'
-. "$(dirname "${BASH_SOURCE[0]}")/kit/kit.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/kit.sh"
 kit_wrap=${kit_wrap-} # valgrind, say
 
 # ---- in the guest --------------------------------------------------------------------------------

@@ -123,11 +123,11 @@ static uint32_t try_small(uint32_t h)
     if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
         return word(h, 0);
     }
-    const uint32_t rows[] = {t.rows.left_dx, t.rows.right_dx, t.rows.d_dy,  t.rows.light_dy, t.rows.gd,
-                             t.rows.glight,  t.rows.left,     t.rows.right, t.rows.d,        t.rows.light};
+    const uint32_t rows[] = {t.small.left_dx, t.small.right_dx, t.small.d_dy,  t.small.light_dy, t.small.gd,
+                             t.small.glight,  t.small.left,     t.small.right, t.small.d,        t.small.light};
     h = hash(h, rows, sizeof rows);
-    h = t.rows.lower_rows > 0 ? word(word(h, (uint32_t)t.rows.lower.x), (uint32_t)t.rows.lower.dx) : h;
-    h = word(word(word(h, t.rows.upper_rows), t.rows.lower_rows), t.rows.lower_is_right);
+    h = t.small.lower_rows > 0 ? word(word(h, (uint32_t)t.small.lower.x), (uint32_t)t.small.lower.dx) : h;
+    h = word(word(word(h, t.small.upper_rows), t.small.lower_rows), t.small.lower_is_right);
     return word(word(h, (uint32_t)t.y_top), (uint32_t)t.y_bottom);
 }
 
