@@ -257,7 +257,7 @@ static uint8_t any_code(void)
 }
 
 /* Triangles large and small, many without area, of vertices with and without clip codes. */
-static uint32_t try_visit(uint32_t h)
+static uint32_t try_cull(uint32_t h)
 {
     enum { VERTICES = 12, TRIANGLES = 40 };
     struct ph_vertex vertices[VERTICES];
@@ -272,19 +272,19 @@ static uint32_t try_visit(uint32_t h)
             triangles[i][k] = (uint16_t)below(VERTICES);
         }
     }
-    struct ph_cull_run visit = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
-    while (ph_cull(&visit)) {
-        h = word(h, (uint32_t)(visit.index - triangles));
+    struct ph_cull_run run = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
+    while (ph_cull(&run)) {
+        h = word(h, (uint32_t)(run.index - triangles));
         for (int k = 0; k < 3; k++) {
-            h = word(h, (uint32_t)(visit.v[k] - vertices));
+            h = word(h, (uint32_t)(run.v[k] - vertices));
         }
-        const struct ph_sides *s = &visit.sides;
-        if (((visit.v[0]->code | visit.v[1]->code | visit.v[2]->code) & (PH_REJECT | PH_GUARD)) != 0) {
+        const struct ph_sides *s = &run.sides;
+        if (((run.v[0]->code | run.v[1]->code | run.v[2]->code) & (PH_REJECT | PH_GUARD)) != 0) {
             continue;
         }
-        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->small);
+        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->is_short);
     }
-    return word(h, (uint32_t)(visit.index - triangles));
+    return word(h, (uint32_t)(run.index - triangles));
 }
 
 int main(void)
@@ -300,7 +300,7 @@ int main(void)
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
                  {"vertices", try_vertices},
-                 {"visit", try_visit}};
+                 {"cull", try_cull}};
     randomise(texels, TEXELS);
     randomise(ramp, 128);
     for (size_t i = 0; i < sizeof loops / sizeof loops[0]; i++) {
