@@ -140,8 +140,8 @@ struct ph_stats {
     uint8_t depth_format;       /* in use in this frame: enum ph_depth_format, never AUTO */
 };
 
-struct ph_vertex;   /* a transformed vertex, see pipeline.h */
-struct ph_triangle; /* a triangle set up for the rasterizer, see pipeline.h */
+struct ph_vertex;   /* a transformed vertex, see vertex.h */
+struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
 /* Sizes, for budgets: ph_vertex_bytes * vertices, ph_triangle_bytes * triangles. */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;

@@ -1,6 +1,6 @@
 #include "depth_budget_measure.h"
 
-#include "pipeline.h"
+#include "transform.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 
 #include "camera.h"
 #include "near.h"
-#include "pipeline.h"
+#include "transform.h"
 #include "ref_random.h"
 #include "ref_rig.h"
 

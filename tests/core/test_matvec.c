@@ -13,11 +13,11 @@
 #undef PH_MATVEC_REACH
 #define ph_row             armv6m_row
 #define ph_is_within       armv6m_is_within
-#define ph_matvec          armv6m_clip_rows
-#define ph_matvec_prepare  armv6m_clip_rows_of
-#define ph_matvec_in_range armv6m_clip_rows_hold
-#define ph_matvec_near     armv6m_clip_rows_near
-#define ph_matvec_mul      armv6m_clip_rows_times
+#define ph_matvec          armv6m_matvec
+#define ph_matvec_prepare  armv6m_matvec_prepare
+#define ph_matvec_in_range armv6m_matvec_in_range
+#define ph_matvec_near     armv6m_matvec_near
+#define ph_matvec_mul      armv6m_matvec_mul
 #include "armv6m/matvec.h"
 #undef ph_row
 #undef ph_is_within
@@ -78,14 +78,14 @@ static void every_cpu_gives_the_exact_sums(void **state)
         const struct ph_clip_matrix m = any_matrix(i / 8);
         const struct fx_vec3 p = {any_coordinate(i), any_coordinate(i), any_coordinate(i)};
         struct ph_matvec wide;
-        struct armv6m_clip_rows digits;
+        struct armv6m_matvec digits;
         ph_matvec_prepare(&wide, &m);
-        armv6m_clip_rows_of(&digits, &m);
+        armv6m_matvec_prepare(&digits, &m);
         const struct fx_vec3 exact = ph_matrix_mul(&m, &p);
-        const struct fx_vec3 a = ph_matvec_mul(&wide, &p), b = armv6m_clip_rows_times(&digits, &p);
+        const struct fx_vec3 a = ph_matvec_mul(&wide, &p), b = armv6m_matvec_mul(&digits, &p);
         assert_true(a.x == exact.x && a.y == exact.y && a.z == exact.z);
         assert_true(b.x == exact.x && b.y == exact.y && b.z == exact.z);
-        const bool is_near = armv6m_clip_rows_hold(&digits, &p);
+        const bool is_near = armv6m_matvec_in_range(&digits, &p);
         near += is_near;
         very_near += is_near && armv6m_is_within(&p, digits.short_reach);
         far += !is_near;

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "pipeline.h"
+#include "transform.h"
 #include "ref_random.h"
 #include "ref_rig.h"
 

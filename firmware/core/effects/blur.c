@@ -7,8 +7,8 @@
  */
 #include "blur.h"
 
-#include "pipeline.h"
-#include "wire.h"
+#include "colour.h"
+#include "depth.h"
 
 #define WHOLE 2048 /* sum of the shares of a pixel */
 

@@ -2,7 +2,9 @@
 #include "shadow.h"
 
 #include "fisheye.h"
-#include "pipeline.h"
+#include "mesh.h"
+#include "setup.h"
+#include "transform.h"
 
 #define CUT         PH_LIT /* in a vertex' code: not between plane and light; shadows are not lit */
 #define POLYGON_MAX 5

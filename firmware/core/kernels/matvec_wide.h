@@ -12,7 +12,7 @@
 #ifndef PH_MATVEC_WIDE_H
 #define PH_MATVEC_WIDE_H
 
-#include "pipeline.h"
+#include "transform.h"
 
 /* 2048.0: positions times 2^4 fit a word, and no result needs to be clamped, nor its sum. */
 #define PH_MATVEC_REACH ((uint32_t)1 << 27)

@@ -3,7 +3,7 @@
  * A crossing is always computed from the inner to the outer corner, so two triangles that share an edge get the same
  * point, and the cut stays watertight.
  */
-#include "pipeline.h"
+#include "clip.h"
 
 enum { PLANE_NEAR, PLANE_FAR, PLANE_LEFT, PLANE_RIGHT, PLANE_TOP, PLANE_BOTTOM, PLANES };
 

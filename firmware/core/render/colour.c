@@ -1,7 +1,7 @@
 /* Colours: see render.h. */
 #include "render.h"
 
-#include "wire.h"
+#include "colour.h"
 
 static uint32_t quantise(uint32_t v, uint32_t top)
 {

@@ -1,13 +1,15 @@
 /*
- * edge: rows and columns of a triangle's edges. Private to firmware/core.
+ * edge: the order of a triangle's corners, and the rows and columns of its edges. Set-up of large and of small
+ * triangles share it. Private to firmware/core.
  *
- * Watertight: an edge is always walked from its upper to its lower vertex, and all its arithmetic depends on these two
- * alone, so the triangles on both sides get the same column in every row.
+ * Watertight: an edge is always walked from its upper to its lower corner, and all its arithmetic depends on these two
+ * alone. So the triangles on both of its sides get the same column in every row.
  */
 #ifndef PH_EDGE_H
 #define PH_EDGE_H
 
-#include "pipeline.h"
+#include "sides.h"
+#include "triangle.h"
 
 /* First row whose centre is at or below y (1/256 px). */
 static inline int32_t ph_first_row(int32_t y)
@@ -15,23 +17,58 @@ static inline int32_t ph_first_row(int32_t y)
     return (y + 127) >> 8;
 }
 
+/* The corners from top to bottom, and the first row of each. The long edge runs from top to low, on one side. */
+struct ph_outline {
+    const struct ph_vertex *top, *mid, *low;
+    int32_t row_top, row_mid, row_low;
+    bool long_left;
+};
+
 /*
- * Edges from a down to b: x at row y0, which is not above the first row of a, and slope. Not for an edge without a row.
+ * The corners of v run counter-clockwise. If two of them have the same first row, either may count as the upper one:
+ * the edge between them has no row.
  */
+static inline struct ph_outline ph_outline(const struct ph_vertex *const v[3])
+{
+    const struct ph_vertex *top = v[0], *left = v[1], *right = v[2];
+    int32_t row_top = ph_first_row(top->y), row_left = ph_first_row(left->y), row_right = ph_first_row(right->y);
+    while (row_left < row_top || row_right < row_top) { /* the corners turn, at most twice */
+        const struct ph_vertex *const corner = top;
+        const int32_t row = row_top;
+        top = left, row_top = row_left;
+        left = right, row_left = row_right;
+        right = corner, row_right = row;
+    }
+    if (row_left > row_right) {
+        return (struct ph_outline){top, right, left, row_top, row_right, row_left, true};
+    }
+    return (struct ph_outline){top, left, right, row_top, row_left, row_right, false};
+}
+
+/* An edge at row y0, from its x at row `row`, the first row of its upper corner; y0 is not above that. */
 static inline struct ph_edge ph_edge_at_row(int32_t x, int32_t dx, int32_t row, int32_t y0)
 {
     return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
 }
 
-/* One below 64 px each way (PH_SIDE_SHORT), in 32 bits, to 2^-9 px at its far end. */
+/*
+ * The edge at row y0 that begins at a and goes on by dx, dy, each below 64 px (PH_SIDE_SHORT); `row` is the first row
+ * of a. It has a row. In 32 bits; at its far end it is 2^-9 px off at most.
+ */
 static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t row, int32_t y0)
 {
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */
     const int shift = fx_clz32((uint32_t)dy);
-    /* 2^(47 - shift) dx / dy, never above it: a centre that lies on the edge is on its right, as by the top-left rule
-     */
+    /* 2^(47 - shift) dx / dy, never above the exact value: a centre that lies on the edge is on its right, as the
+     * top-left rule wants it */
     const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
     return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
+}
+
+/* v or -1 - v, whichever is not negative. It has as many bits as v needs beside its sign. */
+static inline uint32_t ph_without_sign(int32_t v)
+{
+    return (uint32_t)(v ^ v >> 31);
 }
 
 #endif

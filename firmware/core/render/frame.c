@@ -1,6 +1,7 @@
 /* Renderer and frame set-up: see render.h. */
 #include "fisheye.h"
-#include "pipeline.h"
+#include "sides.h"
+#include "triangle.h"
 
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
 const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
@@ -14,10 +15,13 @@ static bool depth_is_usable(const struct ph_config *config)
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
-/* What of a side is further from both borders than a small triangle reaches, and a pixel. */
+/*
+ * Length of the inner part of a side of the picture, 1/256 px: a point is inner if it stays further from both borders
+ * than a small triangle can reach, plus one pixel.
+ */
 static uint32_t inner(uint32_t size)
 {
-    const uint32_t margins = 2 * (PH_SMALL + 256);
+    const uint32_t margins = 2 * (PH_SIDE_SMALL + 256);
     return size * 256 > margins ? size * 256 - margins : 0;
 }
 

@@ -2,7 +2,9 @@
  * Light of a vertex: ambient + diffuse (Lambert) + specular (Blinn 1977, viewer at infinity), one white intensity.
  * All in the mesh's own coordinates, so that neither normals nor positions need rotating: 16-bit products, Q2.14.
  */
-#include "pipeline.h"
+#include "light.h"
+
+#include "vertex.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps the usual light short */
 

@@ -1,12 +1,13 @@
 /*
- * Bands: clear, walk the triangles down their edges, draw their spans. See pipeline.h.
+ * Bands: clear, walk the triangles down their edges, draw their spans. See render.h.
  *
  * Everything at a pixel is a function of the triangle and the pixel alone (planes are exact modulo 2^32), so the
  * picture does not depend on where a band begins.
  */
+#include "band.h"
 #include "kernels.h"
-#include "pipeline.h"
 #include "span.h"
+#include "texture.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps what is rare from the registers of what is usual */
 
@@ -19,14 +20,14 @@ struct row {
 };
 
 /* A run of pixels whose depth codes are linear. */
-static inline void draw_run(const struct ph_triangle *t, bool wide, const struct row *row, uint32_t gd)
+static inline void draw_run(const struct ph_triangle *t, bool depth24, const struct row *row, uint32_t gd)
 {
     const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
     const uint32_t light = row->attribute, glight = t->attribute[0].gx;
     const uint16_t *const ramp = t->material->ramp;
-    if (wide && gouraud) {
+    if (depth24 && gouraud) {
         ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
-    } else if (wide) {
+    } else if (depth24) {
         ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
     } else if (linear && gouraud) {
         ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, light, glight, ramp);
@@ -40,16 +41,16 @@ static inline void draw_run(const struct ph_triangle *t, bool wide, const struct
 }
 
 /* A span that may be of several runs. */
-static void draw_span(const struct ph_triangle *t, bool wide, struct row row)
+static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
 {
     uint32_t left = row.n, d = row.d;
     while (left > 0) { /* each turn draws at least one pixel */
         row.n = left;
         const struct ph_piece piece = ph_depth_piece(t, d, &row.n);
         row.d = piece.d;
-        draw_run(t, wide, &row, piece.gd);
+        draw_run(t, depth24, &row, piece.gd);
         row.pixels += row.n;
-        row.depth = ph_depth_from(row.depth, row.n, wide);
+        row.depth = ph_depth_from(row.depth, row.n, depth24);
         row.attribute += t->attribute[0].gx * row.n;
         d += t->depth.gx * row.n;
         left -= row.n;
@@ -57,19 +58,20 @@ static void draw_span(const struct ph_triangle *t, bool wide, struct row row)
 }
 
 /* A span, with the octave of the last one. */
-static NOINLINE void draw_row(const struct ph_triangle *t, bool wide, struct ph_octave *octave, const struct row *row)
+static NOINLINE void draw_row(const struct ph_triangle *t, bool depth24, struct ph_octave *octave,
+                              const struct row *row)
 {
     const uint32_t last = row->d + t->depth.gx * (row->n - 1);
     if (!ph_octave_holds(octave, row->d, last)) {
         ph_octave_of(octave, t, row->d, t->depth.gx);
         if (!ph_octave_holds(octave, row->d, last)) {
-            draw_span(t, wide, *row);
+            draw_span(t, depth24, *row);
             return;
         }
     }
     struct row run = *row;
     run.d = ph_depth_float16_code(octave, row->d);
-    draw_run(t, wide, &run, octave->slope);
+    draw_run(t, depth24, &run, octave->slope);
 }
 
 /* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
@@ -78,10 +80,10 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
 {
     const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)band->width;
     uint16_t *pixels = band->pixels + start;
-    void *depth = ph_depth_from(band->depth, start, band->wide);
+    void *depth = ph_depth_from(band->depth, start, band->depth24);
     uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
     uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
-    const int kind = t->block == PH_BLOCK_NONE && !band->wide ? t->kind : -1; /* -1: the longer way */
+    const int kind = t->block == PH_BLOCK_NONE && !band->depth24 ? t->kind : -1; /* -1: the longer way */
     struct ph_octave octave = {0};
     for (; y < y_end; y++) {
         const int32_t from = left.x < 0 ? 0 : left.x >> 16;
@@ -95,15 +97,15 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
                 ph_span_gouraud(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, light, t->attribute[0].gx,
                                 t->material->ramp);
             } else {
-                const struct row row = {pixels + x, ph_depth_from(depth, x, band->wide), n, first_d, light};
-                draw_row(t, band->wide, &octave, &row);
+                const struct row row = {pixels + x, ph_depth_from(depth, x, band->depth24), n, first_d, light};
+                draw_row(t, band->depth24, &octave, &row);
             }
             count += n;
         }
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
         right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
         pixels += band->width;
-        depth = ph_depth_from(depth, (uint32_t)band->width, band->wide);
+        depth = ph_depth_from(depth, (uint32_t)band->width, band->depth24);
         d += t->depth.gy;
         attribute += t->attribute[0].gy;
     }
@@ -143,7 +145,7 @@ static void step_rows(struct ph_small_triangle *r, uint32_t n)
     r->light += n * r->light_dy;
     r->upper_rows = (uint16_t)(r->upper_rows - n);
     if (r->upper_rows == 0) {
-        ph_rows_lower(r);
+        ph_small_lower(r);
     }
 }
 
@@ -359,7 +361,7 @@ static void clear(const struct ph_band *rows, uint16_t background)
 {
     const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
     ph_fill(rows->pixels, background, area);
-    ph_fill(rows->depth, 0, rows->wide ? 2 * area : area);
+    ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
 /* Leaves a triangle, of which y_bottom is below y1, as it is from row y1 on. One that is split hangs on its first row.
@@ -454,7 +456,7 @@ static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct 
     upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
     lower.rows.pixels += above;
-    lower.rows.depth = (uint8_t *)rows->depth + above * (rows->wide ? sizeof(uint32_t) : sizeof(uint16_t));
+    lower.rows.depth = (uint8_t *)rows->depth + above * (rows->depth24 ? sizeof(uint32_t) : sizeof(uint16_t));
     const bool both = r->config.other_core(draw_other_share, &lower);
     draw_share(&upper);
     if (both) {
@@ -470,8 +472,8 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
-    const bool wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    struct ph_band rows = {NULL, r->config.depth, wide, y0, y1, r->config.width};
+    const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
+    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
     rows.pixels = pixels; /* not above: clang-tidy would have them const */
     if (r->config.other_core != NULL && y1 - y0 >= 2) {
         draw_with_other(r, r->config.bins[band], &rows);

@@ -6,7 +6,8 @@
 #ifndef PH_SPAN_H
 #define PH_SPAN_H
 
-#include "pipeline.h"
+#include "depth.h"
+#include "triangle.h"
 
 #define PH_DEPTH_WRAPPED 0xffc00000u /* above the nearest d with its head room: a d that fell below 0 */
 
@@ -59,12 +60,6 @@ static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
     return true;
 }
 
-/* A depth buffer from pixel n on. */
-static inline void *ph_depth_from(void *depth, uint32_t n, bool wide)
-{
-    return wide ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
-}
-
 static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                   uint16_t colour)
 {
@@ -101,40 +96,6 @@ static inline void ph_span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uin
     for (; n > 0; n--, d += gd, light += glight) {
         ph_pixel_gouraud(pixels++, depth++, ph_depth_linear(linear, d), light, ramp);
     }
-}
-
-/* Rows of the upper (0) or lower (1) half of t in the band, and its edges at the first of them; false without rows. */
-static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_band *band, int half, int32_t *y,
-                                int32_t *y_end, struct ph_edge *left, struct ph_edge *right)
-{
-    const int32_t from = half == 0 ? t->y_top : t->y_mid, to = half == 0 ? t->y_mid : t->y_bottom;
-    *y = from > band->y0 ? from : band->y0;
-    *y_end = to < band->y1 ? to : band->y1;
-    if (*y >= *y_end) {
-        return false;
-    }
-    struct ph_edge long_edge = t->long_edge, other = half == 0 ? t->upper : t->lower;
-    long_edge.x = (int32_t)((uint32_t)long_edge.x + (uint32_t)(*y - t->y_top) * (uint32_t)long_edge.dx);
-    other.x = (int32_t)((uint32_t)other.x + (uint32_t)(*y - from) * (uint32_t)other.dx);
-    *left = t->long_left != 0 ? long_edge : other;
-    *right = t->long_left != 0 ? other : long_edge;
-    return true;
-}
-
-/* The lower edge takes over. */
-static inline void ph_rows_lower(struct ph_small_triangle *r)
-{
-    uint32_t *const x = r->lower_is_right ? &r->right : &r->left;
-    uint32_t *const dx = r->lower_is_right ? &r->right_dx : &r->left_dx;
-    *x = (uint32_t)r->lower.x;
-    *dx = (uint32_t)r->lower.dx;
-    r->upper_rows = r->lower_rows;
-    r->lower_rows = 0;
-}
-
-static inline uint32_t ph_plane_at(const struct ph_plane *p, uint32_t x, uint32_t y)
-{
-    return p->base + p->gx * x + p->gy * y;
 }
 
 /*

@@ -7,16 +7,18 @@
  * tests/core/test_quality.c, tests/test_texture.c.
  *
  * A triangle is cut into strips (rows in which all tiles have one height), a strip into tiles from left to right. What
- * is usual (16-bit depth, full light, up to 65,536 texels) ph_texture_tile of kernels.h draws, all else draw_run here.
+ * is usual (16-bit depth, full light, up to 65,536 texels) ph_texture_tile of texture_tile.h draws, all else draw_run
+ * here.
  */
-#include "kernels.h"
-#include "pipeline.h"
+#include "texture.h"
+
+#include "colour.h"
 #include "span.h"
-#include "wire.h"
+#include "texture_tile.h"
 
 enum { WIDTH_LOG2 = 5, HEIGHT_LOG2 = 4 };
 
-_Static_assert(1 << WIDTH_LOG2 == PH_TILE, "kernels.h");
+_Static_assert(1 << WIDTH_LOG2 == PH_TILE, "texture_tile.h");
 
 /* How the pixels of a tile are drawn. */
 struct tile_kind {
@@ -26,8 +28,8 @@ struct tile_kind {
     int u_down, v_down; /* from u, v to whole texels */
     uint32_t light;     /* 0 .. 32 */
     bool clamp;
-    bool wide;  /* struct ph_band */
-    bool plain; /* ph_texture_tile can draw them */
+    bool depth24; /* struct ph_band */
+    bool plain;   /* ph_texture_tile can draw them */
 };
 
 /* u or v, in 2^-25 of their range, at the top and the bottom of the left and the right side of a tile. */
@@ -66,11 +68,6 @@ static const struct ph_plane *over_w(const struct ph_triangle *t)
 static int32_t mulhi(int32_t a, int32_t b)
 {
     return (int32_t)(fx_mul_wide(a, b) >> 32);
-}
-
-static uint32_t size_of(uint32_t slope)
-{
-    return (int32_t)slope < 0 ? 0u - slope : slope;
 }
 
 /* 1/w at a point: 2^(61 - shift) / reciprocal. */
@@ -194,20 +191,20 @@ static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
 
 /* What ph_texture_tile does not draw: n pixels from column i of the tile on, in one piece of the depth. */
 static inline __attribute__((always_inline)) void draw_run(const struct tile_kind *k, const struct ph_texel_rows *r,
-                                                           uint32_t i, uint32_t n, struct ph_piece piece, bool wide)
+                                                           uint32_t i, uint32_t n, struct ph_piece piece, bool depth24)
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
     uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
     uint16_t *pixel = r->pixels + i;
-    void *depth = ph_depth_from(r->depth, i, wide);
+    void *depth = ph_depth_from(r->depth, i, depth24);
     for (; n > 0; n--) {
         const uint32_t d =
             k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&k->triangle->linear, piece.d) : piece.d;
-        if (wide ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
+        if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
             *pixel = sample(k, u, v);
         }
-        depth = ph_depth_from(depth, 1, wide);
+        depth = ph_depth_from(depth, 1, depth24);
         pixel++;
         piece.d += piece.gd;
         u += du;
@@ -220,7 +217,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct tile_kin
 static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
                        struct ph_piece piece)
 {
-    if (k->wide) {
+    if (k->depth24) {
         draw_run(k, r, i, n, piece, true);
     } else {
         draw_run(k, r, i, n, piece, false);
@@ -245,7 +242,7 @@ static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
     r->d += r->d_dy;
     ph_texel_way_down(&r->u);
     ph_texel_way_down(&r->v);
-    r->depth += k->wide ? r->stride_bytes : r->stride_bytes / 2;
+    r->depth += k->depth24 ? r->stride_bytes : r->stride_bytes / 2;
     r->pixels += r->stride_bytes / 2;
     r->rows--;
 }
@@ -334,7 +331,8 @@ static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool 
 static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, uint32_t row)
 {
     int shift;
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm(size_of(gd), &shift) >> 1); /* 2^(61 - shift) / |gd| */
+    const int32_t reciprocal =
+        (int32_t)(fx_rcp_norm(fx_magnitude((int32_t)gd), &shift) >> 1); /* 2^(61 - shift) / |gd| */
     const uint32_t sign = (int32_t)gd < 0 ? UINT32_MAX : 1, way = depth->octaves[1].bottom - depth->d;
     const int64_t x = fx_mul_wide((int32_t)(way * sign), reciprocal) >> (45 - shift);
     const uint32_t dx = (uint32_t)(fx_mul_wide((int32_t)((0u - depth->d_dy) * sign), reciprocal) >> (45 - shift));
@@ -351,7 +349,8 @@ static void draw_rows_in_two(const struct tile_kind *k, struct ph_texel_rows *r,
         bool near[2] = {false, false};
         r->rows = rows;
         r->rows = n = rows_alike(r, depth->octaves[1].bottom, near);
-        if (near[0] == near[1] || size_of(r->gd) <= size_of(way) >> 29) { /* so flat that the border is a row */
+        if (near[0] == near[1] ||
+            fx_magnitude((int32_t)r->gd) <= fx_magnitude((int32_t)way) >> 29) { /* so flat that the border is a row */
             draw_rows_in_octave(k, r, depth, near[0], row);
             continue;
         }
@@ -399,7 +398,7 @@ static void set_texels(struct tile_kind *k, const struct tile *tile, const struc
     k->v_mask = (1u << height) - 1;
     k->log2_width = texture->log2_width;
     k->clamp = texture->wrap == PH_WRAP_CLAMP && !is_inside(t, s);
-    k->plain = !k->wide && t->block != PH_BLOCK_LINEAR && t->colour >= 32 && width + height <= 16 &&
+    k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && t->colour >= 32 && width + height <= 16 &&
                (!k->clamp || (range + width <= 8 && range + width + height <= 14));
     k->u_down = k->plain ? 22 : 29 - range - width;
     k->v_down = k->plain ? 16 + width : 29 - range - height;
@@ -462,9 +461,9 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const struct ph_band rows = {NULL, NULL, false, y > band->y0 ? y : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
-    struct tile_kind k = {.triangle = t, .light = t->colour, .wide = band->wide};
+    struct tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
     struct ph_texel_rows r;
-    r.depth = ph_depth_from(band->depth, at, band->wide);
+    r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;
     r.stride_bytes = 2 * width;
     r.columns = left < columns ? left : columns;
@@ -485,8 +484,8 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
 /* Whether slopes are small enough for a side of 2^log2: 1/w changes by 3/16 at most, u and v by 2 of their range. */
 static bool is_gentle(uint32_t gu, uint32_t gv, uint32_t gw, uint32_t least_w, int log2)
 {
-    return least_w < (uint32_t)1 << 30 && size_of(gw) <= ((least_w >> 3) + (least_w >> 4)) >> log2 &&
-           (size_of(gu) | size_of(gv)) <= (least_w >> 1) >> log2;
+    return least_w < (uint32_t)1 << 30 && fx_magnitude((int32_t)gw) <= ((least_w >> 3) + (least_w >> 4)) >> log2 &&
+           (fx_magnitude((int32_t)gu) | fx_magnitude((int32_t)gv)) <= (least_w >> 1) >> log2;
 }
 
 /* The widest tile at x, y that is gentle. */

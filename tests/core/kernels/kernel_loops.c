@@ -2,7 +2,11 @@
  * The kernels (kernels.h) on random input: a line for each of them, with a hash of all that it left behind, the memory
  * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
  */
+#include "cull.h"
 #include "kernels.h"
+#include "texture_tile.h"
+#include "triangle.h"
+#include "vertices.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -103,9 +107,9 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
 }
 
 /* A triangle round a point within the picture; also without rows, as a sliver and steep. */
-static uint32_t try_small(uint32_t h)
+static uint32_t try_setup_small(uint32_t h)
 {
-    const uint32_t size = below(3) > 0 ? 2 * PH_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
+    const uint32_t size = below(3) > 0 ? 2 * PH_SIDE_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
     struct ph_vertex corner[3];
     uint32_t d[3], far_apart = below(32);
     for (int i = 0; i < 3; i++) {
@@ -229,7 +233,7 @@ static uint32_t try_vertices(uint32_t h)
         positions[i] = (struct fx_vec3){around(size), around(size), around(size)};
     }
     positions[below(VERTICES)].y = -(1 << 27) - 1;
-    ph_matvec_prepare(&run.rows, &m);
+    ph_matvec_prepare(&run.matvec, &m);
     run.near = 1 + below(1 << (1 + below(16)));
     run.range = below((1 << 28) - run.near);
     run.down = 1 + below(16);
@@ -296,7 +300,7 @@ int main(void)
                  {"span_flat", try_flat},
                  {"span_gouraud", try_gouraud},
                  {"small_gouraud", try_rows},
-                 {"setup_small", try_small},
+                 {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
                  {"vertices", try_vertices},

@@ -6,7 +6,7 @@
 #ifndef PH_MATVEC_H
 #define PH_MATVEC_H
 
-#include "pipeline.h"
+#include "transform.h"
 
 #define PH_MATVEC_REACH ((uint32_t)1 << 20)
 

@@ -1,5 +1,5 @@
-/* Triangles that cannot be seen, passed over: see kernels.h. */
-#include "kernels.h"
+/* Triangles that cannot be seen, passed over: see cull.h. */
+#include "cull.h"
 
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
 {
@@ -25,31 +25,31 @@ static inline bool is_candidate(const struct ph_vertex *a, const struct ph_verte
 }
 
 /* Called with a constant: a loop of its own for meshes that are wholly in the picture. */
-static inline bool visit_until(struct ph_cull_run *visit, bool coded)
+static inline bool cull_until(struct ph_cull_run *run, bool coded)
 {
-    const struct ph_vertex *const vertices = visit->vertices;
-    const uint16_t(*index)[3] = visit->index, (*const end)[3] = visit->end;
+    const struct ph_vertex *const vertices = run->vertices;
+    const uint16_t(*index)[3] = run->index, (*const end)[3] = run->end;
     for (; index < end; index++) {
         const struct ph_vertex *const a = &vertices[(*index)[0]], *const b = &vertices[(*index)[1]],
                                       *const c = &vertices[(*index)[2]];
         if (is_candidate(a, b, c, coded)) {
-            visit->index = index + 1;
-            visit->v[0] = a;
-            visit->v[1] = b;
-            visit->v[2] = c;
+            run->index = index + 1;
+            run->v[0] = a;
+            run->v[1] = b;
+            run->v[2] = c;
             return true;
         }
     }
-    visit->index = end;
+    run->index = end;
     return false;
 }
 
-bool ph_cull(struct ph_cull_run *visit)
+bool ph_cull(struct ph_cull_run *run)
 {
-    const bool coded = visit->codes != 0;
-    if (!(coded ? visit_until(visit, true) : visit_until(visit, false))) {
+    const bool coded = run->codes != 0;
+    if (!(coded ? cull_until(run, true) : cull_until(run, false))) {
         return false;
     }
-    visit->sides = sides_of(visit->v[0], visit->v[1], visit->v[2]);
+    run->sides = sides_of(run->v[0], run->v[1], run->v[2]);
     return true;
 }

@@ -1,6 +1,8 @@
 /* Depth of a triangle's corners as floats: see kernels.h. */
 #include "kernels.h"
 
+#include "vertex.h"
+
 /* The far plane in units of 2^-(30 + s), s a vertex's: its own is the largest. */
 static inline uint32_t far_at(const struct ph_lens *lens, int s)
 {

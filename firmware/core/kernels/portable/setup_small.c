@@ -1,17 +1,13 @@
 /* Set-up of a small Gouraud triangle: see kernels.h. */
-#include "edge.h"
 #include "kernels.h"
+
+#include "edge.h"
 
 enum {
     FRACTION = 15,    /* bits of a scaled difference, and of a scaled side */
     STEEP_DEPTH = 19, /* bits of a gradient per 1/256 px: 2^27 per pixel, as all formats take */
     STEEP_LIGHT = 28, /* what the head room of light allows at 2^-9 px beside the triangle */
 };
-
-static uint32_t size_of(int32_t v)
-{
-    return (uint32_t)(v ^ v >> 31);
-}
 
 /*
  * dy1, dy2, dx1, dx2 of the sides, in this order, over their area (twice the triangle's), times 2^shift. With d1, d2,
@@ -28,44 +24,47 @@ static struct slopes slopes_of(const struct ph_sides *s)
     const int zeros = fx_clz32((uint32_t)s->area);
     /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): area > 0 */
     const int32_t reciprocal = (int32_t)fx_rcp16((uint32_t)s->area << zeros >> 16); /* 2^(47 - zeros) / area */
-    const int bits = 32 - fx_clz32(size_of(s->dx1) | size_of(s->dy1) | size_of(s->dx2) | size_of(s->dy2) | 31);
+    const int bits = 32 - fx_clz32(ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) |
+                                   ph_without_sign(s->dy2) | 31);
     const int down = bits + 16 - FRACTION;
     return (struct slopes){s->dy1 * reciprocal >> down, s->dy2 * reciprocal >> down, s->dx1 * reciprocal >> down,
                            s->dx2 * reciprocal >> down, 47 - zeros - down};
 }
 
-struct gradient {
+struct subpixel_gradient {
     int32_t x, y; /* per 1/256 px */
 };
 
 /* Halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped. */
-static __attribute__((noinline)) struct gradient flattened(int32_t x, int32_t y, int down, int limit)
+static __attribute__((noinline)) struct subpixel_gradient flattened(int32_t x, int32_t y, int down, int limit)
 {
-    const int least = 32 - fx_clz32(size_of(x) | size_of(y)) - limit;
+    const int least = 32 - fx_clz32(ph_without_sign(x) | ph_without_sign(y)) - limit;
     down = down > least ? down : least;
-    return down < 0 ? (struct gradient){x * (1 << -down), y * (1 << -down)} : (struct gradient){x >> down, y >> down};
+    return down < 0 ? (struct subpixel_gradient){x * (1 << -down), y * (1 << -down)}
+                    : (struct subpixel_gradient){x >> down, y >> down};
 }
 
 /* Gradient from the differences over 2^drop, of FRACTION bits, of the second and third corner to the first. */
-static struct gradient gradient_of(const struct slopes *s, int32_t d1, int32_t d2, int drop, int limit)
+static struct subpixel_gradient gradient_of(const struct slopes *s, int32_t d1, int32_t d2, int drop, int limit)
 {
     const int32_t x = d2 * s->a - d1 * s->b, y = d1 * s->d - d2 * s->c;
     const int down = s->shift - drop;
     if (down < 31 - limit) {
         return flattened(x, y, down, limit);
     }
-    return (struct gradient){x >> down, y >> down};
+    return (struct subpixel_gradient){x >> down, y >> down};
 }
 
-static struct gradient depth_gradient(const struct slopes *s, const uint32_t d[3])
+static struct subpixel_gradient depth_gradient(const struct slopes *s, const uint32_t d[3])
 {
     const int32_t d1 = (int32_t)(d[1] - d[0]), d2 = (int32_t)(d[2] - d[0]);
-    const int excess = 32 - FRACTION - fx_clz32(size_of(d1) | size_of(d2)), drop = excess > 0 ? excess : 0;
+    const int excess = 32 - FRACTION - fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)),
+              drop = excess > 0 ? excess : 0;
     return gradient_of(s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
 /* Light's plane is in 2^-16. Of 16 bits of a difference FRACTION are left: 17 of the plane's are dropped. */
-static struct gradient light_gradient(const struct slopes *s, const struct ph_vertex *const v[3])
+static struct subpixel_gradient light_gradient(const struct slopes *s, const struct ph_vertex *const v[3])
 {
     return gradient_of(s, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17, STEEP_LIGHT);
 }
@@ -74,7 +73,7 @@ static void set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3]
                        const uint32_t d[3])
 {
     const struct slopes slopes = slopes_of(sides);
-    const struct gradient depth = depth_gradient(&slopes, d), light = light_gradient(&slopes, v);
+    const struct subpixel_gradient depth = depth_gradient(&slopes, d), light = light_gradient(&slopes, v);
     const uint32_t x = (uint32_t)(128 - v[0]->x), y = (uint32_t)(t->y_top * 256 + 128 - v[0]->y);
     t->small.gd = (uint32_t)depth.x * 256;
     t->small.d_dy = (uint32_t)depth.y * 256;
@@ -92,38 +91,27 @@ static void set_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32
 bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                     const uint32_t d[3])
 {
-    const struct ph_vertex *top = v[0], *left = v[1], *right = v[2];
-    int32_t row_top = ph_first_row(top->y), row_left = ph_first_row(left->y), row_right = ph_first_row(right->y);
-    while (row_left < row_top || row_right < row_top) { /* at most twice: the corners turn */
-        const struct ph_vertex *const corner = top;
-        const int32_t row = row_top;
-        top = left, row_top = row_left;
-        left = right, row_left = row_right;
-        right = corner, row_right = row;
-    }
-    const bool long_left = row_left > row_right;
-    const struct ph_vertex *const mid = long_left ? right : left, *const low = long_left ? left : right;
-    const int32_t row_mid = long_left ? row_right : row_left, row_low = long_left ? row_left : row_right;
-    if (row_top >= row_low) {
+    const struct ph_outline o = ph_outline(v);
+    if (o.row_top >= o.row_low) {
         return false;
     }
-    struct ph_small_triangle *const rows = &t->small;
-    const bool flat_top = row_mid == row_top;
+    struct ph_small_triangle *const small = &t->small;
+    const bool flat_top = o.row_mid == o.row_top;
     struct ph_edge long_edge, first;
-    set_edge(top, low, row_top, &long_edge);
-    set_edge(flat_top ? mid : top, flat_top ? low : mid, row_top, &first);
-    rows->left = (uint32_t)(long_left ? long_edge.x : first.x);
-    rows->left_dx = (uint32_t)(long_left ? long_edge.dx : first.dx);
-    rows->right = (uint32_t)(long_left ? first.x : long_edge.x);
-    rows->right_dx = (uint32_t)(long_left ? first.dx : long_edge.dx);
-    rows->lower_is_right = long_left;
-    rows->upper_rows = (uint16_t)(flat_top ? row_low - row_top : row_mid - row_top);
-    rows->lower_rows = (uint16_t)(flat_top ? 0 : row_low - row_mid);
-    if (rows->lower_rows > 0) {
-        set_edge(mid, low, row_mid, &rows->lower);
+    set_edge(o.top, o.low, o.row_top, &long_edge);
+    set_edge(flat_top ? o.mid : o.top, flat_top ? o.low : o.mid, o.row_top, &first);
+    small->left = (uint32_t)(o.long_left ? long_edge.x : first.x);
+    small->left_dx = (uint32_t)(o.long_left ? long_edge.dx : first.dx);
+    small->right = (uint32_t)(o.long_left ? first.x : long_edge.x);
+    small->right_dx = (uint32_t)(o.long_left ? first.dx : long_edge.dx);
+    small->lower_is_right = o.long_left;
+    small->upper_rows = (uint16_t)(flat_top ? o.row_low - o.row_top : o.row_mid - o.row_top);
+    small->lower_rows = (uint16_t)(flat_top ? 0 : o.row_low - o.row_mid);
+    if (small->lower_rows > 0) {
+        set_edge(o.mid, o.low, o.row_mid, &small->lower);
     }
-    t->y_top = (int16_t)row_top;
-    t->y_bottom = (int16_t)row_low;
+    t->y_top = (int16_t)o.row_top;
+    t->y_bottom = (int16_t)o.row_low;
     set_planes(t, v, sides, d);
     return true;
 }

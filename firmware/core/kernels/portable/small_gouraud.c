@@ -1,6 +1,7 @@
 /* Rows of a Gouraud triangle: see kernels.h. */
 #include "kernels.h"
 #include "span.h"
+#include "triangle.h"
 
 static uint16_t *row_below(uint16_t *row, uint32_t bytes)
 {
@@ -40,15 +41,15 @@ static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *
     return count;
 }
 
-uint32_t ph_small_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
 {
-    struct ph_small_triangle r = *rows;
+    struct ph_small_triangle r = *small;
     const uint32_t above = r.upper_rows * stride_bytes;
     const uint32_t count = draw_rows(&r, r.upper_rows, depth, pixels, stride_bytes);
     if (r.lower_rows == 0) {
         return count;
     }
-    ph_rows_lower(&r);
+    ph_small_lower(&r);
     return count + draw_rows(&r, r.upper_rows, row_below(depth, above), row_below(pixels, above), stride_bytes);
 }

@@ -1,7 +1,7 @@
-/* Rows of a textured tile: see kernels.h. */
+/* Rows of a textured tile: see texture_tile.h. */
 #include "texture_tile_plain.h"
 
 void ph_texture_tile(struct ph_texel_rows *r)
 {
-    ph_rows_texture_plain(r);
+    ph_texture_tile_plain(r);
 }

@@ -1,12 +1,12 @@
 /*
- * texture_tile_plain: ph_texture_tile of kernels.h in plain C, for a CPU without a file of its own and for what that
- * leaves.
+ * texture_tile_plain: ph_texture_tile of texture_tile.h in plain C, for a CPU without a file of its own and for what
+ * that leaves.
  */
-#ifndef PH_ROWS_TEXTURE_PLAIN_H
-#define PH_ROWS_TEXTURE_PLAIN_H
+#ifndef PH_TEXTURE_TILE_PLAIN_H
+#define PH_TEXTURE_TILE_PLAIN_H
 
-#include "kernels.h"
 #include "span.h"
+#include "texture_tile.h"
 
 /* Columns of the row, and what is the same for u and v. */
 struct ph_row_run {
@@ -40,7 +40,7 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/* A row; steps change behind every second pixel, counted from the last: see kernels.h. A parabola's step over two
+/* A row; steps change behind every second pixel, counted from the last: see texture_tile.h. A parabola's step over two
  * pixels grows by 8 bend, each one's share of it by 4. */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
@@ -65,7 +65,7 @@ static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct
     }
 }
 
-static inline void ph_rows_texture_plain(struct ph_texel_rows *r)
+static inline void ph_texture_tile_plain(struct ph_texel_rows *r)
 {
     while (r->rows > 0) {
         struct ph_row_run row;

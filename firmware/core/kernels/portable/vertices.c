@@ -1,5 +1,5 @@
-/* Vertices of a mesh, projected: see kernels.h. */
-#include "kernels.h"
+/* Vertices of a mesh, projected: see vertices.h. */
+#include "vertices.h"
 
 /* |x| and |y| below limit. */
 static inline bool are_within(int32_t x, int32_t y, uint32_t limit)
@@ -33,8 +33,8 @@ void ph_vertices(struct ph_vertex_run *run)
 {
     struct ph_vertex *v = run->to;
     const struct fx_vec3 *p = run->from;
-    for (; p < run->end && ph_matvec_in_range(&run->rows, p); p++, v++) {
-        const struct fx_vec3 at = ph_matvec_near(&run->rows, p);
+    for (; p < run->end && ph_matvec_in_range(&run->matvec, p); p++, v++) {
+        const struct fx_vec3 at = ph_matvec_near(&run->matvec, p);
         if ((uint32_t)at.z - run->near > run->range || !are_within(at.x, at.y, ((uint32_t)at.z >> run->guard_up) * 8)) {
             run->at = at;
             break;

@@ -1,8 +1,9 @@
 /* Rows of a Gouraud triangle, x86-64: edges and planes, and depth and light, step in one addition. See kernels.h. */
 #include "kernels.h"
-#include "span.h"
+#include "triangle.h"
 
 #include <emmintrin.h>
+#include <stddef.h>
 
 _Static_assert(offsetof(struct ph_small_triangle, light_dy) == 12 &&
                    offsetof(struct ph_small_triangle, light) == offsetof(struct ph_small_triangle, left) + 12,
@@ -51,15 +52,15 @@ static inline uint32_t draw_upper(struct ph_small_triangle *r, uint16_t *depth, 
     return count;
 }
 
-uint32_t ph_small_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
 {
-    struct ph_small_triangle r = *rows;
+    struct ph_small_triangle r = *small;
     const uint32_t above = r.upper_rows * stride_bytes;
     const uint32_t count = draw_upper(&r, depth, pixels, stride_bytes);
     if (r.lower_rows == 0) {
         return count;
     }
-    ph_rows_lower(&r);
+    ph_small_lower(&r);
     return count + draw_upper(&r, row_below(depth, above), row_below(pixels, above), stride_bytes);
 }

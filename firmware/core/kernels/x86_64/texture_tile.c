@@ -1,4 +1,4 @@
-/* Rows of a textured tile for x86-64, u and v in one word: see kernels.h. */
+/* Rows of a textured tile for x86-64, u and v in one word: see texture_tile.h. */
 #include "texture_tile_plain.h"
 
 /* 2^32 v + u of all coefficients, for arithmetic with both at once. */
@@ -112,6 +112,6 @@ void ph_texture_tile(struct ph_texel_rows *r)
     if (fits_both(r)) {
         draw_rows(r);
     } else {
-        ph_rows_texture_plain(r);
+        ph_texture_tile_plain(r);
     }
 }

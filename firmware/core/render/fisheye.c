@@ -14,6 +14,8 @@
  */
 #include "fisheye.h"
 
+#include "setup.h"
+
 #define LONG        20                 /* edges longer than this part of a turn are divided always */
 #define SHORT       ((int64_t)1 << 48) /* edges below 2^-5 radian are not; squared Q29 */
 #define DEPTH       20
@@ -78,11 +80,6 @@ static struct polar polar_of(int32_t x, int32_t y, int32_t w)
     const uint64_t distance = shift >= 0 ? shift < 29 ? (p.length + half) >> shift : 0 : (uint64_t)p.length << -shift;
     p.distance = distance > FX_MAX ? FX_MAX : (fx_t)distance;
     return p;
-}
-
-fx_t ph_fisheye_distance(int32_t x, int32_t y, int32_t w)
-{
-    return polar_of(x, y, w).distance;
 }
 
 /* x / length in Q2.29 from the reciprocal of length; |x| <= length < 2^30, or a few units more. */

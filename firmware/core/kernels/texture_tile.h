@@ -1,0 +1,62 @@
+/*
+ * texture_tile: the kernel that draws rows of a textured triangle within a tile of at most PH_TILE columns (see
+ * texture.c). See kernels.h.
+ *
+ * Along a row u and v follow a parabola: at + i step + i^2 bend at column i. From row to row its coefficients change by
+ * second differences. All of it is modulo 2^32.
+ *
+ * Two pixels share a step, the mean of the parabola's steps over both: so the step changes half as often, and every
+ * second pixel lies on the parabola. Pairs are counted from the row's last pixel, because unrolled loops are entered in
+ * the middle and end there. In a row of odd length the first pixel is the second of a pair, and those behind it are off
+ * by one bend.
+ */
+#ifndef PH_TEXTURE_TILE_H
+#define PH_TEXTURE_TILE_H
+
+#include <stdint.h>
+
+#define PH_TILE 32
+
+struct ph_texel_way {
+    uint32_t at, step, bend;          /* of the row */
+    uint32_t at_dy, step_dy, bend_dy; /* how much they grow to the row below */
+    uint32_t at_ddy, step_ddy;        /* how much that grows */
+};
+
+struct ph_texel_rows {
+    uint32_t left, right; /* edges at the row, as in ph_edge; columns count from column 0 of the tile */
+    uint32_t left_dx, right_dx;
+    uint32_t d, d_dy;         /* depth at column 0, 16.16 code, and per row */
+    uint16_t *depth, *pixels; /* of column 0 */
+    uint32_t stride_bytes;    /* from row to row, of both */
+    uint32_t gd;              /* depth per column */
+    uint32_t u_mask, v_mask;  /* of the column's and the row's bits in the index of a texel */
+    const uint16_t *texels;
+    uint32_t columns; /* of the tile that are in the picture: 1 .. PH_TILE */
+    uint32_t rows, count;
+    uint32_t u_outside, v_outside; /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
+    struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
+};
+
+/*
+ * Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
+ * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels.
+ */
+void ph_texture_tile(struct ph_texel_rows *r);
+
+/* Coefficients of the next row. */
+static inline void ph_texel_way_down(struct ph_texel_way *w)
+{
+    w->at += w->at_dy;
+    w->step += w->step_dy;
+    w->bend += w->bend_dy;
+    w->at_dy += w->at_ddy;
+    w->step_dy += w->step_ddy;
+}
+
+static inline uint32_t ph_texel_at(const struct ph_texel_way *w, uint32_t i)
+{
+    return w->at + i * (w->step + i * w->bend);
+}
+
+#endif

@@ -1,0 +1,42 @@
+/* band: the rows of the picture that are drawn at a time. Private to firmware/core. */
+#ifndef PH_BAND_H
+#define PH_BAND_H
+
+#include "triangle.h"
+
+/* Rows y0 .. y1 - 1 of the picture, and the memory that they are drawn into. */
+struct ph_band {
+    uint16_t *pixels; /* of row y0 */
+    void *depth;      /* of row y0: uint32_t if depth24, else uint16_t */
+    bool depth24;     /* depth codes have 24 bits */
+    int32_t y0, y1, width;
+};
+
+/* A depth buffer from pixel n on. */
+static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
+{
+    return depth24 ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
+}
+
+/*
+ * The rows y .. y_end - 1 of the upper (0) or lower (1) half of a triangle that lie in the band, and its edges at row
+ * y. False if there are none.
+ */
+static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_band *band, int half, int32_t *y,
+                                int32_t *y_end, struct ph_edge *left, struct ph_edge *right)
+{
+    const int32_t from = half == 0 ? t->y_top : t->y_mid, to = half == 0 ? t->y_mid : t->y_bottom;
+    *y = from > band->y0 ? from : band->y0;
+    *y_end = to < band->y1 ? to : band->y1;
+    if (*y >= *y_end) {
+        return false;
+    }
+    struct ph_edge long_edge = t->long_edge, other = half == 0 ? t->upper : t->lower;
+    long_edge.x = (int32_t)((uint32_t)long_edge.x + (uint32_t)(*y - t->y_top) * (uint32_t)long_edge.dx);
+    other.x = (int32_t)((uint32_t)other.x + (uint32_t)(*y - from) * (uint32_t)other.dx);
+    *left = t->long_left != 0 ? long_edge : other;
+    *right = t->long_left != 0 ? other : long_edge;
+    return true;
+}
+
+#endif

@@ -1,0 +1,18 @@
+/* colour: wire order, 16-bit pixels in memory with their high byte first, on every machine. Private to firmware/core.
+ */
+#ifndef PH_COLOUR_H
+#define PH_COLOUR_H
+
+#include <stdint.h>
+
+/* From a number to wire order, and back: both are the same swap, or none. */
+static inline uint16_t ph_wire16(uint16_t v)
+{
+    const union {
+        uint8_t bytes[2];
+        uint16_t value;
+    } wire = {{(uint8_t)(v >> 8), (uint8_t)v}};
+    return wire.value;
+}
+
+#endif

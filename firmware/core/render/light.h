@@ -1,0 +1,33 @@
+/* light: the intensity of a vertex. Private to firmware/core; the model is in light.c. */
+#ifndef PH_LIGHT_H
+#define PH_LIGHT_H
+
+#include "render.h"
+
+/* A light in the coordinates of one mesh. */
+struct ph_local_light {
+    bool point;
+    int16_t to_light[3], half[3]; /* directional: unit vectors, Q1.14 */
+    struct fx_vec3 position;      /* point */
+    fx_t reach;
+    int32_t diffuse, specular; /* the light's intensity times the material's share, Q2.14 */
+};
+
+struct ph_local_lights {
+    int32_t ambient; /* Q2.14 */
+    int32_t scale;   /* units of struct ph_vertex's light per 1.0 */
+    int32_t limit;   /* 1 + specular of the material, Q2.14 */
+    uint32_t count, shininess_log2;
+    bool simple; /* one directional light, nothing specular */
+    int16_t to_viewer[3];
+    struct ph_local_light light[PH_LIGHTS_MAX];
+};
+
+/* The lights of the frame for one mesh and one material. */
+void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
+                      const struct ph_material *material);
+
+/* Light of a vertex: PH_LIGHT_ZERO .. PH_LIGHT_ZERO + PH_LIGHT_SPAN. */
+uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position);
+
+#endif

@@ -1,0 +1,32 @@
+/* setup: a triangle's edges and planes, computed once and put on the list. Private to firmware/core. */
+#ifndef PH_SETUP_H
+#define PH_SETUP_H
+
+#include "sides.h"
+
+/*
+ * Before the triangles of a part: prepares what its small triangles have in common. Triangles of other materials may
+ * come in between.
+ */
+void ph_setup_part(struct ph_renderer *r, const struct ph_material *material);
+
+/*
+ * Sets up a triangle and lists it. False if it faces away (and is not two-sided) or covers no pixel centre. uv: those
+ * of each corner; NULL if the material has no texture.
+ */
+bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                       const fx_t *const uv[3]);
+
+/* The same for a triangle that faces the viewer, whose sides are known. */
+bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
+                    const fx_t *const uv[3], const struct ph_sides *sides);
+
+/* ph_setup_triangle for corners that are no vertices of the mesh. */
+bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                      const struct ph_corner *b, const struct ph_corner *c);
+
+/* Sets up a line one pixel wide as two triangles. */
+void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
+                   const struct ph_corner *b);
+
+#endif

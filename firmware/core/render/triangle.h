@@ -1,0 +1,88 @@
+/* triangle: a triangle after set-up, in the list from which the bands are drawn. Private to firmware/core. */
+#ifndef PH_TRIANGLE_H
+#define PH_TRIANGLE_H
+
+#include "render.h"
+
+/*
+ * An edge that is walked from row to row. x is its 16.16 column at its first row; half a pixel is subtracted from it
+ * and it is rounded up, so that the first pixel on its right has the column x >> 16.
+ */
+struct ph_edge {
+    int32_t x, dx;
+};
+
+/* A value that is linear on the screen: at the centre of pixel (0, 0), modulo 2^32, and per pixel right and down. */
+struct ph_plane {
+    uint32_t base, gx, gy;
+};
+
+static inline uint32_t ph_plane_at(const struct ph_plane *p, uint32_t x, uint32_t y)
+{
+    return p->base + p->gx * x + p->gy * y;
+}
+
+/*
+ * A small Gouraud triangle. None of its spans leaves the picture or has more than PH_SMALL_COLUMNS pixels. Edges, depth
+ * and light are given at column 0 of its first row. Below the upper rows the lower edge takes the place of the left or
+ * of the right one. If the top of the triangle is flat, all of its rows count as upper rows.
+ */
+struct ph_small_triangle {
+    uint32_t left_dx, right_dx, d_dy, light_dy; /* per row */
+    uint32_t gd, glight;                        /* per column */
+    const uint16_t *ramp;
+    uint32_t left, right, d, light; /* edges as in ph_edge */
+    struct ph_edge lower;
+    uint16_t upper_rows, lower_rows; /* above 0; 0 or more */
+    uint32_t lower_is_right;         /* 0, 1 */
+};
+
+/* The lower edge takes over. */
+static inline void ph_small_lower(struct ph_small_triangle *small)
+{
+    uint32_t *const x = small->lower_is_right ? &small->right : &small->left;
+    uint32_t *const dx = small->lower_is_right ? &small->right_dx : &small->left_dx;
+    *x = (uint32_t)small->lower.x;
+    *dx = (uint32_t)small->lower.dx;
+    small->upper_rows = small->lower_rows;
+    small->lower_rows = 0;
+}
+
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };
+
+struct ph_triangle {
+    uint32_t next;                  /* in its band's list, PH_NONE at the end */
+    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
+    uint8_t kind;                   /* enum ph_kind */
+    uint8_t long_left;              /* the long edge is the left one */
+    uint8_t block;      /* float formats: block exponent of a depth that crosses octaves; or one of PH_BLOCK_... */
+    uint8_t range_log2; /* texture: |u|, |v| are below 2^this */
+    uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
+    const struct ph_material *material;
+    union {
+        struct {
+            struct ph_edge long_edge, upper, lower;
+            struct ph_plane depth;
+            union {
+                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+                struct {
+                    struct ph_plane first_two[2];
+                    struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` holds then */
+                };
+            };
+        };
+        struct ph_small_triangle small; /* PH_KIND_SMALL */
+    };
+};
+
+#define PH_NONE          UINT32_MAX
+#define PH_SMALL_COLUMNS 32
+#define PH_BLOCK_NONE    127 /* depth is stepped in 16.16 codes */
+#define PH_BLOCK_LINEAR  126 /* linear-w: 1/w is stepped */
+
+static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
+{
+    return (struct ph_triangle *)r->config.triangles;
+}
+
+#endif
