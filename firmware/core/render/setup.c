@@ -1,5 +1,5 @@
 /*
- * Triangle set-up: edges, shading, and which way a triangle takes. See setup.h.
+ * Triangle set-up: edges, which way a triangle takes, the list. See setup.h.
  *
  * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h does these. All others take setup_any.
  */
@@ -7,8 +7,7 @@
 
 #include "edge.h"
 #include "kernels.h"
-#include "setup_depth.h"
-#include "setup_texture.h"
+#include "planes.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
@@ -17,7 +16,7 @@ static NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex
 {
     const int32_t dx = b->x - a->x, row = ph_first_row(a->y), down = row * 256 + 128 - a->y;
     int shift;
-    const int32_t reciprocal = (int32_t)(fx_rcp_norm((uint32_t)(b->y - a->y), &shift) >> 1); /* 2^(61 - shift) / dy */
+    const int32_t reciprocal = ph_wide_reciprocal((uint32_t)(b->y - a->y), &shift);
     const int32_t offset = (int32_t)(fx_mul_wide(dx * down, reciprocal) >> (53 - shift));
     const int32_t slope = (int32_t)(uint32_t)(fx_mul_wide(dx, reciprocal) >> (45 - shift));
     *edge = ph_edge_at_row(a->x * 256 + offset, slope, row, y0);
@@ -43,51 +42,18 @@ static inline int32_t max_int(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* The colour of a light. */
-static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
-{
-    return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
-}
-
-static void setup_shading(const struct ph_renderer *r, const struct ph_plane_base *s,
-                          const struct ph_vertex *const v[3], const fx_t *const uv[3], struct ph_triangle *t)
-{
-    const struct ph_material *material = t->material;
-    t->kind = PH_KIND_FLAT;
-    switch (material->shading) {
-    case PH_SHADE_FLAT:
-        t->colour = ramp_colour(material, v[0]->light);
-        return;
-    case PH_SHADE_GOURAUD:
-        if (material->ramp != NULL) {
-            t->kind = PH_KIND_GOURAUD;
-            ph_plane_light(&t->attribute[0], s, v);
-            return;
-        }
-        break;
-    case PH_SHADE_TEXTURE:
-    case PH_SHADE_TEXTURE_LIT:
-        if (material->texture != NULL) {
-            t->kind = PH_KIND_TEXTURE;
-            t->colour = material->shading == PH_SHADE_TEXTURE_LIT
-                            ? (uint16_t)(((uint32_t)(v[0]->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
-                            : 32;
-            ph_setup_texture(r, s, v, uv, t);
-            return;
-        }
-        break;
-    default:
-        break;
-    }
-    t->colour = material->colour;
-}
-
 /* No column of pixel centres lies within the triangle, or none of these lies in the picture. */
 static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3])
 {
     const int32_t a = v[0]->x, b = v[1]->x, c = v[2]->x;
     const int32_t from = ph_first_row(min_int(min_int(a, b), c)), to = ph_first_row(max_int(max_int(a, b), c));
     return from >= to || to <= 0 || from >= width;
+}
+
+int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
+{
+    const int64_t area = fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
+    return (int32_t)(area >> 32) | (area > 0);
 }
 
 /* Rows and edges; false if no row of the picture is covered. */
@@ -113,6 +79,7 @@ static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const
     return true;
 }
 
+/* Edges and planes of any triangle. */
 static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *material,
                                const struct ph_vertex *const v[3], const fx_t *const uv[3],
                                const struct ph_sides *sides, struct ph_triangle *t)
@@ -120,11 +87,8 @@ static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *
     if (misses_columns(r->config.width, v) || !setup_outline(r->config.height, v, t)) {
         return false;
     }
-    struct ph_plane_base base;
     t->material = material;
-    ph_plane_base(&base, v[0], sides);
-    ph_setup_depth(r, &base, v, t);
-    setup_shading(r, &base, v, uv, t);
+    ph_set_planes(t, r, v, uv, sides);
     return true;
 }
 

@@ -14,30 +14,20 @@ struct ph_sides {
 };
 
 #define PH_SIDE_SHORT ((uint32_t)1 << 14) /* 64 px */
-#define PH_SIDE_SMALL ((uint32_t)1 << 13) /* 32 px: a small triangle has no longer side, so PH_SMALL_COLUMNS columns   \
-                                           */
+#define PH_SIDE_SMALL                                                                                                  \
+    ((uint32_t)1 << 13) /* 32 px: a small triangle has no longer side, so PH_SMALL_COLUMNS columns                     \
+                         */
 
 static inline int64_t ph_wide_area(const struct ph_sides *s)
 {
     return fx_mul_wide(s->dx2, s->dy1) - fx_mul_wide(s->dx1, s->dy2);
 }
 
-/* A number with the sign of ph_wide_area. */
-int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2);
-
 /* Whether -PH_SIDE_SHORT <= d < PH_SIDE_SHORT for all four d. Constants would take registers: there are none. */
 static inline bool ph_sides_are_short(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
 {
     return ((uint32_t)((dx1 >> 14) + 1) | (uint32_t)((dy1 >> 14) + 1) | (uint32_t)((dx2 >> 14) + 1) |
             (uint32_t)((dy2 >> 14) + 1)) <= 1;
-}
-
-static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
-{
-    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
-    const bool is_short = ph_sides_are_short(dx1, dy1, dx2, dy2);
-    const int32_t area = is_short ? dx2 * dy1 - dx1 * dy2 : ph_wide_area_sign(dx1, dy1, dx2, dy2);
-    return (struct ph_sides){dx1, dy1, dx2, dy2, area, is_short};
 }
 
 #endif

@@ -13,6 +13,7 @@
 #include "texture.h"
 
 #include "colour.h"
+#include "planes.h"
 #include "span.h"
 #include "texture_tile.h"
 
@@ -76,7 +77,7 @@ struct over_w {
     int shift;
 };
 
-/* The exact quotients at a point, from u/w and v/w as setup_texture() has them: below 8 of their range. */
+/* The exact quotients at a point, from u/w and v/w as setup_texture of planes.c has them: below 8 of their range. */
 static inline struct over_w divide(const struct ph_triangle *t, uint32_t x, uint32_t y, int32_t *u, int32_t *v)
 {
     const uint32_t plane = ph_plane_at(over_w(t), x, y);
@@ -331,8 +332,7 @@ static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool 
 static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, uint32_t row)
 {
     int shift;
-    const int32_t reciprocal =
-        (int32_t)(fx_rcp_norm(fx_magnitude((int32_t)gd), &shift) >> 1); /* 2^(61 - shift) / |gd| */
+    const int32_t reciprocal = ph_wide_reciprocal(fx_magnitude((int32_t)gd), &shift);
     const uint32_t sign = (int32_t)gd < 0 ? UINT32_MAX : 1, way = depth->octaves[1].bottom - depth->d;
     const int64_t x = fx_mul_wide((int32_t)(way * sign), reciprocal) >> (45 - shift);
     const uint32_t dx = (uint32_t)(fx_mul_wide((int32_t)((0u - depth->d_dy) * sign), reciprocal) >> (45 - shift));

@@ -1,0 +1,367 @@
+/*
+ * Planes: from the values at the corners of a triangle to a value at the centre of pixel (0, 0) and its gradients. See
+ * planes.h; the depth formats are in depth.h.
+ *
+ * Short sides take 32 bits and a reciprocal of 16; all others take products of 64 bits.
+ */
+#include "planes.h"
+
+#include "edge.h"
+
+#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
+
+/* ---- one plane -------------------------------------------------------------------------------------------------- */
+
+/* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
+struct plane_base {
+    const struct ph_sides *sides;
+    int32_t x, y;           /* from the first corner to the centre of pixel (0, 0): whole pixels */
+    int32_t part_x, part_y; /* and the rest, 1/256 px */
+    int32_t reciprocal;     /* is_short: 2^(47 - shift) / area; else 2^(61 - shift) / area */
+    int shift;
+};
+
+static int bits_of(int64_t v)
+{
+    const uint64_t m = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
+    const uint32_t high = (uint32_t)(m >> 32);
+    return high != 0 ? 64 - fx_clz32(high) : 32 - fx_clz32((uint32_t)m);
+}
+
+static int max_int(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+/* The reciprocal for products of 64 bits. */
+static void wide_base(struct plane_base *s)
+{
+    const int64_t area = ph_wide_area(s->sides);
+    const int excess = max_int(bits_of(area) - 32, 0);
+    s->reciprocal = ph_wide_reciprocal((uint32_t)(area >> excess), &s->shift);
+    s->shift -= excess;
+}
+
+static inline void plane_base(struct plane_base *s, const struct ph_vertex *first, const struct ph_sides *sides)
+{
+    const int32_t x = 128 - first->x, y = 128 - first->y;
+    s->sides = sides;
+    s->x = x >> 8;
+    s->y = y >> 8;
+    s->part_x = x & 255;
+    s->part_y = y & 255;
+    if (sides->is_short) {
+        const uint32_t area = (uint32_t)sides->area;
+        s->shift = fx_clz32(area);
+        /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): area > 0 */
+        s->reciprocal = (int32_t)fx_rcp16((area << s->shift) >> 16);
+    } else {
+        wide_base(s);
+    }
+}
+
+/* The plane with gradients gx, gy through `value` at the first corner, but for the last 8 bits of the fraction. */
+static struct ph_plane hang_plane(const struct plane_base *s, uint32_t value, int32_t gx, int32_t gy)
+{
+    const uint32_t whole = (uint32_t)s->x * (uint32_t)gx + (uint32_t)s->y * (uint32_t)gy;
+    const uint32_t part = (uint32_t)(gx >> 8) * (uint32_t)s->part_x + (uint32_t)(gy >> 8) * (uint32_t)s->part_y;
+    return (struct ph_plane){value + whole + part, (uint32_t)gx, (uint32_t)gy};
+}
+
+struct pixel_gradient {
+    int32_t x, y; /* per pixel */
+};
+
+/*
+ * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first:
+ * x = (d2 dy1 - d1 dy2) / area, y = (d1 dx2 - d2 dx1) / area. For limit see plane_through below.
+ */
+static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int limit)
+{
+    struct plane_base base = *any, *const s = &base;
+    if (any->sides->is_short) {
+        wide_base(&base);
+    }
+    const struct ph_sides *t = s->sides;
+    const int64_t nx = d2 * t->dy1 - d1 * t->dy2, ny = d1 * t->dx2 - d2 * t->dx1;
+    const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
+    const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
+    const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
+    const int down = max_int(max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit), 1);
+    const int64_t half = (int64_t)1 << (down - 1); /* down is not below 1: 22 without excess, else 29 */
+    return (struct pixel_gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
+}
+
+/* The plane with that gradient through `value` at the first corner. */
+static NOINLINE struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2,
+                                           int limit)
+{
+    const struct pixel_gradient g = wide_gradient(s, d1, d2, limit);
+    return hang_plane(s, value, g.x, g.y);
+}
+
+/* n r / 2^16; n is below 2^30, r has 16 bits. */
+static inline int32_t times_q16(int32_t n, int32_t r)
+{
+    return (n >> 16) * r + (int32_t)(((uint32_t)n & 0xffff) * (uint32_t)r >> 16);
+}
+
+/*
+ * The same for short sides, in 32 bits. d1, d2 (below 2^15) are the differences over 2^drop. On entry out->base is the
+ * value at the first corner.
+ */
+static FX_APART void short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop,
+                                 int limit)
+{
+    const struct ph_sides *const t = s->sides;
+    int32_t gx = times_q16(d2 * t->dy1 - d1 * t->dy2, s->reciprocal);
+    int32_t gy = times_q16(d1 * t->dx2 - d2 * t->dx1, s->reciprocal);
+    int down = 23 - s->shift - drop; /* g 2^-down is the gradient; |g| < 2^30 */
+    const int room = down + limit;   /* bits that g may have */
+    if (room < 30 && ((uint32_t)((gx >> room) + 1) | (uint32_t)((gy >> room) + 1)) > 1) {
+        down = max_int(down, 32 - fx_clz32(ph_without_sign(gx) | ph_without_sign(gy)) - limit);
+    }
+    gx = down >= 0 ? gx >> down : gx * (1 << -down);
+    gy = down >= 0 ? gy >> down : gy * (1 << -down);
+    *out = hang_plane(s, out->base, gx, gy);
+}
+
+/* The same for differences below 2^30, of which the upper 16 bits are taken. */
+static inline void scaled_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int32_t d1,
+                                int32_t d2, int limit)
+{
+    const int spare = fx_clz32(ph_without_sign(d1) | ph_without_sign(d2));
+    const int drop = spare < 17 ? 17 - spare : 0;
+    const int32_t half = (1 << drop) >> 1;
+    out->base = value;
+    short_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop, limit);
+}
+
+/*
+ * The plane through three unsigned values. Gradients beyond 2^limit per pixel are halved until they fit: so slivers,
+ * and faces seen edge-on, become flat instead of wrapping.
+ */
+static void plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3], int limit)
+{
+    /* If the halves differ by less than 2^29, the differences are below 2^30. */
+    const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
+    if (s->sides->is_short && ((uint32_t)((half1 >> 29) + 1) | (uint32_t)((half2 >> 29) + 1)) <= 1) {
+        scaled_plane(out, s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]), limit);
+    } else {
+        *out = wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+    }
+}
+
+/* The plane through the light of the corners, in 2^-16. */
+static void plane_light(struct ph_plane *out, const struct plane_base *s, const struct ph_vertex *const v[3])
+{
+    const int32_t d1 = v[1]->light - v[0]->light, d2 = v[2]->light - v[0]->light;
+    const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
+    out->base = (uint32_t)v[0]->light << 16;
+    if (s->sides->is_short) {
+        short_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop, 31);
+    } else {
+        *out = wide_plane(s, out->base, (int64_t)d1 * 65536, (int64_t)d2 * 65536, 31);
+    }
+}
+
+/* The plane through three unsigned values to its last bit, for formats that keep 24 bits of them. */
+static struct ph_plane plane_exact(const struct plane_base *s, const uint32_t v[3], int limit)
+{
+    const struct pixel_gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+    const int32_t x = s->x * 256 + s->part_x, y = s->y * 256 + s->part_y;
+    const uint32_t right = (uint32_t)(fx_mul_wide(g.x, x) >> 8), down = (uint32_t)(fx_mul_wide(g.y, y) >> 8);
+    return (struct ph_plane){v[0] + right + down, (uint32_t)g.x, (uint32_t)g.y};
+}
+
+/* ---- depth ------------------------------------------------------------------------------------------------------ */
+
+/* The exponent of the nearest corner. */
+static int least_exponent(const struct ph_vertex *const v[3])
+{
+    const int a = v[0]->s < v[1]->s ? v[0]->s : v[1]->s;
+    return v[2]->s < a ? v[2]->s : a;
+}
+
+/* N/w of a corner in units of 2^-(28 + least), with the exponent `least` of the nearest corner: below 2^29. */
+static uint32_t corner_over_w(const struct ph_vertex *v, int least)
+{
+    const int down = v->s - least + 2;
+    return down < 32 ? v->q >> down : 0;
+}
+
+static void depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t v[3], int limit,
+                        struct ph_plane *out)
+{
+    if (r->stats.depth_format >= PH_DEPTH_FIXED24) {
+        *out = plane_exact(s, v, limit);
+    } else {
+        plane_through(out, s, v, limit);
+    }
+}
+
+/* Depth of the corners in the fixed formats. */
+static inline void fixed_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
+                                uint32_t d[3])
+{
+    const uint32_t far = ph_depth_far(&r->lens, 0), offset = PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_before(ph_depth_of(v[i]), far, 0) + offset;
+    }
+}
+
+NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
+                                 uint32_t d[3])
+{
+    const int above = least_exponent(v) - 2, block = above > 0 ? above : 0;
+    const uint32_t far = ph_depth_far(&r->lens, block);
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_before(ph_depth_of(v[i]), far, block);
+    }
+    const int octave = ph_depth_octave(d[0], block);
+    if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
+        return (uint8_t)block;
+    }
+    const uint32_t offset = ph_depth_float16_offset(octave, block) + (bias << 13);
+    for (int i = 0; i < 3; i++) { /* in one octave a float is a fixed number with another slope */
+        d[i] = ph_depth_float16_value(d[i], octave) + offset;
+    }
+    return PH_BLOCK_NONE;
+}
+
+/* linear-w: the plane of N/w, and how it becomes a code. */
+static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plane_base *s,
+                                  const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+{
+    const int least = least_exponent(v);
+    const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
+    t->block = PH_BLOCK_LINEAR;
+    t->depth = plane_exact(s, w, 29);
+    t->linear = r->lens.linear;
+    t->linear.bias = (uint8_t)(t->linear.bias + bias);
+    t->linear.down = (int8_t)(t->linear.down - least);
+}
+
+static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
+                        struct ph_triangle *t)
+{
+    const uint32_t bias = ph_depth_bias(t->material);
+    const unsigned format = r->stats.depth_format;
+    t->block = PH_BLOCK_NONE;
+    uint32_t d[3];
+    if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
+        t->block = ph_block_depths(r, v, bias, d);
+        depth_plane(r, s, d, 27, &t->depth);
+    } else if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
+        setup_linear(r, s, v, bias, t);
+    } else {
+        fixed_depths(r, v, bias, d);
+        depth_plane(r, s, d, 28, &t->depth);
+    }
+}
+
+/* ---- texture ---------------------------------------------------------------------------------------------------- */
+
+/*
+ * u or v of the corners, Q16.16. If the texture repeats, a whole number of repeats is subtracted so that none is
+ * negative. Returns the log2 of their range.
+ */
+static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, uint32_t out[3])
+{
+    const bool repeats = texture->wrap == PH_WRAP_REPEAT;
+    const int32_t a = uv[0][axis], b = uv[1][axis], c = uv[2][axis], ab = a < b ? a : b, least = ab < c ? ab : c;
+    uint32_t most = 1;
+    for (int i = 0; i < 3; i++) {
+        out[i] = (uint32_t)uv[i][axis] - (repeats ? (uint32_t)least & ~(uint32_t)0xffff : 0);
+        const uint32_t size = repeats ? out[i] : fx_magnitude((int32_t)out[i]);
+        most = size > most ? size : most;
+    }
+    const int log2 = 16 - fx_clz32(most - 1);
+    return log2 > 0 ? log2 : 0;
+}
+
+/* The planes of u/w, v/w and 1/w, once t->block is set. uv: those of each corner; NULL counts as 0. */
+static NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
+                                   const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
+                                   struct ph_triangle *t)
+{
+    static const fx_t origin[2];
+    static const fx_t *const origins[3] = {origin, origin, origin};
+    const fx_t *const *from = corner_uv != NULL ? corner_uv : origins;
+    const struct ph_texture *const texture = t->material->texture;
+    const uint32_t positive = (uint32_t)1 << 28;
+    uint32_t uv[2][3];
+    const int range_u = texture_range(texture, from, 0, uv[0]), range_v = texture_range(texture, from, 1, uv[1]);
+    const int range = range_u > range_v ? range_u : range_v;
+    const bool perspective = r->lens.kind != PH_ORTHOGRAPHIC;
+    const int least = least_exponent(v);
+    uint32_t w[3]; /* 1/w to a common exponent, up to 2^29 */
+    for (int i = 0; i < 3; i++) {
+        w[i] = perspective ? corner_over_w(v[i], least) : (uint32_t)1 << 28;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        uint32_t over_w[3]; /* u / (4 range w): at most 2^27; then made positive */
+        for (int i = 0; i < 3; i++) {
+            const uint32_t u = uv[axis][i];
+            const int32_t share = range <= 14 ? (int32_t)(u << (14 - range)) : (int32_t)u >> (range - 14); /* Q2.30 */
+            over_w[i] = (uint32_t)(fx_mul_wide(share, (int32_t)w[i]) >> 32) + positive;
+        }
+        plane_through(&t->attribute[axis], s, over_w, 31);
+        t->attribute[axis].base -= positive;
+    }
+    if (t->block != PH_BLOCK_LINEAR) { /* linear-w has it as its depth */
+        plane_through(&t->attribute[2], s, w, 31);
+    }
+    t->range_log2 = (uint8_t)range;
+}
+
+/* ---- all planes ------------------------------------------------------------------------------------------------- */
+
+/* The colour of a light. */
+static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
+{
+    return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
+}
+
+/* The light, the texture, or one colour. */
+static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
+                          const fx_t *const uv[3], struct ph_triangle *t)
+{
+    const struct ph_material *material = t->material;
+    t->kind = PH_KIND_FLAT;
+    switch (material->shading) {
+    case PH_SHADE_FLAT:
+        t->colour = ramp_colour(material, v[0]->light);
+        return;
+    case PH_SHADE_GOURAUD:
+        if (material->ramp != NULL) {
+            t->kind = PH_KIND_GOURAUD;
+            plane_light(&t->attribute[0], s, v);
+            return;
+        }
+        break;
+    case PH_SHADE_TEXTURE:
+    case PH_SHADE_TEXTURE_LIT:
+        if (material->texture != NULL) {
+            t->kind = PH_KIND_TEXTURE;
+            t->colour = material->shading == PH_SHADE_TEXTURE_LIT
+                            ? (uint16_t)(((uint32_t)(v[0]->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
+                            : 32;
+            setup_texture(r, s, v, uv, t);
+            return;
+        }
+        break;
+    default:
+        break;
+    }
+    t->colour = material->colour;
+}
+
+void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                   const fx_t *const uv[3], const struct ph_sides *sides)
+{
+    struct plane_base base;
+    plane_base(&base, v[0], sides);
+    setup_depth(r, &base, v, t);
+    setup_shading(r, &base, v, uv, t);
+}

@@ -1,0 +1,38 @@
+/* planes: depth, light and texture of a triangle as planes on the screen. Private to firmware/core. */
+#ifndef PH_PLANES_H
+#define PH_PLANES_H
+
+#include "sides.h"
+#include "triangle.h"
+
+/* 2^(61 - *shift) / w for products of 64 bits; *shift: leading zeros of w. */
+static inline int32_t ph_wide_reciprocal(uint32_t w, int *shift)
+{
+    return (int32_t)(fx_rcp_norm(w, shift) >> 1);
+}
+
+/* The material's bias, within its range. */
+static inline uint32_t ph_depth_bias(const struct ph_material *material)
+{
+    return material->depth_bias < 56 ? material->depth_bias : 56;
+}
+
+static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
+{
+    return (struct ph_quotient){v->q, v->s};
+}
+
+/*
+ * Depth of the corners in a float format. If all lie in one octave they become 16.16 codes, and PH_BLOCK_NONE is
+ * returned; else the block exponent of the triangle.
+ */
+uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
+
+/*
+ * Sets what the pixels of a triangle take: kind, colour, depth, block, attribute, range_log2; material is set already.
+ * uv: those of each corner; NULL if the material has no texture.
+ */
+void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                   const fx_t *const uv[3], const struct ph_sides *sides);
+
+#endif
