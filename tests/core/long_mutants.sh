@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The raster tests are tested: each line breaks one thing in a copy of the core on purpose; the test named beside it must
 # fail. A line that changes nothing any more fails too: the code has moved on, the line should follow.
-# (The portable core: what a CPU has of its own is held to it by tests/test_hot.sh.)
+# (The portable core: what a CPU has of its own is held to it by tests/core/test_kernels.sh.)
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -20,7 +20,7 @@ top edges not owned                      | render/edge.h    | s/(y + 127) >> 8/(
 edges walked to 6 bits                   | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~1023;/      | test_coverage
 6 sub-pixel bits                         | kernels/portable/vertices.c | s/\(v->[xy] = .*\);/\1 \& ~3;/                      | test_quality
 7 sub-pixel bits                         | kernels/portable/vertices.c | s/\(v->[xy] = .*\);/\1 \& ~1;/                      | test_quality
-positions truncated, not rounded         | render/mesh.c    | s/)1 << (down - 1)/)0 << (down - 1)/               | test_quality
+positions truncated, not rounded         | render/transform.c| s/)1 << (down - 1)/)0 << (down - 1)/               | test_quality
 principal point half a pixel off         | render/frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
 an edge that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.x += 128;/           | test_watertight
 a slope that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
@@ -28,9 +28,9 @@ a crossing that depends on its direction | render/clip.c    | s/crossing(lens, b
 crossings to 10 bits                     | render/clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
 near plane too near                      | render/clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight
 no far plane                             | render/clip.c    | s/lens->far_z - v->z;/lens->far_z;/                  | test_raster
-depth gradients without guard bits       | render/setup.c   | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality
-float16 spans not split at octaves       | render/setup.c   | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
-fixed16 bias without its quarter         | render/setup.c   | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
+depth gradients without guard bits       | render/planes.c  | s/(uint32_t)gx, (uint32_t)gy}/(uint32_t)gx \& ~0x3ffu, (uint32_t)gy \& ~0x3ffu}/; s/(uint32_t)depth.[xy] \* 256/& \& ~0x3ffu/ | test_quality
+float16 spans not split at octaves       | render/planes.c  | s/if (!ph_depth_in_octave(d.*{/if (false) {/         | test_quality
+fixed16 bias without its quarter         | render/planes.c  | s/PH_DEPTH_BIAS_FIXED16 +/((uint32_t)16 << 16) +/    | test_depth
 float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
@@ -45,23 +45,23 @@ no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 :
 no clamp of texels at the left border    | kernels/portable/texture_tile_plain.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
 dropped triangles not counted            | render/setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
-light of the first corner everywhere     | render/setup.c   | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
-a small triangle's edge depends on it    | kernels/portable/setup_small.c | s/set_edge(top, low, row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
-a small triangle's slope depends on it   | kernels/portable/setup_small.c | s/set_edge(top, low, row_top, &long_edge);/& long_edge.dx \&= ~15;/ | test_quality
+light of the first corner everywhere     | render/planes.c  | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
+a small triangle's edge depends on it    | kernels/portable/setup_small.c | s/set_edge(o.top, o.low, o.row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
+a small triangle's slope depends on it   | kernels/portable/setup_small.c | s/set_edge(o.top, o.low, o.row_top, &long_edge);/& long_edge.dx \&= ~15;/ | test_quality
 a small triangle's light is its first    | kernels/portable/setup_small.c | s/(v\[1\]->light - v\[0\]->light)/0/      | test_quality
 a small triangle's depth to fewer bits   | kernels/portable/setup_small.c | s/(uint32_t)depth.x \* 256/& \& ~0x3ffffu/      | test_quality
-a small triangle without its lower half  | kernels/portable/setup_small.c | s/set_edge(mid, low, row_mid, &rows->lower);/& rows->lower.dx = 0;/ | test_quality
+a small triangle without its lower half  | kernels/portable/setup_small.c | s/set_edge(o.mid, o.low, o.row_mid, &small->lower);/& small->lower.dx = 0;/ | test_quality
 vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->round_\([xy]\) + //                           | test_quality
 6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
-lines too thin                           | render/mesh.c    | s/wide ? 0 : 128/wide ? 0 : 64/              | test_frame
+lines too thin                           | render/setup.c   | s/x_major ? 0 : 128/x_major ? 0 : 64/              | test_frame
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
 texture slope left out                   | render/texture.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | render/light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
 highlight to another power               | render/light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
-depth bias ignored                       | render/setup.c   | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
-light of a texture ignored               | render/setup.c   | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
+depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
+light of a texture ignored               | render/planes.c  | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
 red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame
 END
 }

@@ -5,6 +5,7 @@
 @ r9 2^12, r10 the struct ph_cull_run
     .syntax unified
     .thumb
+#include "../offsets.inc"
 
     .macro corners
     ldrh r3, [r1]
@@ -90,9 +91,9 @@ plain:
     b none
 coded:
     corners
-    ldrb r2, [r3, #13]
-    ldrb r6, [r4, #13]
-    ldrb r7, [r5, #13]
+    ldrb r2, [r3, #vertex_code]
+    ldrb r6, [r4, #vertex_code]
+    ldrb r7, [r5, #vertex_code]
     orrs r2, r6
     orrs r2, r7
     lsls r2, #25 @ all but the bit of light
@@ -103,7 +104,7 @@ coded:
 1:  turn_high
     bne coded
     b none
-2:  ldrb r2, [r3, #13]
+2:  ldrb r2, [r3, #vertex_code]
     ands r2, r6
     ands r2, r7
     lsls r2, #26 @ the six planes
@@ -113,21 +114,21 @@ coded:
 none:
     movs r0, #0
     mov r2, r10
-    str r1, [r2, #4]
+    str r1, [r2, #cull_index]
     b out
 some:
     movs r0, #1
     mov r2, r10
-    str r1, [r2, #4]
-    adds r2, #16
+    str r1, [r2, #cull_index]
+    adds r2, #cull_v
     stmia r2!, {r3-r5}
     b out
 found:
     subs r1, #6
     corners
     mov r2, r10
-    str r1, [r2, #4]
-    adds r2, #16
+    str r1, [r2, #cull_index]
+    adds r2, #cull_v
     stmia r2!, {r3-r5}
     ldmia r3!, {r0, r1}
     ldmia r4, {r3, r4}

@@ -3,11 +3,7 @@
 @ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s; r12 corners, lr octave + 2
     .syntax unified
     .thumb
-
-    .equ far_q, 32 @ struct ph_lens
-    .equ far_s, 36
-    .equ vertex_q, 8 @ struct ph_vertex
-    .equ vertex_s, 12
+#include "../offsets.inc"
 
     @ d of the vertex r0 to r6, its s to r7; takes r0, r1
     .macro own_depth
@@ -47,8 +43,8 @@
 ph_float_depths: @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
     push {r4-r7, lr}
     mov r12, r1
-    ldr r4, [r0, #far_q]
-    adds r0, #far_s
+    ldr r4, [r0, #lens_far_q]
+    adds r0, #lens_far_s
     ldrb r5, [r0]
     ldr r0, [r1]
     own_depth

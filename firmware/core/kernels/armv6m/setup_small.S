@@ -1,8 +1,8 @@
 @ ph_setup_small of kernels.h for ARMv6-M: some 370 instructions a triangle.
     .syntax unified
     .thumb
+#include "../offsets.inc"
 #include "registers.inc"
-#include "setup_small.inc"
 
     .equ corners, 4 @ on the stack
     .equ sides, 8
@@ -39,8 +39,8 @@
     mov r3, r12
     lsls r2, r2, #1
     subs r2, r2, r3
-    str r1, [r2, #left + 4]
-    str r0, [r2, #left_dx + 4]
+    str r1, [r2, #triangle_left + 4]
+    str r0, [r2, #triangle_left_dx + 4]
     .endm
 
     .section .text.ph_setup_small, "ax", %progbits
@@ -118,13 +118,13 @@ flatten: @ gradient r5, r6 and its shift r7 to 32 - r4 bits; takes r4
 
 flat_top: @ part of ph_setup_small: the lower edge is the first one
     strh r3, [r0]
-    strh r2, [r0, #lower_rows - upper_rows]
+    strh r2, [r0, #triangle_lower_rows - triangle_upper_rows]
     mov r4, r11
     mov r6, r9
     bl edge
     mov r3, r12
-    str r1, [r3, #left]
-    str r0, [r3, #left_dx]
+    str r1, [r3, #triangle_left]
+    str r0, [r3, #triangle_left_dx]
     long_edge
     b planes
 
@@ -184,35 +184,35 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     movs r7, #1
 4:  cmp r1, r3
     bge none
-    strh r1, [r0, #y_top]
-    strh r3, [r0, #y_bottom]
+    strh r1, [r0, #triangle_y_top]
+    strh r3, [r0, #triangle_y_bottom]
     mov r8, r1
     mov r9, r2
     mov r10, r4
     mov r11, r5
     movs r5, r6
-    adds r0, #upper_rows
-    str r7, [r0, #lower_is_right - upper_rows]
+    adds r0, #triangle_upper_rows
+    str r7, [r0, #triangle_lower_is_right - triangle_upper_rows]
     subs r3, r3, r2
     subs r2, r2, r1
     beq flat_top
     strh r2, [r0]
-    strh r3, [r0, #lower_rows - upper_rows]
+    strh r3, [r0, #triangle_lower_rows - triangle_upper_rows]
     cmp r3, #0
     beq 5f
     mov r4, r11
     mov r6, r9
     bl edge
     ldr r2, [sp]
-    str r1, [r2, #lower]
-    str r0, [r2, #lower + 4]
+    str r1, [r2, #triangle_lower]
+    str r0, [r2, #triangle_lower + 4]
 5:  long_edge
     mov r5, r11
     mov r6, r8
     bl edge
     mov r3, r12
-    str r1, [r3, #left]
-    str r0, [r3, #left_dx]
+    str r1, [r3, #triangle_left]
+    str r0, [r3, #triangle_left_dx]
 planes:
     @ sides over the area, as in setup_small.c: r8 C, r9 A, r10 D, r11 B, r12 shift
     ldr r1, [sp, #sides]
@@ -303,7 +303,7 @@ none:
     subs r2, r3, r2
     ldr r1, [r1, #vertex_y]
     ldr r0, [sp]
-    ldrh r7, [r0, #y_top]
+    ldrh r7, [r0, #triangle_y_top]
     lsls r7, r7, #8
     adds r7, r7, r3
     subs r7, r7, r1
@@ -316,9 +316,9 @@ none:
     adds r4, r4, r7
     lsls r5, r5, #8
     lsls r6, r6, #8
-    str r4, [r0, #light]
-    str r5, [r0, #glight]
-    str r6, [r0, #light_dy]
+    str r4, [r0, #triangle_light]
+    str r5, [r0, #triangle_glight]
+    str r6, [r0, #triangle_light_dy]
     @ depth
     ldr r3, [sp, #depths]
     ldmia r3, {r3-r5}
@@ -362,9 +362,9 @@ none:
     adds r3, r3, r2
     lsls r5, r5, #8
     lsls r6, r6, #8
-    str r3, [r0, #d]
-    str r5, [r0, #gd]
-    str r6, [r0, #d_dy]
+    str r3, [r0, #triangle_d]
+    str r5, [r0, #triangle_gd]
+    str r6, [r0, #triangle_d_dy]
     movs r0, #1
 leave:
     add sp, #16

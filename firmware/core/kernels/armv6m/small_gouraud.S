@@ -4,12 +4,8 @@
 @ r11 right, r12 d and lr light at column 0
     .syntax unified
     .thumb
+#include "../offsets.inc"
 #include "registers.inc"
-
-    .equ lower, 44 - 16 @ struct ph_small_triangle, from gd on
-    .equ upper_rows, 52 - 16
-    .equ lower_rows, 54 - 16
-    .equ lower_is_right, 56 - 16
 
     .equ count, 0 @ on the stack
     .equ left_dx, 4
@@ -48,7 +44,7 @@ ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: byt
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
     push {r0, r2, r3}
-    ldrh r2, [r0, #upper_rows]
+    ldrh r2, [r0, #small_upper_rows - small_gd]
     ldr r3, =last + 1
     push {r2, r3}
     movs r3, #0
@@ -119,15 +115,15 @@ row:
 2:  ldr r0, [sp, #triangle]
     cmp r0, #0
     beq 5f
-    ldrh r1, [r0, #lower_rows]
+    ldrh r1, [r0, #small_lower_rows - small_gd]
     cmp r1, #0
     beq 5f
     str r1, [sp, #rows]
     movs r1, #0
     str r1, [sp, #triangle]
-    ldr r1, [r0, #lower]
-    ldr r2, [r0, #lower + 4]
-    ldr r3, [r0, #lower_is_right]
+    ldr r1, [r0, #small_lower - small_gd]
+    ldr r2, [r0, #small_lower - small_gd + 4]
+    ldr r3, [r0, #small_lower_is_right - small_gd]
     cmp r3, #0
     beq 3f
     mov r11, r1

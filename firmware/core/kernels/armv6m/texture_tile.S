@@ -5,23 +5,9 @@
 @ by what dv and du grow
     .syntax unified
     .thumb
+#include "../offsets.inc"
 #include "registers.inc"
 
-    .equ left, 0
-    .equ right, 4
-    .equ d, 16
-    .equ depth, 24
-    .equ pixels, 28
-    .equ stride, 32
-    .equ gd, 36
-    .equ u_mask, 40
-    .equ v_mask, 44
-    .equ texels, 48
-    .equ columns, 52
-    .equ rows, 56
-    .equ count, 60
-    .equ outside, 64
-    .equ u, 72
     .equ way, 32 @ bytes
 
     @ on the stack
@@ -91,35 +77,35 @@ ph_texture_tile: @ r0: struct ph_texel_rows
     sub sp, #frame
     movs r7, r0
     str r7, [sp, #self]
-    ldr r0, [r7, #gd]
+    ldr r0, [r7, #texel_gd]
     mov r8, r0
-    ldr r0, [r7, #texels]
+    ldr r0, [r7, #texel_texels]
     mov r11, r0
-    ldr r0, [r7, #u_mask]
+    ldr r0, [r7, #texel_u_mask]
     lsls r0, r0, #1
     str r0, [sp, #mask1]
-    ldr r0, [r7, #v_mask]
+    ldr r0, [r7, #texel_v_mask]
     lsls r0, r0, #1
     str r0, [sp, #mask2]
-    ldr r0, [r7, #depth]
-    ldr r1, [r7, #pixels]
+    ldr r0, [r7, #texel_depth]
+    ldr r1, [r7, #texel_pixels]
     subs r1, r1, r0
     str r1, [sp, #apart]
 row: @ r7: self
-    ldr r0, [r7, #left]
-    ldr r1, [r7, #right]
+    ldr r0, [r7, #texel_left]
+    ldr r1, [r7, #texel_right]
     asrs r0, r0, #16
     asrs r1, r1, #16
     asrs r2, r0, #31
     bics r0, r2
-    ldr r2, [r7, #columns]
+    ldr r2, [r7, #texel_columns]
     cmp r1, r2
     ble 1f
     movs r1, r2
 1:  subs r2, r1, r0
     bgt 2f
     b down_rows
-2:  ldr r3, [r7, #outside]
+2:  ldr r3, [r7, #texel_u_outside]
     cmp r3, #0
     beq inside
     b clamped
@@ -140,7 +126,7 @@ inside: @ r0: first column, r1: behind the last, r2: how many
     adds r2, r3, r0
     adds r2, r2, r2 @ pair
     movs r6, r7
-    adds r6, #u
+    adds r6, #texel_u
     ldmia r6!, {r3-r5}
     movs r7, r5
     muls r7, r2
@@ -159,13 +145,13 @@ inside: @ r0: first column, r1: behind the last, r2: how many
     lsls r7, r7, #2
     mov r12, r7
     ldr r7, [sp, #self]
-    ldr r2, [r7, #d]
+    ldr r2, [r7, #texel_d]
     mov r5, r8
     muls r5, r0
     adds r2, r2, r5
     lsls r0, r1, #1
     subs r0, #32 @ behind the first ones
-    ldr r1, [r7, #depth]
+    ldr r1, [r7, #texel_depth]
     adds r0, r0, r1
     ldr r1, [sp, #apart]
     adds r1, r1, r0
@@ -192,12 +178,12 @@ entries: @ by how many pixels come first, 1 .. 16: they are the last of 16
 3:
     ldr r7, [sp, #self]
     ldr r0, [sp, #n]
-    ldr r1, [r7, #count]
+    ldr r1, [r7, #texel_count]
     adds r1, r1, r0
-    str r1, [r7, #count]
+    str r1, [r7, #texel_count]
 down_rows:
     movs r0, r7
-    adds r0, #u
+    adds r0, #texel_u
     down
     down
     movs r0, r7
@@ -205,23 +191,23 @@ down_rows:
     adds r1, r1, r3
     adds r2, r2, r4
     adds r5, r5, r6
-    str r1, [r7, #left]
-    str r2, [r7, #right]
-    str r5, [r7, #d]
-    ldr r1, [r7, #depth]
-    ldr r2, [r7, #stride]
+    str r1, [r7, #texel_left]
+    str r2, [r7, #texel_right]
+    str r5, [r7, #texel_d]
+    ldr r1, [r7, #texel_depth]
+    ldr r2, [r7, #texel_stride]
     adds r1, r1, r2
-    str r1, [r7, #depth]
-    ldr r1, [r7, #rows]
+    str r1, [r7, #texel_depth]
+    ldr r1, [r7, #texel_rows]
     subs r1, #1
-    str r1, [r7, #rows]
+    str r1, [r7, #texel_rows]
     beq done
     b row
 done:
-    ldr r0, [r7, #depth]
+    ldr r0, [r7, #texel_depth]
     ldr r1, [sp, #apart]
     adds r0, r0, r1
-    str r0, [r7, #pixels]
+    str r0, [r7, #texel_pixels]
     add sp, #frame
     restore_and_return
 
@@ -232,7 +218,7 @@ clamped:
     mov lr, r3
     subs r1, #1
     movs r6, r7
-    adds r6, #u
+    adds r6, #texel_u
     ldmia r6!, {r2-r4}
     movs r5, r2
     value r2, r3, r4, r0, r7
@@ -248,7 +234,7 @@ clamped:
     value r5, r3, r4, r1, r7
     orrs r5, r2
     mov r7, r10
-    ldr r2, [r7, #outside + 4]
+    ldr r2, [r7, #texel_v_outside]
     ands r2, r5
     bne stop
     adds r1, #1

@@ -3,26 +3,9 @@
 @ r7 run; r8 from, r9 to, r10 run, r11 r12 x y before the divide, lr full light in its place
     .syntax unified
     .thumb
+#include "../offsets.inc"
+#include "matvec_offsets.inc"
 #include "registers.inc"
-
-    .equ from, 0
-    .equ end, 4
-    .equ to, 8
-    .equ codes, 12
-    .equ near, 16
-    .equ range, 20
-    .equ round_x, 28 @ the upper words
-    .equ round_y, 36
-    .equ depth_scale, 40
-    .equ near_shift, 44
-    .equ right, 48
-    .equ bottom, 52
-    .equ guard_up, 56
-    .equ down, 60
-    .equ short_reach, 72
-    .equ short_row, 76
-    .equ row, 172
-    .equ at, 304
 
     @ r3: a row of digits times (r0, r1, r2); see matvec.h
     .macro row_times
@@ -105,9 +88,9 @@ ph_vertices: @ r0: struct ph_vertex_run
     save_registers
     mov r10, r0
     movs r7, r0
-    ldr r1, [r0, #from]
+    ldr r1, [r0, #run_from]
     mov r8, r1
-    ldr r2, [r0, #to]
+    ldr r2, [r0, #run_to]
     mov r9, r2
     movs r2, #0xf7
     lsls r2, #24
@@ -118,8 +101,8 @@ hand_back:
     mov r0, r11
     mov r1, r12
     movs r4, r7
-    adds r4, #at / 2
-    adds r4, #at / 2
+    adds r4, #run_at / 2
+    adds r4, #run_at / 2
     stmia r4!, {r0-r2}
 stop:
     mov r3, r8
@@ -130,7 +113,7 @@ next:
     mov r3, r8
     ldmia r3!, {r0-r2} @ x y z
     mov r8, r3
-    ldr r4, [r7, #short_reach]
+    ldr r4, [r7, #run_short_reach]
     adds r5, r0, r4
     adds r6, r1, r4
     orrs r5, r6
@@ -140,7 +123,7 @@ next:
     cmp r5, r4
     blo 1f
     b large
-1:  adds r7, #short_row
+1:  adds r7, #run_short_row
     short_row_times
     mov r11, r3
     short_row_times
@@ -149,8 +132,8 @@ next:
 placed:
     @ Near plane, far plane, guard band.
     mov r7, r10
-    ldr r4, [r7, #near]
-    ldr r5, [r7, #range]
+    ldr r4, [r7, #run_near]
+    ldr r5, [r7, #run_range]
     subs r4, r3, r4
     cmp r4, r5
     bhi hand_back
@@ -161,7 +144,7 @@ placed:
     asrs r5, r1, #31
     eors r5, r1
     orrs r4, r5
-    ldr r5, [r7, #guard_up]
+    ldr r5, [r7, #run_guard_up]
     movs r6, r3
     lsrs r6, r5
     lsls r6, #3
@@ -224,7 +207,7 @@ placed:
     lsrs r6, #31
     subs r5, r6
 2:  @ Depth: the high word of depth_scale times it, with its upper bit at 30.
-    ldr r2, [r7, #depth_scale]
+    ldr r2, [r7, #run_depth_scale]
     lsrs r1, r2, #16
     uxth r2, r2
     uxth r3, r5
@@ -242,7 +225,7 @@ placed:
     adds r1, r3
     lsrs r2, #16
     adds r1, r2
-    ldr r2, [r7, #near_shift]
+    ldr r2, [r7, #run_near_shift]
     subs r2, r4
     lsrs r3, r1, #30
     bne 3f
@@ -252,8 +235,8 @@ placed:
     mov r3, lr
     orrs r2, r3
     mov r3, r9
-    str r1, [r3, #8]
-    str r2, [r3, #12]
+    str r1, [r3, #vertex_q]
+    str r2, [r3, #vertex_s]
     @ x / w, y / w, centre
     lsrs r5, #1
     subs r4, #4
@@ -265,17 +248,17 @@ placed:
     lsls r1, r4
     times_high r0, r4
     times_high r1, r4
-    ldr r4, [r7, #round_x]
+    ldr r4, [r7, #run_round_x + 4]
     adds r0, r4
-    ldr r4, [r7, #round_y]
+    ldr r4, [r7, #run_round_y + 4]
     adds r1, r4
-    ldr r4, [r7, #down]
+    ldr r4, [r7, #run_down]
     asrs r0, r4
     asrs r1, r4
-    ldr r4, [r7, #right]
+    ldr r4, [r7, #run_right]
     cmp r0, r4
     bhi outside
-    ldr r5, [r7, #bottom]
+    ldr r5, [r7, #run_bottom]
     cmp r1, r5
     bhi outside
     mov r3, r9
@@ -284,7 +267,7 @@ put:
     adds r3, #8
     mov r9, r3
 until:
-    ldr r4, [r7, #end]
+    ldr r4, [r7, #run_end]
     cmp r8, r4
     beq done
     b next
@@ -299,7 +282,7 @@ large: @ beyond the cube; each below 2^20 either way
     lsrs r5, #21
     beq 1f
     b stop
-1:  adds r7, #row
+1:  adds r7, #run_row
     row_times
     mov r11, r3
     row_times
@@ -307,7 +290,7 @@ large: @ beyond the cube; each below 2^20 either way
     row_times
     b placed
 outside: @ codes: left, right, top, bottom = 1, 2, 4, 8
-    ldr r5, [r7, #bottom]
+    ldr r5, [r7, #run_bottom]
     movs r2, #1
     cmp r0, #0
     blt 1f
@@ -324,17 +307,17 @@ outside: @ codes: left, right, top, bottom = 1, 2, 4, 8
     movs r3, #0
 2:  orrs r2, r3
     mov r3, r9
-    strb r2, [r3, #13]
-    ldr r4, [r7, #codes]
+    strb r2, [r3, #vertex_code]
+    ldr r4, [r7, #run_codes]
     orrs r4, r2
-    str r4, [r7, #codes]
+    str r4, [r7, #run_codes]
     b put
 done:
     mov r7, r10
     mov r1, r8
-    str r1, [r7, #from]
+    str r1, [r7, #run_from]
     mov r2, r9
-    str r2, [r7, #to]
+    str r2, [r7, #run_to]
     restore_and_return
     .size ph_vertices, . - ph_vertices
     .p2align 2

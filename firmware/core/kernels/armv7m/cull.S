@@ -3,6 +3,7 @@
 @ r0 vertices, r1 index, r2 end, lr the struct ph_cull_run; r3 r4 r5 corners a b c; r6 r7 r12 scratch
     .syntax unified
     .thumb
+#include "../offsets.inc"
 
     .macro corners
     ldrh r3, [r1], #2
@@ -49,9 +50,9 @@ plain:
     b none
 coded:
     corners
-    ldrb r6, [r3, #13]
-    ldrb r7, [r4, #13]
-    ldrb r8, [r5, #13]
+    ldrb r6, [r3, #vertex_code]
+    ldrb r7, [r4, #vertex_code]
+    ldrb r8, [r5, #vertex_code]
     orr r9, r6, r7
     orr r9, r8
     tst r9, #0x7f @ all but the bit of light
@@ -61,7 +62,7 @@ coded:
     cmp r1, r2
     bne coded
 none:
-    str r1, [lr, #4]
+    str r1, [lr, #cull_index]
     movs r0, #0
     pop {r4-r11, pc}
 1:  ands r6, r7
@@ -72,14 +73,14 @@ none:
     bne coded
     b none
 some:
-    add r0, lr, #16
-    str r1, [lr, #4]
+    add r0, lr, #cull_v
+    str r1, [lr, #cull_index]
     stmia r0, {r3-r5}
     movs r0, #1
     pop {r4-r11, pc}
 found:
-    add r0, lr, #16
-    str r1, [lr, #4]
+    add r0, lr, #cull_v
+    str r1, [lr, #cull_index]
     rsb r10, r10, #0
     add r1, r8, #0x4000 @ -2^14 <= each < 2^14: small
     add r2, r9, #0x4000

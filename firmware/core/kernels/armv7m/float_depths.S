@@ -3,11 +3,7 @@
 @ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s, r6 r7 the first corner; r8 octave + 2
     .syntax unified
     .thumb
-
-    .equ far_q, 32 @ struct ph_lens
-    .equ far_s, 36
-    .equ vertex_q, 8 @ struct ph_vertex
-    .equ vertex_s, 12
+#include "../offsets.inc"
 
     @ d of the vertex r0 to r6, its s to r7
     .macro own_depth
@@ -40,8 +36,8 @@
     .thumb_func
 ph_float_depths: @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
     push {r4-r8, lr}
-    ldr r4, [r0, #far_q]
-    ldrb r5, [r0, #far_s]
+    ldr r4, [r0, #lens_far_q]
+    ldrb r5, [r0, #lens_far_s]
     ldr r0, [r1]
     own_depth
     clz r0, r6

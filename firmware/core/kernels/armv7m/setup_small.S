@@ -1,7 +1,7 @@
 @ ph_setup_small of kernels.h for ARMv7-M: some 185 instructions a triangle.
     .syntax unified
     .thumb
-#include "../armv6m/setup_small.inc"
+#include "../offsets.inc"
 
     .equ corners, 4 @ on the stack
     .equ depths, 12
@@ -96,26 +96,26 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     bge none
     sub r1, r11, r0
     lsrs r1, r1, #2
-    str r1, [r0, #lower_is_right]
-    strh r7, [r0, #y_top]
-    strh r9, [r0, #y_bottom]
+    str r1, [r0, #triangle_lower_is_right]
+    strh r7, [r0, #triangle_y_top]
+    strh r9, [r0, #triangle_y_bottom]
     mvn r12, #1 << 31
     edge r4, r6, r7
     rsb lr, r11, r0, lsl #1
-    str r1, [lr, #left + 4]
-    str r10, [lr, #left_dx + 4]
+    str r1, [lr, #triangle_left + 4]
+    str r10, [lr, #triangle_left_dx + 4]
     cmp r8, r7
     beq flat_top
     edge r4, r5, r7
-    str r1, [r11, #left]
-    str r10, [r11, #left_dx]
+    str r1, [r11, #triangle_left]
+    str r10, [r11, #triangle_left_dx]
     sub r2, r8, r7
-    strh r2, [r0, #upper_rows]
+    strh r2, [r0, #triangle_upper_rows]
     subs r9, r9, r8
-    strh r9, [r0, #lower_rows]
+    strh r9, [r0, #triangle_lower_rows]
     beq planes
     edge r5, r6, r8
-    strd r1, r10, [r0, #lower]
+    strd r1, r10, [r0, #triangle_lower]
 planes:
     @ sides over the area: r4 C, r5 A, r6 D, r8 B, r10 shift (see setup_small.c)
     ldrd r1, r2, [sp, #corners]
@@ -171,9 +171,9 @@ planes:
     mla r9, lr, r3, r9
     lsl r11, r11, #8
     lsl lr, lr, #8
-    str r9, [r0, #light]
-    str r11, [r0, #glight]
-    str lr, [r0, #light_dy]
+    str r9, [r0, #triangle_light]
+    str r11, [r0, #triangle_glight]
+    str lr, [r0, #triangle_light_dy]
     @ depth
     ldr r1, [sp, #depths]
     ldmia r1, {r1, r7, r12}
@@ -201,9 +201,9 @@ planes:
     mla r1, lr, r3, r1
     lsl r11, r11, #8
     lsl lr, lr, #8
-    str r1, [r0, #d]
-    str r11, [r0, #gd]
-    str lr, [r0, #d_dy]
+    str r1, [r0, #triangle_d]
+    str r11, [r0, #triangle_gd]
+    str lr, [r0, #triangle_d_dy]
     movs r0, #1
 8:  add sp, sp, #16
     pop {r4-r11, pc}
@@ -212,12 +212,12 @@ none:
     b 8b
 flat_top: @ the lower edge is the first one
     edge r5, r6, r8
-    str r1, [r11, #left]
-    str r10, [r11, #left_dx]
+    str r1, [r11, #triangle_left]
+    str r10, [r11, #triangle_left_dx]
     subs r9, r9, r8
     movs r2, #0
-    strh r9, [r0, #upper_rows]
-    strh r2, [r0, #lower_rows]
+    strh r9, [r0, #triangle_upper_rows]
+    strh r2, [r0, #triangle_lower_rows]
     b planes
 steep_light:
     flatten r12, 28, r2, r3

@@ -4,11 +4,7 @@
 @ r12 light at column 0; lr rows to come << 16 | pixels
     .syntax unified
     .thumb
-
-    .equ lower, 44 - 16 @ struct ph_small_triangle, from gd on
-    .equ upper_rows, 52 - 16
-    .equ lower_rows, 54 - 16
-    .equ lower_is_right, 56 - 16
+#include "../offsets.inc"
 
     .equ left_dx, 0 @ on the stack
     .equ right_dx, 4
@@ -45,7 +41,7 @@ ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: byt
     push {r4-r7}
     ldmia r0, {r4-r6, r9-r12}
     sub r7, r1, #64 @ the last column's pixel is the last of 32
-    ldrh lr, [r0, #upper_rows]
+    ldrh lr, [r0, #small_upper_rows - small_gd]
     sub lr, lr, #1
     lsl lr, lr, #16
 row:
@@ -83,11 +79,11 @@ entries:
     bhs row
     ldr r0, [sp, #triangle]
     cbz r0, 5f
-    ldrh r1, [r0, #lower_rows]
+    ldrh r1, [r0, #small_lower_rows - small_gd]
     cbz r1, 5f
     add lr, lr, r1, lsl #16
-    ldr r2, [r0, #lower_is_right]
-    ldrd r0, r1, [r0, #lower]
+    ldr r2, [r0, #small_lower_is_right - small_gd]
+    ldrd r0, r1, [r0, #small_lower - small_gd]
     cbz r2, 3f
     mov r10, r0
     str r1, [sp, #right_dx]

@@ -5,23 +5,7 @@
 @ lr pixels; r0 r1 scratch; on the stack: by what du and dv grow
     .syntax unified
     .thumb
-
-    .equ left, 0
-    .equ right_dx, 12
-    .equ d, 16
-    .equ depth, 24
-    .equ stride, 32
-    .equ gd, 36
-    .equ u_mask, 40
-    .equ v_mask, 44
-    .equ texels, 48
-    .equ columns, 52
-    .equ rows, 56
-    .equ count, 60
-    .equ outside, 64
-    .equ u, 72
-    .equ v, 104
-    .equ bend, 8
+#include "../offsets.inc"
 
     .macro pixel at
 pixel_\at:
@@ -65,46 +49,46 @@ ph_texture_tile: @ r0: struct ph_texel_rows
     push {r4-r11, lr}
     sub sp, #12
     mov r9, r0
-    ldr r3, [r9, #gd]
-    ldrd r6, r10, [r9, #u_mask]
-    ldr r11, [r9, #texels]
+    ldr r3, [r9, #texel_gd]
+    ldrd r6, r10, [r9, #texel_u_mask]
+    ldr r11, [r9, #texel_texels]
 row:
-    ldrd r0, r1, [r9, #left]
+    ldrd r0, r1, [r9, #texel_left]
     usat r0, #6, r0, asr #16
     usat r1, #6, r1, asr #16
-    ldr r2, [r9, #columns]
+    ldr r2, [r9, #texel_columns]
     cmp r1, r2
     it gt
     movgt r1, r2
     subs lr, r1, r0
     ble down_rows
-    ldrd r4, r5, [r9, #u]
-    ldr r2, [r9, #u + bend]
+    ldrd r4, r5, [r9, #texel_u]
+    ldr r2, [r9, #texel_u + way_bend]
     mla r8, r2, r0, r5
     mla r4, r8, r0, r4 @ u at the first pixel
-    ldrd r7, r8, [r9, #v]
-    ldr r12, [r9, #v + bend]
+    ldrd r7, r8, [r9, #texel_v]
+    ldr r12, [r9, #texel_v + way_bend]
     mla r8, r12, r0, r8
     mla r7, r8, r0, r7
-    ldr r8, [r9, #outside]
+    ldr r8, [r9, #texel_u_outside]
     cmp r8, #0
     beq 2f
     subs r8, r1, #1 @ the last pixel
     mla r5, r2, r8, r5
-    ldr r1, [r9, #u]
+    ldr r1, [r9, #texel_u]
     mla r5, r5, r8, r1
     orrs r5, r4
-    ldr r1, [r9, #outside]
+    ldr r1, [r9, #texel_u_outside]
     ands r5, r1
     bne done
-    ldrd r1, r5, [r9, #v]
+    ldrd r1, r5, [r9, #texel_v]
     mla r5, r12, r8, r5
     mla r5, r5, r8, r1
     orrs r5, r7
-    ldr r1, [r9, #outside + 4]
+    ldr r1, [r9, #texel_v_outside]
     ands r5, r1
     bne done
-    ldr r5, [r9, #u + 4]
+    ldr r5, [r9, #texel_u + 4]
     adds r1, r8, #1
 2:  and r8, lr, #1
     rsb r8, r8, #1
@@ -113,18 +97,18 @@ row:
     mla r5, r2, r8, r5
     lsls r2, r2, #2
     str r2, [sp]
-    ldr r2, [r9, #v + 4]
+    ldr r2, [r9, #texel_v + 4]
     mla r8, r12, r8, r2
     lsl r12, r12, #2
     str r12, [sp, #4]
-    ldr r2, [r9, #d]
+    ldr r2, [r9, #texel_d]
     mla r2, r3, r0, r2
-    ldr r0, [r9, #count]
+    ldr r0, [r9, #texel_count]
     add r0, lr
-    str r0, [r9, #count]
+    str r0, [r9, #texel_count]
     rsb r0, lr, #32
     sub r1, #32 @ the last column's pixel is the last of 32
-    ldrd r12, lr, [r9, #depth]
+    ldrd r12, lr, [r9, #texel_depth]
     add r12, r12, r1, lsl #1
     add lr, lr, r1, lsl #1
     tbh [pc, r0, lsl #1]
@@ -136,22 +120,22 @@ entries:
     pixel \at
     .endr
 down_rows:
-    down u
-    down v
+    down texel_u
+    down texel_v
     ldm r9, {r0, r1, r2, r4, r5, r7}
     add r0, r2
     add r1, r4
     add r5, r7
-    strd r0, r1, [r9, #left]
-    str r5, [r9, #d]
-    ldrd r0, r1, [r9, #depth]
-    ldr r2, [r9, #stride]
+    strd r0, r1, [r9, #texel_left]
+    str r5, [r9, #texel_d]
+    ldrd r0, r1, [r9, #texel_depth]
+    ldr r2, [r9, #texel_stride]
     add r0, r2
     add r1, r2
-    strd r0, r1, [r9, #depth]
-    ldr r0, [r9, #rows]
+    strd r0, r1, [r9, #texel_depth]
+    ldr r0, [r9, #texel_rows]
     subs r0, #1
-    str r0, [r9, #rows]
+    str r0, [r9, #texel_rows]
     bne row
 done:
     add sp, #12

@@ -3,20 +3,8 @@
 @ r0 run, r1 from, r2 to; r7 r8 r9: x y w, see below
     .syntax unified
     .thumb
-
-    .equ from, 0
-    .equ end, 4
-    .equ to, 8
-    .equ codes, 12
-    .equ near, 16
-    .equ round_x, 24
-    .equ round_y, 32
-    .equ depth_scale, 40
-    .equ right, 48
-    .equ guard_up, 56
-    .equ down, 60
-    .equ row, 72
-    .equ at, 144
+#include "../offsets.inc"
+#include "matvec_offsets.inc"
 
     .section .text.ph_vertices, "ax", %progbits
     .p2align 2
@@ -25,9 +13,9 @@
     .thumb_func
 ph_vertices: @ r0: struct ph_vertex_run
     push {r4-r11, lr}
-    ldr r1, [r0, #from]
-    ldr r2, [r0, #to]
-    ldr r3, [r0, #end]
+    ldr r1, [r0, #run_from]
+    ldr r2, [r0, #run_to]
+    ldr r3, [r0, #run_end]
     movs r4, #0
     msr apsr_nzcvq, r4
     cmp r1, r3
@@ -44,7 +32,7 @@ next:
     lsls r4, #4
     lsls r5, #4
     @ The rows: 64 bits of translation, then the elements.
-    add r12, r0, #row
+    add r12, r0, #run_row
     ldmia r12!, {r6-r11}
     smlal r6, r7, r8, r3
     smlal r6, r7, r9, r4
@@ -58,14 +46,14 @@ next:
     smlal r6, r9, r11, r4
     smlal r6, r9, lr, r5
     @ Near plane, far plane, guard band.
-    ldrd r3, r4, [r0, #near]
+    ldrd r3, r4, [r0, #run_near]
     subs r3, r9, r3
     cmp r3, r4
     bhi hand_back
     eor r3, r7, r7, asr #31
     eor r4, r8, r8, asr #31
     orrs r3, r4
-    ldr r4, [r0, #guard_up]
+    ldr r4, [r0, #run_guard_up]
     lsr r4, r9, r4
     cmp r3, r4, lsl #3
     bhs hand_back
@@ -96,15 +84,15 @@ next:
     lsls r7, r4
     lsl r8, r8, r4
     lsrs r4, r5, #1
-    ldrd r10, r11, [r0, #round_x]
+    ldrd r10, r11, [r0, #run_round_x]
     smlal r10, r11, r7, r4
-    ldrd r6, r12, [r0, #round_y]
+    ldrd r6, r12, [r0, #run_round_y]
     smlal r6, r12, r8, r4
-    ldr r4, [r0, #down]
+    ldr r4, [r0, #run_down]
     asr r8, r11, r4
     asr r9, r12, r4
     @ Depth: q with its upper bit at 30.
-    ldrd r6, r7, [r0, #depth_scale]
+    ldrd r6, r7, [r0, #run_depth_scale]
     umull r6, r10, r6, r5
     subs r7, r3
     tst r10, #0x40000000
@@ -113,14 +101,14 @@ next:
     addeq r7, #1
     uxtb r11, r7
     orr r11, #0xf7000000 @ full light
-    ldrd r3, r4, [r0, #right]
+    ldrd r3, r4, [r0, #run_right]
     cmp r8, r3
     bhi outside
     cmp r9, r4
     bhi outside
 put:
     stmia r2!, {r8-r11}
-    ldr r3, [r0, #end]
+    ldr r3, [r0, #run_end]
     cmp r1, r3
     bne next
     b done
@@ -139,17 +127,17 @@ outside: @ codes: left, right, top, bottom = 1, 2, 4, 8
     it lt
     orrlt r5, #4
     orr r11, r11, r5, lsl #8
-    ldr r6, [r0, #codes]
+    ldr r6, [r0, #run_codes]
     orrs r6, r5
-    str r6, [r0, #codes]
+    str r6, [r0, #run_codes]
     b put
 hand_back:
-    add r12, r0, #at
+    add r12, r0, #run_at
     stmia r12, {r7-r9}
 stop:
     subs r1, #12
 done:
-    str r1, [r0, #from]
-    str r2, [r0, #to]
+    str r1, [r0, #run_from]
+    str r2, [r0, #run_to]
     pop {r4-r11, pc}
     .size ph_vertices, . - ph_vertices

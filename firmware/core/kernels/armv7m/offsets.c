@@ -1,0 +1,2 @@
+/* See offsets.inc. */
+#include "../armv6m/offsets.c"
