@@ -67,7 +67,7 @@ static uint32_t drawn_code(struct lab_probe *p, fx_t w)
     ph_draw_mesh(&p->renderer, &mesh, &ph_xform_identity);
     ph_frame_bands(&p->renderer);
     ph_draw_band(&p->renderer, 0, &p->pixel);
-    return ph_depth_bytes(p->format->format) == 4 ? p->depth.wide : p->depth.narrow;
+    return ph_depth_bytes(p->format->format) == 4 ? p->depth.code24 : p->depth.code16;
 }
 
 static uint32_t from_near(const struct lab_probe *p, int64_t code)

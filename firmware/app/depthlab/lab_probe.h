@@ -21,8 +21,8 @@ struct lab_probe {
     uint64_t vertices[16], triangles[32]; /* room for three and one */
     uint32_t bin;
     union {
-        uint16_t narrow;
-        uint32_t wide;
+        uint16_t code16;
+        uint32_t code24;
     } depth; /* ph_depth_bytes of it */
     uint16_t pixel;
 };

@@ -1,13 +1,13 @@
 /*
- * Clipping before the divide (Sutherland and Hodgman, 1974): near and far plane, then the four sides of the guard band.
- * A crossing is always computed from the inner to the outer corner, so two triangles that share an edge get the same
- * point, and the cut stays watertight.
+ * Clipping before the divide (Sutherland and Hodgman, 1974): against the near and the far plane, then against the four
+ * sides of the guard band. A crossing is always computed from the inner to the outer corner. So two triangles that
+ * share an edge get the same point, and the cut stays watertight. See clip.h.
  */
 #include "clip.h"
 
 enum { PLANE_NEAR, PLANE_FAR, PLANE_LEFT, PLANE_RIGHT, PLANE_TOP, PLANE_BOTTOM, PLANES };
 
-/* Distance from a plane, positive inside; any scale, below 2^46. */
+/* Distance from a plane, positive inside. Its scale does not matter; it is below 2^46. */
 static int64_t distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
 {
     const int64_t reach = (int64_t)v->w * 8, scale = (int64_t)1 << lens->guard_up;
@@ -52,13 +52,14 @@ static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct p
     }
     const int32_t t = (int32_t)(((uint64_t)from << 30) / whole);
     struct ph_clip_vertex v = ph_clip_between(inside, outside, t);
-    if (plane == PLANE_NEAR || plane == PLANE_FAR) { /* exactly on it, whatever the rounding */
+    if (plane == PLANE_NEAR || plane == PLANE_FAR) { /* the point lies exactly on the plane, however it was rounded */
         v.z = plane == PLANE_NEAR ? lens->near_z : lens->far_z;
         v.w = lens->kind == PH_PERSPECTIVE ? v.z : v.w;
     }
     return v;
 }
 
+/* Clips against one plane. Returns the number of corners left. */
 static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out,
                       int plane)
 {

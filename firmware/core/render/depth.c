@@ -1,4 +1,4 @@
-/* Depth of a vertex: see depth.h. */
+/* See depth.h. */
 #include "depth.h"
 
 size_t ph_depth_bytes(unsigned format)
@@ -38,7 +38,7 @@ uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, in
     return ph_depth_before(quotient, ph_depth_far(lens, block), block);
 }
 
-/* w of a quotient in the unit in which the reciprocal of the far plane's q stands as it is. */
+/* w of a quotient. Its unit is the one in which w at the far plane is the plain reciprocal of the far plane's q. */
 static uint32_t w_of(struct ph_quotient quotient, int far_down)
 {
     int shift;
@@ -51,7 +51,7 @@ struct ph_linear ph_depth_linear_of(const struct ph_lens *lens)
 {
     int shift, up;
     const uint32_t far =
-        fx_rcp_norm(lens->far_q >> 2, &shift); /* 3, or 4 where N / f falls just below a power of two */
+        fx_rcp_norm(lens->far_q >> 2, &shift); /* shift is 3, or 4 if N / f falls just below a power of two */
     const int far_down = lens->far_s + shift;
     const uint32_t scale = fx_rcp_norm(far - w_of(ph_depth_quotient(lens, lens->near_z), far_down), &up);
     return (struct ph_linear){far, scale - (scale >> 9), (uint8_t)up, PH_DEPTH_BIAS_FIXED16 >> 16, (int8_t)far_down};

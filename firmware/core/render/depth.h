@@ -1,41 +1,43 @@
 /*
  * depth: from a vertex's distance to the codes in the depth buffer. Larger is nearer; 0 is empty.
  *
- * Complementary depth d = N/w - N/f, N = n (1 - 2^-9): about 1 at the near plane, 0 at the far plane; linear in screen
- * space, so it is interpolated there. (Orthographic: d = (1 - 2^-9) (f - z) / (f - n).) n, f: near, far plane.
- * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31, from a reciprocal that is
- * exact to one unit in 2^30 and monotone over every w. No constant of a projection matrix is rounded on the way.
+ * Depth is complementary: d = N/w - N/f with N = n (1 - 2^-9), n and f being the near and the far plane. It is about 1
+ * at the near plane and 0 at the far plane. It is linear in screen space, so it is interpolated there. (Orthographic:
+ * d = (1 - 2^-9) (f - z) / (f - n).)
+ * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31. It comes from a reciprocal
+ * that is exact to one unit in 2^30 and monotone over every w. No constant of a projection matrix is rounded on the
+ * way.
  *
- * A triangle holds d as a 32-bit plane in units of 2^-(32 + block); block is 0 for the fixed formats, and for the
- * floats the largest with which its nearest vertex fits with a bit to spare, so that far triangles keep their
+ * A triangle holds d as a 32-bit plane in units of 2^-(32 + block). For the fixed formats block is 0. For the floats it
+ * is the largest block with which the nearest vertex fits with a bit to spare, so that far triangles keep their
  * precision.
  *
- * The rasterizer steps 32 bits, and the code is their high 16 (16 guard bits) or 24 (8 guard bits). With d exact:
+ * The rasterizer steps 32 bits; the code is their high 16 (16 guard bits) or 24 (8 guard bits). With an exact d:
  *   fixed16:  code = floor(2^16 d + 16 1/4)      fixed24: floor(2^24 d + 4160)
  *   float16:  code = floor(F(d) + 8)             float24: floor(256 (F(d) + 8))
  *             F is an unsigned float with 4 bits of exponent and 12 of mantissa, in full precision:
  *             F = 2^13 d + 14 * 4096 in 1/2 .. 1, and twice as steep with each octave towards 0; F = 2^27 d below
  *             2^-15. F is continuous and piecewise linear: inside one octave a float span is a fixed span with another
- *             slope, which is all that "float" costs (spans are split where d crosses a power of two).
- *   linear-w: code = floor(65408 (f - w) / (f - n) + 16). What is stepped is N/w, below 2^29 in the triangle, and each
- *             pixel takes a reciprocal and a product of it: 40 to 90 instructions more. Orthographic: as fixed16.
- * The biases, and 2^-9, are head room: planes overshoot their triangle by less, so nothing wraps. The quarter evens out
- * the last two codes before the far plane, where fixed16 is coarsest.
+ *             slope. All that "float" costs is to split spans where d crosses a power of two.
+ *   linear-w: code = floor(65408 (f - w) / (f - n) + 16). N/w is stepped, below 2^29 in the triangle, and each pixel
+ *             takes a reciprocal and a product of it: 40 to 90 instructions more. Orthographic: as fixed16.
+ * The biases and the 2^-9 are head room: planes overshoot their triangle by less, so nothing wraps. The quarter evens
+ * out the last two codes before the far plane, where fixed16 is coarsest.
  *
- * What they resolve: the longest plateau between near and far plane, in metres, through vertices, set-up and spans
- * (tests/core/test_depth.c); a step of Q16.16 itself is 0.000015.
- *                  n = .1 f = 1000    n = .5 f = 100    n = 1 f = 1000    wins where
+ * What they resolve: the longest distance between near and far plane over which the code stays the same, in metres,
+ * through vertices, set-up and spans (tests/core/test_depth.c). A step of Q16.16 itself is 0.000015.
+ *                  n = .1 f = 1000    n = .5 f = 100    n = 1 f = 1000    best if
  *   fixed16        108                .303              14.7              f / n is small: it is the cheapest
  *   float16        .0746              .0060             .061              16 bits and any f / n
  *   fixed24        .597               .0012             .0597             f / n is moderate; twice the memory
  *   float24        .000305            .000031           .000244           everywhere; twice the memory
  *   linear-w       .0153              .00153            .0153             far away; near by it is the coarsest
- * AUTO: fixed16 up to f = 64 n. Its relative step is largest at the far plane, f / (65408 n): there 1/1000, the band
- * from which on surfaces are ripe for fighting (T. Ulrich); float16 stays at some 1/4096 everywhere, up to f = 32768 n.
+ * AUTO takes fixed16 up to f = 64 n. Its relative step is largest at the far plane, f / (65408 n): 1/1000 there, from
+ * which on surfaces begin to fight for pixels (T. Ulrich). float16 stays at some 1/4096 everywhere, up to f = 32768 n.
  *
- * Limits. Screen positions have 8 sub-pixel bits, which moves a leaning surface by up to sqrt(2)/256 of what its
- * distance changes from pixel to pixel: with 24 bits that is the larger part (measured by the same test). Gradients
- * beyond 2^-5 (floats, of a d that fills the word) or 2^-4 (fixed) per pixel are flattened: faces seen edge-on. The 8
+ * Limits. Screen positions have 8 sub-pixel bits. They move a leaning surface by up to sqrt(2)/256 of the change of its
+ * distance from pixel to pixel; with 24 bits this is the larger part (measured by the same test). Gradients beyond 2^-5
+ * (floats, of a d that fills the word) or 2^-4 (fixed) per pixel are flattened: these are faces seen edge-on. The 8
  * guard bits of the 24-bit formats drift by up to 1 code in 512 pixels. A triangle that crosses octaves has 32 bits for
  * all of them: float24 then loses a bit of its far end with each octave in front of it, from the fourth on.
  */
@@ -55,7 +57,7 @@ struct ph_quotient {
 
 struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w);
 
-/* The same of a perspective from fx_rcp_norm(w): two products fewer where the reciprocal is there already. */
+/* The same under a perspective, from fx_rcp_norm(w): two products fewer if the reciprocal is there already. */
 static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens, uint32_t reciprocal, int shift)
 {
     const uint32_t q = fx_mulhi_u32(lens->depth_scale, reciprocal);
@@ -63,7 +65,7 @@ static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens
     return q < (uint32_t)1 << 30 ? (struct ph_quotient){q << 1, (int8_t)(s + 1)} : (struct ph_quotient){q, (int8_t)s};
 }
 
-/* N/f in units of 2^-(32 + block), and d of a vertex in front of it; block is 0 or below s - 1. */
+/* N/f in units of 2^-(32 + block). Below it: d of a vertex, given this N/f; block is 0 or below s - 1. */
 static inline uint32_t ph_depth_far(const struct ph_lens *lens, int block)
 {
     const int up = 2 + block - lens->far_s;
@@ -77,12 +79,12 @@ static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far
     return at > far ? at - far : 0;
 }
 
-/* Both in one. */
+/* Both steps in one. */
 uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block);
 
 /*
- * Octave of a d in units of 2^-(32 + block): leading zeros of it, the octaves below 2^-15 counted as one with
- * 2^-15 .. 2^-14. May be negative where the whole block lies below 2^-15.
+ * Octave of a d in units of 2^-(32 + block): its leading zeros. All octaves below 2^-15 count as one with
+ * 2^-15 .. 2^-14. The result is negative if the whole block lies below 2^-15.
  */
 static inline int ph_depth_octave(uint32_t d, int block)
 {
@@ -90,14 +92,14 @@ static inline int ph_depth_octave(uint32_t d, int block)
     return zeros + block < 14 ? zeros : 14 - block;
 }
 
-/* Whether d lies in that octave of another d: cheaper than asking for its own. */
+/* Whether d lies in that octave. This is cheaper than to compute its own. */
 static inline bool ph_depth_in_octave(uint32_t d, int octave, int block)
 {
     const uint32_t lowest = octave + block >= 14;
     return (d >> (octave > 0 ? 31 - octave : 31) | lowest) == 1;
 }
 
-/* d of one octave in 16.16 codes of a float, without the octave's constant; the same for a gradient of d. */
+/* A d of that octave as a 16.16 code of a float, but for the octave's constant. Below it: a gradient of d. */
 static inline uint32_t ph_depth_float16_value(uint32_t d, int octave)
 {
     return octave >= 3 ? d << (octave - 3) : d >> (3 - octave);
@@ -109,13 +111,13 @@ static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int octave)
                        : (uint32_t)(((int32_t)gradient + ((int32_t)1 << (2 - octave))) >> (3 - octave));
 }
 
-/* The octave's constant, and the bias. */
+/* The octave's constant plus the bias. */
 static inline uint32_t ph_depth_float16_offset(int octave, int block)
 {
     return ((uint32_t)(14 - octave - block) << 28) + PH_DEPTH_BIAS_FLOAT16;
 }
 
-/* See struct ph_linear: that of a camera, for the lowest exponent `least` = 0. */
+/* The struct ph_linear of a camera, for the lowest exponent `least` = 0. */
 struct ph_linear ph_depth_linear_of(const struct ph_lens *lens);
 
 /* 16.16 code of linear-w from N/w in units of 2^-(28 + least). */

@@ -1,4 +1,4 @@
-/* fisheye: how the equidistant projection fits into the pipeline. Private to firmware/core; see fisheye.c. */
+/* fisheye: the equidistant projection. Private to firmware/core; the method is in fisheye.c. */
 #ifndef PH_FISHEYE_H
 #define PH_FISHEYE_H
 

@@ -56,11 +56,15 @@ static int32_t max_i32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* Focal lengths as fractions of a power of two of pixels that also makes the guard band reach over the picture. */
+/*
+ * Focal lengths as fractions of 2^focal_log2 pixels. That power of two also makes the guard band reach over the
+ * picture.
+ */
 static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
 {
     const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */
-    const int32_t reach = 2 * max_i32(width, height); /* px; |shift| <= 2 puts no pixel further away than 1.5 sizes */
+    const int32_t reach =
+        2 * max_i32(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
     const int64_t longest = fx > fy ? fx : fy;
     int log2 = 0;
     while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < reach)) {
@@ -84,7 +88,7 @@ static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
     if (p->kind == PH_ORTHOGRAPHIC) {
         lens->depth_scale = fx_rcp_norm((uint32_t)p->far_z - (uint32_t)p->near_z, &shift);
         lens->near_shift = (int8_t)shift;
-        return; /* far_q = 0: d is 0 at the far plane already */
+        return; /* far_q stays 0: d is 0 at the far plane already */
     }
     shift = fx_clz32((uint32_t)p->near_z);
     const uint32_t norm = (uint32_t)p->near_z << shift;

@@ -1,25 +1,26 @@
 /*
- * Light of a vertex: ambient + diffuse (Lambert) + specular (Blinn 1977, viewer at infinity), one white intensity.
- * All in the mesh's own coordinates, so that neither normals nor positions need rotating: 16-bit products, Q2.14.
+ * Light of a vertex: ambient + diffuse (Lambert) + specular (Blinn 1977, viewer at infinity), as one white intensity.
+ * Lights are brought into the coordinates of the mesh, so that neither normals nor positions have to be rotated.
+ * Products have 16 bits, Q2.14. See light.h.
  */
 #include "light.h"
 
 #include "vertex.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps the usual light short */
+#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the usual light */
 
 static int32_t dot_q14(const int16_t a[3], const int16_t b[3])
 {
     return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
 }
 
-/* Q16.16 to Q2.14, within 0 .. most. */
+/* Q16.16, clamped to 0 .. most, as Q2.14. */
 static int32_t clamp_q14(fx_t v, fx_t most)
 {
     return (v < 0 ? 0 : v > most ? most : v) >> 2;
 }
 
-/* A vector with components below 2^31 as a unit vector in Q1.14; zero stays zero. */
+/* The unit vector of any vector, in Q1.14; zero stays zero. */
 static void unit_q14(const int32_t in[3], int16_t out[3])
 {
     uint32_t largest = 0;
@@ -43,7 +44,7 @@ static void unit_q14(const int32_t in[3], int16_t out[3])
     }
 }
 
-/* World direction (any length) in the mesh's coordinates: the transposed rotation, scaled to length one. */
+/* A direction of the world, of any length, in the mesh's coordinates: the transposed rotation, then length one. */
 static void to_local(const struct ph_xform *to_world, struct fx_vec3 d, int16_t out[3])
 {
     const int32_t in[3] = {d.x >> 2, d.y >> 2, d.z >> 2};
@@ -63,7 +64,7 @@ static void half_of(const int16_t a[3], const int16_t b[3], int16_t out[3])
     unit_q14(sum, out);
 }
 
-/* Square of the uniform scale of a transform. */
+/* Square of the transform's uniform scale. */
 static fx_t scale_square(const struct ph_xform *to_world)
 {
     const int32_t *row = to_world->r[0];
@@ -72,7 +73,7 @@ static fx_t scale_square(const struct ph_xform *to_world)
     return (fx_t)(square >> 42);
 }
 
-/* World position in the mesh's coordinates, for a rotation with a uniform scale s: r^T (p - t) / s^2. */
+/* A position of the world in the mesh's coordinates, for a rotation with a uniform scale s: r^T (p - t) / s^2. */
 static struct fx_vec3 position_to_local(const struct ph_xform *to_world, struct fx_vec3 p, fx_t scale)
 {
     const struct fx_vec3 from = fx_vec3_sub_sat(p, to_world->t);
@@ -117,7 +118,7 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
     local->simple = scene->count == 1 && !local->light[0].point && local->light[0].specular <= 0;
 }
 
-/* 1 / (1 + (distance / reach)^2), Q2.14; 1 where the light does not fall off. */
+/* 1 / (1 + (distance / reach)^2), Q2.14; 1 if the light does not fall off. */
 static int32_t attenuation(fx_t distance, fx_t reach)
 {
     if (reach <= 0) {
@@ -127,7 +128,8 @@ static int32_t attenuation(fx_t distance, fx_t reach)
     return fx_rcp_sat(fx_add_sat(FX_ONE, fx_mul_sat(ratio, ratio))) >> 2;
 }
 
-/* n.l and n.h of a point light; returns its attenuation. */
+/* n.l and n.h of a point light, for the normal n, the direction l to the light and the half vector h. Returns its
+ * attenuation. */
 static NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
                                     const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
 {
@@ -141,6 +143,7 @@ static NOINLINE int32_t point_light(const struct ph_local_lights *local, const s
     return attenuation(fx_vec3_length_sat(d), l->reach);
 }
 
+/* The light of a vertex under any lights. */
 static NOINLINE uint16_t any_light(const struct ph_local_lights *local, const int16_t normal[3],
                                    const struct fx_vec3 *position)
 {

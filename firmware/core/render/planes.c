@@ -21,6 +21,7 @@ struct plane_base {
     int shift;
 };
 
+/* Bits of |v|. */
 static int bits_of(int64_t v)
 {
     const uint64_t m = v < 0 ? 0u - (uint64_t)v : (uint64_t)v;
@@ -42,6 +43,7 @@ static void wide_base(struct plane_base *s)
     s->shift -= excess;
 }
 
+/* The base of the planes; `first` is the first corner. */
 static inline void plane_base(struct plane_base *s, const struct ph_vertex *first, const struct ph_sides *sides)
 {
     const int32_t x = 128 - first->x, y = 128 - first->y;
@@ -88,7 +90,7 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
     const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
     const int down = max_int(max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit), 1);
-    const int64_t half = (int64_t)1 << (down - 1); /* down is not below 1: 22 without excess, else 29 */
+    const int64_t half = (int64_t)1 << (down - 1); /* down is 22 or more without excess, else 29 or more */
     return (struct pixel_gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
 }
 
@@ -116,8 +118,8 @@ static FX_APART void short_plane(struct ph_plane *out, const struct plane_base *
     const struct ph_sides *const t = s->sides;
     int32_t gx = times_q16(d2 * t->dy1 - d1 * t->dy2, s->reciprocal);
     int32_t gy = times_q16(d1 * t->dx2 - d2 * t->dx1, s->reciprocal);
-    int down = 23 - s->shift - drop; /* g 2^-down is the gradient; |g| < 2^30 */
-    const int room = down + limit;   /* bits that g may have */
+    int down = 23 - s->shift - drop; /* the gradient is g 2^-down, with |g| < 2^30 */
+    const int room = down + limit;   /* so many bits may g have */
     if (room < 30 && ((uint32_t)((gx >> room) + 1) | (uint32_t)((gy >> room) + 1)) > 1) {
         down = max_int(down, 32 - fx_clz32(ph_without_sign(gx) | ph_without_sign(gy)) - limit);
     }
@@ -190,6 +192,7 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
     return down < 32 ? v->q >> down : 0;
 }
 
+/* The plane of depth d, exactly for codes of 24 bits. */
 static void depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t v[3], int limit,
                         struct ph_plane *out)
 {
@@ -242,6 +245,7 @@ static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plan
     t->linear.down = (int8_t)(t->linear.down - least);
 }
 
+/* Depth and block. */
 static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
                         struct ph_triangle *t)
 {

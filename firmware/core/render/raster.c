@@ -1,25 +1,25 @@
 /*
- * Bands: clear, walk the triangles down their edges, draw their spans. See render.h.
+ * Rasterizer: a band is cleared, its triangles are walked down their edges, and their spans are drawn. See render.h.
  *
- * Everything at a pixel is a function of the triangle and the pixel alone (planes are exact modulo 2^32), so the
- * picture does not depend on where a band begins.
+ * What a triangle gives at a pixel depends on the triangle and the pixel alone, because planes are exact modulo 2^32.
+ * So the picture does not depend on where a band begins.
  */
 #include "band.h"
 #include "kernels.h"
 #include "span.h"
 #include "texture.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps what is rare from the registers of what is usual */
+#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
-/* One row of a triangle: columns from .. from + n - 1, pixels and depths of its first one. */
+/* n pixels of a row of a triangle. */
 struct row {
     uint16_t *pixels;
-    void *depth;        /* see struct ph_band */
+    void *depth;        /* as in struct ph_band; both are of the first pixel */
     uint32_t n, d;      /* d: depth at the first pixel, in units of the plane */
     uint32_t attribute; /* Gouraud: light at the first pixel */
 };
 
-/* A run of pixels whose depth codes are linear. */
+/* Draws a run of pixels along which the depth code is linear. */
 static inline void draw_run(const struct ph_triangle *t, bool depth24, const struct row *row, uint32_t gd)
 {
     const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
@@ -40,7 +40,7 @@ static inline void draw_run(const struct ph_triangle *t, bool depth24, const str
     }
 }
 
-/* A span that may be of several runs. */
+/* Draws a span in as many runs as it needs. */
 static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
 {
     uint32_t left = row.n, d = row.d;
@@ -57,7 +57,7 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
     }
 }
 
-/* A span, with the octave of the last one. */
+/* Draws a span; tries the octave of the last one first. */
 static NOINLINE void draw_row(const struct ph_triangle *t, bool depth24, struct ph_octave *octave,
                               const struct row *row)
 {
@@ -74,7 +74,7 @@ static NOINLINE void draw_row(const struct ph_triangle *t, bool depth24, struct 
     draw_run(t, depth24, &run, octave->slope);
 }
 
-/* Rows y .. y_end - 1 between two edges (at row y). Returns the number of pixels. */
+/* Draws rows y .. y_end - 1 between two edges, which are given at row y. Returns the number of pixels. */
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
                           struct ph_edge left, struct ph_edge right)
 {
@@ -83,7 +83,7 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
     void *depth = ph_depth_from(band->depth, start, band->depth24);
     uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
     uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
-    const int kind = t->block == PH_BLOCK_NONE && !band->depth24 ? t->kind : -1; /* -1: the longer way */
+    const int kind = t->block == PH_BLOCK_NONE && !band->depth24 ? t->kind : -1; /* -1: draw_row decides */
     struct ph_octave octave = {0};
     for (; y < y_end; y++) {
         const int32_t from = left.x < 0 ? 0 : left.x >> 16;
@@ -112,6 +112,7 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
     return count;
 }
 
+/* Draws both halves of a triangle, as far as they lie in the band. */
 static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
 {
     uint32_t count = 0;
@@ -125,7 +126,7 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
     return count;
 }
 
-/* Where the rows of a small triangle lie: column 0 of the next one. */
+/* Column 0 of the row in which a small triangle goes on. */
 struct place {
     uint16_t *depth, *pixels;
     uint32_t stride; /* pixels */
@@ -136,7 +137,7 @@ static uint32_t draw_at(const struct ph_small_triangle *r, const struct place *a
     return ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
-/* n rows further down, of which no more than the last is the last upper one. */
+/* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
 static void step_rows(struct ph_small_triangle *r, uint32_t n)
 {
     r->left += n * r->left_dx;
@@ -149,7 +150,8 @@ static void step_rows(struct ph_small_triangle *r, uint32_t n)
     }
 }
 
-/* How many of the upper rows lie in the octave from the next one on; d, gd and d_dy in units of the triangle's plane.
+/*
+ * How many of the next upper rows lie wholly in the octave. d, gd and d_dy are in units of the triangle's plane.
  */
 static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct ph_octave *octave)
 {
@@ -166,12 +168,13 @@ static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct p
     return n;
 }
 
-/* Rows of one octave; the steps of d are multiples of 8, so no bit of a shift to codes is lost. */
+/* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
 static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t rows,
                                     const struct place *at)
 {
     const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
-    const uint32_t above = d + from * gd - octave->bottom; /* the first row may be empty, and below the octave */
+    const uint32_t above =
+        d + from * gd - octave->bottom; /* the first row may be empty, and d there below the octave */
     const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
     r->gd = octave->slope;
     r->d_dy = ph_depth_float16_slope(d_dy, octave->octave);
@@ -188,7 +191,7 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
     return count;
 }
 
-/* How many of n pixels lie in the octave, from one of depth d on: it, and those behind it. */
+/* How many of n pixels lie in the octave in one run; the first has depth d, and counts in any case. */
 static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uint32_t gd, uint32_t n)
 {
     const uint32_t size = octave->size;
@@ -204,7 +207,7 @@ static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uin
     return count;
 }
 
-/* One row that crosses octaves, from the first to what may be the next one. */
+/* Draws a row that crosses octaves. It begins in `first`; `next` is a guess of the octave that follows. */
 static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_small_triangle *r,
                                 const struct ph_octave *first, struct ph_octave *next, const struct place *at)
 {
@@ -225,7 +228,7 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
     return to - from;
 }
 
-/* Rows of a triangle that crosses octaves: most rows do not. */
+/* Draws the rows of a triangle that crosses octaves. Most of its rows do not. */
 static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct place at)
 {
     struct ph_octave octave = {0}, next = {0}; /* none yet */
@@ -250,8 +253,8 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
 }
 
 /*
- * A plane in multiples of 8, 3 bits being what codes lose of d in the nearest octave: from the triangle's first pixel
- * on, where no band begins.
+ * Rounds the depth plane to multiples of 8: in the nearest octave a code is d without its last 3 bits. This starts from
+ * the triangle's first pixel, which does not depend on the bands.
  */
 static void round_depth(struct ph_small_triangle *r)
 {
@@ -262,7 +265,7 @@ static void round_depth(struct ph_small_triangle *r)
     r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd;
 }
 
-/* n rows further down, of either half. */
+/* Steps n rows down, through both halves. */
 static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
 {
     const uint32_t upper_rows = r->upper_rows, left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
@@ -286,7 +289,7 @@ static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
     r->lower_rows = 0;
 }
 
-/* What of a triangle's rows lies in the band, and where. */
+/* Cuts a triangle down to its rows in the band. Returns the place of the first of them. */
 static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct ph_band *band,
                                       struct ph_small_triangle *r)
 {
@@ -306,7 +309,7 @@ static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct 
     return (struct place){(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
 }
 
-/* A small triangle that the band cuts. */
+/* Draws a small triangle that the band cuts. */
 static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
@@ -314,7 +317,7 @@ static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_b
     return draw_at(&r, &at);
 }
 
-/* A small triangle that crosses octaves. */
+/* Draws a small triangle that crosses octaves. */
 static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
@@ -323,7 +326,7 @@ static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph
     return draw_rows_split(t, &r, at);
 }
 
-/* A small triangle, which no border but those of the band cuts. */
+/* Draws a small triangle. Only the borders of the band can cut it. */
 static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->block != PH_BLOCK_NONE) {
@@ -347,7 +350,7 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
     return walk(t, band);
 }
 
-/* Takes the first triangle, in drawing order, off two lists that are both in drawing order. */
+/* Two lists are in drawing order: takes the triangle that comes first off its list. */
 static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uint32_t *b)
 {
     uint32_t *from = *a < *b ? a : b; /* PH_NONE is the largest */
@@ -356,7 +359,7 @@ static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uin
     return first;
 }
 
-/* Rows of a band, cleared before they are drawn. */
+/* Clears the rows of a band. */
 static void clear(const struct ph_band *rows, uint16_t background)
 {
     const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
@@ -364,7 +367,9 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
-/* Leaves a triangle, of which y_bottom is below y1, as it is from row y1 on. One that is split hangs on its first row.
+/*
+ * Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
+ * octaves stays as it is, since its depth is rounded at its first row.
  */
 static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
 {
@@ -374,7 +379,10 @@ static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
     }
 }
 
-/* Merges, draws and sorts out in one pass. */
+/*
+ * Draws a band with one core. In one pass the triangles that were carried over are merged with the fresh ones of this
+ * band, drawn, and carried over if they go on below.
+ */
 static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
 {
     struct ph_triangle *triangles = ph_triangles(r);
@@ -384,7 +392,7 @@ static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_ba
         const uint32_t i = take_first(triangles, &begun, &fresh);
         struct ph_triangle *const t = &triangles[i];
         r->stats.fragments += draw(t, rows);
-        if (t->y_bottom > rows->y1) { /* goes on in the next band */
+        if (t->y_bottom > rows->y1) { /* it goes on in the next band */
             step_below(t, rows->y1);
             *carry = i;
             carry = &t->next;
@@ -393,7 +401,7 @@ static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_ba
     *carry = PH_NONE;
 }
 
-/* What a core draws: some rows of a list that nobody changes meanwhile. */
+/* The rows that one of two cores draws. Nobody changes the list meanwhile. */
 struct share {
     const struct ph_triangle *triangles;
     uint32_t first;
@@ -419,7 +427,7 @@ static void draw_other_share(void *argument)
     draw_share(argument);
 }
 
-/* One list in drawing order of two. */
+/* Merges two lists in drawing order into one. */
 static uint32_t merge(struct ph_triangle *triangles, uint32_t a, uint32_t b)
 {
     uint32_t first = PH_NONE, *link = &first;
@@ -432,7 +440,7 @@ static uint32_t merge(struct ph_triangle *triangles, uint32_t a, uint32_t b)
     return first;
 }
 
-/* What of a list goes on below row y1. */
+/* Keeps the triangles of a list that go on below row y1. */
 static uint32_t keep_below(struct ph_triangle *triangles, uint32_t list, int32_t y1)
 {
     uint32_t first = PH_NONE, *link = &first;
@@ -447,7 +455,7 @@ static uint32_t keep_below(struct ph_triangle *triangles, uint32_t list, int32_t
     return first;
 }
 
-/* Two halves of a band, of 2 rows or more. */
+/* Draws a band of 2 rows or more in two halves, the lower one on the other core. */
 static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
 {
     struct ph_triangle *triangles = ph_triangles(r);
@@ -474,7 +482,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
-    rows.pixels = pixels; /* not above: clang-tidy would have them const */
+    rows.pixels = pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
     if (r->config.other_core != NULL && y1 - y0 >= 2) {
         draw_with_other(r, r->config.bins[band], &rows);
     } else {

@@ -22,6 +22,7 @@ static NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex
     *edge = ph_edge_at_row(a->x * 256 + offset, slope, row, y0);
 }
 
+/* The edge from a down to b at row y0. */
 static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
@@ -110,6 +111,7 @@ static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
+/* Whether all three sides are below PH_SIDE_SMALL. */
 static inline bool is_small(const struct ph_sides *s)
 {
     const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;

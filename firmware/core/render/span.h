@@ -1,7 +1,9 @@
 /*
- * Spans: a pixel and runs of pixels, how a triangle's edges give its rows, and how its depth becomes codes along them.
- * The loops in which the time goes are in kernels.h. Private to firmware/core.
- * d is a 16.16 number whose high half is the depth code (depth.h); a pixel is drawn where it is above the stored one.
+ * span: pixels, runs of pixels, and how depth becomes codes along them. The loops in which the time goes are in
+ * kernels.h. Private to firmware/core.
+ *
+ * d is a 16.16 number whose high half is the depth code (depth.h). A pixel is drawn if its code is above the stored
+ * one.
  */
 #ifndef PH_SPAN_H
 #define PH_SPAN_H
@@ -9,11 +11,11 @@
 #include "depth.h"
 #include "triangle.h"
 
-#define PH_DEPTH_WRAPPED 0xffc00000u /* above the nearest d with its head room: a d that fell below 0 */
+#define PH_DEPTH_WRAPPED 0xffc00000u /* d from here on has fallen below 0: the nearest d and its head room are less */
 
 /*
- * Keeps the branch round the two stores of a pixel: compilers for Thumb-2 would make them conditional instead, and
- * hidden pixels would pay for stores that they do not do.
+ * Keeps the branch round the two stores of a pixel. Compilers for Thumb-2 would make the stores conditional instead,
+ * and a hidden pixel would pay for instructions that do nothing.
  */
 #define PH_KEEP_BRANCH() __asm__ volatile("")
 
@@ -27,7 +29,7 @@ static inline void ph_pixel_flat(uint16_t *pixel, uint16_t *depth, uint32_t d, u
     }
 }
 
-/* light's top 7 bits are the entry of the ramp, so no read leaves it whatever light is. */
+/* The top 7 bits of light are the entry of the ramp, so no read leaves the ramp, whatever light is. */
 static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d, uint32_t light, const uint16_t *ramp)
 {
     const uint32_t code = d >> 16;
@@ -38,7 +40,7 @@ static inline void ph_pixel_gouraud(uint16_t *pixel, uint16_t *depth, uint32_t d
     }
 }
 
-/* Stores a depth where it is nearer. */
+/* Stores a depth if it is nearer. True if it was. */
 static inline bool ph_nearer16(uint16_t *depth, uint32_t d)
 {
     const uint32_t code = d >> 16;
@@ -49,7 +51,7 @@ static inline bool ph_nearer16(uint16_t *depth, uint32_t d)
     return true;
 }
 
-/* The same of a 24-bit code. */
+/* The same for a 24-bit code. */
 static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
 {
     const uint32_t code = d >> 8;
@@ -80,7 +82,7 @@ static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t
     }
 }
 
-/* linear-w: d, gd of the plane of 1/w. */
+/* linear-w: d and gd belong to the plane of 1/w. */
 static inline void ph_span_flat_linear(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                        const struct ph_linear *linear, uint16_t colour)
 {
@@ -99,8 +101,8 @@ static inline void ph_span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uin
 }
 
 /*
- * How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)), at least 1. A d just below 0
- * wraps to the top: it belongs to the lowest octave, until it comes back.
+ * How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)); at least 1. A d just below 0
+ * wraps to the top of the range; it belongs to the lowest octave until it comes back.
  */
 static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int block, uint32_t left)
 {
@@ -116,14 +118,14 @@ static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int
     return room < left ? room : left;
 }
 
-/* A run of pixels whose depth codes are linear: 16.16 code at its first pixel and per pixel. */
+/* A run of pixels along which the depth code is linear: the 16.16 code at its first pixel, and its step. */
 struct ph_piece {
     uint32_t d, gd;
 };
 
 /*
- * The run that begins at a pixel with depth d (in units of the triangle's plane): the whole span, but
- * where a float triangle crosses octaves *n is cut down to the pixels of the first one.
+ * The run of *n pixels that begins with depth d, in units of the triangle's plane. If the depth is a float and crosses
+ * octaves, *n is cut down to the pixels in the first one.
  */
 static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
 {
@@ -134,7 +136,8 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
     const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
     const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
     const uint32_t last = d + t->depth.gx * (*n - 1);
-    if (wrapped || last >= PH_DEPTH_WRAPPED || !ph_depth_in_octave(last, octave, t->block)) { /* takes a division */
+    if (wrapped || last >= PH_DEPTH_WRAPPED ||
+        !ph_depth_in_octave(last, octave, t->block)) { /* only this takes a division */
         *n = ph_octave_pixels(d, t->depth.gx, octave, t->block, *n);
     }
     return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave) +
@@ -142,14 +145,16 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
                              wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
 }
 
-/* An octave of a triangle's d, bottom .. bottom + size - 1, and what makes codes of it: the next row is mostly in it
- * too. */
+/*
+ * An octave of a triangle's d, bottom .. bottom + size - 1, and the numbers that make codes of it. It is kept, because
+ * the next row mostly lies in it, too.
+ */
 struct ph_octave {
     uint32_t bottom, size, offset, slope;
     int octave;
 };
 
-/* The octave in which d lies (of no size where d has wrapped), or all there is of a triangle that is not split. */
+/* The octave in which d lies; its size is 0 if d has wrapped. Without octaves to cross it is the whole range. */
 static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd)
 {
     if (t->block >= PH_BLOCK_LINEAR) {
@@ -172,7 +177,7 @@ static inline bool ph_octave_holds(const struct ph_octave *o, uint32_t first, ui
     return first - o->bottom < o->size && last - o->bottom < o->size;
 }
 
-/* The code of a d in it; of one that has wrapped: that of 0. */
+/* The code of a d in the octave; a d that has wrapped counts as 0. */
 static inline uint32_t ph_depth_float16_code(const struct ph_octave *o, uint32_t d)
 {
     return ph_depth_float16_value(o->size > 0 ? d : 0, o->octave) + o->offset;

@@ -1,14 +1,15 @@
 /*
- * Textured triangles, perspective-correct: in tiles of up to 32 x 16 pixels. At the four corners of a tile u and v are
- * divided exactly; between, they follow the surface that is a parabola along each row and each column and is exact in
- * the middle of each side, too (where 1/w goes from w0 to w1 and u by U, the middle lies U (w1 - w0) / (2 (w0 + w1))
- * beside the straight line's): a few additions a pixel and a row. A tile is made smaller where 1/w changes much along
- * it. Tiles hang on the triangle, not on the band: the picture does not depend on where bands begin. Measured error:
- * tests/core/test_quality.c, tests/test_texture.c.
+ * Textured triangles, perspective-correct, in tiles of up to 32 x 16 pixels.
  *
- * A triangle is cut into strips (rows in which all tiles have one height), a strip into tiles from left to right. What
- * is usual (16-bit depth, full light, up to 65,536 texels) ph_texture_tile of texture_tile.h draws, all else draw_run
- * here.
+ * At the four corners of a tile u and v are divided exactly. Between them they follow a surface that is a parabola
+ * along each row and each column and is exact in the middle of each side, too: if 1/w goes from w0 to w1 along a side,
+ * and u changes by U, then u in its middle lies U (w1 - w0) / (2 (w0 + w1)) beside the straight line. So a pixel and a
+ * row cost a few additions. Where 1/w changes much, tiles are smaller. They are placed by the triangle, not by the
+ * band, so the picture does not depend on where bands begin. Measured error: tests/core/test_quality.c, test_texture.c.
+ *
+ * A triangle is cut into strips, rows in which all tiles have one height; a strip is cut into tiles from left to right.
+ * ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, up to 65,536 texels), draw_run here
+ * all others.
  */
 #include "texture.h"
 
@@ -29,7 +30,7 @@ struct tile_kind {
     int u_down, v_down; /* from u, v to whole texels */
     uint32_t light;     /* 0 .. 32 */
     bool clamp;
-    bool depth24; /* struct ph_band */
+    bool depth24; /* as in struct ph_band */
     bool plain;   /* ph_texture_tile can draw them */
 };
 
@@ -39,8 +40,8 @@ struct corners {
 };
 
 /*
- * What u and v follow over a tile. part: of the change of u or v along a side, what the parabola through its ends and
- * its middle bends: change of 1/w over its mean, in 2^-16.
+ * u and v over a tile. A side's number is the part of the change of u or v along it by which the parabola through its
+ * ends and its middle bends: the change of 1/w over the mean of 1/w, in 2^-16.
  */
 struct surface {
     struct corners u, v;
@@ -52,15 +53,15 @@ struct tile {
     int width_log2, height_log2;
 };
 
-/* Rows of a triangle, the tiles in them of one height. */
+/* Rows of a triangle whose tiles have one height. */
 struct strip {
     uint32_t y, y_end;
     int height_log2;
-    int32_t x, x_end; /* the columns that they have pixels in; none if x >= x_end */
+    int32_t x, x_end; /* the columns in which there are pixels; none if x >= x_end */
     uint32_t least_w; /* 1/w at its pixels */
 };
 
-/* linear-w has the plane of 1/w in place of the depth. */
+/* The plane of 1/w; linear-w has it as its depth. */
 static const struct ph_plane *over_w(const struct ph_triangle *t)
 {
     return t->block == PH_BLOCK_LINEAR ? &t->depth : &t->attribute[2];
@@ -77,7 +78,7 @@ struct over_w {
     int shift;
 };
 
-/* The exact quotients at a point, from u/w and v/w as setup_texture of planes.c has them: below 8 of their range. */
+/* Divides exactly: u and v at a point from the planes of u/w and v/w (see setup_texture), below 8 of their range. */
 static inline struct over_w divide(const struct ph_triangle *t, uint32_t x, uint32_t y, int32_t *u, int32_t *v)
 {
     const uint32_t plane = ph_plane_at(over_w(t), x, y);
@@ -89,14 +90,17 @@ static inline struct over_w divide(const struct ph_triangle *t, uint32_t x, uint
     return at;
 }
 
-/* Part of a side that ends here, 1/w having changed by at most a quarter: q (1 + q / 2), q the change over 1/w. */
+/*
+ * The part (see struct surface) of a side that ends here. With q, the change over 1/w, it is q (1 + q / 2); 1/w changes
+ * by a quarter at most.
+ */
 static inline int32_t part_of(const struct over_w *end, uint32_t change)
 {
     const int32_t q = ((int32_t)(change << end->shift) >> 16) * (end->reciprocal >> 15) >> 14;
     return q + (int32_t)((uint32_t)q * (uint32_t)q >> 17);
 }
 
-/* The right side of a tile, which ends at column x; ends: its upper and its lower corner. */
+/* Divides at the right side of a tile, which ends at column x; ends: 1/w at its upper and its lower corner. */
 static void divide_side(const struct ph_triangle *t, const struct tile *tile, uint32_t x, struct surface *s,
                         struct over_w ends[2])
 {
@@ -107,7 +111,7 @@ static void divide_side(const struct ph_triangle *t, const struct tile *tile, ui
     s->right = part_of(&ends[1], over_w(t)->gy * height);
 }
 
-/* The next tile: its left side is the right one of that before. */
+/* Goes on to the next tile: its left side is the right side of the one before. */
 static void divide_tile(const struct ph_triangle *t, const struct tile *tile, struct surface *s)
 {
     const uint32_t width = 1u << tile->width_log2, change = over_w(t)->gx * width;
@@ -122,8 +126,10 @@ static void divide_tile(const struct ph_triangle *t, const struct tile *tile, st
     s->bottom = part_of(&ends[1], change);
 }
 
-/* A change along a side in two terms: linear times s and square times s^2, s from 0 to 1. In the middle it is a quarter
- * of -square beside the straight line's. */
+/*
+ * A change along a side: linear s + square s^2, with s from 0 to 1. In the middle it lies -square / 4 beside the
+ * straight line.
+ */
 struct curve {
     uint32_t linear, square;
 };
@@ -142,9 +148,10 @@ static inline uint32_t scaled(uint32_t v, int by)
 }
 
 /*
- * The way of u or v over a tile, in 2^-(25 + up) of their range: polynomials of the row, as forward differences (a
- * row's is linear + square at first and grows by 2 square). The left side gives at, the top and the bottom step and
- * bend. twist is what the right side bends more than the left: step has it, for `at` has the left side's alone.
+ * The way of u or v over a tile, in 2^-(25 + up) of their range. The coefficients of a row are polynomials of the row's
+ * number, stepped by forward differences: the first is linear + square, and it grows by 2 square from row to row. `at`
+ * comes from the left side, step and bend from the top and the bottom. The right side bends more than the left by
+ * twist; since `at` follows the left side alone, step takes it up.
  */
 static void set_way(struct ph_texel_way *way, const struct corners *c, const struct surface *s, const struct tile *tile,
                     int up)
@@ -178,7 +185,7 @@ static uint16_t shade(uint16_t wire, uint32_t light)
     return ph_wire16((uint16_t)(lit | lit >> 16));
 }
 
-/* The texel at u, v, clamped or repeated, lit or as it is. */
+/* The texel at u, v; it is clamped or repeated, and lit if the light is not full. */
 static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
 {
     int32_t column = (int32_t)u >> k->u_down, line = (int32_t)v >> k->v_down;
@@ -190,7 +197,7 @@ static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
     return k->light < 32 ? shade(texel, k->light) : texel;
 }
 
-/* What ph_texture_tile does not draw: n pixels from column i of the tile on, in one piece of the depth. */
+/* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
 static inline __attribute__((always_inline)) void draw_run(const struct tile_kind *k, const struct ph_texel_rows *r,
                                                            uint32_t i, uint32_t n, struct ph_piece piece, bool depth24)
 {
@@ -225,7 +232,7 @@ static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r,
     }
 }
 
-/* The columns between two edges that are in the tile. */
+/* The columns of the tile between two edges; false if there are none. */
 static bool row_columns(uint32_t left_edge, uint32_t right_edge, uint32_t columns, uint32_t *from, uint32_t *n)
 {
     const int32_t left = (int32_t)left_edge >> 16, right = (int32_t)right_edge >> 16;
@@ -235,7 +242,7 @@ static bool row_columns(uint32_t left_edge, uint32_t right_edge, uint32_t column
     return first < end;
 }
 
-/* To the next row. */
+/* Steps to the next row. */
 static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     r->left += r->left_dx;
@@ -248,7 +255,7 @@ static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
     r->rows--;
 }
 
-/* Rows whose depth may be of several pieces each; r->d, r->gd in units of the triangle's plane. */
+/* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. */
 static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     for (; r->rows > 0; row_down(k, r)) {
@@ -265,7 +272,10 @@ static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows 
     }
 }
 
-/* Rows with depth in codes. ph_texture_tile stops before one that leaves a clamped texture: that one is drawn here. */
+/*
+ * Draws rows with depth in codes. ph_texture_tile stops before a row that leaves a clamped texture;
+ * draw_other draws that one.
+ */
 static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     for (;;) {
@@ -285,13 +295,13 @@ static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
     }
 }
 
-/* Depth of a tile that crosses octaves; codes and border are those of its first row, stepped down, in every band. */
+/* Depth of a tile that crosses octaves. Codes and border are stepped from its first row, whatever the band. */
 struct tile_depth {
     uint32_t d, d_dy;            /* of its first row, in units of the triangle's plane */
     struct ph_octave octaves[2]; /* the far and the near one, or twice the only one */
 };
 
-/* Rows in one octave; the first of them is row `row` of the tile. */
+/* Draws rows in one octave; the first of them is row `row` of the tile. */
 static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                                 bool near, uint32_t row)
 {
@@ -307,8 +317,10 @@ static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows 
     r->d_dy = depth->d_dy;
 }
 
-/* How many of the next rows begin on the same side of the octaves' border as the first, and end on the same; one
- * without pixels is on the far one. */
+/*
+ * How many of the next rows begin on the same side of the octaves' border as the first row, and also end on the same
+ * side as it. A row without pixels counts as far.
+ */
 static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool near[2])
 {
     uint32_t left = r->left, right = r->right, d = r->d, n = 0;
@@ -328,7 +340,7 @@ static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool 
     return n;
 }
 
-/* The line where d is that of the octaves' border, as an edge of the tile, at row `row`. */
+/* The line on which d is at the octaves' border, as an edge of the tile at row `row`. */
 static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, uint32_t row)
 {
     int shift;
@@ -339,7 +351,7 @@ static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, u
     return (struct ph_edge){(int32_t)((uint32_t)x + 65535u + row * dx), (int32_t)dx};
 }
 
-/* Rows with a near and a far octave in them, from row `row` of the tile on. */
+/* Draws rows that have a near and a far octave in them, from row `row` of the tile on. */
 static void draw_rows_in_two(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                              uint32_t row)
 {
@@ -349,8 +361,8 @@ static void draw_rows_in_two(const struct tile_kind *k, struct ph_texel_rows *r,
         bool near[2] = {false, false};
         r->rows = rows;
         r->rows = n = rows_alike(r, depth->octaves[1].bottom, near);
-        if (near[0] == near[1] ||
-            fx_magnitude((int32_t)r->gd) <= fx_magnitude((int32_t)way) >> 29) { /* so flat that the border is a row */
+        if (near[0] == near[1] || fx_magnitude((int32_t)r->gd) <= fx_magnitude((int32_t)way) >>
+                                      29) { /* or so flat that the border is a row */
             draw_rows_in_octave(k, r, depth, near[0], row);
             continue;
         }
@@ -384,9 +396,9 @@ static bool is_inside(const struct ph_triangle *t, const struct surface *s)
 }
 
 /*
- * Texture of a tile, and how it is to be drawn. Where ph_texture_tile can, u and v are in its units: the texture
- * repeats as they wrap. A clamped one must not, for then what is outside would seem inside: so many texels fit in
- * beside the sign, with room for as much again. Otherwise u and v are in 2^-29 of their range.
+ * Chooses how a tile is drawn. For ph_texture_tile u and v are in its units: they wrap, and so the texture repeats. In
+ * a clamped texture they must not wrap, or a point outside would seem to be inside: its texels must fit in beside the
+ * sign, with room for as many again. For draw_run u and v are in 2^-29 of their range.
  */
 static void set_texels(struct tile_kind *k, const struct tile *tile, const struct surface *s, struct ph_texel_rows *r)
 {
@@ -409,7 +421,7 @@ static void set_texels(struct tile_kind *k, const struct tile *tile, const struc
     set_way(&r->v, &s->v, s, tile, k->v_down + range + height - 25);
 }
 
-/* False if it is of more than two octaves. */
+/* The octaves of a tile; false if there are more than two. */
 static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, struct tile_depth *depth)
 {
     const uint32_t right = ((1u << tile->width_log2) - 1) * t->depth.gx;
@@ -425,7 +437,7 @@ static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, str
     return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->octave - most_in->octave < 2;
 }
 
-/* The upper or lower half of the rows in the band; r stands at their first one. */
+/* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
 static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int half, const struct tile *tile,
                       struct ph_texel_rows *r)
 {
@@ -453,7 +465,7 @@ static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int
     }
 }
 
-/* The rows of a tile that are in the band. */
+/* Draws the rows of a tile that are in the band. */
 static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *band, const struct tile *tile,
                           const struct surface *s)
 {
@@ -481,7 +493,7 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     return r.count;
 }
 
-/* Whether slopes are small enough for a side of 2^log2: 1/w changes by 3/16 at most, u and v by 2 of their range. */
+/* Whether slopes are gentle along a side of 2^log2 pixels: 1/w changes by 3/16 at most, u and v by 2 of their range. */
 static bool is_gentle(uint32_t gu, uint32_t gv, uint32_t gw, uint32_t least_w, int log2)
 {
     return least_w < (uint32_t)1 << 30 && fx_magnitude((int32_t)gw) <= ((least_w >> 3) + (least_w >> 4)) >> log2 &&
@@ -508,7 +520,7 @@ static int tile_width(const struct ph_triangle *t, const struct tile *tile, uint
     return log2;
 }
 
-/* Columns and least 1/w of the rows that begin at strip->y. */
+/* Finds columns and least 1/w of the rows of a strip. */
 static void measure_strip(const struct ph_triangle *t, int32_t width, struct strip *strip)
 {
     const struct ph_band rows = {NULL, NULL, false, (int32_t)strip->y, (int32_t)strip->y_end, 0};
