@@ -1,4 +1,4 @@
-/* Triangles that cannot be seen, passed over: see cull.h. */
+/* See cull.h. */
 #include "cull.h"
 
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
@@ -8,13 +8,13 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
     return (struct ph_sides){dx1, dy1, dx2, dy2, small ? dx2 * dy1 - dx1 * dy2 : 1, small};
 }
 
-/* Of corners without clip codes. */
+/* Whether corners without clip codes run counter-clockwise. */
 static inline bool faces_viewer(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
 {
     return fx_mul_wide(c->x - a->x, b->y - a->y) > fx_mul_wide(b->x - a->x, c->y - a->y);
 }
 
-/* Whether a triangle may be seen. A corner with a clip code may have no x and y: the caller looks closer. */
+/* Whether a triangle may be seen. A corner with a clip code may have no x and y: then the caller must look closer. */
 static inline bool is_candidate(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
                                 bool coded)
 {
@@ -24,7 +24,7 @@ static inline bool is_candidate(const struct ph_vertex *a, const struct ph_verte
     return faces_viewer(a, b, c);
 }
 
-/* Called with a constant: a loop of its own for meshes that are wholly in the picture. */
+/* `coded` is a constant at each call, so that meshes that lie wholly in the picture have a loop of their own. */
 static inline bool cull_until(struct ph_cull_run *run, bool coded)
 {
     const struct ph_vertex *const vertices = run->vertices;

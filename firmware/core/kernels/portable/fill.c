@@ -1,9 +1,9 @@
-/* Filling rows with one value: see kernels.h. */
+/* ph_fill of kernels.h. */
 #include "kernels.h"
 
 typedef uint32_t __attribute__((may_alias)) two_pixels;
 
-enum { TURN = 128 }; /* pixels; the compiler stores them as widely as the machine can */
+enum { TURN = 128 }; /* pixels; the compiler stores them in the largest units that the CPU has */
 
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n)
 {

@@ -1,26 +1,28 @@
-/* Depth of a triangle's corners as floats: see kernels.h. */
+/* ph_float_depths of kernels.h; the format is in depth.h. */
 #include "kernels.h"
 
 #include "vertex.h"
 
-/* The far plane in units of 2^-(30 + s), s a vertex's: its own is the largest. */
+/* The far plane in units of 2^-(30 + s), s being the exponent of a vertex. No exponent is above that of the far plane.
+ */
 static inline uint32_t far_at(const struct ph_lens *lens, int s)
 {
     return lens->far_q >> ((lens->far_s - s) & 31);
 }
 
+/* How far q is in front of the far plane; 0 behind it. */
 static inline uint32_t in_front(uint32_t q, uint32_t far)
 {
     return q > far ? q - far : 0;
 }
 
-/* d of a vertex in units of its own, 2^-(30 + s). */
+/* d of a vertex in units of 2^-(30 + s). */
 static inline uint32_t own_depth(const struct ph_lens *lens, const struct ph_vertex *v)
 {
     return in_front(v->q, far_at(lens, v->s));
 }
 
-/* Code of a d with the octave's offset; false where d is not in it. octave: see ph_depth_octave. */
+/* The code of a d with the octave's offset; false if d is not in the octave. octave: see ph_depth_octave. */
 static bool code_in_octave(const struct ph_vertex *v, uint32_t d, int octave, uint32_t offset, uint32_t *code)
 {
     const uint32_t up = (uint32_t)(octave + 2 - v->s);
@@ -31,7 +33,7 @@ static bool code_in_octave(const struct ph_vertex *v, uint32_t d, int octave, ui
     return true;
 }
 
-/* Of three corners with one exponent, as most triangles have. */
+/* The codes of three corners with the same exponent, as most triangles have them. */
 static inline bool depths_alike(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias,
                                 uint32_t d[3])
 {

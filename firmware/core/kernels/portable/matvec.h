@@ -1,2 +1,2 @@
-/* matvec: see matvec_wide.h. */
+/* See matvec_wide.h. */
 #include "matvec_wide.h"

@@ -1,18 +1,18 @@
-/* Set-up of a small Gouraud triangle: see kernels.h. */
+/* ph_setup_small of kernels.h. */
 #include "kernels.h"
 
 #include "edge.h"
 
 enum {
-    FRACTION = 15,    /* bits of a scaled difference, and of a scaled side */
-    STEEP_DEPTH = 19, /* bits of a gradient per 1/256 px: 2^27 per pixel, as all formats take */
-    STEEP_LIGHT = 28, /* what the head room of light allows at 2^-9 px beside the triangle */
+    FRACTION = 15,    /* bits that are kept of a difference and of a side */
+    STEEP_DEPTH = 19, /* bits that a gradient per 1/256 px may have: 2^27 per pixel, which all formats can take */
+    STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
 /*
- * dy1, dy2, dx1, dx2 of the sides, in this order, over their area (twice the triangle's), times 2^shift. With d1, d2,
- * the differences of a value at the second and third corner to the first, its gradient is x = (d2 dy1 - d1 dy2) / area
- * and y = (d1 dx2 - d2 dx1) / area.
+ * The sides over their area (twice the triangle's), times 2^shift: dy1, dy2, dx1, dx2, in this order. Let d1 and d2 be
+ * the differences between the value at the second or third corner and that at the first. Then the gradient of the value
+ * is x = (d2 dy1 - d1 dy2) / area = d2 a - d1 b and y = (d1 dx2 - d2 dx1) / area = d1 d - d2 c.
  */
 struct slopes {
     int32_t a, b, c, d;
@@ -35,7 +35,7 @@ struct subpixel_gradient {
     int32_t x, y; /* per 1/256 px */
 };
 
-/* Halved until it fits: slivers, and faces seen edge-on, are flattened rather than wrapped. */
+/* Halves a gradient until it fits: so slivers, and faces seen edge-on, become flat instead of wrapping. */
 static __attribute__((noinline)) struct subpixel_gradient flattened(int32_t x, int32_t y, int down, int limit)
 {
     const int least = 32 - fx_clz32(ph_without_sign(x) | ph_without_sign(y)) - limit;
@@ -44,7 +44,7 @@ static __attribute__((noinline)) struct subpixel_gradient flattened(int32_t x, i
                     : (struct subpixel_gradient){x >> down, y >> down};
 }
 
-/* Gradient from the differences over 2^drop, of FRACTION bits, of the second and third corner to the first. */
+/* The gradient from the differences over 2^drop, which have FRACTION bits. */
 static struct subpixel_gradient gradient_of(const struct slopes *s, int32_t d1, int32_t d2, int drop, int limit)
 {
     const int32_t x = d2 * s->a - d1 * s->b, y = d1 * s->d - d2 * s->c;
@@ -63,7 +63,8 @@ static struct subpixel_gradient depth_gradient(const struct slopes *s, const uin
     return gradient_of(s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
-/* Light's plane is in 2^-16. Of 16 bits of a difference FRACTION are left: 17 of the plane's are dropped. */
+/* The plane of light is in 2^-16. Of the 16 bits of a difference FRACTION are kept: 17 bits of the plane are dropped.
+ */
 static struct subpixel_gradient light_gradient(const struct slopes *s, const struct ph_vertex *const v[3])
 {
     return gradient_of(s, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17, STEEP_LIGHT);
@@ -83,6 +84,7 @@ static void set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3]
     t->small.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
 }
 
+/* The edge from a down to b at `row`, the first row of a. */
 static void set_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t row, struct ph_edge *edge)
 {
     *edge = ph_short_edge(a, b->x - a->x, b->y - a->y, row, row);

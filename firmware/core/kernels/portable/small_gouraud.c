@@ -1,4 +1,4 @@
-/* Rows of a Gouraud triangle: see kernels.h. */
+/* ph_small_gouraud of kernels.h. */
 #include "kernels.h"
 #include "span.h"
 #include "triangle.h"
@@ -8,7 +8,7 @@ static uint16_t *row_below(uint16_t *row, uint32_t bytes)
     return (uint16_t *)(void *)((uint8_t *)row + bytes);
 }
 
-/* As many rows between the edges of r, which then stand at the row below. */
+/* Draws as many rows between the edges of r, which then stand at the row below. */
 static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
 {
@@ -19,7 +19,7 @@ static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *
         const uint32_t from = r->left >> 16, to = r->right >> 16;
         uint32_t d = r->d + gd * from, light = r->light + glight * from;
         uint32_t x = from;
-        for (; (int32_t)(to - x) > 1; x += 2) { /* two pixels a turn */
+        for (; (int32_t)(to - x) > 1; x += 2) { /* two pixels in each turn */
             ph_pixel_gouraud(&pixels[x], &depth[x], d, light, ramp);
             d += gd;
             light += glight;

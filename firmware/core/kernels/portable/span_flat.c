@@ -1,4 +1,4 @@
-/* A span of one colour, four pixels a turn: see kernels.h. */
+/* ph_span_flat of kernels.h, with four pixels in each turn. */
 #include "kernels.h"
 #include "span.h"
 

@@ -1,4 +1,4 @@
-/* A Gouraud span, two pixels a turn: see kernels.h. */
+/* ph_span_gouraud of kernels.h, with two pixels in each turn. */
 #include "kernels.h"
 #include "span.h"
 

@@ -1,4 +1,4 @@
-/* Rows of a textured tile: see texture_tile.h. */
+/* See texture_tile.h. */
 #include "texture_tile_plain.h"
 
 void ph_texture_tile(struct ph_texel_rows *r)

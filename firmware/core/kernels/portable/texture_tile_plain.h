@@ -8,12 +8,13 @@
 #include "span.h"
 #include "texture_tile.h"
 
-/* Columns of the row, and what is the same for u and v. */
+/* The columns of a row, and a factor that u and v share. */
 struct ph_row_run {
     uint32_t first, n;
-    uint32_t pair; /* times bend: the first step beyond `step`, that of the pair which the first pixel begins or ends */
+    uint32_t pair; /* the first step is step + pair bend: that of the pair which the first pixel begins or ends */
 };
 
+/* False if the row has no pixel. */
 static inline bool ph_next_row(const struct ph_texel_rows *r, struct ph_row_run *row)
 {
     const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16, columns = (int32_t)r->columns;
@@ -33,15 +34,17 @@ static inline void ph_row_down(struct ph_texel_rows *r)
     r->rows--;
 }
 
-/* Whether a row's first or last pixel lies outside a clamped texture. */
+/* Whether the first or the last pixel of a row lies outside a clamped texture. */
 static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, uint32_t last)
 {
     return (((ph_texel_at(&r->u, first) | ph_texel_at(&r->u, last)) & r->u_outside) |
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/* A row; steps change behind every second pixel, counted from the last: see texture_tile.h. A parabola's step over two
- * pixels grows by 8 bend, each one's share of it by 4. */
+/*
+ * Draws a row. Steps change behind every second pixel, counted from the last one: see texture_tile.h. The step of a
+ * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4.
+ */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     uint32_t u = ph_texel_at(&r->u, row->first), du = r->u.step + row->pair * r->u.bend;

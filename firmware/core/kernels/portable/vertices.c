@@ -1,19 +1,22 @@
-/* Vertices of a mesh, projected: see vertices.h. */
+/* See vertices.h. */
 #include "vertices.h"
 
-/* |x| and |y| below limit. */
+/* Whether |x| and |y| are below limit. */
 static inline bool are_within(int32_t x, int32_t y, uint32_t limit)
 {
     return ((uint32_t)(x ^ x >> 31) | (uint32_t)(y ^ y >> 31)) < limit;
 }
 
+/* Clip code of a coordinate on the screen, 0 .. most inside; `below` is the code below 0. */
 static inline uint8_t side_code(int32_t at, uint32_t most, unsigned below)
 {
     return (uint8_t)(at < 0 ? below : (uint32_t)at > most ? 2 * below : 0);
 }
 
-/* at.z has 4 leading zeros or more, and x and y are within 8 z: none of the shifts up loses a bit. q is shifted up by
- * one where its upper bit is not at 30, as struct ph_quotient has it. */
+/*
+ * Projects a vertex. at.z has 4 leading zeros or more, and x and y are within 8 z, so that no shift up loses a bit. q
+ * is shifted up by one if its upper bit is not at 30, as struct ph_quotient wants it.
+ */
 static inline void project(const struct ph_vertex_run *run, struct fx_vec3 at, struct ph_vertex *v)
 {
     int shift;

@@ -1,4 +1,4 @@
-/* pixels8: depth test and depths of 8 pixels at once, x86-64 (SSE2). Private to the loops in this folder. */
+/* pixels8: 8 pixels at once, their depths and the depth test, x86-64 (SSE2). Private to the kernels of this folder. */
 #ifndef PH_PIXELS8_H
 #define PH_PIXELS8_H
 
@@ -10,7 +10,7 @@ struct depths8 {
     __m128i low, high;
 };
 
-/* d, d + gd, .. d + 7 gd */
+/* d, d + gd, .. d + 7 gd. */
 static inline struct depths8 depths8_from(uint32_t d, uint32_t gd)
 {
     const __m128i four = _mm_setr_epi32((int)d, (int)(d + gd), (int)(d + 2 * gd), (int)(d + 3 * gd));
@@ -23,14 +23,13 @@ static inline void depths8_add(struct depths8 *d, __m128i step)
     d->high = _mm_add_epi32(d->high, step);
 }
 
-/* The upper halves of all. */
+/* The codes of all 8: the upper halves. */
 static inline __m128i depths8_codes(const struct depths8 *d)
 {
     return _mm_packs_epi32(_mm_srai_epi32(d->low, 16), _mm_srai_epi32(d->high, 16));
 }
 
-/* Keeps the larger of each code and what is stored. Returns ones where that was stored already: pixels that are hidden.
- */
+/* Stores the larger one of each code and the stored code. Returns all ones for each pixel that is hidden. */
 static inline __m128i depth8_test(uint16_t *depth, __m128i codes)
 {
     const __m128i stored = _mm_loadu_si128((const __m128i *)depth), above = _mm_subs_epu16(codes, stored);
@@ -38,7 +37,7 @@ static inline __m128i depth8_test(uint16_t *depth, __m128i codes)
     return _mm_cmpeq_epi16(above, _mm_setzero_si128());
 }
 
-/* colours, but where they are hidden. */
+/* Stores the colours of the pixels that are not hidden. */
 static inline void pixels8_put(uint16_t *pixels, __m128i colours, __m128i hidden)
 {
     const __m128i there = _mm_loadu_si128((const __m128i *)pixels);

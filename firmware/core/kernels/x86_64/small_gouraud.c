@@ -1,4 +1,4 @@
-/* Rows of a Gouraud triangle, x86-64: edges and planes, and depth and light, step in one addition. See kernels.h. */
+/* ph_small_gouraud of kernels.h for x86-64: edges and planes step in one addition, and so do depth and light. */
 #include "kernels.h"
 #include "triangle.h"
 
@@ -9,7 +9,7 @@ _Static_assert(offsetof(struct ph_small_triangle, light_dy) == 12 &&
                    offsetof(struct ph_small_triangle, light) == offsetof(struct ph_small_triangle, left) + 12,
                "left, right, d, light are loaded at once, and so are their steps");
 
-/* Pixels -n .. -1 before the row's end. at: depth in word 0, light in word 2, step likewise. */
+/* Draws the pixels -n .. -1 before the end of the row. at has the depth in word 0, light in word 2; so has step. */
 static inline void draw_row(uint16_t *pixels, uint16_t *depth, intptr_t n, __m128i at, __m128i step,
                             const uint16_t *ramp)
 {
@@ -28,7 +28,7 @@ static uint16_t *row_below(uint16_t *row, uint32_t bytes)
     return (uint16_t *)(void *)((uint8_t *)row + bytes);
 }
 
-/* The upper rows of r, which then stands below them. */
+/* Draws the upper rows of r, which then stands below them. */
 static inline uint32_t draw_upper(struct ph_small_triangle *r, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
     const uint16_t *const ramp = r->ramp;

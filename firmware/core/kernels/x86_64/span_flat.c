@@ -1,4 +1,4 @@
-/* A run of pixels in one colour, x86-64: 8 at once. See kernels.h. */
+/* ph_span_flat of kernels.h for x86-64, 8 pixels at once. */
 #include "kernels.h"
 #include "pixels8.h"
 #include "span.h"
@@ -23,7 +23,7 @@ void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uin
         draw8(pixels + i, depth + i, &at, colours);
         depths8_add(&at, step);
     }
-    if (n > whole) { /* the last 8: those of them that were drawn stay as they are */
+    if (n > whole) { /* the last 8; those among them that are drawn already do not change */
         at = depths8_from(d + (n - 8) * gd, gd);
         draw8(pixels + n - 8, depth + n - 8, &at, colours);
     }

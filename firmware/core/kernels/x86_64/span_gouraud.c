@@ -1,9 +1,9 @@
-/* A run of pixels along a ramp, x86-64: 8 at once. See kernels.h. */
+/* ph_span_gouraud of kernels.h for x86-64, 8 pixels at once. */
 #include "kernels.h"
 #include "pixels8.h"
 #include "span.h"
 
-/* Colours of 8 pixels by the top 7 bits of their light. */
+/* Colours of 8 pixels, by the top 7 bits of their light. */
 static inline __m128i colours8(const struct depths8 *light, const uint16_t *ramp)
 {
     const __m128i entry = _mm_packs_epi32(_mm_srli_epi32(light->low, 25), _mm_srli_epi32(light->high, 25));
@@ -43,7 +43,7 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
         depths8_add(&at, step);
         depths8_add(&light_at, light_step);
     }
-    if (n > whole) { /* the last 8: those of them that were drawn stay as they are */
+    if (n > whole) { /* the last 8; those among them that are drawn already do not change */
         at = depths8_from(d + (n - 8) * gd, gd);
         light_at = depths8_from(light + (n - 8) * glight, glight);
         draw8(pixels + n - 8, depth + n - 8, &at, &light_at, ramp);

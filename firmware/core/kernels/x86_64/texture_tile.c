@@ -1,20 +1,21 @@
-/* Rows of a textured tile for x86-64, u and v in one word: see texture_tile.h. */
+/* ph_texture_tile for x86-64, with u and v in one word. See texture_tile.h. */
 #include "texture_tile_plain.h"
 
-/* 2^32 v + u of all coefficients, for arithmetic with both at once. */
+/* All coefficients as 2^32 v + u, so that one operation serves both. */
 struct both {
     uint64_t at, step, bend, at_dy, step_dy, bend_dy, at_ddy, step_ddy;
 };
 
-#define SIGN   ((uint64_t)1 << 31)     /* on top of u, so that it is not below 0; a multiple of the texture's width */
-#define U_TO_V ((uint64_t)1 << 26 | 1) /* times this, the integer of u is added to that of v */
+#define SIGN   ((uint64_t)1 << 31)     /* added to u, so that it is not negative; a multiple of the texture's width */
+#define U_TO_V ((uint64_t)1 << 26 | 1) /* a product with this adds the texel column of u to the texel row of v */
 
+/* Whether |v| is below 2^log2. */
 static bool is_below(uint32_t v, int log2)
 {
     return v + ((uint32_t)1 << log2) < (uint32_t)2 << log2;
 }
 
-/* Whether all that comes of u, over 32 columns and 16 rows, stays below 2^31 without ever wrapping. */
+/* Whether u, over 32 columns and 16 rows, stays below 2^31 and never wraps. */
 static bool fits_both(const struct ph_texel_rows *r)
 {
     const struct ph_texel_way *const u = &r->u;
@@ -34,7 +35,7 @@ static void part(uint64_t both, uint32_t *u, uint32_t *v)
     *v = (uint32_t)((both - (uint64_t)(int64_t)(int32_t)*u) >> 32);
 }
 
-/* Along a row. */
+/* The state along a row. */
 struct walk {
     uint64_t at, step;
     uint32_t d, gd;
@@ -52,14 +53,14 @@ static inline __attribute__((always_inline)) void draw_texel(struct walk *w, uin
     w->at += w->step;
 }
 
-/* A row; the step changes behind every second pixel, counted from the last. */
+/* Draws a row. The step changes behind every second pixel, counted from the last one. */
 static inline void draw_row(const struct ph_texel_rows *r, const struct ph_row_run *row, struct walk w, uint64_t bend,
                             uint64_t mask)
 {
     uint16_t *depth = r->depth + row->first, *pixels = r->pixels + row->first;
     const uint16_t *const texels = r->texels;
     uint64_t u_to_v = U_TO_V;
-    __asm__("" : "+r"(u_to_v)); /* the compiler would take more instructions than the product is */
+    __asm__("" : "+r"(u_to_v)); /* else the compiler takes several instructions in place of the product */
     if ((row->n & 1) != 0) {
         draw_texel(&w, depth, pixels, texels, mask, u_to_v);
         w.step += bend;
@@ -82,7 +83,7 @@ static void draw_rows(struct ph_texel_rows *r)
     const uint64_t mask = (uint64_t)r->v_mask << 48 | r->u_mask << 22;
     const uint64_t outside = (uint64_t)r->v_outside << 32 | r->u_outside;
     while (r->rows > 0) {
-        __asm__ volatile("" : : : "memory"); /* the state does not fit the registers: none of it shall be there */
+        __asm__ volatile("" : : : "memory"); /* the state does not fit the registers: keep all of it in memory */
         struct ph_row_run row;
         if (ph_next_row(r, &row)) {
             const uint64_t first = b.at + row.first * (b.step + row.first * b.bend), i = row.first + row.n - 1;
