@@ -1,12 +1,13 @@
-@ ph_cull of kernels.h for ARMv6-M: 29 instructions a triangle without clip codes (38 where it is 16 px high or more), 36
-@ one that may have some; some 65 a call.
+@ ph_cull (see cull.h) for ARMv6-M. A triangle without clip codes takes 29 instructions (38 if it is 16 px high or
+@ more), a triangle that may have codes 36, a call some 65.
 @
-@ r0 vertices, r1 index; r3 r4 r5 corners a b c, then r3 r6 the first's x y, r4 r7 the second's, r2 r5 the third's; r8 end,
-@ r9 2^12, r10 the struct ph_cull_run
+@ Registers: r0 vertices, r1 index; r3 r4 r5 the corners a, b, c; then their x, y: a in r3 r6, b in r4 r7, c in r2 r5;
+@ r8 end, r9 2^12, r10 the struct ph_cull_run.
     .syntax unified
     .thumb
 #include "../offsets.inc"
 
+    @ Loads the corners of the next triangle.
     .macro corners
     ldrh r3, [r1]
     ldrh r4, [r1, #2]
@@ -20,7 +21,7 @@
     adds r5, r0
     .endm
 
-    @ Negative where a, b, c runs counter-clockwise: (b - a).x (c - a).y + (a - c).x (b - a).y
+    @ Computes (b - a).x (c - a).y + (a - c).x (b - a).y, which is negative if a, b, c run counter-clockwise.
     .macro turn
     ldmia r3, {r3, r6}
     ldmia r4, {r4, r7}
@@ -34,7 +35,7 @@
     adds r2, r5
     orrs r2, r6
     lsrs r2, #13
-    bne 1f @ a height of 2^12 or more: the products may take 38 bits
+    bne 1f @ the height is 2^12 or more: products may take 38 bits
     muls r4, r5
     muls r3, r7
     adds r3, r4
@@ -42,7 +43,7 @@
     cmp r1, r8
     .endm
 
-    @ The same over 256, rounded down.
+    @ The same divided by 256, rounded down.
     .macro turn_high
     asrs r2, r5, #8
     uxtb r5, r5
@@ -96,7 +97,7 @@ coded:
     ldrb r7, [r5, #vertex_code]
     orrs r2, r6
     orrs r2, r7
-    lsls r2, #25 @ all but the bit of light
+    lsls r2, #25 @ is any bit set but PH_LIT?
     bne 2f
     turn
     bne coded
@@ -107,7 +108,7 @@ coded:
 2:  ldrb r2, [r3, #vertex_code]
     ands r2, r6
     ands r2, r7
-    lsls r2, #26 @ the six planes
+    lsls r2, #26 @ do they share one of the six planes?
     beq some
     cmp r1, r8
     bne coded
@@ -138,7 +139,7 @@ found:
     subs r5, r0
     subs r6, r1
     stmia r2!, {r3-r6}
-    movs r0, #1 @ -2^14 <= each < 2^14: small
+    movs r0, #1 @ is -2^14 <= d < 2^14 for each difference? Then the sides are short.
     lsls r0, #14
     adds r1, r3, r0
     adds r7, r4, r0

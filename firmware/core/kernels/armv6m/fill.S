@@ -1,4 +1,4 @@
-@ ph_fill of kernels.h for ARMv6-M (and ARMv7-M): 24 bytes a store.
+@ ph_fill of kernels.h for ARMv6-M (and ARMv7-M). Each stmia stores 24 bytes.
     .syntax unified
     .thumb
     .section .text.ph_fill, "ax", %progbits
@@ -10,7 +10,7 @@ ph_fill: @ r0: to, r1: value, r2: pixels left
     push {r4-r7, lr}
     cmp r2, #0
     beq 9f
-    lsls r3, r0, #30 @ bit 1: half a word first
+    lsls r3, r0, #30 @ bit 1 of the address: half a word comes first
     bpl 1f
     strh r1, [r0]
     adds r0, #2
@@ -35,7 +35,7 @@ ph_fill: @ r0: to, r1: value, r2: pixels left
 4:  stmia r0!, {r1}
 5:  subs r2, #2
     bcs 4b
-    lsls r2, r2, #31 @ one is left where the difference is odd
+    lsls r2, r2, #31 @ one pixel is left if the difference is odd
     beq 9f
     strh r1, [r0]
 9:  pop {r4-r7, pc}

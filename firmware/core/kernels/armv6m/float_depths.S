@@ -1,11 +1,11 @@
-@ ph_float_depths of kernels.h for ARMv6-M: some 80 instructions a triangle.
+@ ph_float_depths of kernels.h for ARMv6-M. A triangle takes some 80 instructions.
 @
-@ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s; r12 corners, lr octave + 2
+@ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s; r12 corners, lr octave + 2.
     .syntax unified
     .thumb
 #include "../offsets.inc"
 
-    @ d of the vertex r0 to r6, its s to r7; takes r0, r1
+    @ Puts d of the vertex at r0 into r6, its s into r7. Changes r0, r1.
     .macro own_depth
     ldr r6, [r0, #vertex_q]
     ldrb r7, [r0, #vertex_s]
@@ -16,7 +16,7 @@
     bls none
     .endm
 
-    @ the code of corner `at`
+    @ Stores the code of corner `at`.
     .macro corner at
     mov r0, r12
     ldr r0, [r0, #4 * \at]
@@ -69,7 +69,7 @@ ph_float_depths: @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
     movs r0, #1
     pop {r4-r7, pc}
 2:  lsrs r0, r6, #16
-    beq none @ 16 leading zeros: the lowest octave
+    beq none @ 16 leading zeros or more: the lowest octave
     ldrb r0, [r1, r0]
     adds r0, #8
     b 1b

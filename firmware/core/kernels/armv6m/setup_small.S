@@ -1,4 +1,4 @@
-@ ph_setup_small of kernels.h for ARMv6-M: some 370 instructions a triangle.
+@ ph_setup_small of kernels.h for ARMv6-M. A triangle takes some 370 instructions.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -8,7 +8,7 @@
     .equ sides, 8
     .equ depths, 12
 
-    @ fx_rcp16(d) in to, r7 to use
+    @ Puts fx_rcp16(d) into \to; changes r7.
     .macro rcp16 to, d
     lsrs \to, \d, #7
     lsls \to, \to, #1
@@ -30,7 +30,7 @@
     subs \to, \to, r7
     .endm
 
-    @ the long edge, r5 the lowest corner
+    @ Sets up the long edge; r5 is the lowest corner.
     .macro long_edge
     mov r4, r10
     mov r6, r8
@@ -46,7 +46,7 @@
     .section .text.ph_setup_small, "ax", %progbits
     .p2align 2
     .thumb_func
-edge: @ from r4 down to r5, r6 its first row: r1 x at that row, r0 slope; takes r0-r3, r6, r7
+edge: @ r4: upper corner, r5: lower one, r6: first row. Returns r1: x at that row, r0: slope; changes r0-r3, r6, r7
     ldr r0, [r4]
     ldr r2, [r5]
     subs r2, r2, r0
@@ -82,7 +82,7 @@ edge: @ from r4 down to r5, r6 its first row: r1 x at that row, r0 slope; takes 
     b 1b
 
     .thumb_func
-flatten: @ gradient r5, r6 and its shift r7 to 32 - r4 bits; takes r4
+flatten: @ cuts the gradient r5, r6, which is to be shifted by r7, to 32 - r4 bits; changes r4
     push {r0-r3}
     asrs r0, r5, #31
     eors r0, r5
@@ -116,7 +116,7 @@ flatten: @ gradient r5, r6 and its shift r7 to 32 - r4 bits; takes r4
     lsls r6, r7
     bx lr
 
-flat_top: @ part of ph_setup_small: the lower edge is the first one
+flat_top: @ part of ph_setup_small: the first edge is the lower one
     strh r3, [r0]
     strh r2, [r0, #triangle_lower_rows - triangle_upper_rows]
     mov r4, r11
@@ -145,7 +145,7 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     asrs r1, r1, #8
     asrs r2, r2, #8
     asrs r3, r3, #8
-    @ the corners turn until r4 to r6 are the top, the left and the right one, and r1 to r3 their rows
+    @ Turn the corners until r4 to r6 are the top, the left and the right one, and r1 to r3 their first rows.
     cmp r2, r1
     blt 1f
     cmp r3, r1
@@ -167,7 +167,8 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     movs r3, r2
     movs r5, r0
     movs r2, r7
-    @ then r5 is the middle one and r6 the lowest; r12 where the first edge goes, which is not the long one
+    @ Then make r5 the middle and r6 the lowest corner. r12 tells where the first edge is stored (the one that is
+    @ not the long one).
 3:  ldr r0, [sp]
     mov r12, r0
     movs r7, #0
@@ -214,7 +215,7 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     str r1, [r3, #triangle_left]
     str r0, [r3, #triangle_left_dx]
 planes:
-    @ sides over the area, as in setup_small.c: r8 C, r9 A, r10 D, r11 B, r12 shift
+    @ The sides over the area, as struct slopes of setup_small.c has them: r8 c, r9 a, r10 d, r11 b, r12 shift.
     ldr r1, [sp, #sides]
     ldmia r1!, {r2-r6}
     asrs r7, r2, #31
@@ -272,7 +273,7 @@ none:
     subs r6, r6, r0
     subs r6, r6, r7
     mov r12, r6
-    @ light
+    @ The plane of light.
     ldr r1, [sp, #corners]
     ldmia r1, {r1-r3}
     ldrh r4, [r1, #vertex_light]
@@ -319,7 +320,7 @@ none:
     str r4, [r0, #triangle_light]
     str r5, [r0, #triangle_glight]
     str r6, [r0, #triangle_light_dy]
-    @ depth
+    @ The plane of depth.
     ldr r3, [sp, #depths]
     ldmia r3, {r3-r5}
     subs r1, r4, r3

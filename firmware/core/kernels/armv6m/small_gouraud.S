@@ -1,7 +1,8 @@
-@ ph_small_gouraud of kernels.h for ARMv6-M: 40 instructions a row, 11 a pixel that is drawn, 6 a hidden one, some 40 a call.
+@ ph_small_gouraud of kernels.h for ARMv6-M. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ call some 40.
 @
-@ r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; r8 gd, r9 glight, r10 left,
-@ r11 right, r12 d and lr light at column 0
+@ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
+@ r10 left, r11 right, r12 d at column 0, lr light at column 0. r0 stands at gd when the struct is read.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -13,8 +14,8 @@
     .equ d_dy, 12
     .equ light_dy, 16
     .equ rows, 20
-    .equ pixels_end, 24 @ where a row's pixels end in the code
-    .equ triangle, 28   @ 0 once the lower edge has taken over
+    .equ pixels_end, 24 @ address in the code where the pixels of a row end
+    .equ triangle, 28   @ 0 when the lower edge has taken over
     .equ to_pixels, 32  @ from depth
     .equ stride, 36
     .equ frame, 40
@@ -50,7 +51,7 @@ ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: byt
     movs r3, #0
     push {r3-r7}
     movs r7, r1
-    subs r7, #64 @ the last column's pixel is the last of 32
+    subs r7, #64 @ the last of the 32 unrolled pixels is the last pixel of the row
     ldmia r0!, {r1-r4}
     mov r8, r1
     mov r9, r2
@@ -111,7 +112,7 @@ row:
     subs r5, r5, r6
     ldr r1, [sp, #to_pixels]
     adds r1, r1, r0
-    bx r5 @ as far before `last` as there are pixels
+    bx r5 @ jump to as many pixels before `last` as there are
 2:  ldr r0, [sp, #triangle]
     cmp r0, #0
     beq 5f

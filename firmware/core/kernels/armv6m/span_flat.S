@@ -1,6 +1,6 @@
-@ ph_span_flat of kernels.h for ARMv6-M: 7 instructions a pixel that is drawn, 5 a hidden one.
+@ ph_span_flat of kernels.h for ARMv6-M. A pixel that is drawn takes 7 instructions, a hidden one 5.
 @
-@ r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r6 r7 scratch
+@ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r6 r7 scratch
     .syntax unified
     .thumb
 
@@ -24,7 +24,7 @@ ph_span_flat: @ r2: n; stack: gd, colour
     push {r4-r7, lr}
     ldr r4, [sp, #20]
     ldr r5, [sp, #24]
-    @ The first k = 1 .. 16 pixels are the last k of 16.
+    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
     subs r2, #1
     movs r6, #15
     ands r6, r2
@@ -36,7 +36,7 @@ ph_span_flat: @ r2: n; stack: gd, colour
     rsbs r6, r6, #0
     movs r7, #pixel_bytes
     muls r6, r7
-    add pc, r6 @ to `first` and as far behind it
+    add pc, r6 @ jump into the 16 pixels: r6 bytes behind `first`
     nop
 first:
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15

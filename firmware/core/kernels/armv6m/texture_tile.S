@@ -1,8 +1,8 @@
-@ ph_texture_tile of kernels.h for ARMv6-M: 18 instructions a pixel that is drawn, 9 a hidden one, 113 a row (33 more in a
-@ clamped texture), some 60 a call.
+@ ph_texture_tile (see texture_tile.h) for ARMv6-M. A pixel that is drawn takes 18 instructions, a hidden one 9, a row
+@ 113 (33 more in a clamped texture), a call some 60.
 @
-@ r0 depth, r1 pixels, r2 d, r3 u, r4 v, r5 r6 scratch, r7 u_mask times 2; r8 gd, r9 du, r10 dv, r11 texels, r12 and lr:
-@ by what dv and du grow
+@ Registers: r0 depth, r1 pixels, r2 d, r3 u, r4 v, r5 r6 scratch, r7 u_mask times 2, r8 gd, r9 du, r10 dv, r11 texels,
+@ r12 the step of dv, lr the step of du.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -53,7 +53,7 @@ pixel_\at:
     adds \at, \at, \scratch
     .endm
 
-    .macro down @ coefficients at r0 for the next row
+    .macro down @ steps the coefficients at r0 to the next row
     ldmia r0!, {r1-r6}
     adds r1, r1, r4
     adds r2, r2, r5
@@ -109,7 +109,7 @@ row: @ r7: self
     cmp r3, #0
     beq inside
     b clamped
-inside: @ r0: first column, r1: behind the last, r2: how many
+inside: @ r0: first column, r1: the column behind the last, r2: how many
     str r2, [sp, #n]
     subs r3, r2, #1
     lsrs r4, r3, #4
@@ -150,7 +150,7 @@ inside: @ r0: first column, r1: behind the last, r2: how many
     muls r5, r0
     adds r2, r2, r5
     lsls r0, r1, #1
-    subs r0, #32 @ behind the first ones
+    subs r0, #32 @ behind the pixels that come first
     ldr r1, [r7, #texel_depth]
     adds r0, r0, r1
     ldr r1, [sp, #apart]
@@ -160,7 +160,7 @@ inside: @ r0: first column, r1: behind the last, r2: how many
     .p2align 2
     add pc, r5
     nop
-entries: @ by how many pixels come first, 1 .. 16: they are the last of 16
+entries: @ indexed by the pixels that come first, 1 .. 16: the last ones of the 16 unrolled
     .hword 0
     .irp at, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
     .hword pixel_\at - entries
@@ -211,7 +211,7 @@ done:
     add sp, #frame
     restore_and_return
 
-    @ The first and the last pixel of a row in a clamped texture; r3: bits that u has outside.
+    @ Tests the first and the last pixel of a row in a clamped texture; r3: the bits that u has outside.
 clamped:
     mov r9, r2
     mov r10, r7

@@ -1,13 +1,14 @@
-@ ph_vertices of kernels.h for ARMv6-M: some 245 instructions a vertex, 221 within a cube of 1.0 each way.
+@ ph_vertices (see vertices.h) for ARMv6-M. A vertex takes some 245 instructions, 221 within a cube of 1.0 each way.
 @
-@ r7 run; r8 from, r9 to, r10 run, r11 r12 x y before the divide, lr full light in its place
+@ Registers: r7 and r10 the struct ph_vertex_run, r8 from, r9 to, r11 r12 x, y before the divide, lr full light at its
+@ place in the word.
     .syntax unified
     .thumb
 #include "../offsets.inc"
 #include "matvec_offsets.inc"
 #include "registers.inc"
 
-    @ r3: a row of digits times (r0, r1, r2); see matvec.h
+    @ r3 = a row of three digits times (r0, r1, r2); see matvec.h. Steps r7 to the next row.
     .macro row_times
     ldmia r7!, {r3-r6}
     muls r3, r0
@@ -37,7 +38,7 @@
     adds r3, r4
     .endm
 
-    @ The same of two digits.
+    @ The same with a row of two digits.
     .macro short_row_times
     ldmia r7!, {r3-r6}
     muls r3, r0
@@ -59,7 +60,7 @@
     adds r3, r4
     .endm
 
-    @ \v (signed) times 2^16 r5 + r2, over 2^32, rounded down; \l, r3, r6 scratch
+    @ \v = \v (signed) times (2^16 r5 + r2) / 2^32, rounded down. Changes \l, r3, r6.
     .macro times_high v, l
     uxth \l, \v
     asrs \v, #16
@@ -150,7 +151,7 @@ placed:
     lsls r6, #3
     cmp r4, r6
     bhs hand_back
-    @ fx_rcp_norm of r3: the result to r5, leading zeros to r4
+    @ fx_rcp_norm(r3): r5 becomes the result, r4 the leading zeros.
     ldr r6, =fx_clz_table
     lsrs r4, r3, #16
     beq 1f
@@ -187,7 +188,7 @@ placed:
     asrs r6, #15
     lsls r5, #12
     adds r5, r6 @ r1
-    lsrs r6, r3, #1 @ C: the last bit of d
+    lsrs r6, r3, #1 @ carry: the last bit of d
     muls r6, r5
     bcc 1f
     lsrs r2, r5, #1
@@ -198,7 +199,7 @@ placed:
     lsrs r2, r5, #9
     muls r6, r2
     lsls r5, #7
-    asrs r6, #22 @ C: the half
+    asrs r6, #22 @ carry: the half
     add r5, r6
     bcs 2f
     movs r6, r5
@@ -206,7 +207,7 @@ placed:
     rsbs r6, r6, #0
     lsrs r6, #31
     subs r5, r6
-2:  @ Depth: the high word of depth_scale times it, with its upper bit at 30.
+2:  @ Depth: q is the high word of depth_scale times the reciprocal, with its upper bit at 30.
     ldr r2, [r7, #run_depth_scale]
     lsrs r1, r2, #16
     uxth r2, r2
@@ -237,7 +238,7 @@ placed:
     mov r3, r9
     str r1, [r3, #vertex_q]
     str r2, [r3, #vertex_s]
-    @ x / w, y / w, centre
+    @ x / w and y / w, plus the centre.
     lsrs r5, #1
     subs r4, #4
     uxth r2, r5
@@ -271,7 +272,7 @@ until:
     cmp r8, r4
     beq done
     b next
-large: @ beyond the cube; each below 2^20 either way
+large: @ beyond the cube of 1.0: are all coordinates within -2^20 .. 2^20?
     movs r4, #1
     lsls r4, #20
     adds r5, r0, r4
@@ -289,7 +290,7 @@ large: @ beyond the cube; each below 2^20 either way
     mov r12, r3
     row_times
     b placed
-outside: @ codes: left, right, top, bottom = 1, 2, 4, 8
+outside: @ clip codes: left, right, top, bottom = 1, 2, 4, 8
     ldr r5, [r7, #run_bottom]
     movs r2, #1
     cmp r0, #0

@@ -1,10 +1,12 @@
-@ ph_cull of kernels.h for ARMv7-M: 19 instructions a triangle without clip codes, 28 one that may have some, some 35 a call.
+@ ph_cull (see cull.h) for ARMv7-M. A triangle without clip codes takes 19 instructions, one that may have codes 28, a
+@ call some 35.
 @
-@ r0 vertices, r1 index, r2 end, lr the struct ph_cull_run; r3 r4 r5 corners a b c; r6 r7 r12 scratch
+@ Registers: r0 vertices, r1 index, r2 end, lr the struct ph_cull_run; r3 r4 r5 the corners a, b, c; r6 r7 r12 scratch.
     .syntax unified
     .thumb
 #include "../offsets.inc"
 
+    @ Loads the corners of the next triangle.
     .macro corners
     ldrh r3, [r1], #2
     ldrh r4, [r1], #2
@@ -14,7 +16,8 @@
     add r5, r0, r5, lsl #4
     .endm
 
-    @ r8 r9: b - a, r10: (a - c).x, r11: (c - a).y; negative where a, b, c runs counter-clockwise: r8 r11 + r10 r9
+    @ With r8, r9: b - a, r10: (a - c).x, r11: (c - a).y, computes r8 r11 + r10 r9. It is negative if a, b, c run
+    @ counter-clockwise.
     .macro turn
     ldrd r6, r7, [r3]
     ldrd r8, r9, [r4]
@@ -55,7 +58,7 @@ coded:
     ldrb r8, [r5, #vertex_code]
     orr r9, r6, r7
     orr r9, r8
-    tst r9, #0x7f @ all but the bit of light
+    tst r9, #0x7f @ is any bit set but PH_LIT?
     bne 1f
     turn
     bmi found
@@ -67,7 +70,7 @@ none:
     pop {r4-r11, pc}
 1:  ands r6, r7
     and r6, r8
-    tst r6, #0x3f @ the six planes
+    tst r6, #0x3f @ do they share one of the six planes?
     beq some
     cmp r1, r2
     bne coded
@@ -82,7 +85,7 @@ found:
     add r0, lr, #cull_v
     str r1, [lr, #cull_index]
     rsb r10, r10, #0
-    add r1, r8, #0x4000 @ -2^14 <= each < 2^14: small
+    add r1, r8, #0x4000 @ is -2^14 <= d < 2^14 for each difference? Then the sides are short.
     add r2, r9, #0x4000
     orrs r1, r2
     add r2, r10, #0x4000

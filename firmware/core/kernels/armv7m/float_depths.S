@@ -1,11 +1,12 @@
-@ ph_float_depths of kernels.h for ARMv7-M: some 50 instructions a triangle.
+@ ph_float_depths of kernels.h for ARMv7-M. A triangle takes some 50 instructions.
 @
-@ r2 bias, then the octave's offset, r3 results, r4 far_q, r5 far_s, r6 r7 the first corner; r8 octave + 2
+@ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s, r6 d and r7 s of a corner, r8
+@ octave + 2.
     .syntax unified
     .thumb
 #include "../offsets.inc"
 
-    @ d of the vertex r0 to r6, its s to r7
+    @ Puts d of the vertex at r0 into r6, its s into r7. Changes r0.
     .macro own_depth
     ldr r6, [r0, #vertex_q]
     ldrb r7, [r0, #vertex_s]
@@ -15,7 +16,7 @@
     bls none
     .endm
 
-    @ the code of corner `at`
+    @ Stores the code of corner `at`.
     .macro corner at
     ldr r0, [r1, #4 * \at]
     own_depth

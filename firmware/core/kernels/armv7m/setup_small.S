@@ -1,4 +1,4 @@
-@ ph_setup_small of kernels.h for ARMv7-M: some 185 instructions a triangle.
+@ ph_setup_small of kernels.h for ARMv7-M. A triangle takes some 185 instructions.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -6,7 +6,8 @@
     .equ corners, 4 @ on the stack
     .equ depths, 12
 
-    @ An edge from a down to b, a's first row: r1 x at that row, r10 slope; r12 is 2^31 - 1. Takes r2, r3, lr.
+    @ The edge from a down to b, whose first row is given: r1 becomes x at that row, r10 the slope. r12 is 2^31 - 1.
+    @ Changes r2, r3, lr.
     .macro edge a, b, row
     ldrd r1, r2, [\a]
     ldrd r3, r10, [\b]
@@ -29,7 +30,7 @@
     add r1, r1, r12, lsr #16 @ .5 px, rounded up
     .endm
 
-    @ The shift of a gradient in r11 and lr to `limit` bits; two registers to use.
+    @ Raises the shift `down` until it cuts the gradient r11, lr to `limit` bits. Changes \a and \b.
     .macro flatten down, limit, a, b
     eor \a, r11, r11, asr #31
     eor \b, lr, lr, asr #31
@@ -59,7 +60,7 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     asrs r7, r7, #8
     asr r8, r8, #8
     asr r9, r9, #8
-    @ the corners turn until r4 to r6 are the top, the left and the right one, and r7 to r9 their rows
+    @ Turn the corners until r4 to r6 are the top, the left and the right one, and r7 to r9 their first rows.
     cmp r8, r7
     it ge
     cmpge r9, r7
@@ -81,7 +82,7 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     mov r9, r8
     mov r5, r10
     mov r8, r11
-    @ then r5 is the middle one and r6 the lowest
+    @ Then make r5 the middle and r6 the lowest corner.
 2:  mov r11, r0
     cmp r8, r9
     ble 3f
@@ -117,7 +118,7 @@ ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: 
     edge r5, r6, r8
     strd r1, r10, [r0, #triangle_lower]
 planes:
-    @ sides over the area: r4 C, r5 A, r6 D, r8 B, r10 shift (see setup_small.c)
+    @ The sides over the area, as struct slopes of setup_small.c has them: r4 c, r5 a, r6 d, r8 b, r10 shift.
     ldrd r1, r2, [sp, #corners]
     ldmia r2, {r4-r6, r8, r9}
     eor r10, r4, r4, asr #31
@@ -144,7 +145,7 @@ planes:
     asr r8, r8, lr
     sub r10, r10, r11
     add r10, r10, #14
-    @ light
+    @ The plane of light.
     ldmia r1, {r1-r3}
     ldrh r9, [r1, #vertex_light]
     ldrh r2, [r2, #vertex_light]
@@ -174,7 +175,7 @@ planes:
     str r9, [r0, #triangle_light]
     str r11, [r0, #triangle_glight]
     str lr, [r0, #triangle_light_dy]
-    @ depth
+    @ The plane of depth.
     ldr r1, [sp, #depths]
     ldmia r1, {r1, r7, r12}
     subs r7, r7, r1
@@ -210,7 +211,7 @@ planes:
 none:
     movs r0, #0
     b 8b
-flat_top: @ the lower edge is the first one
+flat_top: @ the first edge is the lower one
     edge r5, r6, r8
     str r1, [r11, #triangle_left]
     str r10, [r11, #triangle_left_dx]

@@ -1,7 +1,9 @@
-@ ph_small_gouraud of kernels.h for ARMv7-M: 23 instructions a row, 10 a pixel that is drawn, 6 a hidden one, 15 to 30 a call.
+@ ph_small_gouraud of kernels.h for ARMv7-M. A row takes 23 instructions, a pixel that is drawn 10, a hidden one 6, a
+@ call 15 to 30.
 @
-@ r0 r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels; r9 left, r10 right, r11 d and
-@ r12 light at column 0; lr rows to come << 16 | pixels
+@ Registers: r0 r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels, r9 left, r10 right, r11 d at
+@ column 0, r12 light at column 0, lr: rows that are left << 16 | number of pixels so far. The pointer `triangle` on the
+@ stack stands at gd.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -9,7 +11,7 @@
     .equ left_dx, 0 @ on the stack
     .equ right_dx, 4
     .equ d_dy, 8
-    .equ triangle, 16 @ 0 once the lower edge has taken over
+    .equ triangle, 16 @ 0 when the lower edge has taken over
     .equ to_pixels, 20 @ from depth
     .equ stride, 24
     .equ frame, 28
@@ -40,7 +42,7 @@ ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: byt
     push {r0, r2, r3}
     push {r4-r7}
     ldmia r0, {r4-r6, r9-r12}
-    sub r7, r1, #64 @ the last column's pixel is the last of 32
+    sub r7, r1, #64 @ the last of the 32 unrolled pixels is the last pixel of the row
     ldrh lr, [r0, #small_upper_rows - small_gd]
     sub lr, lr, #1
     lsl lr, lr, #16
@@ -57,7 +59,7 @@ row:
     add r8, r8, r7
     tbh [pc, r1, lsl #1]
 entries:
-    .hword 0 @ no pixel is not drawn
+    .hword 0 @ not used: a row without pixels is skipped
     .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
     .hword (pixel_\at - entries) / 2
     .endr

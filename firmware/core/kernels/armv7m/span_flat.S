@@ -1,6 +1,6 @@
-@ ph_span_flat of kernels.h for ARMv7-M: 7 instructions a pixel that is drawn, 4 a hidden one.
+@ ph_span_flat of kernels.h for ARMv7-M. A pixel that is drawn takes 7 instructions, a hidden one 4.
 @
-@ r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r12 lr scratch
+@ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r12 lr scratch
     .syntax unified
     .thumb
 
@@ -23,7 +23,7 @@ pixel_\at:
 ph_span_flat: @ r2: n; stack: gd, colour
     push {r4, r5, lr}
     ldrd r4, r5, [sp, #12]
-    @ The first k = 1 .. 16 pixels are the last k of 16.
+    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
     subs r2, #1
     and r12, r2, #15
     lsr r2, r2, #4

@@ -1,6 +1,6 @@
-@ ph_span_gouraud of kernels.h for ARMv7-M: 10 instructions a pixel that is drawn, 6 a hidden one.
+@ ph_span_gouraud of kernels.h for ARMv7-M. A pixel that is drawn takes 10 instructions, a hidden one 6.
 @
-@ r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 light, r6 glight, r7 ramp; r8 r12 scratch
+@ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 light, r6 glight, r7 ramp; r8 r12 scratch
     .syntax unified
     .thumb
 
@@ -27,7 +27,7 @@ ph_span_gouraud: @ r2: n; stack: gd, light, glight, ramp
     push {r4-r8, lr}
     ldrd r4, r5, [sp, #24]
     ldrd r6, r7, [sp, #32]
-    @ The first k = 1 .. 16 pixels are the last k of 16.
+    @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.
     subs r2, #1
     and r12, r2, #15
     lsr r2, r2, #4

@@ -1,8 +1,8 @@
-@ ph_texture_tile of kernels.h for ARMv7-M: 14.5 instructions a pixel that is drawn, 9.5 a hidden one, 67 a row (15 more in a
-@ clamped texture), some 25 a call.
+@ ph_texture_tile (see texture_tile.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
+@ row 67 (15 more in a clamped texture), a call some 25.
 @
-@ r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_rows, r10 v_mask, r11 texels, r12 depth,
-@ lr pixels; r0 r1 scratch; on the stack: by what du and dv grow
+@ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_rows, r10 v_mask, r11 texels,
+@ r12 depth, lr pixels; r0 r1 scratch. The stack has the steps of du and dv.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -29,7 +29,7 @@ pixel_\at:
     .endif
     .endm
 
-    .macro down way @ its coefficients for the next row
+    .macro down way @ steps the coefficients of u or v to the next row
     add lr, r9, #\way
     ldm lr, {r0, r1, r2, r4, r5, r7, r8, r12}
     add r0, r4
@@ -107,7 +107,7 @@ row:
     add r0, lr
     str r0, [r9, #texel_count]
     rsb r0, lr, #32
-    sub r1, #32 @ the last column's pixel is the last of 32
+    sub r1, #32 @ the last of the 32 unrolled pixels is the last pixel of the row
     ldrd r12, lr, [r9, #texel_depth]
     add r12, r12, r1, lsl #1
     add lr, lr, r1, lsl #1

@@ -1,6 +1,6 @@
-@ ph_vertices of kernels.h for ARMv7-M: 82 instructions a vertex.
+@ ph_vertices (see vertices.h) for ARMv7-M. A vertex takes 82 instructions.
 @
-@ r0 run, r1 from, r2 to; r7 r8 r9: x y w, see below
+@ Registers: r0 the struct ph_vertex_run, r1 from, r2 to; r7 r8 r9: x, y, w before the divide.
     .syntax unified
     .thumb
 #include "../offsets.inc"
@@ -22,7 +22,7 @@ ph_vertices: @ r0: struct ph_vertex_run
     bhs done
 next:
     ldmia r1!, {r3-r5} @ x y z
-    ssat r3, #28, r3 @ Q: beyond the reach
+    ssat r3, #28, r3 @ sets Q if a coordinate is beyond the reach
     ssat r4, #28, r4
     ssat r5, #28, r5
     mrs r6, apsr
@@ -31,7 +31,7 @@ next:
     lsls r3, #4
     lsls r4, #4
     lsls r5, #4
-    @ The rows: 64 bits of translation, then the elements.
+    @ The rows of the matrix: each has 64 bits of translation, then its elements.
     add r12, r0, #run_row
     ldmia r12!, {r6-r11}
     smlal r6, r7, r8, r3
@@ -66,20 +66,20 @@ next:
     umull r6, r10, r5, r9
     lsrs r6, #1
     orr r6, r6, r10, lsl #31
-    @ 2^62 / d = 2^15 r0 (1 - m) with m = n - n^2 in 2^-46, |n| < 2^31; a little less is taken, so that the result may be
-    @ one too large, but never too small.
+    @ 2^62 / d = 2^15 r0 (1 - m) with m = n - n^2 in 2^-46, |n| < 2^31. A little less than m is taken, so that the
+    @ result may be one too large but is never too small.
     smull r10, r11, r6, r6
     sub r6, r6, r11, asr #14
     subs r6, #16
     lsls r5, #15
     smull r10, r11, r5, r6
-    mvns r11, r11, asr #14 @ C: less than a half above the whole number
+    mvns r11, r11, asr #14 @ carry: less than a half above the whole number
     add r5, r11
     mul r6, r5, r9
     rsb r6, r6, #0
     it cs
     subcs r5, r5, r6, lsr #31
-    @ x / w, y / w, centre
+    @ x / w and y / w, plus the centre.
     subs r4, r3, #4
     lsls r7, r4
     lsl r8, r8, r4
@@ -91,7 +91,7 @@ next:
     ldr r4, [r0, #run_down]
     asr r8, r11, r4
     asr r9, r12, r4
-    @ Depth: q with its upper bit at 30.
+    @ Depth: q, with its upper bit at 30.
     ldrd r6, r7, [r0, #run_depth_scale]
     umull r6, r10, r6, r5
     subs r7, r3
@@ -112,7 +112,7 @@ put:
     cmp r1, r3
     bne next
     b done
-outside: @ codes: left, right, top, bottom = 1, 2, 4, 8
+outside: @ clip codes: left, right, top, bottom = 1, 2, 4, 8
     movs r5, #0
     cmp r8, r3
     it gt

@@ -1,6 +1,6 @@
 /*
- * texture_tile_plain: ph_texture_tile of texture_tile.h in plain C, for a CPU without a file of its own and for what
- * that leaves.
+ * texture_tile_plain: ph_texture_tile of texture_tile.h in plain C, for a CPU without a form of its own, and for the
+ * tiles that such a form cannot take.
  */
 #ifndef PH_TEXTURE_TILE_PLAIN_H
 #define PH_TEXTURE_TILE_PLAIN_H
