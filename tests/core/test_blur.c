@@ -1,5 +1,5 @@
 /*
- * Depth of field (SEEDS row M6). The reference works in double on a whole picture: distances from the depth codes, a
+ * Depth of field. The reference works in double on a whole picture: distances from the depth codes, a
  * thin lens' radius from the distances, then the two passes as blur.h describes them.
  */
 #include <setjmp.h>

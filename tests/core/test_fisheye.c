@@ -1,5 +1,5 @@
 /*
- * The fisheye (SEEDS row P9) against rays in double: a pixel (dx, dy) from the centre looks along the direction that is
+ * The fisheye against rays in double: a pixel (dx, dy) from the centre looks along the direction that is
  * f^-1 |(dx, dy)| radians off the axis, and what it must show is the nearest triangle that this ray meets. There is no
  * subdivision in the reference; edges curve because rays do.
  */

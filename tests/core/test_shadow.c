@@ -1,7 +1,8 @@
 /*
- * Planar shadows (SEEDS row P8). The reference draws nothing: for every pixel a ray in double finds the point of the
- * ground that it sees, and the point is in the shadow where the way from there to the light meets the object. HAW's
- * projection (row P7, the light at its centre) is checked as a matrix for planes in any position.
+ * Planar shadows. The reference draws nothing: for every pixel a ray in double finds the point of the
+ * ground that it sees, and the point is in the shadow where the way from there to the light meets the object. The
+ * projection onto a plane from a light at the origin (K. Juenemann, HAW Hamburg, chapter 9) is checked as a matrix for
+ * planes in any position.
  */
 #include <setjmp.h>
 #include <stdarg.h>
