@@ -80,11 +80,6 @@ static struct polar polar_of(int32_t x, int32_t y, int32_t w)
     return p;
 }
 
-fx_t ph_fisheye_distance(int32_t x, int32_t y, int32_t w)
-{
-    return polar_of(x, y, w).distance;
-}
-
 /* x / length in Q2.29 from the reciprocal of length; |x| <= length < 2^30, or a few units more. */
 static int32_t share(int32_t x, uint32_t reciprocal, int shift)
 {

@@ -7,9 +7,6 @@
 /* The lens of a frame `height` pixels high. */
 void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height);
 
-/* Distance of the point (x, y, w) from the eye; saturates. */
-fx_t ph_fisheye_distance(int32_t x, int32_t y, int32_t w);
-
 /* Place on the screen, depth and clip codes of the point: NEAR: all else is not set; GUARD: ask ph_fisheye_triangle. */
 void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, struct ph_vertex *v);
 
