@@ -3,6 +3,8 @@
 
 #include "overlay.h"
 
+_Static_assert(PH_OK == HAL_OK && PH_ERR_INVAL == HAL_EINVAL, "status.h, hal.h: equal numbers");
+
 #define WIRE_MAX   4096  /* bytes of scratch for the panel driver */
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
