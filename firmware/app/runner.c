@@ -3,8 +3,6 @@
 
 #include "overlay.h"
 
-_Static_assert(PH_OK == HAL_OK && PH_ERR_INVAL == HAL_EINVAL, "status.h, hal.h: equal numbers");
-
 #define WIRE_MAX   4096  /* bytes of scratch for the panel driver */
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
@@ -442,6 +440,8 @@ int runner_finish(struct runner *runner)
     runner->sending = false;
     return frame_end(runner);
 }
+
+_Static_assert(PH_OK == (int)HAL_OK && PH_ERR_INVAL == (int)HAL_EINVAL, "the core's and hal's codes are mixed below");
 
 int runner_frame(struct runner *runner, uint32_t frame)
 {
