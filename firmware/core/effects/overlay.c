@@ -78,7 +78,7 @@ static const uint8_t *glyph_of(char letter)
     return font[c >= FIRST && c <= LAST ? c - FIRST : '"' - FIRST]; /* a box */
 }
 
-/* A square of `size` pixels, cut to the band. */
+/* Fills a square of size x size pixels, clipped to the band. */
 static void fill(const struct ph_overlay_band *band, int32_t x, int32_t y, int32_t size, uint16_t colour)
 {
     const int32_t x0 = x > 0 ? x : 0, x1 = x + size < band->width ? x + size : band->width;
@@ -92,7 +92,7 @@ static void fill(const struct ph_overlay_band *band, int32_t x, int32_t y, int32
     }
 }
 
-/* The pixels of one letter, each `scale` wide and `more` pixels larger on all sides. */
+/* Draws one letter: each pixel of the font is a square `scale` wide, made `more` pixels larger on all sides. */
 static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph, int32_t scale,
                         int32_t more, uint16_t colour)
 {
@@ -113,7 +113,7 @@ void ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, c
         y + 7 * scale + 1 <= band->y0) {
         return;
     }
-    for (int32_t more = 1; more >= 0; more--) { /* all outlines first: none lies over its neighbour's letter */
+    for (int32_t more = 1; more >= 0; more--) { /* all outlines come first, so none covers a letter */
         const uint16_t colour = more > 0 ? style->outline : style->colour;
         for (int32_t i = 0; i < LETTER_MAX && text[i] != '\0'; i++) {
             const uint8_t *glyph = glyph_of(text[i]);
@@ -133,7 +133,7 @@ int32_t ph_overlay_width(const char *text, uint8_t scale)
     return letters * PH_FONT_WIDTH * (scale < 1 ? 1 : scale > 8 ? 8 : scale);
 }
 
-/* Decimal digits of v behind text; returns the length. */
+/* Writes v in decimal; returns its length. */
 static uint32_t append_number(char *text, uint32_t v)
 {
     char digits[10];
