@@ -108,6 +108,12 @@ static struct screen place(const struct ph_lens *lens, const struct polar *p)
                            lens->centre_y + offset(p->y, reciprocal, shift, r)};
 }
 
+/* Whether set-up cannot take the position. */
+static bool is_beyond(const struct ph_lens *lens, const struct screen *s)
+{
+    return fx_magnitude(s->x - lens->centre_x) > REACH || fx_magnitude(s->y - lens->centre_y) > REACH;
+}
+
 void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height)
 {
     lens->focal_x = lens->focal_y = FX_Q30_ONE; /* x and y of the clip matrix are lengths */
@@ -126,8 +132,7 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
         v->x = s.x;
         v->y = s.y;
         ph_vertex_depth(v, ph_depth_quotient(lens, p.distance));
-        v->code =
-            fx_magnitude(s.x - lens->centre_x) > REACH || fx_magnitude(s.y - lens->centre_y) > REACH ? PH_GUARD : 0;
+        v->code = is_beyond(lens, &s) ? PH_GUARD : 0;
     }
 }
 
@@ -244,11 +249,6 @@ static bool misses_picture(const struct ph_renderer *r, const struct vertex *con
                               (s->y < -margin ? PH_TOP : 0) | (s->y > bottom + margin ? PH_BOTTOM : 0));
     }
     return outside != 0;
-}
-
-static bool is_beyond(const struct ph_lens *lens, const struct screen *s)
-{
-    return fx_magnitude(s->x - lens->centre_x) > REACH || fx_magnitude(s->y - lens->centre_y) > REACH;
 }
 
 static struct ph_corner corner_of(const struct ph_lens *lens, const struct ph_clip_vertex *v, const struct screen *s)

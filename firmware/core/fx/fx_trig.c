@@ -2,6 +2,8 @@
 #include "fx.h"
 #include "fx_tangent.h"
 
+#include <stdbool.h>
+
 /* Entry k is sin(k pi / 128) in 2^-32, rounded down, so that even 1 fits as 1 - 2^-32; SINE_HALF makes up for it. */
 static const uint32_t sine[65] = {
     0x00000000, 0x0648557d, 0x0c8fb2f8, 0x12d52092, 0x1917a6bc, 0x1f564e56, 0x259020dd, 0x2bc42889, 0x31f17078,
@@ -48,24 +50,10 @@ static void rounded(uint32_t turn32, int drop, int32_t *sin_out, int32_t *cos_ou
     const int64_t half = ((int64_t)1 << (drop - 1)) + SINE_HALF;
     const int32_t s = (int32_t)((v.sine + half) >> drop);
     const int32_t c = (int32_t)((v.cosine + half) >> drop);
-    switch (turn32 >> 30) {
-    case 0:
-        *sin_out = s;
-        *cos_out = c;
-        break;
-    case 1:
-        *sin_out = c;
-        *cos_out = -s;
-        break;
-    case 2:
-        *sin_out = -s;
-        *cos_out = -c;
-        break;
-    default:
-        *sin_out = -c;
-        *cos_out = s;
-        break;
-    }
+    const bool quarter_turn = (turn32 >> 30 & 1) != 0, half_turn = turn32 >> 31 != 0;
+    const int32_t turned_s = quarter_turn ? c : s, turned_c = quarter_turn ? -s : c;
+    *sin_out = half_turn ? -turned_s : turned_s;
+    *cos_out = half_turn ? -turned_c : turned_c;
 }
 
 void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30)

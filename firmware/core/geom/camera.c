@@ -34,22 +34,10 @@ static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3
     return view;
 }
 
-static struct ph_xform transposed(const struct ph_xform *a)
-{
-    struct ph_xform m = ph_xform_identity;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            m.r[i][j] = a->r[j][i];
-        }
-    }
-    return m;
-}
-
 struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position)
 {
     const struct ph_xform camera = ph_xform_quat(fx_quat_normalise(orientation), position);
-    const struct ph_xform rotation = transposed(&camera);
-    return view_from(&rotation, position);
+    return ph_xform_inverse_rigid(&camera);
 }
 
 struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position)
@@ -76,7 +64,7 @@ struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target
 {
     /* An object's +z is a camera's -z: the camera that gives its axes stands at the target and looks back. */
     const struct ph_xform view = ph_view_look_at(target, position, up);
-    struct ph_xform placed = transposed(&view);
+    struct ph_xform placed = ph_xform_inverse_rigid(&view);
     placed.t = position;
     return placed;
 }

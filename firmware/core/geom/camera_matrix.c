@@ -80,25 +80,13 @@ static void depth_row(const struct ph_projection *p, enum ph_convention conventi
                                          : -quotient(f + n, range);
         return;
     }
-    const int64_t unit = quotient(FX_ONE, range);
-    switch (convention) {
-    case PH_D3D:
-        *z = unit;
-        *one = -quotient(n, range);
-        break;
-    case PH_REVERSED:
-        *z = unit;
-        *one = quotient(f, range);
-        break;
-    case PH_LMU:
-        *z = quotient(2 * (int64_t)FX_ONE, range);
-        *one = quotient(f + n, range);
-        break;
-    default:
-        *z = -quotient(2 * (int64_t)FX_ONE, range);
-        *one = -quotient(f + n, range);
-        break;
-    }
+    const int64_t unit = quotient(FX_ONE, range), twice = quotient(2 * (int64_t)FX_ONE, range);
+    const int64_t middle = quotient(f + n, range);
+    *z = convention == PH_D3D || convention == PH_REVERSED ? unit : convention == PH_LMU ? twice : -twice;
+    *one = convention == PH_D3D        ? -quotient(n, range)
+           : convention == PH_REVERSED ? quotient(f, range)
+           : convention == PH_LMU      ? middle
+                                       : -middle;
 }
 
 static fx_t from_q20(int32_t v)

@@ -13,36 +13,25 @@ static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, 
     return fx_sat64((quarter + (1 << 27)) >> 28);
 }
 
-static struct ph_xform rotation(const int32_t r[3][3])
-{
-    struct ph_xform m = ph_xform_identity;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            m.r[i][j] = r[i][j];
-        }
-    }
-    return m;
-}
-
 struct ph_xform ph_xform_rotate_x(uint32_t turn32)
 {
     int32_t s, c;
     fx_sincos_q30(turn32, &s, &c);
-    return rotation((const int32_t[3][3]){{FX_Q30_ONE, 0, 0}, {0, c, -s}, {0, s, c}});
+    return (struct ph_xform){{{FX_Q30_ONE, 0, 0}, {0, c, -s}, {0, s, c}}, {0, 0, 0}};
 }
 
 struct ph_xform ph_xform_rotate_y(uint32_t turn32)
 {
     int32_t s, c;
     fx_sincos_q30(turn32, &s, &c);
-    return rotation((const int32_t[3][3]){{c, 0, s}, {0, FX_Q30_ONE, 0}, {-s, 0, c}});
+    return (struct ph_xform){{{c, 0, s}, {0, FX_Q30_ONE, 0}, {-s, 0, c}}, {0, 0, 0}};
 }
 
 struct ph_xform ph_xform_rotate_z(uint32_t turn32)
 {
     int32_t s, c;
     fx_sincos_q30(turn32, &s, &c);
-    return rotation((const int32_t[3][3]){{c, -s, 0}, {s, c, 0}, {0, 0, FX_Q30_ONE}});
+    return (struct ph_xform){{{c, -s, 0}, {s, c, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 }
 
 struct ph_xform ph_xform_translate(fx_t x, fx_t y, fx_t z)
@@ -55,7 +44,7 @@ struct ph_xform ph_xform_translate(fx_t x, fx_t y, fx_t z)
 struct ph_xform ph_xform_scale(fx_t s)
 {
     const int32_t k = fx_sat64((int64_t)s * (1 << 14));
-    return rotation((const int32_t[3][3]){{k, 0, 0}, {0, k, 0}, {0, 0, k}});
+    return (struct ph_xform){{{k, 0, 0}, {0, k, 0}, {0, 0, k}}, {0, 0, 0}};
 }
 
 /* 2 (a b + c d) of Q2.30 numbers, in Q2.30. */
