@@ -28,7 +28,7 @@ static uint32_t turn32(double radians)
     return (uint32_t)llrint(ldexp(radians / (2 * PI), 32));
 }
 
-/* ---- one camera in many words ------------------------------------------------------------------------------- */
+/* ---- one camera stated in many ways -------------------------------------------------------------------------- */
 
 /* A camera in double: its axes are the columns of r. */
 struct camera {
@@ -130,7 +130,7 @@ static struct ph_xform by_inverse(const struct camera *c)
     return ph_xform_inverse_rigid(&world);
 }
 
-/* An object that looks at the point behind the camera has the camera's axes . */
+/* An object that looks at the point behind the camera has the camera's axes. */
 static struct ph_xform by_object(const struct camera *c)
 {
     const struct ph_xform world =
@@ -284,7 +284,7 @@ static void cameras_without_a_direction_are_rigid(void **state)
     assert_int_equal(all[10].t.z, FX_INT(-3));
 }
 
-/* D3D's view by hand, LMU's coordinates by hand: both come back as the camera that was written down. */
+/* A view in D3D's form and planes in LMU's, written by hand, are converted back to the camera that they state. */
 static void cameras_come_back_from_every_convention(void **state)
 {
     (void)state;

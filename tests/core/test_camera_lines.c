@@ -1,6 +1,6 @@
 /*
- * What the documents say of pictures, measured on what was drawn: zoom and dolly, LMU's Hitchcock zoom, straight
- * lines, vanishing points of parallel lines. The documents are those that camera.h names. Prints what it measured.
+ * What textbooks say about pictures is measured on drawn ones: zoom and dolly, the Hitchcock zoom, straight lines, the
+ * vanishing points of parallel lines. The sources are those that camera.h names. Prints what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>

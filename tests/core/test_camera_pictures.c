@@ -1,7 +1,7 @@
 /*
- * Cameras as the renderer draws them: points in every convention on the renderer's own screen positions, the same bytes
- * for one camera in every convention and for camera and models moved together (EECE 478, moving camera). Prints what it
- * measured.
+ * Cameras are checked on what the renderer draws. In every convention, points project to the renderer's own screen
+ * positions, and the same camera gives the same bytes. It also does when camera and models move together (EECE 478,
+ * moving camera). Prints what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -108,7 +108,7 @@ static void apply(const struct ph_mat4 *m, const double in[4], double out[4])
     }
 }
 
-/* View, projection, division, viewport: the documents' pipeline in double, from the matrices that they print. */
+/* View, projection, division, viewport: the textbooks' pipeline in double, from the matrices that they print. */
 static void screen_of(const struct ph_xform *view, const struct ph_projection *p, enum ph_convention convention,
                       struct fx_vec3 point, double screen[3])
 {
@@ -294,8 +294,7 @@ static void one_camera_in_every_convention_draws_the_same_bytes(void **state)
     }
 }
 
-/* ---- motion of camera and models
- * ----------------------------------------------------------------------------------------------------- */
+/* ---- motion of camera and models -------------------------------------------------------------------------------- */
 
 enum { ALL, CAMERA, LIGHT, TORUS, GROUND, NODES };
 

@@ -1,12 +1,12 @@
 /*
- * The exercises and worked matrices of the source documents with their own numbers; errata are noted at the test.
+ * The exercises and worked matrices of five courses, with their own numbers. Errata are noted at the test. The courses:
  *   HAW    K. Juenemann, HAW Hamburg, chapter 9, camera models and the view pipeline (three.js)
  *   KAIST  S.-E. Yoon, Rendering, KAIST, chapter 4, camera setting
  *   EECE   EECE 478, viewing and projection (OpenGL, PHIGS)
  *   4600   course 4600, notes 4.1, virtual cameras
  *   LMU    LMU Munich, computer graphics, summer 2020, tutorial 4, camera
- * The numbers are chosen by the documents, or here, so that every element is a fraction of few bits: the comparison is
- * exact where nothing else is said.
+ * The numbers are chosen so that every element is a fraction of few bits. So the comparison is exact, where nothing
+ * else is said.
  */
 #include <setjmp.h>
 #include <stdarg.h>

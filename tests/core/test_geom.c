@@ -1,4 +1,4 @@
-/* Vectors, quaternions, transforms, look-at and projections against double arithmetic and the source documents. */
+/* Vectors, quaternions, transforms, look-at and projections are compared with double arithmetic and the textbooks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -117,7 +117,7 @@ static void the_zero_vector_has_no_direction(void **state)
     assert_int_equal(z.w, FX_Q30_ONE);
 }
 
-/* Rodrigues' formula in double: the way quaternions do not go. */
+/* Rodrigues' formula in double, which takes no quaternions. */
 static void rodrigues(const double k[3], double angle, double m[3][3])
 {
     const double c = cos(angle), s = sin(angle);
@@ -218,8 +218,9 @@ static void inverse_undoes_a_rigid_transform(void **state)
     }
 }
 
-/* K. Juenemann, HAW Hamburg, chapter 9, exercise 2: a camera at (5, 0, 0) looking at the origin has the axes x =
- * (0,0,-1), y = (0,1,0), z = (1,0,0).
+/*
+ * K. Juenemann, HAW Hamburg, chapter 9, exercise 2: a camera at (5, 0, 0) that looks at the origin has the axes
+ * x = (0, 0, -1), y = (0, 1, 0), z = (1, 0, 0).
  */
 static void camera_on_the_x_axis_has_the_axes_of_the_exercise(void **state)
 {
