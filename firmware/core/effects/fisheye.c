@@ -16,15 +16,15 @@
  */
 #include "fisheye.h"
 
-#define LONG        20                 /* edges longer than this part of a turn are divided always */
-#define SHORT       ((int64_t)1 << 48) /* shorter edges, below 2^-5 radian, never are; squared Q29 */
-#define DEPTH       20
+#define LONG        20                     /* edges longer than this part of a turn are divided always */
+#define SHORT       ((int64_t)1 << 48)     /* shorter edges, below 2^-5 radian, never are; squared Q29 */
+#define DEPTH       20                     /* pieces that wait on the stack */
 #define POOL        (DEPTH + 3)            /* vertices in use at a time */
 #define SPLITS_MAX  4096                   /* divisions of one triangle */
 #define REACH       (2048 * 256)           /* set-up takes coordinates up to here from the centre, 1/256 px */
 #define BLIND       ((uint32_t)2028179001) /* 170 degrees in turn32 */
-#define STEPS_ROOT  17
-#define STEPS_ANGLE 28
+#define STEPS_ROOT  17                     /* CORDIC steps for a length alone */
+#define STEPS_ANGLE 28                     /* for length and angle */
 
 /* atan 2^-i in turn32. */
 static const uint32_t arctangent[STEPS_ANGLE] = {
@@ -33,7 +33,10 @@ static const uint32_t arctangent[STEPS_ANGLE] = {
     652,       326,       163,       81,       41,       20,       10,       5,
 };
 
-/* Turns (x, y), both 0 .. 2^30 / sqrt 2, onto the x axis (Volder 1959). Returns its length; *angle in turn32. */
+/*
+ * Turns the vector (along, across), both 0 .. 2^30 / sqrt 2, onto the x axis by CORDIC (J. Volder, 1959). Returns its
+ * length; *angle is in turn32.
+ */
 static uint32_t cordic(uint32_t along, uint32_t across, int steps, uint32_t *angle)
 {
     int32_t x = (int32_t)along, y = (int32_t)across;
@@ -46,7 +49,7 @@ static uint32_t cordic(uint32_t along, uint32_t across, int steps, uint32_t *ang
         sum += above ? arctangent[i] : 0u - arctangent[i];
     }
     *angle = (int32_t)sum < 0 ? 0 : sum;
-    return fx_mulhi_u32((uint32_t)x, 2608131496u); /* the steps have made it 1.647 times as long */
+    return fx_mulhi_u32((uint32_t)x, 2608131496u); /* the steps make it 1.647 times as long */
 }
 
 /* A point in polar coordinates: theta (turn32) from the axis, in the direction (x, y) / rho around it. */
@@ -60,8 +63,7 @@ struct polar {
 
 static struct polar polar_of(int32_t x, int32_t y, int32_t w)
 {
-    const int shift =
-        fx_clz32(fx_magnitude(x) | fx_magnitude(y) | fx_magnitude(w)) - 3; /* scales the largest to 29 bits */
+    const int shift = fx_clz32(fx_magnitude(x) | fx_magnitude(y) | fx_magnitude(w)) - 3; /* largest to 29 bits */
     uint32_t angle;
     struct polar p = {0};
     if (shift >= 0) {

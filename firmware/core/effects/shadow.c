@@ -1,4 +1,4 @@
-/* Planar shadows: see shadow.h. Heights above the plane are Q18.46, in which a product of a normal is exact. */
+/* Planar shadows: see shadow.h. Heights above the plane are Q18.46, as exact products of Q2.30 and Q16.16 are. */
 #include "shadow.h"
 
 #include "fisheye.h"

@@ -54,8 +54,7 @@ fx_t fx_div_sat(fx_t a, fx_t b)
     }
     int shift;
     const uint32_t r = fx_rcp_norm(d, &shift);
-    uint32_t q =
-        (uint32_t)(fx_mul_wide_u(n, r) >> (46 - shift)); /* r is up to 2^-30 too small: q is up to 2 too small */
+    uint32_t q = (uint32_t)(fx_mul_wide_u(n, r) >> (46 - shift)); /* r is up to 2^-30 too small, q up to 2 */
     uint64_t rest = ((uint64_t)n << 16) - fx_mul_wide_u(q, d);
     while (rest >= d) {
         rest -= d;

@@ -123,7 +123,7 @@ int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enu
     m.m[0][2] = forward ? left : p->shift_x;
     m.m[1][2] = forward ? down : p->shift_y;
     m.m[3][2] = forward ? FX_ONE : -FX_ONE;
-    if (convention == PH_LMU) { /* w is negative for all visible points, so x and y are, too */
+    if (convention == PH_LMU) { /* w is negative for visible points: x and y change their sign, too */
         m.m[0][0] = -sx;
         m.m[1][1] = -sy;
     }

@@ -4,8 +4,7 @@
 
 const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 
-/* A row in Q2.30 times (x, y, z), plus c. The products are up to 2^62, so each loses its low two bits before the sum.
- */
+/* A row in Q2.30 times (x, y, z), plus c. Products are up to 2^62, so each loses its low two bits before the sum. */
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
