@@ -441,6 +441,8 @@ int runner_finish(struct runner *runner)
     return frame_end(runner);
 }
 
+_Static_assert(PH_OK == (int)HAL_OK && PH_ERR_INVAL == (int)HAL_EINVAL, "the core's and hal's codes are mixed below");
+
 int runner_frame(struct runner *runner, uint32_t frame)
 {
     int status = runner_buttons(runner, 0);

@@ -1,11 +1,11 @@
-/* fx_cpu: the words of a CPU for fx.h, portable form. See fx.h for what each one gives. */
+/* fx_cpu: the functions of fx.h that depend on the CPU, in their portable form. fx.h says what each returns. */
 #ifndef FX_CPU_H
 #define FX_CPU_H
 
 #include <stdint.h>
 
-#define FX_DIVIDES_64 0                                     /* whether a 64-bit division is one instruction */
-#define FX_DIVIDES_32 1                                     /* whether a 32-bit one is */
+#define FX_DIVIDES_64 0                                     /* 1: a 64-bit division is one instruction */
+#define FX_DIVIDES_32 1                                     /* 1: a 32-bit division is */
 #define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
 
 static inline int fx_clz32(uint32_t v)

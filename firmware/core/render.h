@@ -2,24 +2,24 @@
  * render: meshes in, bands of RGB565 pixels out.
  *
  *   ph_renderer_init(r, config)                            once: size of the picture, memory
- *   ph_frame_begin(r, view, projection, light, background) camera, lights, background of this frame
- *   ph_draw_mesh(r, mesh, to_world) ...                    transform, light, cull, clip, set up, list
- *   ph_frame_bands(r)                                      sort the list into bands
- *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clear and rasterize one band after the other, top to bottom
+ *   ph_frame_begin(r, view, projection, light, background) camera, lights and background of this frame
+ *   ph_draw_mesh(r, mesh, to_world) ...                    transforms, lights, culls, clips, sets up, lists triangles
+ *   ph_frame_bands(r)                                      sorts the list into bands
+ *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clears and rasterizes the bands from top to bottom
  *
- * A band is band_height lines of the picture (the last one may be shorter). Its colour and depth buffers belong
- * to the caller, as does all other memory (struct ph_config). The picture does not depend on the band height.
+ * A band is band_height lines of the picture; the last one may be shorter. The caller owns its colour and depth buffer
+ * and all other memory (struct ph_config). The picture does not depend on the band height.
  *
- * Pixels: centre of pixel (i, j) at (i + .5, j + .5), row 0 at the top. Coverage by the top-left rule: a pixel is
- * drawn when its centre is inside, or on a left edge, or on a top edge. Edges shared by two triangles draw each
- * pixel exactly once. Screen positions have 8 sub-pixel bits.
+ * Pixels: the centre of pixel (i, j) is at (i + .5, j + .5), and row 0 is at the top. Coverage follows the top-left
+ * rule: a pixel is drawn when its centre is inside the triangle, on a left edge or on a top edge. So two triangles that
+ * share an edge draw each of its pixels exactly once. Screen positions have 8 sub-pixel bits.
  *
- * Colour: RGB565 in wire order, that is the byte with red first in memory, on every machine.
- * Light: one white intensity a vertex (ambient, Lambert, Blinn; viewer at infinity) that indexes the material's ramp,
- * a table of 128 colours from dark to light. Depth: see depth.h. Larger is nearer, 0 is empty. Of two equal depths the
- * first drawn stays.
+ * Colour: RGB565 in wire order: on every machine the byte with red is the first in memory.
+ * Light: each vertex has one white intensity (ambient, Lambert, Blinn; viewer at infinity). It indexes the material's
+ * ramp, a table of 128 colours from dark to light.
+ * Depth: larger is nearer, 0 is empty, see depth.h. Of two equal depths the one drawn first stays.
  *
- * What does not fit into the caller's budgets is left out and counted in ph_stats.
+ * Triangles that do not fit into the caller's budgets are left out and counted in ph_stats.
  */
 #ifndef PH_RENDER_H
 #define PH_RENDER_H
@@ -43,7 +43,7 @@ enum ph_shading {
 
 enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 
-/* Power-of-two texture, RGB565 in wire order, rows from the top, v = 0 at the top row. */
+/* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. */
 struct ph_texture {
     const uint16_t *texels;
     uint8_t log2_width, log2_height; /* 0 .. 10 */
@@ -56,12 +56,12 @@ struct ph_material {
     uint8_t shading;        /* enum ph_shading */
     uint8_t two_sided;      /* draw back faces too */
     uint8_t shininess_log2; /* specular exponent 2^this, 0 .. 7 */
-    uint8_t depth_bias;     /* towards the viewer, 0 .. 56: codes of fixed16, eighths of codes of float16 */
+    uint8_t depth_bias;     /* towards the viewer, 0 .. 56, in codes of fixed16 or eighths of codes of float16 */
     fx_t ambient;           /* share of the scene's ambient light reflected, 0 .. 1 */
     fx_t diffuse;           /* 0 .. 1 */
     fx_t specular;          /* 0 .. 1 */
     uint16_t colour;        /* wire order */
-    const uint16_t *ramp;   /* PH_RAMP_SIZE colours, made by ph_material_ramp(); FLAT and GOURAUD */
+    const uint16_t *ramp;   /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
 };
 
@@ -71,7 +71,7 @@ struct ph_part {
     uint16_t material;     /* index into mesh->materials */
 };
 
-/* Triangles are counter-clockwise seen from outside. At most 65536 vertices. Const data may lie in flash. */
+/* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash. */
 struct ph_mesh {
     const struct fx_vec3 *positions;
     const int16_t (*normals)[3]; /* Q1.14: 16384 = 1; NULL where nothing is lit */
@@ -103,49 +103,49 @@ struct ph_scene_light {
 
 /* ---- the renderer --------------------------------------------------------------------------------------- */
 
-/* What a pixel of the depth buffer holds; what each resolves: depth.h. */
+/* What a pixel of the depth buffer holds. depth.h says what each format resolves. */
 enum ph_depth_format {
-    PH_DEPTH_AUTO,     /* the one that ph_depth_choose() takes for the frame's camera */
+    PH_DEPTH_AUTO,     /* the format that ph_depth_choose() takes for the frame's camera */
     PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
-    PH_DEPTH_FLOAT16,  /* the same as an unsigned float, 4 bits of exponent and 12 of mantissa */
+    PH_DEPTH_FLOAT16,  /* the same as an unsigned float: 4 bits of exponent, 12 of mantissa */
     PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
     PH_DEPTH_FLOAT24,  /* as FLOAT16, 20 bits of mantissa */
-    PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits: a reciprocal per pixel, slow */
+    PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits; slow: a reciprocal per pixel */
 };
 
 #define PH_DEPTH_FORMATS 6
 
 /*
- * Bytes of the depth buffer per pixel: 4 with FIXED24 and FLOAT24 (a uint32_t, the code in its low 24 bits), 2 with all
- * others (a uint16_t), AUTO among them.
+ * Bytes of the depth buffer per pixel: 4 for FIXED24 and FLOAT24 (a uint32_t with the code in its low 24 bits), 2 for
+ * all others, AUTO included (a uint16_t).
  */
 size_t ph_depth_bytes(unsigned format);
 
 /*
- * What AUTO takes: FIXED16 for an orthographic projection, and where far <= PH_DEPTH_FIXED16_RATIO near; else FLOAT16.
- * There FIXED16 still resolves 1/1000 of the distance everywhere (it does up to 65.4), and costs a little less.
+ * AUTO takes FIXED16 for an orthographic projection and where far <= PH_DEPTH_FIXED16_RATIO near, else FLOAT16. Up to a
+ * ratio of 65.4 FIXED16 resolves 1/1000 of the distance everywhere, and it costs a little less.
  */
 #define PH_DEPTH_FIXED16_RATIO 64
 enum ph_depth_format ph_depth_choose(const struct ph_projection *projection);
 
 struct ph_stats {
     uint32_t vertices;          /* transformed */
-    uint32_t triangles_in;      /* given */
+    uint32_t triangles_in;      /* of all meshes drawn */
     uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
-    uint32_t triangles_clipped; /* of these: met a clip plane */
-    uint32_t triangles_drawn;   /* set up and listed; a clipped or curved one may give several, a line gives two each */
-    uint32_t triangles_dropped; /* did not fit the triangle budget */
-    uint32_t vertices_dropped;  /* did not fit the vertex budget; the mesh was left out */
+    uint32_t triangles_clipped; /* of these: crossed a clip plane */
+    uint32_t triangles_drawn;   /* listed; a clipped or curved one may give several, a line gives two */
+    uint32_t triangles_dropped; /* left out: did not fit the triangle budget */
+    uint32_t vertices_dropped;  /* of meshes left out: did not fit the vertex budget */
     uint32_t fragments;         /* pixels depth-tested */
-    uint8_t depth_format;       /* in use in this frame: enum ph_depth_format, never AUTO */
+    uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
 };
 
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
-/* Sizes, for budgets: ph_vertex_bytes * vertices, ph_triangle_bytes * triangles. */
+/* Sizes for budgets: ph_vertex_bytes for each vertex, ph_triangle_bytes for each triangle. */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
-/* ... and what these are where pointers have 32 bits, for budgets that are the same on every machine. */
+/* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
 #define PH_TRIANGLE_BYTES_32 92
 
@@ -162,13 +162,13 @@ struct ph_config {
     uint32_t bin_max;
     void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
 
-    /* Optional: a second core, which then draws the lower half of each band. other_core starts run on it, false: it is
-     * busy; other_core_join returns when run has. Both or none. */
+    /* Optional, both or none: a second core, which draws the lower half of each band. other_core starts run on it and
+     * returns false if it is busy; other_core_join returns when run has returned. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
 };
 
-/* linear-w: how 1/w becomes a code, see depth.h. The unit of w puts the far plane just below 2^31. */
+/* How linear-w turns 1/w into a code, see depth.h. The unit of w puts the far plane just below 2^31. */
 struct ph_linear {
     uint32_t far;   /* w at the far plane */
     uint32_t scale; /* 1 / (far - near), normalised, less the head room */
@@ -178,13 +178,13 @@ struct ph_linear {
 };
 
 /*
- * The camera of a frame, ready for vertices: screen x = centre_x + 2^focal_log2 x' / w with x' = row 0 of the matrix.
- * Private to the renderer.
+ * The camera of a frame in the form that vertices need: screen x = centre_x + 2^focal_log2 x' / w, where x' is row 0 of
+ * the clip matrix. Private to the renderer.
  */
 struct ph_lens {
     uint8_t kind;               /* enum ph_projection_kind */
     int8_t focal_log2;          /* 0 .. 18 */
-    uint8_t guard_up;           /* guard band: |x'| 2^guard_up <= 8 w */
+    uint8_t guard_up;           /* the guard band is |x'| 2^guard_up <= 8 w */
     int8_t near_shift;          /* leading zeros of near_z */
     int32_t focal_x, focal_y;   /* focal length in pixels / 2^focal_log2, Q2.30 */
     int32_t centre_x, centre_y; /* principal point, 1/256 px */
@@ -194,8 +194,8 @@ struct ph_lens {
     int8_t far_s;
     struct ph_linear linear;
     uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
-    uint32_t chord_min2; /* fisheye: (1/256 px)^2; edges up to here are not divided */
-    int32_t chord_max;   /* fisheye: 1/256 px; longer ones are */
+    uint32_t chord_min2; /* fisheye: (1/256 px)^2; shorter edges are not divided */
+    int32_t chord_max;   /* fisheye: 1/256 px; longer edges are always divided */
 };
 
 /* What the small triangles of a part have in common: see ph_setup_part. */
@@ -205,56 +205,60 @@ struct ph_small {
     bool floats;                        /* float16, else fixed16 */
 };
 
-/* The state of one picture. Its fields are the renderer's own; read stats. Holds no pointer into itself. */
+/* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */
 struct ph_renderer {
     struct ph_config config;
     struct ph_stats stats;
     struct ph_lens lens;
-    struct ph_projection projection; /* as given; lens is made of it */
+    struct ph_projection projection; /* as given; lens is made from it */
     struct ph_xform view;            /* world to view */
     struct ph_scene_light light;
     struct ph_small small;
-    uint32_t inner_x, inner_y; /* 1/256 px: where the first corner of a small triangle keeps all of it in the picture */
+    uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint32_t triangle_count;
-    uint32_t carried; /* list of the triangles that go on in the next band */
+    uint32_t carried; /* list of the triangles that continue in the next band */
     uint16_t background;
 };
 
-/* Copies config. PH_ERR_INVAL: a size or pointer is wrong. PH_ERR_NOMEM: bin_max is below the number of bands. */
+/*
+ * Initialises r with a copy of config.
+ * Errors: PH_ERR_INVAL: a size or pointer is wrong. PH_ERR_NOMEM: bin_max is below the number of bands.
+ */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 
 /*
- * Starts a frame: forgets the triangles and the statistics, chooses the depth format where it is AUTO. view is
- * world-to-view and must be rigid.
- * light may be NULL (full ambient). background in wire order.
- * PH_ERR_INVAL: near_z <= 0 of a perspective or fisheye, far_z <= near_z. PH_ERR_RANGE: the principal point is more
- * than a picture's width or height off the centre (|shift| > 2), or a focal length of 2^18 pixels or more.
+ * Starts a frame: clears the list of triangles and the statistics, and chooses the depth format if it is AUTO.
+ * In:     view is world to view and must be rigid. light may be NULL: full ambient light. background is in wire order.
+ * Errors: PH_ERR_INVAL: near_z <= 0 (perspective, fisheye) or far_z <= near_z.
+ *         PH_ERR_RANGE: the principal point is more than the picture's width or height off the centre (|shift| > 2), or
+ *         the focal length is 2^18 pixels or more.
  */
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background);
 
 /*
- * Another camera for what is drawn from now on in the same frame: several views in one picture. All share the depth
- * buffer and its format, so two views should not draw on the same pixels. Errors as ph_frame_begin; then the camera
- * stays.
+ * Sets another camera for all that is drawn from now on in the same frame, for several views in one picture. The views
+ * share the depth buffer and its format, so they should not draw on the same pixels. Errors are those of
+ * ph_frame_begin; the camera then stays as it was.
  */
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
 
-/* Draws mesh placed by to_world (a rotation with a uniform scale below 2). Returns 0 or PH_ERR_NOMEM (left out,
- * counted). */
+/*
+ * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
+ * Errors: PH_ERR_NOMEM: the mesh does not fit the vertex budget; it is left out and counted.
+ */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
-/* A line one pixel wide between two world points in the material's colour, depth-tested; two triangles of the budget.
- */
+/* Draws a line one pixel wide between two world points in the material's colour. It counts as two triangles. */
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
-/* Sorts what was drawn into bands; returns the number of bands. */
+/* Sorts the triangles into bands; returns the number of bands. */
 uint32_t ph_frame_bands(struct ph_renderer *r);
 
 /*
- * Clears and draws band number `band` (0 is the top; all in order, each once). pixels: width * lines, wire order.
- * Returns the number of lines.
+ * Clears and draws band number `band`. Call it for all bands in order from 0, the top, each once. pixels has room for
+ * width * band_height pixels in wire order. Returns the number of lines.
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
@@ -264,8 +268,8 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue);
 
 /*
- * Fills the ramp of a material: intensity 0 .. 1 scales `red, green, blue`, what exceeds 1 (up to 1 + specular)
- * fades to white. Rounded to nearest.
+ * Fills the ramp of a material. An intensity of 0 .. 1 scales the colour (red, green, blue); from 1 to 1 + specular the
+ * colour fades to white. Each colour is rounded to nearest.
  */
 void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, uint8_t blue, fx_t specular);
 

@@ -1,4 +1,9 @@
-/* Status codes: 0 done, negative is an error (Linux errno values), positive is a count. */
+/*
+ * status: what a function returns. 0 is done, a negative value is an error, a positive value is a count.
+ *
+ * Every layer uses the same numbers, which are Linux's errno values negated. hal.h, which knows nothing of this
+ * folder, gives some of them names of its own; firmware/app/runner.c asserts that equal names have equal values.
+ */
 #ifndef PH_STATUS_H
 #define PH_STATUS_H
 

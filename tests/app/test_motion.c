@@ -1,6 +1,6 @@
 /*
- * Physical checks of the demos that move (SEEDS rows M2, M4, M7), by measurement: in rendered pixels, and of the ball's
- * places against the laws of reflection in double precision.
+ * Physical checks of the demos hitchcock, ball and parallel: sizes and vanishing points are measured in rendered
+ * pixels, and the ball's places are compared with the laws of reflection in double precision.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- M2, Hitchcock ----------------------------------------------------------------------------------------------- */
+/* ---- Hitchcock's zoom -------------------------------------------------------------------------------------------- */
 
 /* Red and blue of a pixel, 0 .. 31. */
 static int red(uint16_t wire)
@@ -97,8 +97,7 @@ static void the_background_does_not_keep_its_size(void **state)
     show_close(&s);
 }
 
-/* ---- M4, the ball --------------------------------------------------------------------------------------------------
- */
+/* ---- the ball ---------------------------------------------------------------------------------------------------- */
 
 struct point {
     double x, y, z;
@@ -201,8 +200,7 @@ static void the_ball_is_reflected_by_the_law(void **state)
     assert_true(reflections >= 6);
 }
 
-/* ---- M7, the vanishing point ---------------------------------------------------------------------------------------
- */
+/* ---- the vanishing point ----------------------------------------------------------------------------------------- */
 
 static bool is_colour(uint16_t wire, uint8_t r, uint8_t g, uint8_t b)
 {

@@ -1,7 +1,7 @@
 /*
- * Every Q16.16 distance from the near to the far plane, through the renderer's own steps for a vertex (depth_chain.h;
- * that they are what is drawn is checked in test_depth.c): no code rises with the distance, and each is the floor of
- * the exact value.
+ * Every Q16.16 distance from the near to the far plane goes through the renderer's own steps for a vertex
+ * (depth_chain.h). No code may rise with the distance, and each must be the floor of the exact value. test_depth.c
+ * checks that these steps are those that draw.
  */
 #include "depth_chain.h"
 #include "render.h"
@@ -11,7 +11,7 @@
 
 struct camera {
     fx_t near_z, far_z;
-    int exact_every; /* exact values are compared at every so manieth distance */
+    int exact_every; /* every so many distances the exact value is compared, too */
 };
 
 static const char *const names[PH_DEPTH_FORMATS] = {

@@ -1,11 +1,11 @@
 /*
- * Every unary function of fx.h over all its 2^32 raw inputs, on every processor.
+ * Every unary function of fx.h is checked over all its 2^32 raw inputs, on all processors at once.
  *
  * Usage: exhaustive_fx [--help] [NAME...]     all checks, or those named
  *
  * Where a function is monotone, MPFR gives the input at which its rounded result changes next, and all inputs before it
- * must give the same; sine, cosine and tangent have 65536 distinct inputs; the sine in Q2.30 is followed by rotating
- * a long double vector that MPFR puts right every 4096 steps; the rest is exact in integers.
+ * must give the same result. Sine, cosine and tangent have 65536 distinct inputs. The sine in Q2.30 is compared with a
+ * rotating long double vector that MPFR corrects every 4096 steps. The rest is exact in integers.
  */
 #include <mpfr.h>
 
@@ -25,7 +25,7 @@
 #define CHUNKS     ((uint32_t)1 << (32 - CHUNK_BITS))
 #define RESEED     4096
 
-/* Inputs that one call of a check looks at: raw values from `first`, both ends included. */
+/* The raw inputs of one call of a check; both ends are included. */
 struct range {
     uint32_t first, last;
 };

@@ -1,7 +1,7 @@
 /*
- * Random triangles with every kind of extreme through the renderer's public interface, meant to run under
- * AddressSanitizer and UndefinedBehaviorSanitizer. Checked besides their reports: no byte outside the caller's buffers
- * changes, the bands add up to the picture, the statistics add up, and another band height gives the same bytes.
+ * Random triangles with extremes of every kind are drawn through the renderer's public interface, under
+ * AddressSanitizer and UndefinedBehaviorSanitizer. Besides, no byte outside the caller's buffers may change, the bands
+ * and the statistics must add up, and another band height must give the same bytes.
  *
  * Usage: fuzz_raster [quick | long | TRIANGLES [SEED]]
  * quick (the default) is a million triangles, long twenty. Each frame has its own seed, printed when it fails;

@@ -1,6 +1,6 @@
 /*
- * Depth of field (SEEDS row M6). The reference works in double on a whole picture: distances from the depth codes, a
- * thin lens' radius from the distances, then the two passes as blur.h describes them.
+ * Depth of field is compared with a reference in double that has the whole picture. It computes distances from the
+ * depth codes, a thin lens' radius from each distance, and then the two passes that blur.h describes.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -74,7 +74,7 @@ static void draw(struct rig *rig, const struct scene *s, int band, enum ph_depth
     assert_int_equal(ph_draw_mesh(&rig->r, &s->mesh, &ph_xform_identity), PH_OK);
 }
 
-/* All bands through the blur, with exactly the memory that it asks for. */
+/* Draws all bands through the blur, with exactly the memory that it asks for. */
 static void finish_blurred(struct rig *rig, const struct ph_focus *focus)
 {
     const size_t bytes = PH_BLUR_BYTES(WIDTH, rig->r.config.band_height, focus->radius);

@@ -1,6 +1,7 @@
 /*
- * Every way to state a camera states the same camera: rows V1, V3 .. V9 of SEEDS.md against double arithmetic; zoom
- * (M2) and nodes of the scene graph (V5). Prints the bounds that it reached.
+ * Every way to state a camera gives the same camera, compared with double arithmetic; likewise the field of view of the
+ * Hitchcock zoom and the nodes of the scene graph. The sources are those that camera.h names. Prints the bounds that it
+ * reached.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -27,7 +28,7 @@ static uint32_t turn32(double radians)
     return (uint32_t)llrint(ldexp(radians / (2 * PI), 32));
 }
 
-/* ---- one camera in many words ------------------------------------------------------------------------------- */
+/* ---- one camera stated in many ways -------------------------------------------------------------------------- */
 
 /* A camera in double: its axes are the columns of r. */
 struct camera {
@@ -129,7 +130,7 @@ static struct ph_xform by_inverse(const struct camera *c)
     return ph_xform_inverse_rigid(&world);
 }
 
-/* An object that looks at the point behind the camera has the camera's axes (V3). */
+/* An object that looks at the point behind the camera has the camera's axes. */
 static struct ph_xform by_object(const struct camera *c)
 {
     const struct ph_xform world =
@@ -157,15 +158,15 @@ static const struct {
     const char *name;
     struct ph_xform (*view)(const struct camera *c);
 } ways[] = {
-    {"V1 look at", by_look_at},
-    {"V3 object's look at, inverted", by_object},
-    {"V5 node", by_node},
-    {"V5 node with a scale", by_scaled_node},
-    {"V5 inverse", by_inverse},
-    {"V6 rotate, translate", by_rotate_translate},
-    {"V7 VRP, VPN, VUP", by_phigs},
-    {"V8 yaw, pitch, roll", by_yaw_pitch_roll},
-    {"V9 quaternion", by_quaternion},
+    {"look at", by_look_at},
+    {"object's look at, inverted", by_object},
+    {"node", by_node},
+    {"node with a scale", by_scaled_node},
+    {"inverse", by_inverse},
+    {"rotate, translate", by_rotate_translate},
+    {"VRP, VPN, VUP", by_phigs},
+    {"yaw, pitch, roll", by_yaw_pitch_roll},
+    {"quaternion", by_quaternion},
     {"4600's rows", by_d3d},
 };
 
@@ -198,7 +199,7 @@ static void check_same(const struct ph_mat4 *a, const struct ph_mat4 *b, const c
 }
 
 /* Measured: .50 to .62 LSB from the exact matrix. */
-static void V1_to_V9_any_two_ways_agree_within_one_LSB(void **state)
+static void any_two_ways_agree_within_one_LSB(void **state)
 {
     (void)state;
     double worst[WAYS] = {0};
@@ -222,7 +223,7 @@ static void V1_to_V9_any_two_ways_agree_within_one_LSB(void **state)
 }
 
 /* HAW: a camera puts its target on -z, an object on +z. */
-static void V3_target_is_before_the_camera_and_on_plus_z_of_the_object(void **state)
+static void target_is_before_the_camera_and_on_plus_z_of_the_object(void **state)
 {
     (void)state;
     ref_seed(3);
@@ -255,7 +256,7 @@ static void check_rigid(const struct ph_xform *m)
 }
 
 /* The replaced up of geom.h holds for what is built on it, too. */
-static void V4_cameras_without_a_direction_are_rigid(void **state)
+static void cameras_without_a_direction_are_rigid(void **state)
 {
     (void)state;
     const struct fx_vec3 here = vec(1, 2, 3), none = {0, 0, 0}, up = vec(0, 1, 0);
@@ -283,7 +284,7 @@ static void V4_cameras_without_a_direction_are_rigid(void **state)
     assert_int_equal(all[10].t.z, FX_INT(-3));
 }
 
-/* D3D's view by hand, LMU's coordinates by hand: both come back as the camera that was written down. */
+/* A view in D3D's form and planes in LMU's, written by hand, are converted back to the camera that they state. */
 static void cameras_come_back_from_every_convention(void **state)
 {
     (void)state;
@@ -315,7 +316,7 @@ static void cameras_come_back_from_every_convention(void **state)
 /* ---- zoom ---------------------------------------------------------------------------------------------------- */
 
 /* LMU: fov = 2 atan(1 / distance) for a height of 2; any height. Within 1 LSB of a degree's Q16.16. */
-static void M2_field_of_view_fits_the_height(void **state)
+static void field_of_view_fits_the_height(void **state)
 {
     (void)state;
     ref_seed(2);
@@ -336,10 +337,10 @@ static void M2_field_of_view_fits_the_height(void **state)
 #define DEPTH 1000
 
 /*
- * V5: a chain of 1000 nodes, each a step of 1 along its parent's x and a turn of a 1000th about z: a circle, closed.
+ * A chain of 1000 nodes, each a step of 1 along its parent's x and a turn of a 1000th about z: a circle, closed.
  * Each product rounds by half an LSB of Q2.30 and of Q16.16.
  */
-static void V5_thousand_nested_nodes_close_a_circle(void **state)
+static void thousand_nested_nodes_close_a_circle(void **state)
 {
     (void)state;
     static struct ph_node nodes[DEPTH];
@@ -363,8 +364,8 @@ static void V5_thousand_nested_nodes_close_a_circle(void **state)
     assert_true(worst < 20 * LSB);
 }
 
-/* V5: the camera rides on a node; matrixWorldInverse. Two roots, a forest. */
-static void V5_camera_rides_on_its_parent(void **state)
+/* The camera rides on a node (matrixWorldInverse of three.js). The nodes have two roots: they are a forest. */
+static void camera_rides_on_its_parent(void **state)
 {
     (void)state;
     struct ph_node nodes[4] = {{-1, ph_xform_rotate_y(0x40000000)},
@@ -383,7 +384,7 @@ static void V5_camera_rides_on_its_parent(void **state)
     assert_int_equal(world[1].t.x, FX_INT(50));
 }
 
-static void V5_wrong_parents_are_refused(void **state)
+static void wrong_parents_are_refused(void **state)
 {
     (void)state;
     static const int32_t wrong[] = {1, 2, 3, 4, -2, INT32_MIN, INT32_MAX}; /* of node 1: itself, later ones, none */
@@ -399,14 +400,14 @@ static void V5_wrong_parents_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(V1_to_V9_any_two_ways_agree_within_one_LSB),
-        cmocka_unit_test(V3_target_is_before_the_camera_and_on_plus_z_of_the_object),
-        cmocka_unit_test(V4_cameras_without_a_direction_are_rigid),
+        cmocka_unit_test(any_two_ways_agree_within_one_LSB),
+        cmocka_unit_test(target_is_before_the_camera_and_on_plus_z_of_the_object),
+        cmocka_unit_test(cameras_without_a_direction_are_rigid),
         cmocka_unit_test(cameras_come_back_from_every_convention),
-        cmocka_unit_test(M2_field_of_view_fits_the_height),
-        cmocka_unit_test(V5_thousand_nested_nodes_close_a_circle),
-        cmocka_unit_test(V5_camera_rides_on_its_parent),
-        cmocka_unit_test(V5_wrong_parents_are_refused),
+        cmocka_unit_test(field_of_view_fits_the_height),
+        cmocka_unit_test(thousand_nested_nodes_close_a_circle),
+        cmocka_unit_test(camera_rides_on_its_parent),
+        cmocka_unit_test(wrong_parents_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

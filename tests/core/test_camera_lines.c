@@ -1,6 +1,6 @@
 /*
- * What the documents say of pictures, measured on what was drawn: zoom and dolly (M1), LMU's Hitchcock zoom (M2),
- * straight lines (G5), vanishing points of parallel lines (M7). Prints what it measured.
+ * What textbooks say about pictures is measured on drawn ones: zoom and dolly, the Hitchcock zoom, straight lines, the
+ * vanishing points of parallel lines. The sources are those that camera.h names. Prints what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -49,7 +49,7 @@ static struct ph_projection perspective(double fov, double n, double f)
     return p;
 }
 
-/* ---- M2: Hitchcock ---------------------------------------------------------------------------------------------- */
+/* ---- the Hitchcock zoom ------------------------------------------------------------------------------------------ */
 
 /* A square of half a side, facing x, unlit, at x. */
 static const uint16_t square[2][3] = {{0, 1, 2}, {0, 2, 3}};
@@ -96,7 +96,7 @@ static void draw_along_x(double distance, double fov, double other, double half)
 }
 
 /* HAW: the field of view changes, the place stays; what is wider is seen smaller, by the tangents. */
-static void M1_zoom_changes_the_size_by_the_tangent_of_half_the_angle(void **state)
+static void zoom_changes_the_size_by_the_tangent_of_half_the_angle(void **state)
 {
     (void)state;
     for (int fov = 15; fov <= 120; fov += 5) {
@@ -107,7 +107,7 @@ static void M1_zoom_changes_the_size_by_the_tangent_of_half_the_angle(void **sta
 
 /* HAW: the camera moves along its own z, the angle stays; what was behind it comes into sight, once past the near
  * plane. */
-static void M1_dolly_changes_the_size_by_the_distance(void **state)
+static void dolly_changes_the_size_by_the_distance(void **state)
 {
     (void)state;
     for (int i = 0; i <= 32; i++) {
@@ -122,7 +122,7 @@ static void M1_dolly_changes_the_size_by_the_distance(void **state)
  * LMU: fov = 2 atan(1 / distance), camera on x from 1.2 to 20 and back in 1000 frames. The subject at the origin, of
  * height 1, is half the picture's 240 lines; what is behind it grows from nothing to the whole picture.
  */
-static void M2_subject_keeps_its_height_over_the_hitchcock_zoom(void **state)
+static void subject_keeps_its_height_over_the_hitchcock_zoom(void **state)
 {
     (void)state;
     int low = SIZE, high = 0, behind_low = SIZE, behind_high = 0;
@@ -213,7 +213,7 @@ static double off_line(const double a[2], const double b[2])
 }
 
 /* HAW: straight lines map to straight lines. One pixel in each column (row), its centre within .5 px of the line. */
-static void G5_lines_are_drawn_straight(void **state)
+static void lines_are_drawn_straight(void **state)
 {
     (void)state;
     struct ph_projection p[2] = {perspective(60, .5, 1000)};
@@ -245,7 +245,7 @@ static void G5_lines_are_drawn_straight(void **state)
  * HAW, KAIST: parallel lines meet in one point under a perspective projection. Six lines along one direction, through
  * the straight lines fitted to their pixels; the vanishing point is the direction's own projection.
  */
-static void M7_parallel_lines_meet_in_the_vanishing_point(void **state)
+static void parallel_lines_meet_in_the_vanishing_point(void **state)
 {
     (void)state;
     double worst = 0;
@@ -266,7 +266,7 @@ static void M7_parallel_lines_meet_in_the_vanishing_point(void **state)
 }
 
 /* HAW, KAIST: under a parallel projection they stay parallel. */
-static void M7_parallel_lines_stay_parallel_in_a_parallel_projection(void **state)
+static void parallel_lines_stay_parallel_in_a_parallel_projection(void **state)
 {
     (void)state;
     struct ph_projection p;
@@ -288,12 +288,12 @@ static void M7_parallel_lines_stay_parallel_in_a_parallel_projection(void **stat
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(M1_zoom_changes_the_size_by_the_tangent_of_half_the_angle),
-        cmocka_unit_test(M1_dolly_changes_the_size_by_the_distance),
-        cmocka_unit_test(M2_subject_keeps_its_height_over_the_hitchcock_zoom),
-        cmocka_unit_test(G5_lines_are_drawn_straight),
-        cmocka_unit_test(M7_parallel_lines_meet_in_the_vanishing_point),
-        cmocka_unit_test(M7_parallel_lines_stay_parallel_in_a_parallel_projection),
+        cmocka_unit_test(zoom_changes_the_size_by_the_tangent_of_half_the_angle),
+        cmocka_unit_test(dolly_changes_the_size_by_the_distance),
+        cmocka_unit_test(subject_keeps_its_height_over_the_hitchcock_zoom),
+        cmocka_unit_test(lines_are_drawn_straight),
+        cmocka_unit_test(parallel_lines_meet_in_the_vanishing_point),
+        cmocka_unit_test(parallel_lines_stay_parallel_in_a_parallel_projection),
     };
     return cmocka_run_group_tests(tests, open_rig, close_rig);
 }

@@ -1,6 +1,6 @@
 /*
- * The matrices of the four conventions: their depths are those of the table in camera.h, each element is rounded once,
- * and what cannot be a camera is refused and changes nothing.
+ * The matrices of the four conventions have the depths of the table in camera.h, and each element is rounded once.
+ * Arguments that make no camera are refused and change nothing.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /*
- * Cameras as the renderer draws them: points in every convention on the renderer's own screen positions (G1), the same
- * bytes for one camera in every convention and for camera and models moved together (V5, EECE). Prints what it
- * measured.
+ * Cameras are checked on what the renderer draws. In every convention, points project to the renderer's own screen
+ * positions, and the same camera gives the same bytes. It also does when camera and models move together (EECE 478,
+ * moving camera). Prints what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -108,7 +108,7 @@ static void apply(const struct ph_mat4 *m, const double in[4], double out[4])
     }
 }
 
-/* View, projection, division, viewport: the documents' pipeline in double, from the matrices that they print. */
+/* View, projection, division, viewport: the textbooks' pipeline in double, from the matrices that they print. */
 static void screen_of(const struct ph_xform *view, const struct ph_projection *p, enum ph_convention convention,
                       struct fx_vec3 point, double screen[3])
 {
@@ -151,7 +151,7 @@ static void exact_screen(const struct ph_xform *view, const struct ph_projection
  * within .0068 px of the exact place (it rounds to 1/256 px), the matrices, rounded to Q16.16, lead to .048 px from its
  * position. Both send a point to one pixel, unless it is that near to the border of two.
  */
-static void G1_points_land_where_the_renderer_draws_them_in_every_convention(void **state)
+static void points_land_where_the_renderer_draws_them_in_every_convention(void **state)
 {
     (void)state;
     static const double low[4] = {[PH_GL] = -1, [PH_D3D] = 0, [PH_LMU] = -1, [PH_REVERSED] = 0};
@@ -294,7 +294,7 @@ static void one_camera_in_every_convention_draws_the_same_bytes(void **state)
     }
 }
 
-/* ---- V5 -------------------------------------------------------------------------------------------------------- */
+/* ---- motion of camera and models -------------------------------------------------------------------------------- */
 
 enum { ALL, CAMERA, LIGHT, TORUS, GROUND, NODES };
 
@@ -342,7 +342,7 @@ static struct ph_xform random_camera(void)
 }
 
 /* EECE: q = P V^-1 M p with V = M is P p. Any rigid motion. */
-static void V5_camera_and_models_moved_together_draw_the_same_bytes(void **state)
+static void camera_and_models_moved_together_draw_the_same_bytes(void **state)
 {
     (void)state;
     static struct kept still;
@@ -368,7 +368,7 @@ static struct ph_xform quarter_turns(int i)
 }
 
 /* In world coordinates this is exact where nothing is rounded: quarter turns and any translation. */
-static void V5_quarter_turns_and_translations_in_the_world_change_no_byte(void **state)
+static void quarter_turns_and_translations_in_the_world_change_no_byte(void **state)
 {
     (void)state;
     static struct kept still;
@@ -389,7 +389,7 @@ static void V5_quarter_turns_and_translations_in_the_world_change_no_byte(void *
  * Other motions round places in the world, half an LSB of Q16.16 each. Measured: 1.84 % of the pixels drawn have
  * another depth code or colour; .02 % are drawn in one picture alone.
  */
-static void V5_any_motion_in_the_world_changes_few_pixels(void **state)
+static void any_motion_in_the_world_changes_few_pixels(void **state)
 {
     (void)state;
     static struct kept still;
@@ -412,7 +412,7 @@ static void V5_any_motion_in_the_world_changes_few_pixels(void **state)
     assert_true(outline <= .0005 * all);
 }
 
-static void V5_nodes_seen_are_the_view_times_the_world(void **state)
+static void nodes_seen_are_the_view_times_the_world(void **state)
 {
     (void)state;
     struct ph_node nodes[6];
@@ -444,12 +444,12 @@ static void V5_nodes_seen_are_the_view_times_the_world(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(G1_points_land_where_the_renderer_draws_them_in_every_convention),
+        cmocka_unit_test(points_land_where_the_renderer_draws_them_in_every_convention),
         cmocka_unit_test(one_camera_in_every_convention_draws_the_same_bytes),
-        cmocka_unit_test(V5_camera_and_models_moved_together_draw_the_same_bytes),
-        cmocka_unit_test(V5_quarter_turns_and_translations_in_the_world_change_no_byte),
-        cmocka_unit_test(V5_any_motion_in_the_world_changes_few_pixels),
-        cmocka_unit_test(V5_nodes_seen_are_the_view_times_the_world),
+        cmocka_unit_test(camera_and_models_moved_together_draw_the_same_bytes),
+        cmocka_unit_test(quarter_turns_and_translations_in_the_world_change_no_byte),
+        cmocka_unit_test(any_motion_in_the_world_changes_few_pixels),
+        cmocka_unit_test(nodes_seen_are_the_view_times_the_world),
     };
     return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

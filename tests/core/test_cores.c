@@ -1,4 +1,4 @@
-/* A second core that draws the lower half of each band: the same pixels, the same counts, whoever is first. */
+/* A second core draws the lower half of each band. Pixels and counts are the same, whichever core is first. */
 #include "demo.h"
 
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /*
- * Coverage against the top-left rule in exact integers: random triangles on grids of 1/2 to 1/256 pixel, inside the
- * picture and up to three pictures beyond its borders, drawn through an orthographic camera that is exact at 1/256 px.
+ * Coverage is compared with the top-left rule in exact integers. Random triangles lie on grids of 1/2 to 1/256 pixel,
+ * inside the picture and up to three pictures beyond. The orthographic camera is exact at 1/256 px.
  */
 #include <setjmp.h>
 #include <stdarg.h>

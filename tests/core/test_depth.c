@@ -1,9 +1,10 @@
 /*
- * What the depth formats resolve, through the real vertices, set-up and spans: quads that face the camera or lean are
- * drawn into a picture of 33 x 33 pixels, whose middle pixel has its centre on the axis, and the depth buffer is read.
+ * What the depth formats resolve is measured through the real vertices, set-up and spans. Quads that face the camera or
+ * lean are drawn into a picture of 33 x 33 pixels, whose middle pixel has its centre on the axis; then the depth buffer
+ * is read.
  *
- * S(w) is the longest plateau: how many steps of the Q16.16 distance have the code of w. Expected values are those of
- * the project's table of published and computed resolutions, or computed here in double from the formats' definition.
+ * S(w) is the longest plateau: the number of steps of the Q16.16 distance that have the code of w. Its expected values
+ * follow from the formats' definition in depth.h.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -113,7 +114,7 @@ static double worst_plateau(struct bench *b)
     return fmax(worst, longest_plateau(b, fmin(last, f), 8));
 }
 
-/* The project's table: S_worst in metres. */
+/* S_worst in metres, computed from the formats' definition. */
 static const struct {
     enum ph_depth_format format;
     double near_z, far_z, worst;

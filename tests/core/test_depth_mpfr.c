@@ -1,7 +1,7 @@
 /*
- * The lab against arbitrary precision: every code, every S_eff, S_worst and pair count again from the definitions in
- * depth.h and lab.h, in rational numbers (GMP) and MPFR, by other methods (inverse functions, whole arrays), on a grid
- * of near and far planes and over all formats.
+ * The depth lab is compared with arbitrary precision. All codes, S_eff, S_worst and pair counts are computed again from
+ * the definitions in depth.h and lab.h, in rational numbers (GMP) and MPFR, by other methods (inverse functions, whole
+ * arrays), on a grid of near and far planes and for all formats.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,8 +1,12 @@
 /*
- * The exercises and worked matrices of the source documents with their own numbers, row by row of SEEDS.md, errata
- * noted at the row: HAW (chapter 9, three.js), KAIST (chapter 4), EECE (EECE 478), 4600 (notes 4.1), LMU (tutorial 4).
- * The numbers are chosen by the documents, or here, so that every element is a fraction of few bits: the comparison is
- * exact where nothing else is said.
+ * The exercises and worked matrices of five courses, with their own numbers. Errata are noted at the test. The courses:
+ *   HAW    K. Juenemann, HAW Hamburg, chapter 9, camera models and the view pipeline (three.js)
+ *   KAIST  S.-E. Yoon, Rendering, KAIST, chapter 4, camera setting
+ *   EECE   EECE 478, viewing and projection (OpenGL, PHIGS)
+ *   4600   course 4600, notes 4.1, virtual cameras
+ *   LMU    LMU Munich, computer graphics, summer 2020, tutorial 4, camera
+ * The numbers are chosen so that every element is a fraction of few bits. So the comparison is exact, where nothing
+ * else is said.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -67,7 +71,7 @@ static struct ph_projection perspective(double fov, double aspect, double n, dou
  * KAIST 4.8 is this matrix when its n and f are the coordinates -1 and -5. Erratum: EECE's slide has + signs in the
  * last column, where l would go to 1 - 1 = 0 here; KAIST 4.9 shows that it must be -1.
  */
-static void P1_orthographic_camera_sends_left_to_minus_one(void **state)
+static void orthographic_camera_sends_left_to_minus_one(void **state)
 {
     (void)state;
     struct ph_projection p;
@@ -89,7 +93,7 @@ static void P1_orthographic_camera_sends_left_to_minus_one(void **state)
 }
 
 /* HAW exercise 6. Its picture shows the corners of near and far plane at A, B and those of the cube at A', B'. */
-static void P2_perspective_camera_of_exercise_6_has_its_matrix(void **state)
+static void perspective_camera_of_exercise_6_has_its_matrix(void **state)
 {
     (void)state;
     const struct ph_projection p = perspective(90, 2, 2, 10);
@@ -102,7 +106,7 @@ static void P2_perspective_camera_of_exercise_6_has_its_matrix(void **state)
  * EECE, glFrustum. Erratum: its second example feeds (r, t, -f), which is inside the volume; the far corner is
  * (r f/n, t f/n, -f), and the result is (f, f, f, f).
  */
-static void P3_corner_of_the_frustum_maps_to_the_corner_of_clip_space(void **state)
+static void corner_of_the_frustum_maps_to_the_corner_of_clip_space(void **state)
 {
     (void)state;
     struct ph_projection p;
@@ -121,7 +125,7 @@ static void P3_corner_of_the_frustum_maps_to_the_corner_of_clip_space(void **sta
 }
 
 /* 4600: P = f / (f - n), Q = -f n / (f - n), w = z. */
-static void P4_matrix_of_4600_maps_near_to_0_and_far_to_1(void **state)
+static void matrix_of_4600_maps_near_to_0_and_far_to_1(void **state)
 {
     (void)state;
     const struct ph_projection p = perspective(90, 2, 2, 10);
@@ -131,7 +135,7 @@ static void P4_matrix_of_4600_maps_near_to_0_and_far_to_1(void **state)
 }
 
 /* LMU: n and f are the coordinates -2 and -10; l = a n tan, b = n tan; clip w = z. */
-static void P5_matrix_of_LMU_is_its_product_of_two(void **state)
+static void matrix_of_LMU_is_its_product_of_two(void **state)
 {
     (void)state;
     const double n = -2, f = -10;
@@ -155,7 +159,7 @@ static void P5_matrix_of_LMU_is_its_product_of_two(void **state)
 }
 
 /* EECE: w = z / d. KAIST 4.10: y_s = d y / z. 4600: y' = y f / z. Here the image is 6 x 4, z the distance. */
-static void P6_pinhole_projects_y_to_d_y_over_z(void **state)
+static void pinhole_projects_y_to_d_y_over_z(void **state)
 {
     (void)state;
     struct ph_projection p;
@@ -173,7 +177,7 @@ static void P6_pinhole_projects_y_to_d_y_over_z(void **state)
 }
 
 /* EECE ("even to infinity"), HAW: the pinhole moves away and its focal length grows with the distance. */
-static void P6_focal_length_to_infinity_is_a_parallel_projection(void **state)
+static void focal_length_to_infinity_is_a_parallel_projection(void **state)
 {
     (void)state;
     struct ph_projection p, box;
@@ -196,7 +200,7 @@ static void P6_focal_length_to_infinity_is_a_parallel_projection(void **state)
 }
 
 /* HAW exercise 4: the line through (1, 0) and (0, -1) is n.p + d = 0 with n = (-1, 1) / sqrt 2, d = 1 / sqrt 2. */
-static void P7_projection_onto_the_line_of_exercise_4(void **state)
+static void projection_onto_the_line_of_exercise_4(void **state)
 {
     (void)state;
     const double half = sqrt(.5);
@@ -215,7 +219,7 @@ static void P7_projection_onto_the_line_of_exercise_4(void **state)
 }
 
 /* HAW's remark: projecting twice is projecting once. Each element of Q Q is within 1 LSB of d Q. */
-static void P7_projecting_twice_is_projecting_once(void **state)
+static void projecting_twice_is_projecting_once(void **state)
 {
     (void)state;
     ref_seed(7);
@@ -235,7 +239,7 @@ static void P7_projecting_twice_is_projecting_once(void **state)
 }
 
 /* HAW: w_n / 2n = tan(theta_x / 2), h_n / 2n = tan(theta_y / 2), a = w / h at the near and the far plane. */
-static void P10_frustum_has_the_sizes_of_its_angles(void **state)
+static void frustum_has_the_sizes_of_its_angles(void **state)
 {
     (void)state;
     const struct ph_projection p = perspective(90, 2, 2, 10);
@@ -265,7 +269,7 @@ static void P10_frustum_has_the_sizes_of_its_angles(void **state)
 }
 
 /* HAW: camera.aspect = w / h; camera.updateProjectionMatrix(). */
-static void P11_resized_camera_is_the_camera_built_anew(void **state)
+static void resized_camera_is_the_camera_built_anew(void **state)
 {
     (void)state;
     static const double sizes[][2] = {{240, 240}, {135, 240}, {240, 135}, {128, 64}, {320, 240}, {1024, 1}};
@@ -285,7 +289,7 @@ static void P11_resized_camera_is_the_camera_built_anew(void **state)
 
 /* KAIST 4.6 and LMU task 1: rows r, u, -l times the translation by -e; 4600: rows R, U, F. Camera (3, 1, 4) at (0, 1,
  * 0). */
-static void V1_look_at_has_the_rows_of_KAIST_LMU_and_4600(void **state)
+static void look_at_has_the_rows_of_KAIST_LMU_and_4600(void **state)
 {
     (void)state;
     const struct ph_xform view = ph_view_look_at(vec(3, 1, 4), vec(0, 1, 0), vec(0, 1, 0));
@@ -305,7 +309,7 @@ static void V1_look_at_has_the_rows_of_KAIST_LMU_and_4600(void **state)
 }
 
 /* HAW exercise 2: camera.matrix has the columns (0, 0, -1), (0, 1, 0), (1, 0, 0), (5, 0, 0). */
-static void V2_camera_matrix_of_exercise_2(void **state)
+static void camera_matrix_of_exercise_2(void **state)
 {
     (void)state;
     const struct ph_xform view = ph_view_look_at(vec(5, 0, 0), vec(0, 0, 0), vec(0, 1, 0));
@@ -324,7 +328,7 @@ static void check_view(struct ph_xform view, const double want[4][4])
 }
 
 /* EECE: glRotate(-theta, axis), glTranslate(-p). */
-static void V6_camera_turned_by_90_degrees_about_y(void **state)
+static void camera_turned_by_90_degrees_about_y(void **state)
 {
     (void)state;
     check_view(ph_view_rotate_translate(vec(0, 1, 0), 0x40000000, vec(1, 2, 3)), along_minus_x);
@@ -332,7 +336,7 @@ static void V6_camera_turned_by_90_degrees_about_y(void **state)
 }
 
 /* EECE: the view plane normal points at the viewer; VUP need not be across it. */
-static void V7_view_plane_normal_is_against_the_view(void **state)
+static void view_plane_normal_is_against_the_view(void **state)
 {
     (void)state;
     check_view(ph_view_phigs(vec(1, 2, 3), vec(1, 0, 0), vec(0, 1, 0)), along_minus_x);
@@ -340,7 +344,7 @@ static void V7_view_plane_normal_is_against_the_view(void **state)
 }
 
 /* EECE's words roll, pitch, yaw: each alone, then yaw before pitch. */
-static void V8_yaw_pitch_and_roll_turn_about_y_x_and_z(void **state)
+static void yaw_pitch_and_roll_turn_about_y_x_and_z(void **state)
 {
     (void)state;
     const uint32_t quarter = 0x40000000;
@@ -355,7 +359,7 @@ static void V8_yaw_pitch_and_roll_turn_about_y_x_and_z(void **state)
 }
 
 /* LMU: "how to do it using quaternions?" cos and sin of 45 degrees; its length does not matter, nor its sign. */
-static void V9_quaternion_of_90_degrees_about_y(void **state)
+static void quaternion_of_90_degrees_about_y(void **state)
 {
     (void)state;
     const int32_t h = ref_q30(sqrt(.5)), third = FX_Q30_ONE / 3;
@@ -366,7 +370,7 @@ static void V9_quaternion_of_90_degrees_about_y(void **state)
 /* ---- from clip space to the screen ---------------------------------------------------------------------------- */
 
 /* HAW: x_s = w/2 x + w/2, y_s = -h/2 y + h/2. 4600: (1 - y) h/2. LMU: y up. A 240 x 135 panel. */
-static void G4_viewports_of_HAW_4600_and_LMU(void **state)
+static void viewports_of_HAW_4600_and_LMU(void **state)
 {
     (void)state;
     const double down[4][4] = {{120, 0, 0, 120}, {0, -67.5, 0, 67.5}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -391,7 +395,7 @@ static double ndc_z(const struct ph_projection *p, double z)
 }
 
 /* HAW exercise 5: g(z) = (f + n) / (f - n) + 2 f n / (f - n) / z for f = 3, n = 1 is 2 + 3 / z. */
-static void G5_depth_of_exercise_5_runs_from_minus_1_to_1(void **state)
+static void depth_of_exercise_5_runs_from_minus_1_to_1(void **state)
 {
     (void)state;
     const struct ph_projection p = perspective(60, 1, 1, 3);
@@ -402,7 +406,7 @@ static void G5_depth_of_exercise_5_runs_from_minus_1_to_1(void **state)
 }
 
 /* HAW: why g and not z itself. Thirds of a segment in camera space are on one line of NDC space, within 1e-4. */
-static void G5_straight_lines_stay_straight(void **state)
+static void straight_lines_stay_straight(void **state)
 {
     (void)state;
     const struct ph_projection p = perspective(60, 1.5, 1, 3);
@@ -434,26 +438,26 @@ static void G5_straight_lines_stay_straight(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(P1_orthographic_camera_sends_left_to_minus_one),
-        cmocka_unit_test(P2_perspective_camera_of_exercise_6_has_its_matrix),
-        cmocka_unit_test(P3_corner_of_the_frustum_maps_to_the_corner_of_clip_space),
-        cmocka_unit_test(P4_matrix_of_4600_maps_near_to_0_and_far_to_1),
-        cmocka_unit_test(P5_matrix_of_LMU_is_its_product_of_two),
-        cmocka_unit_test(P6_pinhole_projects_y_to_d_y_over_z),
-        cmocka_unit_test(P6_focal_length_to_infinity_is_a_parallel_projection),
-        cmocka_unit_test(P7_projection_onto_the_line_of_exercise_4),
-        cmocka_unit_test(P7_projecting_twice_is_projecting_once),
-        cmocka_unit_test(P10_frustum_has_the_sizes_of_its_angles),
-        cmocka_unit_test(P11_resized_camera_is_the_camera_built_anew),
-        cmocka_unit_test(V1_look_at_has_the_rows_of_KAIST_LMU_and_4600),
-        cmocka_unit_test(V2_camera_matrix_of_exercise_2),
-        cmocka_unit_test(V6_camera_turned_by_90_degrees_about_y),
-        cmocka_unit_test(V7_view_plane_normal_is_against_the_view),
-        cmocka_unit_test(V8_yaw_pitch_and_roll_turn_about_y_x_and_z),
-        cmocka_unit_test(V9_quaternion_of_90_degrees_about_y),
-        cmocka_unit_test(G4_viewports_of_HAW_4600_and_LMU),
-        cmocka_unit_test(G5_depth_of_exercise_5_runs_from_minus_1_to_1),
-        cmocka_unit_test(G5_straight_lines_stay_straight),
+        cmocka_unit_test(orthographic_camera_sends_left_to_minus_one),
+        cmocka_unit_test(perspective_camera_of_exercise_6_has_its_matrix),
+        cmocka_unit_test(corner_of_the_frustum_maps_to_the_corner_of_clip_space),
+        cmocka_unit_test(matrix_of_4600_maps_near_to_0_and_far_to_1),
+        cmocka_unit_test(matrix_of_LMU_is_its_product_of_two),
+        cmocka_unit_test(pinhole_projects_y_to_d_y_over_z),
+        cmocka_unit_test(focal_length_to_infinity_is_a_parallel_projection),
+        cmocka_unit_test(projection_onto_the_line_of_exercise_4),
+        cmocka_unit_test(projecting_twice_is_projecting_once),
+        cmocka_unit_test(frustum_has_the_sizes_of_its_angles),
+        cmocka_unit_test(resized_camera_is_the_camera_built_anew),
+        cmocka_unit_test(look_at_has_the_rows_of_KAIST_LMU_and_4600),
+        cmocka_unit_test(camera_matrix_of_exercise_2),
+        cmocka_unit_test(camera_turned_by_90_degrees_about_y),
+        cmocka_unit_test(view_plane_normal_is_against_the_view),
+        cmocka_unit_test(yaw_pitch_and_roll_turn_about_y_x_and_z),
+        cmocka_unit_test(quaternion_of_90_degrees_about_y),
+        cmocka_unit_test(viewports_of_HAW_4600_and_LMU),
+        cmocka_unit_test(depth_of_exercise_5_runs_from_minus_1_to_1),
+        cmocka_unit_test(straight_lines_stay_straight),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /*
- * The fisheye (SEEDS row P9) against rays in double: a pixel (dx, dy) from the centre looks along the direction that is
- * f^-1 |(dx, dy)| radians off the axis, and what it must show is the nearest triangle that this ray meets. There is no
- * subdivision in the reference; edges curve because rays do.
+ * The fisheye is compared with rays in double. The ray of a pixel (dx, dy) from the centre is |(dx, dy)| / f radians
+ * off the axis, and the pixel must show the nearest triangle that it meets. The reference subdivides nothing: its edges
+ * curve because of the rays.
  */
 #include <setjmp.h>
 #include <stdarg.h>

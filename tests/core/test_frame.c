@@ -1,6 +1,6 @@
 /*
- * What a frame promises beside coverage: light, textures, lines, budgets, statistics, colours; in pictures of 16 x 12
- * pixels (see ref_drawing.h for coordinates).
+ * Light, textures, lines, budgets, statistics and colours of a frame are checked in pictures of 16 x 12 pixels (see
+ * ref_drawing.h for coordinates).
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /*
- * fx: arithmetic, roots and angles against MPFR and 128-bit integers, on all edges and a dense sample.
- * tests/core/exhaustive_fx.c has every input.
+ * Arithmetic, roots and angles of fx.h are compared with MPFR and 128-bit integers, on all edge values and a dense
+ * sample. exhaustive_fx.c takes every input.
  */
 #include <setjmp.h>
 #include <stdarg.h>

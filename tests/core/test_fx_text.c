@@ -1,6 +1,5 @@
 /*
- * fx_to_text and fx_from_text: the text against printf of the exact double, the numbers against MPFR, which rounds
- * decimals of any length.
+ * fx_to_text is compared with printf of the exact double, fx_from_text with MPFR, which rounds decimals of any length.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Vectors, quaternions, transforms, look-at and projections against double arithmetic and the source documents. */
+/* Vectors, quaternions, transforms, look-at and projections are compared with double arithmetic and the textbooks. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -117,7 +117,7 @@ static void the_zero_vector_has_no_direction(void **state)
     assert_int_equal(z.w, FX_Q30_ONE);
 }
 
-/* Rodrigues' formula in double: the way quaternions do not go. */
+/* Rodrigues' formula in double, which takes no quaternions. */
 static void rodrigues(const double k[3], double angle, double m[3][3])
 {
     const double c = cos(angle), s = sin(angle);
@@ -218,9 +218,11 @@ static void inverse_undoes_a_rigid_transform(void **state)
     }
 }
 
-/* HAW exercise 2 (V2): camera at (5, 0, 0) looking at the origin has the axes x = (0,0,-1), y = (0,1,0), z = (1,0,0).
+/*
+ * K. Juenemann, HAW Hamburg, chapter 9, exercise 2: a camera at (5, 0, 0) that looks at the origin has the axes
+ * x = (0, 0, -1), y = (0, 1, 0), z = (1, 0, 0).
  */
-static void V2_camera_on_the_x_axis_has_the_axes_of_the_exercise(void **state)
+static void camera_on_the_x_axis_has_the_axes_of_the_exercise(void **state)
 {
     (void)state;
     const struct ph_xform view = ph_view_look_at(vec(5, 0, 0), vec(0, 0, 0), vec(0, 1, 0));
@@ -247,8 +249,8 @@ static void check_rigid(const struct ph_xform *m)
     }
 }
 
-/* V1, V3: the target lies on -z at its distance, up stays in the y-z plane, for any camera. */
-static void V1_look_at_puts_the_target_on_minus_z(void **state)
+/* The target lies on -z at its distance, up stays in the y-z plane, for any camera. */
+static void look_at_puts_the_target_on_minus_z(void **state)
 {
     (void)state;
     for (int i = 0; i < 5000; i++) {
@@ -268,7 +270,7 @@ static void V1_look_at_puts_the_target_on_minus_z(void **state)
     }
 }
 
-static void V4_cameras_without_a_direction_have_a_stated_view(void **state)
+static void cameras_without_a_direction_have_a_stated_view(void **state)
 {
     (void)state;
     const struct fx_vec3 here = vec(1, 2, 3), up = vec(0, 1, 0);
@@ -293,7 +295,7 @@ static void perspective_has_the_elements_of_the_opengl_matrix(void **state)
 {
     (void)state;
     struct ph_projection p;
-    /* P2, HAW exercise 6: (90 degrees, 2, 2, 10) has .5 and 1 */
+    /* Juenemann's exercise 6: (90 degrees, 2, 2, 10) has .5 and 1 */
     assert_int_equal(ph_projection_perspective(&p, FX_INT(90), FX_INT(2), FX_INT(2), FX_INT(10)), PH_OK);
     assert_int_equal(p.scale_x_q20, 1 << 19);
     assert_int_equal(p.scale_y_q20, 1 << 20);
@@ -354,9 +356,9 @@ int main(void)
         cmocka_unit_test(rotations_about_the_axes_turn_the_right_way),
         cmocka_unit_test(points_are_transformed_within_half_an_lsb),
         cmocka_unit_test(inverse_undoes_a_rigid_transform),
-        cmocka_unit_test(V2_camera_on_the_x_axis_has_the_axes_of_the_exercise),
-        cmocka_unit_test(V1_look_at_puts_the_target_on_minus_z),
-        cmocka_unit_test(V4_cameras_without_a_direction_have_a_stated_view),
+        cmocka_unit_test(camera_on_the_x_axis_has_the_axes_of_the_exercise),
+        cmocka_unit_test(look_at_puts_the_target_on_minus_z),
+        cmocka_unit_test(cameras_without_a_direction_have_a_stated_view),
         cmocka_unit_test(perspective_has_the_elements_of_the_opengl_matrix),
         cmocka_unit_test(frustum_and_ortho_have_the_elements_of_the_opengl_matrices),
         cmocka_unit_test(impossible_volumes_are_refused_and_change_nothing),

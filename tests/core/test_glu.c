@@ -1,7 +1,7 @@
 /*
- * gluLookAt, gluPerspective, glFrustum and glOrtho of Mesa draw a torus above a ground from random cameras (rows P1,
- * P2, P3, V1); the firmware's cameras, given the same numbers, draw the same picture within stated bounds. 320 x 240,
- * 40 cameras each. Prints what it measured.
+ * Mesa draws a torus above a ground from random cameras of gluLookAt, gluPerspective, glFrustum and glOrtho. Our
+ * cameras with the same numbers draw the same picture, within stated bounds: 320 x 240 pixels, 40 cameras each. Prints
+ * what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /*
- * The light of a vertex against the textbook formula in double precision: ambient + lights (directional and point,
- * Lambert, Blinn with the viewer at infinity), any rotation, uniform scale, place and camera. Seen through a ramp whose
- * colours are their indices: intensity 0 is entry 4, full intensity (1 + specular) entry 123.
+ * The light of a vertex is compared with the textbook formula in double precision: ambient light, and directional and
+ * point lights by Lambert and Blinn with the viewer at infinity, for any rotation, uniform scale, position and camera.
+ * The colours of the ramp are their indices: intensity 0 is entry 4, full intensity (1 + specular) is entry 123.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /*
- * Mesa's software renderer (OSMesa) draws the five benchmark scenes from the reference's geometry; the renderer's
- * coverage, depth and texels agree with it within stated bounds. A second opinion on the camera, the formulas and the
- * reference itself, made by other people. 320x240, frames 0, 8, .. 56, means over all of them. Prints what it measured.
+ * Mesa's software renderer (OSMesa) draws the five benchmark scenes from the reference's geometry. Our coverage, depth
+ * and texels agree with it within stated bounds. This is a second opinion, by other people, on the camera, the formulas
+ * and the reference itself. It takes means over the frames 0, 8, .. 56 at 320x240 and prints what it measured.
  */
 #include <setjmp.h>
 #include <stdarg.h>

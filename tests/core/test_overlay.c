@@ -1,4 +1,4 @@
-/* The overlay: letters as ASCII pictures, outlines, cutting at the edges, bands; the statistics' text. */
+/* The overlay: its letters as ASCII pictures, outlines, clipping at the edges, bands, and the text of statistics. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

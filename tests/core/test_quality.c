@@ -1,7 +1,7 @@
 /*
- * The picture quality of the five benchmark scenes against the double-precision reference (ref.h), 320x240, frames
- * 0, 8, .. 56. Prints the table and holds it against the bars. Every scene is measured twice: the reference's own
- * geometry quantised to a mesh, and the demo that ships.
+ * The quality of the pictures of the five benchmark scenes is measured against the double-precision reference (ref.h),
+ * at 320x240 in the frames 0, 8, .. 56. Prints a table and compares it with the bars below. Every scene is measured
+ * twice: with the reference's own geometry, quantised to a mesh, and as the demo that ships.
  *
  * Definitions:
  * - coverage: pixels drawn by one and not by the other, in % of the pixels that the reference covers;

@@ -1,6 +1,7 @@
 /*
- * The rasterizer's coverage, clipping and depth in pictures of 16 x 12 pixels (see ref_drawing.h for coordinates).
- * The expected pictures follow from the top-left rule in rational arithmetic (the corners are multiples of 1/256).
+ * Coverage, clipping and depth of the rasterizer are checked in pictures of 16 x 12 pixels (see ref_drawing.h for
+ * coordinates). The expected pictures follow from the top-left rule in exact arithmetic: corners are multiples of
+ * 1/256.
  */
 #include <setjmp.h>
 #include <stdarg.h>

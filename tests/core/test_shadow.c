@@ -1,7 +1,8 @@
 /*
- * Planar shadows (SEEDS row P8). The reference draws nothing: for every pixel a ray in double finds the point of the
- * ground that it sees, and the point is in the shadow where the way from there to the light meets the object. HAW's
- * projection (row P7, the light at its centre) is checked as a matrix for planes in any position.
+ * Planar shadows are compared with a reference that draws nothing. For every pixel, a ray in double finds the point of
+ * the ground that it shows; the point is in shadow if the segment from there to the light meets the object. The
+ * projection onto a plane from a light at the origin (K. Juenemann, HAW Hamburg, chapter 9) is checked as a matrix, for
+ * planes in any position.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -68,7 +69,7 @@ static double volume(const double a[3], const double b[3], const double c[3])
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/* Whether the way from ground point g to the light meets a face of the object. */
+/* Whether the segment from ground point g to the light meets a face of the object. */
 static bool in_shadow(const struct object *o, const double g[3], const double light[3])
 {
     double way[3];
@@ -226,7 +227,7 @@ static void shadow_is_what_the_light_does_not_reach(void **state)
     assert_true(shadows > 48 * 200);
 }
 
-/* Cut by the ground: what is below it casts no shadow (the reference's rays end at the ground). */
+/* The ground clips the object: its part below casts no shadow (the reference's rays end at the ground). */
 static void what_is_below_the_plane_casts_no_shadow(void **state)
 {
     int shadows = 0;

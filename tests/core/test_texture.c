@@ -1,10 +1,10 @@
 /*
- * Perspective-correct texturing against exact geometry: random squares that lean away from the camera, also over the
- * borders of the picture and through the near plane. Every texel has a colour of its own; each pixel inside the square
- * must show the texel that the ray through its centre meets, within a tolerance of 1/32 texel and 1/8 of a pixel's
- * step. Between exact divisions, at the corners of tiles of up to 32 x 16 pixels, the renderer follows parabolas. That
- * is good while the distance changes little over a tile ("gentle": by less than a third from 16 pixels to the left to
- * 16 to the right); beyond, tiles are smaller, and a stated share of pixels may miss the tolerance.
+ * Perspective-correct texturing is compared with exact geometry: random squares that lean away from the camera, also
+ * across the borders of the picture and the near plane. Every texel has its own colour. Each pixel inside the square
+ * must show the texel that the ray through its centre meets, within 1/32 texel and 1/8 of a pixel's step. The renderer
+ * divides exactly at the corners of tiles of up to 32 x 16 pixels, and follows parabolas between them. They are good
+ * while the distance changes little over a tile ("gentle": by less than a third from 16 pixels to the left to 16 to the
+ * right). Beyond, tiles are smaller, and a stated share of pixels may miss the tolerance.
  */
 #include <setjmp.h>
 #include <stdarg.h>

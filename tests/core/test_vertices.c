@@ -1,6 +1,6 @@
 /*
- * The vertices of a mesh are those that ph_transform() gives one by one: under every projection, through lenses from
- * wide to 2^17 pixels long, at all distances, so that some are beyond every plane and every reach.
+ * The vertices of a mesh are those that ph_transform() gives one by one. Projections are of all kinds, focal lengths
+ * reach 2^17 pixels, and distances are such that some vertices are beyond each plane and each limit.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /*
- * No cracks and no doubles: random planar meshes without T-junctions, with random sub-pixel positions, also partly off
- * the screen, through the near plane and behind the eye. Triangle by triangle, every pixel whose centre lies safely
- * inside the mesh's outline is drawn exactly once, every one safely outside never.
+ * Meshes have no cracks and draw no pixel twice. Random planar meshes without T-junctions have random sub-pixel
+ * positions, also partly off the screen, through the near plane and behind the eye. Drawn triangle by triangle, a pixel
+ * whose centre is safely inside the mesh's outline is drawn exactly once, and one safely outside never.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -162,7 +162,7 @@ check "resolve prints the promised columns, S_worst last" resolve_has_the_column
 check "every promised format has a row" every_format_has_a_row
 check "float32 counts are those that N. Reed published" reed_published_these
 check "the renderer never swaps two distances; a Q16.16 reciprocal does" swaps
-check "S_worst of the renderer's formats is that of DEPTH.md's table or better" ours_reach_the_table
+check "S_worst of the renderer's formats is the computed one or better" ours_reach_the_table
 check "every distance from .5 to 20 m is in order, in every format of the renderer" monotone_passes
 check "monotone sees what is not" monotone_sees_swaps
 check "every anchor holds" every_anchor_holds

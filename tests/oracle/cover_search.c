@@ -1,4 +1,4 @@
-/* See cover_search.h. */
+/* The cover by straight cuts, then annealing: see cover_search.h. */
 #include "cover_search.h"
 
 #include <math.h>

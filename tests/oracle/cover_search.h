@@ -1,7 +1,7 @@
 /*
- * cover_search: the cheapest rectangles that cover what changed, searched for without hurry; to compare panel_diff
- * with. First every cover that straight cuts right across can make (dynamic programming over all rectangles), then
- * annealing on the true cost, in which a rectangle after one of the same columns or lines is cheaper.
+ * cover_search: a slow search for the cheapest rectangles that cover all changed pixels, to compare panel_diff with.
+ * First it takes the best of all covers that straight cuts across can make (dynamic programming over all rectangles).
+ * Then it anneals on the true cost, in which a rectangle after one of the same columns or lines is cheaper.
  */
 #ifndef COVER_SEARCH_H
 #define COVER_SEARCH_H

@@ -1,4 +1,4 @@
-/* See depth_chain.h. */
+/* The code of a vertex, and the formats' definition in double: see depth_chain.h. */
 #include "depth_chain.h"
 
 #include <math.h>

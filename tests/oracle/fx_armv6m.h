@@ -1,4 +1,4 @@
-/* fx_armv6m: that CPU's words under another name, beside those of fx.h. */
+/* fx_armv6m: the functions that ARMv6-M has of its own for fx.h, under other names, to compare both in one program. */
 #ifndef FX_ARMV6M_H
 #define FX_ARMV6M_H
 

@@ -1,6 +1,6 @@
 /*
- * fx_oracle: what the Q16.16 functions must return, by MPFR in 192 bits. A file that includes this includes <mpfr.h>
- * first. Every function is the nearest value, clamped to 32 bits; no result but an integer's is a tie.
+ * fx_oracle: the results that the functions of fx.h must return, computed by MPFR in 192 bits. Include <mpfr.h> first.
+ * Each is the nearest value, clamped to 32 bits; only integers give ties.
  */
 #ifndef FX_ORACLE_H
 #define FX_ORACLE_H

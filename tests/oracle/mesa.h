@@ -1,6 +1,6 @@
 /*
- * mesa: Mesa's software renderer off the screen, for the tests that include <GL/osmesa.h>. All in this header, because
- * what tests share is built where there is no Mesa, too.
+ * mesa: Mesa's software renderer without a screen. All of it is in this header, because the shared files of the tests
+ * are also built on machines without Mesa.
  */
 #ifndef MESA_H
 #define MESA_H

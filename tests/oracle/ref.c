@@ -1,4 +1,4 @@
-/* Rays through pixel centres; see ref.h. */
+/* The reference: rays through pixel centres. See ref.h. */
 #include "ref.h"
 
 #include <math.h>

@@ -3,9 +3,9 @@
  *
  * It shares no code with firmware/: the five benchmark scenes are built from their formulas with libm, and pixels come
  * from exact geometry instead of a pipeline. For the ray q through a pixel centre and a triangle (a, b, c) in view
- * space (eye at the origin), the three volumes q.(b x c), q.(c x a), q.(a x b) say by their signs whether the ray
- * meets the triangle, and where: there is no clipping, no projection of vertices and no interpolation to get wrong.
- * The near and far planes are a comparison of the depth found. a x b is exactly -(b x a) in IEEE arithmetic, so two
+ * space (eye at the origin), the signs of the volumes q.(b x c), q.(c x a), q.(a x b) say whether the ray meets the
+ * triangle, and their sizes say where. No clipping, projection of vertices or interpolation can go wrong. The near and
+ * far planes only compare the depth found. a x b is exactly -(b x a) in IEEE arithmetic, so two
  * triangles agree about the edge that they share, also when it passes behind the eye.
  *
  * Right-handed, y up, camera at the origin looking along -z; pixel (i, j) has its centre at (i + .5, j + .5), row 0 at

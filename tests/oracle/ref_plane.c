@@ -1,4 +1,4 @@
-/* See ref_plane.h. */
+/* A plane in front of the camera: see ref_plane.h. */
 #include "ref_plane.h"
 
 #include "ref_random.h"

@@ -1,4 +1,4 @@
-/* ref_plane: a plane z = 0 of a model, placed before the camera at the origin; what a picture point sees of it. */
+/* ref_plane: the plane z = 0 of a model, placed in front of the camera, and the point of it that a pixel shows. */
 #ifndef REF_PLANE_H
 #define REF_PLANE_H
 

@@ -1,4 +1,4 @@
-/* See ref_rig.h. */
+/* The renderer and its memory for tests: see ref_rig.h. */
 #include "ref_rig.h"
 
 #include <math.h>

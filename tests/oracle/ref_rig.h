@@ -1,6 +1,6 @@
 /*
- * ref_rig: what the raster tests share: the renderer with all its memory, driven through its public interface only,
- * and the reference's scenes quantised to its meshes (positions Q16.16, normals Q1.14, matrices Q2.30).
+ * ref_rig: the renderer with all its memory, for the raster tests, driven only through its public interface; and the
+ * reference's scenes, quantised to its meshes (positions Q16.16, normals Q1.14, matrices Q2.30).
  */
 #ifndef REF_RIG_H
 #define REF_RIG_H

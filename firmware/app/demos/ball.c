@@ -1,6 +1,7 @@
 /*
- * ball: reflected at the inside of a view frustum (SEEDS row M4; HAW exercise 1). View `outside`: the frustum as lines,
- * its eye at the tip, the camera swings around it; `inside`: through that eye.
+ * ball: a ball is reflected inside a view frustum (source: K. Juenemann, HAW Hamburg, chapter 9, exercise 1). The view
+ * `outside` shows the frustum as lines with its eye at the tip while the camera swings around it; `inside` looks
+ * through that eye.
  *
  * The frustum has 90 degrees both ways: at the distance z it is 2 z wide and high. The ball starts perpendicularly
  * from the right wall; reflections keep its direction a permutation of (+-1, +-1, 0), which is exact, and after the far

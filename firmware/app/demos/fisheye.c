@@ -1,6 +1,6 @@
 /*
- * fisheye: a room seen by a bug's eye of 200 degrees (SEEDS row P9), turning slowly. Walls, floor and ceiling are
- * straight; no matrix draws them like this.
+ * fisheye: a room seen by a bug's eye of 200 degrees, turning slowly (source: S.-E. Yoon, Rendering, KAIST, ch. 4,
+ * common questions). Walls, floor and ceiling are straight; no matrix draws them like this.
  */
 #include "demo_scene.h"
 #include "models.h"

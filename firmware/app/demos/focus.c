@@ -1,6 +1,6 @@
 /*
- * focus: a row of skittles that stretches away, and a lens whose focus wanders along it (SEEDS row M6). Without scratch
- * memory (struct demo_context) everything is sharp.
+ * focus: a row of skittles that stretches away, and a lens whose focus wanders along it (source: S.-E. Yoon,
+ * Rendering, KAIST, ch. 4, common questions). Without scratch memory (struct demo_context) everything is sharp.
  */
 #include "demo_scene.h"
 #include "models.h"

@@ -1,6 +1,7 @@
 /*
- * hitchcock: the zoom of Vertigo (SEEDS row M2). The camera rolls away from a spinning top on its own axis and narrows
- * its field of view, so that the top keeps its size on the screen to the pixel while the colonnade behind it swells.
+ * hitchcock: the zoom of Vertigo (source: LMU Munich, computer graphics, summer 2020, tutorial 4, task 4). The camera
+ * rolls away from a spinning top on its own axis and narrows its field of view, so that the top keeps its size on the
+ * screen to the pixel while the colonnade behind it swells.
  *
  * The top stands in the plane through the origin; its two tips lie on its axis, so its projected height is that of the
  * axis: TOP_HEIGHT / distance / (2 tan(fov / 2)) = TOP_HEIGHT / VIEW_HEIGHT of the picture.

@@ -1,7 +1,8 @@
 /*
- * parallel: rails and a car on them under both projections (SEEDS row M7), side by side, in upright pictures one above
- * the other. Parallel lines stay parallel in the orthographic picture; in the perspective one they meet in the
- * vanishing point, which is where the camera would see the rails' direction: there stands the cross.
+ * parallel: rails and a car on them under both projections, side by side, in upright pictures one above the other
+ * (source: K. Juenemann, HAW Hamburg, chapter 9; S.-E. Yoon, Rendering, KAIST, ch. 4). Parallel lines stay parallel in
+ * the orthographic picture; in the perspective one they meet in the vanishing point, which is where the camera would
+ * see the rails' direction: there stands the cross.
  */
 #include "demo_scene.h"
 #include "models.h"

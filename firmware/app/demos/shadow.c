@@ -1,4 +1,7 @@
-/* shadow: a teapot and a ring throw shadows on the floor by a lamp that circles above them (SEEDS row P8). */
+/*
+ * shadow: a teapot and a ring cast shadows on the floor, lit by a lamp that circles above them (source: K. Juenemann,
+ * HAW Hamburg, chapter 9, self-made shadows).
+ */
 #include "shadow.h"
 #include "demo_scene.h"
 #include "models.h"

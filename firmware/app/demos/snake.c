@@ -1,7 +1,7 @@
 /*
- * snake: seen from a camera on its head, looking where it moves (SEEDS row M5). It plays itself: a closed path, a
- * figure of eight that crosses over itself on a hump, with apples on the way; what was eaten grows again behind it.
- * View `outside` looks at it all from above.
+ * snake: seen from a camera on its head, looking where it moves (source: K. Juenemann, HAW Hamburg, chapter 9,
+ * exercise 3). It plays itself: a closed path, a figure of eight that crosses over itself on a hump, with apples on the
+ * way; what was eaten grows again behind it. View `outside` looks at it all from above.
  *
  * Left and right, pressed in the view from the head, steer it. From the first press on it leaves that path within one
  * cell of a field of 9 x 7 and goes on from cell to cell; a press turns it by a quarter in the next cell, the last one

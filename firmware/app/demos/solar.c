@@ -1,5 +1,6 @@
 /*
- * solar: sun, earth and moon as a scene graph (SEEDS row M3), the camera one of its nodes.
+ * solar: sun, earth and moon as a scene graph; the camera is one of its nodes (source: K. Juenemann, HAW Hamburg,
+ * chapter 9, the sun-earth-moon example).
  *
  *   outside   looks down on all of it
  *   sun, moon from the earth's centre to the sun, to the moon

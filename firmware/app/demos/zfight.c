@@ -1,6 +1,7 @@
 /*
  * zfight: pairs of parallel plates, a yellow one just before a blue one, at growing distances, each pair as large on
- * the screen as the others (SEEDS row D2). Where blue shows through the yellow, the depth buffer can no longer tell
+ * the screen as the others (source: K. Juenemann, HAW Hamburg, chapter 9, and course 4600, notes 4.1, on
+ * z-fighting). Where blue shows through the yellow, the depth buffer can no longer tell
  * them apart. The plates tilt slowly, so that the pattern moves. The label says what the buffer holds; compare the
  * formats with the same frame.
  */

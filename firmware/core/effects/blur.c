@@ -1,18 +1,19 @@
 /*
- * Depth of field: see blur.h. The blur of a pixel is kept in 1/16 px, positive before the focal plane, so that the
- * nearer of two pixels has the larger one.
+ * Depth of field: see blur.h. The blur of a pixel is its radius in 1/16 px, positive in front of the focal plane and
+ * negative behind it. So the nearer of two pixels has the larger blur.
  *
- * N/z is linear in the depth code (the fixed formats, and the floats once unpacked), and so is strength
- * |1 - focal / z|: it is strength focal/N |d - d of focal|. d is used in units of 2^-20; of 24-bit codes 16 bits do.
+ * The depth d = N/z - N/f is linear in the code (of the floats: in the unpacked code), see depth.h. So is the radius:
+ * strength |1 - focal / z| = strength focal / N |d - d of focal|. d is in units of 2^-20; 16 bits of a 24-bit code are
+ * enough.
  */
 #include "blur.h"
 
 #include "colour.h"
 #include "depth.h"
 
-#define WHOLE 2048 /* sum of the shares of a pixel */
+#define WHOLE 2048 /* sum of all weights of a pixel */
 
-/* d of a linear-w code, by way of the distance. */
+/* d of a linear-w code, computed from the distance. */
 static int32_t depth_of_linear(const struct ph_blur *b, uint32_t code)
 {
     const struct ph_lens *lens = &b->lens;
@@ -95,7 +96,7 @@ int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scrat
     return PH_OK;
 }
 
-/* A pixel being mixed: red and blue, green, and what is left for the pixel itself. */
+/* The weighted sum of a pixel: red and blue in one word, green, and the weight that is left for the pixel itself. */
 struct mix {
     uint32_t red_blue, green;
     uint32_t rest;
@@ -107,8 +108,8 @@ static inline uint32_t red_blue_of(uint32_t colour)
 }
 
 /*
- * A neighbour k16 / 16 pixels away gives of its colour what the blur of the nearer of the two spreads that far: all of
- * its pixels up to the radius alike, the last in part; that is 2 radius - 1 pixels in all.
+ * Adds a neighbour k16 / 16 pixels away, if the blur of the nearer of the two pixels reaches that far. All pixels
+ * within the radius have the same weight, 1 / (2 radius - 1); the outermost has a part of it.
  */
 static inline void add(struct mix *m, const struct ph_blur *b, int32_t own, int32_t other, int32_t k16, uint32_t colour)
 {
@@ -129,7 +130,7 @@ static inline uint16_t finish(const struct mix *m, uint32_t colour)
     return (uint16_t)((red_blue >> 27) << 11 | (green >> 11) << 5 | (red_blue >> 11 & 31));
 }
 
-/* Blurs a line of the picture along itself into the ring. */
+/* First pass: blurs a line of the picture along itself, into the ring. */
 static void take_line(struct ph_blur *b, const uint16_t *pixels, const void *depth, int32_t width)
 {
     const uint32_t line = b->drawn++ % b->lines;
@@ -152,16 +153,16 @@ static void take_line(struct ph_blur *b, const uint16_t *pixels, const void *dep
     }
 }
 
-/* Blurs line y of the ring across. */
+/* Second pass: blurs line y of the ring across the lines. */
 static void give_line(const struct ph_blur *b, uint32_t y, uint32_t height, uint32_t width, uint16_t *pixels)
 {
     const uint32_t here = y % b->lines * width;
-    uint32_t at[2 * PH_BLUR_RADIUS_MAX]; /* of the lines y - 1, y + 1, y - 2 .. in the ring */
+    uint32_t at[2 * PH_BLUR_RADIUS_MAX]; /* where lines y - 1, y + 1, y - 2 .. start in the ring */
     int32_t away16[2 * PH_BLUR_RADIUS_MAX];
     uint32_t count = 0;
     for (uint32_t k = 1; k <= b->radius; k++) {
         for (uint32_t side = 0; side < 2; side++) {
-            const uint32_t line = side == 0 ? y - k : y + k; /* above the picture it wraps to a large number */
+            const uint32_t line = side == 0 ? y - k : y + k; /* above the picture it wraps to a large value */
             if (line < height) {
                 away16[count] = (int32_t)(16 * k);
                 at[count++] = line % b->lines * width;

@@ -1,4 +1,4 @@
-/* Planar shadows: see shadow.h. Heights above the plane are Q18.46, so that none of their digits is lost. */
+/* Planar shadows: see shadow.h. Heights above the plane are Q18.46, as exact products of Q2.30 and Q16.16 are. */
 #include "shadow.h"
 
 #include "fisheye.h"
@@ -6,7 +6,7 @@
 #include "setup.h"
 #include "transform.h"
 
-#define CUT         PH_LIT /* in a vertex' code: not between plane and light; shadows are not lit */
+#define OUTSIDE     PH_LIT /* clip code: not between plane and light; the bit is free, as shadows are not lit */
 #define POLYGON_MAX 5
 
 struct cast {
@@ -16,12 +16,12 @@ struct cast {
     const struct ph_plane_equation *plane;
     const struct ph_material *material;
     struct fx_vec3 light;
-    int64_t light_height, highest; /* of the light; of what casts a shadow */
-    struct ph_clip_matrix matrix;  /* world to clip coordinates, a hair nearer */
+    int64_t light_height, highest; /* heights of the light, and of the highest point that casts a shadow */
+    struct ph_clip_matrix matrix;  /* world to clip coordinates, moved towards the viewer */
     struct ph_vertex *vertices;
 };
 
-/* A point of the object. */
+/* A point of the object and its height above the plane. */
 struct caster {
     struct fx_vec3 p;
     int64_t height;
@@ -33,14 +33,14 @@ static int64_t height_of(const struct ph_plane_equation *plane, struct fx_vec3 p
     return fx_mul_wide(n.x, p.x) + fx_mul_wide(n.y, p.y) + fx_mul_wide(n.z, p.z) + fx_mul_wide(plane->d, FX_Q30_ONE);
 }
 
-/* light + (p - light) whole / rest, rounded, saturated; 0 < rest <= whole < 2^30. */
+/* light + (p - light) whole / rest, rounded to nearest, saturated; 0 < rest <= whole < 2^30. */
 static fx_t along_ray(fx_t light, fx_t p, int32_t whole, int32_t rest)
 {
     const int64_t scaled = fx_mul_wide(fx_sub_sat(p, light), whole);
     return fx_sat64(light + (scaled + (scaled < 0 ? -rest : rest) / 2) / rest);
 }
 
-/* Where the ray from the light through a point below `highest` meets the plane. */
+/* Projects a point that is not above `highest` onto the plane, from the light. */
 static struct fx_vec3 shadow_of(const struct cast *c, const struct caster *v)
 {
     int64_t whole = c->light_height, rest = whole - v->height;
@@ -64,7 +64,7 @@ static void transform_vertices(const struct cast *c)
 {
     for (uint32_t i = 0; i < c->mesh->vertex_count; i++) {
         const struct caster v = caster_of(c, i);
-        c->vertices[i].code = CUT;
+        c->vertices[i].code = OUTSIDE;
         if (v.height >= 0 && v.height <= c->highest) {
             const struct fx_vec3 s = shadow_of(c, &v);
             ph_transform(c->r, &c->matrix, &s, &c->vertices[i]);
@@ -74,9 +74,12 @@ static void transform_vertices(const struct cast *c)
     c->r->stats.vertices += c->mesh->vertex_count;
 }
 
-/* ---- what reaches through the plane, or above the light --------------------------------------------------------- */
+/* ---- triangles that reach below the plane or too near to the light ---------------------------------------------- */
 
-/* Where an edge meets a height that lies between its ends; always counted from the same end. */
+/*
+ * The point of an edge at a height between those of its ends. It is computed from the inner end, so that both triangles
+ * of the edge get the same point.
+ */
 static struct caster crossing(const struct caster *inside, const struct caster *outside, int64_t height)
 {
     int64_t part = height - inside->height, whole = (outside->height >> 1) - (inside->height >> 1);
@@ -96,8 +99,8 @@ static struct caster crossing(const struct caster *inside, const struct caster *
     return (struct caster){{at[0], at[1], at[2]}, height};
 }
 
-/* Cuts off what is below (sign 1) or above (sign -1) a height. */
-static int cut(const struct caster *in, int n, struct caster *out, int64_t height, int sign)
+/* Clips a polygon: keeps what is above (sign 1) or below (sign -1) a height. Returns the number of corners left. */
+static int clip_at(const struct caster *in, int n, struct caster *out, int64_t height, int sign)
 {
     int count = 0;
     for (int i = 0; i < n; i++) {
@@ -113,11 +116,11 @@ static int cut(const struct caster *in, int n, struct caster *out, int64_t heigh
     return count;
 }
 
-static void draw_cut(const struct cast *c, const uint16_t index[3])
+static void draw_clipped(const struct cast *c, const uint16_t index[3])
 {
     const struct caster in[3] = {caster_of(c, index[0]), caster_of(c, index[1]), caster_of(c, index[2])};
     struct caster above[POLYGON_MAX], between[POLYGON_MAX];
-    const int n = cut(above, cut(in, 3, above, 0, 1), between, c->highest, -1);
+    const int n = clip_at(above, clip_at(in, 3, above, 0, 1), between, c->highest, -1);
     struct ph_clip_vertex corners[POLYGON_MAX];
     for (int i = 0; i < n; i++) {
         const struct fx_vec3 s = shadow_of(c, &between[i]);
@@ -141,16 +144,19 @@ static void draw_triangle(const struct cast *c, const uint16_t index[3])
         c->r->stats.triangles_culled++;
         return;
     }
-    if ((any & (CUT | PH_CLIP)) != 0 ||
+    if ((any & (OUTSIDE | PH_CLIP)) != 0 ||
         (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
-        draw_cut(c, index);
+        draw_clipped(c, index);
         return;
     }
     c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, v, NULL);
 }
 
-/* Towards the viewer: all of the matrix a little smaller, which the division takes out again; see shadow.h. */
-static void lift(struct ph_clip_matrix *m, const struct ph_lens *lens)
+/*
+ * Moves the shadow towards the viewer, see shadow.h. A smaller matrix gives smaller x, y and w; the division by w
+ * undoes this for x and y.
+ */
+static void move_nearer(struct ph_clip_matrix *m, const struct ph_lens *lens)
 {
     if (lens->kind == PH_ORTHOGRAPHIC) {
         m->t[2] -= fx_mul_wide(lens->far_z / 2048 - lens->near_z / 2048, 1 << 28);
@@ -165,7 +171,7 @@ static void lift(struct ph_clip_matrix *m, const struct ph_lens *lens)
     }
 }
 
-/* Whether the viewer is on the lit side of the plane: by the place of the eye, or parallel, by where it looks from. */
+/* Whether the viewer is on the lit side of the plane. An orthographic camera has no eye: its direction decides. */
 static bool sees_lit_side(const struct ph_renderer *r, const struct ph_plane_equation *plane)
 {
     const struct ph_xform camera = ph_xform_inverse_rigid(&r->view);
@@ -190,7 +196,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
         return PH_ERR_NOMEM;
     }
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
-    lift(&c.matrix, &r->lens);
+    move_nearer(&c.matrix, &r->lens);
     c.vertices = r->config.vertices;
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {

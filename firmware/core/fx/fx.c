@@ -54,13 +54,13 @@ fx_t fx_div_sat(fx_t a, fx_t b)
     }
     int shift;
     const uint32_t r = fx_rcp_norm(d, &shift);
-    uint32_t q = (uint32_t)(fx_mul_wide_u(n, r) >> (46 - shift)); /* r is less than 2^-30 too small: q at most 2 */
+    uint32_t q = (uint32_t)(fx_mul_wide_u(n, r) >> (46 - shift)); /* r is up to 2^-30 too small, q up to 2 */
     uint64_t rest = ((uint64_t)n << 16) - fx_mul_wide_u(q, d);
     while (rest >= d) {
         rest -= d;
         q++;
     }
-    q += 2 * rest > d || (2 * rest == d && !negative); /* a tie goes up */
+    q += 2 * rest > d || (2 * rest == d && !negative); /* a tie rounds up */
     return fx_sat64(negative ? -(int64_t)q : (int64_t)q);
 }
 
@@ -81,13 +81,13 @@ fx_t fx_rcp_sat(fx_t a)
 
 fx_t fx_lerp_sat(fx_t a, fx_t b, fx_t t)
 {
-    const int64_t product = ((int64_t)b - a) * t; /* at most (2^32 - 1) 2^31: fits, also with the half */
+    const int64_t product = ((int64_t)b - a) * t; /* at most (2^32 - 1) 2^31, which fits with the half added */
     return fx_sat64(a + ((product + FX_HALF) >> 16));
 }
 
 uint32_t fx_turn32_from_deg(fx_t deg)
 {
-    /* deg * 2^16 / 360 = deg * 8192 / 45; the whole part of deg / 45 needs no division of 64 bits. */
+    /* deg 2^16 / 360 = deg 8192 / 45. Quotient and remainder of deg / 45 avoid a division of 64 bits. */
     int32_t q = deg / 45;
     int32_t r = deg % 45;
     if (r < 0) {

@@ -2,7 +2,7 @@
 #include "fx.h"
 #include "fx_tangent.h"
 
-/* atan((i - 1) / 64) in 2^-32 turn: one node more at both ends, for differences. */
+/* Entry i is atan((i - 1) / 64) in 2^-32 turn. The first and the last node serve only for differences. */
 static const int32_t arctangent[67] = {
     -10679838, 0,         10679838,  21354465,  32018685,  42667331,  53295284,  63897482,  74468939,  85004756,
     95500135,  105950391, 116350962, 126697423, 136985493, 147211045, 157370116, 167458907, 177473799, 187411349,
@@ -13,9 +13,9 @@ static const int32_t arctangent[67] = {
     509098996, 514828063, 520468494, 526021581, 531488619, 536870912, 542169761,
 };
 
-#define DOUBT 1024 /* in 2^-16 LSB; the parabola through the nodes is at most 740 off */
+#define DOUBT 1024 /* 2^-16 LSB; the error of the parabola through the nodes is at most 740 */
 
-/* Whether lo / hi >= tan of k, in 2^-17 turn. */
+/* Whether lo / hi is at least the tangent of k 2^-17 turn. */
 static int at_least(uint32_t lo, uint32_t hi, uint32_t k)
 {
     const struct fx_ratio r = fx_tangent_ratio(k);
@@ -26,14 +26,17 @@ static int at_least(uint32_t lo, uint32_t hi, uint32_t k)
     return left > right || (left == right && (uint32_t)left_low >= (uint32_t)right_low);
 }
 
-/* Angle whose tangent is lo / hi, 0 <= lo <= hi: 0 .. 8192. Nodes' differences first; near a boundary, exactly. */
+/*
+ * The angle whose tangent is lo / hi, 0 <= lo <= hi: 0 .. 8192. It is interpolated between the nodes; if that is too
+ * near to the middle between two results, an exact comparison decides.
+ */
 static int32_t octant(uint32_t lo, uint32_t hi)
 {
     int shift;
     const uint32_t r = fx_rcp_norm(hi, &shift);
     const uint32_t t = fx_mulhi_u32(lo << shift, r); /* lo / hi in 2^-30 */
     const uint32_t node = (t + ((uint32_t)1 << 23)) >> 24;
-    const int32_t p = (int32_t)(t - (node << 24)); /* from the node, -1/2 .. 1/2 in 2^-24 */
+    const int32_t p = (int32_t)(t - (node << 24)); /* offset from the node, -1/2 .. 1/2 in 2^-24 */
     const int32_t *f = &arctangent[node + 1];
     const int32_t slope = (f[1] - f[-1]) >> 10;
     const int32_t bend = f[1] - 2 * f[0] + f[-1];

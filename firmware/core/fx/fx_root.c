@@ -1,7 +1,7 @@
 /* fx_root: the table of the normalised reciprocal; square roots. See fx.h. */
 #include "fx.h"
 
-/* Entry i: 2^43 / d in the middle of the interval whose d begins with 1 and the eight bits of i. */
+/* Entry i is 2^43 / d in the middle of the interval of all d that begin with a 1 and the eight bits of i. */
 const uint16_t fx_rcp_table[256] = {
     4088, 4072, 4056, 4041, 4025, 4010, 3995, 3979, 3964, 3949, 3935, 3920, 3905, 3891, 3876, 3862, 3848, 3834, 3820,
     3806, 3792, 3779, 3765, 3752, 3738, 3725, 3712, 3699, 3686, 3673, 3660, 3647, 3635, 3622, 3610, 3597, 3585, 3573,
@@ -19,7 +19,7 @@ const uint16_t fx_rcp_table[256] = {
     2083, 2078, 2074, 2070, 2066, 2062, 2058, 2054, 2050,
 };
 
-/* Entry i: 2^23 / sqrt(m) in the middle of the interval whose m has the upper byte 64 + i. */
+/* Entry i is 2^23 / sqrt(m) in the middle of the interval of all m with the upper byte 64 + i. */
 static const uint8_t rsqrt_table[192] = {
     255, 253, 251, 249, 247, 246, 244, 242, 241, 239, 237, 236, 234, 233, 231, 230, 228, 227, 225, 224, 223, 221,
     220, 219, 218, 216, 215, 214, 213, 212, 211, 210, 208, 207, 206, 205, 204, 203, 202, 201, 200, 199, 198, 198,
@@ -32,7 +32,7 @@ static const uint8_t rsqrt_table[192] = {
     132, 132, 132, 131, 131, 131, 130, 130, 130, 130, 129, 129, 129, 129, 128, 128,
 };
 
-/* 2^45 / sqrt(m) of 2^30 <= m < 2^32, relative error < 2^-25: two steps y += y (1 - m y^2) / 2 from the table. */
+/* 2^45 / sqrt(m) for 2^30 <= m < 2^32, relative error < 2^-25, by two Newton steps y += y (1 - m y^2) / 2. */
 static uint32_t rsqrt_norm(uint32_t m)
 {
     uint32_t y = (uint32_t)rsqrt_table[(m >> 24) - 64] << 22;
@@ -45,8 +45,8 @@ static uint32_t rsqrt_norm(uint32_t m)
 }
 
 /*
- * Both roots below take an estimate rounded down, r, and one exact comparison with r + 1/2. For an error of less than
- * 1/2 r may also be one less or one more than the root rounded down; then the nearest is r + 1, and r, all the same.
+ * Both roots compare exactly with r + 1/2, where r is an estimate of the root. It is enough that the estimate before
+ * rounding down is less than 1/2 off: if r is one too small, r + 1 is the nearest, and if one too large, r is.
  */
 fx_t fx_sqrt(fx_t a)
 {
@@ -55,7 +55,7 @@ fx_t fx_sqrt(fx_t a)
     }
     const int shift = fx_clz32((uint32_t)a) & ~1;
     const uint32_t m = (uint32_t)a << shift;
-    const uint32_t r = fx_mulhi_u32(m, rsqrt_norm(m)) >> (5 + shift / 2); /* 2^13 sqrt(m) to 2^8 sqrt(a) */
+    const uint32_t r = fx_mulhi_u32(m, rsqrt_norm(m)) >> (5 + shift / 2); /* from 2^13 sqrt(m) to 2^8 sqrt(a) */
     const int64_t rest = (int64_t)((uint64_t)(uint32_t)a << 16) - (int64_t)fx_mul_wide_u(r, r);
     return (fx_t)(r + (rest > (int64_t)r)); /* above (r + 1/2)^2 = r^2 + r + 1/4 */
 }

@@ -21,7 +21,7 @@ int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
         text[n++] = (char)('0' + whole / unit);
         whole %= unit;
     }
-    uint32_t part = v & 0xffff; /* 65536ths: sixteen digits at most, for each one takes a factor 2 out */
+    uint32_t part = v & 0xffff; /* 65536ths: at most sixteen digits, as each one removes a factor 2 */
     if (part != 0) {
         text[n++] = '.';
     }
@@ -33,10 +33,10 @@ int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
     return n;
 }
 
-/* The number as read: digits with at most one point among them, and what 10 is raised to. */
+/* A number as it was read: digits with at most one point among them, and the exponent's effect. */
 struct decimal {
     const char *first;
-    const char *last;     /* one behind the digits */
+    const char *last;     /* one after the digits */
     int64_t whole_digits; /* before the point, once the exponent has moved it */
     bool negative;
 };
@@ -46,7 +46,7 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* Reads "e-12" at p; *end stays where no digit follows the e. */
+/* Reads an exponent such as "e-12" at p. *end stays as it was if no digit follows the e. */
 static int64_t scan_exponent(const char *p, const char **end)
 {
     if (*p != 'e' && *p != 'E') {
@@ -59,14 +59,14 @@ static int64_t scan_exponent(const char *p, const char **end)
     }
     int64_t e = 0;
     for (; is_digit(*p); *end = ++p) {
-        if (e < INT64_MAX / 100) { /* beyond this no text is long enough to bring it back */
+        if (e < INT64_MAX / 100) { /* no text is long enough to make up for more */
             e = e * 10 + (*p - '0');
         }
     }
     return negative ? -e : e;
 }
 
-/* False where text is no number; otherwise *end is behind it. */
+/* Finds the parts of the number; *end is after it. Returns false if text is no number. */
 static bool scan(const char *text, struct decimal *d, const char **end)
 {
     const char *p = text;
@@ -93,31 +93,21 @@ static bool scan(const char *text, struct decimal *d, const char **end)
     return any;
 }
 
-#define PLACES 17 /* the 17th decimal is the last that a value half an LSB between two others needs */
+#define PLACES 17 /* decimals of a value in the middle between two others */
 #define WHOLE  5  /* digits of 32768 */
 
-/* The digits' sum: whole part, fraction in 10^-17, and whether anything smaller follows. False: too large. */
+static uint64_t power_of_10(int64_t exponent)
+{
+    uint64_t power = 1;
+    for (; exponent > 0; exponent--) {
+        power *= 10;
+    }
+    return power;
+}
+
+/* Adds the digits up: whole part, fraction in 10^-17, and whether any digit is beyond. Returns false if too large. */
 static bool weigh(const struct decimal *d, uint32_t *whole, uint64_t *fraction, bool *rest)
 {
-    static const uint64_t power[PLACES] = {
-        1u,
-        10u,
-        100u,
-        1000u,
-        10000u,
-        100000u,
-        1000000u,
-        10000000u,
-        100000000u,
-        1000000000u,
-        10000000000u,
-        100000000000u,
-        1000000000000u,
-        10000000000000u,
-        100000000000000u,
-        1000000000000000u,
-        10000000000000000u,
-    };
     int64_t place = d->whole_digits - 1;
     *whole = 0;
     *fraction = 0;
@@ -131,9 +121,9 @@ static bool weigh(const struct decimal *d, uint32_t *whole, uint64_t *fraction, 
             return false;
         }
         if (digit != 0 && place >= 0) {
-            *whole += digit * (uint32_t)power[place];
+            *whole += digit * (uint32_t)power_of_10(place);
         } else if (digit != 0 && place >= -PLACES) {
-            *fraction += digit * power[PLACES + place];
+            *fraction += digit * power_of_10(PLACES + place);
         } else if (digit != 0) {
             *rest = true;
         }
@@ -159,7 +149,7 @@ int fx_from_text(const char *text, fx_t *out, const char **end)
     if (!weigh(&d, &whole, &part, &rest)) {
         return PH_ERR_RANGE;
     }
-    const uint64_t one = 100000000000000000u; /* 10^17 */
+    const uint64_t one = power_of_10(PLACES);
     uint64_t v = whole;
     for (int i = 0; i < 16; i++) {
         part *= 2;
@@ -167,7 +157,7 @@ int fx_from_text(const char *text, fx_t *out, const char **end)
         part -= part >= one ? one : 0;
     }
     const uint64_t twice = 2 * part;
-    v += twice > one || (twice == one && (rest || !d.negative)); /* a tie goes up */
+    v += twice > one || (twice == one && (rest || !d.negative)); /* a tie rounds up */
     if (v > (uint64_t)FX_MAX + d.negative) {
         return PH_ERR_RANGE;
     }

@@ -1,8 +1,10 @@
-/* fx_trig: sine, cosine, tangent, arctangent. See fx.h. */
+/* fx_trig: sine, cosine, tangent. See fx.h. */
 #include "fx.h"
 #include "fx_tangent.h"
 
-/* sin(k pi / 128) in 2^-32, rounded down, so that one as 1 - 2^-32 is no worse than the rest; a half is added later. */
+#include <stdbool.h>
+
+/* Entry k is sin(k pi / 128) in 2^-32, rounded down, so that even 1 fits as 1 - 2^-32; SINE_HALF makes up for it. */
 static const uint32_t sine[65] = {
     0x00000000, 0x0648557d, 0x0c8fb2f8, 0x12d52092, 0x1917a6bc, 0x1f564e56, 0x259020dd, 0x2bc42889, 0x31f17078,
     0x381704d4, 0x3e33f2f6, 0x4447498a, 0x4a5018bb, 0x504d7250, 0x563e69d6, 0x5c2214c3, 0x61f78a9a, 0x67bde50e,
@@ -20,8 +22,8 @@ struct sincos {
 };
 
 /*
- * In 2^-36, of an angle below a quarter turn (2^30). The nearest of 65 nodes, turned by what remains, |d| < 0.0123 rad:
- * sin d = d - d^3/6 and cos d = 1 - h, h = d^2/2 - d^4/24, both to 2^-38.
+ * Sine and cosine, in 2^-36, of an angle f below a quarter turn (2^30). The nearest of 65 nodes is turned by the rest
+ * d, |d| < 0.0123 rad, with sin d = d - d^3/6 and cos d = 1 - h, h = d^2/2 - d^4/24, both to 2^-38.
  */
 static struct sincos quarter(uint32_t f)
 {
@@ -41,31 +43,17 @@ static struct sincos quarter(uint32_t f)
     };
 }
 
-/* Sine and cosine in 2^-(36 - drop): rounded in the first quarter turn, then turned, so the four quarters mirror. */
+/* Sine and cosine in 2^-(36 - drop), rounded in the first quarter turn and then turned: so the four quarters mirror. */
 static void rounded(uint32_t turn32, int drop, int32_t *sin_out, int32_t *cos_out)
 {
     const struct sincos v = quarter(turn32 & (((uint32_t)1 << 30) - 1));
     const int64_t half = ((int64_t)1 << (drop - 1)) + SINE_HALF;
     const int32_t s = (int32_t)((v.sine + half) >> drop);
     const int32_t c = (int32_t)((v.cosine + half) >> drop);
-    switch (turn32 >> 30) {
-    case 0:
-        *sin_out = s;
-        *cos_out = c;
-        break;
-    case 1:
-        *sin_out = c;
-        *cos_out = -s;
-        break;
-    case 2:
-        *sin_out = -s;
-        *cos_out = -c;
-        break;
-    default:
-        *sin_out = -c;
-        *cos_out = s;
-        break;
-    }
+    const bool quarter_turn = (turn32 >> 30 & 1) != 0, half_turn = turn32 >> 31 != 0;
+    const int32_t turned_s = quarter_turn ? c : s, turned_c = quarter_turn ? -s : c;
+    *sin_out = half_turn ? -turned_s : turned_s;
+    *cos_out = half_turn ? -turned_c : turned_c;
 }
 
 void fx_sincos_q30(uint32_t turn32, int32_t *sin_q30, int32_t *cos_q30)
@@ -99,15 +87,15 @@ static uint64_t mulhi64(uint64_t a, uint64_t b)
     return fx_mul_wide_u(ah, bh) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
 }
 
-/* Lambert's continued fraction, x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a pair without division. */
+/* Lambert's continued fraction x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a ratio without division. */
 struct fx_ratio fx_tangent_ratio(uint32_t k)
 {
-    const uint64_t x = mulhi64((uint64_t)k << 49, 0xc90fdaa22168c234u); /* pi/4 in 2^-64: x in 2^-63 */
+    const uint64_t x = mulhi64((uint64_t)k << 49, 0xc90fdaa22168c234u); /* the factor is pi/4 in 2^-64; x is in 2^-63 */
     const uint64_t xx = mulhi64(x, x) << 1;                             /* 2^-63 */
     uint64_t a = (uint64_t)25 << 54;
     uint64_t b = (uint64_t)1 << 54;
     for (int n = 23; n > 0; n -= 2) {
-        if (a >> 58 != 0) { /* room for the factor n */
+        if (a >> 58 != 0) { /* makes room for the factor n */
             a >>= 5;
             b >>= 5;
         }

@@ -1,4 +1,4 @@
-/* Views, placements and projections in other words: see camera.h. */
+/* Further ways to state views, placements and projections: see camera.h. */
 #include "camera.h"
 
 static struct fx_vec3 opposite(struct fx_vec3 v)
@@ -26,7 +26,7 @@ int ph_camera_from(enum ph_convention convention, struct ph_xform *view, fx_t *n
     return PH_OK;
 }
 
-/* The rotation r with the camera at `position`: t = -r position. */
+/* The view of a camera at `position`: t = -r position. */
 static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3 position)
 {
     struct ph_xform view = *rotation;
@@ -34,22 +34,10 @@ static struct ph_xform view_from(const struct ph_xform *rotation, struct fx_vec3
     return view;
 }
 
-static struct ph_xform transposed(const struct ph_xform *a)
-{
-    struct ph_xform m = ph_xform_identity;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            m.r[i][j] = a->r[j][i];
-        }
-    }
-    return m;
-}
-
 struct ph_xform ph_view_quat(struct fx_quat orientation, struct fx_vec3 position)
 {
     const struct ph_xform camera = ph_xform_quat(fx_quat_normalise(orientation), position);
-    const struct ph_xform rotation = transposed(&camera);
-    return view_from(&rotation, position);
+    return ph_xform_inverse_rigid(&camera);
 }
 
 struct ph_xform ph_view_rotate_translate(struct fx_vec3 axis, uint32_t turn32, struct fx_vec3 position)
@@ -74,9 +62,9 @@ struct ph_xform ph_view_phigs(struct fx_vec3 vrp, struct fx_vec3 vpn, struct fx_
 
 struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target, struct fx_vec3 up)
 {
-    /* An object's +z is where a camera's -z is: look from the target's side. */
+    /* An object's +z is a camera's -z: the camera that gives its axes stands at the target and looks back. */
     const struct ph_xform view = ph_view_look_at(target, position, up);
-    struct ph_xform placed = transposed(&view);
+    struct ph_xform placed = ph_xform_inverse_rigid(&view);
     placed.t = position;
     return placed;
 }
@@ -125,7 +113,7 @@ int ph_projection_resize(struct ph_projection *p, fx_t aspect)
 
 static fx_t size_at(int32_t scale_q20, int64_t twice_z)
 {
-    if (scale_q20 <= 0) { /* no such volume */
+    if (scale_q20 <= 0) { /* not a valid volume */
         return FX_MAX;
     }
     const int64_t size = ((twice_z << 20) + scale_q20 / 2) / scale_q20;
@@ -141,7 +129,7 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
 
 fx_t ph_fov_of(fx_t height, fx_t distance)
 {
-    /* Twice the angle of (2 distance, height), by bisection over half a turn: the arctangent's 16 bits are too few. */
+    /* Twice the angle of (2 distance, height), by bisection over half a turn; the 16 bits of fx_atan2 are too few. */
     uint32_t low = 0, high = (uint32_t)1 << 31;
     for (int i = 0; i < 31; i++) {
         const uint32_t middle = low + (high - low) / 2;
@@ -178,9 +166,9 @@ int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, 
         if (!parent_is_before(nodes, i) || camera >= count) {
             return PH_ERR_INVAL;
         }
-        seen[i] = (struct ph_xform){{{0}}, {0, 0, 0}}; /* not yet known: no rotation has a row of zeros */
+        seen[i] = (struct ph_xform){{{0}}, {0, 0, 0}}; /* marks it as not known yet: no rotation has a row of zeros */
     }
-    struct ph_xform up = ph_xform_identity; /* from the camera towards its root, last the world */
+    struct ph_xform up = ph_xform_identity; /* from the camera through its ancestors to the world */
     for (int32_t i = count > 0 ? (int32_t)camera : -1; i >= 0; i = nodes[i].parent) {
         const struct ph_xform inverse = ph_xform_inverse_rigid(&nodes[i].local);
         seen[i] = up;

@@ -5,7 +5,6 @@
  *   ph_matvec_prepare(matvec, matrix)   once for each mesh; keeps a pointer to the matrix
  *   ph_matvec_in_range(matvec, p)       whether the fast form is exact for p
  *   ph_matvec_near(matvec, p)           the fast form: exactly ph_matrix_mul(matrix, p), if p is in range
- *   ph_matvec_mul(matvec, p)            the same for any point
  *
  * This one is for CPUs on which a product of 64 bits costs little. Positions are taken 2^4 times as large, so that the
  * high word of the sum is the result.
@@ -64,11 +63,6 @@ static inline struct fx_vec3 ph_matvec_near(const struct ph_matvec *matvec, cons
     const int32_t x16 = p->x * 16, y16 = p->y * 16, z16 = p->z * 16;
     return (struct fx_vec3){ph_row_high(&matvec->row[0], x16, y16, z16), ph_row_high(&matvec->row[1], x16, y16, z16),
                             ph_row_high(&matvec->row[2], x16, y16, z16)};
-}
-
-static inline struct fx_vec3 ph_matvec_mul(const struct ph_matvec *matvec, const struct fx_vec3 *p)
-{
-    return ph_matvec_in_range(matvec, p) ? ph_matvec_near(matvec, p) : ph_matrix_mul(matvec->matrix, p);
 }
 
 #endif

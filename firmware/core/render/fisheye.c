@@ -1,30 +1,32 @@
 /*
- * Fisheye: r = f theta. A straight edge becomes a curve, so triangles and lines are divided until their edges are
- * straight enough, and the pieces go the way of all triangles. See fisheye.h.
+ * The fisheye is the equidistant projection: a point at the angle theta from the view direction lies r = f theta from
+ * the centre of the picture. See fisheye.h.
  *
- * An edge is divided where the line that halves the angle between its ends meets it: when the pictures of its ends are
- * further apart than 1/20 turn, or when the picture of the dividing point is more than 1/2 px off the straight line.
- * (Edges below sqrt(f) pixels are never more than 1/4 px off; edges below 2^-5 radian are left alone.) All of this, the
- * dividing point included, depends on the edge's ends alone, so two triangles that share an edge divide it alike and no
- * crack opens. One edge is divided at a time, the widest: a triangle becomes two, one of which waits on a stack.
+ * A straight edge becomes a curve. So triangles and lines are subdivided until their edges are straight enough, and the
+ * pieces are drawn like all triangles. An edge is divided where the bisector of the angle between its ends meets it.
+ * It is divided when its ends are more than 1/20 turn apart in the picture, or when the projected dividing point is
+ * more than 1/2 px off the straight line. Edges below sqrt(f) pixels are at most 1/4 px off and are not tested; edges
+ * below 2^-5 radian are never divided. All of this depends on the ends of the edge alone, so two triangles that share
+ * an edge divide it alike and no crack opens. The widest edge is divided first: the triangle becomes two, and one of
+ * them waits on a stack.
  *
- * Depth is the distance from the eye; near and far plane are spheres. N/distance is interpolated linearly over a piece
- * like N/w in a perspective; along 1/20 turn it is less than 1/80 off. Around the direction straight backwards a point
- * of the scene becomes a circle of the picture: pieces are cut off 10 degrees from there.
+ * Depth is the distance from the eye, so the near and the far plane are spheres. N/distance is interpolated linearly
+ * over a piece, as N/w is in a perspective; over 1/20 turn its error is below 1/80. The point straight behind the eye
+ * would become a circle in the picture: pieces are clipped 10 degrees before it.
  */
 #include "fisheye.h"
 
 #include "setup.h"
 
-#define LONG        20                 /* edges longer than this part of a turn are divided always */
-#define SHORT       ((int64_t)1 << 48) /* edges below 2^-5 radian are not; squared Q29 */
-#define DEPTH       20
-#define POOL        (DEPTH + 3)            /* vertices alive */
-#define SPLITS_MAX  4096                   /* of one triangle */
-#define REACH       (2048 * 256)           /* set-up takes coordinates up to here, 1/256 px from the centre */
+#define LONG        20                     /* edges longer than this part of a turn are divided always */
+#define SHORT       ((int64_t)1 << 48)     /* shorter edges, below 2^-5 radian, never are; squared Q29 */
+#define DEPTH       20                     /* pieces that wait on the stack */
+#define POOL        (DEPTH + 3)            /* vertices in use at a time */
+#define SPLITS_MAX  4096                   /* divisions of one triangle */
+#define REACH       (2048 * 256)           /* set-up takes coordinates up to here from the centre, 1/256 px */
 #define BLIND       ((uint32_t)2028179001) /* 170 degrees in turn32 */
-#define STEPS_ROOT  17
-#define STEPS_ANGLE 28
+#define STEPS_ROOT  17                     /* CORDIC steps for a length alone */
+#define STEPS_ANGLE 28                     /* for length and angle */
 
 /* atan 2^-i in turn32. */
 static const uint32_t arctangent[STEPS_ANGLE] = {
@@ -33,7 +35,10 @@ static const uint32_t arctangent[STEPS_ANGLE] = {
     652,       326,       163,       81,       41,       20,       10,       5,
 };
 
-/* Turns (x, y), both 0 .. 2^30 / sqrt 2, onto the x axis (Volder 1959). Returns its length; *angle in turn32. */
+/*
+ * Turns the vector (along, across), both 0 .. 2^30 / sqrt 2, onto the x axis by CORDIC (J. Volder, 1959). Returns its
+ * length; *angle is in turn32.
+ */
 static uint32_t cordic(uint32_t along, uint32_t across, int steps, uint32_t *angle)
 {
     int32_t x = (int32_t)along, y = (int32_t)across;
@@ -46,21 +51,21 @@ static uint32_t cordic(uint32_t along, uint32_t across, int steps, uint32_t *ang
         sum += above ? arctangent[i] : 0u - arctangent[i];
     }
     *angle = (int32_t)sum < 0 ? 0 : sum;
-    return fx_mulhi_u32((uint32_t)x, 2608131496u); /* the steps have made it 1.647 times as long */
+    return fx_mulhi_u32((uint32_t)x, 2608131496u); /* the steps make it 1.647 times as long */
 }
 
-/* A direction: off the axis by theta (turn32), and away from it by (x, y) / rho; and the distance. */
+/* A point in polar coordinates: theta (turn32) from the axis, in the direction (x, y) / rho around it. */
 struct polar {
     int32_t x, y;
     uint32_t rho, theta;
     int32_t w;
-    uint32_t length; /* of (x, y, w) */
-    fx_t distance;
+    uint32_t length; /* of (x, y, w), which are scaled */
+    fx_t distance;   /* the same in Q16.16 */
 };
 
 static struct polar polar_of(int32_t x, int32_t y, int32_t w)
 {
-    const int shift = fx_clz32(fx_magnitude(x) | fx_magnitude(y) | fx_magnitude(w)) - 3; /* the largest to 29 bits */
+    const int shift = fx_clz32(fx_magnitude(x) | fx_magnitude(y) | fx_magnitude(w)) - 3; /* largest to 29 bits */
     uint32_t angle;
     struct polar p = {0};
     if (shift >= 0) {
@@ -82,13 +87,13 @@ static struct polar polar_of(int32_t x, int32_t y, int32_t w)
     return p;
 }
 
-/* x / length in Q2.29 from the reciprocal of length; |x| <= length < 2^30, or a few units more. */
+/* x / length in Q2.29, from the reciprocal of length. |x| may exceed length < 2^30 by a few units. */
 static int32_t share(int32_t x, uint32_t reciprocal, int shift)
 {
     return (int32_t)(fx_mul_wide((int32_t)((uint32_t)x << (shift - 2)), (int32_t)(reciprocal >> 1)) >> 30);
 }
 
-/* The same times r: from 16.16 px to 1/256 px. */
+/* x / length times r, in 1/256 px; r is in 16.16 px. */
 static int32_t offset(int32_t x, uint32_t reciprocal, int shift, uint32_t r)
 {
     return (int32_t)((fx_mul_wide(share(x, reciprocal, shift), (int32_t)r) + ((int64_t)1 << 36)) >> 37);
@@ -105,6 +110,12 @@ static struct screen place(const struct ph_lens *lens, const struct polar *p)
     const uint32_t r = fx_mulhi_u32(p->theta, lens->turn_px);
     return (struct screen){lens->centre_x + offset(p->x, reciprocal, shift, r),
                            lens->centre_y + offset(p->y, reciprocal, shift, r)};
+}
+
+/* Whether set-up cannot take the position. */
+static bool is_beyond(const struct ph_lens *lens, const struct screen *s)
+{
+    return fx_magnitude(s->x - lens->centre_x) > REACH || fx_magnitude(s->y - lens->centre_y) > REACH;
 }
 
 void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height)
@@ -125,8 +136,7 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
         v->x = s.x;
         v->y = s.y;
         ph_vertex_depth(v, ph_depth_quotient(lens, p.distance));
-        v->code =
-            fx_magnitude(s.x - lens->centre_x) > REACH || fx_magnitude(s.y - lens->centre_y) > REACH ? PH_GUARD : 0;
+        v->code = is_beyond(lens, &s) ? PH_GUARD : 0;
     }
 }
 
@@ -143,7 +153,7 @@ bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, 
            square_of(c->x, c->y, a->x, a->y) <= limit;
 }
 
-/* A vertex of the subdivision: clip.w is along the view, clip.z the distance. */
+/* A vertex of the subdivision. clip.w is the distance along the view, clip.z the distance from the eye. */
 struct vertex {
     struct ph_clip_vertex clip;
     struct screen at;
@@ -164,7 +174,7 @@ static struct vertex vertex_of(const struct ph_lens *lens, const struct ph_clip_
     return v;
 }
 
-/* Square of the distance of two directions, Q58: of the angle between them, if it is small. */
+/* The square of the distance between two unit vectors, Q58. For a small angle it is the square of the angle. */
 static int64_t apart2(const struct vertex *a, const struct vertex *b)
 {
     int64_t sum = 0;
@@ -179,7 +189,7 @@ static bool is_before(const struct ph_clip_vertex *a, const struct ph_clip_verte
     return a->x != b->x ? a->x < b->x : a->y != b->y ? a->y < b->y : a->w < b->w;
 }
 
-/* Where the edge is divided: at t = |a| / (|a| + |b|), from the end that comes first whoever asks. */
+/* Divides an edge at t = |a| / (|a| + |b|). The order of the two ends does not change the point. */
 static struct vertex divide(const struct ph_lens *lens, const struct vertex *v, const struct vertex *w)
 {
     const bool swap = is_before(&w->clip, &v->clip);
@@ -187,7 +197,7 @@ static struct vertex divide(const struct ph_lens *lens, const struct vertex *v, 
     int shift;
     const uint32_t reciprocal = fx_rcp_norm((uint32_t)a->z + (uint32_t)b->z, &shift);
     const int32_t t = (int32_t)fx_mulhi_u32((uint32_t)a->z << shift, reciprocal);
-    const struct ph_clip_vertex middle = ph_clip_between(a, b, t); /* its distance is not on the chord: vertex_of */
+    const struct ph_clip_vertex middle = ph_clip_between(a, b, t); /* vertex_of sets its distance */
     return vertex_of(lens, &middle);
 }
 
@@ -201,7 +211,7 @@ static uint64_t longest2(const struct ph_lens *lens)
     return (uint64_t)fx_mul_wide(lens->chord_max, lens->chord_max);
 }
 
-/* Whether an edge that is not too long bends by more than 1/2 px: distance of its middle from the chord. */
+/* Whether an edge that is not too long bends: its dividing point is more than 1/2 px off the chord. */
 static bool bends(const struct ph_lens *lens, const struct vertex *a, const struct vertex *b)
 {
     if (chord2(a, b) <= lens->chord_min2 || apart2(a, b) < SHORT) {
@@ -220,12 +230,15 @@ static bool is_long(const struct ph_lens *lens, const struct vertex *a, const st
     return chord2(a, b) > longest2(lens) && apart2(a, b) >= SHORT;
 }
 
-/* All outside one side of the picture, by half of the longest chord: however they bend, the edges do not reach it. */
+/*
+ * Whether all vertices are beyond one side of the picture by half of the longest chord or more. Then no edge reaches
+ * the picture, however it bends.
+ */
 static bool misses_picture(const struct ph_renderer *r, const struct vertex *const v[], int n)
 {
     uint64_t longest = 0;
     int64_t margin = 256;
-    for (int i = 1; i < n; i++) { /* of three edges one is at most the sum of the others */
+    for (int i = 1; i < n; i++) { /* the third edge is at most the sum of these two */
         const uint64_t chord = chord2(v[0], v[i]);
         longest = chord > longest ? chord : longest;
     }
@@ -242,11 +255,6 @@ static bool misses_picture(const struct ph_renderer *r, const struct vertex *con
     return outside != 0;
 }
 
-static bool is_beyond(const struct ph_lens *lens, const struct screen *s)
-{
-    return fx_magnitude(s->x - lens->centre_x) > REACH || fx_magnitude(s->y - lens->centre_y) > REACH;
-}
-
 static struct ph_corner corner_of(const struct ph_lens *lens, const struct ph_clip_vertex *v, const struct screen *s)
 {
     const struct ph_quotient depth = ph_depth_quotient(lens, v->z);
@@ -255,11 +263,11 @@ static struct ph_corner corner_of(const struct ph_lens *lens, const struct ph_cl
 
 /* ---- triangles ------------------------------------------------------------------------------------------------ */
 
-/* A piece that waits. */
+/* A piece of a triangle that waits on the stack. */
 struct piece {
     uint8_t corner[3]; /* indices into the pool */
     uint8_t straight;  /* bit k: the edge opposite corner k need not be divided */
-    uint8_t used;      /* vertices of the pool up to this one are needed */
+    uint8_t used;      /* the piece needs the first `used` vertices of the pool */
 };
 
 struct division {
@@ -282,7 +290,7 @@ static const struct vertex *to_of(const struct vertex *const v[3], int edge)
     return v[next_corner[edge + 1]];
 }
 
-/* The widest of the edges in the mask `edges`, or -1. */
+/* The widest edge of those in the mask `edges`, or -1. */
 static int widest(const struct vertex *const v[3], unsigned edges)
 {
     int64_t most = 0;
@@ -306,7 +314,7 @@ static int edge_to_divide(const struct ph_lens *lens, struct piece *p, const str
     return widest(v, edges);
 }
 
-/* Divides p; *p becomes one half, the other is returned. */
+/* Divides a piece. *p becomes one half; the other half is returned. */
 static struct piece divide_piece(struct division *d, struct piece *p, int edge)
 {
     const int from = next_corner[edge], to = next_corner[edge + 1];
@@ -320,12 +328,12 @@ static struct piece divide_piece(struct division *d, struct piece *p, int edge)
     return other;
 }
 
-/* A polygon of n = 2 or more corners cut by the spheres and by the cone of what is blind; returns the corners left. */
+/* Clips n = 2 or more corners to near and far sphere and to the cone that is visible. Returns the corners left. */
 static int clip_polygon(const struct ph_lens *lens, struct ph_clip_vertex *polygon, int n)
 {
     struct ph_clip_vertex cut[PH_CLIP_MAX];
     n = ph_clip(lens, polygon, n, cut);
-    for (int i = 0; i < n; i++) { /* the cone: as a far plane of half of the angle */
+    for (int i = 0; i < n; i++) { /* the cone is clipped as a far plane: half the angle is z */
         cut[i].z = (int32_t)(polar_of(cut[i].x, cut[i].y, cut[i].w).theta / 2);
     }
     const struct ph_lens cone = {.kind = PH_FISHEYE, .near_z = -1, .far_z = (int32_t)(BLIND / 2)};
@@ -335,7 +343,7 @@ static int clip_polygon(const struct ph_lens *lens, struct ph_clip_vertex *polyg
 static struct ph_corner clipped_corner(const struct ph_lens *lens, const struct ph_clip_vertex *v, bool *beyond)
 {
     struct vertex at = vertex_of(lens, v);
-    /* the distance along an edge is not linear: a cut point is off its sphere by as much as 1/80 */
+    /* the distance is not linear along an edge: a clipped point may be 1/80 off its sphere */
     at.clip.z = at.clip.z < lens->near_z ? lens->near_z : at.clip.z > lens->far_z ? lens->far_z : at.clip.z;
     *beyond |= is_beyond(lens, &at.at);
     return corner_of(lens, &at.clip, &at.at);
@@ -380,7 +388,7 @@ static void draw_piece(struct division *d, const struct vertex *const v[3])
     d->any |= !beyond && ph_setup_corners(d->r, d->material, &corners[0], &corners[1], &corners[2]);
 }
 
-/* Draws the piece, or divides it: then top[1] waits too, and true is returned. */
+/* Draws the piece on top of the stack, or divides it into top[0] and top[1]; then it returns true. */
 static bool take_piece(struct division *d, struct piece *top)
 {
     const struct vertex *const v[3] = {&d->pool[top->corner[0]], &d->pool[top->corner[1]], &d->pool[top->corner[2]]};
@@ -408,7 +416,7 @@ static bool take_piece(struct division *d, struct piece *top)
     return true;
 }
 
-/* A vector scaled down until its components have 30 bits at most. */
+/* Scales a vector down until its components have at most 30 bits. */
 static void fit(const int64_t in[3], int32_t out[3])
 {
     const int64_t all = (in[0] < 0 ? ~in[0] : in[0]) | (in[1] < 0 ? ~in[1] : in[1]) | (in[2] < 0 ? ~in[2] : in[2]);
@@ -420,8 +428,8 @@ static void fit(const int64_t in[3], int32_t out[3])
 }
 
 /*
- * Whether the triangle shows its back: the sign of a . ((b - a) x (c - a)), good to 2^-27 of a radian. The pieces of a
- * triangle seen almost edge-on may be turned either way by the rounding of their edges, so it is decided here.
+ * Whether the triangle is a back face: the sign of a . ((b - a) x (c - a)), exact to 2^-27 radian. It is decided for
+ * the whole triangle, because rounding may turn pieces of one seen edge-on either way.
  */
 static bool faces_away(const struct ph_clip_vertex in[3])
 {
@@ -482,7 +490,7 @@ static void draw_line_piece(struct ph_renderer *r, const struct ph_material *mat
     }
 }
 
-/* From the first end on: the piece up to the end on top of the stack is drawn, or its middle comes onto it. */
+/* The ends still to be reached wait on a stack. A piece is drawn, or its dividing point is pushed onto the stack. */
 void ph_fisheye_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex ends[2])
 {
     const struct ph_lens *lens = &r->lens;

@@ -109,9 +109,4 @@ static inline struct fx_vec3 ph_matvec_near(const struct ph_matvec *matvec, cons
                             ph_row_of_digits(&matvec->row[2], x, y, z)};
 }
 
-static inline struct fx_vec3 ph_matvec_mul(const struct ph_matvec *matvec, const struct fx_vec3 *p)
-{
-    return ph_matvec_in_range(rows, p) ? ph_matvec_near(rows, p) : ph_matrix_mul(matvec->matrix, p);
-}
-
 #endif

@@ -1,7 +1,7 @@
-/* 4x4 matrices as the documents write them: see camera.h. */
+/* 4 x 4 matrices as the textbooks write them: see camera.h. */
 #include "camera.h"
 
-/* Four products of up to 2^62: their low two bits go before the sum. */
+/* A row times a vector. The products are up to 2^62, so each loses its low two bits before the sum. */
 static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
 {
     const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
@@ -54,21 +54,21 @@ struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention co
     return m;
 }
 
-/* a / b to Q16.16, nearest; b > 0; |a| < 2^46. */
+/* a / b in Q16.16, rounded to nearest; b > 0, |a| < 2^46. */
 static int64_t quotient(int64_t a, int64_t b)
 {
     const int64_t scaled = a * FX_ONE;
     return (scaled >= 0 ? scaled + b / 2 : scaled - b / 2) / b;
 }
 
-/* f n / (f - n), times 1 or 2, to Q16.16: n + n^2 / (f - n) keeps the product in range. */
+/* times f n / (f - n) in Q16.16, computed as n + n^2 / (f - n), which stays in range. */
 static int64_t product_quotient(int64_t n, int64_t f, int64_t times)
 {
     const int64_t square = times * n * n, range = f - n;
     return times * n + (square + range / 2) / range;
 }
 
-/* Third row of a projection matrix: coefficients of z and 1. */
+/* The third row of a projection matrix: its factors of z and of 1. */
 static void depth_row(const struct ph_projection *p, enum ph_convention convention, int64_t *z, int64_t *one)
 {
     const int64_t n = p->near_z, f = p->far_z, range = f - n;
@@ -80,25 +80,13 @@ static void depth_row(const struct ph_projection *p, enum ph_convention conventi
                                          : -quotient(f + n, range);
         return;
     }
-    const int64_t unit = quotient(FX_ONE, range);
-    switch (convention) {
-    case PH_D3D:
-        *z = unit;
-        *one = -quotient(n, range);
-        break;
-    case PH_REVERSED:
-        *z = unit;
-        *one = quotient(f, range);
-        break;
-    case PH_LMU:
-        *z = quotient(2 * (int64_t)FX_ONE, range);
-        *one = quotient(f + n, range);
-        break;
-    default:
-        *z = -quotient(2 * (int64_t)FX_ONE, range);
-        *one = -quotient(f + n, range);
-        break;
-    }
+    const int64_t unit = quotient(FX_ONE, range), twice = quotient(2 * (int64_t)FX_ONE, range);
+    const int64_t middle = quotient(f + n, range);
+    *z = convention == PH_D3D || convention == PH_REVERSED ? unit : convention == PH_LMU ? twice : -twice;
+    *one = convention == PH_D3D        ? -quotient(n, range)
+           : convention == PH_REVERSED ? quotient(f, range)
+           : convention == PH_LMU      ? middle
+                                       : -middle;
 }
 
 static fx_t from_q20(int32_t v)
@@ -135,7 +123,7 @@ int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enu
     m.m[0][2] = forward ? left : p->shift_x;
     m.m[1][2] = forward ? down : p->shift_y;
     m.m[3][2] = forward ? FX_ONE : -FX_ONE;
-    if (convention == PH_LMU) { /* the whole of clip space is negative for what is visible */
+    if (convention == PH_LMU) { /* w is negative for visible points: x and y change their sign, too */
         m.m[0][0] = -sx;
         m.m[1][1] = -sy;
     }

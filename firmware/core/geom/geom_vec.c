@@ -21,7 +21,7 @@ struct fx_vec3 fx_vec3_lerp_sat(struct fx_vec3 a, struct fx_vec3 b, fx_t t)
     return (struct fx_vec3){fx_lerp_sat(a.x, b.x, t), fx_lerp_sat(a.y, b.y, t), fx_lerp_sat(a.z, b.z, t)};
 }
 
-/* a b - c d of Q16.16 numbers, rounded once. The difference of two products of 2^62 still fits. */
+/* a b - c d of Q16.16 numbers, rounded once. The products are halved, so that their difference fits. */
 static fx_t cross_term(fx_t a, fx_t b, fx_t c, fx_t d)
 {
     const int64_t half_sum = (fx_mul_wide(a, b) >> 1) - (fx_mul_wide(c, d) >> 1);
@@ -36,7 +36,7 @@ struct fx_vec3 fx_vec3_cross_sat(struct fx_vec3 a, struct fx_vec3 b)
 
 fx_t fx_vec3_dot_sat(struct fx_vec3 a, struct fx_vec3 b)
 {
-    /* Three products of up to 2^62 do not fit 64 bits: the low two bits are dropped first. */
+    /* The sum of three products of up to 2^62 does not fit 64 bits, so each loses its low two bits. */
     const int64_t quarter = (fx_mul_wide(a.x, b.x) >> 2) + (fx_mul_wide(a.y, b.y) >> 2) + (fx_mul_wide(a.z, b.z) >> 2);
     return fx_sat64((quarter + (1 << 13)) >> 14);
 }
@@ -65,7 +65,7 @@ fx_t fx_vec3_length_sat(struct fx_vec3 a)
     return root >= (uint32_t)FX_MAX ? FX_MAX : (fx_t)(root + up);
 }
 
-/* The vector scaled by a power of two so that its largest of n components lies in 2^28 .. 2^29; false for zero. */
+/* Scales n components by a power of two, so that the largest is in 2^28 .. 2^29. Returns false for the zero vector. */
 static bool normalise_shift(const int64_t *in, int32_t *out, int n)
 {
     uint64_t largest = 0;
@@ -84,7 +84,7 @@ static bool normalise_shift(const int64_t *in, int32_t *out, int n)
     return true;
 }
 
-/* n components, scaled to length one in Q2.30. */
+/* Scales n components to length one, in Q2.30. Returns false for the zero vector. */
 static bool unit_q30(const int64_t *in, int32_t *out, int n)
 {
     if (!normalise_shift(in, out, n)) {
@@ -94,7 +94,7 @@ static bool unit_q30(const int64_t *in, int32_t *out, int n)
     for (int i = 0; i < n; i++) {
         sum += fx_mul_wide_u(fx_magnitude(out[i]), fx_magnitude(out[i])); /* <= 4 * 2^58 */
     }
-    /* 32 bits of root: length in 2^-2 units of the components. */
+    /* The root has 32 bits: it is the length in 2^-2 units of the components. */
     const int64_t length = sqrt_u64(sum << 4);
     for (int i = 0; i < n; i++) {
         const int64_t scaled = (int64_t)((uint64_t)(int64_t)out[i] << 33);
@@ -114,7 +114,7 @@ bool fx_vec3_direction_q30(struct fx_vec3 a, struct fx_vec3 *unit)
 
 const struct fx_quat fx_quat_identity = {FX_Q30_ONE, 0, 0, 0};
 
-/* Product of two Q2.30 numbers below one, Q2.30. */
+/* Product of two Q2.30 numbers below one, in Q2.30. */
 static int32_t mul_q30(int32_t a, int32_t b)
 {
     return (int32_t)((fx_mul_wide(a, b) + (1 << 29)) >> 30);
@@ -131,17 +131,19 @@ struct fx_quat fx_quat_axis(struct fx_vec3 axis, uint32_t turn32)
     return (struct fx_quat){c, mul_q30(unit.x, s), mul_q30(unit.y, s), mul_q30(unit.z, s)};
 }
 
-struct fx_quat fx_quat_normalise(struct fx_quat q)
+/* The quaternion of length one in the direction of in; the identity for zero. */
+static struct fx_quat unit_quat(const int64_t in[4])
 {
-    const int64_t in[4] = {q.w, q.x, q.y, q.z};
     int32_t out[4];
-    if (!unit_q30(in, out, 4)) {
-        return fx_quat_identity;
-    }
-    return (struct fx_quat){out[0], out[1], out[2], out[3]};
+    return unit_q30(in, out, 4) ? (struct fx_quat){out[0], out[1], out[2], out[3]} : fx_quat_identity;
 }
 
-/* One component of a quaternion product; the factors are at most 2, so each product is divided by 4 before the sum. */
+struct fx_quat fx_quat_normalise(struct fx_quat q)
+{
+    return unit_quat((const int64_t[4]){q.w, q.x, q.y, q.z});
+}
+
+/* A component of a quaternion product, divided by 4, as the sum of four whole products may not fit. */
 static int64_t quat_term(const int32_t a[4], const int32_t b[4])
 {
     int64_t sum = 0;
@@ -154,17 +156,12 @@ static int64_t quat_term(const int32_t a[4], const int32_t b[4])
 struct fx_quat fx_quat_mul(struct fx_quat a, struct fx_quat b)
 {
     const int32_t left[4] = {a.w, a.x, a.y, a.z};
-    const int64_t in[4] = {
+    return unit_quat((const int64_t[4]){
         quat_term(left, (const int32_t[4]){b.w, fx_neg_sat(b.x), fx_neg_sat(b.y), fx_neg_sat(b.z)}),
         quat_term(left, (const int32_t[4]){b.x, b.w, b.z, fx_neg_sat(b.y)}),
         quat_term(left, (const int32_t[4]){b.y, fx_neg_sat(b.z), b.w, b.x}),
         quat_term(left, (const int32_t[4]){b.z, b.y, fx_neg_sat(b.x), b.w}),
-    };
-    int32_t out[4];
-    if (!unit_q30(in, out, 4)) {
-        return fx_quat_identity;
-    }
-    return (struct fx_quat){out[0], out[1], out[2], out[3]};
+    });
 }
 
 struct fx_quat fx_quat_nlerp(struct fx_quat a, struct fx_quat b, fx_t t)

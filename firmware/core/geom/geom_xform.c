@@ -4,7 +4,7 @@
 
 const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 
-/* Row times column plus c, Q30 factor first: products are at most 2^62, so their low two bits go before the sum. */
+/* A row in Q2.30 times (x, y, z), plus c. Products are up to 2^62, so each loses its low two bits before the sum. */
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
@@ -12,36 +12,25 @@ static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, 
     return fx_sat64((quarter + (1 << 27)) >> 28);
 }
 
-static struct ph_xform rotation(const int32_t r[3][3])
-{
-    struct ph_xform m = ph_xform_identity;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            m.r[i][j] = r[i][j];
-        }
-    }
-    return m;
-}
-
 struct ph_xform ph_xform_rotate_x(uint32_t turn32)
 {
     int32_t s, c;
     fx_sincos_q30(turn32, &s, &c);
-    return rotation((const int32_t[3][3]){{FX_Q30_ONE, 0, 0}, {0, c, -s}, {0, s, c}});
+    return (struct ph_xform){{{FX_Q30_ONE, 0, 0}, {0, c, -s}, {0, s, c}}, {0, 0, 0}};
 }
 
 struct ph_xform ph_xform_rotate_y(uint32_t turn32)
 {
     int32_t s, c;
     fx_sincos_q30(turn32, &s, &c);
-    return rotation((const int32_t[3][3]){{c, 0, s}, {0, FX_Q30_ONE, 0}, {-s, 0, c}});
+    return (struct ph_xform){{{c, 0, s}, {0, FX_Q30_ONE, 0}, {-s, 0, c}}, {0, 0, 0}};
 }
 
 struct ph_xform ph_xform_rotate_z(uint32_t turn32)
 {
     int32_t s, c;
     fx_sincos_q30(turn32, &s, &c);
-    return rotation((const int32_t[3][3]){{c, -s, 0}, {s, c, 0}, {0, 0, FX_Q30_ONE}});
+    return (struct ph_xform){{{c, -s, 0}, {s, c, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 }
 
 struct ph_xform ph_xform_translate(fx_t x, fx_t y, fx_t z)
@@ -54,10 +43,10 @@ struct ph_xform ph_xform_translate(fx_t x, fx_t y, fx_t z)
 struct ph_xform ph_xform_scale(fx_t s)
 {
     const int32_t k = fx_sat64((int64_t)s * (1 << 14));
-    return rotation((const int32_t[3][3]){{k, 0, 0}, {0, k, 0}, {0, 0, k}});
+    return (struct ph_xform){{{k, 0, 0}, {0, k, 0}, {0, 0, k}}, {0, 0, 0}};
 }
 
-/* 2 (a b + c d) of Q2.30 numbers, Q2.30. */
+/* 2 (a b + c d) of Q2.30 numbers, in Q2.30. */
 static int32_t twice_sum(int32_t a, int32_t b, int32_t c, int32_t d)
 {
     return fx_sat64(((fx_mul_wide(a, b) >> 1) + (fx_mul_wide(c, d) >> 1) + (1 << 27)) >> 28);
@@ -118,7 +107,7 @@ struct fx_vec3 ph_xform_direction_q30(const struct ph_xform *a, struct fx_vec3 d
                             row_times(a->r[2], d.x, d.y, d.z, 0)};
 }
 
-/* Cross product of two Q2.30 vectors, Q2.30. */
+/* Cross product of two Q2.30 vectors, in Q2.30. */
 static struct fx_vec3 cross_q30(struct fx_vec3 a, struct fx_vec3 b)
 {
     const int32_t m[3][3] = {{0, -a.z, a.y}, {a.z, 0, -a.x}, {-a.y, a.x, 0}};
@@ -126,7 +115,7 @@ static struct fx_vec3 cross_q30(struct fx_vec3 a, struct fx_vec3 b)
                             row_times(m[2], b.x, b.y, b.z, 0)};
 }
 
-/* The right-hand direction of a camera, or false where up is zero or within 2^-14 of the view direction. */
+/* The direction to the right of a camera. Returns false if up is zero or within 2^-14 of the view direction. */
 static bool right_of(struct fx_vec3 forward, struct fx_vec3 up, struct fx_vec3 *right)
 {
     struct fx_vec3 unit_up;
@@ -143,7 +132,7 @@ static bool right_of(struct fx_vec3 forward, struct fx_vec3 up, struct fx_vec3 *
 
 struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struct fx_vec3 up)
 {
-    /* Halves, so that no difference of two positions saturates. */
+    /* The differences of halves cannot saturate; they serve for positions that are far apart. */
     const struct fx_vec3 towards = {(target.x >> 1) - (eye.x >> 1), (target.y >> 1) - (eye.y >> 1),
                                     (target.z >> 1) - (eye.z >> 1)};
     const struct fx_vec3 exact = fx_vec3_sub_sat(target, eye);
@@ -164,17 +153,17 @@ struct ph_xform ph_view_look_at(struct fx_vec3 eye, struct fx_vec3 target, struc
     return view;
 }
 
-/* a 2^bits / b, nearest, into a positive int32; 0 where it does not fit. b > 0. */
+/* a 2^bits / b, b > 0, rounded to nearest; 0 if it does not fit an int32_t. */
 static int32_t ratio(int64_t a, int bits, int64_t b)
 {
     const int64_t q = (a * ((int64_t)1 << bits) + b / 2) / b;
     return q > INT32_MAX ? 0 : (int32_t)q;
 }
 
-/* (high + low) / (high - low) in Q16.16, nearest; the sum of two int32 times 2^16 fits 64 bits. */
-static fx_t shift_of(fx_t low, fx_t high)
+/* (v1 + v0) / (v1 - v0) in Q16.16, rounded to nearest. The sum of two int32_t times 2^16 fits 64 bits. */
+static fx_t shift_of(const fx_t v[2])
 {
-    const int64_t sum = ((int64_t)high + low) * FX_ONE, size = (int64_t)high - low;
+    const int64_t sum = ((int64_t)v[1] + v[0]) * FX_ONE, size = (int64_t)v[1] - v[0];
     return fx_sat64((sum >= 0 ? sum + size / 2 : sum - size / 2) / size);
 }
 
@@ -194,35 +183,31 @@ int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspe
     return PH_OK;
 }
 
-int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z,
-                          fx_t far_z)
+/* The volume between x[0] and x[1], y[0] and y[1]; a perspective has these sizes at its near plane. */
+static int set_volume(struct ph_projection *p, enum ph_projection_kind kind, const fx_t x[2], const fx_t y[2],
+                      fx_t near_z, fx_t far_z)
 {
-    if (left >= right || bottom >= top || near_z <= 0 || far_z <= near_z) {
+    if (x[0] >= x[1] || y[0] >= y[1] || (kind == PH_PERSPECTIVE && near_z <= 0) || far_z <= near_z) {
         return PH_ERR_INVAL;
     }
-    const int32_t scale_x = ratio((int64_t)near_z * 2, 20, (int64_t)right - left);
-    const int32_t scale_y = ratio((int64_t)near_z * 2, 20, (int64_t)top - bottom);
+    const int64_t twice = 2 * (int64_t)(kind == PH_PERSPECTIVE ? near_z : FX_ONE);
+    const int32_t scale_x = ratio(twice, 20, (int64_t)x[1] - x[0]), scale_y = ratio(twice, 20, (int64_t)y[1] - y[0]);
     if (scale_x <= 0 || scale_y <= 0) {
         return PH_ERR_INVAL;
     }
-    *p = (struct ph_projection){PH_PERSPECTIVE,        scale_x, scale_y, shift_of(left, right),
-                                shift_of(bottom, top), near_z,  far_z};
+    *p = (struct ph_projection){kind, scale_x, scale_y, shift_of(x), shift_of(y), near_z, far_z};
     return PH_OK;
+}
+
+int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z,
+                          fx_t far_z)
+{
+    return set_volume(p, PH_PERSPECTIVE, (const fx_t[2]){left, right}, (const fx_t[2]){bottom, top}, near_z, far_z);
 }
 
 int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z, fx_t far_z)
 {
-    if (left >= right || bottom >= top || far_z <= near_z) {
-        return PH_ERR_INVAL;
-    }
-    const int32_t scale_x = ratio(2 * (int64_t)FX_ONE, 20, (int64_t)right - left);
-    const int32_t scale_y = ratio(2 * (int64_t)FX_ONE, 20, (int64_t)top - bottom);
-    if (scale_x <= 0 || scale_y <= 0) {
-        return PH_ERR_INVAL;
-    }
-    *p = (struct ph_projection){PH_ORTHOGRAPHIC,       scale_x, scale_y, shift_of(left, right),
-                                shift_of(bottom, top), near_z,  far_z};
-    return PH_OK;
+    return set_volume(p, PH_ORTHOGRAPHIC, (const fx_t[2]){left, right}, (const fx_t[2]){bottom, top}, near_z, far_z);
 }
 
 int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z)
@@ -230,7 +215,7 @@ int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx
     if (fov_deg < FX_INT(10) || fov_deg > FX_INT(240) || near_z <= 0 || far_z <= near_z) {
         return PH_ERR_INVAL;
     }
-    const int32_t scale = ratio(7509872, 20, fov_deg); /* 360 / pi in Q16.16: half heights per radian, 2 / fov */
+    const int32_t scale = ratio(7509872, 20, fov_deg); /* 360 / pi in Q16.16: half heights per radian are 2 / fov */
     *p = (struct ph_projection){PH_FISHEYE, scale, scale, 0, 0, near_z, far_z};
     return PH_OK;
 }
