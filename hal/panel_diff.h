@@ -20,7 +20,7 @@
 #ifndef PANEL_DIFF_H
 #define PANEL_DIFF_H
 
-#include "panel.h"
+#include "panel_sender.h"
 
 /* State. Read-only for the caller: windows, bytes. */
 struct panel_diff {
@@ -67,5 +67,8 @@ int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d);
 int panel_diff_rows(struct panel_diff *diff, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
 int panel_diff_end(struct panel_diff *diff, struct panel_driver *d);
+
+/* These three as a panel_sender. */
+struct panel_sender panel_diff_sender(struct panel_diff *diff);
 
 #endif

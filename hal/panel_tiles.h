@@ -22,7 +22,7 @@
 #ifndef PANEL_TILES_H
 #define PANEL_TILES_H
 
-#include "panel.h"
+#include "panel_sender.h"
 
 #define PANEL_TILE_PX 16
 
@@ -65,5 +65,8 @@ int panel_tiles_begin(struct panel_tiles *t, struct panel_driver *d);
 int panel_tiles_rows(struct panel_tiles *t, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
 int panel_tiles_end(struct panel_tiles *t, struct panel_driver *d);
+
+/* These three as a panel_sender. */
+struct panel_sender panel_tiles_sender(struct panel_tiles *t);
 
 #endif

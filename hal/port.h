@@ -13,14 +13,6 @@ struct hal port_hal(void);
 /* The image's board: defined by the build as the one that BOARD= names. */
 extern const struct board *const board_here;
 
-/* Static memory for the image's kit: the board's ram_bytes less what stack and variables take. Also the build's. */
-extern uint64_t image_memory[];
-extern const size_t image_memory_bytes;
-
-/* Static memory for panel_tiles.h, 0 bytes: frames are sent whole. Also the build's (CHANGES=0|1). */
-extern uint32_t image_tiles[];
-extern const size_t image_tiles_bytes;
-
 /* Writes text to the log UART (115200 8N1); waits until it is in the transmitter. */
 void port_log(const char *text);
 

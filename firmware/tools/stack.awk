@@ -13,6 +13,7 @@ BEGIN {
     rule("firmware/app/demos/parts\\.c:", demos "[a-z]*_band$")
     rule("firmware/app/runner\\.c:", demos "[a-z]*_(init|frame)$")
     rule("firmware/app/runner\\.c:", ops)
+    rule("firmware/app/runner\\.c:", "hal/panel/[a-z_]*\\.c:sender_(begin|rows|end|forget)$")
     rule("hal/panel/[a-z_]*\\.c:", ops)
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
@@ -57,7 +58,7 @@ END {
         for (r = 0; r < rules; r++) {
             if (place[f] !~ from[r]) { continue }
             ruled = 1
-            for (g in frame) { if (place[g] ~ to[r] && place[g] !~ /^hal\/panel\//) { calls[f] = calls[f] g "\n" } }
+            for (g in frame) { if (place[g] ~ to[r] && !(to[r] == ops && place[g] ~ /^hal\/panel\//)) { calls[f] = calls[f] g "\n" } }
         }
         if (!ruled) { print "call through a pointer: " place[f] }
     }

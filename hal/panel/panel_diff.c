@@ -533,3 +533,27 @@ int panel_diff_end(struct panel_diff *diff, struct panel_driver *d)
     diff->unknown = false;
     return HAL_OK;
 }
+
+/* ---- panel_sender.h ----------------------------------------------------------------------------- */
+
+static int sender_begin(void *diff, struct panel_driver *d)
+{
+    return panel_diff_begin(diff, d);
+}
+
+static int sender_rows(void *diff, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+{
+    return panel_diff_rows(diff, d, pixels, lines);
+}
+
+static int sender_end(void *diff, struct panel_driver *d)
+{
+    return panel_diff_end(diff, d);
+}
+
+struct panel_sender panel_diff_sender(struct panel_diff *diff)
+{
+    static const struct panel_sender_ops ops = {
+        .copies = true, .begin = sender_begin, .rows = sender_rows, .end = sender_end};
+    return (struct panel_sender){&ops, diff};
+}

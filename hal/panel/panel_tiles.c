@@ -222,3 +222,32 @@ int panel_tiles_end(struct panel_tiles *t, struct panel_driver *d)
     }
     return t->row == t->height ? HAL_OK : HAL_EINVAL;
 }
+
+/* ---- panel_sender.h ----------------------------------------------------------------------------- */
+
+static int sender_begin(void *tiles, struct panel_driver *d)
+{
+    return panel_tiles_begin(tiles, d);
+}
+
+static int sender_rows(void *tiles, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+{
+    return panel_tiles_rows(tiles, d, pixels, lines);
+}
+
+static int sender_end(void *tiles, struct panel_driver *d)
+{
+    return panel_tiles_end(tiles, d);
+}
+
+static void sender_forget(void *tiles)
+{
+    panel_tiles_forget(tiles);
+}
+
+struct panel_sender panel_tiles_sender(struct panel_tiles *t)
+{
+    static const struct panel_sender_ops ops = {
+        .skips = true, .begin = sender_begin, .rows = sender_rows, .end = sender_end, .forget = sender_forget};
+    return (struct panel_sender){&ops, t};
+}

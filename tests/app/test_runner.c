@@ -347,8 +347,9 @@ static void tiles_show_every_demo_as_it_is(void **state)
     const uint32_t bytes = (uint32_t)panel_tiles_bytes(240, 135, 16);
     struct panel_tiles tiles;
     void *memory = malloc(bytes);
+    s->config.sender = panel_tiles_sender(&tiles);
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
     assert_int_equal(panel_tiles_init(&tiles, &s->runner.driver, 16, memory, bytes), 0);
-    s->runner.config.tiles = &tiles;
     for (uint32_t frame = 0; frame < 6 * demo_count; frame++) {
         whole->bus.buttons = s->bus.buttons = frame % 6 == 5 ? HAL_BUTTON_SELECT : 0;
         assert_int_equal(runner_frame(&whole->runner, frame), 0);

@@ -8,8 +8,9 @@
  *   H          draw one frame, write a line about it, and hold; G: go on
  *   u d l r s  as if the kit's button were held during one frame
  */
-#include "runner.h"
+#include "image.h"
 #include "port.h"
+#include "runner.h"
 
 #define SECOND_US 1000000U
 
@@ -140,15 +141,17 @@ static void do_nothing(void *argument)
     (void)argument;
 }
 
-/* Sends only what changed where the build gives memory for that, and it is enough. */
-static void open_tiles(struct runner *runner, struct panel_tiles *tiles)
+/* Only the tiles that changed, where the build gives enough memory for their signatures; else every frame whole. */
+static struct panel_sender sender(struct panel_tiles *tiles)
 {
-    const int status =
-        panel_tiles_init(tiles, &runner->driver, runner->config.band_height, image_tiles, image_tiles_bytes);
-    runner->config.tiles = status == HAL_OK ? tiles : NULL;
+    const struct panel *panel = board_here->panel;
+    const uint8_t rotation = board_here->rotation;
+    const size_t needed =
+        panel_tiles_bytes(panel_width(panel, rotation), panel_height(panel, rotation), board_here->band_height);
+    return needed <= image_tiles_bytes ? panel_tiles_sender(tiles) : panel_sender_whole;
 }
 
-static int open(struct runner *runner)
+static int open(struct runner *runner, struct panel_tiles *tiles)
 {
     const struct hal hal = port_hal();
     int status = hal.ops->open(hal.context, board_here);
@@ -168,9 +171,14 @@ static int open(struct runner *runner)
                                          .other_core = second ? port_core_run : NULL,
                                          .other_core_join = second ? port_core_join : NULL,
                                          .demo = demo_here,
+                                         .sender = sender(tiles),
                                          .memory = image_memory,
                                          .memory_bytes = image_memory_bytes};
-    return runner_open(runner, &hal, &config);
+    status = runner_open(runner, &hal, &config);
+    if (status == 0 && runner->config.sender.context == tiles) {
+        status = panel_tiles_init(tiles, &runner->driver, config.band_height, image_tiles, image_tiles_bytes);
+    }
+    return status;
 }
 
 int main(void)
@@ -180,9 +188,8 @@ int main(void)
     port_log("\r\nPinhole on ");
     port_log(board_here->title);
     port_log("\r\n");
-    int status = open(&runner);
+    int status = open(&runner, &tiles);
     if (status == 0) {
-        open_tiles(&runner, &tiles);
         status = run(&runner);
     }
     log_named("stopped: error ", (uint32_t)-status);
