@@ -73,7 +73,13 @@ SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
-RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \([^,]*\),.*/\1/p' $(BOARD_HOME)/board.c)
+BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
+
+# Prints the board's ram_bytes. FORCE, because BOARD and BOARD_DIR may be others than last time.
+$(B)/ram-bytes: FORCE
+	@mkdir -p $(@D)
+	$(Q)$(HOSTCC) $(INC) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/ram_bytes.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c)
+$(B)/ram-bytes: INC = -Ihal -Iboards
 
 # The image is built by a make of its own, which has the target's compiler where this one has the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
@@ -115,7 +121,7 @@ IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAM
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/ram-bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # nothing to be flashed
 
 image-size: $(OUT).elf
@@ -136,26 +142,14 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
-define BOARD_HERE
-#include "runner.h"
-#include "port.h"
-extern const struct board board_$(subst -,_,$(BOARD));
-const struct board *const board_here = &board_$(subst -,_,$(BOARD));
-uint64_t image_memory[(($(RAM_BYTES)) - RUNNER_OTHER_BYTES) / 8];
-const size_t image_memory_bytes = sizeof image_memory;
-uint32_t image_tiles[$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),4) / 4];
-const size_t image_tiles_bytes = $(if $(filter 1,$(CHANGES)),sizeof image_tiles,0);
-$(if $(SCENE_C),const struct demo *const demo_here = &demo_scene;,extern const struct demo demo_turntable;
-const struct demo *const demo_here = &demo_turntable;)
-endef
-export BOARD_HERE
+BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
+             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0)
 
-$(B)/board_here.c: FORCE
-	@mkdir -p $(@D)
-	@printf '%s\n' "$$BOARD_HERE" | cmp -s - $@ || printf '%s\n' "$$BOARD_HERE" >$@
+$(B)/board_here.flags: $(B)/ram-bytes
+	@ram=$$($<); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
 
-$(B)/board_here.o: $(B)/board_here.c
-	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) -MMD -MP -c $< -o $@
+$(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
+	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
 $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
 	@mkdir -p $(@D)

@@ -367,6 +367,21 @@ static void tiles_show_every_demo_as_it_is(void **state)
     stage_close(s);
 }
 
+/* Without a queue nobody knows when the buffer of a band that was not sent is free. */
+static void without_a_queue_frames_are_sent_whole(void **state)
+{
+    (void)state;
+    struct stage *s = stage_on(board_find("pico-display"), "fill", 16);
+    struct panel_tiles tiles = {0};
+    s->config.sender = panel_tiles_sender(&tiles);
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
+    assert_ptr_equal(s->runner.config.sender.ops, panel_sender_whole.ops);
+    s->hal.ops = &queue_ops;
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
+    assert_ptr_equal(s->runner.config.sender.context, &tiles);
+    stage_close(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -374,6 +389,7 @@ int main(void)
         cmocka_unit_test(other_bands_share_the_memory_out_alike),
         cmocka_unit_test(no_buffer_in_the_queue_is_touched),
         cmocka_unit_test(tiles_show_every_demo_as_it_is),
+        cmocka_unit_test(without_a_queue_frames_are_sent_whole),
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
         cmocka_unit_test(a_button_that_is_held_selects_once),
