@@ -12,9 +12,10 @@ struct panel_sender_ops {
     bool copies; /* the pixels are the caller's again when rows returns; else as with panel_rows */
     bool skips;  /* rows may send nothing: only a backend's queue (hal.h) then says when a buffer is free */
 
-    int (*begin)(void *context, struct panel_driver *d); /* in place of panel_frame_begin */
-    int (*rows)(void *context, struct panel_driver *d, const uint16_t *pixels, uint32_t lines); /* of panel_rows */
-    int (*end)(void *context, struct panel_driver *d);                                          /* of panel_frame_end */
+    /* These replace panel_frame_begin, panel_rows and panel_frame_end. */
+    int (*begin)(void *context, struct panel_driver *d);
+    int (*rows)(void *context, struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
+    int (*end)(void *context, struct panel_driver *d);
 
     /* Another scene begins: the next frame is better sent whole. NULL: that makes no difference. */
     void (*forget)(void *context);

@@ -1,4 +1,4 @@
-/* See panel.h. What goes over the bus for a frame; panel_pack.c converts pixels. */
+/* See panel.h. This file sends what a frame needs over the bus; panel_pack.c converts pixels. */
 #include "panel.h"
 #include "panel_pack.h"
 
@@ -23,7 +23,7 @@ static int send_command(const struct panel_driver *d, uint8_t command, const uin
     return send(&d->hal, low ? HAL_COMMAND : HAL_DATA, parameters, n);
 }
 
-/* Bytes as described at struct panel. A sequence that is cut short is a broken table. */
+/* Sends a sequence as described at struct panel. HAL_EINVAL: the table is broken, because the sequence is cut short. */
 static int send_sequence(const struct panel_driver *d, const uint8_t *bytes, size_t n)
 {
     size_t i = 0;
@@ -140,7 +140,7 @@ int panel_clock(struct panel_driver *d, uint32_t hz)
     return d->clock_hz < 0 ? d->clock_hz : HAL_OK;
 }
 
-/* Bytes that stay where they are until the next write has started: nothing to wait for. */
+/* Sends bytes that stay where they are until the next write has started, so nothing has to wait. */
 static int stream(struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     d->frame_bytes += (uint32_t)n;
@@ -148,8 +148,9 @@ static int stream(struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, 
 }
 
 /*
- * One border after the other, high byte first; `sent` keeps them while they are on the wire: it is written to only when
- * the command before them, and so everything earlier, has left its buffer. `again`: even if the controller has it.
+ * Sends a window's two borders in a direction, high byte first. `sent` keeps them while they are on the wire. It is
+ * written only when the command before them has been taken, so everything earlier has left its buffer. `again`: send
+ * them even if the controller has them.
  */
 static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t first, uint32_t last, uint8_t sent[4],
                        bool again)
@@ -169,12 +170,12 @@ static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t 
     return stream(d, c->parameters_are_commands ? HAL_COMMAND : HAL_DATA, sent, 2U * c->address_bytes);
 }
 
-/* `again`: borders are sent even if the controller has them. */
+/* `again`: send the borders even if the controller has them. */
 static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool again)
 {
     const struct panel_controller *c = d->config.panel->controller;
     struct panel_place place = panel_place(d->config.panel, d->config.rotation);
-    bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the glass's columns are the picture's lines */
+    bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the picture's lines are columns of the glass */
     uint32_t height = d->bottom - y;
     uint32_t column = place.column + (swap ? y : x);
     uint32_t row = place.row + (swap ? x : y);
@@ -212,11 +213,11 @@ void panel_windows_begin(struct panel_driver *d)
 {
     d->frame_bytes = 0;
     d->in_frame = false;
-    memset(d->column_sent, UINT8_MAX, sizeof d->column_sent); /* no window is there */
+    memset(d->column_sent, UINT8_MAX, sizeof d->column_sent); /* all ones: the controller has no window */
     memset(d->row_sent, UINT8_MAX, sizeof d->row_sent);
 }
 
-/* Do first and end lie between bytes? What lies beside the picture does not count. */
+/* Whether `first` and `end` lie between two bytes. Pixels beside the picture do not count. */
 static bool between_bytes(const struct panel_driver *d, uint32_t first, uint32_t end, uint32_t size)
 {
     return (first == 0 || ((first + d->lead) & 1U) == 0) && (end == size || ((end + d->lead) & 1U) == 0);
@@ -233,8 +234,8 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
         !(d->pair_lines ? between_bytes(d, y, y + height, d->height) : between_bytes(d, x, x + width, d->width))) {
         return HAL_EINVAL;
     }
-    /* Without a memory write command it is the borders that take the controller back to the window's start; an SSD1351
-     * has the command, and goes on where a window was left unfinished all the same. */
+    /* Without a memory write command only the borders take the controller back to the window's start. An SSD1351 has
+     * that command, but it continues in a window that was left unfinished. */
     const bool again = d->config.panel->controller->memory_write == 0 || d->row != d->bottom;
     return window(d, x, y, width, height, again);
 }
@@ -249,7 +250,7 @@ uint32_t panel_start_bytes(const struct panel_controller *c)
     return c->memory_write != 0;
 }
 
-/* Lines that lie apart. */
+/* Sends lines that are `stride` pixels apart in memory. */
 static int send_apart(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
 {
     d->frame_bytes += 2U * d->span * lines;
@@ -257,7 +258,7 @@ static int send_apart(struct panel_driver *d, const uint8_t *bytes, uint32_t str
     return d->hal.ops->bus_write_rows(d->hal.context, bytes, 2U * d->span, 2 * (size_t)stride, lines);
 }
 
-/* Straight from where they are, in one piece if they are one. */
+/* Sends lines straight from where they are, in one write if there is no gap between them. */
 static int send_lines(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
 {
     if (stride != d->span && d->hal.ops->bus_write_rows != NULL) {

@@ -1,12 +1,12 @@
 /*
- * See panel_pack.h. The scratch memory is two halves: one is filled while the other is on the wire. bus_write of one
- * half returns only when the other is free again (hal.h), so no half is ever written to while it is being sent.
+ * See panel_pack.h. The scratch memory has two halves: one is filled while the other is on the wire. bus_write of one
+ * half returns only when the other is free again (hal.h), so a half is never written while it is being sent.
  */
 #include "panel_pack.h"
 
 #include <string.h>
 
-/* Most bytes that one pixel can add. */
+/* one pixel adds at most so many */
 #define PIXEL_BYTES_MAX 3
 
 static const uint8_t bayer4[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
@@ -29,7 +29,7 @@ int panel_pack_init(struct panel_driver *d)
     d->pair_lines =
         config->format == PANEL_GREY4 && config->panel->controller->column_pixels == 2 && (config->rotation & 1) != 0;
     if (config->format == PANEL_RGB565 && (config->scratch == NULL || config->scratch_bytes < PANEL_SCRATCH_MIN)) {
-        return HAL_OK; /* windows go out line by line */
+        return HAL_OK; /* without scratch memory windows are sent line by line */
     }
     size_t kept = d->pair_lines ? d->width : 0; /* the upper line of a pair, at the end of scratch */
     if (config->scratch_bytes < kept + 2 * PIXEL_BYTES_MAX) {
@@ -74,7 +74,7 @@ static uint8_t *pack_rgb666(uint8_t *out, const uint8_t *in, uint32_t n)
     return out;
 }
 
-/* Adds four bits. */
+/* Adds four bits to the output. */
 static uint8_t *pack_nibble(struct panel_driver *d, uint8_t *out, uint32_t nibble)
 {
     if (d->carry_full) {
@@ -113,7 +113,7 @@ static uint8_t *pack_grey4(struct panel_driver *d, uint8_t *out, const uint8_t *
     return out;
 }
 
-/* Pixels x .. x + n - 1 of the line; there is room for n * PIXEL_BYTES_MAX bytes. */
+/* Converts pixels x .. x + n - 1 of the line. There must be room for n * PIXEL_BYTES_MAX bytes. */
 static void pack(struct panel_driver *d, const uint8_t *in, uint32_t x, uint32_t n)
 {
     uint8_t *start = d->config.scratch + d->half * d->half_bytes + d->filled;
@@ -131,7 +131,7 @@ static void pack(struct panel_driver *d, const uint8_t *in, uint32_t x, uint32_t
     d->filled += (uint32_t)(end - start);
 }
 
-/* A byte of its own for the four bits that are left over; the pixel to their right does not exist. */
+/* Four bits that are left over get a byte of their own; there is no pixel to their right. */
 static int pack_rest(struct panel_driver *d)
 {
     if (!d->carry_full) {
@@ -171,7 +171,7 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
     return d->config.format == PANEL_GREY4 ? pack_rest(d) : HAL_OK;
 }
 
-/* A last line that has its byte for itself, when two lines share one. */
+/* Where two lines share a byte, a last line may have its bytes for itself. */
 static int pack_last_line(struct panel_driver *d)
 {
     for (uint32_t x = d->x; x < (uint32_t)d->x + d->span; x++) {

@@ -1,4 +1,4 @@
-/* See panel.h. Arithmetic on panels; nothing here touches a bus. */
+/* See panel.h. Arithmetic on panels; nothing here uses the bus. */
 #include "panel.h"
 
 #include <string.h>
@@ -13,7 +13,8 @@ const struct panel *panel_find(const char *name)
     return NULL;
 }
 
-/* Is an axis mirrored in, and do they swap for, a rotation? 90 degrees clockwise: the first column is the last row. */
+/* For each rotation: is an axis mirrored, do the axes swap? At 90 degrees clockwise the first column is the last row.
+ */
 static bool turns_mx(unsigned rotation)
 {
     return rotation == PANEL_R90 || rotation == PANEL_R180;
