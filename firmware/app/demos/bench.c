@@ -1,10 +1,10 @@
 /*
- * The five scenes on which renderers are compared (shared instruction counts and picture quality): torus, cube, fill,
- * icosphere, ground. At 320x240, frame f of 0 .. 63 is exactly the scene's frame f:
+ * The five scenes on which renderers are compared by instruction counts and picture quality: torus, cube, fill,
+ * icosphere, ground. At 320x240 frame f of 0 .. 63 is exactly the scene's frame f:
  *
  *   a = 2 pi (f + .5) / 64, b = .2 + .3 f / 64 rad, R = Rx(b) Ry(a), camera at the origin, 60 degrees, .5 .. 100.
  *
- * Beyond, a goes on turning and b runs back: frames 64 .. 127 use b of 63 .. 0, and frame 128 is frame 0 again.
+ * After that a continues and b runs back: frames 64 .. 127 use b of 63 .. 0, and frame 128 is frame 0 again.
  */
 #include "demo_scene.h"
 #include "models.h"
@@ -57,7 +57,7 @@ static int bench_begin(const struct demo_context *context, struct ph_renderer *r
     return demo_begin(context, r, &ph_xform_identity, &projection, &bench_light, 0);
 }
 
-/* The state with its lit material, in context->state; NULL when the arena is full. */
+/* Makes the state with its lit material, in context->state. NULL: the arena is full. */
 static struct bench *bench_new(struct demo_context *context)
 {
     struct bench *const b = demo_alloc(&context->arena, sizeof(*b));
@@ -117,7 +117,7 @@ static int cube_init(struct demo_context *context)
     return model_material(&context->arena, &b->mesh, &b->material);
 }
 
-/* The model turning 3 in front of the camera. */
+/* Draws the model, turning 3 units in front of the camera. */
 static int object_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct bench *const b = context->state;
@@ -127,14 +127,14 @@ static int object_frame(struct demo_context *context, struct ph_renderer *r, uin
     return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
 }
 
-/* The camera half a unit above the ground, which turns around it. */
+/* Draws the ground, which turns around the camera half a unit above it. */
 static int ground_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct bench *const b = context->state;
     const struct ph_xform rotation = benchmark_rotation(frame);
     const struct ph_xform below = ph_xform_translate(0, -FX_HALF, 0);
     const struct ph_xform to_world = ph_xform_mul(&rotation, &below);
-    /* Nothing here has to fit into the width: a taller view would only show where the near plane cuts the ground. */
+    /* Nothing has to fit into the width here: a taller view would only show where the near plane cuts the ground. */
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(100));
     projection.scale_x_q20 = (int32_t)(fx_mul_wide(projection.scale_x_q20, DEMO_SCALE_60_Q20) / projection.scale_y_q20);
     projection.scale_y_q20 = DEMO_SCALE_60_Q20;
@@ -142,7 +142,7 @@ static int ground_frame(struct demo_context *context, struct ph_renderer *r, uin
     return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
 }
 
-/* Quad number i at z = -distance, a little larger than the picture: half height 1.02 tan 30 distance. */
+/* Quad number i at z = -distance. It is a little larger than the picture: half its height is 1.02 tan 30 distance. */
 static void fill_quad(struct fill *f, uint32_t i, int32_t distance, const struct demo_context *context)
 {
     const int64_t half_q30 = (int64_t)632323634 * distance; /* 1.02 / sqrt 3 */

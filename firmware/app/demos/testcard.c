@@ -7,8 +7,8 @@
  *   a ring                                 not round: wrong size or pixel aspect
  *   bars: red, green, blue, white, grey    blue first: BGR swapped; on white ground: inverted
  *
- * All but the line and what it frames is visible on a round glass too. One orthographic mesh in pixels, x to the right,
- * y upwards, so that every edge lies between pixels.
+ * On a round glass everything but the line and the corners is visible. The card is one orthographic mesh in pixels, x
+ * to the right and y upwards, so that every edge lies between pixels.
  */
 #include "demo_scene.h"
 
@@ -42,7 +42,7 @@ static void card_triangle(struct card *card, uint16_t a, uint16_t b, uint16_t c)
     t[2] = c;
 }
 
-/* The pixels x0 .. x1 - 1, y0 .. y1 - 1, counted from the lower left one. */
+/* Adds a quad over pixels x0 .. x1 - 1, y0 .. y1 - 1, counted from the lower left pixel. */
 static void card_quad(struct card *card, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
     const uint16_t a = card_vertex(card, FX_INT(x0), FX_INT(y0));
@@ -53,7 +53,7 @@ static void card_quad(struct card *card, int32_t x0, int32_t y0, int32_t x1, int
     card_triangle(card, a, c, d);
 }
 
-/* What was added since the last call gets this colour. */
+/* Gives this colour to everything that was added since the last call. */
 static void card_colour(struct card *card, uint8_t red, uint8_t green, uint8_t blue)
 {
     const uint32_t i = card->mesh.part_count++;
@@ -62,7 +62,7 @@ static void card_colour(struct card *card, uint8_t red, uint8_t green, uint8_t b
     card->parts[i] = (struct ph_part){first, card->mesh.triangle_count - first, (uint16_t)i};
 }
 
-/* n dots from (x, y) on, each `size` pixels wide, in steps of twice that to the right or left. */
+/* Adds n dots from (x, y) on. Each is `size` pixels wide; the step is twice that, to the right or to the left. */
 static void card_dots(struct card *card, int32_t n, int32_t x, int32_t y, int32_t size, bool leftwards)
 {
     for (int32_t i = 0; i < n; i++) {
@@ -89,7 +89,7 @@ static void card_ring(struct card *card, fx_t x, fx_t y, fx_t radius, fx_t line)
     }
 }
 
-/* Head and shaft, `size` pixels high, its middle in (x, y). */
+/* Adds an arrow of head and shaft, `size` pixels high, with its middle at (x, y). */
 static void card_arrow(struct card *card, int32_t x, int32_t y, int32_t size)
 {
     const int32_t half = size / 2;
@@ -117,7 +117,7 @@ static void card_white_lines(struct card *card, int32_t w, int32_t h)
     card_dots(card, 4, left, low, dot, false);
 }
 
-/* Ring and arrow above, bars below. */
+/* The ring and the arrow are above, the bars below. */
 static void card_layout(struct card *card, int32_t w, int32_t h)
 {
     const int32_t by_height = h * 27 / 100;

@@ -10,7 +10,7 @@
 #define PLATTER_VERTICES  (1 + 4 * SIDES)
 #define PLATTER_TRIANGLES (5 * SIDES)
 
-/* The disc below the meshes: a hub, four rings around it. In coordinates of the meshes minus their centre. */
+/* The disc below the meshes: a hub and four rings around it. Coordinates are those of the meshes minus their centre. */
 struct platter {
     struct ph_mesh mesh;
     struct ph_part part;
@@ -52,7 +52,7 @@ const struct ph_scene_light demo_two_lamps = {
                 .to_light_q30 = {966367642, 214748365, -414691770}}}, /* (.9, .2, -.386) */
 };
 
-/* Ring number `ring` of the platter: radius, height and normal (outwards, upwards). */
+/* Makes ring number `ring` of the platter: radius, height and normal (outwards, upwards). */
 static void platter_ring(struct platter *p, uint32_t ring, fx_t radius, fx_t y, int32_t outwards, int32_t upwards)
 {
     for (uint32_t i = 0; i < SIDES; i++) {
@@ -68,8 +68,8 @@ static void platter_ring(struct platter *p, uint32_t ring, fx_t radius, fx_t y, 
 }
 
 /*
- * Hub and inner ring have normals that point away from every light: the disc is dark below the meshes and brightens
- * towards its edge, as if they threw a soft shadow.
+ * The normals of the hub and the inner ring point away from every light. So the disc is dark below the meshes and
+ * brightens towards its edge, as if the meshes threw a soft shadow.
  */
 static void make_platter(struct platter *p, fx_t radius, fx_t y)
 {
@@ -142,7 +142,7 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     return status || !t->platter ? status : ph_draw_mesh(r, &t->platter->mesh, &turn);
 }
 
-/* The finest teapot for which the arena has room; the coarsest may stand without the platter. */
+/* Makes the finest teapot for which the arena has room. The coarsest may stand without the platter. */
 static int turntable_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;

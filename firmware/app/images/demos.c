@@ -1,10 +1,10 @@
 /*
- * The image of all demos: the first one starts (or the scene that the image was built with), the select button takes
+ * The image of all demos. The first demo starts, or the scene that the image was built with; the select button takes
  * the next.
  *
- * On the log UART (115200 8N1) it writes what starts, once a second how it goes on, and why it stopped; and it listens
- * for single characters:
- *   B          reboot into the chip's boot loader (so does a button that is held at power-up)
+ * On the log UART (115200 8N1) it writes which demo starts, a line about frames each second, and why it stopped. It
+ * reads single characters:
+ *   B          reboot into the chip's boot loader (as a button does that is held at power-up)
  *   H          draw one frame, write a line about it, and hold; G: go on
  *   u d l r s  as if the kit's button were held during one frame
  */
@@ -17,8 +17,8 @@
 struct console {
     bool holding;
     uint32_t buttons;    /* for the next frame */
-    uint32_t line_us;    /* time of the last line about frames */
-    uint32_t line_frame; /* the frame then */
+    uint32_t line_us;    /* when it last wrote a line about frames */
+    uint32_t line_frame; /* the next frame then */
 };
 
 static void log_number(uint32_t value)
@@ -56,7 +56,7 @@ static void log_demo(const struct runner *runner)
     port_log("\r\n");
 }
 
-/* Returns true for what starts the next frame. */
+/* Returns true if the character starts the next frame. */
 static bool obey(struct console *console, int byte)
 {
     static const struct {
@@ -79,7 +79,7 @@ static bool obey(struct console *console, int byte)
     return byte == 'H' || byte == 'G';
 }
 
-/* All that waits; while it holds, until the next frame is asked for. */
+/* Reads all characters that wait. While the console holds, it reads on until the next frame is asked for. */
 static void listen(struct console *console)
 {
     bool next = !console->holding;
@@ -135,13 +135,13 @@ static int run(struct runner *runner)
     return status;
 }
 
-/* Is there another core? */
+/* It is run on the other core, to see if there is one. */
 static void do_nothing(void *argument)
 {
     (void)argument;
 }
 
-/* Only the tiles that changed, where the build gives enough memory for their signatures; else every frame whole. */
+/* Sends only tiles that changed if the build gives enough memory for their signatures, else every frame whole. */
 static struct panel_sender sender(struct panel_tiles *tiles)
 {
     const struct panel *panel = board_here->panel;

@@ -65,13 +65,13 @@ int model_material(struct demo_arena *arena, struct ph_mesh *mesh, const struct 
     return PH_OK;
 }
 
-/* a times a number of Q2.30, to nearest. */
+/* a times a number of Q2.30, rounded to nearest. */
 static int32_t mul_q30(int32_t a, int32_t b)
 {
     return (int32_t)((fx_mul_wide(a, b) + (1 << 29)) >> 30);
 }
 
-/* Angle number i of n around the circle. */
+/* Cosine and sine of angle number i of n around the circle. */
 static void circle(uint32_t i, uint32_t n, int32_t *sin_q30, int32_t *cos_q30)
 {
     fx_sincos_q30((uint32_t)((((uint64_t)i << 32) + n / 2) / n), sin_q30, cos_q30);
@@ -111,7 +111,7 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
 
 int model_cube(struct demo_arena *arena, struct ph_mesh *mesh)
 {
-    /* Per face: normal, right, up. */
+    /* For each face: normal, right, up. */
     static const int8_t faces[6][3][3] = {
         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
         {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},  {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
@@ -142,7 +142,7 @@ int model_cube(struct demo_arena *arena, struct ph_mesh *mesh)
     return PH_OK;
 }
 
-/* The wavy normal at (x, z) = (i2, k2) / 2: the direction of (.5 sin 1.3 x, 1, .5 cos 1.7 z). */
+/* The wavy normal at (x, z) = (i2, k2) / 2 is the direction of (.5 sin 1.3 x, 1, .5 cos 1.7 z). */
 static void ground_normal(int32_t i2, int32_t k2, int16_t normal[3])
 {
     const int64_t turn_13_q16 = 29118787035115; /* .65 rad in 2^-48 turns */

@@ -3,8 +3,8 @@
 #define NONE 0xFFFF
 
 /*
- * Edges that were already halved, in lists by their lower end: first[lower] is the youngest midpoint, next[midpoint] an
- * older one, other[midpoint] the upper end. No vertex has more than 6 edges, so no list is longer.
+ * The edges that are halved already, in a list for each lower end: first[lower] is the youngest midpoint,
+ * next[midpoint] an older one, other[midpoint] the upper end. No vertex has more than 6 edges, so no list is longer.
  */
 struct halves {
     struct fx_vec3 *vertices_q30;
@@ -12,7 +12,7 @@ struct halves {
     uint16_t *first, *next, *other;
 };
 
-/* The midpoint of a and b, on the sphere; made when it is asked for the first time. */
+/* The midpoint of a and b on the sphere; it is made when it is first asked for. */
 static uint16_t midpoint(struct halves *h, uint16_t a, uint16_t b)
 {
     const uint16_t lower = a < b ? a : b;
@@ -33,7 +33,7 @@ static uint16_t midpoint(struct halves *h, uint16_t a, uint16_t b)
     return m;
 }
 
-/* Each triangle becomes four, from the last to the first so that they fit into the same array. */
+/* Divides each triangle into four. It works from the last to the first, so that they fit into the same array. */
 static void subdivide(struct halves *h, uint16_t (*triangles)[3], uint32_t triangle_count)
 {
     const uint32_t old_count = h->count;
@@ -56,7 +56,7 @@ static void subdivide(struct halves *h, uint16_t (*triangles)[3], uint32_t trian
     }
 }
 
-/* Vertex 4 k + 2 s + t has -1 or 1 (s) on axis k, -phi or phi (t) on the axis after it. */
+/* Vertex 4 k + 2 s + t has -1 or 1 (s) on axis k and -phi or phi (t) on the next axis. */
 static void icosahedron(struct halves *h, struct model_build *build)
 {
     static const uint8_t faces[20][3] = {{0, 4, 2},  {0, 2, 5},  {0, 8, 4},  {0, 5, 10}, {0, 10, 8},
@@ -88,8 +88,8 @@ int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t lev
         return PH_ERR_NOMEM;
     }
     /*
-     * Until the end the positions are Q2.30, with 14 guard bits for the levels' normalisations, and the lists lie where
-     * the normals will be: three 16-bit numbers a vertex as well.
+     * Until the end the positions are Q2.30: 14 guard bits for the normalisations of all levels. The lists lie where
+     * the normals will be, because both are three 16-bit numbers a vertex.
      */
     uint16_t *const lists = (uint16_t *)build.normals;
     struct halves h = {build.positions, 0, lists, lists + vertices, lists + 2 * vertices};
