@@ -96,7 +96,7 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
 
 #define ARENA MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
-/* for pictures of kits, which are narrower */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12752), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
                                            .triangle_max = 824};
 

@@ -119,7 +119,7 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(TOP_SIDES, TOP_POINTS, TOP_STRIPES) +                   \
         MODEL_LATHE_BYTES(COLUMN_SIDES, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
-/* for pictures of kits, which are narrower */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14056), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
                                            .triangle_max = 848};
 

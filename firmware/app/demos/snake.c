@@ -408,7 +408,7 @@ static const char *const views[] = {"head", "outside", NULL};
     MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +                               \
         MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
-/* for pictures of kits, which are narrower */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
                                            .triangle_max = 860};
 

@@ -216,7 +216,7 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
     MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +                                        \
         MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2))
 
-/* for pictures of kits, which are narrower */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = 3 * STARS, .triangle_max = 656};
 
 const struct demo demo_solar = {
