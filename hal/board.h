@@ -17,22 +17,12 @@ struct board_pin {
     const char *line; /* NULL: number counts */
 };
 
-#define BOARD_PIN(n)                                                                                                   \
-    {                                                                                                                  \
-        true, false, (n), NULL                                                                                         \
-    }
-#define BOARD_PIN_LOW(n)                                                                                               \
-    {                                                                                                                  \
-        true, true, (n), NULL                                                                                          \
-    } /* active low */
-#define BOARD_LINE(s)                                                                                                  \
-    {                                                                                                                  \
-        true, false, 0, (s)                                                                                            \
-    }
-#define BOARD_LINE_LOW(s)                                                                                              \
-    {                                                                                                                  \
-        true, true, 0, (s)                                                                                             \
-    }
+/* clang-format off */
+#define BOARD_PIN(n)      { true, false, (n), NULL }
+#define BOARD_PIN_LOW(n)  { true, true, (n), NULL } /* active low */
+#define BOARD_LINE(s)     { true, false, 0, (s) }
+#define BOARD_LINE_LOW(s) { true, true, 0, (s) }
+/* clang-format on */
 #define BOARD_PORT(port, n) ((uint16_t)(((port) - 'A') * 32 + (n)))
 
 struct board_button {

@@ -49,8 +49,7 @@ struct hal_ops {
      */
     int (*open)(void *context, const struct board *board);
 
-    /* Sets the bus clock to at most hz (> 0). Returns the clock really set, in Hz, or HAL_EINVAL if none is that slow.
-     */
+    /* Sets the bus clock to at most hz (> 0). Returns the clock really set, Hz, or HAL_EINVAL if none is that slow. */
     int32_t (*bus_clock)(void *context, uint32_t hz);
 
     /*
@@ -60,8 +59,7 @@ struct hal_ops {
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 
-    /* Sends data as bus_write does: `rows` times n bytes, each row `stride` bytes after the last. NULL: the driver
-     * sends row by row with bus_write. */
+    /* As bus_write for data: `rows` times n bytes, each `stride` bytes after the last. NULL: use bus_write for each. */
     int (*bus_write_rows)(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows);
 
     /*
@@ -85,10 +83,7 @@ struct hal_ops {
     /* RESET true: high, the panel runs. BACKLIGHT true: lit. 0 also if the pin is not wired. */
     int (*pin_set)(void *context, enum hal_pin pin, bool level);
 
-    /*
-     * Waits for the next tearing-effect edge, at most timeout_us (then HAL_ETIMEDOUT). NULL, or HAL_ENOSYS: no TE line
-     * is wired.
-     */
+    /* Waits for the next tearing-effect edge, up to timeout_us (then HAL_ETIMEDOUT). NULL, HAL_ENOSYS: no TE line. */
     int (*te_wait)(void *context, uint32_t timeout_us);
 
     uint32_t (*time_us)(void *context); /* wraps after 71 minutes */

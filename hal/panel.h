@@ -108,9 +108,8 @@ uint32_t panel_frame_bytes(const struct panel *panel, unsigned format, unsigned 
 uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rotation, uint32_t hz);
 
 /*
- * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes in wire order, high first. Channels
- * become 8 bits by repeating bits, luma is (77 R + 150 G + 29 B) / 256, and the 4x4 Bayer matrix dithers it. Black is 0
- * and white is 15 at every position.
+ * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes, high first. Channels become 8 bits
+ * by repeating bits; luma (77 R + 150 G + 29 B) / 256 is dithered with the 4x4 Bayer matrix. Black is 0, white 15.
  */
 uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 
@@ -154,8 +153,7 @@ struct panel_driver {
  */
 int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config);
 
-/* Sets another full speed of at most hz, between two frames; d->clock_hz is the speed really set. 0, or the backend's
- * error. */
+/* Sets another full speed of at most hz between two frames; d->clock_hz is the real one. 0, or the backend's error. */
 int panel_clock(struct panel_driver *d, uint32_t hz);
 
 int panel_frame_begin(struct panel_driver *d);

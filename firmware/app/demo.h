@@ -78,8 +78,7 @@ struct demo {
     uint32_t (*band)(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 };
 
-/* Draws a band by ph_draw_band, with everything that the demo draws over it or does to it. Call it for all bands in
- * order, after ph_frame_bands(). */
+/* Draws a band with all that the demo does to it. Call it for all bands in order, after ph_frame_bands(). */
 uint32_t demo_draw_band(const struct demo *demo, struct demo_context *context, struct ph_renderer *r, uint32_t band,
                         uint16_t *pixels);
 
@@ -92,8 +91,7 @@ bool demo_has_view(const struct demo *demo, const char *view);
 /*
  * Moves the camera by the buttons (enum hal_button) that are pressed during this frame; call it once a frame, before
  * demo->frame. Left and right orbit, 256 frames a turn; up comes nearer, down goes away. These demos follow: turntable,
- * wireframe, ball (outside), solar (outside), snake (outside), shadow. In the snake's view from its head left and right
- * steer it instead.
+ * wireframe, ball, solar and snake (outside), shadow. In the snake's view from its head left and right steer it.
  */
 #define DEMO_DOLLY_MAX FX_HALF
 void demo_input(struct demo_context *context, uint32_t buttons);
@@ -103,8 +101,7 @@ extern const uint32_t demo_count;
 
 const struct demo *demo_find(const char *name);
 
-/* The demo that an image shows first: demo_turntable, or the demo_scene that pinhole-asset wrote into a file. The
- * image's build defines it. */
+/* The build of an image defines its first demo: demo_turntable, or the demo_scene that pinhole-asset wrote. */
 extern const struct demo *const demo_here;
 extern const struct demo demo_scene;
 

@@ -110,8 +110,7 @@ static struct memory_plan plan_in_own_bands(const struct runner_config *config, 
     return plan;
 }
 
-/* The scene gets what it has in the board's own bands, so that bands of another height show the same picture. Of higher
- * bands there are fewer. */
+/* The scene is that of the board's own bands, so that other bands show the same picture. Of higher bands are fewer. */
 struct memory_plan memory_plan(const struct runner_config *config, const struct demo *demo)
 {
     struct memory_plan plan = plan_in_own_bands(config, demo);

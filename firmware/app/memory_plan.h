@@ -28,10 +28,8 @@ struct runner_config; /* runner.h */
 /* What a board gives to its runner: ram_bytes without RUNNER_OTHER_BYTES. */
 uint32_t runner_budget(const struct board *board);
 
-/*
- * Memory that this machine needs for config (its memory fields are not read), whichever demo is selected: on a 32-bit
- * machine at most budget_bytes.
- */
+/* Memory that this machine needs, whichever demo is selected; the fields for memory are not read. On a 32-bit machine
+ * it is at most budget_bytes. */
 size_t runner_bytes(const struct runner_config *config);
 
 /* Memory that a 32-bit target needs to draw config->demo whole; with a budget_bytes below it parts are left out. */
@@ -67,8 +65,7 @@ uint64_t memory_plan_picture_bytes(const struct picture_memory *p);
 struct memory_plan memory_plan(const struct runner_config *config, const struct demo *demo);
 uint64_t memory_plan_bytes(const struct memory_plan *plan);
 
-/* Whether the backend's queue is of use: pixels go out straight from the band buffers, and the board asks for more than
- * two of them. */
+/* Whether a queue is of use: pixels go out straight from the band buffers, of which the board has more than two. */
 bool memory_plan_has_queue(const struct runner_config *config);
 
 #endif

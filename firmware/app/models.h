@@ -42,8 +42,7 @@ int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t lev
 #define MODEL_CUBE_BYTES (MODEL_BYTES(24, 12) + 192)
 int model_cube(struct demo_arena *arena, struct ph_mesh *mesh);
 
-/* cells x cells squares (1 .. 255) of side 1 in the plane y = 0 around the origin, with the wavy normals of the
- * benchmark. */
+/* cells x cells squares (1 .. 255) of side 1 at y = 0 around the origin, with the benchmark's wavy normals. */
 #define MODEL_GROUND_VERTICES(cells)  (((cells) + 1) * ((cells) + 1))
 #define MODEL_GROUND_TRIANGLES(cells) (2 * (cells) * (cells))
 int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells);
@@ -92,9 +91,8 @@ int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct mod
 int model_teapot(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t segments);
 
 /*
- * Writes each undirected edge of the mesh once into mesh->edges, in linear time for any mesh. Scratch:
- * MODEL_EDGES_SCRATCH. model_quad_edges leaves out the diagonals of quads: if triangle 2k is (a, b, c) and 2k + 1 is
- * (a, c, d), that is a-c.
+ * Writes each undirected edge once into mesh->edges, in linear time. Scratch: MODEL_EDGES_SCRATCH. model_quad_edges
+ * leaves out the diagonals of quads: if triangle 2k is (a, b, c) and 2k + 1 is (a, c, d), that is a-c.
  */
 #define MODEL_EDGES_SCRATCH(v, t) (MODEL_ROUND8(8 * (size_t)(v) + 4) + MODEL_ROUND8(6 * (size_t)(t)))
 int model_edges(struct demo_arena *arena, struct ph_mesh *mesh);

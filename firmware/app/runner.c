@@ -187,8 +187,7 @@ static void draw_overlay(const struct runner *runner, uint32_t band, uint16_t *p
     ph_overlay_text(&over, 2 * scale, 2 * scale, text, &style);
 }
 
-/* Draws into the next buffer. With a queue it waits until the bus has sent that buffer; without one the other buffer
- * was sent after it, so it is free. */
+/* Draws into the next buffer, which is free once the bus has sent it. Without a queue the other was sent after it. */
 static uint32_t draw_band(struct runner *runner, uint32_t band)
 {
     uint16_t *pixels = runner->bands[runner->band_next];
@@ -225,8 +224,7 @@ static int frame_rows(struct runner *runner, uint32_t lines)
     return status;
 }
 
-/* Ends the frame before. With a queue and a lit panel nobody has to wait for its last bands: the next frame's bands
- * follow them. */
+/* Ends the frame before. With a queue and a lit panel its last bands need no wait: the next bands follow them. */
 static int end_before(struct runner *runner)
 {
     const bool follows =

@@ -67,17 +67,13 @@ int runner_open(struct runner *runner, const struct hal *hal, const struct runne
 /* 0, or an error of the renderer (PH_ERR_..) or the panel (HAL_E..). */
 int runner_frame(struct runner *runner, uint32_t frame);
 
-/*
- * The steps of runner_frame. runner_buttons adds the buttons `more` to the kit's own; up and down together mean select,
- * because some kits have no such button. Errors: runner_buttons PH_ERR_NOMEM as runner_open, runner_scene PH_ERR_..,
- * runner_send HAL_E...
- */
+/* The steps of runner_frame. runner_buttons adds `more` to the kit's own buttons; up and down together mean select,
+ * which some kits lack. Errors: it PH_ERR_NOMEM as runner_open, runner_scene PH_ERR_.., runner_send HAL_E... */
 int runner_buttons(struct runner *runner, uint32_t more);
 int runner_scene(struct runner *runner, uint32_t frame);
 int runner_send(struct runner *runner);
 
-/* Waits for the last bit. After the first frame display and backlight go on. 0 (also if nothing is on the wire), or
- * HAL_E... */
+/* Waits for the last bit. After the first frame display and backlight go on. 0 (also if nothing is sent), or HAL_E.. */
 int runner_finish(struct runner *runner);
 
 int runner_close(struct runner *runner);

@@ -19,11 +19,6 @@ struct area {
     uint32_t x0, x1, y0, y1; /* x1, y1: one past the end */
 };
 
-static size_t rounded(size_t n)
-{
-    return (n + 7) / 8 * 8;
-}
-
 static uint32_t words_of(uint32_t width)
 {
     return (width + 31) / 32;
@@ -39,55 +34,33 @@ static uint32_t larger(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
-/* Memory is divided into these parts, in this order. There are two of each of the last three. */
-static size_t shown_bytes(uint32_t width, uint32_t height)
+/* The next n bytes of memory, a multiple of 8; NULL if there is no memory and they are only counted. */
+static void *take(uint8_t *memory, size_t *used, size_t n)
 {
-    return rounded(sizeof(uint16_t) * width * height);
+    void *part = memory != NULL ? memory + *used : NULL;
+    *used += (n + 7) / 8 * 8;
+    return part;
 }
 
-static size_t bits_bytes(uint32_t width, uint32_t height)
+static size_t divide_memory(struct panel_diff *diff, uint8_t *memory)
 {
-    return rounded(sizeof(uint32_t) * words_of(width) * height);
-}
-
-static size_t cost_bytes(uint32_t width, uint32_t height)
-{
-    return rounded(sizeof(uint32_t) * (larger(width, height) + 1U));
-}
-
-static size_t next_bytes(uint32_t width, uint32_t height)
-{
-    return rounded(sizeof(uint16_t) * (larger(width, height) + 1U));
-}
-
-static size_t merged_bytes(uint32_t width, uint32_t height)
-{
-    return bits_bytes(larger(width, height), 1);
+    const size_t width = diff->width, height = diff->height, longer = larger(diff->width, diff->height);
+    size_t used = 0;
+    diff->shown = take(memory, &used, sizeof(uint16_t) * width * height);
+    diff->bits[0] = take(memory, &used, sizeof(uint32_t) * words_of(diff->width) * height);
+    diff->bits[1] = take(memory, &used, sizeof(uint32_t) * words_of(diff->height) * width);
+    for (int i = 0; i < 2; i++) {
+        diff->cost[i] = take(memory, &used, sizeof(uint32_t) * (longer + 1));
+        diff->next[i] = take(memory, &used, sizeof(uint16_t) * (longer + 1));
+        diff->merged[i] = take(memory, &used, sizeof(uint32_t) * words_of((uint32_t)longer));
+    }
+    return used;
 }
 
 size_t panel_diff_bytes(uint16_t width, uint16_t height)
 {
-    return shown_bytes(width, height) + bits_bytes(width, height) + bits_bytes(height, width) +
-           2 * (cost_bytes(width, height) + next_bytes(width, height) + merged_bytes(width, height));
-}
-
-static void cut_memory(struct panel_diff *diff, uint8_t *memory)
-{
-    const uint32_t width = diff->width, height = diff->height;
-    diff->shown = (uint16_t *)(void *)memory;
-    memory += shown_bytes(width, height);
-    diff->bits[0] = (uint32_t *)(void *)memory;
-    memory += bits_bytes(width, height);
-    diff->bits[1] = (uint32_t *)(void *)memory;
-    memory += bits_bytes(height, width);
-    for (int i = 0; i < 2; i++) {
-        diff->cost[i] = (uint32_t *)(void *)memory;
-        memory += cost_bytes(width, height);
-        diff->next[i] = (uint16_t *)(void *)memory;
-        memory += next_bytes(width, height);
-        diff->merged[i] = (uint32_t *)(void *)memory;
-        memory += merged_bytes(width, height);
-    }
+    struct panel_diff diff = {.width = width, .height = height};
+    return divide_memory(&diff, NULL);
 }
 
 /* The time of a write by itself, as the half bytes that the bus could send in that time. */
@@ -98,8 +71,7 @@ static uint32_t write_cost(const struct panel_driver *d)
     return ns / 100 * ((uint32_t)d->clock_hz / 1000) / 40000;
 }
 
-/* The cost of a window's borders and start, with the writes that they and the pixels take. A command and its parameters
- * are two writes. */
+/* The cost of a window's borders, start and writes. A command and its parameters are two writes. */
 static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
 {
     const struct panel_controller *c = d->config.panel->controller;
@@ -132,7 +104,7 @@ int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint3
     diff->unit_cost = unit_costs[d->config.format];
     set_costs(diff, d);
     diff->unknown = true;
-    cut_memory(diff, memory);
+    divide_memory(diff, memory);
     return HAL_OK;
 }
 
@@ -211,8 +183,7 @@ static void turn_bits(struct panel_diff *diff, const struct area *all)
 
 /* ---- which windows ------------------------------------------------------------------------------ */
 
-/* Finds the next window in a slab of `lines` lines. A window takes in a gap if its pixels cost no more than another
- * window. False: there is no more window. */
+/* Finds the slab's next window. It includes a gap that costs no more than another window. False: there is none. */
 static bool next_window(const struct panel_diff *diff, const uint32_t *bits, uint32_t lines, struct area *window,
                         uint32_t from, uint32_t end)
 {
@@ -322,8 +293,7 @@ static bool unchanged(const struct panel_diff *diff, int turned, uint32_t y, uin
     return find_bit(diff->bits[turned] + (size_t)y * diff->words[turned], x0, x1, true) == x1;
 }
 
-/* The window without edges in which nothing changed; cuts at every fourth line leave such edges. Something changed in
- * every window, so the loops end. */
+/* The window without unchanged edges, which coarse cuts leave. Something changed in it, so the loops end. */
 static struct area trimmed(const struct panel_diff *diff, struct area w)
 {
     while (unchanged(diff, 0, w.y0, w.x0, w.x1)) {

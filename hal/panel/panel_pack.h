@@ -7,8 +7,7 @@
 /* Divides the scratch memory. HAL_EINVAL: it is too small for this panel. */
 int panel_pack_init(struct panel_driver *d);
 
-/* Converts line d->row of the window. `pixels` is the line's first pixel in the window. Each full half of the scratch
- * memory is sent. */
+/* Converts line d->row of the window, whose first pixel is *pixels. Each full half of the scratch memory is sent. */
 int panel_pack_line(struct panel_driver *d, const uint8_t *pixels);
 
 /* Sends the rest of the window. */

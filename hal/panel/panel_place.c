@@ -13,7 +13,7 @@ const struct panel *panel_find(const char *name)
     return NULL;
 }
 
-/* For each rotation: is an axis mirrored, do the axes swap? At 90 degrees clockwise the first column is the last row.
+/* Which axes a rotation mirrors, and whether it swaps them. At 90 degrees clockwise the first column is the last row.
  */
 static bool turns_mx(unsigned rotation)
 {

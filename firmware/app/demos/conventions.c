@@ -30,8 +30,7 @@ static int conventions_init(struct demo_context *context)
     return model_material(&context->arena, &c->pot, &c->china);
 }
 
-/* The camera that looks at the pot from above, as each convention writes it. D3D looks along +z; LMU gives planes as
- * coordinates. */
+/* The camera above the pot as each convention writes it. D3D looks along +z; LMU gives planes as coordinates. */
 static int written_in(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
 {
     *view = demo_look(0, FX_ONE * 12 / 10, FX_ONE * 4, 0, 0, 0);
@@ -46,8 +45,7 @@ static int written_in(enum ph_convention convention, struct ph_xform *view, fx_t
     return ph_camera_from(convention, view, near_z, far_z);
 }
 
-/* The projection of the whole picture that shows a quarter of it: half the scale, shifted by half of the picture's
- * half. */
+/* The whole picture's projection for one of its quarters: half the scale, shifted by a quarter of the picture. */
 static struct ph_projection in_quarter(const struct demo_context *context, uint32_t i, fx_t near_z, fx_t far_z)
 {
     struct ph_projection p = demo_perspective(context, DEMO_SCALE_60_Q20 * 3 / 2, near_z, far_z);

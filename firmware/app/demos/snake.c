@@ -177,8 +177,7 @@ static uint32_t apple_at(const struct steering *s, struct cell c)
     return i;
 }
 
-/* Eats an apple; a new one grows in a free cell. There is one: snake and apples take at most TRAIL + APPLES of 63
- * cells. */
+/* Eats an apple; a new one grows in a free cell. Snake and apples take at most TRAIL + APPLES of 63 cells. */
 static void eat(struct steering *s, uint32_t apple)
 {
     const struct cell old = s->apples[apple];
@@ -255,8 +254,7 @@ static void steer_on(struct steering *s)
     enter(s, c, last.out);
 }
 
-/* A frame that is drawn again changes nothing. A few frames that were left out are made up for; a jump (the loop's end)
- * counts as one frame. */
+/* A frame drawn again changes nothing; a few left out are made up for; a jump (the loop's end) counts as one. */
 static void snake_input(struct snake *s, uint32_t frame, uint32_t buttons)
 {
     const uint32_t passed = frame - s->frame;

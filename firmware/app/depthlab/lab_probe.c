@@ -47,8 +47,7 @@ int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t ne
 
 /*
  * Draws a triangle that covers the pixel. It is four pixels wide, so that its rounded corners are well outside even one
- * LSB before the eye; it is one pixel wide where four do not fit Q16.16. It is flat, so its size does not change its
- * depth.
+ * LSB before the eye; one pixel where four do not fit Q16.16. It is flat, so its depth does not depend on its size.
  */
 static uint32_t drawn_code(struct lab_probe *p, fx_t w)
 {

@@ -33,8 +33,7 @@ int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t ne
 /* w from near_z to far_z; larger is nearer. */
 uint32_t lab_code(struct lab_probe *p, fx_t w);
 
-/* Whether the code never rises with w, so that a search may bisect. `pinhole-depth monotone` proves it for the drawn
- * formats. */
+/* Whether the code never rises with w, so that a search may bisect. `pinhole-depth monotone` proves it if drawn. */
 static inline bool lab_is_monotone(const struct lab_format *format)
 {
     return format->kind != LAB_NDC_Q16 && format->kind != LAB_RECIP_Q16 && format->kind != LAB_CLIP_Q16;

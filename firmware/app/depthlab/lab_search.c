@@ -224,10 +224,7 @@ static uint32_t refine(struct lab_search *s, struct lab_probe *p, struct span fr
     return best;
 }
 
-/*
- * A length that is certainly reached, between blocks whose extreme codes are ordered wrongly. With it longest_wrong()
- * need not look into most blocks.
- */
+/* A length that is certain from the blocks' extreme codes. With it longest_wrong() need not look into most blocks. */
 static uint32_t surely_wrong(const struct lab_search *s, const struct lab_probe *p, struct span i, fx_t j_min)
 {
     const uint32_t blocks = block_count(s, p);

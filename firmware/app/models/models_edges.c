@@ -1,7 +1,6 @@
 #include "models_build.h"
 
-/* All edges, sorted by their lower vertex: the upper ends of vertex v's edges are upper[first[v]] .. upper[first[v +
- * 1]]. */
+/* All edges by their lower vertex: upper[first[v]] .. upper[first[v + 1] - 1] are the upper ends of v's edges. */
 struct edge_buckets {
     uint32_t *first; /* vertex_count + 1 */
     uint32_t *seen;  /* for each vertex: 1 + the last lower vertex that had an edge to it */

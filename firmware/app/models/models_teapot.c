@@ -27,8 +27,7 @@ static const struct ring pot_rings[13] = {
     {6000, 3360, 300},  {5700, 3192, 0},     {0, 0, 0},
 };
 
-/* Half rings of a tube as x, y >= 0, z. The first and the last point lie in the plane of symmetry. A tube is two
- * patches long. */
+/* Half rings of a tube as x, y >= 0, z; both ends lie in the plane of symmetry. A tube is two patches long. */
 static const int16_t handle_rings[7][4][3] = {
     {{-6400, 0, 8100}, {-6400, 1200, 8100}, {-6000, 1200, 9000}, {-6000, 0, 9000}},
     {{-9200, 0, 8100}, {-9200, 1200, 8100}, {-10000, 1200, 9000}, {-10000, 0, 9000}},
