@@ -238,12 +238,8 @@ int runner_send(struct runner *runner)
     const uint32_t bands = ph_frame_bands(&runner->renderer);
     uint32_t lines = draw_band(runner, 0); /* the frame before may still be on the wire */
     int status = end_before(runner);
-    if (status == HAL_OK) {
-        status = wait_for_edge(runner);
-    }
-    if (status == HAL_OK) {
-        status = sender->ops->begin(sender->context, &runner->driver);
-    }
+    status = status == HAL_OK ? wait_for_edge(runner) : status;
+    status = status == HAL_OK ? sender->ops->begin(sender->context, &runner->driver) : status;
     for (uint32_t band = 0; band < bands && status == HAL_OK; band++) {
         lines = band > 0 ? draw_band(runner, band) : lines;
         status = frame_rows(runner, lines);
@@ -265,9 +261,7 @@ int runner_finish(struct runner *runner)
 int runner_frame(struct runner *runner, uint32_t frame)
 {
     int status = runner_buttons(runner, 0);
-    if (status == PH_OK) {
-        status = runner_scene(runner, frame);
-    }
+    status = status == PH_OK ? runner_scene(runner, frame) : status;
     return status == PH_OK ? runner_send(runner) : status;
 }
 

@@ -6,21 +6,15 @@
 
 static int send(const struct hal *hal, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
-    if (n == 0) {
-        return HAL_OK;
-    }
-    int status = hal->ops->bus_write(hal->context, dc, bytes, n);
-    return status < 0 ? status : hal->ops->bus_wait(hal->context);
+    const int status = n > 0 ? hal->ops->bus_write(hal->context, dc, bytes, n) : HAL_OK;
+    return status < 0 || n == 0 ? status : hal->ops->bus_wait(hal->context);
 }
 
 static int send_command(const struct panel_driver *d, uint8_t command, const uint8_t *parameters, size_t n)
 {
-    int status = send(&d->hal, HAL_COMMAND, &command, 1);
-    if (status < 0) {
-        return status;
-    }
-    bool low = d->config.panel->controller->parameters_are_commands;
-    return send(&d->hal, low ? HAL_COMMAND : HAL_DATA, parameters, n);
+    const bool low = d->config.panel->controller->parameters_are_commands;
+    const int status = send(&d->hal, HAL_COMMAND, &command, 1);
+    return status < 0 ? status : send(&d->hal, low ? HAL_COMMAND : HAL_DATA, parameters, n);
 }
 
 /* Sends a sequence as described at struct panel. HAL_EINVAL: the table is broken, because the sequence is cut short. */
@@ -28,8 +22,7 @@ static int send_sequence(const struct panel_driver *d, const uint8_t *bytes, siz
 {
     size_t i = 0;
     while (i + 2 <= n) {
-        uint8_t command = bytes[i];
-        uint8_t count = bytes[i + 1];
+        uint8_t command = bytes[i], count = bytes[i + 1];
         i += 2;
         if (count > n - i) {
             return HAL_EINVAL;
@@ -61,10 +54,7 @@ static int hardware_reset(const struct panel_driver *d)
 {
     const struct panel_controller *c = d->config.panel->controller;
     int status = set_pin(d, HAL_PIN_BACKLIGHT, false);
-    if (status < 0) {
-        return status;
-    }
-    status = set_pin(d, HAL_PIN_RESET, false);
+    status = status < 0 ? status : set_pin(d, HAL_PIN_RESET, false);
     if (status < 0) {
         return status;
     }
@@ -97,10 +87,8 @@ static int check(const struct panel_config *config)
         (panel->formats & PANEL_FORMAT_BIT(config->format)) == 0) {
         return HAL_EINVAL;
     }
-    if (config->format != PANEL_RGB565 && (config->scratch == NULL || config->scratch_bytes < PANEL_SCRATCH_MIN)) {
-        return HAL_EINVAL;
-    }
-    return HAL_OK;
+    const bool scratch = config->scratch != NULL && config->scratch_bytes >= PANEL_SCRATCH_MIN;
+    return scratch || config->format == PANEL_RGB565 ? HAL_OK : HAL_EINVAL;
 }
 
 int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config)
@@ -115,23 +103,10 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
     d->width = panel_width(config->panel, config->rotation);
     d->height = panel_height(config->panel, config->rotation);
     status = panel_pack_init(d);
-    if (status < 0) {
-        return status;
-    }
-
-    status = set_clock(d, config->panel->controller->init_hz);
-    if (status < 0) {
-        return status;
-    }
-    status = hardware_reset(d);
-    if (status < 0) {
-        return status;
-    }
-    status = initialise(d);
-    if (status < 0) {
-        return status;
-    }
-    return panel_clock(d, config->clock_hz);
+    status = status < 0 ? status : set_clock(d, config->panel->controller->init_hz);
+    status = status < 0 ? status : hardware_reset(d);
+    status = status < 0 ? status : initialise(d);
+    return status < 0 ? status : panel_clock(d, config->clock_hz);
 }
 
 int panel_clock(struct panel_driver *d, uint32_t hz)
@@ -176,17 +151,11 @@ static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool agai
     const struct panel_controller *c = d->config.panel->controller;
     struct panel_place place = panel_place(d->config.panel, d->config.rotation);
     bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the picture's lines are columns of the glass */
-    uint32_t height = d->bottom - y;
-    uint32_t column = place.column + (swap ? y : x);
-    uint32_t row = place.row + (swap ? x : y);
-    uint32_t columns = swap ? height : d->span;
-    uint32_t rows = swap ? d->span : height;
+    uint32_t height = d->bottom - y, column = place.column + (swap ? y : x), row = place.row + (swap ? x : y);
+    uint32_t columns = swap ? height : d->span, rows = swap ? d->span : height;
     int status = send_border(d, &c->set_column, column / c->column_pixels, (column + columns - 1) / c->column_pixels,
                              d->column_sent, again);
-    if (status < 0) {
-        return status;
-    }
-    status = send_border(d, &c->set_row, row, row + rows - 1, d->row_sent, again);
+    status = status < 0 ? status : send_border(d, &c->set_row, row, row + rows - 1, d->row_sent, again);
     return status < 0 || c->memory_write == 0 ? status : stream(d, HAL_COMMAND, &c->memory_write, 1);
 }
 
@@ -316,21 +285,12 @@ int panel_frame_end(struct panel_driver *d)
     bool complete = d->in_frame && d->row == d->bottom;
     d->in_frame = false;
     int status = panel_wait(d);
-    if (status < 0) {
-        return status;
-    }
-    if (!complete) {
-        return HAL_EINVAL;
-    }
-    if (d->lit) {
-        return HAL_OK;
+    if (status < 0 || !complete || d->lit) {
+        return status < 0 ? status : complete ? HAL_OK : HAL_EINVAL;
     }
     const struct panel_controller *c = d->config.panel->controller;
     status = send_sequence(d, c->on, c->on_bytes);
-    if (status < 0) {
-        return status;
-    }
-    status = set_pin(d, HAL_PIN_BACKLIGHT, true);
+    status = status < 0 ? status : set_pin(d, HAL_PIN_BACKLIGHT, true);
     d->lit = status >= 0;
     return status;
 }
@@ -340,11 +300,7 @@ int panel_close(struct panel_driver *d)
     const struct panel_controller *c = d->config.panel->controller;
     d->in_frame = false;
     d->lit = false;
-    int dark = set_pin(d, HAL_PIN_BACKLIGHT, false);
-    int waited = panel_wait(d);
+    int dark = set_pin(d, HAL_PIN_BACKLIGHT, false), waited = panel_wait(d);
     int status = send_sequence(d, c->off, c->off_bytes);
-    if (dark < 0) {
-        return dark;
-    }
-    return waited < 0 ? waited : status;
+    return dark < 0 ? dark : waited < 0 ? waited : status;
 }

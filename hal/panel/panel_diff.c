@@ -77,8 +77,7 @@ static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
     const struct panel_controller *c = d->config.panel->controller;
     const uint32_t write = write_cost(d);
     diff->step = write > 0 ? COARSE_LINES : 1;
-    const uint32_t border = 2 * panel_border_bytes(c) + 2 * write;
-    const uint32_t start = (2 + write) * panel_start_bytes(c);
+    const uint32_t border = 2 * panel_border_bytes(c) + 2 * write, start = (2 + write) * panel_start_bytes(c);
     diff->open_cost = 2 * border + start + write;
     diff->beside_cost = c->memory_write == 0 ? diff->open_cost : diff->open_cost - border;
 }
@@ -232,8 +231,7 @@ static uint32_t plan(struct panel_diff *diff, int turned, const struct area *are
     const uint32_t *merged = diff->merged[turned];
     cost[area->y1] = 0;
     for (uint32_t steps = (area->y1 - area->y0 + diff->step - 1) / diff->step; steps-- > 0;) {
-        const uint32_t y = area->y0 + steps * diff->step;
-        const uint32_t last = lesser(area->y1, y + SLAB_LINES);
+        const uint32_t y = area->y0 + steps * diff->step, last = lesser(area->y1, y + SLAB_LINES);
         uint32_t best = UINT32_MAX;
         for (uint32_t from = y, end; from < last; from = end) {
             end = lesser(from + diff->step, last);

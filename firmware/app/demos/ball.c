@@ -43,8 +43,7 @@ static int32_t dot(const int8_t a[3], const int32_t b[3])
 static fx_t room(const struct flight *f, uint32_t wall)
 {
     const int8_t *const n = walls[wall];
-    const fx_t along = n[0] * f->at.x + n[1] * f->at.y + n[2] * f->at.z;
-    const fx_t root_2 = 92682;
+    const fx_t along = n[0] * f->at.x + n[1] * f->at.y + n[2] * f->at.z, root_2 = 92682;
     const fx_t from_origin = wall < 4 ? -fx_mul_sat(RADIUS, root_2) : wall == 4 ? -NEAR_Z - RADIUS : FAR_Z - RADIUS;
     return along + from_origin;
 }
@@ -110,8 +109,7 @@ static fx_t whole_way(void)
 
 struct fx_vec3 demo_ball_position(uint32_t frame)
 {
-    const uint32_t phase = frame % LOOP_FRAMES;
-    const uint32_t step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - phase;
+    const uint32_t phase = frame % LOOP_FRAMES, step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - phase;
     struct flight f = start();
     fx_t left = (fx_t)(fx_mul_wide(whole_way(), (int32_t)step) / (LOOP_FRAMES / 2));
     for (uint32_t i = 0; i < BOUNCES && left > 0; i++) {

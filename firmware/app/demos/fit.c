@@ -54,8 +54,7 @@ static void extend(struct extent *e, fx_t y, fx_t rho, fx_t scale_y, fx_t side)
 static struct extent measure(const struct ph_projection *projection, const struct ph_mesh *meshes, uint32_t mesh_count,
                              struct fx_vec3 centre)
 {
-    const fx_t scale_x = projection->scale_x_q20 >> 4;
-    const fx_t scale_y = projection->scale_y_q20 >> 4;
+    const fx_t scale_x = projection->scale_x_q20 >> 4, scale_y = projection->scale_y_q20 >> 4;
     const fx_t cos_square = fx_mul_sat(COS_ELEVATION, COS_ELEVATION);
     const fx_t side = fx_sqrt(fx_add_sat(fx_mul_sat(scale_x, scale_x), cos_square));
     struct extent e = {.distance = 0};
@@ -90,8 +89,7 @@ struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mes
 {
     struct ph_projection projection = demo_perspective(context, SCALE_40_Q20, FX_ONE, FX_INT(2));
     const struct extent e = measure(&projection, meshes, mesh_count, centre);
-    const fx_t margin = e.distance / 16 + 1;
-    const fx_t distance = fx_add_sat(e.distance, margin);
+    const fx_t margin = e.distance / 16 + 1, distance = fx_add_sat(e.distance, margin);
     /* something as wide as the meshes may lie below them; the depth range includes it */
     const struct swing under = swing_of(e.bottom, e.radius);
     const fx_t clear = distance - larger(e.front, under.front) - margin / 2;
@@ -103,8 +101,7 @@ struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mes
     const fx_t top = highest(scale_y, distance, meshes, mesh_count, centre);
     const fx_t low = fx_div_sat(fx_sub_sat(under.up, under.tilt), fx_sub_sat(distance, under.front));
     const fx_t middle = (top + larger(fx_mul_sat(low, scale_y), -2 * FX_ONE)) / 2;
-    const fx_t room = FX_ONE - FX_ONE / 16 - top;
-    const fx_t move = -middle < room ? -middle : room;
+    const fx_t room = FX_ONE - FX_ONE / 16 - top, move = -middle < room ? -middle : room;
     projection.shift_y = move > 0 ? -move : 0;
 
     const struct fx_vec3 eye = {0, fx_mul_sat(distance, SIN_ELEVATION), fx_mul_sat(distance, COS_ELEVATION)};

@@ -102,9 +102,7 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     const struct hitchcock *const h = context->state;
     const struct ph_xform spin = ph_xform_rotate_y(frame << 26); /* 8 turns a loop */
     int status = hitchcock_camera(context, r, frame);
-    if (status == PH_OK) {
-        status = ph_draw_mesh(r, &h->top, &spin);
-    }
+    status = status == PH_OK ? ph_draw_mesh(r, &h->top, &spin) : status;
     for (int32_t i = 0; i < 2 * PAIRS && status == PH_OK; i++) {
         const fx_t x = (i & 1 ? FX_ONE : -FX_ONE) * 17 / 10;
         const struct ph_xform place = ph_xform_translate(x, 0, (i >> 1) * (FX_ONE * -5 / 2) - FX_ONE);

@@ -120,10 +120,8 @@ static struct fx_vec3 blend(struct fx_vec3 a, struct fx_vec3 b, uint32_t time)
 static struct fx_vec3 track(const struct steering *s, uint32_t time, uint32_t ahead)
 {
     const struct passage *const p = &s->trail[time / CELL_FRAMES % TRAIL];
-    const fx_t step = CELL / (fx_t)CELL_FRAMES;
-    const fx_t done = (fx_t)(time % CELL_FRAMES);
-    const uint32_t from = (uint32_t)p->in << 30;
-    const uint32_t left = 1u << 30;
+    const fx_t step = CELL / (fx_t)CELL_FRAMES, done = (fx_t)(time % CELL_FRAMES);
+    const uint32_t from = (uint32_t)p->in << 30, left = 1u << 30;
     const fx_t side = p->in == p->out ? 0 : ((p->in + 1) & 3) == p->out ? CELL / 2 : -CELL / 2;
     const uint32_t part = (uint32_t)done * (left / CELL_FRAMES);
     const uint32_t now = side == 0 ? from : side > 0 ? from + part : from - part;
@@ -211,8 +209,7 @@ static void enter(struct steering *s, struct cell c, uint8_t in)
 
 static struct cell cell_at(struct fx_vec3 p)
 {
-    const fx_t x = (p.x + 16 * CELL + CELL / 2) / CELL - 16;
-    const fx_t z = (p.z + 16 * CELL + CELL / 2) / CELL - 16;
+    const fx_t x = (p.x + 16 * CELL + CELL / 2) / CELL - 16, z = (p.z + 16 * CELL + CELL / 2) / CELL - 16;
     return (struct cell){(int8_t)(x < -CELLS_X  ? -CELLS_X
                                   : x > CELLS_X ? CELLS_X
                                                 : x),
@@ -224,10 +221,8 @@ static struct cell cell_at(struct fx_vec3 p)
 /* The snake goes to the nearest cell before it, and the apples move to the cells below them. */
 static void leave_path(struct steering *s, uint32_t frame, int8_t turn)
 {
-    const struct fx_vec3 at = path(frame << PATH_SHIFT);
-    const struct fx_vec3 next = path((frame + 1) << PATH_SHIFT);
-    const fx_t x = next.x - at.x;
-    const fx_t z = next.z - at.z;
+    const struct fx_vec3 at = path(frame << PATH_SHIFT), next = path((frame + 1) << PATH_SHIFT);
+    const fx_t x = next.x - at.x, z = next.z - at.z;
     const uint8_t in = fx_abs_sat(x) > fx_abs_sat(z) ? (x < 0 ? 1 : 3) : (z < 0 ? 0 : 2);
     *s = (struct steering){.on = true, .turn = turn, .origin = frame, .length = SHORTEST, .random = frame};
     for (uint32_t i = 0; i < APPLES; i++) {
@@ -376,8 +371,7 @@ static int snake_camera(const struct demo_context *context, struct ph_renderer *
 {
     const struct snake *const s = context->state;
     struct ph_projection projection = demo_perspective(context, FX_ONE << 4, FX_ONE / 8, FX_INT(40)); /* 90 degrees */
-    const struct fx_vec3 at = spot(&s->steering, now, 0);
-    const struct fx_vec3 next = spot(&s->steering, now, 4);
+    const struct fx_vec3 at = spot(&s->steering, now, 0), next = spot(&s->steering, now, 4);
     const fx_t up = FX_HALF;
     struct ph_xform view = demo_look(at.x, at.y + up, at.z, next.x, next.y + up - FX_ONE / 32, next.z);
     if (outside) {

@@ -57,9 +57,7 @@ static void platter_ring(struct platter *p, uint32_t ring, fx_t radius, fx_t y, 
 {
     for (uint32_t i = 0; i < SIDES; i++) {
         const uint32_t v = 1 + ring * SIDES + i;
-        const fx_t turns = (fx_t)(i * (65536 / SIDES));
-        const fx_t c = fx_cos(turns);
-        const fx_t s = fx_sin(turns);
+        const fx_t turns = (fx_t)(i * (65536 / SIDES)), c = fx_cos(turns), s = fx_sin(turns);
         p->positions[v] = (struct fx_vec3){fx_mul_sat(radius, c), y, -fx_mul_sat(radius, s)};
         p->normals[v][0] = (int16_t)fx_mul_sat(outwards, c);
         p->normals[v][1] = (int16_t)upwards;
@@ -82,8 +80,7 @@ static void make_platter(struct platter *p, fx_t radius, fx_t y)
     platter_ring(p, 2, radius, y, 16384, 0);
     platter_ring(p, 3, radius, y - radius / 16, 16384, 0);
     for (uint32_t i = 0; i < SIDES; i++) {
-        const uint16_t a = (uint16_t)(1 + i);
-        const uint16_t b = (uint16_t)(1 + (i + 1) % SIDES);
+        const uint16_t a = (uint16_t)(1 + i), b = (uint16_t)(1 + (i + 1) % SIDES);
         const uint16_t corners[5][3] = {
             {0, a, b},
             {a, (uint16_t)(a + SIDES), (uint16_t)(b + SIDES)},

@@ -70,9 +70,7 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
     struct demo_fit camera = w->camera;
     demo_orbit(context, &camera.view, &camera.projection);
     int status = demo_begin(context, r, &camera.view, &camera.projection, NULL, w->background);
-    if (status == PH_OK) {
-        status = ph_draw_mesh(r, &w->faces, &turn);
-    }
+    status = status == PH_OK ? ph_draw_mesh(r, &w->faces, &turn) : status;
     return status ? status : ph_draw_mesh(r, &w->lines, &turn);
 }
 

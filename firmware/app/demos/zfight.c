@@ -34,11 +34,8 @@ struct layout {
 static struct layout layout_of(const struct demo_context *context)
 {
     const fx_t tan_30 = 37837;
-    const int32_t w = context->width;
-    const int32_t h = context->height;
-    const int32_t smaller = w < h ? w : h;
-    const int32_t columns = w > h * 3 / 2 ? PAIRS / 2 : COLUMNS;
-    const int32_t rows = PAIRS / columns;
+    const int32_t w = context->width, h = context->height, smaller = w < h ? w : h;
+    const int32_t columns = w > h * 3 / 2 ? PAIRS / 2 : COLUMNS, rows = PAIRS / columns;
     struct layout l;
     l.step_x = (fx_t)(fx_mul_wide(tan_30, 2 * w) / (smaller * columns));
     l.step_y = (fx_t)(fx_mul_wide(tan_30, 2 * h) / (smaller * (rows + 1))); /* one more share above, for the label */

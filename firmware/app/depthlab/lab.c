@@ -123,24 +123,6 @@ static void pairs_row(const struct lab *lab, struct work *work)
     lab->put(lab->context, "\n");
 }
 
-int lab_pairs(const struct lab *lab)
-{
-    struct work *work = lab->memory;
-    int status = open_lab(lab);
-    if (status == 0) {
-        lab->put(lab->context, "format,bits,near,far,spacing,count,equal,swap,max_wrong_m\n");
-    }
-    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        if ((lab->formats >> i & 1) != 0) {
-            status = lab_probe_open(&work->probe, &lab_formats[i], lab->near_z, lab->far_z);
-            if (status == 0) {
-                pairs_row(lab, work);
-            }
-        }
-    }
-    return status;
-}
-
 /* ---- resolve -------------------------------------------------------------------------------------------- */
 
 static bool is_linear(const struct lab_format *format)
@@ -281,9 +263,36 @@ static void resolve_format(const struct lab *lab, struct work *work)
     resolve_row(lab, work, 0);
 }
 
-int lab_resolve(const struct lab *lab)
+/* ---- both ----------------------------------------------------------------------------------------------- */
+
+/* Measures the formats that are asked for, one after the other. */
+static int measure(const struct lab *lab, bool pairs)
 {
     struct work *work = lab->memory;
+    int status = PH_OK;
+    for (uint32_t i = 0; i < lab_format_count && status == PH_OK; i++) {
+        if ((lab->formats >> i & 1) == 0) {
+            continue;
+        }
+        status = lab_probe_open(&work->probe, &lab_formats[i], lab->near_z, lab->far_z);
+        if (status == PH_OK) {
+            pairs ? pairs_row(lab, work) : resolve_format(lab, work);
+        }
+    }
+    return status;
+}
+
+int lab_pairs(const struct lab *lab)
+{
+    const int status = open_lab(lab);
+    if (status == PH_OK) {
+        lab->put(lab->context, "format,bits,near,far,spacing,count,equal,swap,max_wrong_m\n");
+    }
+    return status == PH_OK ? measure(lab, true) : status;
+}
+
+int lab_resolve(const struct lab *lab)
+{
     int status = open_lab(lab);
     for (uint32_t i = 0; lab->at != NULL && i < lab->at_count && status == 0; i++) {
         status = lab->at[i] < lab->near_z || lab->at[i] > lab->far_z ? PH_ERR_INVAL : PH_OK;
@@ -291,13 +300,5 @@ int lab_resolve(const struct lab *lab)
     if (status == 0) {
         lab->put(lab->context, "format,bits,near,far,z_m,ideal_m,measured_m,ratio\n");
     }
-    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        if ((lab->formats >> i & 1) != 0) {
-            status = lab_probe_open(&work->probe, &lab_formats[i], lab->near_z, lab->far_z);
-            if (status == 0) {
-                resolve_format(lab, work);
-            }
-        }
-    }
-    return status;
+    return status == 0 ? measure(lab, false) : status;
 }

@@ -59,16 +59,9 @@ static void log_demo(const struct runner *runner)
 /* Returns true if the character starts the next frame. */
 static bool obey(struct console *console, int byte)
 {
-    static const struct {
-        char byte;
-        uint8_t button;
-    } keys[] = {{'u', HAL_BUTTON_UP},
-                {'d', HAL_BUTTON_DOWN},
-                {'l', HAL_BUTTON_LEFT},
-                {'r', HAL_BUTTON_RIGHT},
-                {'s', HAL_BUTTON_SELECT}};
-    for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        console->buttons |= byte == keys[i].byte ? keys[i].button : 0U;
+    static const char keys[] = "udlrs"; /* in the order of the bits of enum hal_button */
+    for (uint32_t i = 0; i < sizeof keys - 1; i++) {
+        console->buttons |= byte == keys[i] ? 1U << i : 0U;
     }
     if (byte == 'B') {
         port_boot_loader();
@@ -95,12 +88,8 @@ static int draw(struct runner *runner, const struct console *console, uint32_t f
 {
     const struct demo *before = runner->demo;
     int status = runner_buttons(runner, console->buttons);
-    if (status == 0) {
-        status = runner_scene(runner, frame);
-    }
-    if (status == 0) {
-        status = runner_send(runner);
-    }
+    status = status == 0 ? runner_scene(runner, frame) : status;
+    status = status == 0 ? runner_send(runner) : status;
     if (status == 0 && (console->holding || frame == 0)) {
         status = runner_finish(runner);
     }
@@ -189,9 +178,7 @@ int main(void)
     port_log(board_here->title);
     port_log("\r\n");
     int status = open(&runner, &tiles);
-    if (status == 0) {
-        status = run(&runner);
-    }
+    status = status == 0 ? run(&runner) : status;
     log_named("stopped: error ", (uint32_t)-status);
     port_log("\r\n");
     return 1;

@@ -29,9 +29,7 @@ int main(void)
     int status = lab_pairs(&lab);
     lab.near_z = FX_ONE;
     lab.far_z = FX_INT(4);
-    if (status == 0) {
-        status = lab_resolve(&lab);
-    }
+    status = status == 0 ? lab_resolve(&lab) : status;
     port_log(status == 0 ? "done\n" : "failed\n");
     port_exit(status == 0 ? 0 : 1);
     return 0;

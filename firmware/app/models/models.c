@@ -43,8 +43,7 @@ int16_t model_q14(int32_t q30)
 
 void *model_scratch(struct demo_arena *arena, size_t n)
 {
-    const size_t bytes = MODEL_ROUND8(n);
-    const size_t end = arena->size & ~(size_t)7;
+    const size_t bytes = MODEL_ROUND8(n), end = arena->size & ~(size_t)7;
     if (end < bytes || end - bytes < arena->used) {
         return NULL;
     }
@@ -89,8 +88,7 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < major; i++) {
-        const uint32_t row = i * minor;
-        const uint32_t next = (i + 1) % major * minor;
+        const uint32_t row = i * minor, next = (i + 1) % major * minor;
         int32_t su, cu;
         circle(i, major, &su, &cu);
         for (uint32_t j = 0; j < minor; j++) {
@@ -125,8 +123,7 @@ int model_cube(struct demo_arena *arena, struct ph_mesh *mesh)
     mesh->uvs = (const fx_t(*)[2])uvs;
     for (uint32_t i = 0; i < 24; i++) {
         const int8_t(*const face)[3] = faces[i / 4];
-        const int u = corners[i % 4][0];
-        const int v = corners[i % 4][1];
+        const int u = corners[i % 4][0], v = corners[i % 4][1];
         fx_t p[3];
         for (int k = 0; k < 3; k++) {
             p[k] = FX_INT(face[0][k] + (2 * u - 1) * face[1][k] + (1 - 2 * v) * face[2][k]);
@@ -169,8 +166,7 @@ int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells)
     }
     for (uint32_t i = 0; i < side; i++) {
         for (uint32_t j = 0; j < side; j++) {
-            const int32_t x2 = (int32_t)(2 * j) - (int32_t)cells;
-            const int32_t z2 = (int32_t)(2 * i) - (int32_t)cells;
+            const int32_t x2 = (int32_t)(2 * j) - (int32_t)cells, z2 = (int32_t)(2 * i) - (int32_t)cells;
             const uint32_t a = i * side + j;
             build.positions[a] = (struct fx_vec3){x2 * FX_HALF, 0, z2 * FX_HALF};
             ground_normal(x2, z2, build.normals[a]);

@@ -22,8 +22,7 @@ static bool is_diagonal(const struct ph_mesh *mesh, uint32_t t, uint32_t side)
 /* The lower and the upper end of a side. */
 static void ends(const struct ph_mesh *mesh, uint32_t t, uint32_t side, uint16_t *lower, uint16_t *upper)
 {
-    const uint16_t a = mesh->triangles[t][side];
-    const uint16_t b = mesh->triangles[t][(side + 1) % 3];
+    const uint16_t a = mesh->triangles[t][side], b = mesh->triangles[t][(side + 1) % 3];
     *lower = a < b ? a : b;
     *upper = a < b ? b : a;
 }

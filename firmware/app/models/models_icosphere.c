@@ -15,15 +15,13 @@ struct halves {
 /* The midpoint of a and b on the sphere; it is made when it is first asked for. */
 static uint16_t midpoint(struct halves *h, uint16_t a, uint16_t b)
 {
-    const uint16_t lower = a < b ? a : b;
-    const uint16_t upper = a < b ? b : a;
+    const uint16_t lower = a < b ? a : b, upper = a < b ? b : a;
     for (uint16_t m = h->first[lower]; m != NONE; m = h->next[m]) {
         if (h->other[m] == upper) {
             return m;
         }
     }
-    const struct fx_vec3 p = h->vertices_q30[lower];
-    const struct fx_vec3 q = h->vertices_q30[upper];
+    const struct fx_vec3 p = h->vertices_q30[lower], q = h->vertices_q30[upper];
     const uint16_t m = (uint16_t)h->count++;
     const struct fx_vec3 sum = {(p.x >> 1) + (q.x >> 1), (p.y >> 1) + (q.y >> 1), (p.z >> 1) + (q.z >> 1)};
     fx_vec3_direction_q30(sum, &h->vertices_q30[m]);
@@ -41,12 +39,8 @@ static void subdivide(struct halves *h, uint16_t (*triangles)[3], uint32_t trian
         h->first[i] = NONE;
     }
     for (uint32_t i = triangle_count; i-- > 0;) {
-        const uint16_t a = triangles[i][0];
-        const uint16_t b = triangles[i][1];
-        const uint16_t c = triangles[i][2];
-        const uint16_t ab = midpoint(h, a, b);
-        const uint16_t bc = midpoint(h, b, c);
-        const uint16_t ca = midpoint(h, c, a);
+        const uint16_t a = triangles[i][0], b = triangles[i][1], c = triangles[i][2];
+        const uint16_t ab = midpoint(h, a, b), bc = midpoint(h, b, c), ca = midpoint(h, c, a);
         const uint16_t four[4][3] = {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}};
         for (int k = 0; k < 4; k++) {
             for (int corner = 0; corner < 3; corner++) {

@@ -66,9 +66,7 @@ static bool profile_normal(struct model_point a, struct model_point b, struct fx
 /* The normal at point i: the mean of its two sides' normals, or the normal of the side that has a length. */
 static struct fx_vec3 ring_normal(const struct model_point *profile, uint32_t points, uint32_t i)
 {
-    struct fx_vec3 below = {0, 0, 0};
-    struct fx_vec3 above = {0, 0, 0};
-    struct fx_vec3 mean = {FX_Q30_ONE, 0, 0};
+    struct fx_vec3 below = {0, 0, 0}, above = {0, 0, 0}, mean = {FX_Q30_ONE, 0, 0};
     if (i > 0) {
         profile_normal(profile[i - 1], profile[i], &below);
     }
@@ -83,9 +81,7 @@ static void lathe_ring(struct model_build *build, uint32_t first, uint32_t sides
                        struct fx_vec3 normal)
 {
     for (uint32_t k = 0; k < sides; k++) {
-        const fx_t turns = (fx_t)((k * 65536 + sides / 2) / sides);
-        const fx_t c = fx_cos(turns);
-        const fx_t s = fx_sin(turns);
+        const fx_t turns = (fx_t)((k * 65536 + sides / 2) / sides), c = fx_cos(turns), s = fx_sin(turns);
         build->positions[first + k] = (struct fx_vec3){fx_mul_sat(at.radius, c), at.y, -fx_mul_sat(at.radius, s)};
         build->normals[first + k][0] = model_q14(fx_mul_sat(normal.x, c));
         build->normals[first + k][1] = model_q14(normal.y);

@@ -83,8 +83,7 @@ static int64_t weigh(const struct patch *patch, const int32_t row[4], const int3
 /* a / b rounded to nearest, b > 0. */
 static fx_t round_divide(int64_t a, int64_t b)
 {
-    const int64_t doubled = 2 * a + b;
-    const int64_t quotient = doubled / (2 * b);
+    const int64_t doubled = 2 * a + b, quotient = doubled / (2 * b);
     return (fx_t)(doubled % (2 * b) < 0 ? quotient - 1 : quotient);
 }
 
@@ -175,8 +174,7 @@ static void join_rings(struct model_build *build, uint32_t v, uint32_t rings, ui
 {
     for (uint32_t i = 0; i + 1 < rings; i++) {
         for (uint32_t j = 0; j < columns; j++) {
-            const uint32_t a = v + i * columns + j;
-            const uint32_t d = v + i * columns + (j + 1) % columns;
+            const uint32_t a = v + i * columns + j, d = v + i * columns + (j + 1) % columns;
             model_quad(build, a, a + columns, d + columns, d);
         }
     }
@@ -185,8 +183,7 @@ static void join_rings(struct model_build *build, uint32_t v, uint32_t rings, ui
 /* Lid and pot: a pole, rings, a pole. The lid's edge and the inner rim are joined as any two rings are. */
 static uint32_t body(struct model_build *build, uint32_t n)
 {
-    const uint32_t columns = 4 * n;
-    const uint32_t rings = 6 * n;
+    const uint32_t columns = 4 * n, rings = 6 * n;
     uint32_t v = turn(build, 1, lid_rings, 1, 2 * n, n);
     v = turn(build, v, pot_rings, 0, 4 * n - 1, n);
     build->positions[0] = (struct fx_vec3){0, round_divide((int64_t)CENTRE_Z * FX_ONE, DIVISOR), 0};
@@ -208,8 +205,7 @@ static uint32_t body(struct model_build *build, uint32_t n)
 /* Handle or spout: rings of 2 n vertices, and a flat cover at each end. */
 static uint32_t tube(struct model_build *build, uint32_t v, const int16_t (*rings)[4][3], uint32_t n)
 {
-    const uint32_t columns = 2 * n;
-    const uint32_t first = v;
+    const uint32_t columns = 2 * n, first = v;
     struct patch patch;
     for (uint32_t row = 0; row <= 2 * n; row++) {
         const uint32_t number = row > n ? 1 : 0;
