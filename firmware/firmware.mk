@@ -1,40 +1,39 @@
-# Images for microcontroller kits. Included by the Makefile.
+# Firmware images for microcontroller kits. The Makefile includes this file.
 #
-#   make firmware BOARD=pico-display              build/firmware/pico-display-demos.elf .bin .uf2 .map, and what they take
+#   make firmware BOARD=pico-display              build/firmware/pico-display-demos.elf .bin .uf2 .map; prints their sizes
 #   make firmware BOARD=lm3s6965evb APP=depth     another program: firmware/app/images/depth.c; or a file, APP=mine.c
-#   make firmware BOARD=pico-display SCENE=my.glb  a model first, through pinhole-asset: build/firmware/pico-display-my.elf
+#   make firmware BOARD=pico-display SCENE=my.glb a model, through pinhole-asset: build/firmware/pico-display-my.elf
 #                                                 SCENE_TRIANGLES=N|all|fit, SCENE_TEXTURE=N, SCENE_FLAGS=--turntable
 #   make size BOARD=pico-display                  the image's size by module
-#   make flash BOARD=pico-display                 the same, and into the board's flash (SERIAL=S: of several boards)
-#   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in its emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
+#   make flash BOARD=pico-display                 builds the image and writes it into the flash (SERIAL=S: of which board)
+#   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
+#   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
+#   CORES=1|2                                     how many cores the image uses
 #
-# A board of this kind has, beside board.c (its data), a boards/NAME/board.mk with
-#   PORT              folder below hal/
-#   CHIP_FLASH_BYTES  of the board
-#   CHIP_RAM_BYTES    of the chip; what an image may take of it is board.c's ram_bytes, stack included
-# and a port has, beside its C and assembler files, a hal/PORT/port.mk with
-#   PORT_CPU          firmware/core's folder: armv6m, armv7m
+# A microcontroller board has, beside board.c (its data), a boards/NAME/board.mk with
+#   PORT              a folder of hal/
+#   CHIP_FLASH_BYTES  the board's flash
+#   CHIP_RAM_BYTES    the chip's RAM; an image may take board.c's ram_bytes of it, stack included
+# A port has, beside its C and assembler files, a hal/PORT/port.mk with
+#   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m
 #   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
-#   PORT_SRC          its .c and .S files; those of a shared folder too, e.g. hal/cortexm
-#   PORT_LD           linker script; -L hal/PORT and -L hal/cortexm are searched for what it includes
-#   PORT_STACK_BYTES  reserved; the linker script gets it as the symbol stack_bytes
-#   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes (code that runs from RAM, say)
-#   PORT_CORES        optional: what CORES may be; 1
-#   PORT_TILES_BYTES  optional: signatures of what changed (hal/panel_tiles.h); without it CHANGES is 0
-#   PORT_STACK_EXTRA  bytes that the call graph does not show: frames of interrupts
-#   PORT_FINISH       optional shell command between linking and objcopy; finds the ELF in "$1" (a checksum, e.g.)
-#   UF2_FAMILY        number of the chip's family, empty: there is none; UF2_BASE: address of the BIN's first byte
-#   EMULATE           command of `make emulate`, called with the ELF, an empty folder for frames, and FRAMES
+#   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/cortexm
+#   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/cortexm
+#   PORT_STACK_BYTES  the stack's size; the linker script gets it as the symbol stack_bytes
+#   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts
+#   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
+#   PORT_CORES        optional: the values that CORES may have; without it 1
+#   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
+#   PORT_FINISH       optional: a shell command between linking and objcopy, e.g. for a checksum; "$1" is the ELF file
+#   UF2_FAMILY        the number of the chip's family; empty: no UF2 file. UF2_BASE: the address of the BIN's first byte
+#   EMULATE           the command of `make emulate`; its arguments are the ELF, an empty folder for frames, and FRAMES
 #   EMULATE_NEEDS     what is made for it first, on the computer
-#   SPEED             optional: command of `make speed`
-#   FLASH             command of `make flash`, for $(IMAGE).elf, .bin or .uf2; firmware/tools/flash_with.sh runs a tool from elsewhere
+#   SPEED             optional: the command of `make speed`
+#   FLASH             the command of `make flash`, for $(IMAGE).elf, .bin or .uf2; firmware/tools/flash_with.sh runs others' tools
 #   FLASH_NEEDS       what is made for it first, on the computer
-# A port's operations are functions named <port>_<operation of struct hal_ops>: the check of the stack finds them so.
-# All code of a port goes through -Wconversion. The image's main() is in the APP's file; see hal/port.h and firmware/app/runner.h.
-#
-# The build gives each image board_here and image_memory (hal/port.h; ram_bytes less RUNNER_OTHER_BYTES). CORES (make's
-# CORES=1|2) is for a port's make lines. CHANGES=0
-# sends every frame whole, CHANGES=1 only what changed, which is what ports that can do.
+# A port's operations are functions named <port>_<operation of struct hal_ops>, so that the check of the stack finds them.
+# All code of a port is compiled with -Wconversion. APP's file has the image's main(); see hal/port.h, firmware/app/image.h
+# and firmware/app/runner.h. board_here.c gives each image its board and its memory.
 
 CROSS ?= arm-none-eabi-
 HOSTCC ?= cc
@@ -45,7 +44,7 @@ SCENE ?=
 SCENE_TRIANGLES ?= fit
 SCENE_TEXTURE ?= 256
 SCENE_FLAGS ?=
-SCENE_PROGRAM_BYTES ?= 147456 # of the flash for all but the scene's data
+SCENE_PROGRAM_BYTES ?= 147456 # flash for everything but the scene's data
 BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
 .PHONY: firmware flash emulate speed image image-size
@@ -73,9 +72,15 @@ SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
-RAM_BYTES := $(shell sed -n 's/^ *\.ram_bytes = \([^,]*\),.*/\1/p' $(BOARD_HOME)/board.c)
+BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
 
-# The image is built by a make of its own, which has the target's compiler where this one has the computer's.
+# Prints the board's ram_bytes. FORCE, because BOARD and BOARD_DIR may be others than last time.
+$(B)/ram-bytes: FORCE
+	@mkdir -p $(@D)
+	$(Q)$(HOSTCC) $(INC) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/ram_bytes.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c)
+$(B)/ram-bytes: INC = -Ihal -Iboards
+
+# A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
              CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
@@ -85,7 +90,7 @@ NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' 
 image_make = $(NO_BOARD)
 endif
 
-firmware: $(SCENE_C) ## BOARD=x [APP=demos|depth|FILE.c] [SCENE=FILE.glb]: an image for a microcontroller kit, and what it takes of flash, RAM, stack
+firmware: $(SCENE_C) ## BOARD=x [APP=demos|depth|FILE.c] [SCENE=FILE.glb]: an image for a microcontroller kit; prints what it takes of flash, RAM, stack
 	+$(Q)$(image_make) image
 
 ifneq ($(if $(OUT),,$(SCENE_C)),)
@@ -97,10 +102,10 @@ $(SCENE_C): $(B)/pinhole-asset FORCE
 	@if cmp -s '$@.new' '$@'; then rm '$@.new'; else mv '$@.new' '$@'; fi
 endif
 
-flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: an image, and into the flash of the board that is plugged in
+flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: builds an image and writes it into the flash of the board that is plugged in
 	$(Q)$(FLASH)
 
-emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: runs it in the board's emulator, frames to build/emulate/x/
+emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: runs it in an emulator; frames go to build/emulate/x/
 	@case '$(FRAMES)' in '' | 0* | *[!0-9]* | ???????*) echo "make emulate: FRAMES='$(FRAMES)': a whole number, 1 .. 999999" >&2; exit 2 ;; esac
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
@@ -108,20 +113,20 @@ emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: ru
 speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, with one core and with two, emulated
 	$(Q)$(NO_BOARD)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 have an emulator whose bus takes time' >&2; exit 2)
 
-# ---- within that make -----------------------------------------------------------------------------------------------
+# ---- in the make that builds the image -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($(RAM_BYTES) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
-	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # nothing to be flashed
+	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/ram-bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # so that nobody flashes it
 
 image-size: $(OUT).elf
 	$(Q)firmware/tools/modules.sh '$(OUT).map'
 
-# The renderer's loops are worth the bytes; frames are the same at every level.
+# -O3 makes the renderer's loops faster and larger; frames are the same at every level.
 $(B)/firmware/core/%.o: override CFLAGS += -O3
 
 $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
@@ -129,33 +134,21 @@ $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_APP) -Ifirmware/app/depthlab -Iboards \
 	    -MMD -MP -c $< -o $@
-	$(Q)sed 's#$(APP_FILE)##' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a file of one's own may move
+	$(Q)sed 's#$(APP_FILE)##' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a user's file may move
 
 $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
-define BOARD_HERE
-#include "runner.h"
-#include "port.h"
-extern const struct board board_$(subst -,_,$(BOARD));
-const struct board *const board_here = &board_$(subst -,_,$(BOARD));
-uint64_t image_memory[(($(RAM_BYTES)) - RUNNER_OTHER_BYTES) / 8];
-const size_t image_memory_bytes = sizeof image_memory;
-uint32_t image_tiles[$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),4) / 4];
-const size_t image_tiles_bytes = $(if $(filter 1,$(CHANGES)),sizeof image_tiles,0);
-$(if $(SCENE_C),const struct demo *const demo_here = &demo_scene;,extern const struct demo demo_turntable;
-const struct demo *const demo_here = &demo_turntable;)
-endef
-export BOARD_HERE
+BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
+             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0)
 
-$(B)/board_here.c: FORCE
-	@mkdir -p $(@D)
-	@printf '%s\n' "$$BOARD_HERE" | cmp -s - $@ || printf '%s\n' "$$BOARD_HERE" >$@
+$(B)/board_here.flags: $(B)/ram-bytes
+	@ram=$$($<); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
 
-$(B)/board_here.o: $(B)/board_here.c
-	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) -MMD -MP -c $< -o $@
+$(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
+	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
 $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
 	@mkdir -p $(@D)

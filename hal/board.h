@@ -1,9 +1,9 @@
 /*
- * board: a kit as const data, one folder below boards/ each. It knows the panel, the wiring, and how its user holds it.
+ * board: a kit as const data, each in a folder of boards/: its panel, its wiring, and how users hold it.
  *
- * Pins are named as on the kit's own documents: a number where the chip numbers its pins (GP17 is 17; STM32 and the
- * like: port * 32 + pin, port A = 0), a line name where an operating system names them ("GPIO25") or a header does
- * ("AD3").
+ * Pins have the names of the kit's own documents. If the chip numbers its pins, that is a number: GP17 is 17, and a pin
+ * of STM32 and the like is port * 32 + pin with port A = 0. If an operating system or a header names them, it is the
+ * line's name: "GPIO25", "AD3".
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -14,25 +14,15 @@ struct board_pin {
     bool wired;
     bool active_low;
     uint16_t number;
-    const char *line; /* NULL: see number */
+    const char *line; /* NULL: number counts */
 };
 
-#define BOARD_PIN(n)                                                                                                   \
-    {                                                                                                                  \
-        true, false, (n), NULL                                                                                         \
-    }
-#define BOARD_PIN_LOW(n)                                                                                               \
-    {                                                                                                                  \
-        true, true, (n), NULL                                                                                          \
-    } /* active low */
-#define BOARD_LINE(s)                                                                                                  \
-    {                                                                                                                  \
-        true, false, 0, (s)                                                                                            \
-    }
-#define BOARD_LINE_LOW(s)                                                                                              \
-    {                                                                                                                  \
-        true, true, 0, (s)                                                                                             \
-    }
+/* clang-format off */
+#define BOARD_PIN(n)      { true, false, (n), NULL }
+#define BOARD_PIN_LOW(n)  { true, true, (n), NULL } /* active low */
+#define BOARD_LINE(s)     { true, false, 0, (s) }
+#define BOARD_LINE_LOW(s) { true, true, 0, (s) }
+/* clang-format on */
 #define BOARD_PORT(port, n) ((uint16_t)(((port) - 'A') * 32 + (n)))
 
 struct board_button {
@@ -43,8 +33,8 @@ struct board_button {
 #define BOARD_BUTTONS_MAX 6
 
 /*
- * An unwired pin is all zeros: leave it out. active_low inverts what hal.h calls true: a chip select is active low; a
- * reset line is not marked so, because the panel runs while it is high, which is hal.h's true.
+ * An unwired pin is all zeros: leave it out. active_low inverts what hal.h calls true. A chip select is active low. A
+ * reset line is not marked so: the panel runs while it is high, and hal.h calls that true.
  */
 struct board_pins {
     struct board_pin clock, data, data_in, select, dc, reset, backlight, tearing;
@@ -55,27 +45,27 @@ struct board {
     const char *title;  /* one line for people */
     const char *pinout; /* address of the public page with the wiring */
     const struct panel *panel;
-    uint8_t rotation;        /* enum panel_rotation: as the kit is usually held */
+    uint8_t rotation;        /* enum panel_rotation: as users hold the kit */
     uint8_t format;          /* enum panel_format on the wire */
     uint8_t spi_mode;        /* 0; 3 for modules without chip select */
     uint8_t spi_bus;         /* number of the SPI unit, or of /dev/spidevN */
     uint8_t spi_select;      /* /dev/spidev.N */
-    const char *gpio_labels; /* Linux: chips (labels, separated by spaces) whose line n is "GPIOn" where lines have no
-                                names; or NULL */
+    const char *gpio_labels; /* Linux: labels of the chips, separated by spaces, whose line n is "GPIOn" where lines
+                                have no names; or NULL */
     uint32_t spi_hz;         /* full speed: what the kit's maker or its usual driver sets */
-    bool over_limit;         /* spi_hz is knowingly above the datasheet's write limit (panel->controller->write_hz) */
+    bool over_limit;         /* spi_hz is above the datasheet's write limit (panel->controller->write_hz) on purpose */
     struct board_pins pins;
     struct board_button buttons[BOARD_BUTTONS_MAX];
     uint8_t button_count;
     uint16_t band_height; /* lines, default */
-    uint8_t band_buffers; /* that its kit (runner.h) takes as a rule; 0: 2, for backends without a queue (bus_queue) */
-    uint32_t ram_bytes;   /* budget for everything that Pinhole keeps in memory */
+    uint8_t band_buffers; /* bands in memory at a time, as a rule; 0: 2, for backends without a queue (bus_queue) */
+    uint32_t ram_bytes;   /* budget for everything that Pinhole keeps in memory, stack included */
 };
 
 extern const struct board *const board_list[];
 extern const uint32_t board_count;
 
-/* NULL if there is none of that name. */
+/* NULL: there is no board of that name. */
 const struct board *board_find(const char *name);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * hal: what a display kit must be able to do: one SPI bus with its D/C line, a few pins, a clock, buttons.
  *
- * A backend is one const struct hal_ops and a context of its own; a kit is opened with a struct board (board.h).
- * Everything above (panel.h) talks to the kit only through the functions below.
+ * A backend is a const struct hal_ops and a context of its own. A kit is opened with a struct board (board.h).
+ * Everything above (panel.h) uses the kit only through the functions below.
  *
  * Status: 0 done, negative an error (Linux errno values), positive a count.
  */
@@ -38,36 +38,34 @@ enum hal_button {
     HAL_BUTTON_SELECT = 16,
 };
 
-#define HAL_COPIED 8 /* bytes, see bus_write */
+#define HAL_COPIED 8 /* bytes that bus_write copies, see bus_queue */
 
 struct hal_ops {
     const char *name;
 
     /*
-     * Takes the kit's bus and pins: reset released, backlight off, bus idle. Chip select may rise between two
-     * bus_write: every controller in panel.h goes on with the same transfer after it.
+     * Takes the kit's bus and pins: reset released, backlight off, bus idle. Chip select may rise between two calls of
+     * bus_write, because every controller in panel.h continues the same transfer after that.
      */
     int (*open)(void *context, const struct board *board);
 
-    /* Sets the bus clock to at most hz (> 0); returns the clock really set, in Hz, or HAL_EINVAL if none is that slow.
-     */
+    /* Sets the bus clock to at most hz (> 0). Returns the clock really set, Hz, or HAL_EINVAL if none is that slow. */
     int32_t (*bus_clock)(void *context, uint32_t hz);
 
     /*
-     * Starts to send n bytes with the D/C line at dc. Returns when it can; the buffer belongs to the backend until
-     * bus_wait returns or the next bus_write has started (returned); see bus_queue. Order is kept; n = 0 does nothing.
-     * D/C and CS do not move before the last bit is out.
+     * Starts to send n bytes with the D/C line at dc, and need not wait for the end. The buffer belongs to the backend
+     * until bus_wait or the next bus_write has returned; see also bus_queue. Order is kept; n = 0 does nothing. D/C and
+     * CS do not move before the last bit is out.
      */
     int (*bus_write)(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
 
-    /* Data only, as bus_write: `rows` times n bytes, each `stride` bytes further on. NULL: row by row with bus_write.
-     */
+    /* As bus_write for data: `rows` times n bytes, each `stride` bytes after the last. NULL: use bus_write for each. */
     int (*bus_write_rows)(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows);
 
     /*
-     * A queue; NULL, all three: it keeps none. bus_queue, only after bus_wait, turns it on or off (off after open).
-     * While it is on a buffer belongs to the backend until bus_wait has returned, or bus_until with what bus_written
-     * said after its bus_write; up to HAL_COPIED bytes are copied.
+     * A queue of writes. NULL, all three: the backend keeps none. bus_queue turns it on or off, only after bus_wait; it
+     * is off after open. While it is on, a buffer belongs to the backend until bus_wait has returned, or bus_until with
+     * the value of bus_written after its bus_write. Up to HAL_COPIED bytes are copied instead.
      */
     void (*bus_queue)(void *context, bool on);
     uint32_t (*bus_written)(void *context);            /* how far bus_write has come; wraps */
@@ -76,19 +74,16 @@ struct hal_ops {
     /* Waits until the last bit is out. */
     int (*bus_wait)(void *context);
 
-    /* What a short bus_write takes besides its bits, ns, as far as is known yet; NULL: nothing to speak of. */
+    /* The time that a short bus_write takes besides its bits, ns, as far as it is known yet. NULL: next to none. */
     uint32_t (*write_ns)(void *context);
 
-    /* Sends one command byte and reads n bytes; HAL_ENOSYS where the kit has no MISO. NULL: this backend never asks. */
+    /* Sends a command byte and reads n bytes; HAL_ENOSYS if the kit has no MISO. NULL: this backend cannot read. */
     int (*bus_read)(void *context, uint8_t command, uint8_t *bytes, size_t n);
 
-    /* RESET true: high, the panel runs. BACKLIGHT true: lit. 0 also where the pin is not wired. */
+    /* RESET true: high, the panel runs. BACKLIGHT true: lit. 0 also if the pin is not wired. */
     int (*pin_set)(void *context, enum hal_pin pin, bool level);
 
-    /*
-     * Waits for the next tearing-effect edge, at most timeout_us (then HAL_ETIMEDOUT); NULL, or HAL_ENOSYS, where no TE
-     * line is wired.
-     */
+    /* Waits for the next tearing-effect edge, up to timeout_us (then HAL_ETIMEDOUT). NULL, HAL_ENOSYS: no TE line. */
     int (*te_wait)(void *context, uint32_t timeout_us);
 
     uint32_t (*time_us)(void *context); /* wraps after 71 minutes */
@@ -96,7 +91,7 @@ struct hal_ops {
 
     uint32_t (*buttons)(void *context); /* pressed now, enum hal_button */
 
-    /* Panel is off already: backlight off, pins and bus released. */
+    /* Turns the backlight off and releases pins and bus. The panel is off already. */
     void (*close)(void *context);
 };
 

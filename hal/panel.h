@@ -5,23 +5,23 @@
  *   panel_frame_begin(d)            window and memory write, once a frame
  *   panel_rows(d, pixels, lines)    the picture from its top, any number of lines at a time
  *   panel_frame_end(d)              waits for the last bit; after the FIRST frame display and backlight go on
- *   panel_window(d, x, y, w, h)     a part of the picture instead of panel_frame_begin's whole; see panel_diff.h
+ *   panel_window(d, x, y, w, h)     a part of the picture, where panel_frame_begin takes all of it; see panel_diff.h
  *   panel_close(d)                  display and backlight off, sleep
  *
- * Pixels in: RGB565 in wire order, that is the byte with red first in memory (firmware/core's bands), rows of
- * d->width pixels. RGB565 goes out straight from there; the other formats are converted a piece at a time through
- * the caller's scratch memory. What is seen does not depend on how many lines come at a time.
+ * Pixels come in as RGB565 in wire order: the byte with red is first in memory, and rows have d->width pixels. RGB565
+ * is sent straight from there. Other formats are converted piece by piece in the caller's scratch memory. The picture
+ * does not depend on how many lines come at a time.
  *
  *   RGB565   2 bytes a pixel    RRRRRGGG GGGBBBBB
  *   RGB666   3 bytes a pixel    RRRRRR00 GGGGGG00 BBBBBB00   5 bits r become 6 as (r << 1) | (r >> 4)
- *   RGB444   3 bytes 2 pixels   RRRRGGGG BBBBrrrr ggggbbbb   the highest 4 bits; pairs run on across line ends
- *   GREY4    1 byte 2 pixels    left pixel high; each line starts a byte. See panel_grey4().
+ *   RGB444   3 bytes 2 pixels   RRRRGGGG BBBBrrrr ggggbbbb   the highest 4 bits; a pair may lie in two lines
+ *   GREY4    1 byte 2 pixels    the left pixel is in the high bits; each line starts a byte. See panel_grey4().
  *
  * Rotation is the number of degrees (0, 90, 180, 270) by which the picture is turned clockwise on the glass, against
  * the controller's own upright. With 90 the top of the picture lies along the right edge of the glass, and the user
  * turns the kit a quarter counter-clockwise.
  *
- * All state is in the caller's struct; any number of panels live side by side.
+ * All state is in the caller's struct, so any number of panels can be open at a time.
  */
 #ifndef PANEL_H
 #define PANEL_H
@@ -33,7 +33,7 @@ enum panel_rotation { PANEL_R0, PANEL_R90, PANEL_R180, PANEL_R270 }; /* degrees 
 
 #define PANEL_FORMAT_BIT(format) (1U << (format))
 
-/* What a controller's command set looks like. Commands and their numbers are those of its datasheet. */
+/* A controller's command set, with the names and numbers of its datasheet. */
 struct panel_controller {
     const char *name;       /* as printed on the datasheet: "ST7789" */
     uint32_t init_hz;       /* clock for reset and initialisation */
@@ -44,26 +44,27 @@ struct panel_controller {
     uint8_t set_column, set_row; /* window commands */
     uint8_t memory_write;        /* 0: pixels need no command before them */
     uint8_t address_bytes;       /* of one window border: 2, or 1 */
-    uint8_t column_pixels; /* pixels (of one row of the glass) in one column address and byte: 1, or 2 (SSD0323) */
+    uint8_t
+        column_pixels; /* pixels of a row of the glass in one column address, which is one byte: 1, or 2 (SSD0323) */
     bool parameters_are_commands; /* parameters go out with D/C low */
-    bool window_turns;            /* the window's axes turn with the picture (MADCTL MV); else they are the glass's */
+    bool window_turns; /* the window's axes turn with the picture (MADCTL MV); else they stay those of the glass */
 
     uint8_t set_rotation;         /* MADCTL or the remap command */
     uint8_t rotation_bit_mx;      /* the bit in it that mirrors columns */
     uint8_t rotation_bit_my;      /* ... that mirrors rows */
     uint8_t rotation_bit_mv;      /* ... that makes the address run along columns first */
-    uint8_t rotation_bit_mx_pair; /* further bits to set along with mx (SSD0323: nibbles) */
+    uint8_t rotation_bit_mx_pair; /* further bits to set together with mx (SSD0323: nibbles) */
 
     uint8_t set_format;      /* COLMOD; 0: there is one format only */
     uint8_t format_value[4]; /* its parameter by enum panel_format */
 
-    const uint8_t *on, *off; /* sequences like panel.init: display on; display off and sleep */
+    const uint8_t *on, *off; /* sequences as panel.init: display on; display off and sleep */
     uint16_t on_bytes, off_bytes;
 };
 
 /*
- * A glass with its controller. x0, y0: where the glass lies in the controller's memory when no axis is mirrored.
- * Sequences are bytes as in Linux' panel-mipi-dbi firmware: command, count, parameters; 00h 01h n waits n ms.
+ * A glass with its controller. x0, y0: the glass's place in the controller's memory when no axis is mirrored.
+ * Sequences are the bytes of Linux' panel-mipi-dbi firmware: command, count, parameters; 00h 01h n waits n ms.
  */
 struct panel {
     const char *name; /* "st7789-240x240" */
@@ -72,7 +73,7 @@ struct panel {
     uint16_t ram_width, ram_height;
     uint16_t x0, y0;
     uint8_t rotation_base; /* rotation byte of PANEL_R0: mirrored glasses and BGR; the rotation's bits are XORed in */
-    uint8_t formats;       /* PANEL_FORMAT_BIT()s that work on this glass over SPI */
+    uint8_t formats;       /* the PANEL_FORMAT_BIT()s of what this glass accepts over SPI */
     bool round;            /* the glass is the inscribed circle */
     const uint8_t *init;
     uint16_t init_bytes;
@@ -81,10 +82,10 @@ struct panel {
 extern const struct panel *const panel_list[];
 extern const uint32_t panel_count;
 
-/* NULL if there is none of that name. */
+/* NULL: there is no panel of that name. */
 const struct panel *panel_find(const char *name);
 
-/* Where the window of a rotation starts, in the controller's addresses, and the rotation byte. */
+/* The start of the window for a rotation, in the controller's addresses, and the rotation byte. */
 struct panel_place {
     uint16_t column, row;
     uint8_t rotation_byte; /* without format bits */
@@ -103,13 +104,12 @@ uint16_t panel_height(const struct panel *panel, unsigned rotation);
 /* Bytes of one whole frame on the wire, commands included. */
 uint32_t panel_frame_bytes(const struct panel *panel, unsigned format, unsigned rotation);
 
-/* The time of those bytes at hz (> 0), in us, rounded up; UINT32_MAX if longer. */
+/* The time that these bytes take at hz (> 0), in us, rounded up; UINT32_MAX if it is longer. */
 uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rotation, uint32_t hz);
 
 /*
- * Grey level 0 .. 15 of pixel (x, y) of the picture, colour in wire order as read (two bytes, high first): luma
- * (77 R + 150 G + 29 B) / 256 of the channels at 8 bits (bits repeated), ordered dither with the 4x4 Bayer matrix.
- * Black is 0 and white is 15 at every position.
+ * The grey level 0 .. 15 of the picture's pixel (x, y), whose colour is two bytes, high first. Channels become 8 bits
+ * by repeating bits; luma (77 R + 150 G + 29 B) / 256 is dithered with the 4x4 Bayer matrix. Black is 0, white 15.
  */
 uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y);
 
@@ -119,7 +119,7 @@ struct panel_config {
     const struct panel *panel;
     uint8_t rotation;  /* enum panel_rotation */
     uint8_t format;    /* enum panel_format */
-    uint32_t clock_hz; /* full speed asked for */
+    uint32_t clock_hz; /* full speed, as asked for */
     uint8_t *scratch;  /* PANEL_SCRATCH_MIN or more; may be NULL for PANEL_RGB565. The driver's until panel_close */
     size_t scratch_bytes;
 };
@@ -129,70 +129,71 @@ struct panel_driver {
     struct hal hal;
     struct panel_config config;
     uint16_t width, height; /* of the picture */
-    int32_t clock_hz;       /* full speed got */
+    int32_t clock_hz;       /* full speed, as the backend set it */
     uint16_t x, span;       /* first column and width of the window */
-    uint16_t row, bottom;   /* next line, and the one below the window */
+    uint16_t row, bottom;   /* next line; the line below the window */
     bool in_frame;          /* a window is open */
-    uint8_t column_sent[4]; /* parameters as they are on the wire or were sent last */
+    uint8_t column_sent[4]; /* parameters that were sent last, or are still on the wire */
     uint8_t row_sent[4];
     uint32_t frame_bytes; /* on the wire since panel_frame_begin, or since the caller set it to 0 */
     bool lit;             /* display and backlight are on */
     bool pair_lines;      /* GREY4 turned by 90 or 270: a byte holds the pixels of two lines */
-    uint8_t lead;         /* GREY4: 1 if the first byte's first four bits lie beside the glass */
-    uint8_t half;         /* half of scratch that is filled next */
-    uint32_t half_bytes;  /* size of a half */
+    uint8_t lead;         /* GREY4: 1 if the first four bits of the first byte lie beside the glass */
+    uint8_t half;         /* the half of scratch that is filled next */
+    uint32_t half_bytes;  /* size of each half */
     uint32_t filled;      /* bytes in it */
-    uint8_t carry;        /* 4 bits that wait for their byte's other half */
+    uint8_t carry;        /* 4 bits that wait for the other half of their byte */
     bool carry_full;
 };
 
 /*
  * Wakes the panel of an open kit: hardware reset, initialisation at the controller's slow clock, then config->clock_hz.
  * The display stays dark until the first frame is complete.
- * Errors: HAL_EINVAL (a format that the panel has not, scratch missing or too small, no clock), or the backend's.
+ * Errors: HAL_EINVAL (the panel lacks the format, scratch is missing or too small, no clock), or the backend's.
  */
 int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config);
 
-/* Another full speed, between two frames: of at most hz; d->clock_hz is the one got. 0, or the backend's error. */
+/* Sets another full speed of at most hz between two frames; d->clock_hz is the real one. 0, or the backend's error. */
 int panel_clock(struct panel_driver *d, uint32_t hz);
 
 int panel_frame_begin(struct panel_driver *d);
 
 /*
- * The next `lines` lines. The pixels stay the driver's until the next panel_rows, panel_wait or panel_frame_end
- * returns (longer where the backend keeps a queue, see hal.h): with two bands one is drawn while the other is sent.
- * Errors: HAL_EINVAL outside of a frame or for more lines than the frame has (nothing is sent then).
+ * Sends the next `lines` lines. The pixels belong to the driver until the next panel_rows, panel_wait or
+ * panel_frame_end returns (longer if the backend keeps a queue, see hal.h). So one of two bands can be drawn while the
+ * other is sent. Errors: HAL_EINVAL outside of a frame or for more lines than the frame has; then nothing is sent.
  */
 int panel_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t lines);
 
-/* Begins a frame of windows only: the first one's borders are sent in any case. End it with panel_wait(). */
+/* Begins a frame that consists of windows. The borders of the first one are always sent. End it with panel_wait(). */
 void panel_windows_begin(struct panel_driver *d);
 
 /*
- * A window on the picture, in its pixels; the lines that follow are those of the window. Borders that the controller
- * still has from the last window are not sent again.
- * Two pixels that share a byte (GREY4: columns of the glass 2n, 2n + 1) are both inside or both outside.
+ * Opens a window in the picture, given in its pixels; the lines that follow belong to the window. Borders that the
+ * controller still has from the last window are not sent again.
+ * Two pixels that share a byte (GREY4: columns 2n and 2n + 1 of the glass) must both be inside or both be outside.
  * Errors: HAL_EINVAL outside of the picture, empty, or in the middle of a byte; or the backend's.
  */
 int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height);
 
 /*
- * The window's next lines out of a picture in memory: `pixels` is the first of them in the window, `stride` the pixels
- * from one line to the one below (>= the window's width). The pixels stay the driver's as with panel_rows.
+ * Sends the window's next lines out of a picture in memory. `pixels` is the first pixel of the first line in the
+ * window, `stride` the pixels from a line to the next (>= the window's width). The pixels belong to the driver as with
+ * panel_rows.
  */
 int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t stride, uint32_t lines);
 
-/* Bytes of a border (command and parameters), and of the memory write command, which may be 0. */
+/* Bytes of a border (command and parameters); bytes of the memory write command, 0 if there is none. */
 uint32_t panel_border_bytes(const struct panel_controller *c);
 uint32_t panel_start_bytes(const struct panel_controller *c);
 
-/* Waits until the bus is idle: every buffer is the caller's again. */
+/* Waits until the bus is idle; then every buffer belongs to the caller again. */
 int panel_wait(struct panel_driver *d);
 
-/* Ends the frame. HAL_EINVAL if lines are missing; the display then does not go on. */
+/* Ends the frame. HAL_EINVAL: lines are missing, and the display is not turned on. */
 int panel_frame_end(struct panel_driver *d);
 
-/* Backlight (or nothing) off, display off, sleep. The kit stays open: close it with its backend's close. */
+/* Turns backlight and display off and puts the panel to sleep. The kit stays open until its backend's close. */
 int panel_close(struct panel_driver *d);
 
 #endif

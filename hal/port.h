@@ -1,44 +1,34 @@
 /*
- * port: what a microcontroller port (a folder below hal/) gives to a firmware image besides its struct hal_ops. Each
- * function is defined once in every such port; where a chip cannot do it, it does what is said here.
+ * port: what a microcontroller port (a folder of hal/) gives to a firmware image besides its struct hal_ops. Every port
+ * defines each function once. If its chip cannot do it, the function does what its comment says.
  */
 #ifndef PORT_H
 #define PORT_H
 
 #include "hal.h"
 
-/* The one kit of this image: operations and their context. Its board is the image's `board_here`. */
+/* The image's kit: its operations and their context. Its board is board_here. */
 struct hal port_hal(void);
 
-/* The image's board: defined by the build as the one that BOARD= names. */
+/* The image's board. The build defines it as the one that BOARD= names. */
 extern const struct board *const board_here;
 
-/* Static memory for the image's kit: the board's ram_bytes less what stack and variables take. Also the build's. */
-extern uint64_t image_memory[];
-extern const size_t image_memory_bytes;
-
-/* Static memory for panel_tiles.h, 0 bytes: frames are sent whole. Also the build's (CHANGES=0|1). */
-extern uint32_t image_tiles[];
-extern const size_t image_tiles_bytes;
-
-/* Writes text to the log UART (115200 8N1); waits until it is in the transmitter. */
+/* Writes text to the log UART (115200 8N1). Returns when all of it is in the transmitter. */
 void port_log(const char *text);
 
-/* Next byte from the log UART, or -1 when none waits. */
+/* The next byte from the log UART, or -1 if none waits. */
 int port_log_read(void);
 
-/* Reboots into the chip's own USB boot loader; returns where it has none. */
+/* Reboots into the chip's own USB boot loader. Returns if the chip has none. */
 void port_boot_loader(void);
 
-/* Ends the image: under an emulator it exits with status, on silicon it waits for ever with the panel dark. */
+/* Ends the image: in an emulator it exits with status, on silicon it waits for ever with the panel dark. */
 void port_exit(int status);
 
-/* Bytes of stack used since the start, at most; 0 where that is not known. */
+/* The most bytes of stack that were used since the start; 0 if that is not known. */
 uint32_t port_stack_used(void);
 
-/*
- * Runs `run(argument)` on the other core; false where there is none or it is busy. port_core_join waits until run has
- * returned.
+/* Runs `run(argument)` on the other core; false: there is none or it is busy. port_core_join waits until it returned.
  */
 bool port_core_run(void (*run)(void *argument), void *argument);
 void port_core_join(void);

@@ -1,6 +1,6 @@
 /*
- * demo: scenes that run on every kit. A demo fills the renderer for one frame; whoever calls it (a firmware image, the
- * simulator, an SBC program) then draws the bands.
+ * demo: scenes that run on every kit. A demo fills the renderer for one frame; its caller (a firmware image, the
+ * simulator, a program on a single-board computer) then draws the bands.
  */
 #ifndef DEMO_H
 #define DEMO_H
@@ -8,16 +8,16 @@
 #include "blur.h"
 #include "render.h"
 
-/* Memory for a demo's meshes, 8-byte aligned, given once; only scratch inside one call is given back. */
+/* Memory for a demo's meshes, 8-byte aligned. It is given once; only scratch within one call is given back. */
 struct demo_arena {
     uint8_t *base;
     size_t size, used;
 };
 
-/* n bytes, 8-byte aligned; NULL when the arena is full. */
+/* n bytes, 8-byte aligned; NULL: the arena is full. */
 void *demo_alloc(struct demo_arena *arena, size_t n);
 
-/* What a user may change of a demo's camera; zero-initialised means: the demo's own. */
+/* The parts of a demo's camera that a user may replace; all zeros: none. */
 struct demo_camera {
     bool view_set;
     struct ph_xform view;
@@ -25,24 +25,24 @@ struct demo_camera {
     struct ph_projection projection;
 };
 
-/* Zero-initialised but for arena, width and height. */
+/* All zeros but for arena, width and height. */
 struct demo_context {
     struct demo_arena arena;
     void *state; /* the demo's own, from the arena */
     uint16_t width, height;
     struct demo_camera camera;
     const char *view; /* one of the demo's views; NULL: the first */
-    uint32_t buttons; /* pressed during this frame, enum hal_button: see demo_input() */
-    uint32_t orbit;   /* turn32 by which the camera is moved around the scene, from above counter-clockwise */
-    fx_t dolly;       /* share of its distance by which it is moved away, -DEMO_DOLLY_MAX .. DEMO_DOLLY_MAX */
-    void *scratch;    /* demo_scratch_bytes(), 2-byte aligned; NULL: the demo does without */
+    uint32_t buttons; /* pressed during this frame, enum hal_button; see demo_input() */
+    uint32_t orbit;   /* turn32 by which the camera is turned around the scene, counter-clockwise from above */
+    fx_t dolly;       /* share of its distance by which the camera is moved away, -DEMO_DOLLY_MAX .. DEMO_DOLLY_MAX */
+    void *scratch;    /* demo_scratch_bytes(), 2-byte aligned; NULL: the demo does without it */
     size_t scratch_bytes;
     struct ph_blur blur;
 };
 
 /*
- * Memory with which nothing is dropped. arena_bytes: what init takes at most on this machine; arena_bytes_32: on a
- * 32-bit target, 0: the same (a demo for targets only). Set both by DEMO_ARENA().
+ * Memory with which nothing is dropped. arena_bytes: what init takes at most on this machine; arena_bytes_32: the same
+ * on a 32-bit target, 0: as many (a demo for targets only). Set both by DEMO_ARENA().
  */
 struct demo_level {
     size_t arena_bytes;
@@ -50,7 +50,7 @@ struct demo_level {
     uint32_t vertex_max, triangle_max;
 };
 
-/* Does not compile for a 32-bit target whose size is another. */
+/* On a 32-bit target it does not compile if the size there is another. */
 #define DEMO_ARENA(here, on_32)                                                                                        \
     .arena_bytes = (here),                                                                                             \
     .arena_bytes_32 = (on_32) + 0 * (uint32_t)sizeof(char[sizeof(void *) > 4 || (here) == (on_32) ? 1 : -1])
@@ -58,15 +58,15 @@ struct demo_level {
 struct demo {
     const char *name;
     const char *summary;      /* one line for --list */
-    const char *const *views; /* names of its views, NULL at the end; NULL: it has but one */
+    const char *const *views; /* names of its views, NULL at the end; NULL: it has one view */
     uint32_t loop_frames;     /* the animation repeats after this many frames */
-    size_t arena_bytes;       /* these four as struct demo_level, at its finest */
+    size_t arena_bytes;       /* these four are a struct demo_level, the finest */
     uint32_t arena_bytes_32;
     uint32_t vertex_max, triangle_max;
-    const struct demo_level *coarser; /* what init makes of smaller arenas, or in pictures at most 16:9 wide; the finest
-                                         first */
+    const struct demo_level
+        *coarser; /* levels for smaller arenas, or for pictures at most 16:9 wide; the finest first */
     uint32_t coarser_count;
-    uint8_t blur_radius; /* px; not 0: it wants scratch memory */
+    uint8_t blur_radius; /* px; not 0: the demo wants scratch memory */
 
     /* Builds meshes. 0 or PH_ERR_NOMEM. */
     int (*init)(struct demo_context *context);
@@ -74,25 +74,24 @@ struct demo {
     /* ph_frame_begin and ph_draw_* for frame number `frame` (any value). */
     int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
-    /* As ph_draw_band, which it is where this is NULL; called through demo_draw_band(). */
+    /* As ph_draw_band, which NULL stands for. Call it through demo_draw_band(). */
     uint32_t (*band)(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 };
 
-/* ph_draw_band with what the demo draws over it or does to it. All bands in order, after ph_frame_bands(). */
+/* Draws a band with all that the demo does to it. Call it for all bands in order, after ph_frame_bands(). */
 uint32_t demo_draw_band(const struct demo *demo, struct demo_context *context, struct ph_renderer *r, uint32_t band,
                         uint16_t *pixels);
 
-/* Scratch memory that the demo wants for a picture of this width in bands of this height; 0 for most. */
+/* Scratch memory that the demo wants for a picture of this width in bands of this height; most want 0. */
 size_t demo_scratch_bytes(const struct demo *demo, uint16_t width, uint16_t band_height);
 
 /* Whether the demo has a view of this name. */
 bool demo_has_view(const struct demo *demo, const char *view);
 
 /*
- * What the buttons (enum hal_button) pressed during this frame do to the camera; call it once a frame, before
- * demo->frame. Left and right orbit, 256 frames a turn; up comes nearer, down goes away. Demos with a camera that one
- * can walk around follow: turntable, wireframe, ball (outside), solar (outside), snake (outside), shadow. In the
- * snake's view from its head left and right steer it instead.
+ * Moves the camera by the buttons (enum hal_button) that are pressed during this frame; call it once a frame, before
+ * demo->frame. Left and right orbit, 256 frames a turn; up comes nearer, down goes away. These demos follow: turntable,
+ * wireframe, ball, solar and snake (outside), shadow. In the snake's view from its head left and right steer it.
  */
 #define DEMO_DOLLY_MAX FX_HALF
 void demo_input(struct demo_context *context, uint32_t buttons);
@@ -102,20 +101,19 @@ extern const uint32_t demo_count;
 
 const struct demo *demo_find(const char *name);
 
-/* What an image shows first: defined by its build as demo_list[0], or as demo_scene of a file that pinhole-asset made.
- */
+/* The build of an image defines its first demo: demo_turntable, or the demo_scene that pinhole-asset wrote. */
 extern const struct demo *const demo_here;
 extern const struct demo demo_scene;
 
 /*
- * The turntable for any meshes, e.g. a loaded model: meshes with their own materials, in one coordinate system (y up),
- * turn together about the vertical axis through `centre`, one turn in 256 frames. The camera looks down at 20 degrees
- * from where everything just fits into the picture at every angle; it is worked out here from all vertices.
- * Coordinates of some thousandths to some thousands of units; a radius of about 1 is best.
+ * The turntable for any meshes, e.g. a loaded model. The meshes have their own materials and one coordinate system (y
+ * up). They turn together about the vertical axis through `centre`, once in 256 frames. The camera looks down at 20
+ * degrees from where everything just fits into the picture at every angle; it is calculated from all vertices.
+ * Coordinates may be some thousandths to some thousands of units; a radius of about 1 is best.
  *
  * init uses the size in context, takes less than DEMO_TURNTABLE_BYTES of its arena, and sets context->state; the meshes
- * are not copied. Budgets: vertices of the largest mesh, at least DEMO_TURNTABLE_VERTICES; all triangles (5/8 of those
- * of a closed mesh are enough) and DEMO_TURNTABLE_TRIANGLES for the platter below them. In an arena of
+ * are not copied. Budgets: the vertices of the largest mesh, at least DEMO_TURNTABLE_VERTICES; all triangles (5/8 of
+ * them for a closed mesh) and DEMO_TURNTABLE_TRIANGLES for the platter below them. In an arena of
  * DEMO_TURNTABLE_BARE_BYTES there is no platter, and it needs no budgets.
  */
 #define DEMO_TURNTABLE_BYTES      4096
@@ -127,9 +125,9 @@ int demo_turntable_init(struct demo_context *context, const struct ph_mesh *mesh
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
 /*
- * Any meshes, as they stand, before an eye of their own, e.g. a model file's camera; the buttons move it around the
- * origin. lens is a perspective or an orthographic projection whose scales say what must be seen at least: half its
- * width and half its height (scale_x_q20 0: whatever width the picture gives). init takes DEMO_STILL_BYTES at most.
+ * Any meshes, standing still, before an eye of their own, e.g. a model file's camera. The buttons move the eye around
+ * the origin. lens is a perspective or an orthographic projection whose scales say what must at least be visible: half
+ * its width and half its height (scale_x_q20 0: any width). init takes DEMO_STILL_BYTES at most.
  */
 struct demo_eye {
     struct ph_xform view; /* world to view */

@@ -1,13 +1,13 @@
 /*
- * models: meshes made by our own code, in fixed point, into a caller's arena. Vertex and triangle order is the one of
- * the benchmark scenes where there is one. Triangles are counter-clockwise seen from outside; vertices that lie in one
- * place with one normal exist once, so that each is transformed once and no crack can open between triangles.
+ * models: makes meshes in fixed point in a caller's arena. Vertices and triangles have the order of the benchmark
+ * scenes if those have the mesh. Triangles are counter-clockwise as seen from outside. Vertices with the same place and
+ * normal exist once, so that each is transformed once and no crack can open between triangles.
  *
- * All functions return 0, PH_ERR_NOMEM (the arena is too small; what was taken of it is not given back) or
- * PH_ERR_INVAL (an argument outside its range). They leave mesh->parts and mesh->materials to model_material(), unless
- * they take materials themselves.
+ * All functions return 0, PH_ERR_NOMEM (the arena is too small; memory that was taken is not given back) or
+ * PH_ERR_INVAL (an argument is outside its range). Functions without materials leave mesh->parts and mesh->materials to
+ * model_material().
  *
- * Memory: MODEL_BYTES(vertices, triangles) for positions, normals and triangles, on top of it what the function states.
+ * Memory: MODEL_BYTES(vertices, triangles) for positions, normals and triangles, and what the function states besides.
  * "Scratch" is taken at the arena's end and given back before the return.
  */
 #ifndef MODELS_H
@@ -38,29 +38,29 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
 #define MODEL_ICOSPHERE_LEVELS_MAX        5
 int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t levels);
 
-/* Cube [-1, 1]^3 with 24 vertices, 12 triangles; texture coordinates (0 .. 1 on each face) take 192 bytes. */
+/* Cube [-1, 1]^3: 24 vertices, 12 triangles, and texture coordinates (0 .. 1 on each face) of 192 bytes. */
 #define MODEL_CUBE_BYTES (MODEL_BYTES(24, 12) + 192)
 int model_cube(struct demo_arena *arena, struct ph_mesh *mesh);
 
-/* cells x cells squares (1 .. 255) of side 1 in the plane y = 0, centred, with the wavy normals of the benchmark. */
+/* cells x cells squares (1 .. 255) of side 1 at y = 0 around the origin, with the benchmark's wavy normals. */
 #define MODEL_GROUND_VERTICES(cells)  (((cells) + 1) * ((cells) + 1))
 #define MODEL_GROUND_TRIANGLES(cells) (2 * (cells) * (cells))
 int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells);
 
-/* The same ground flat, its squares alternately of material 0 and 1. */
+/* The same ground with straight normals; its squares alternate between materials 0 and 1. */
 #define MODEL_FLOOR_BYTES(cells)                                                                                       \
     (MODEL_BYTES(MODEL_GROUND_VERTICES(cells), MODEL_GROUND_TRIANGLES(cells)) +                                        \
      MODEL_ROUND8(2 * sizeof(struct ph_part)))
 int model_floor(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells, const struct ph_material materials[2]);
 
-/* Box of the given half sizes, without texture coordinates. Arena: MODEL_BOX_BYTES. */
+/* A box of the given half sizes, without texture coordinates. Arena: MODEL_BOX_BYTES. */
 #define MODEL_BOX_BYTES (MODEL_CUBE_BYTES + 288)
 int model_box(struct demo_arena *arena, struct ph_mesh *mesh, fx_t x, fx_t y, fx_t z);
 
 /*
- * Surface of revolution about the y axis: `points` (2 .. 64) of a profile, from the bottom to the top, each a ring of
- * `sides` (3 .. 64) vertices. Where a point stands twice there is a sharp edge. Radius 0 closes an end.
- * `stripes` materials alternate around the axis (1: one; sides must be a multiple of it).
+ * Surface of revolution about the y axis. Each of the `points` (2 .. 64) of a profile, from the bottom to the top,
+ * becomes a ring of `sides` (3 .. 64) vertices. A point that stands twice makes a sharp edge. Radius 0 closes an end.
+ * `stripes` materials alternate around the axis (1: one material; sides must be a multiple of it).
  */
 struct model_point {
     fx_t radius, y;
@@ -74,12 +74,12 @@ int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct mod
                 uint32_t sides, uint32_t stripes, const struct ph_material *materials);
 
 /*
- * Newell's teapot from its Bezier patches, each divided into segments x segments quads (2 .. 8). y is up, the axis of
- * the pot is the y axis, the lid's top is at .63 and the bottom at -.63, the spout points along +x; within 1.42 of the
+ * Newell's teapot from its Bezier patches, each divided into segments x segments quads (2 .. 8). The axis of the pot is
+ * the y axis, with the lid's top at .63 and the bottom at -.63. The spout points along +x. All is within 1.42 of the
  * origin. Points of the patches are rounded once (0.5 LSB).
  *
- * The mesh is closed: lid and rim, which the patches leave .04 apart, are joined by a flat ring, and the ends of handle
- * and spout have flat covers (those of the handle and the spout's inner one are hidden in the pot).
+ * The mesh is closed. A flat ring joins lid and rim, which are .04 apart in the patches; flat covers close the ends of
+ * handle and spout (only the cover of the spout's mouth is visible).
  *
  *   segments        2     3     4     5     6     8
  *   vertices      138   302   530   822  1178  2082
@@ -91,14 +91,14 @@ int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct mod
 int model_teapot(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t segments);
 
 /*
- * Each undirected edge of the mesh once, into mesh->edges; linear time for any mesh. Scratch: MODEL_EDGES_SCRATCH.
- * model_quad_edges leaves out the diagonals of quads: where triangle 2k is (a, b, c) and 2k + 1 is (a, c, d), a-c.
+ * Writes each undirected edge once into mesh->edges, in linear time. Scratch: MODEL_EDGES_SCRATCH. model_quad_edges
+ * leaves out the diagonals of quads: if triangle 2k is (a, b, c) and 2k + 1 is (a, c, d), that is a-c.
  */
 #define MODEL_EDGES_SCRATCH(v, t) (MODEL_ROUND8(8 * (size_t)(v) + 4) + MODEL_ROUND8(6 * (size_t)(t)))
 int model_edges(struct demo_arena *arena, struct ph_mesh *mesh);
 int model_quad_edges(struct demo_arena *arena, struct ph_mesh *mesh);
 
-/* One part over all triangles with one material (not copied). Takes 16 bytes. */
+/* One part with one material (not copied) for all triangles. Takes 16 bytes. */
 int model_material(struct demo_arena *arena, struct ph_mesh *mesh, const struct ph_material *material);
 
 #endif

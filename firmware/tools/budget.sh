@@ -1,9 +1,10 @@
 #!/bin/sh
 # Usage: firmware/tools/budget.sh IMAGE.elf OBJECTS MAIN flash=BYTES ram=BYTES chip_ram=BYTES stack=BYTES extra=BYTES
-# Prints what an image takes of its board's flash, of its budget of RAM and of its stack; exits 1 over one of them, and
-# when it holds floating point, a heap or input and output. firmware.mk calls it. Environment: CROSS (tool prefix).
+# Prints how much an image takes of its board's flash, its budget of RAM, and its stack. Exits 1 if one of them is too
+# small, or if the image contains floating point, a heap or files. firmware.mk calls it. Environment: CROSS (prefix of
+# the tools).
 set -eu
-elf=$1 objects=$2 main=$3 # of the mains among the objects, the image's
+elf=$1 objects=$2 main=$3 # OBJECTS may hold the mains of several images; MAIN is this one's
 shift 3
 for pair; do
     case $pair in
@@ -14,7 +15,7 @@ done
 : "${flash:?}" "${ram:?}" "${chip_ram:?}" "${stack:?}" "${extra:=0}"
 CROSS=${CROSS:-arm-none-eabi-}
 
-# What must not be in an image: soft floating point, the heap, files.
+# An image must not contain soft floating point, the heap or files.
 bad=$("${CROSS}nm" "$elf" | awk '$3 ~ /^(__aeabi_[fd][a-z0-9]*|__aeabi_(ui|i|l|ul)2[fd]|__(add|sub|mul|div|float|fix|extend|trunc)[a-z]*[sd]f[a-z0-9]*|_?(malloc|calloc|realloc|free|sbrk)(_r)?|_?(printf|fopen|write|puts)(_r)?)$/ { print $3 }' | sort -u | tr '\n' ' ')
 [ -z "$bad" ] || { echo "$elf: floating point, heap or files are in it: $bad" >&2 && exit 1; }
 
@@ -33,7 +34,7 @@ fi
     $3 < 4096 && $1 !~ /^\.(text|vectors|boot2|rodata|ARM)/ { next }
     $1 ~ /^\.(boot2|vectors|text|rodata|ARM)/ { code += $2 }
     $1 ~ /^\.(data|ram_?text|ramfunc)/ { code += $2; memory += $2 }
-    $1 ~ /^\.(bss|kit|stack|noinit|scratch)/ { memory += $2 }
+    $1 ~ /^\.(bss|stack|noinit|scratch)/ { memory += $2 }
     END {
         line("flash", code, flash, "")
         line("RAM", memory, ram, sprintf(", stack included; %d %% of the chip", 100 * memory / chip))

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Usage: firmware/tools/link.sh IMAGE.elf IMAGE.map COMPILER ARGUMENT...
-# Links IMAGE.elf.part and writes IMAGE.map. When it does not fit the chip one line says so instead of the linker's many;
-# nothing is left then. firmware.mk calls it.
+# Links IMAGE.elf.part and writes IMAGE.map. If the image does not fit the chip, one line says so instead of the linker's
+# many, and no file is left. firmware.mk calls it.
 elf=$1 map=$2
 shift 2
 said=$(mktemp) || exit 1

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Usage: firmware/tools/modules.sh IMAGE.map
-# The bytes of an image by module, from the linker's map; the largest last. `make size BOARD=x` calls it.
+# Prints the bytes of an image by module, the largest last, from the linker's map. `make size BOARD=x` calls it.
 set -eu
 awk '
     /^Linker script and memory map/ { map = 1 }
@@ -14,7 +14,7 @@ awk '
         sub(/.*-objects\//, "", module)
         sub(/\.o$/, "", module)
         if (module ~ /\.a\(/) { sub(/.*\//, "", module) }
-        if (section ~ /^\.(bss|kit|stack|noinit|scratch)/) { ram[module] += bytes } else { flash[module] += bytes }
+        if (section ~ /^\.(bss|stack|noinit|scratch)/) { ram[module] += bytes } else { flash[module] += bytes }
         if (section ~ /^\.(data|ram_?text)/) { ram[module] += bytes }
         all[module]
     }

@@ -1,10 +1,12 @@
-# Reads gcc's call graphs (-fcallgraph-info=su). Prints a line for each recursion, dynamic stack frame, call through a
-# pointer that nothing is known about, and path over `most` bytes; `-v list=1`: "worst BYTES FUNCTION" as the last line.
-# of=FILE:FUNCTION: that line is about the paths from there (of another core, say).
-# library: bytes taken for each call of a function without a graph (libgcc, libc).
+# Reads gcc's call graphs (-fcallgraph-info=su). Prints a line for each recursion, each dynamic stack frame, each call
+# through a pointer that no rule covers, and each path of more than `most` bytes. Variables (-v):
+#   list=1             the last line is "worst BYTES FUNCTION"
+#   of=FILE:FUNCTION   that line is about the paths from this function (of another core, say)
+#   library=BYTES      counted for each call of a function without a graph (libgcc, libc)
 #
-# Whom a call through a pointer may reach is said by the tables `from` and `to`: regular expressions over FILE:FUNCTION.
-# (hal/panel calls backends and is none, whatever its functions are named.)
+# rule(a, b) says what a call through a pointer may reach: from functions that match a, all functions that match b.
+# Both are regular expressions over FILE:FUNCTION. `ops` are the operations of struct hal_ops in backends; hal/panel
+# calls backends and is none, whatever its functions are named.
 
 BEGIN {
     demos = "firmware/app/demos/[a-z]*\\.c:"
@@ -13,6 +15,7 @@ BEGIN {
     rule("firmware/app/demos/parts\\.c:", demos "[a-z]*_band$")
     rule("firmware/app/runner\\.c:", demos "[a-z]*_(init|frame)$")
     rule("firmware/app/runner\\.c:", ops)
+    rule("firmware/app/runner\\.c:", "hal/panel/[a-z_]*\\.c:sender_(begin|rows|end|forget)$")
     rule("hal/panel/[a-z_]*\\.c:", ops)
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
@@ -57,7 +60,7 @@ END {
         for (r = 0; r < rules; r++) {
             if (place[f] !~ from[r]) { continue }
             ruled = 1
-            for (g in frame) { if (place[g] ~ to[r] && place[g] !~ /^hal\/panel\//) { calls[f] = calls[f] g "\n" } }
+            for (g in frame) { if (place[g] ~ to[r] && !(to[r] == ops && place[g] ~ /^hal\/panel\//)) { calls[f] = calls[f] g "\n" } }
         }
         if (!ruled) { print "call through a pointer: " place[f] }
     }

@@ -1,4 +1,4 @@
-/* See panel.h. What goes over the bus for a frame; panel_pack.c converts pixels. */
+/* See panel.h. This file sends what a frame needs over the bus; panel_pack.c converts pixels. */
 #include "panel.h"
 #include "panel_pack.h"
 
@@ -6,30 +6,23 @@
 
 static int send(const struct hal *hal, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
-    if (n == 0) {
-        return HAL_OK;
-    }
-    int status = hal->ops->bus_write(hal->context, dc, bytes, n);
-    return status < 0 ? status : hal->ops->bus_wait(hal->context);
+    const int status = n > 0 ? hal->ops->bus_write(hal->context, dc, bytes, n) : HAL_OK;
+    return status < 0 || n == 0 ? status : hal->ops->bus_wait(hal->context);
 }
 
 static int send_command(const struct panel_driver *d, uint8_t command, const uint8_t *parameters, size_t n)
 {
-    int status = send(&d->hal, HAL_COMMAND, &command, 1);
-    if (status < 0) {
-        return status;
-    }
-    bool low = d->config.panel->controller->parameters_are_commands;
-    return send(&d->hal, low ? HAL_COMMAND : HAL_DATA, parameters, n);
+    const bool low = d->config.panel->controller->parameters_are_commands;
+    const int status = send(&d->hal, HAL_COMMAND, &command, 1);
+    return status < 0 ? status : send(&d->hal, low ? HAL_COMMAND : HAL_DATA, parameters, n);
 }
 
-/* Bytes as described at struct panel. A sequence that is cut short is a broken table. */
+/* Sends a sequence as described at struct panel. HAL_EINVAL: the table is broken, because the sequence is cut short. */
 static int send_sequence(const struct panel_driver *d, const uint8_t *bytes, size_t n)
 {
     size_t i = 0;
     while (i + 2 <= n) {
-        uint8_t command = bytes[i];
-        uint8_t count = bytes[i + 1];
+        uint8_t command = bytes[i], count = bytes[i + 1];
         i += 2;
         if (count > n - i) {
             return HAL_EINVAL;
@@ -61,10 +54,7 @@ static int hardware_reset(const struct panel_driver *d)
 {
     const struct panel_controller *c = d->config.panel->controller;
     int status = set_pin(d, HAL_PIN_BACKLIGHT, false);
-    if (status < 0) {
-        return status;
-    }
-    status = set_pin(d, HAL_PIN_RESET, false);
+    status = status < 0 ? status : set_pin(d, HAL_PIN_RESET, false);
     if (status < 0) {
         return status;
     }
@@ -97,10 +87,8 @@ static int check(const struct panel_config *config)
         (panel->formats & PANEL_FORMAT_BIT(config->format)) == 0) {
         return HAL_EINVAL;
     }
-    if (config->format != PANEL_RGB565 && (config->scratch == NULL || config->scratch_bytes < PANEL_SCRATCH_MIN)) {
-        return HAL_EINVAL;
-    }
-    return HAL_OK;
+    const bool scratch = config->scratch != NULL && config->scratch_bytes >= PANEL_SCRATCH_MIN;
+    return scratch || config->format == PANEL_RGB565 ? HAL_OK : HAL_EINVAL;
 }
 
 int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel_config *config)
@@ -115,23 +103,10 @@ int panel_open(struct panel_driver *d, const struct hal *hal, const struct panel
     d->width = panel_width(config->panel, config->rotation);
     d->height = panel_height(config->panel, config->rotation);
     status = panel_pack_init(d);
-    if (status < 0) {
-        return status;
-    }
-
-    status = set_clock(d, config->panel->controller->init_hz);
-    if (status < 0) {
-        return status;
-    }
-    status = hardware_reset(d);
-    if (status < 0) {
-        return status;
-    }
-    status = initialise(d);
-    if (status < 0) {
-        return status;
-    }
-    return panel_clock(d, config->clock_hz);
+    status = status < 0 ? status : set_clock(d, config->panel->controller->init_hz);
+    status = status < 0 ? status : hardware_reset(d);
+    status = status < 0 ? status : initialise(d);
+    return status < 0 ? status : panel_clock(d, config->clock_hz);
 }
 
 int panel_clock(struct panel_driver *d, uint32_t hz)
@@ -140,7 +115,7 @@ int panel_clock(struct panel_driver *d, uint32_t hz)
     return d->clock_hz < 0 ? d->clock_hz : HAL_OK;
 }
 
-/* Bytes that stay where they are until the next write has started: nothing to wait for. */
+/* Sends bytes that stay where they are until the next write has started, so nothing has to wait. */
 static int stream(struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     d->frame_bytes += (uint32_t)n;
@@ -148,8 +123,9 @@ static int stream(struct panel_driver *d, enum hal_dc dc, const uint8_t *bytes, 
 }
 
 /*
- * One border after the other, high byte first; `sent` keeps them while they are on the wire: it is written to only when
- * the command before them, and so everything earlier, has left its buffer. `again`: even if the controller has it.
+ * Sends a window's two borders in a direction, high byte first. `sent` keeps them while they are on the wire. It is
+ * written only when the command before them has been taken, so everything earlier has left its buffer. `again`: send
+ * them even if the controller has them.
  */
 static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t first, uint32_t last, uint8_t sent[4],
                        bool again)
@@ -169,23 +145,17 @@ static int send_border(struct panel_driver *d, const uint8_t *command, uint32_t 
     return stream(d, c->parameters_are_commands ? HAL_COMMAND : HAL_DATA, sent, 2U * c->address_bytes);
 }
 
-/* `again`: borders are sent even if the controller has them. */
+/* `again`: send the borders even if the controller has them. */
 static int open_window(struct panel_driver *d, uint32_t x, uint32_t y, bool again)
 {
     const struct panel_controller *c = d->config.panel->controller;
     struct panel_place place = panel_place(d->config.panel, d->config.rotation);
-    bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the glass's columns are the picture's lines */
-    uint32_t height = d->bottom - y;
-    uint32_t column = place.column + (swap ? y : x);
-    uint32_t row = place.row + (swap ? x : y);
-    uint32_t columns = swap ? height : d->span;
-    uint32_t rows = swap ? d->span : height;
+    bool swap = !c->window_turns && (d->config.rotation & 1) != 0; /* the picture's lines are columns of the glass */
+    uint32_t height = d->bottom - y, column = place.column + (swap ? y : x), row = place.row + (swap ? x : y);
+    uint32_t columns = swap ? height : d->span, rows = swap ? d->span : height;
     int status = send_border(d, &c->set_column, column / c->column_pixels, (column + columns - 1) / c->column_pixels,
                              d->column_sent, again);
-    if (status < 0) {
-        return status;
-    }
-    status = send_border(d, &c->set_row, row, row + rows - 1, d->row_sent, again);
+    status = status < 0 ? status : send_border(d, &c->set_row, row, row + rows - 1, d->row_sent, again);
     return status < 0 || c->memory_write == 0 ? status : stream(d, HAL_COMMAND, &c->memory_write, 1);
 }
 
@@ -212,11 +182,11 @@ void panel_windows_begin(struct panel_driver *d)
 {
     d->frame_bytes = 0;
     d->in_frame = false;
-    memset(d->column_sent, UINT8_MAX, sizeof d->column_sent); /* no window is there */
+    memset(d->column_sent, UINT8_MAX, sizeof d->column_sent); /* all ones: the controller has no window */
     memset(d->row_sent, UINT8_MAX, sizeof d->row_sent);
 }
 
-/* Do first and end lie between bytes? What lies beside the picture does not count. */
+/* Whether `first` and `end` lie between two bytes. Pixels beside the picture do not count. */
 static bool between_bytes(const struct panel_driver *d, uint32_t first, uint32_t end, uint32_t size)
 {
     return (first == 0 || ((first + d->lead) & 1U) == 0) && (end == size || ((end + d->lead) & 1U) == 0);
@@ -233,8 +203,8 @@ int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width,
         !(d->pair_lines ? between_bytes(d, y, y + height, d->height) : between_bytes(d, x, x + width, d->width))) {
         return HAL_EINVAL;
     }
-    /* Without a memory write command it is the borders that take the controller back to the window's start; an SSD1351
-     * has the command, and goes on where a window was left unfinished all the same. */
+    /* Without a memory write command only the borders take the controller back to the window's start. An SSD1351 has
+     * that command, but it continues in a window that was left unfinished. */
     const bool again = d->config.panel->controller->memory_write == 0 || d->row != d->bottom;
     return window(d, x, y, width, height, again);
 }
@@ -249,7 +219,7 @@ uint32_t panel_start_bytes(const struct panel_controller *c)
     return c->memory_write != 0;
 }
 
-/* Lines that lie apart. */
+/* Sends lines that are `stride` pixels apart in memory. */
 static int send_apart(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
 {
     d->frame_bytes += 2U * d->span * lines;
@@ -257,7 +227,7 @@ static int send_apart(struct panel_driver *d, const uint8_t *bytes, uint32_t str
     return d->hal.ops->bus_write_rows(d->hal.context, bytes, 2U * d->span, 2 * (size_t)stride, lines);
 }
 
-/* Straight from where they are, in one piece if they are one. */
+/* Sends lines straight from where they are, in one write if there is no gap between them. */
 static int send_lines(struct panel_driver *d, const uint8_t *bytes, uint32_t stride, uint32_t lines)
 {
     if (stride != d->span && d->hal.ops->bus_write_rows != NULL) {
@@ -315,21 +285,12 @@ int panel_frame_end(struct panel_driver *d)
     bool complete = d->in_frame && d->row == d->bottom;
     d->in_frame = false;
     int status = panel_wait(d);
-    if (status < 0) {
-        return status;
-    }
-    if (!complete) {
-        return HAL_EINVAL;
-    }
-    if (d->lit) {
-        return HAL_OK;
+    if (status < 0 || !complete || d->lit) {
+        return status < 0 ? status : complete ? HAL_OK : HAL_EINVAL;
     }
     const struct panel_controller *c = d->config.panel->controller;
     status = send_sequence(d, c->on, c->on_bytes);
-    if (status < 0) {
-        return status;
-    }
-    status = set_pin(d, HAL_PIN_BACKLIGHT, true);
+    status = status < 0 ? status : set_pin(d, HAL_PIN_BACKLIGHT, true);
     d->lit = status >= 0;
     return status;
 }
@@ -339,11 +300,7 @@ int panel_close(struct panel_driver *d)
     const struct panel_controller *c = d->config.panel->controller;
     d->in_frame = false;
     d->lit = false;
-    int dark = set_pin(d, HAL_PIN_BACKLIGHT, false);
-    int waited = panel_wait(d);
+    int dark = set_pin(d, HAL_PIN_BACKLIGHT, false), waited = panel_wait(d);
     int status = send_sequence(d, c->off, c->off_bytes);
-    if (dark < 0) {
-        return dark;
-    }
-    return waited < 0 ? waited : status;
+    return dark < 0 ? dark : waited < 0 ? waited : status;
 }

@@ -2,27 +2,22 @@
  * See panel_diff.h.
  *
  * Lines, columns and areas below are in units: a unit is a pixel, or the two pixels that share a byte. Lines count from
- * the first that is not yet decided. bits[0] has a bit for each unit, line by line, bits[1] the same column by column;
- * what works on one of them works on the other with x and y exchanged. Costs are in half bytes, because RGB444 has
- * pixels of one and a half.
+ * the first that is not yet decided. bits[0] has a bit for each unit, line by line; bits[1] has the same bits column by
+ * column. A function that takes `turned` works on bits[turned], with x and y exchanged for 1. Costs are in half bytes,
+ * because a pixel of RGB444 takes one and a half bytes.
  */
 #include "panel_diff.h"
 
 #include <string.h>
 
-#define DECIDE_LINES 32 /* fewer are kept until the next call */
-#define SLAB_LINES   64 /* highest slab: bounds the time */
-#define COARSE_LINES 4  /* where cuts cost time anyway: a sixteenth of the time to choose them */
+#define DECIDE_LINES 32 /* fewer lines wait for the next call */
+#define SLAB_LINES   64 /* highest slab; it bounds the time */
+#define COARSE_LINES 4  /* where a write costs time slabs are cut at every fourth line: 1/16 of the time to plan */
 #define WRITE_NS_MAX 1000000
 
 struct area {
     uint32_t x0, x1, y0, y1; /* x1, y1: one past the end */
 };
-
-static size_t rounded(size_t n)
-{
-    return (n + 7) / 8 * 8;
-}
 
 static uint32_t words_of(uint32_t width)
 {
@@ -39,58 +34,36 @@ static uint32_t larger(uint32_t a, uint32_t b)
     return a > b ? a : b;
 }
 
-/* Memory is cut into these, in this order; the last three twice. */
-static size_t shown_bytes(uint32_t width, uint32_t height)
+/* The next n bytes of memory, a multiple of 8; NULL if there is no memory and they are only counted. */
+static void *take(uint8_t *memory, size_t *used, size_t n)
 {
-    return rounded(sizeof(uint16_t) * width * height);
+    void *part = memory != NULL ? memory + *used : NULL;
+    *used += (n + 7) / 8 * 8;
+    return part;
 }
 
-static size_t bits_bytes(uint32_t width, uint32_t height)
+static size_t divide_memory(struct panel_diff *diff, uint8_t *memory)
 {
-    return rounded(sizeof(uint32_t) * words_of(width) * height);
-}
-
-static size_t cost_bytes(uint32_t width, uint32_t height)
-{
-    return rounded(sizeof(uint32_t) * (larger(width, height) + 1U));
-}
-
-static size_t next_bytes(uint32_t width, uint32_t height)
-{
-    return rounded(sizeof(uint16_t) * (larger(width, height) + 1U));
-}
-
-static size_t merged_bytes(uint32_t width, uint32_t height)
-{
-    return bits_bytes(larger(width, height), 1);
+    const size_t width = diff->width, height = diff->height, longer = larger(diff->width, diff->height);
+    size_t used = 0;
+    diff->shown = take(memory, &used, sizeof(uint16_t) * width * height);
+    diff->bits[0] = take(memory, &used, sizeof(uint32_t) * words_of(diff->width) * height);
+    diff->bits[1] = take(memory, &used, sizeof(uint32_t) * words_of(diff->height) * width);
+    for (int i = 0; i < 2; i++) {
+        diff->cost[i] = take(memory, &used, sizeof(uint32_t) * (longer + 1));
+        diff->next[i] = take(memory, &used, sizeof(uint16_t) * (longer + 1));
+        diff->merged[i] = take(memory, &used, sizeof(uint32_t) * words_of((uint32_t)longer));
+    }
+    return used;
 }
 
 size_t panel_diff_bytes(uint16_t width, uint16_t height)
 {
-    return shown_bytes(width, height) + bits_bytes(width, height) + bits_bytes(height, width) +
-           2 * (cost_bytes(width, height) + next_bytes(width, height) + merged_bytes(width, height));
+    struct panel_diff diff = {.width = width, .height = height};
+    return divide_memory(&diff, NULL);
 }
 
-static void cut_memory(struct panel_diff *diff, uint8_t *memory)
-{
-    const uint32_t width = diff->width, height = diff->height;
-    diff->shown = (uint16_t *)(void *)memory;
-    memory += shown_bytes(width, height);
-    diff->bits[0] = (uint32_t *)(void *)memory;
-    memory += bits_bytes(width, height);
-    diff->bits[1] = (uint32_t *)(void *)memory;
-    memory += bits_bytes(height, width);
-    for (int i = 0; i < 2; i++) {
-        diff->cost[i] = (uint32_t *)(void *)memory;
-        memory += cost_bytes(width, height);
-        diff->next[i] = (uint16_t *)(void *)memory;
-        memory += next_bytes(width, height);
-        diff->merged[i] = (uint32_t *)(void *)memory;
-        memory += merged_bytes(width, height);
-    }
-}
-
-/* A write's own time as half bytes that the bus could send in it. */
+/* The time of a write by itself, as the half bytes that the bus could send in that time. */
 static uint32_t write_cost(const struct panel_driver *d)
 {
     const struct hal_ops *ops = d->hal.ops;
@@ -98,14 +71,13 @@ static uint32_t write_cost(const struct panel_driver *d)
     return ns / 100 * ((uint32_t)d->clock_hz / 1000) / 40000;
 }
 
-/* Borders and start of a window, and the writes they and the pixels take: a command and its parameters are two. */
+/* The cost of a window's borders, start and writes. A command and its parameters are two writes. */
 static void set_costs(struct panel_diff *diff, const struct panel_driver *d)
 {
     const struct panel_controller *c = d->config.panel->controller;
     const uint32_t write = write_cost(d);
     diff->step = write > 0 ? COARSE_LINES : 1;
-    const uint32_t border = 2 * panel_border_bytes(c) + 2 * write;
-    const uint32_t start = (2 + write) * panel_start_bytes(c);
+    const uint32_t border = 2 * panel_border_bytes(c) + 2 * write, start = (2 + write) * panel_start_bytes(c);
     diff->open_cost = 2 * border + start + write;
     diff->beside_cost = c->memory_write == 0 ? diff->open_cost : diff->open_cost - border;
 }
@@ -131,13 +103,13 @@ int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint3
     diff->unit_cost = unit_costs[d->config.format];
     set_costs(diff, d);
     diff->unknown = true;
-    cut_memory(diff, memory);
+    divide_memory(diff, memory);
     return HAL_OK;
 }
 
 /* ---- what changed ------------------------------------------------------------------------------- */
 
-/* Unit line of a line of the picture. */
+/* The line of units in which line y of the picture lies. */
 static uint32_t unit_line(const struct panel_diff *diff, uint32_t y)
 {
     return diff->pair_y ? (y + diff->lead) / 2 - (diff->first + diff->lead) / 2U : y - diff->first;
@@ -148,11 +120,11 @@ static uint32_t unit_lines(const struct panel_diff *diff)
     return diff->row == diff->first ? 0 : unit_line(diff, diff->row - 1U) + 1;
 }
 
-/* Do two pixels differ on the glass? */
+/* Whether two pixels differ on the glass. */
 static bool differ(const struct panel_diff *diff, const uint8_t *a, const uint8_t *b, uint32_t x, uint32_t y)
 {
     switch (diff->out->config.format) {
-    case PANEL_RGB444: /* the bits that it leaves out do not count */
+    case PANEL_RGB444: /* it drops these bits */
         return (((a[0] ^ b[0]) & 0xF7) | ((a[1] ^ b[1]) & 0x9E)) != 0;
     case PANEL_GREY4:
         return (a[0] != b[0] || a[1] != b[1]) && panel_grey4(a[0], a[1], x, y) != panel_grey4(b[0], b[1], x, y);
@@ -161,7 +133,7 @@ static bool differ(const struct panel_diff *diff, const uint8_t *a, const uint8_
     }
 }
 
-/* Compares line diff->row with what is shown there, and keeps it. */
+/* Compares line diff->row with the line on the glass, marks the units that changed, and keeps the line. */
 static void take_line(struct panel_diff *diff, const uint16_t *pixels)
 {
     uint16_t *shown = diff->shown + (size_t)diff->row * diff->width;
@@ -182,7 +154,7 @@ static void take_line(struct panel_diff *diff, const uint16_t *pixels)
     diff->row++;
 }
 
-/* First unit from `from` on whose bit is `value`, or end. */
+/* The first unit, from `from` on, whose bit is `value`; or `end`. */
 static uint32_t find_bit(const uint32_t *bits, uint32_t from, uint32_t end, bool value)
 {
     const uint32_t flip = value ? 0 : UINT32_MAX;
@@ -210,7 +182,7 @@ static void turn_bits(struct panel_diff *diff, const struct area *all)
 
 /* ---- which windows ------------------------------------------------------------------------------ */
 
-/* The next window of a slab of `lines` lines: runs whose gap costs more to leave out than to send. False: no more. */
+/* Finds the slab's next window. It includes a gap that costs no more than another window. False: there is none. */
 static bool next_window(const struct panel_diff *diff, const uint32_t *bits, uint32_t lines, struct area *window,
                         uint32_t from, uint32_t end)
 {
@@ -238,7 +210,7 @@ static uint32_t slab_cost(const struct panel_diff *diff, const uint32_t *bits, u
     return cost;
 }
 
-/* Adds line y to the union of lines, over the words that the area lies in. */
+/* Adds line y to the union of lines, in the words in which the area lies. */
 static void merge_line(const struct panel_diff *diff, int turned, const struct area *area, uint32_t y, bool first)
 {
     const uint32_t *bits = diff->bits[turned] + (size_t)y * diff->words[turned];
@@ -249,9 +221,9 @@ static void merge_line(const struct panel_diff *diff, int turned, const struct a
 }
 
 /*
- * Cuts an area into slabs such that windows as wide as each slab needs are cheapest: from the last line up, the
- * cheapest way on from line y is a slab of some lines and the cheapest way on from its end. next[turned] tells the
- * slabs; returns the cost.
+ * Cuts an area into slabs so that the slabs' windows are cheapest together. Dynamic programming from the last line up:
+ * the cheapest plan from line y on is a slab that starts there and the cheapest plan from the slab's end on.
+ * next[turned] holds the slabs. Returns the cost.
  */
 static uint32_t plan(struct panel_diff *diff, int turned, const struct area *area)
 {
@@ -259,8 +231,7 @@ static uint32_t plan(struct panel_diff *diff, int turned, const struct area *are
     const uint32_t *merged = diff->merged[turned];
     cost[area->y1] = 0;
     for (uint32_t steps = (area->y1 - area->y0 + diff->step - 1) / diff->step; steps-- > 0;) {
-        const uint32_t y = area->y0 + steps * diff->step;
-        const uint32_t last = lesser(area->y1, y + SLAB_LINES);
+        const uint32_t y = area->y0 + steps * diff->step, last = lesser(area->y1, y + SLAB_LINES);
         uint32_t best = UINT32_MAX;
         for (uint32_t from = y, end; from < last; from = end) {
             end = lesser(from + diff->step, last);
@@ -269,14 +240,14 @@ static uint32_t plan(struct panel_diff *diff, int turned, const struct area *are
             }
             const uint32_t slab = slab_cost(diff, merged, end - y, area);
             if (slab >= best) {
-                break; /* it only grows */
+                break; /* a longer slab costs more still */
             }
             if (slab + cost[end] < best) {
                 best = slab + cost[end];
                 diff->next[turned][y] = (uint16_t)end;
             }
             if (slab == 0) {
-                break; /* nothing changed in this line: it needs no window */
+                break; /* nothing changed in this line, so it needs no window */
             }
         }
         cost[y] = best;
@@ -295,7 +266,7 @@ static uint32_t pixel_of(uint32_t unit, bool pairs, uint32_t lead, uint32_t orig
     return pixel < lead ? 0 : pixel - lead < size ? pixel - lead : size;
 }
 
-/* What a window will be on the wire: after another of the same columns or lines it needs no border there. */
+/* The bytes of a window on the wire. Borders that the window before had, too, are not sent. */
 static uint32_t predict(struct panel_diff *diff, const struct area *px)
 {
     const struct panel_controller *c = diff->out->config.panel->controller;
@@ -320,7 +291,7 @@ static bool unchanged(const struct panel_diff *diff, int turned, uint32_t y, uin
     return find_bit(diff->bits[turned] + (size_t)y * diff->words[turned], x0, x1, true) == x1;
 }
 
-/* Without the edges in which nothing changed: cuts in steps of several lines leave some. In a window something did. */
+/* The window without unchanged edges, which coarse cuts leave. Something changed in it, so the loops end. */
 static struct area trimmed(const struct panel_diff *diff, struct area w)
 {
     while (unchanged(diff, 0, w.y0, w.x0, w.x1)) {
@@ -361,7 +332,7 @@ static void send_window(struct panel_diff *diff, const struct area *window)
     }
 }
 
-/* The window of slab y .. end that follows *window (x1: where to look from). False: no more. */
+/* Finds the window of slab y .. end after *window; its x1 says where to look from. False: there is no more window. */
 static bool slab_window(struct panel_diff *diff, int turned, const struct area *area, struct area *window)
 {
     for (uint32_t y = window->y0; y < window->y1; y++) {
@@ -379,11 +350,11 @@ static void send_turned(struct panel_diff *diff, int turned, const struct area *
 {
     const struct area upright = turned ? turn(area) : *area;
     const struct area small = trimmed(diff, upright);
-    const uint32_t borders = diff->open_cost - diff->beside_cost; /* it may no longer have them from the last window */
+    const uint32_t borders = diff->open_cost - diff->beside_cost; /* the smaller one may need them sent again */
     send_window(diff, area_cost(diff, &small) + borders < area_cost(diff, &upright) ? &small : &upright);
 }
 
-/* A window of the first cut: whole, or cut the other way. */
+/* Sends a window of the first cut, whole or cut in the other direction. */
 static void send_or_cut(struct panel_diff *diff, int turned, const struct area *window)
 {
     const uint32_t whole = diff->open_cost + area_cost(diff, window);
@@ -401,7 +372,7 @@ static void send_or_cut(struct panel_diff *diff, int turned, const struct area *
     }
 }
 
-/* Sends what plan() has found. */
+/* Sends the windows that plan() has found. */
 static void send_plan(struct panel_diff *diff, int turned, const struct area *area)
 {
     for (uint32_t y = area->y0; y < area->y1; y = diff->next[turned][y]) {
@@ -412,7 +383,7 @@ static void send_plan(struct panel_diff *diff, int turned, const struct area *ar
     }
 }
 
-/* The next columns, side by side, between which nothing changed in any line. False: no more. */
+/* Finds the next group of neighbouring columns that no unchanged column separates. False: there is no more group. */
 static bool next_group(struct panel_diff *diff, int turned, const struct area *all, struct area *group)
 {
     struct area window = {0, group->x1, all->y0, all->y1};
@@ -422,7 +393,7 @@ static bool next_group(struct panel_diff *diff, int turned, const struct area *a
     return found;
 }
 
-/* Cost of the groups, each planned for itself. */
+/* The cost of all groups, each planned by itself. */
 static uint32_t plan_groups(struct panel_diff *diff, int turned, const struct area *all)
 {
     struct area group = *all;
@@ -442,7 +413,8 @@ static void send_groups(struct panel_diff *diff, int turned, const struct area *
     }
 }
 
-/* What changed in the lines that are not yet decided: in slabs of lines or of columns, in groups or all together. */
+/* Sends what changed in the lines that are not yet decided. Slabs of lines and slabs of columns are compared, each for
+ * all columns at once and for each group by itself. */
 static void decide(struct panel_diff *diff)
 {
     const struct area upright = {0, diff->units_x, 0, unit_lines(diff)};
@@ -469,7 +441,7 @@ int panel_diff_begin(struct panel_diff *diff, struct panel_driver *d)
 {
     diff->whole = diff->unknown || (diff->refresh_frames != 0 && ++diff->frames >= diff->refresh_frames);
     diff->frames = diff->whole ? 0 : diff->frames;
-    diff->unknown = true; /* until the frame has ended well */
+    diff->unknown = true; /* until the frame has ended without error */
     diff->first = diff->row = 0;
     diff->windows = diff->bytes = 0;
     memset(diff->last, 0, sizeof diff->last);
@@ -532,4 +504,28 @@ int panel_diff_end(struct panel_diff *diff, struct panel_driver *d)
     }
     diff->unknown = false;
     return HAL_OK;
+}
+
+/* ---- panel_sender.h ----------------------------------------------------------------------------- */
+
+static int sender_begin(void *diff, struct panel_driver *d)
+{
+    return panel_diff_begin(diff, d);
+}
+
+static int sender_rows(void *diff, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+{
+    return panel_diff_rows(diff, d, pixels, lines);
+}
+
+static int sender_end(void *diff, struct panel_driver *d)
+{
+    return panel_diff_end(diff, d);
+}
+
+struct panel_sender panel_diff_sender(struct panel_diff *diff)
+{
+    static const struct panel_sender_ops ops = {
+        .copies = true, .begin = sender_begin, .rows = sender_rows, .end = sender_end};
+    return (struct panel_sender){&ops, diff};
 }

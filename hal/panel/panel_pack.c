@@ -1,21 +1,19 @@
 /*
- * See panel_pack.h. The scratch memory is two halves: one is filled while the other is on the wire. bus_write of one
- * half returns only when the other is free again (hal.h), so no half is ever written to while it is being sent.
+ * See panel_pack.h. The scratch memory has two halves: one is filled while the other is on the wire. bus_write of one
+ * half returns only when the other is free again (hal.h), so a half is never written while it is being sent.
  */
 #include "panel_pack.h"
 
 #include <string.h>
 
-/* Most bytes that one pixel can add. */
+/* one pixel adds at most so many */
 #define PIXEL_BYTES_MAX 3
 
 static const uint8_t bayer4[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
 
 uint8_t panel_grey4(uint8_t high, uint8_t low, uint32_t x, uint32_t y)
 {
-    uint32_t r5 = high >> 3;
-    uint32_t g6 = (high & 7U) << 3 | low >> 5;
-    uint32_t b5 = low & 31U;
+    uint32_t r5 = high >> 3, g6 = (high & 7U) << 3 | low >> 5, b5 = low & 31U;
     uint32_t luma = (77 * (r5 << 3 | r5 >> 2) + 150 * (g6 << 2 | g6 >> 4) + 29 * (b5 << 3 | b5 >> 2)) >> 8;
     uint32_t scaled = 15 * luma;                        /* level * 255 */
     uint32_t level = (scaled + 1 + (scaled >> 8)) >> 8; /* scaled / 255, exact below 65535 */
@@ -29,7 +27,7 @@ int panel_pack_init(struct panel_driver *d)
     d->pair_lines =
         config->format == PANEL_GREY4 && config->panel->controller->column_pixels == 2 && (config->rotation & 1) != 0;
     if (config->format == PANEL_RGB565 && (config->scratch == NULL || config->scratch_bytes < PANEL_SCRATCH_MIN)) {
-        return HAL_OK; /* windows go out line by line */
+        return HAL_OK; /* without scratch memory windows are sent line by line */
     }
     size_t kept = d->pair_lines ? d->width : 0; /* the upper line of a pair, at the end of scratch */
     if (config->scratch_bytes < kept + 2 * PIXEL_BYTES_MAX) {
@@ -64,9 +62,7 @@ static int flush(struct panel_driver *d)
 static uint8_t *pack_rgb666(uint8_t *out, const uint8_t *in, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t r5 = in[2 * i] >> 3;
-        uint32_t g6 = (in[2 * i] & 7U) << 3 | in[2 * i + 1] >> 5;
-        uint32_t b5 = in[2 * i + 1] & 31U;
+        uint32_t r5 = in[2 * i] >> 3, g6 = (in[2 * i] & 7U) << 3 | in[2 * i + 1] >> 5, b5 = in[2 * i + 1] & 31U;
         *out++ = (uint8_t)((r5 << 1 | r5 >> 4) << 2);
         *out++ = (uint8_t)(g6 << 2);
         *out++ = (uint8_t)((b5 << 1 | b5 >> 4) << 2);
@@ -74,7 +70,7 @@ static uint8_t *pack_rgb666(uint8_t *out, const uint8_t *in, uint32_t n)
     return out;
 }
 
-/* Adds four bits. */
+/* Adds four bits to the output. */
 static uint8_t *pack_nibble(struct panel_driver *d, uint8_t *out, uint32_t nibble)
 {
     if (d->carry_full) {
@@ -88,8 +84,7 @@ static uint8_t *pack_nibble(struct panel_driver *d, uint8_t *out, uint32_t nibbl
 static uint8_t *pack_rgb444(struct panel_driver *d, uint8_t *out, const uint8_t *in, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t high = in[2 * i];
-        uint32_t low = in[2 * i + 1];
+        uint32_t high = in[2 * i], low = in[2 * i + 1];
         out = pack_nibble(d, out, high >> 4);
         out = pack_nibble(d, out, (high & 7U) << 1 | low >> 7);
         out = pack_nibble(d, out, low >> 1 & 15U);
@@ -113,7 +108,7 @@ static uint8_t *pack_grey4(struct panel_driver *d, uint8_t *out, const uint8_t *
     return out;
 }
 
-/* Pixels x .. x + n - 1 of the line; there is room for n * PIXEL_BYTES_MAX bytes. */
+/* Converts pixels x .. x + n - 1 of the line. There must be room for n * PIXEL_BYTES_MAX bytes. */
 static void pack(struct panel_driver *d, const uint8_t *in, uint32_t x, uint32_t n)
 {
     uint8_t *start = d->config.scratch + d->half * d->half_bytes + d->filled;
@@ -131,21 +126,21 @@ static void pack(struct panel_driver *d, const uint8_t *in, uint32_t x, uint32_t
     d->filled += (uint32_t)(end - start);
 }
 
-/* A byte of its own for the four bits that are left over; the pixel to their right does not exist. */
+static int put_byte(struct panel_driver *d, uint8_t byte)
+{
+    const int status = d->filled == d->half_bytes ? flush(d) : HAL_OK;
+    d->config.scratch[d->half * d->half_bytes + d->filled++] = byte;
+    return status;
+}
+
+/* Four bits that are left over get a byte of their own; there is no pixel to their right. */
 static int pack_rest(struct panel_driver *d)
 {
     if (!d->carry_full) {
         return HAL_OK;
     }
-    if (d->half_bytes - d->filled < 1) {
-        int status = flush(d);
-        if (status < 0) {
-            return status;
-        }
-    }
-    d->config.scratch[d->half * d->half_bytes + d->filled++] = (uint8_t)(d->carry << 4);
     d->carry_full = false;
-    return HAL_OK;
+    return put_byte(d, (uint8_t)(d->carry << 4));
 }
 
 int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
@@ -171,19 +166,14 @@ int panel_pack_line(struct panel_driver *d, const uint8_t *pixels)
     return d->config.format == PANEL_GREY4 ? pack_rest(d) : HAL_OK;
 }
 
-/* A last line that has its byte for itself, when two lines share one. */
+/* Where two lines share a byte, a last line may have its bytes for itself. */
 static int pack_last_line(struct panel_driver *d)
 {
-    for (uint32_t x = d->x; x < (uint32_t)d->x + d->span; x++) {
-        if (d->filled == d->half_bytes) {
-            int status = flush(d);
-            if (status < 0) {
-                return status;
-            }
-        }
-        d->config.scratch[d->half * d->half_bytes + d->filled++] = (uint8_t)(upper_line(d)[x] << 4);
+    int status = HAL_OK;
+    for (uint32_t x = d->x; x < (uint32_t)d->x + d->span && status >= 0; x++) {
+        status = put_byte(d, (uint8_t)(upper_line(d)[x] << 4));
     }
-    return HAL_OK;
+    return status;
 }
 
 int panel_pack_end(struct panel_driver *d)

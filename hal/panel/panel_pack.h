@@ -4,14 +4,13 @@
 
 #include "panel.h"
 
-/* Divides the scratch memory. HAL_EINVAL: too small for this panel. */
+/* Divides the scratch memory. HAL_EINVAL: it is too small for this panel. */
 int panel_pack_init(struct panel_driver *d);
 
-/* Converts line d->row of the window, whose first pixel is the one given, and sends what fills a half of the scratch
- * memory. */
+/* Converts line d->row of the window, whose first pixel is *pixels. Each full half of the scratch memory is sent. */
 int panel_pack_line(struct panel_driver *d, const uint8_t *pixels);
 
-/* Sends the rest of a window. */
+/* Sends the rest of the window. */
 int panel_pack_end(struct panel_driver *d);
 
 #endif

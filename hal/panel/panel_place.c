@@ -1,4 +1,4 @@
-/* See panel.h. Arithmetic on panels; nothing here touches a bus. */
+/* See panel.h. Arithmetic on panels; nothing here uses the bus. */
 #include "panel.h"
 
 #include <string.h>
@@ -13,7 +13,8 @@ const struct panel *panel_find(const char *name)
     return NULL;
 }
 
-/* Is an axis mirrored in, and do they swap for, a rotation? 90 degrees clockwise: the first column is the last row. */
+/* Which axes a rotation mirrors, and whether it swaps them. At 90 degrees clockwise the first column is the last row.
+ */
 static bool turns_mx(unsigned rotation)
 {
     return rotation == PANEL_R90 || rotation == PANEL_R180;
@@ -37,8 +38,7 @@ struct panel_place panel_place(const struct panel *panel, unsigned rotation)
     byte ^= turns_my(rotation) ? c->rotation_bit_my : 0U;
     byte ^= turns_mv(rotation) ? c->rotation_bit_mv : 0U;
 
-    bool mx = (byte & c->rotation_bit_mx) != 0;
-    bool my = (byte & c->rotation_bit_my) != 0;
+    bool mx = (byte & c->rotation_bit_mx) != 0, my = (byte & c->rotation_bit_my) != 0;
     uint16_t cx = mx ? (uint16_t)(panel->ram_width - panel->width - panel->x0) : panel->x0;
     uint16_t cy = my ? (uint16_t)(panel->ram_height - panel->height - panel->y0) : panel->y0;
     bool swap = c->window_turns && turns_mv(rotation);
@@ -57,8 +57,7 @@ uint16_t panel_height(const struct panel *panel, unsigned rotation)
 
 static uint32_t pixel_bytes(const struct panel *panel, unsigned format, unsigned rotation)
 {
-    uint32_t width = panel_width(panel, rotation);
-    uint32_t height = panel_height(panel, rotation);
+    uint32_t width = panel_width(panel, rotation), height = panel_height(panel, rotation);
     switch (format) {
     case PANEL_RGB666:
         return 3 * width * height;
@@ -75,13 +74,11 @@ static uint32_t pixel_bytes(const struct panel *panel, unsigned format, unsigned
 uint32_t panel_frame_bytes(const struct panel *panel, unsigned format, unsigned rotation)
 {
     const struct panel_controller *c = panel->controller;
-    uint32_t window = 2 * (1 + 2U * c->address_bytes);
-    return window + (c->memory_write != 0) + pixel_bytes(panel, format, rotation);
+    return 2 * panel_border_bytes(c) + panel_start_bytes(c) + pixel_bytes(panel, format, rotation);
 }
 
 uint32_t panel_frame_us(const struct panel *panel, unsigned format, unsigned rotation, uint32_t hz)
 {
-    uint64_t bits = 8ULL * panel_frame_bytes(panel, format, rotation);
-    uint64_t us = (bits * 1000000 + hz - 1) / hz;
+    uint64_t bits = 8ULL * panel_frame_bytes(panel, format, rotation), us = (bits * 1000000 + hz - 1) / hz;
     return us > UINT32_MAX ? UINT32_MAX : (uint32_t)us;
 }

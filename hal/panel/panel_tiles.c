@@ -3,20 +3,20 @@
 
 #include <string.h>
 
-/* What `rest` of a band is. */
+/* States of a band, in `rest`. Other values count down the frames in which it is still sent whole. */
 enum {
     WATCHED = 0,
-    NEARLY_ALL = 255, /* watched, and nearly all of it changed last time */
-    REST_FRAMES = 16, /* it is sent whole; signatures are taken in the last of them, 1 */
+    NEARLY_ALL = 255, /* signatures are compared, and nearly all tiles changed last time */
+    REST_FRAMES = 16, /* frames in which a band is sent whole; signatures are made in the last of them, at 1 */
 };
 
-/* Nearly all: what is left would not pay for the signatures. */
+/* Above this share, sending the other tiles costs less than making signatures. */
 static bool is_nearly_all(uint32_t changed, uint32_t columns)
 {
     return 8 * changed >= 7 * columns;
 }
 
-/* Each step can be undone: no change of a single word is lost. */
+/* Mixes two pixels into a signature. Each step can be undone, so a change of one word always changes the signature. */
 static inline uint32_t mix(uint32_t sign, uint32_t factor, const uint16_t *two_pixels)
 {
     uint32_t word;
@@ -25,7 +25,7 @@ static inline uint32_t mix(uint32_t sign, uint32_t factor, const uint16_t *two_p
     return mixed >> 15 | mixed << 17;
 }
 
-/* Rows of PANEL_TILE_PX pixels; what is done for each pixel is done here. */
+/* The signature of a whole tile. This is the only loop over all pixels of a frame. */
 static uint32_t sign_tile(const uint16_t *pixels, uint32_t stride, uint32_t lines, uint32_t factor)
 {
     uint32_t sign = 0;
@@ -42,7 +42,7 @@ static uint32_t sign_tile(const uint16_t *pixels, uint32_t stride, uint32_t line
     return sign;
 }
 
-/* Pixels in one piece. */
+/* Continues a signature over n pixels in one piece. */
 static uint32_t sign_piece(uint32_t sign, uint32_t factor, const uint16_t *pixels, uint32_t n)
 {
     for (; n >= 2; n -= 2, pixels += 2) {
@@ -52,7 +52,7 @@ static uint32_t sign_piece(uint32_t sign, uint32_t factor, const uint16_t *pixel
     return n > 0 ? mix(sign, factor, last) : sign;
 }
 
-/* Lines of odd width are not aligned: they have one tile, as wide as the picture. */
+/* Lines of odd width are not aligned to words; then a band is one tile, as wide as the picture. */
 static uint32_t tile_width(const struct panel_tiles *t)
 {
     return t->width % 2 == 0 ? PANEL_TILE_PX : t->width;
@@ -121,7 +121,7 @@ void panel_tiles_forget(struct panel_tiles *t)
 int panel_tiles_begin(struct panel_tiles *t, struct panel_driver *d)
 {
     t->whole = t->unknown;
-    t->unknown = true; /* until the frame has been taken well */
+    t->unknown = true; /* until all bands have been sent without error */
     t->row = 0;
     t->open_x = t->open_end = 0;
     t->turn = (t->turn + 1) % panel_tiles_refresh_frames(t);
@@ -136,14 +136,15 @@ int panel_tiles_begin(struct panel_tiles *t, struct panel_driver *d)
     return t->status;
 }
 
-/* Tiles first .. end - 1 of the band. */
+/* Sends tiles first .. end - 1 of the band. */
 static int send_tiles(struct panel_tiles *t, struct panel_driver *d, const uint16_t *pixels, uint32_t lines,
                       uint32_t first, uint32_t end)
 {
     const uint32_t x = first * tile_width(t);
     const uint32_t x1 = end * tile_width(t) < t->width ? end * tile_width(t) : t->width;
     int status = HAL_OK;
-    if (x != t->open_x || x1 != t->open_end) { /* down to the last line: bands below may go on in it */
+    if (x != t->open_x ||
+        x1 != t->open_end) { /* the window reaches down to the last line, so that the bands below can continue in it */
         status = panel_window(d, x, t->row, x1 - x, (uint32_t)t->height - t->row);
         t->open_x = (uint16_t)x;
         t->open_end = (uint16_t)x1;
@@ -151,7 +152,7 @@ static int send_tiles(struct panel_tiles *t, struct panel_driver *d, const uint1
     return status < 0 ? status : panel_window_rows(d, pixels + x, t->width, lines);
 }
 
-/* Has tile `column` another signature? It is kept. */
+/* Whether a tile has another signature than before. The new one is kept. */
 static bool is_other(uint32_t *kept, uint32_t sign)
 {
     const bool other = *kept != sign;
@@ -159,7 +160,7 @@ static bool is_other(uint32_t *kept, uint32_t sign)
     return other;
 }
 
-/* What changed; a window goes on below only if it had lines of this band, and was the last. */
+/* Sends the tiles that changed. The next band can continue only in the last window of this band. */
 static int send_changed(struct panel_tiles *t, struct panel_driver *d, const uint16_t *pixels, uint32_t lines,
                         uint32_t band)
 {
@@ -221,4 +222,33 @@ int panel_tiles_end(struct panel_tiles *t, struct panel_driver *d)
         return t->status < 0 ? t->status : status;
     }
     return t->row == t->height ? HAL_OK : HAL_EINVAL;
+}
+
+/* ---- panel_sender.h ----------------------------------------------------------------------------- */
+
+static int sender_begin(void *tiles, struct panel_driver *d)
+{
+    return panel_tiles_begin(tiles, d);
+}
+
+static int sender_rows(void *tiles, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
+{
+    return panel_tiles_rows(tiles, d, pixels, lines);
+}
+
+static int sender_end(void *tiles, struct panel_driver *d)
+{
+    return panel_tiles_end(tiles, d);
+}
+
+static void sender_forget(void *tiles)
+{
+    panel_tiles_forget(tiles);
+}
+
+struct panel_sender panel_tiles_sender(struct panel_tiles *t)
+{
+    static const struct panel_sender_ops ops = {
+        .skips = true, .begin = sender_begin, .rows = sender_rows, .end = sender_end, .forget = sender_forget};
+    return (struct panel_sender){&ops, t};
 }

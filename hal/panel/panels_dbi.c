@@ -30,7 +30,7 @@ static const uint8_t dbi_off[] = {
     DELAY_MS(5),    /* until the next command */
 };
 
-/* The command set is the same for all of them; differences are given after it. */
+/* All of them have these commands; differences follow in each struct. */
 #define DBI_COMMANDS                                                                                                   \
     .init_hz = 4000000, .reset_low_us = 100, .reset_high_us = 120000, .set_column = 0x2A, .set_row = 0x2B,             \
     .memory_write = 0x2C, .address_bytes = 2, .column_pixels = 1, .window_turns = true, .set_rotation = 0x36,          \
@@ -89,7 +89,7 @@ static const struct panel_controller st7735s = {
         0x21, 0,                               /* 9.1.16 INVON */                                                      \
         0x13, 0                                /* 9.1.14 NORON */
 
-/* Voltages and gamma belong to the glass. */
+/* Voltages and gamma depend on the glass. */
 /* clang-format off */
 static const uint8_t st7789_init_tall[] = {
     ST7789_COMMON,
@@ -170,7 +170,7 @@ const struct panel panel_gc9a01_240x240 = {
     .height = 240,
     .ram_width = 240,
     .ram_height = 240,
-    .rotation_base = MX | BGR, /* columns run right to left on this glass */
+    .rotation_base = MX | BGR, /* columns run from right to left on this glass */
     .formats = FORMATS_ALL,
     .round = true,
     INIT(gc9a01_init),

@@ -4,7 +4,7 @@
  */
 #include "panels.h"
 
-/* Both: AFh turns the display on, AEh puts it to sleep. */
+/* Both controllers: AFh turns the display on, AEh puts it to sleep. */
 static const uint8_t ssd_on[] = {0xAF, 0};
 static const uint8_t ssd_off[] = {0xAE, 0};
 
@@ -71,7 +71,7 @@ static const struct panel_controller ssd0323 = {
     .reset_high_us = 10000, /* 3 us; see above */
     .set_column = 0x15,     /* command table: pairs of pixels, 0 .. 63 */
     .set_row = 0x75,        /* 0 .. 79 */
-    .memory_write = 0,      /* data is pixels */
+    .memory_write = 0,      /* data needs no command before it */
     .address_bytes = 1,
     .column_pixels = 2,
     .parameters_are_commands = true,
@@ -111,7 +111,7 @@ const struct panel panel_ssd0323_128x64 = {
     .width = 128,
     .height = 64,
     .ram_width = 128,
-    .ram_height = 64,      /* the lines that are scanned; mirroring is among them */
+    .ram_height = 64,      /* only lines that are scanned; they are mirrored among themselves */
     .rotation_base = 0x52, /* COM split, COM from the last, left pixel in the high nibble: upright */
     .formats = PANEL_FORMAT_BIT(PANEL_GREY4),
     .init = ssd0323_init,

@@ -44,8 +44,8 @@ static int open_memory(struct panel_display *d, struct runner_config *config)
     config->memory = d->memory = malloc(config->memory_bytes);
     const size_t diff_bytes =
         panel_diff_bytes(panel_width(board->panel, board->rotation), panel_height(board->panel, board->rotation));
-    d->diff_memory = config->diff != NULL ? malloc(diff_bytes) : NULL;
-    if (d->memory == NULL || (config->diff != NULL && d->diff_memory == NULL)) {
+    d->diff_memory = config->sender.ops != NULL ? malloc(diff_bytes) : NULL;
+    if (d->memory == NULL || (config->sender.ops != NULL && d->diff_memory == NULL)) {
         return complain(EXIT_FAILED, "%s: not enough memory for this scene", board->name);
     }
     return 0;
@@ -83,8 +83,10 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
                                    .demo = scene->demo,
                                    .state = scene->state,
                                    .view = scene->view,
-                                   .overlay = scene->overlay,
-                                   .diff = scene->diff ? &d->diff : NULL};
+                                   .overlay = scene->overlay};
+    if (scene->diff) {
+        config.sender = panel_diff_sender(&d->diff);
+    }
     int status = open_memory(d, &config);
     if (status == 0) {
         status = open_kit(d, &config);

@@ -1,4 +1,4 @@
-/* What a user may do to a demo: choose its view, press buttons, give it memory for its blur. */
+/* What a user may choose for a demo: its view, buttons, memory for its blur. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -54,7 +54,7 @@ static void buttons_walk_around_and_come_back(void **state)
     }
 }
 
-/* The focus is read from the depth buffer: with scratch memory the picture differs, by the blur alone. */
+/* The focus is read from the depth buffer. With scratch memory the picture differs by the blur alone. */
 static void without_scratch_memory_the_focus_is_sharp(void **state)
 {
     (void)state;
@@ -94,7 +94,7 @@ static void the_four_conventions_draw_the_same_quarter(void **state)
     show_close(&s);
 }
 
-/* Up comes nearer: the pot grows, and shrinks again to less than it was; at the ends of the way it stops. */
+/* Up comes nearer: the pot grows. Down makes it smaller than at first. At both ends of the way it stops. */
 static void up_and_down_change_the_pot_s_size_within_limits(void **state)
 {
     (void)state;
@@ -143,7 +143,7 @@ static uint32_t press(struct show *s, uint32_t frame, uint32_t buttons)
     return show_frame(s, frame);
 }
 
-/* What the camera is told: its place in the world and its direction, from the renderer's view. */
+/* What the camera is set to: its place in the world and its direction, from the renderer's view. */
 struct eye {
     fx_t x, z, forward_x, forward_z;
 };
@@ -173,7 +173,7 @@ static void the_snake_plays_itself_until_left_or_right(void **state)
     show_close(&other);
 }
 
-/* A cell takes 16 frames, the first from the first press on; held, it counts once. */
+/* A cell takes 16 frames, the first one from the first press on. A held button counts once. */
 static void left_and_right_turn_the_snake_by_a_quarter(void **state)
 {
     (void)state;
@@ -209,7 +209,7 @@ static void left_and_right_turn_the_snake_by_a_quarter(void **state)
     }
 }
 
-/* Four turns to the left: it runs into itself, and plays by itself as if nothing had been. */
+/* After four turns to the left it runs into itself, and plays by itself as if nothing had happened. */
 static void a_snake_that_bites_itself_plays_by_itself_again(void **state)
 {
     (void)state;

@@ -39,7 +39,7 @@ static void demos_stand_in_the_stated_order_and_are_found_by_name(void **state)
 
 /* ---- budgets --------------------------------------------------------------------------------------------------- */
 
-/* Draws the loop of a view at one size; the largest numbers. */
+/* Draws the loop of a view at one size and notes the largest numbers. */
 static void measure(const struct demo *demo, const char *view, const uint16_t size[2], uint32_t step,
                     uint32_t *vertices, uint32_t *triangles)
 {
@@ -100,7 +100,7 @@ static void the_arena_is_never_exceeded(void **state)
     }
 }
 
-/* With two thirds of the arena a demo does not start, or shows a coarser model. */
+/* With two thirds of the arena a demo does not start, or it shows a coarser model. */
 static void the_stated_arena_is_not_wasteful(void **state)
 {
     (void)state;
@@ -118,7 +118,7 @@ static void the_stated_arena_is_not_wasteful(void **state)
     }
 }
 
-/* Draws the whole loop with a level's memory; returns the vertices of a frame. */
+/* Draws the whole loop with a level's memory. Returns the vertices of a frame. */
 static uint32_t vertices_at(const struct demo *demo, const struct demo_level *level, uint16_t width, uint16_t height)
 {
     struct demo_context context = {.width = width, .height = height};
@@ -187,7 +187,7 @@ static int green(uint16_t wire)
     return (bytes[0] & 7) << 3 | bytes[1] >> 5;
 }
 
-/* Sum of what the green of all pixels changes by from one frame to the next. */
+/* By how much the green of all pixels changes from one frame to the next, summed up. */
 static uint32_t change(struct show *s, uint32_t from)
 {
     const size_t pixels = (size_t)s->rig.width * (size_t)s->rig.height;
@@ -247,7 +247,7 @@ static void a_given_camera_replaces_the_demo_s_own(void **state)
     }
 }
 
-/* Background on all outermost pixels; below, only where asked. */
+/* The outermost pixels show the background; those below only if asked for. */
 static void assert_inside(const struct show *s, bool below_too)
 {
     const int w = s->rig.width;
@@ -292,7 +292,7 @@ static void the_teapot_stays_whole_in_wide_pictures(void **state)
     }
 }
 
-/* The turntable with a box of the given half sizes, `shift` off the origin. */
+/* The turntable with a box of the given half sizes, `shift` away from the origin. */
 static void assert_box_fits(uint16_t width, uint16_t height, fx_t x, fx_t y, fx_t z, fx_t shift)
 {
     uint8_t memory[MODEL_CUBE_BYTES + DEMO_TURNTABLE_BYTES + 64];
@@ -416,7 +416,7 @@ static int runs(const struct show *s, int y, int x0, int x1)
     return count;
 }
 
-/* Dots towards a corner: the most runs of any row in the outer seventh; above, the ring begins in the middle third. */
+/* Dots towards a corner: the most runs of any row in the outer seventh. Above, the ring begins in the middle third. */
 static int dots(const struct show *s, bool right, bool low)
 {
     const int w = s->rig.width;
@@ -479,7 +479,7 @@ static void a_round_glass_hides_no_dot_and_no_bar(void **state)
     show_close(&s);
 }
 
-/* From the first to the last white one of n pixels to the right or down; *middle is half way. */
+/* The length from the first to the last white one of n pixels to the right or down; *middle is half way. */
 static int white_extent(const struct show *s, int x, int y, bool across, int n, int *middle)
 {
     int first = -1, last = -1;

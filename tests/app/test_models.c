@@ -106,7 +106,7 @@ static int same_corners(const struct ph_mesh *mesh, uint32_t t, const int want[3
     return found;
 }
 
-/* The benchmark fixes no order of its vertices: each of the reference's must be there once, and each triangle. */
+/* The benchmark fixes no order of vertices: each vertex and each triangle of the reference must be there once. */
 static void icosphere_is_that_of_the_benchmark_in_some_order(void **state)
 {
     (void)state;
@@ -222,7 +222,7 @@ static int compare_u64(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* The sides of all triangles, sorted; the number of different ones. */
+/* Sorts the sides of all triangles. Returns how many different ones there are. */
 static size_t sides(const struct ph_mesh *mesh, uint64_t *keys)
 {
     const size_t count = 3 * (size_t)mesh->triangle_count;
@@ -286,7 +286,7 @@ static void edges_are_the_sides_of_all_triangles_once(void **state)
     release(&m);
 }
 
-/* With lists searched edge by edge this would take two milliards of steps. */
+/* If lists were searched edge by edge this would take two milliards of steps. */
 static void edges_of_a_hub_with_65534_spokes_take_linear_time(void **state)
 {
     (void)state;
@@ -304,7 +304,7 @@ static void edges_of_a_hub_with_65534_spokes_take_linear_time(void **state)
     free(triangles);
 }
 
-/* Three edges a triangle, the most there can be: they must not grow into the scratch. */
+/* Three edges a triangle are the most there can be: they must not grow into the scratch memory. */
 static void loose_triangles_have_three_edges_each(void **state)
 {
     (void)state;

@@ -31,7 +31,7 @@ static int blue(uint16_t wire)
     return bytes[1] & 31;
 }
 
-/* First and last row in which a pixel differs between two pictures. */
+/* The first and the last row in which two pictures differ. */
 static int rows_that_differ(const uint16_t *a, const uint16_t *b, int width, int height, int *first)
 {
     int last = -1;
@@ -88,7 +88,7 @@ static int sky_pixels(struct show *s, uint32_t frame)
     return count;
 }
 
-/* Meanwhile what is behind grows: the columns hide the sky. */
+/* Meanwhile the background grows: the columns hide the sky. */
 static void the_background_does_not_keep_its_size(void **state)
 {
     (void)state;
@@ -141,7 +141,8 @@ static void the_ball_never_leaves_the_frustum_in_10000_frames(void **state)
     assert_true(closest < .02); /* and it touches the walls */
 }
 
-/* In a frame without reflection it moves by v; in one with, the way is broken, so the chord is shorter. */
+/* In a frame without reflection the ball moves by v. In a frame with one its way has a corner, so the chord is shorter.
+ */
 static void the_ball_keeps_its_speed_in_10000_frames(void **state)
 {
     (void)state;
@@ -231,7 +232,7 @@ static double fit_at(const struct fit *f, double y)
     return f->x / f->n + fit_slope(f) * (y - f->y / f->n);
 }
 
-/* Left and right rail among the columns from .. to of the picture. */
+/* The left and the right rail in columns from .. to of the picture. */
 static void fit_rails(const struct show *s, int from, int to, struct fit rails[2])
 {
     memset(rails, 0, 2 * sizeof(*rails));
@@ -295,7 +296,7 @@ static void the_rails_are_parallel_in_the_orthographic_half(void **state)
     show_close(&s);
 }
 
-/* The car far away is as large as the near one under the orthographic projection only. */
+/* Only the orthographic projection shows the far car as large as the near one. */
 static int orange_pixels(struct show *s, uint32_t frame, int from, int to)
 {
     int count = 0;

@@ -1,4 +1,4 @@
-/* kit: buffers and an asynchronous bus, with a queue and without, memory as it is given, select and what fits. */
+/* runner: buffers and an asynchronous bus, with and without a queue; memory of exactly the stated size; select. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,14 +12,14 @@
 
 #define QUEUED_MAX 4096
 
-/* A bus that looks at a buffer only when it has to give it back: whoever changed it before is seen. */
+/* A bus that reads a buffer only when it has to give it back, so that it notices whoever changed the buffer before. */
 struct late_bus {
     struct sim *sim;
     struct hal below;
     const uint8_t *bytes;
     uint8_t copy[65536];
     size_t n;
-    uint32_t held; /* writes of pixels that were under way when the next came */
+    uint32_t held; /* writes of pixels that were on their way when the next one came */
     uint32_t buttons;
     bool queue;
     struct queued {
@@ -39,7 +39,7 @@ static void give_back(struct late_bus *bus)
     }
 }
 
-/* Writes below number `to`: nobody has changed what was to be sent. */
+/* Ends the writes below number `to`: nobody has changed their buffers. */
 static void release(struct late_bus *bus, uint32_t to)
 {
     for (; bus->released != to; bus->released++) {
@@ -176,7 +176,7 @@ static struct stage *stage_of(const struct board *board, const char *demo, uint1
                                        .budget_bytes = budget,
                                        .demo = demo_find(demo)};
     s->config.memory_bytes = runner_bytes(&s->config);
-    s->config.memory = malloc(s->config.memory_bytes); /* to the byte: a sanitizer sees more */
+    s->config.memory = malloc(s->config.memory_bytes); /* not a byte more, so that a sanitizer sees an overrun */
     assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), expected);
     return s;
 }
@@ -301,7 +301,7 @@ static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
     stage_close(s);
 }
 
-/* What is left out, too. */
+/* They leave out the same, too. */
 static void other_bands_share_the_memory_out_alike(void **state)
 {
     (void)state;
@@ -338,7 +338,7 @@ static void no_buffer_in_the_queue_is_touched(void **state)
     stage_close(s);
 }
 
-/* What is on the glass is the whole picture's; what was sent is less, but for demos in which all moves. */
+/* The glass shows the whole picture. Less is sent, except for demos in which everything moves. */
 static void tiles_show_every_demo_as_it_is(void **state)
 {
     (void)state;
@@ -347,8 +347,9 @@ static void tiles_show_every_demo_as_it_is(void **state)
     const uint32_t bytes = (uint32_t)panel_tiles_bytes(240, 135, 16);
     struct panel_tiles tiles;
     void *memory = malloc(bytes);
+    s->config.sender = panel_tiles_sender(&tiles);
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
     assert_int_equal(panel_tiles_init(&tiles, &s->runner.driver, 16, memory, bytes), 0);
-    s->runner.config.tiles = &tiles;
     for (uint32_t frame = 0; frame < 6 * demo_count; frame++) {
         whole->bus.buttons = s->bus.buttons = frame % 6 == 5 ? HAL_BUTTON_SELECT : 0;
         assert_int_equal(runner_frame(&whole->runner, frame), 0);
@@ -366,6 +367,21 @@ static void tiles_show_every_demo_as_it_is(void **state)
     stage_close(s);
 }
 
+/* Without a queue nobody knows when the buffer of a band that was not sent is free. */
+static void without_a_queue_frames_are_sent_whole(void **state)
+{
+    (void)state;
+    struct stage *s = stage_on(board_find("pico-display"), "fill", 16);
+    struct panel_tiles tiles = {0};
+    s->config.sender = panel_tiles_sender(&tiles);
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
+    assert_ptr_equal(s->runner.config.sender.ops, panel_sender_whole.ops);
+    s->hal.ops = &queue_ops;
+    assert_int_equal(runner_open(&s->runner, &s->hal, &s->config), 0);
+    assert_ptr_equal(s->runner.config.sender.context, &tiles);
+    stage_close(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -373,6 +389,7 @@ int main(void)
         cmocka_unit_test(other_bands_share_the_memory_out_alike),
         cmocka_unit_test(no_buffer_in_the_queue_is_touched),
         cmocka_unit_test(tiles_show_every_demo_as_it_is),
+        cmocka_unit_test(without_a_queue_frames_are_sent_whole),
         cmocka_unit_test(no_buffer_is_touched_while_it_is_sent),
         cmocka_unit_test(select_takes_the_next_demo_that_fits),
         cmocka_unit_test(a_button_that_is_held_selects_once),

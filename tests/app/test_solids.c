@@ -74,7 +74,7 @@ static void a_box_is_closed_and_has_its_volume(void **state)
     release(&m);
 }
 
-/* The middle of a triangle's square, counted from the floor's corner. */
+/* Which square the triangle's middle is in, counted from the floor's corner. */
 static void square_of(const struct ph_mesh *mesh, uint32_t triangle, uint32_t cells, int *column, int *row)
 {
     double x = 1e9, z = 1e9;

@@ -22,7 +22,7 @@ static struct model teapot(uint32_t n)
     return m;
 }
 
-/* As published: the patches of one quarter or half, x, y, z with z upwards; the others are their mirror images. */
+/* The patches of one quarter or half as published: x, y, z with z upwards. The others are their mirror images. */
 static const double patches[10][4][4][3] = {
     {
         {{1.4, 0, 2.4}, {1.4, -0.784, 2.4}, {0.784, -1.4, 2.4}, {0, -1.4, 2.4}},
@@ -93,7 +93,7 @@ static void halfway(double t, const double a[3], const double b[3], double out[3
     }
 }
 
-/* de Casteljau: the point of a cubic curve at t, and its direction there. */
+/* de Casteljau: the point of a cubic curve at t, and the direction there. */
 static void curve(double t, const double p[4][3], double point[3], double direction[3])
 {
     double q[3][3], r[2][3];
@@ -146,7 +146,7 @@ static bool same_normal(const struct ph_mesh *mesh, uint32_t i, const double p[3
     return fmin(normal_error(mesh, i, n), normal_error(mesh, i, back)) <= ROUNDED;
 }
 
-/* There is a vertex at this point with this normal (the handle's end touches one of the pot's); marks it as met. */
+/* There is a vertex with this point and normal; it is marked as met. (The handle's end touches one of the pot's.) */
 static void assert_patch_vertex(const struct ph_mesh *mesh, const double p[3], const double n[3], uint8_t *met)
 {
     uint32_t i = 0;
@@ -231,7 +231,8 @@ static void teapot_is_closed_and_its_normals_point_outwards(void **state)
     for (uint32_t n = 2; n <= 8; n++) {
         struct model m = teapot(n);
         assert_closed(&m.mesh);
-        /* Not of the ring between lid and rim and of the tubes' covers: these share the normals of their neighbours. */
+        /* The ring between lid and rim and the tubes' covers are left out: they share the normals of their neighbours.
+         */
         const uint32_t ring = 4 * n + 8 * n * (2 * n - 1);
         assert_normals(&m.mesh, 0, ring);
         assert_normals(&m.mesh, ring + 8 * n, 48 * n * n);

@@ -134,7 +134,7 @@ at_most_60_percent() {
     for mk in boards/*/board.mk; do
         local name=${mk#boards/} ram chip port beside
         name=${name%/board.mk}
-        ram=$(($(sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' "boards/$name/board.c")))
+        ram=$(make -s B="$B" BOARD="$name" "$B/ram-bytes" && "$B/ram-bytes") || return 1
         chip=$(sed -n 's/^CHIP_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "$mk") port=$(sed -n 's/^PORT *:*= *\([a-z0-9]*\).*/\1/p' "$mk")
         beside=$(sed -n 's/^PORT_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "hal/$port/port.mk")
         found=$((found + 1))

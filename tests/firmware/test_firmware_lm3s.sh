@@ -82,6 +82,7 @@ drops_are_logged() { # as the simulator counts them
 image_of() { # name, C text: the body of main after the kit was opened and a frame was shown
     cat >"$dir/$1.c" <<EOT
 #include "runner.h"
+#include "image.h"
 #include "port.h"
 int deep(volatile char *before, int n);
 int (*volatile call)(volatile char *, int) = deep;

@@ -42,6 +42,7 @@ runs() { # board, name, C text
     local machine=lm3s6965evb null=() image=$B/firmware/$1-$2.elf
     cat >"$dir/$2.c" <<EOT
 #include "runner.h"
+#include "image.h"
 #include "port.h"
 static struct runner runner;
 int main(void)

@@ -3,10 +3,10 @@
  * `outside` shows the frustum as lines with its eye at the tip while the camera swings around it; `inside` looks
  * through that eye.
  *
- * The frustum has 90 degrees both ways: at the distance z it is 2 z wide and high. The ball starts perpendicularly
- * from the right wall; reflections keep its direction a permutation of (+-1, +-1, 0), which is exact, and after the far
- * plane, the upper wall, the left wall and the far plane again it meets the lower wall perpendicularly. So it runs back
- * the same way, and again: the loop is the physics, not a cut.
+ * The frustum has 90 degrees in both directions: at the distance z it is 2 z wide and high. The ball starts
+ * perpendicularly from the right wall. Reflections keep its direction a permutation of (+-1, +-1, 0), which is exact.
+ * After the far plane, the upper wall, the left wall and the far plane again it meets the lower wall perpendicularly.
+ * So it runs the same way back, again and again: the physics itself is a loop.
  */
 #include "demo_scene.h"
 #include "models.h"
@@ -17,7 +17,7 @@
 #define RADIUS      DEMO_BALL_RADIUS
 #define BOUNCES     16
 #define TRAIL       32
-#define MIDDLE      (FX_ONE * 5 / 2) /* of the frustum, from its eye: the origin of the world */
+#define MIDDLE      (FX_ONE * 5 / 2) /* of the frustum, seen from its eye; it is the origin of the world */
 
 enum { LINE_FRUSTUM, LINE_RAY, LINE_TRAIL, LINES };
 
@@ -32,7 +32,7 @@ struct flight {
     int32_t direction[3]; /* -1, 0, 1 */
 };
 
-/* Inward normals of right, left, upper, lower wall, near and far plane, seen from the eye along -z. */
+/* Inward normals of the right, left, upper and lower wall, the near and the far plane; the eye looks along -z. */
 static const int8_t walls[6][3] = {{-1, 0, -1}, {1, 0, -1}, {0, -1, -1}, {0, 1, -1}, {0, 0, -1}, {0, 0, 1}};
 
 static int32_t dot(const int8_t a[3], const int32_t b[3])
@@ -40,17 +40,16 @@ static int32_t dot(const int8_t a[3], const int32_t b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* How far the ball's centre may still come along the normal of a wall, in units of the normal's length. */
+/* How far the ball's centre may still move along the normal of a wall, in units of the normal's length. */
 static fx_t room(const struct flight *f, uint32_t wall)
 {
     const int8_t *const n = walls[wall];
-    const fx_t along = n[0] * f->at.x + n[1] * f->at.y + n[2] * f->at.z;
-    const fx_t root_2 = 92682;
+    const fx_t along = n[0] * f->at.x + n[1] * f->at.y + n[2] * f->at.z, root_2 = 92682;
     const fx_t from_origin = wall < 4 ? -fx_mul_sat(RADIUS, root_2) : wall == 4 ? -NEAR_Z - RADIUS : FAR_Z - RADIUS;
     return along + from_origin;
 }
 
-/* The wall that the ball meets next, and after which way (of each coordinate that moves). */
+/* The wall that the ball meets next, and the way until then (of each coordinate that moves). */
 static uint32_t next_wall(const struct flight *f, fx_t *way)
 {
     uint32_t next = 0;
@@ -83,7 +82,7 @@ static void reflect(struct flight *f, uint32_t wall)
     }
 }
 
-/* On the right wall, away from it. */
+/* On the right wall, moving away from it. */
 static struct flight start(void)
 {
     const fx_t z = FX_ONE * -31 / 10;
@@ -91,7 +90,7 @@ static struct flight start(void)
     return f;
 }
 
-/* The way from the start to where the ball turns back: to the wall that it meets perpendicularly. */
+/* The way from the start to the turning point: the wall that the ball meets perpendicularly. */
 static fx_t whole_way(void)
 {
     struct flight f = start();
@@ -111,8 +110,7 @@ static fx_t whole_way(void)
 
 struct fx_vec3 demo_ball_position(uint32_t frame)
 {
-    const uint32_t phase = frame % LOOP_FRAMES;
-    const uint32_t step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - phase;
+    const uint32_t phase = frame % LOOP_FRAMES, step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - phase;
     struct flight f = start();
     fx_t left = (fx_t)(fx_mul_wide(whole_way(), (int32_t)step) / (LOOP_FRAMES / 2));
     for (uint32_t i = 0; i < BOUNCES && left > 0; i++) {
@@ -145,7 +143,7 @@ static int ball_init(struct demo_context *context)
     return model_material(&context->arena, &b->mesh, &b->colour);
 }
 
-/* From the eye's coordinates to the world's, whose origin is the frustum's middle. */
+/* From the eye's coordinates to those of the world, whose origin is the frustum's middle. */
 static struct fx_vec3 placed(struct fx_vec3 p)
 {
     p.z += MIDDLE;

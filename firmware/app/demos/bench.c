@@ -1,10 +1,10 @@
 /*
- * The five scenes on which renderers are compared (shared instruction counts and picture quality): torus, cube, fill,
- * icosphere, ground. At 320x240, frame f of 0 .. 63 is exactly the scene's frame f:
+ * The five scenes on which renderers are compared by instruction counts and picture quality: torus, cube, fill,
+ * icosphere, ground. At 320x240 frame f of 0 .. 63 is exactly the scene's frame f:
  *
  *   a = 2 pi (f + .5) / 64, b = .2 + .3 f / 64 rad, R = Rx(b) Ry(a), camera at the origin, 60 degrees, .5 .. 100.
  *
- * Beyond, a goes on turning and b runs back: frames 64 .. 127 use b of 63 .. 0, and frame 128 is frame 0 again.
+ * After that a continues and b runs back: frames 64 .. 127 use b of 63 .. 0, and frame 128 is frame 0 again.
  */
 #include "demo_scene.h"
 #include "models.h"
@@ -43,8 +43,7 @@ static struct ph_xform benchmark_rotation(uint32_t frame)
     const uint64_t b_first_q16 = 8959626780035; /* .2 rad in 2^-48 turns */
     const uint64_t b_step_q16 = 209991252657;   /* .3 / 64 rad */
     const uint32_t phase = frame % LOOP_FRAMES;
-    const uint32_t step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - 1 - phase;
-    const uint32_t a = (2 * frame + 1) << 25;
+    const uint32_t step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - 1 - phase, a = (2 * frame + 1) << 25;
     const uint32_t b = (uint32_t)((b_first_q16 + step * b_step_q16 + (1 << 15)) >> 16);
     const struct ph_xform about_x = ph_xform_rotate_x(b);
     const struct ph_xform about_y = ph_xform_rotate_y(a);
@@ -57,7 +56,7 @@ static int bench_begin(const struct demo_context *context, struct ph_renderer *r
     return demo_begin(context, r, &ph_xform_identity, &projection, &bench_light, 0);
 }
 
-/* The state with its lit material, in context->state; NULL when the arena is full. */
+/* Makes the state with its lit material, in context->state. NULL: the arena is full. */
 static struct bench *bench_new(struct demo_context *context)
 {
     struct bench *const b = demo_alloc(&context->arena, sizeof(*b));
@@ -73,31 +72,29 @@ static struct bench *bench_new(struct demo_context *context)
     return b;
 }
 
+/* Gives the material to a mesh that a model's maker has made, or not. */
+static int bench_finish(struct demo_context *context, struct bench *b, int made)
+{
+    return made == PH_OK ? model_material(&context->arena, &b->mesh, &b->material) : PH_ERR_NOMEM;
+}
+
 static int torus_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
-    if (!b || model_torus(&context->arena, &b->mesh, 32, 16, 1 << 28, 107374182) != PH_OK) {
-        return PH_ERR_NOMEM;
-    }
-    return model_material(&context->arena, &b->mesh, &b->material);
+    return !b ? PH_ERR_NOMEM
+              : bench_finish(context, b, model_torus(&context->arena, &b->mesh, 32, 16, 1 << 28, 107374182));
 }
 
 static int icosphere_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
-    if (!b || model_icosphere(&context->arena, &b->mesh, 4) != PH_OK) {
-        return PH_ERR_NOMEM;
-    }
-    return model_material(&context->arena, &b->mesh, &b->material);
+    return !b ? PH_ERR_NOMEM : bench_finish(context, b, model_icosphere(&context->arena, &b->mesh, 4));
 }
 
 static int ground_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
-    if (!b || model_ground(&context->arena, &b->mesh, 20) != PH_OK) {
-        return PH_ERR_NOMEM;
-    }
-    return model_material(&context->arena, &b->mesh, &b->material);
+    return !b ? PH_ERR_NOMEM : bench_finish(context, b, model_ground(&context->arena, &b->mesh, 20));
 }
 
 static int cube_init(struct demo_context *context)
@@ -108,8 +105,7 @@ static int cube_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < TEXTURE_TEXELS; i++) {
-        const uint32_t x = i % (1u << TEXTURE_LOG2);
-        const uint32_t y = i >> TEXTURE_LOG2;
+        const uint32_t x = i % (1u << TEXTURE_LOG2), y = i >> TEXTURE_LOG2;
         texels[i] = ph_rgb565((uint8_t)(4 * x), (uint8_t)(4 * y), ((x >> 3) ^ (y >> 3)) & 1 ? 255 : 64);
     }
     b->texture = (struct ph_texture){texels, TEXTURE_LOG2, TEXTURE_LOG2, PH_WRAP_CLAMP};
@@ -117,7 +113,7 @@ static int cube_init(struct demo_context *context)
     return model_material(&context->arena, &b->mesh, &b->material);
 }
 
-/* The model turning 3 in front of the camera. */
+/* Draws the model, turning 3 units in front of the camera. */
 static int object_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct bench *const b = context->state;
@@ -127,14 +123,14 @@ static int object_frame(struct demo_context *context, struct ph_renderer *r, uin
     return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
 }
 
-/* The camera half a unit above the ground, which turns around it. */
+/* Draws the ground, which turns around the camera half a unit above it. */
 static int ground_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct bench *const b = context->state;
     const struct ph_xform rotation = benchmark_rotation(frame);
     const struct ph_xform below = ph_xform_translate(0, -FX_HALF, 0);
     const struct ph_xform to_world = ph_xform_mul(&rotation, &below);
-    /* Nothing here has to fit into the width: a taller view would only show where the near plane cuts the ground. */
+    /* Nothing has to fit into the width here: a taller view would only show where the near plane cuts the ground. */
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_HALF, FX_INT(100));
     projection.scale_x_q20 = (int32_t)(fx_mul_wide(projection.scale_x_q20, DEMO_SCALE_60_Q20) / projection.scale_y_q20);
     projection.scale_y_q20 = DEMO_SCALE_60_Q20;
@@ -142,16 +138,13 @@ static int ground_frame(struct demo_context *context, struct ph_renderer *r, uin
     return status ? status : ph_draw_mesh(r, &b->mesh, &to_world);
 }
 
-/* Quad number i at z = -distance, a little larger than the picture: half height 1.02 tan 30 distance. */
+/* Quad number i at z = -distance. It is a little larger than the picture: half its height is 1.02 tan 30 distance. */
 static void fill_quad(struct fill *f, uint32_t i, int32_t distance, const struct demo_context *context)
 {
     const int64_t half_q30 = (int64_t)632323634 * distance; /* 1.02 / sqrt 3 */
-    const int64_t w = context->width;
-    const int64_t h = context->height;
-    const int64_t tall_q30 = h > w ? half_q30 * h / w : half_q30;
+    const int64_t w = context->width, h = context->height, tall_q30 = h > w ? half_q30 * h / w : half_q30;
     const int64_t wide_q30 = 3 * w > 4 * h ? tall_q30 * w / h : (4 * tall_q30 + 1) / 3;
-    const fx_t y = (fx_t)((tall_q30 + (1 << 13)) >> 14);
-    const fx_t x = (fx_t)((wide_q30 + (1 << 13)) >> 14);
+    const fx_t y = (fx_t)((tall_q30 + (1 << 13)) >> 14), x = (fx_t)((wide_q30 + (1 << 13)) >> 14);
     const fx_t z = FX_INT(-distance);
     const struct fx_vec3 corners[4] = {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}};
     const uint16_t v = (uint16_t)(4 * i);

@@ -1,6 +1,6 @@
 /*
- * conventions: one scene, its camera written down as OpenGL, Direct3D, the LMU tutorial and reversed z would write it,
- * each in a quarter of the picture. The quarters are the same to the last pixel (camera.h).
+ * conventions: one scene in each quarter of the picture. Its camera is written as OpenGL, Direct3D, the LMU tutorial
+ * and reversed z write it. The quarters are the same to the last pixel (camera.h).
  */
 #include "camera.h"
 #include "demo_scene.h"
@@ -30,7 +30,7 @@ static int conventions_init(struct demo_context *context)
     return model_material(&context->arena, &c->pot, &c->china);
 }
 
-/* Looks at the pot from above: as each convention writes it. D3D looks along +z, LMU's planes are coordinates. */
+/* The camera above the pot as each convention writes it. D3D looks along +z; LMU gives planes as coordinates. */
 static int written_in(enum ph_convention convention, struct ph_xform *view, fx_t *near_z, fx_t *far_z)
 {
     *view = demo_look(0, FX_ONE * 12 / 10, FX_ONE * 4, 0, 0, 0);
@@ -45,7 +45,7 @@ static int written_in(enum ph_convention convention, struct ph_xform *view, fx_t
     return ph_camera_from(convention, view, near_z, far_z);
 }
 
-/* A quarter of the picture as the whole one's projection: half the scale, half the picture's half off the middle. */
+/* The whole picture's projection for one of its quarters: half the scale, shifted by a quarter of the picture. */
 static struct ph_projection in_quarter(const struct demo_context *context, uint32_t i, fx_t near_z, fx_t far_z)
 {
     struct ph_projection p = demo_perspective(context, DEMO_SCALE_60_Q20 * 3 / 2, near_z, far_z);
@@ -80,7 +80,7 @@ static uint32_t conventions_band(struct demo_context *context, struct ph_rendere
 {
     static const char *const names[QUARTERS] = {"GL", "D3D", "LMU", "REVERSED"};
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    const int32_t inset = context->height / 8 - 6; /* a round glass shows the labels, too */
+    const int32_t inset = context->height / 8 - 6; /* so that a round glass shows the labels, too */
     for (uint32_t i = 0; i < QUARTERS; i++) {
         const int32_t middle = context->width * (i & 1 ? 3 : 1) / 4;
         const int32_t top = (i & 2 ? context->height / 2 : 0) + (inset > 2 ? inset : 2);

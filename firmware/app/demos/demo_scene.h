@@ -9,15 +9,16 @@ extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, d
     demo_focus, demo_conventions, demo_zfight;
 
 /*
- * A perspective with 60 degrees across the smaller side of the picture (so vertically for square and landscape ones);
- * the larger side sees in proportion more. scale_q20 = 1 / tan(30 degrees) in Q12.20; other angles likewise.
+ * A perspective with an angle across the smaller side of the picture (in square and landscape pictures: vertically);
+ * the larger side shows more in proportion. scale_q20 is 1 / tan(half the angle) in Q12.20: 1 / tan(30 degrees) for 60.
  */
 #define DEMO_SCALE_60_Q20 1816187
 struct ph_projection demo_perspective(const struct demo_context *context, int32_t scale_q20, fx_t near_z, fx_t far_z);
 
 /*
- * The camera that sees all of what turns about the vertical axis through `centre` (which becomes the origin) from 20
- * degrees above, just so, at 40 degrees across the smaller side. Also how far that reaches from the axis and downwards.
+ * The camera that just sees everything that turns about the vertical axis through `centre`, which becomes the origin.
+ * It looks down from 20 degrees above, with 40 degrees across the smaller side. Also: how far the meshes reach from the
+ * axis and downwards.
  */
 struct demo_fit {
     struct ph_xform view;
@@ -28,38 +29,38 @@ struct demo_fit {
 struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                          struct fx_vec3 centre);
 
-/* ph_frame_begin with the user's camera where there is one, with the demo's otherwise. */
+/* Calls ph_frame_begin with the user's camera if there is one, else with the demo's. */
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                const struct ph_projection *projection, const struct ph_scene_light *light, uint16_t background);
 
-/* Another camera for what is drawn from now on, likewise. */
+/* Sets another camera for everything that is drawn from now on, in the same way. */
 int demo_camera(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                 const struct ph_projection *projection);
 
-/* Moves a camera that looks at the origin as context->orbit and dolly say; near and far plane go with it. */
+/* Moves a camera that looks at the origin as context->orbit and dolly say; the near and the far plane move with it. */
 void demo_orbit(const struct demo_context *context, struct ph_xform *view, struct ph_projection *projection);
 
-/* Camera of the demo's view number `i` is asked for (0: no view named). */
+/* Whether the demo's view number `i` is asked for (0: also if no view is named). */
 bool demo_view_is(const struct demo_context *context, const struct demo *demo, uint32_t i);
 
 /* A camera at eye that looks at target, y up. */
 struct ph_xform demo_look(fx_t eye_x, fx_t eye_y, fx_t eye_z, fx_t target_x, fx_t target_y, fx_t target_z);
 
-/* b placed at (x, y, z), turned about y. */
+/* b turned about y and placed at (x, y, z). */
 struct ph_xform demo_place(fx_t x, fx_t y, fx_t z, uint32_t turn32);
 
-/* The ball's centre in the eye's coordinates; its frustum and size (demo_ball.c). */
+/* The ball's centre in the eye's coordinates, and its size (demo_ball.c). */
 #define DEMO_BALL_RADIUS (FX_ONE / 2)
 struct fx_vec3 demo_ball_position(uint32_t frame);
 
-/* Colours of the rails and of the vanishing point's cross (demo_parallel.c). */
+/* The colours of the rails and of the cross at the vanishing point (demo_parallel.c). */
 #define DEMO_RAIL_COLOUR 210, 225, 245
 #define DEMO_MARK_COLOUR 255, 70, 90
 
-/* A wave of `loop` frames (a power of two) between 0 and 1, smooth, 0 at frame 0, FX_ONE half way. */
+/* A smooth wave of `loop` frames (a power of two): 0 at frame 0, FX_ONE half way. */
 fx_t demo_swing(uint32_t frame, uint32_t loop);
 
-/* A lit material: a quarter ambient, the rest diffuse. The ramp is filled. */
+/* A lit material: a quarter ambient, the rest diffuse. It fills the ramp. */
 struct ph_material demo_lit(uint16_t ramp[PH_RAMP_SIZE], enum ph_shading shading, uint8_t red, uint8_t green,
                             uint8_t blue);
 struct ph_material demo_unlit(uint8_t red, uint8_t green, uint8_t blue);
@@ -67,7 +68,7 @@ struct ph_material demo_unlit(uint8_t red, uint8_t green, uint8_t blue);
 /* Ambient light and one lamp far away, up on the left behind the viewer. */
 extern const struct ph_scene_light demo_daylight;
 
-/* A key light from the upper left, a weak one from the right that shows the far side. */
+/* A key light from the upper left, and a weak one from the right that shows the far side. */
 extern const struct ph_scene_light demo_two_lamps;
 
 /* Draws text over band number `band` at (x, y) of the picture. */

@@ -48,7 +48,7 @@ static int fisheye_init(struct demo_context *context)
     return model_floor(&context->arena, &f->floor, CELLS, f->tiles[0]);
 }
 
-/* Floor, ceiling, and four walls: a floor turned so that it faces the middle. */
+/* The floor, the ceiling and four walls; each is a floor, turned so that it faces the middle. */
 static struct ph_xform wall(uint32_t i)
 {
     struct ph_xform lie = ph_xform_translate(0, -ROOM, 0);

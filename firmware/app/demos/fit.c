@@ -5,7 +5,7 @@
 #define SIN_ELEVATION 22415   /* 20 degrees */
 #define COS_ELEVATION 61584
 
-/* What all points need: the camera's distance, and where the scene begins and ends as seen from the centre. */
+/* What all points together need: the camera's distance, and where the scene begins and ends as seen from the centre. */
 struct extent {
     fx_t distance, front, back, radius, bottom;
 };
@@ -16,8 +16,8 @@ static fx_t larger(fx_t a, fx_t b)
 }
 
 /*
- * A point at height y, rho from the axis, sweeps a circle. Seen from the elevation at distance d, its front and back
- * lie at heights up -+ tilt and depths d - front, d + back.
+ * A point at height y and at distance rho from the axis moves on a circle. Seen from the elevation at distance d, the
+ * circle's front and back have heights up -+ tilt and depths d - front, d + back.
  */
 struct swing {
     fx_t up, tilt, lift, front, back;
@@ -36,8 +36,8 @@ static struct swing swing_of(fx_t y, fx_t rho)
 }
 
 /*
- * The circle must stay inside the cone: |height| <= depth / scale at its front, and sideways where the view touches it,
- * rho sqrt(scale_x^2 + cos^2) before the axis. Its back needs no more, as scale_y <= 1 / tan(elevation).
+ * The circle must stay inside the view: |height| <= depth / scale at its front, and sideways where the view touches it,
+ * rho sqrt(scale_x^2 + cos^2) before the axis. Its back needs nothing more, because scale_y <= 1 / tan(elevation).
  */
 static void extend(struct extent *e, fx_t y, fx_t rho, fx_t scale_y, fx_t side)
 {
@@ -54,8 +54,7 @@ static void extend(struct extent *e, fx_t y, fx_t rho, fx_t scale_y, fx_t side)
 static struct extent measure(const struct ph_projection *projection, const struct ph_mesh *meshes, uint32_t mesh_count,
                              struct fx_vec3 centre)
 {
-    const fx_t scale_x = projection->scale_x_q20 >> 4;
-    const fx_t scale_y = projection->scale_y_q20 >> 4;
+    const fx_t scale_x = projection->scale_x_q20 >> 4, scale_y = projection->scale_y_q20 >> 4;
     const fx_t cos_square = fx_mul_sat(COS_ELEVATION, COS_ELEVATION);
     const fx_t side = fx_sqrt(fx_add_sat(fx_mul_sat(scale_x, scale_x), cos_square));
     struct extent e = {.distance = 0};
@@ -68,7 +67,7 @@ static struct extent measure(const struct ph_projection *projection, const struc
     return e;
 }
 
-/* The highest that any point comes in the picture: 1 is the upper edge. */
+/* How high any point comes in the picture, at most; 1 is the upper edge. */
 static fx_t highest(fx_t scale_y, fx_t distance, const struct ph_mesh *meshes, uint32_t mesh_count,
                     struct fx_vec3 centre)
 {
@@ -90,21 +89,19 @@ struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mes
 {
     struct ph_projection projection = demo_perspective(context, SCALE_40_Q20, FX_ONE, FX_INT(2));
     const struct extent e = measure(&projection, meshes, mesh_count, centre);
-    const fx_t margin = e.distance / 16 + 1;
-    const fx_t distance = fx_add_sat(e.distance, margin);
-    /* Something may lie under the meshes, as wide as they are: the depth range has room for it. */
+    const fx_t margin = e.distance / 16 + 1, distance = fx_add_sat(e.distance, margin);
+    /* something as wide as the meshes may lie below them; the depth range includes it */
     const struct swing under = swing_of(e.bottom, e.radius);
     const fx_t clear = distance - larger(e.front, under.front) - margin / 2;
     projection.near_z = larger(clear, margin / 2 + 1);
     projection.far_z = fx_add_sat(fx_add_sat(distance, margin), larger(e.back, under.back));
 
-    /* Where there is room above, the picture moves up to show it, until both margins are the same. */
+    /* If there is room above, the picture moves up to show it, until both margins are the same. */
     const fx_t scale_y = projection.scale_y_q20 >> 4;
     const fx_t top = highest(scale_y, distance, meshes, mesh_count, centre);
     const fx_t low = fx_div_sat(fx_sub_sat(under.up, under.tilt), fx_sub_sat(distance, under.front));
     const fx_t middle = (top + larger(fx_mul_sat(low, scale_y), -2 * FX_ONE)) / 2;
-    const fx_t room = FX_ONE - FX_ONE / 16 - top;
-    const fx_t move = -middle < room ? -middle : room;
+    const fx_t room = FX_ONE - FX_ONE / 16 - top, move = -middle < room ? -middle : room;
     projection.shift_y = move > 0 ? -move : 0;
 
     const struct fx_vec3 eye = {0, fx_mul_sat(distance, SIN_ELEVATION), fx_mul_sat(distance, COS_ELEVATION)};

@@ -10,7 +10,7 @@
 #define POINTS      8
 #define SKITTLES    7
 #define CELLS       16
-#define RADIUS      5 /* px, the largest blur; less on small pictures */
+#define RADIUS      5 /* px, the largest blur; it is less on small pictures */
 #define NEAREST     (FX_ONE * 22 / 10)
 #define FURTHEST    FX_INT(9)
 
@@ -30,7 +30,7 @@ struct focus {
     struct ph_material colours[SKITTLES], tiles[2];
     uint16_t ramps[SKITTLES][PH_RAMP_SIZE];
     struct ph_focus focus;
-    bool sharp; /* no memory to blur with */
+    bool sharp; /* there is no memory for blur */
 };
 
 static int focus_init(struct demo_context *context)
@@ -53,7 +53,7 @@ static int focus_init(struct demo_context *context)
     return model_floor(&context->arena, &f->floor, CELLS, f->tiles);
 }
 
-/* Along the row's depth and back; the blur is a share of the picture's size. */
+/* The focus goes along the row's depth and back. The blur is a share of the picture's size. */
 static struct ph_focus focus_at(const struct demo_context *context, uint32_t frame)
 {
     const int32_t smaller = context->width < context->height ? context->width : context->height;
@@ -96,7 +96,7 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
 
 #define ARENA MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
-/* For pictures of kits, which are not as wide. */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12752), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
                                            .triangle_max = 824};
 

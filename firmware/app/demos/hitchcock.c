@@ -3,15 +3,15 @@
  * rolls away from a spinning top on its own axis and narrows its field of view, so that the top keeps its size on the
  * screen to the pixel while the colonnade behind it swells.
  *
- * The top stands in the plane through the origin; its two tips lie on its axis, so its projected height is that of the
- * axis: TOP_HEIGHT / distance / (2 tan(fov / 2)) = TOP_HEIGHT / VIEW_HEIGHT of the picture.
+ * The top stands in the plane through the origin. Its two tips lie on its axis, so its projected height is the axis's:
+ * TOP_HEIGHT / distance / (2 tan(fov / 2)) = TOP_HEIGHT / VIEW_HEIGHT of the picture.
  */
 #include "camera.h"
 #include "demo_scene.h"
 #include "models.h"
 
 #define LOOP_FRAMES   512
-#define VIEW_HEIGHT   (FX_ONE * 7 / 2) /* seen at the top's distance */
+#define VIEW_HEIGHT   (FX_ONE * 7 / 2) /* seen at the distance of the top */
 #define NEAREST       (FX_ONE * 5 / 2) /* 70 degrees */
 #define FURTHEST      FX_INT(18)       /* 11 degrees */
 #define EYE_HEIGHT    (FX_ONE * 6 / 5)
@@ -76,7 +76,7 @@ static int hitchcock_init(struct demo_context *context)
     return model_floor(arena, &h->floor, CELLS, h->tiles);
 }
 
-/* Where the camera is: it starts near, rolls away and comes back. */
+/* The camera's distance: it starts near, rolls away and comes back. */
 static fx_t distance_at(uint32_t frame)
 {
     const fx_t t = demo_swing(frame, LOOP_FRAMES);
@@ -103,9 +103,7 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     const struct hitchcock *const h = context->state;
     const struct ph_xform spin = ph_xform_rotate_y(frame << 26); /* 8 turns a loop */
     int status = hitchcock_camera(context, r, frame);
-    if (status == PH_OK) {
-        status = ph_draw_mesh(r, &h->top, &spin);
-    }
+    status = status == PH_OK ? ph_draw_mesh(r, &h->top, &spin) : status;
     for (int32_t i = 0; i < 2 * PAIRS && status == PH_OK; i++) {
         const fx_t x = (i & 1 ? FX_ONE : -FX_ONE) * 17 / 10;
         const struct ph_xform place = ph_xform_translate(x, 0, (i >> 1) * (FX_ONE * -5 / 2) - FX_ONE);
@@ -120,7 +118,7 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(TOP_SIDES, TOP_POINTS, TOP_STRIPES) +                   \
         MODEL_LATHE_BYTES(COLUMN_SIDES, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
-/* For pictures of kits, which are not as wide. */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14056), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
                                            .triangle_max = 848};
 

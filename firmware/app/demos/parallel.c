@@ -62,7 +62,7 @@ static int draw_railway(struct ph_renderer *r, const struct parallel *p, uint32_
     return status ? status : ph_draw_mesh(r, &p->car, &place);
 }
 
-/* A cross far away in the rails' direction from the eye. */
+/* Draws a cross that is far away from the eye in the direction of the rails. */
 static void draw_mark(struct ph_renderer *r, const struct parallel *p)
 {
     const fx_t arm = FX_INT(7);
@@ -71,7 +71,7 @@ static void draw_mark(struct ph_renderer *r, const struct parallel *p)
     ph_draw_line(r, (struct fx_vec3){0, at.y - arm, at.z}, (struct fx_vec3){0, at.y + arm, at.z}, &p->mark);
 }
 
-/* A half of the picture: the middle of the first or second one, as the shift of a projection for the whole of it. */
+/* The projection for the whole picture that puts `lens` into the middle of its first or second half. */
 static struct ph_projection in_half(struct ph_projection half, bool upright, bool second)
 {
     const fx_t shift = second ? -FX_HALF : FX_HALF;
@@ -85,7 +85,7 @@ static struct ph_projection in_half(struct ph_projection half, bool upright, boo
     return half;
 }
 
-/* The orthographic projection 2.2 units wide and 5.6 high, or as much more as the half picture's shape asks for. */
+/* An orthographic projection 2.2 units wide and 5.6 high; one of them is more if the half picture's shape needs it. */
 static struct ph_projection all_rails(const struct demo_context *half)
 {
     const int32_t w = half->width > 0 ? half->width : 1; /* half of a single pixel */

@@ -1,6 +1,7 @@
-/* Cameras, materials and text of the demos: see demo_scene.h. */
+/* Memory, cameras, materials and text of the demos: see demo_scene.h. */
 #include "demo_scene.h"
 #include "hal.h"
+#include "overlay.h"
 
 #include <string.h>
 
@@ -79,8 +80,7 @@ void demo_orbit(const struct demo_context *context, struct ph_xform *view, struc
         const struct ph_xform turn = ph_xform_rotate_y(0u - context->orbit);
         *view = ph_xform_mul(view, &turn);
     }
-    const fx_t away = fx_mul_sat(-view->t.z, context->dolly);
-    const fx_t nearest = projection->near_z / 4 + 1;
+    const fx_t away = fx_mul_sat(-view->t.z, context->dolly), nearest = projection->near_z / 4 + 1;
     view->t.z -= away;
     projection->near_z = projection->near_z + away > nearest ? projection->near_z + away : nearest;
     projection->far_z += away;
@@ -103,4 +103,46 @@ uint32_t demo_draw_band(const struct demo *demo, struct demo_context *context, s
                         uint16_t *pixels)
 {
     return demo->band ? demo->band(context, r, band, pixels) : ph_draw_band(r, band, pixels);
+}
+
+void *demo_alloc(struct demo_arena *arena, size_t n)
+{
+    const size_t start = (arena->used + 7) & ~(size_t)7;
+    if (start > arena->size || n > arena->size - start) {
+        return NULL;
+    }
+    arena->used = start + n;
+    return arena->base + start;
+}
+
+struct ph_projection demo_perspective(const struct demo_context *context, int32_t scale_q20, fx_t near_z, fx_t far_z)
+{
+    const int32_t w = context->width, h = context->height;
+    struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = near_z, .far_z = far_z};
+    p.scale_x_q20 = scale_q20;
+    p.scale_y_q20 = scale_q20;
+    if (w >= h) {
+        p.scale_x_q20 = (int32_t)((fx_mul_wide(scale_q20, h) + w / 2) / w);
+    } else {
+        p.scale_y_q20 = (int32_t)((fx_mul_wide(scale_q20, w) + h / 2) / h);
+    }
+    return p;
+}
+
+int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
+               const struct ph_projection *projection, const struct ph_scene_light *light, uint16_t background)
+{
+    const struct demo_camera *const user = &context->camera;
+    return ph_frame_begin(r, user->view_set ? &user->view : view, user->projection_set ? &user->projection : projection,
+                          light, background);
+}
+
+// NOLINTNEXTLINE(readability-non-const-parameter): the pixels are written through the struct
+void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,
+               const char *text)
+{
+    const struct ph_overlay_band over = {pixels, r->config.width, (int32_t)(band * r->config.band_height),
+                                         (int32_t)lines};
+    const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), 1};
+    ph_overlay_text(&over, x, y, text, &style);
 }

@@ -46,7 +46,7 @@ static int shadow_init(struct demo_context *context)
     return model_floor(arena, &s->floor, CELLS, s->tiles);
 }
 
-/* On a circle above the scene, three units wide. */
+/* The lamp moves on a circle above the scene, three units wide. */
 static struct fx_vec3 lamp_at(uint32_t frame)
 {
     int32_t sin, cos;

@@ -3,10 +3,10 @@
  * exercise 3). It plays itself: a closed path, a figure of eight that crosses over itself on a hump, with apples on the
  * way; what was eaten grows again behind it. View `outside` looks at it all from above.
  *
- * Left and right, pressed in the view from the head, steer it. From the first press on it leaves that path within one
- * cell of a field of 9 x 7 and goes on from cell to cell; a press turns it by a quarter in the next cell, the last one
- * counts. It never leaves the field: a turn out of it is ignored, and before the border it turns by itself to where
- * there is more room. Apples make it longer; when it runs into itself it plays by itself again.
+ * Left and right steer it in the view from the head. After the first press it leaves that path within one cell of a
+ * field of 9 x 7 and goes from cell to cell. A press turns it by a quarter in the next cell; the last press counts. It
+ * never leaves the field: it ignores a turn out of it, and at the border it turns to the side with more room. Apples
+ * make it longer. When it runs into itself it plays by itself again.
  */
 #include "demo_scene.h"
 #include "hal.h"
@@ -15,10 +15,10 @@
 #include <string.h>
 
 #define LOOP_FRAMES 512
-#define PATH_SHIFT  23 /* a frame is so much of a turn of the path */
+#define PATH_SHIFT  23 /* a frame is this part of a turn of the path */
 #define BALLS       38
 #define SPACING     10u /* frames between two balls of the body */
-#define NOSE        10u /* frames before the camera */
+#define NOSE        10u /* frames by which the nose is before the camera */
 #define APPLES      8
 #define TREES       10
 #define TREE_SIDES  6
@@ -27,12 +27,12 @@
 #define RADIUS      (FX_ONE * 32 / 100)
 #define SPREAD      FX_INT(5)
 
-/* The field when steered; cells are counted from its middle. */
+/* The field while it is steered; cells are counted from its middle. */
 #define CELL        (FX_ONE * 5 / 4)
 #define CELL_FRAMES 16u
 #define CELLS_X     4 /* -4 .. 4 */
 #define CELLS_Z     3
-#define TRAIL       32u /* cells remembered, more than the longest body takes */
+#define TRAIL       32u /* cells that are remembered; the longest body takes fewer */
 #define SHORTEST    10u /* balls */
 
 static const struct model_point tree_profile[TREE_POINTS] = {{FX_ONE / 8, 0},
@@ -51,7 +51,7 @@ struct cell {
     int8_t x, z;
 };
 
-/* Directions are quarter turns, seen from above counter-clockwise from -z. */
+/* Directions are quarter turns from -z, counter-clockwise as seen from above. */
 struct passage {
     struct cell cell;
     uint8_t in, out;
@@ -60,12 +60,12 @@ struct passage {
 /* All zero while it plays by itself. */
 struct steering {
     bool on;
-    int8_t turn;     /* asked for the next cell: 1 left, -1 right */
-    uint32_t origin; /* the frame in which it left the path */
+    int8_t turn;     /* asked for in the next cell: 1 left, -1 right */
+    uint32_t origin; /* the frame in which the snake left the path */
     uint32_t time;   /* frames since then */
     uint32_t length; /* balls */
     uint32_t random;
-    struct passage trail[TRAIL]; /* the cell entered at time t in [t / CELL_FRAMES % TRAIL] */
+    struct passage trail[TRAIL]; /* the cell that was entered at time t is in [t / CELL_FRAMES % TRAIL] */
     struct cell apples[APPLES];
     uint32_t born[APPLES]; /* time */
 };
@@ -78,7 +78,7 @@ struct snake {
     uint16_t ramps[5][PH_RAMP_SIZE];
 };
 
-/* x = 5 sin t, z = 3.2 sin 2t; over the hump at t = 0, below it at half a turn. */
+/* x = 5 sin t, z = 3.2 sin 2t. The path leads over the hump at t = 0 and below it half a turn later. */
 static struct fx_vec3 path(uint32_t turn32)
 {
     int32_t s, c, s2, unused;
@@ -109,21 +109,19 @@ static struct fx_vec3 plus(struct fx_vec3 a, struct fx_vec3 b)
     return (struct fx_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/* From `a` to `b` in the first cell after the path. */
+/* Goes over from `a` to `b` in the first cell after the path. */
 static struct fx_vec3 blend(struct fx_vec3 a, struct fx_vec3 b, uint32_t time)
 {
     const fx_t part = time < CELL_FRAMES ? (fx_t)time * (FX_ONE / (fx_t)CELL_FRAMES) : FX_ONE;
     return (struct fx_vec3){fx_lerp_sat(a.x, b.x, part), fx_lerp_sat(a.y, b.y, part), fx_lerp_sat(a.z, b.z, part)};
 }
 
-/* In the cell of that time, straight or along a quarter of a circle, and then `ahead` frames straight on. */
+/* The place in the cell of that time, on a straight line or a quarter circle, and then `ahead` frames straight on. */
 static struct fx_vec3 track(const struct steering *s, uint32_t time, uint32_t ahead)
 {
     const struct passage *const p = &s->trail[time / CELL_FRAMES % TRAIL];
-    const fx_t step = CELL / (fx_t)CELL_FRAMES;
-    const fx_t done = (fx_t)(time % CELL_FRAMES);
-    const uint32_t from = (uint32_t)p->in << 30;
-    const uint32_t left = 1u << 30;
+    const fx_t step = CELL / (fx_t)CELL_FRAMES, done = (fx_t)(time % CELL_FRAMES);
+    const uint32_t from = (uint32_t)p->in << 30, left = 1u << 30;
     const fx_t side = p->in == p->out ? 0 : ((p->in + 1) & 3) == p->out ? CELL / 2 : -CELL / 2;
     const uint32_t part = (uint32_t)done * (left / CELL_FRAMES);
     const uint32_t now = side == 0 ? from : side > 0 ? from + part : from - part;
@@ -132,15 +130,14 @@ static struct fx_vec3 track(const struct steering *s, uint32_t time, uint32_t ah
     return plus(at, heading(now, step * (fx_t)ahead));
 }
 
-/* Where the head was or is at a time (steered: since it left the path), and what it would reach `ahead` frames later.
- */
+/* Where the head is at a time (while steered: since it left the path), and where it would be `ahead` frames later. */
 static struct fx_vec3 spot(const struct steering *s, uint32_t time, uint32_t ahead)
 {
     const struct fx_vec3 own = path((s->origin + time + ahead) << PATH_SHIFT);
     return s->on && (int32_t)time >= 0 ? blend(own, track(s, time, ahead), time) : own;
 }
 
-/* Steered, it is shorter, but not at once. */
+/* Balls of the body. When it is steered it becomes shorter, but not at once. */
 static uint32_t balls(const struct steering *s)
 {
     if (!s->on) {
@@ -149,14 +146,14 @@ static uint32_t balls(const struct steering *s)
     return s->time + s->length < BALLS ? BALLS - s->time : s->length;
 }
 
-/* Cells up to the border. */
+/* The number of cells up to the border. */
 static int32_t room(struct cell c, uint32_t direction)
 {
     const int32_t cells[4] = {CELLS_Z + c.z, CELLS_X + c.x, CELLS_Z - c.z, CELLS_X - c.x};
     return cells[direction & 3];
 }
 
-/* Whether one of the last `count` cells before this one was c. */
+/* Whether c was one of the last `count` cells before this one. */
 static bool was_at(const struct steering *s, struct cell c, uint32_t count)
 {
     const uint32_t now = s->time / CELL_FRAMES;
@@ -178,7 +175,7 @@ static uint32_t apple_at(const struct steering *s, struct cell c)
     return i;
 }
 
-/* A new one grows in a free cell; there is one, as snake and apples take at most TRAIL + APPLES of 63. */
+/* Eats an apple; a new one grows in a free cell. Snake and apples take at most TRAIL + APPLES of 63 cells. */
 static void eat(struct steering *s, uint32_t apple)
 {
     const struct cell old = s->apples[apple];
@@ -194,7 +191,7 @@ static void eat(struct steering *s, uint32_t apple)
     s->length += s->length < BALLS ? 1 : 0;
 }
 
-/* The head is in cell c: where it will go from there, and what it eats. */
+/* The head enters cell c. Decides where it will go from there, and what it eats. */
 static void enter(struct steering *s, struct cell c, uint8_t in)
 {
     const uint32_t asked = in + (uint32_t)s->turn;
@@ -212,8 +209,7 @@ static void enter(struct steering *s, struct cell c, uint8_t in)
 
 static struct cell cell_at(struct fx_vec3 p)
 {
-    const fx_t x = (p.x + 16 * CELL + CELL / 2) / CELL - 16;
-    const fx_t z = (p.z + 16 * CELL + CELL / 2) / CELL - 16;
+    const fx_t x = (p.x + 16 * CELL + CELL / 2) / CELL - 16, z = (p.z + 16 * CELL + CELL / 2) / CELL - 16;
     return (struct cell){(int8_t)(x < -CELLS_X  ? -CELLS_X
                                   : x > CELLS_X ? CELLS_X
                                                 : x),
@@ -222,13 +218,11 @@ static struct cell cell_at(struct fx_vec3 p)
                                                 : z)};
 }
 
-/* Into the nearest cell before it; the apples settle in the cells below them. */
+/* The snake goes to the nearest cell before it, and the apples move to the cells below them. */
 static void leave_path(struct steering *s, uint32_t frame, int8_t turn)
 {
-    const struct fx_vec3 at = path(frame << PATH_SHIFT);
-    const struct fx_vec3 next = path((frame + 1) << PATH_SHIFT);
-    const fx_t x = next.x - at.x;
-    const fx_t z = next.z - at.z;
+    const struct fx_vec3 at = path(frame << PATH_SHIFT), next = path((frame + 1) << PATH_SHIFT);
+    const fx_t x = next.x - at.x, z = next.z - at.z;
     const uint8_t in = fx_abs_sat(x) > fx_abs_sat(z) ? (x < 0 ? 1 : 3) : (z < 0 ? 0 : 2);
     *s = (struct steering){.on = true, .turn = turn, .origin = frame, .length = SHORTEST, .random = frame};
     for (uint32_t i = 0; i < APPLES; i++) {
@@ -238,7 +232,7 @@ static void leave_path(struct steering *s, uint32_t frame, int8_t turn)
     enter(s, cell_at(plus(at, heading((uint32_t)in << 30, CELL / 2))), in);
 }
 
-/* One frame further. */
+/* Steers for one frame. */
 static void steer_on(struct steering *s)
 {
     static const struct cell steps[4] = {{0, -1}, {-1, 0}, {0, 1}, {1, 0}};
@@ -255,7 +249,7 @@ static void steer_on(struct steering *s)
     enter(s, c, last.out);
 }
 
-/* A frame drawn again changes nothing; some left out are caught up with; a jump (the loop's end) counts as one. */
+/* A frame drawn again changes nothing; a few left out are made up for; a jump (the loop's end) counts as one. */
 static void snake_input(struct snake *s, uint32_t frame, uint32_t buttons)
 {
     const uint32_t passed = frame - s->frame;
@@ -321,7 +315,7 @@ static int draw_at(struct ph_renderer *r, const struct ph_mesh *mesh, struct fx_
     return ph_draw_mesh(r, mesh, &place);
 }
 
-/* Thinner towards the tail; the camera on the head sees its nose. */
+/* The body becomes thinner towards the tail. The camera on the head sees its nose. */
 static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t now, bool outside)
 {
     int status =
@@ -335,8 +329,8 @@ static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t now,
 }
 
 /*
- * They hover over the path; eaten when the nose is there, whole again three quarters of the way later. Steered, they
- * hover over cells and grow within two of them.
+ * Apples hover over the path. One is eaten when the nose is there, and is whole again three quarters of the way later.
+ * While the snake is steered they hover over cells and grow within two of them.
  */
 static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t now)
 {
@@ -344,7 +338,7 @@ static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t no
     int status = PH_OK;
     for (uint32_t i = 0; i < APPLES && status == PH_OK; i++) {
         const uint32_t at = (2 * i + 1) << 28;
-        const uint32_t since = (((now + NOSE) << PATH_SHIFT) - at) >> 16; /* 65536: one time around */
+        const uint32_t since = (((now + NOSE) << PATH_SHIFT) - at) >> 16; /* 65536 is one time around */
         uint32_t grown = since < 24576 ? 0 : since < 49152 ? since - 24576 : 24576;
         struct fx_vec3 p = path(at);
         if (steering->on) {
@@ -377,8 +371,7 @@ static int snake_camera(const struct demo_context *context, struct ph_renderer *
 {
     const struct snake *const s = context->state;
     struct ph_projection projection = demo_perspective(context, FX_ONE << 4, FX_ONE / 8, FX_INT(40)); /* 90 degrees */
-    const struct fx_vec3 at = spot(&s->steering, now, 0);
-    const struct fx_vec3 next = spot(&s->steering, now, 4);
+    const struct fx_vec3 at = spot(&s->steering, now, 0), next = spot(&s->steering, now, 4);
     const fx_t up = FX_HALF;
     struct ph_xform view = demo_look(at.x, at.y + up, at.z, next.x, next.y + up - FX_ONE / 32, next.z);
     if (outside) {
@@ -407,7 +400,7 @@ static const char *const views[] = {"head", "outside", NULL};
     MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +                               \
         MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
-/* For pictures of kits, which are not as wide. */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
                                            .triangle_max = 860};
 

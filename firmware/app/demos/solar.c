@@ -6,7 +6,7 @@
  *   sun, moon from the earth's centre to the sun, to the moon
  *   fixed     from the earth's centre to the point (1, 0, 0) of the earth's own frame: it turns with the earth
  *
- * Seen from its centre the earth is not there: its surface faces away.
+ * From its own centre the earth is invisible, because its surface faces away.
  */
 #include "camera.h"
 #include "demo_scene.h"
@@ -34,11 +34,11 @@ struct solar {
     uint16_t earth_triangles[MODEL_ICOSPHERE_TRIANGLES(2)][3];
 };
 
-/* Sunlight, and none else: the sun itself shines by its ambient share. */
+/* Sunlight and no other light; the sun itself shines by its ambient share. */
 static const struct ph_scene_light sunlight = {
     .ambient = FX_ONE, .count = 1, .lights = {{.kind = PH_LIGHT_POINT, .intensity = FX_ONE * 12 / 10}}};
 
-/* Triangles whose middle is on land, then those in the sea. */
+/* First the triangles whose middle is on land, then those in the sea. */
 static void make_continents(struct solar *s)
 {
     uint32_t count = 0;
@@ -64,7 +64,7 @@ static void make_continents(struct solar *s)
     s->earth.materials = s->earth_colours;
 }
 
-/* Small triangles all over the sky, larger ones too, which face the middle. */
+/* Small triangles all over the sky, and some larger ones; all face the middle. */
 static void make_stars(struct solar *s)
 {
     uint32_t random = 12345;
@@ -129,7 +129,7 @@ static int solar_init(struct demo_context *context)
     return PH_OK;
 }
 
-/* YEAR and MONTH only turn; the earth leans by 23.4 degrees, and DAY turns it about that axis. */
+/* YEAR and MONTH only turn. The earth leans by 23.4 degrees, and DAY turns it about that axis. */
 static int solar_nodes(uint32_t frame, struct ph_xform world[NODES])
 {
     const uint32_t year = frame << 22;
@@ -146,7 +146,7 @@ static int solar_nodes(uint32_t frame, struct ph_xform world[NODES])
     return ph_nodes_world(nodes, NODES, world);
 }
 
-/* From the earth's centre: towards another node, or along x of the turning earth. */
+/* The view from the earth's centre towards another node, or along x of the turning earth. */
 static struct ph_xform view_from_earth(const struct demo_context *context, const struct ph_xform world[NODES])
 {
     const struct fx_vec3 up = {0, FX_ONE, 0};
@@ -217,7 +217,7 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
     MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +                                        \
         MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2))
 
-/* For pictures of kits, which are not as wide. */
+/* For pictures of kits, which are narrower. */
 static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = 3 * STARS, .triangle_max = 656};
 
 const struct demo demo_solar = {

@@ -11,7 +11,7 @@ struct still {
 
 _Static_assert(sizeof(struct still) <= DEMO_STILL_BYTES, "DEMO_STILL_BYTES is too small");
 
-/* The eye's frame as large as it goes into a picture with square pixels. */
+/* Fits the eye's frame into a picture with square pixels, as large as possible. */
 static struct ph_projection fit_frame(const struct demo_context *context, const struct ph_projection *lens)
 {
     const int64_t w = context->width, h = context->height;
@@ -34,7 +34,7 @@ int demo_still_init(struct demo_context *context, const struct ph_mesh *meshes, 
     }
     const struct ph_xform to_world = ph_xform_inverse_rigid(&eye->view);
     *s = (struct still){meshes, mesh_count, eye->view, fit_frame(context, &eye->lens), demo_two_lamps};
-    for (uint32_t i = 0; i < s->light.count; i++) { /* as on the turntable, but in the eye's coordinates */
+    for (uint32_t i = 0; i < s->light.count; i++) { /* as on the turntable, but in the coordinates of the eye */
         struct fx_vec3 *const to_light = &s->light.lights[i].to_light_q30;
         *to_light = ph_xform_direction_q30(&to_world, *to_light);
     }

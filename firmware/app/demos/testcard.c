@@ -7,8 +7,8 @@
  *   a ring                                 not round: wrong size or pixel aspect
  *   bars: red, green, blue, white, grey    blue first: BGR swapped; on white ground: inverted
  *
- * All but the line and what it frames is visible on a round glass too. One orthographic mesh in pixels, x to the right,
- * y upwards, so that every edge lies between pixels.
+ * On a round glass everything but the line and the corners is visible. The card is one orthographic mesh in pixels, x
+ * to the right and y upwards, so that every edge lies between pixels.
  */
 #include "demo_scene.h"
 
@@ -42,18 +42,16 @@ static void card_triangle(struct card *card, uint16_t a, uint16_t b, uint16_t c)
     t[2] = c;
 }
 
-/* The pixels x0 .. x1 - 1, y0 .. y1 - 1, counted from the lower left one. */
+/* Adds a quad over pixels x0 .. x1 - 1, y0 .. y1 - 1, counted from the lower left pixel. */
 static void card_quad(struct card *card, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
-    const uint16_t a = card_vertex(card, FX_INT(x0), FX_INT(y0));
-    const uint16_t b = card_vertex(card, FX_INT(x1), FX_INT(y0));
-    const uint16_t c = card_vertex(card, FX_INT(x1), FX_INT(y1));
-    const uint16_t d = card_vertex(card, FX_INT(x0), FX_INT(y1));
+    const uint16_t a = card_vertex(card, FX_INT(x0), FX_INT(y0)), b = card_vertex(card, FX_INT(x1), FX_INT(y0));
+    const uint16_t c = card_vertex(card, FX_INT(x1), FX_INT(y1)), d = card_vertex(card, FX_INT(x0), FX_INT(y1));
     card_triangle(card, a, b, c);
     card_triangle(card, a, c, d);
 }
 
-/* What was added since the last call gets this colour. */
+/* Gives this colour to everything that was added since the last call. */
 static void card_colour(struct card *card, uint8_t red, uint8_t green, uint8_t blue)
 {
     const uint32_t i = card->mesh.part_count++;
@@ -62,7 +60,7 @@ static void card_colour(struct card *card, uint8_t red, uint8_t green, uint8_t b
     card->parts[i] = (struct ph_part){first, card->mesh.triangle_count - first, (uint16_t)i};
 }
 
-/* n dots from (x, y) on, each `size` pixels wide, in steps of twice that to the right or left. */
+/* Adds n dots from (x, y) on. Each is `size` pixels wide; the step is twice that, to the right or to the left. */
 static void card_dots(struct card *card, int32_t n, int32_t x, int32_t y, int32_t size, bool leftwards)
 {
     for (int32_t i = 0; i < n; i++) {
@@ -75,25 +73,21 @@ static void card_ring(struct card *card, fx_t x, fx_t y, fx_t radius, fx_t line)
 {
     const uint16_t first = (uint16_t)card->mesh.vertex_count;
     for (uint32_t i = 0; i < RING_STEPS; i++) {
-        const fx_t turns = (fx_t)(i * (65536 / RING_STEPS));
-        const fx_t c = fx_cos(turns);
-        const fx_t s = fx_sin(turns);
+        const fx_t turns = (fx_t)(i * (65536 / RING_STEPS)), c = fx_cos(turns), s = fx_sin(turns);
         card_vertex(card, x + fx_mul_sat(radius, c), y + fx_mul_sat(radius, s));
         card_vertex(card, x + fx_mul_sat(radius - line, c), y + fx_mul_sat(radius - line, s));
     }
     for (uint32_t i = 0; i < RING_STEPS; i++) {
-        const uint16_t a = (uint16_t)(first + 2 * i);
-        const uint16_t b = (uint16_t)(first + 2 * ((i + 1) % RING_STEPS));
+        const uint16_t a = (uint16_t)(first + 2 * i), b = (uint16_t)(first + 2 * ((i + 1) % RING_STEPS));
         card_triangle(card, a, b, (uint16_t)(b + 1));
         card_triangle(card, a, (uint16_t)(b + 1), (uint16_t)(a + 1));
     }
 }
 
-/* Head and shaft, `size` pixels high, its middle in (x, y). */
+/* Adds an arrow of head and shaft, `size` pixels high, with its middle at (x, y). */
 static void card_arrow(struct card *card, int32_t x, int32_t y, int32_t size)
 {
-    const int32_t half = size / 2;
-    const int32_t shaft = size / 8 + 1;
+    const int32_t half = size / 2, shaft = size / 8 + 1;
     const uint16_t a = card_vertex(card, FX_INT(x - half), FX_INT(y));
     const uint16_t b = card_vertex(card, FX_INT(x + half), FX_INT(y));
     const uint16_t c = card_vertex(card, FX_INT(x), FX_INT(y + half));
@@ -103,8 +97,7 @@ static void card_arrow(struct card *card, int32_t x, int32_t y, int32_t size)
 
 static void card_white_lines(struct card *card, int32_t w, int32_t h)
 {
-    const int32_t smaller = w < h ? w : h;
-    const int32_t dot = smaller / 24 > 2 ? smaller / 24 : 2;
+    const int32_t smaller = w < h ? w : h, dot = smaller / 24 > 2 ? smaller / 24 : 2;
     const int32_t left = w / 5; /* inside the circle that touches all sides of a square */
     const int32_t low = h / 10;
     card_quad(card, 0, 0, w, 1);
@@ -117,17 +110,13 @@ static void card_white_lines(struct card *card, int32_t w, int32_t h)
     card_dots(card, 4, left, low, dot, false);
 }
 
-/* Ring and arrow above, bars below. */
+/* The ring and the arrow are above, the bars below. */
 static void card_layout(struct card *card, int32_t w, int32_t h)
 {
-    const int32_t by_height = h * 27 / 100;
-    const int32_t by_width = w * 38 / 100;
-    const int32_t radius = by_height < by_width ? by_height : by_width;
-    const int32_t y = h - h * 36 / 100;
-    const int32_t bar = w * 15 / 100 > 1 ? w * 15 / 100 : 1;
-    const int32_t left = (w - BARS * bar) / 2;
-    const int32_t top = h * 32 / 100;
-    const int32_t bottom = h * 18 / 100;
+    const int32_t by_height = h * 27 / 100, by_width = w * 38 / 100;
+    const int32_t radius = by_height < by_width ? by_height : by_width, y = h - h * 36 / 100;
+    const int32_t bar = w * 15 / 100 > 1 ? w * 15 / 100 : 1, left = (w - BARS * bar) / 2;
+    const int32_t top = h * 32 / 100, bottom = h * 18 / 100;
     static const uint8_t colours[BARS][3] = {{255, 255, 255}, {255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {128, 128, 128}};
     static const int8_t places[BARS] = {3, 0, 1, 2, 4};
 
@@ -163,9 +152,7 @@ static int testcard_frame(struct demo_context *context, struct ph_renderer *r, u
     (void)frame; /* a still picture */
     int status =
         ph_projection_ortho(&projection, 0, FX_INT(context->width), 0, FX_INT(context->height), FX_HALF, FX_INT(2));
-    if (status == PH_OK) {
-        status = demo_begin(context, r, &ph_xform_identity, &projection, NULL, 0);
-    }
+    status = status == PH_OK ? demo_begin(context, r, &ph_xform_identity, &projection, NULL, 0) : status;
     return status ? status : ph_draw_mesh(r, &card->mesh, &ph_xform_identity);
 }
 

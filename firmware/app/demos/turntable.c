@@ -10,7 +10,7 @@
 #define PLATTER_VERTICES  (1 + 4 * SIDES)
 #define PLATTER_TRIANGLES (5 * SIDES)
 
-/* The disc below the meshes: a hub, four rings around it. In coordinates of the meshes minus their centre. */
+/* The disc below the meshes: a hub and four rings around it. Coordinates are those of the meshes minus their centre. */
 struct platter {
     struct ph_mesh mesh;
     struct ph_part part;
@@ -52,14 +52,12 @@ const struct ph_scene_light demo_two_lamps = {
                 .to_light_q30 = {966367642, 214748365, -414691770}}}, /* (.9, .2, -.386) */
 };
 
-/* Ring number `ring` of the platter: radius, height and normal (outwards, upwards). */
+/* Makes ring number `ring` of the platter: radius, height and normal (outwards, upwards). */
 static void platter_ring(struct platter *p, uint32_t ring, fx_t radius, fx_t y, int32_t outwards, int32_t upwards)
 {
     for (uint32_t i = 0; i < SIDES; i++) {
         const uint32_t v = 1 + ring * SIDES + i;
-        const fx_t turns = (fx_t)(i * (65536 / SIDES));
-        const fx_t c = fx_cos(turns);
-        const fx_t s = fx_sin(turns);
+        const fx_t turns = (fx_t)(i * (65536 / SIDES)), c = fx_cos(turns), s = fx_sin(turns);
         p->positions[v] = (struct fx_vec3){fx_mul_sat(radius, c), y, -fx_mul_sat(radius, s)};
         p->normals[v][0] = (int16_t)fx_mul_sat(outwards, c);
         p->normals[v][1] = (int16_t)upwards;
@@ -68,8 +66,8 @@ static void platter_ring(struct platter *p, uint32_t ring, fx_t radius, fx_t y, 
 }
 
 /*
- * Hub and inner ring have normals that point away from every light: the disc is dark below the meshes and brightens
- * towards its edge, as if they threw a soft shadow.
+ * The normals of the hub and the inner ring point away from every light. So the disc is dark below the meshes and
+ * brightens towards its edge, as if the meshes threw a soft shadow.
  */
 static void make_platter(struct platter *p, fx_t radius, fx_t y)
 {
@@ -82,8 +80,7 @@ static void make_platter(struct platter *p, fx_t radius, fx_t y)
     platter_ring(p, 2, radius, y, 16384, 0);
     platter_ring(p, 3, radius, y - radius / 16, 16384, 0);
     for (uint32_t i = 0; i < SIDES; i++) {
-        const uint16_t a = (uint16_t)(1 + i);
-        const uint16_t b = (uint16_t)(1 + (i + 1) % SIDES);
+        const uint16_t a = (uint16_t)(1 + i), b = (uint16_t)(1 + (i + 1) % SIDES);
         const uint16_t corners[5][3] = {
             {0, a, b},
             {a, (uint16_t)(a + SIDES), (uint16_t)(b + SIDES)},
@@ -142,7 +139,7 @@ int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, ui
     return status || !t->platter ? status : ph_draw_mesh(r, &t->platter->mesh, &turn);
 }
 
-/* The finest teapot for which the arena has room; the coarsest may stand without the platter. */
+/* Makes the finest teapot for which the arena has room. The coarsest may stand without the platter. */
 static int turntable_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;

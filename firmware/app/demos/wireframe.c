@@ -1,6 +1,6 @@
 /*
- * wireframe: the teapot as lines. Its faces are drawn first, in the colour of the background, so that they hide the
- * lines behind them; the lines lie a little nearer to the viewer.
+ * wireframe: the teapot as lines. Its faces are drawn first in the colour of the background, so that they hide the
+ * lines behind them. The lines lie a little nearer to the viewer.
  */
 #include "demo_scene.h"
 #include "models.h"
@@ -14,7 +14,7 @@ struct wireframe {
     uint16_t background;
 };
 
-/* The faces a little inside the lines, so that also steep faces at the outline leave them whole. */
+/* Moves the faces a little inside the lines, so that steep faces at the outline do not cut them. */
 static int shrink_faces(struct demo_arena *arena, struct wireframe *w)
 {
     struct fx_vec3 *const inner = demo_alloc(arena, w->lines.vertex_count * sizeof(*inner));
@@ -55,7 +55,7 @@ static int wireframe_init(struct demo_context *context)
         context->arena = rest;
         if (wireframe_model(&context->arena, w, segments) == PH_OK) {
             w->camera = demo_fit(context, &w->lines, 1, (struct fx_vec3){0, 0, 0});
-            w->camera.projection.shift_y = 0; /* no platter below: in the middle */
+            w->camera.projection.shift_y = 0; /* there is no platter below, so the teapot is in the middle */
             context->state = w;
             return PH_OK;
         }
@@ -70,9 +70,7 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
     struct demo_fit camera = w->camera;
     demo_orbit(context, &camera.view, &camera.projection);
     int status = demo_begin(context, r, &camera.view, &camera.projection, NULL, w->background);
-    if (status == PH_OK) {
-        status = ph_draw_mesh(r, &w->faces, &turn);
-    }
+    status = status == PH_OK ? ph_draw_mesh(r, &w->faces, &turn) : status;
     return status ? status : ph_draw_mesh(r, &w->lines, &turn);
 }
 

@@ -27,7 +27,7 @@ struct zfight {
     uint16_t triangles[2][3];
 };
 
-/* Half the size of a plate and the places of the pairs, in shares of the distance, for this shape of picture. */
+/* Half the size of a plate and the distance between pairs, in shares of their distance, for this shape of picture. */
 struct layout {
     fx_t half, step_x, step_y;
 };
@@ -35,14 +35,11 @@ struct layout {
 static struct layout layout_of(const struct demo_context *context)
 {
     const fx_t tan_30 = 37837;
-    const int32_t w = context->width;
-    const int32_t h = context->height;
-    const int32_t smaller = w < h ? w : h;
-    const int32_t columns = w > h * 3 / 2 ? PAIRS / 2 : COLUMNS;
-    const int32_t rows = PAIRS / columns;
+    const int32_t w = context->width, h = context->height, smaller = w < h ? w : h;
+    const int32_t columns = w > h * 3 / 2 ? PAIRS / 2 : COLUMNS, rows = PAIRS / columns;
     struct layout l;
     l.step_x = (fx_t)(fx_mul_wide(tan_30, 2 * w) / (smaller * columns));
-    l.step_y = (fx_t)(fx_mul_wide(tan_30, 2 * h) / (smaller * (rows + 1))); /* a share above for the label */
+    l.step_y = (fx_t)(fx_mul_wide(tan_30, 2 * h) / (smaller * (rows + 1))); /* one more share above, for the label */
     l.half = (l.step_x < l.step_y ? l.step_x : l.step_y) * 2 / 5;
     return l;
 }
@@ -86,7 +83,7 @@ static int zfight_init(struct demo_context *context)
     return PH_OK;
 }
 
-/* The middle of pair i, in steps from the middle of the picture, halves: x to the right, y upwards. */
+/* The middle of pair i in half steps from the middle of the picture: x to the right, y upwards. */
 static void place_of(const struct demo_context *context, uint32_t i, int32_t *x2, int32_t *y2)
 {
     const int32_t columns = context->width > context->height * 3 / 2 ? PAIRS / 2 : COLUMNS;
@@ -111,7 +108,7 @@ static int zfight_frame(struct demo_context *context, struct ph_renderer *r, uin
         place_of(context, i, &x2, &y2);
         place.t =
             (struct fx_vec3){l.step_x * distances[i] / 2 * x2, l.step_y * distances[i] / 2 * y2, FX_INT(-distances[i])};
-        status = ph_draw_mesh(r, &z->plates[i][1], &place); /* the blue one first: it keeps what is undecided */
+        status = ph_draw_mesh(r, &z->plates[i][1], &place); /* the blue one first: it stays where the two are equal */
         status = status ? status : ph_draw_mesh(r, &z->plates[i][0], &place);
     }
     return status;

@@ -3,7 +3,7 @@
 #include "lab_num.h"
 #include "lab_search.h"
 
-/* What the caller's memory holds. */
+/* Lies in the caller's memory. */
 struct work {
     struct lab_probe probe;
     struct lab_search search;
@@ -59,7 +59,7 @@ static void put_head(const struct lab *lab, const struct lab_format *format)
 
 /* ---- pairs ---------------------------------------------------------------------------------------------- */
 
-/* Distance i of count + 1: linear to the nearest LSB, log: the first that is not nearer than it should be. */
+/* Distance i of 0 .. count. Linear: rounded to the nearest LSB; log: the smallest that is not below the ideal one. */
 static fx_t distance_of(const struct lab *lab, uint32_t i)
 {
     const int64_t depth = (int64_t)lab->far_z - lab->near_z, n = lab->count;
@@ -82,8 +82,8 @@ static fx_t distance_of(const struct lab *lab, uint32_t i)
 }
 
 /*
- * Largest distance that is ordered wrongly, in LSBs: over i < j with most[j] >= least[i]. least: the least code up to
- * here, most: the largest from here on.
+ * The largest distance that is ordered wrongly, in LSBs, over all i < j with most[j] >= least[i]. least[i] is the least
+ * code up to distance i, most[j] the largest from distance j on.
  */
 static uint32_t widest(const struct lab *lab, const uint32_t *least, const uint32_t *most)
 {
@@ -123,24 +123,6 @@ static void pairs_row(const struct lab *lab, struct work *work)
     lab->put(lab->context, "\n");
 }
 
-int lab_pairs(const struct lab *lab)
-{
-    struct work *work = lab->memory;
-    int status = open_lab(lab);
-    if (status == 0) {
-        lab->put(lab->context, "format,bits,near,far,spacing,count,equal,swap,max_wrong_m\n");
-    }
-    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        if ((lab->formats >> i & 1) != 0) {
-            status = lab_probe_open(&work->probe, &lab_formats[i], lab->near_z, lab->far_z);
-            if (status == 0) {
-                pairs_row(lab, work);
-            }
-        }
-    }
-    return status;
-}
-
 /* ---- resolve -------------------------------------------------------------------------------------------- */
 
 static bool is_linear(const struct lab_format *format)
@@ -148,7 +130,7 @@ static bool is_linear(const struct lab_format *format)
     return format->kind == LAB_LINEAR || (format->kind == LAB_DRAWN && format->format == PH_DEPTH_LINEAR_W);
 }
 
-/* Bits of mantissa of a float format, or 0. */
+/* Mantissa bits of a float format, or 0. */
 static int mantissa_of(const struct lab_format *format)
 {
     const bool drawn =
@@ -156,7 +138,7 @@ static int mantissa_of(const struct lab_format *format)
     return drawn || format->kind == LAB_OVER_W ? format->bits - 4 : 0;
 }
 
-/* A float format holds d = N/w - F. N in units of 2^-9 LSBs, and what becomes of n/f. */
+/* A float format holds d = N/w - F (depth.h). near512 is N in units of 2^-9 LSBs; complement: F is not 0. */
 struct mapping {
     uint64_t near512;
     bool complement;
@@ -168,9 +150,9 @@ static struct mapping mapping_of(const struct lab *lab, const struct lab_format 
     return (struct mapping){(uint64_t)lab->near_z * (complement ? 511 : 512), complement};
 }
 
-#define OCTAVES 15 /* of a float format; the last one goes down to 0 */
+#define OCTAVES 15 /* of a float format; the last one reaches down to 0 */
 
-/* The octave of d at w: 0 in 1/2 .. 1. */
+/* The octave of d at w; octave 0 is d in 1/2 .. 1. */
 static int octave_of(const struct lab *lab, struct mapping mapping, fx_t w)
 {
     const struct lab_num near = lab_num_scaled(mapping.near512, 60 - 9); /* d in 2^-60 */
@@ -184,7 +166,7 @@ static int octave_of(const struct lab *lab, struct mapping mapping, fx_t w)
     return octave;
 }
 
-/* Last bit of d times z^2 / N, all in LSBs. */
+/* The last bit of d times z^2 / N, all in LSBs. */
 static struct lab_num float_step(struct mapping mapping, struct lab_num z, int mantissa, int octave)
 {
     const struct lab_num bit = lab_num_scaled(512, -(mantissa + 1 + octave));
@@ -217,7 +199,7 @@ static struct lab_num larger(struct lab_num a, struct lab_num b)
     return a.m != 0 && (b.m == 0 || a.e > b.e || (a.e == b.e && a.m > b.m)) ? a : b;
 }
 
-/* The largest ideal step: at the far plane, or where a float's octave ends: at d = 2^-(k + 1). */
+/* The largest ideal step. It is at the far plane or, for floats, where an octave ends, at d = 2^-(k + 1). */
 static struct lab_num ideal_worst(const struct lab *lab, const struct lab_format *format)
 {
     const struct mapping mapping = mapping_of(lab, format);
@@ -232,7 +214,7 @@ static struct lab_num ideal_worst(const struct lab *lab, const struct lab_format
     return worst;
 }
 
-/* z_m, ideal_m, measured_m, ratio; a z of 0 stands for S_worst. */
+/* Prints z_m, ideal_m, measured_m, ratio; z = 0 stands for S_worst. */
 static void resolve_row(const struct lab *lab, struct work *work, fx_t z)
 {
     const struct lab_format *format = work->probe.format;
@@ -251,7 +233,7 @@ static void resolve_row(const struct lab *lab, struct work *work, fx_t z)
     lab->put(lab->context, "\n");
 }
 
-/* The next of 1, 2, 5 times a power of ten behind z, in LSBs; 0.001 is the first. */
+/* The next distance after z that is 1, 2 or 5 times a power of ten, in LSBs; the first is 0.001. */
 static int64_t next_distance(int64_t z)
 {
     static const uint8_t steps[] = {1, 2, 5};
@@ -281,9 +263,36 @@ static void resolve_format(const struct lab *lab, struct work *work)
     resolve_row(lab, work, 0);
 }
 
-int lab_resolve(const struct lab *lab)
+/* ---- both ----------------------------------------------------------------------------------------------- */
+
+/* Measures the formats that are asked for, one after the other. */
+static int measure(const struct lab *lab, bool pairs)
 {
     struct work *work = lab->memory;
+    int status = PH_OK;
+    for (uint32_t i = 0; i < lab_format_count && status == PH_OK; i++) {
+        if ((lab->formats >> i & 1) == 0) {
+            continue;
+        }
+        status = lab_probe_open(&work->probe, &lab_formats[i], lab->near_z, lab->far_z);
+        if (status == PH_OK) {
+            pairs ? pairs_row(lab, work) : resolve_format(lab, work);
+        }
+    }
+    return status;
+}
+
+int lab_pairs(const struct lab *lab)
+{
+    const int status = open_lab(lab);
+    if (status == PH_OK) {
+        lab->put(lab->context, "format,bits,near,far,spacing,count,equal,swap,max_wrong_m\n");
+    }
+    return status == PH_OK ? measure(lab, true) : status;
+}
+
+int lab_resolve(const struct lab *lab)
+{
     int status = open_lab(lab);
     for (uint32_t i = 0; lab->at != NULL && i < lab->at_count && status == 0; i++) {
         status = lab->at[i] < lab->near_z || lab->at[i] > lab->far_z ? PH_ERR_INVAL : PH_OK;
@@ -291,13 +300,5 @@ int lab_resolve(const struct lab *lab)
     if (status == 0) {
         lab->put(lab->context, "format,bits,near,far,z_m,ideal_m,measured_m,ratio\n");
     }
-    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        if ((lab->formats >> i & 1) != 0) {
-            status = lab_probe_open(&work->probe, &lab_formats[i], lab->near_z, lab->far_z);
-            if (status == 0) {
-                resolve_format(lab, work);
-            }
-        }
-    }
-    return status;
+    return status == 0 ? measure(lab, false) : status;
 }

@@ -1,27 +1,27 @@
 /*
- * lab: what the depth pipeline resolves, measured with integers alone, so that the host program (pinhole-depth) and a
- * firmware image print the same bytes.
+ * lab, the depth lab: measures what the depth pipeline resolves. It calculates with integers alone, so that the host
+ * program (pinhole-depth) and a firmware image print the same bytes.
  *
  *   lab_pairs(lab)    adjacent-pair test:  format,bits,near,far,spacing,count,equal,swap,max_wrong_m
  *   lab_resolve(lab)  smallest separation: format,bits,near,far,z_m,ideal_m,measured_m,ratio
  *
- * Everything is said about distances w along the view, in LSBs of Q16.16, and a code that is larger for what is nearer.
- * The renderer's formats are measured by drawing: a triangle that faces the camera at distance w goes through
- * ph_draw_mesh and ph_draw_band into a picture of one pixel, and its code is read from the depth buffer.
+ * All distances w are along the view, in LSBs of Q16.16. A larger code is nearer. The renderer's formats are measured
+ * by drawing: a triangle that faces the camera at distance w goes through ph_draw_mesh and ph_draw_band into a picture
+ * of one pixel, and its code is read from the depth buffer.
  *
  * S_eff(z), "measured", is the smallest separation that is ordered right at z: the longest plateau or inversion there,
- * see lab_search.h. "ideal" is the step of a perfect code of as many bits, with n, f the planes, S = 2^bits - 1:
+ * see lab_search.h. "ideal" is the step of a perfect code of as many bits. n and f are the planes, S = 2^bits - 1:
  *   fixed, and all -q16: z^2 (f - n) / (f n S)      linear-w: (f - n) / S      log: z ln(f / n) / S
  *   float: z^2 / N times the last bit of d, where N and d are those of depth.h; over-w: likewise, d = n/w
- * A ratio of 1 is perfect. What is finer than Q16.16 itself is measured as one LSB, 0.0000153 m.
+ * A ratio of 1 is perfect. A step that is finer than Q16.16 itself is measured as one LSB, 0.0000153 m.
  *
- * What others do, every named quantity a Q16.16 number that saturates:
+ * Formats of other renderers; every named quantity is a Q16.16 number that saturates:
  *   scale = f / (f - n) and bias = f n / (f - n) to the nearest, clip = scale w - bias, the product to the nearest;
  *   ndc-q16    ndc = clip / w towards 0; the code is ndc shifted, up to S
  *   recip-q16  r = 1 / w rounded down; ndc = clip r to the nearest; likewise
  *   clip-q16   the code is S clip / w to the nearest, in 64 bits
  *   log        S ln(f / w) / ln(f / n) rounded down: no code of as many bits does better in dz/z
- * Theirs are turned round, so that here too a larger code is nearer. Two more for comparison:
+ * Their codes are reversed, so that a larger code is nearer here, too. Two more for comparison:
  *   linear-w   with 24 bits: S (f - w) / (f - n) rounded down
  *   over-w     n/w as an unsigned float with 4 bits of exponent, rounded down
  */
@@ -39,13 +39,13 @@ struct lab_format {
     uint8_t format; /* LAB_DRAWN: enum ph_depth_format */
 };
 
-/* The rows of the tables, in the order in which they are printed. Names repeat where a kind has two widths. */
+/* The rows of the tables, in the order in which they are printed. A name appears twice if a kind has two widths. */
 extern const struct lab_format lab_formats[];
 extern const uint32_t lab_format_count; /* at most 32 */
 
 enum lab_spacing { LAB_LINEAR_SPACED, LAB_LOG_SPACED };
 
-/* Receives text in pieces. */
+/* Takes text in pieces. */
 typedef void lab_put(void *context, const char *text);
 
 struct lab {
@@ -55,7 +55,7 @@ struct lab {
     uint8_t spacing;    /* enum lab_spacing */
     const fx_t *at;     /* resolve: distances, each near_z .. far_z; NULL: 1, 2, 5 of each decade, and the planes */
     uint32_t at_count;
-    void *memory; /* 8-byte aligned, lab_bytes(lab) or more; the lab's while it runs */
+    void *memory; /* 8-byte aligned, lab_bytes(lab) or more; it belongs to the depth lab while that runs */
     size_t memory_bytes;
     lab_put *put;
     void *context; /* put's */
@@ -66,7 +66,7 @@ struct lab {
 /* Memory that this machine needs. */
 size_t lab_bytes(const struct lab *lab);
 
-/* Both print a header line and one line a result. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: memory_bytes is too small. */
+/* Both print a header line and a line for each result. 0, PH_ERR_INVAL, or PH_ERR_NOMEM: memory_bytes is too small. */
 int lab_pairs(const struct lab *lab);
 int lab_resolve(const struct lab *lab);
 

@@ -1,4 +1,4 @@
-/* The rows of the lab's tables: see lab.h. */
+/* The rows of the depth lab's tables: see lab.h. */
 #include "lab.h"
 
 const struct lab_format lab_formats[] = {

@@ -1,4 +1,4 @@
-/* Numbers of the lab and their text: see lab_num.h. */
+/* Numbers of the depth lab and their text: see lab_num.h. */
 #include "lab_num.h"
 
 static int clz64(uint64_t v)
@@ -36,9 +36,9 @@ struct lab_num lab_num_mul(struct lab_num a, struct lab_num b)
 
 struct lab_num lab_num_div(struct lab_num a, struct lab_num b)
 {
-    const bool fits = a.m < b.m; /* else half of a is below b */
+    const bool fits = a.m < b.m; /* else a / 2 is below b */
     uint64_t rest = fits ? a.m : a.m >> 1, quotient = 0;
-    for (int i = 0; i < 64; i++) { /* one bit a turn: printed numbers are few */
+    for (int i = 0; i < 64; i++) { /* one bit a turn; few numbers are printed */
         const bool carry = rest >> 63 != 0;
         rest <<= 1;
         quotient <<= 1;
@@ -93,7 +93,7 @@ static char *put_digits(char *to, uint32_t v, int digits)
     return to + digits;
 }
 
-/* digits[0 .. 5] of which the first has the weight 10^exponent, without the zeros at their end. */
+/* Writes digits[0 .. 5], the first of which has the weight 10^exponent, without the zeros at their end. */
 static void place_point(char *to, const char digits[6], int count, int exponent)
 {
     for (int i = exponent < 0 ? exponent : 0; i < count || i <= exponent; i++) {

@@ -1,7 +1,7 @@
 /*
- * lab_num: the few numbers of the lab that do not fit fixed point (an ideal step of 6e-9 m beside one of 700 m), as a
- * 64-bit mantissa and an exponent, in integers, so that every machine prints the same digits. Positive numbers and 0;
- * results are rounded down to 64 bits: relative error below 2^-62.
+ * lab_num: the few numbers of the depth lab that do not fit fixed point (ideal steps from 6e-9 m to 700 m). They have a
+ * 64-bit mantissa and an exponent and are calculated with integers, so that every machine prints the same digits. They
+ * are positive or 0. Results are rounded down to 64 bits: the relative error is below 2^-62.
  */
 #ifndef LAB_NUM_H
 #define LAB_NUM_H
@@ -29,7 +29,7 @@ uint64_t lab_log2_q56(uint32_t v);
 /* Six significant digits, the last rounded to nearest: "0.0742188", "181", "5.96046e-08" below 1e-4. */
 void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE]);
 
-/* The shortest decimal that stands for v in Q16.16: "0.1" of 6554. v >= 0. */
+/* The shortest decimal that stands for v in Q16.16: "0.1" for 6554. v >= 0. */
 void lab_fx_text(fx_t v, char text[LAB_TEXT_SIZE]);
 
 void lab_u32_text(uint32_t v, char text[LAB_TEXT_SIZE]);

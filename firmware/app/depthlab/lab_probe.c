@@ -2,7 +2,7 @@
 #include "lab_probe.h"
 #include "lab_num.h"
 
-/* a / b to the nearest, a tie up; not negative. */
+/* a / b rounded to nearest, a tie up; not negative. */
 static int64_t nearest(int64_t a, int64_t b)
 {
     return (a + b / 2) / b;
@@ -46,8 +46,8 @@ int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t ne
 }
 
 /*
- * A triangle that covers the pixel: four pixels wide, so that its rounded corners are well outside also one LSB in
- * front of the eye; one pixel where four do not fit Q16.16. It is flat, so its size does not change its depth.
+ * Draws a triangle that covers the pixel. It is four pixels wide, so that its rounded corners are well outside even one
+ * LSB before the eye; one pixel where four do not fit Q16.16. It is flat, so its depth does not depend on its size.
  */
 static uint32_t drawn_code(struct lab_probe *p, fx_t w)
 {
@@ -76,13 +76,13 @@ static uint32_t from_near(const struct lab_probe *p, int64_t code)
     return p->largest - (uint32_t)inside;
 }
 
-/* ndc in Q16.16 to a code of all bits. */
+/* ndc in Q16.16 as a code of all bits. */
 static uint32_t ndc_code(const struct lab_probe *p, int64_t ndc)
 {
     return from_near(p, ndc * ((int64_t)1 << (p->format->bits - 16)));
 }
 
-/* n/w as an unsigned float with 4 bits of exponent: its mantissa and exponent side by side. */
+/* n/w as an unsigned float with 4 bits of exponent, its exponent and mantissa side by side. */
 static uint32_t over_w_code(const struct lab_probe *p, fx_t w)
 {
     const int mantissa = p->format->bits - 4;
@@ -92,11 +92,12 @@ static uint32_t over_w_code(const struct lab_probe *p, fx_t w)
     }
     const uint64_t d = high << 32 | ((over % (uint32_t)w) << 32) / (uint32_t)w; /* 2^-64 */
     const int zeros = high != 0 ? fx_clz32((uint32_t)high) : 32, octave = zeros < 14 ? zeros : 14;
-    const uint32_t part = (uint32_t)(d << octave >> (63 - mantissa)); /* with the leading one, but for the lowest */
+    const uint32_t part =
+        (uint32_t)(d << octave >> (63 - mantissa)); /* with the leading one, except in the lowest octave */
     return part + ((uint32_t)(14 - octave) << mantissa);
 }
 
-/* floor(S (ln far - ln w) / (ln far - ln near)): multiplied bit by bit of S, what is over range counted. */
+/* floor(S (ln far - ln w) / (ln far - ln near)), multiplied bit by bit of S; the quotient is counted on the way. */
 static uint32_t log_code(const struct lab_probe *p, fx_t w)
 {
     const uint64_t part = p->log_far - lab_log2_q56((uint32_t)w); /* up to range, below 2^61 */

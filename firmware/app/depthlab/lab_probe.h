@@ -1,24 +1,24 @@
 /*
- * lab_probe: the depth code of a plane that faces the camera at a distance, in each of the lab's formats. For drawn
- * formats it is what a pixel of the depth buffer holds after a triangle at this distance went through ph_draw_mesh,
- * ph_frame_bands and ph_draw_band; for the others a formula in integers, see lab.h.
+ * lab_probe: the depth code of a plane that faces the camera at a distance, in each format of the depth lab. In drawn
+ * formats a triangle at this distance goes through ph_draw_mesh, ph_frame_bands and ph_draw_band, and the code is read
+ * from the depth buffer. In the others a formula in integers gives it, see lab.h.
  */
 #ifndef LAB_PROBE_H
 #define LAB_PROBE_H
 
 #include "lab.h"
 
-/* Holds pointers into itself once it is open: it stays where it is. */
+/* Holds pointers into itself once it is open, so it must stay in its place. */
 struct lab_probe {
     const struct lab_format *format;
     fx_t near_z, far_z;
     uint32_t largest;   /* 2^bits - 1 */
     fx_t scale, bias;   /* clip z = scale w - bias */
     uint64_t log_far;   /* lab_log2_q56 */
-    uint64_t log_range; /* .. of far less that of near */
+    uint64_t log_range; /* log_far less the logarithm of near */
     struct ph_projection lens;
     struct ph_renderer renderer;
-    uint64_t vertices[16], triangles[32]; /* room for three and one */
+    uint64_t vertices[16], triangles[32]; /* room for three and for one */
     uint32_t bin;
     union {
         uint16_t code16;
@@ -27,13 +27,13 @@ struct lab_probe {
     uint16_t pixel;
 };
 
-/* 0, PH_ERR_INVAL, or PH_ERR_NOMEM where the renderer's triangles are larger than foreseen here. */
+/* 0, PH_ERR_INVAL, or PH_ERR_NOMEM: the renderer's triangles are larger than the room here. */
 int lab_probe_open(struct lab_probe *p, const struct lab_format *format, fx_t near_z, fx_t far_z);
 
 /* w from near_z to far_z; larger is nearer. */
 uint32_t lab_code(struct lab_probe *p, fx_t w);
 
-/* Whether the code never rises with w, so that a search may bisect. The drawn ones are proved by `monotone`. */
+/* Whether the code never rises with w, so that a search may bisect. `pinhole-depth monotone` proves it if drawn. */
 static inline bool lab_is_monotone(const struct lab_format *format)
 {
     return format->kind != LAB_NDC_Q16 && format->kind != LAB_RECIP_Q16 && format->kind != LAB_CLIP_Q16;

@@ -5,7 +5,7 @@ struct plateau {
     fx_t first, last;
 };
 
-/* The last distance up to high that has this code, which low has: codes of a monotone format never rise. */
+/* The last distance up to high that has this code; low has it. Codes of a monotone format never rise. */
 static fx_t last_with(struct lab_probe *p, uint32_t code, fx_t low, fx_t high)
 {
     while (low < high) {
@@ -20,14 +20,14 @@ static fx_t last_with(struct lab_probe *p, uint32_t code, fx_t low, fx_t high)
 }
 
 /*
- * The plateau of a monotone format on which w lies. Its codes never rise, so that "still the same code" is true up to
- * its end and false behind it: bisection finds the end.
+ * The plateau of a monotone format on which w lies. The codes never rise, so "still the same code" is true up to the
+ * plateau's end and false behind it: bisection finds the end.
  */
 static struct plateau plateau_at(struct lab_probe *p, fx_t w)
 {
     const uint32_t code = lab_code(p, w);
     struct plateau found = {p->near_z, w};
-    for (fx_t high = w; found.first < high;) { /* first: the smallest with this code */
+    for (fx_t high = w; found.first < high;) { /* first: the smallest distance with this code */
         const fx_t middle = found.first + (high - found.first) / 2;
         if (lab_code(p, middle) == code) {
             high = middle;
@@ -62,7 +62,7 @@ static uint32_t plateau_length(struct lab_probe *p, fx_t z)
     return length;
 }
 
-/* The longest of a few plateaus spread over the range. */
+/* The longest of a few plateaus that are spread over the range. */
 static uint32_t some_plateau(struct lab_probe *p)
 {
     const uint32_t count = 64, depth = (uint32_t)(p->far_z - p->near_z);
@@ -73,7 +73,7 @@ static uint32_t some_plateau(struct lab_probe *p)
     return best;
 }
 
-/* The last distance that has the code of w, looked for near w first. */
+/* The last distance that has the code of w; it looks near w first. */
 static fx_t last_behind(struct lab_probe *p, uint32_t code, fx_t w)
 {
     uint32_t stride = 1;
@@ -83,7 +83,7 @@ static fx_t last_behind(struct lab_probe *p, uint32_t code, fx_t w)
     return last_with(p, code, w, (uint32_t)(p->far_z - w) < stride ? p->far_z : w + (fx_t)(stride - 1));
 }
 
-/* No plateau of log that begins in front of w is longer: w ln(f / n) / S, rounded up, and one. */
+/* No plateau of log that begins before w is longer than this: w ln(f / n) / S rounded up, plus one. */
 static uint32_t longest_of_log(const struct lab_probe *p, fx_t w)
 {
     const uint64_t range = (p->log_range >> 29) + 1;                    /* log2(f / n) in 2^-27, below 2^32 */
@@ -92,9 +92,9 @@ static uint32_t longest_of_log(const struct lab_probe *p, fx_t w)
 }
 
 /*
- * From far to near in steps of half the longest plateau so far (rounded up): a longer one has two neighbouring steps
- * on it. Of a plateau that has two steps the end is looked for: is the distance `best` in front of it still on it? If
- * not, the next step is from there. What some_plateau() finds makes the steps long from the beginning.
+ * Goes from far to near in steps of half the longest plateau so far (rounded up), so that two neighbouring steps hit
+ * every longer one. If two steps hit a plateau its end is searched: if the distance `best` before the end is no longer
+ * on it, the next step is from there. some_plateau() makes the steps long from the beginning.
  */
 static uint32_t longest_plateau(struct lab_probe *p)
 {
@@ -130,7 +130,7 @@ static fx_t start_of(const struct lab_search *s, const struct lab_probe *p, uint
     return (fx_t)((uint32_t)p->near_z + block * s->size);
 }
 
-/* Last distance of a block of size LSBs from first on. */
+/* The last distance of a block that begins at `first`. */
 static fx_t end_of(const struct lab_probe *p, fx_t first, uint32_t size)
 {
     return (uint32_t)(p->far_z - first) < size ? p->far_z : (fx_t)((uint32_t)first + size - 1);
@@ -159,7 +159,7 @@ void lab_search_open(struct lab_search *s, struct lab_probe *p)
     }
 }
 
-/* The distances of one block, or what is left of it between two bounds. */
+/* The distances of a block, or those of them between two bounds. */
 struct span {
     fx_t first, last;
 };
@@ -175,7 +175,7 @@ static fx_t part_end(struct span span, uint32_t part)
     return span.first + (fx_t)(offset < last ? offset : last);
 }
 
-/* Largest code from each part of `to` on. */
+/* For each part of `to`: the largest code from that part on. */
 static void read_suffix(struct lab_search *s, struct lab_probe *p, struct span to)
 {
     uint32_t most = 0, size = part_size(to);
@@ -185,7 +185,7 @@ static void read_suffix(struct lab_search *s, struct lab_probe *p, struct span t
     }
 }
 
-/* Last j of part `part` of `to` whose code is not below code; before its first where there is none. */
+/* The last j in part `part` of `to` whose code is not below `code`; the distance before the part if there is none. */
 static fx_t last_above(struct lab_probe *p, struct span to, uint32_t part, uint32_t code)
 {
     const fx_t first = to.first + (fx_t)(part * part_size(to));
@@ -197,8 +197,8 @@ static fx_t last_above(struct lab_probe *p, struct span to, uint32_t part, uint3
 }
 
 /*
- * The largest j - i > best with i in `from`, j in `to`, that is not ordered, or best. Only an i whose code is below all
- * before it can do better than these, and its j lies no further left than theirs.
+ * The largest j - i > best that is ordered wrongly, with i in `from` and j in `to`, or best. An i can only improve on
+ * those before it if its code is below all of theirs, and then its j is not before theirs.
  */
 static uint32_t refine(struct lab_search *s, struct lab_probe *p, struct span from, struct span to, uint32_t best)
 {
@@ -224,10 +224,7 @@ static uint32_t refine(struct lab_search *s, struct lab_probe *p, struct span fr
     return best;
 }
 
-/*
- * A length that is reached for certain: between blocks whose extreme codes are not ordered. It spares longest_wrong()
- * most of its looks into the blocks.
- */
+/* A length that is certain from the blocks' extreme codes. With it longest_wrong() need not look into most blocks. */
 static uint32_t surely_wrong(const struct lab_search *s, const struct lab_probe *p, struct span i, fx_t j_min)
 {
     const uint32_t blocks = block_count(s, p);
@@ -247,12 +244,12 @@ static uint32_t surely_wrong(const struct lab_search *s, const struct lab_probe 
     return best;
 }
 
-/* The largest j - i that is not ordered, j from j_min on. */
+/* The largest j - i that is ordered wrongly, for j from j_min on. */
 static uint32_t longest_wrong(struct lab_search *s, struct lab_probe *p, struct span i, fx_t j_min)
 {
     const uint32_t blocks = block_count(s, p);
     uint32_t best = surely_wrong(s, p, i, j_min);
-    for (uint32_t a = blocks; a-- > 0;) { /* from far, where the longest are: then the others end soon */
+    for (uint32_t a = blocks; a-- > 0;) { /* from far, where the longest are; then the others end soon */
         const fx_t first = start_of(s, p, a), last = end_of(p, first, s->size);
         const struct span from = {first > i.first ? first : i.first, last < i.last ? last : i.last};
         for (uint32_t b = blocks; b-- > a && from.first <= from.last;) {

@@ -1,23 +1,24 @@
 /*
- * The image of all demos: the first one starts (or the scene that the image was built with), the select button takes
+ * The image of all demos. The first demo starts, or the scene that the image was built with; the select button takes
  * the next.
  *
- * On the log UART (115200 8N1) it writes what starts, once a second how it goes on, and why it stopped; and it listens
- * for single characters:
- *   B          reboot into the chip's boot loader (so does a button that is held at power-up)
+ * On the log UART (115200 8N1) it writes which demo starts, a line about frames each second, and why it stopped. It
+ * reads single characters:
+ *   B          reboot into the chip's boot loader (as a button does that is held at power-up)
  *   H          draw one frame, write a line about it, and hold; G: go on
  *   u d l r s  as if the kit's button were held during one frame
  */
-#include "runner.h"
+#include "image.h"
 #include "port.h"
+#include "runner.h"
 
 #define SECOND_US 1000000U
 
 struct console {
     bool holding;
     uint32_t buttons;    /* for the next frame */
-    uint32_t line_us;    /* time of the last line about frames */
-    uint32_t line_frame; /* the frame then */
+    uint32_t line_us;    /* when it last wrote a line about frames */
+    uint32_t line_frame; /* the next frame then */
 };
 
 static void log_number(uint32_t value)
@@ -55,19 +56,12 @@ static void log_demo(const struct runner *runner)
     port_log("\r\n");
 }
 
-/* Returns true for what starts the next frame. */
+/* Returns true if the character starts the next frame. */
 static bool obey(struct console *console, int byte)
 {
-    static const struct {
-        char byte;
-        uint8_t button;
-    } keys[] = {{'u', HAL_BUTTON_UP},
-                {'d', HAL_BUTTON_DOWN},
-                {'l', HAL_BUTTON_LEFT},
-                {'r', HAL_BUTTON_RIGHT},
-                {'s', HAL_BUTTON_SELECT}};
-    for (uint32_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
-        console->buttons |= byte == keys[i].byte ? keys[i].button : 0U;
+    static const char keys[] = "udlrs"; /* in the order of the bits of enum hal_button */
+    for (uint32_t i = 0; i < sizeof keys - 1; i++) {
+        console->buttons |= byte == keys[i] ? 1U << i : 0U;
     }
     if (byte == 'B') {
         port_boot_loader();
@@ -78,7 +72,7 @@ static bool obey(struct console *console, int byte)
     return byte == 'H' || byte == 'G';
 }
 
-/* All that waits; while it holds, until the next frame is asked for. */
+/* Reads all characters that wait. While the console holds, it reads on until the next frame is asked for. */
 static void listen(struct console *console)
 {
     bool next = !console->holding;
@@ -94,12 +88,8 @@ static int draw(struct runner *runner, const struct console *console, uint32_t f
 {
     const struct demo *before = runner->demo;
     int status = runner_buttons(runner, console->buttons);
-    if (status == 0) {
-        status = runner_scene(runner, frame);
-    }
-    if (status == 0) {
-        status = runner_send(runner);
-    }
+    status = status == 0 ? runner_scene(runner, frame) : status;
+    status = status == 0 ? runner_send(runner) : status;
     if (status == 0 && (console->holding || frame == 0)) {
         status = runner_finish(runner);
     }
@@ -134,21 +124,23 @@ static int run(struct runner *runner)
     return status;
 }
 
-/* Is there another core? */
+/* It is run on the other core, to see if there is one. */
 static void do_nothing(void *argument)
 {
     (void)argument;
 }
 
-/* Sends only what changed where the build gives memory for that, and it is enough. */
-static void open_tiles(struct runner *runner, struct panel_tiles *tiles)
+/* Sends only tiles that changed if the build gives enough memory for their signatures, else every frame whole. */
+static struct panel_sender sender(struct panel_tiles *tiles)
 {
-    const int status =
-        panel_tiles_init(tiles, &runner->driver, runner->config.band_height, image_tiles, image_tiles_bytes);
-    runner->config.tiles = status == HAL_OK ? tiles : NULL;
+    const struct panel *panel = board_here->panel;
+    const uint8_t rotation = board_here->rotation;
+    const size_t needed =
+        panel_tiles_bytes(panel_width(panel, rotation), panel_height(panel, rotation), board_here->band_height);
+    return needed <= image_tiles_bytes ? panel_tiles_sender(tiles) : panel_sender_whole;
 }
 
-static int open(struct runner *runner)
+static int open(struct runner *runner, struct panel_tiles *tiles)
 {
     const struct hal hal = port_hal();
     int status = hal.ops->open(hal.context, board_here);
@@ -168,9 +160,14 @@ static int open(struct runner *runner)
                                          .other_core = second ? port_core_run : NULL,
                                          .other_core_join = second ? port_core_join : NULL,
                                          .demo = demo_here,
+                                         .sender = sender(tiles),
                                          .memory = image_memory,
                                          .memory_bytes = image_memory_bytes};
-    return runner_open(runner, &hal, &config);
+    status = runner_open(runner, &hal, &config);
+    if (status == 0 && runner->config.sender.context == tiles) {
+        status = panel_tiles_init(tiles, &runner->driver, config.band_height, image_tiles, image_tiles_bytes);
+    }
+    return status;
 }
 
 int main(void)
@@ -180,11 +177,8 @@ int main(void)
     port_log("\r\nPinhole on ");
     port_log(board_here->title);
     port_log("\r\n");
-    int status = open(&runner);
-    if (status == 0) {
-        open_tiles(&runner, &tiles);
-        status = run(&runner);
-    }
+    int status = open(&runner, &tiles);
+    status = status == 0 ? run(&runner) : status;
     log_named("stopped: error ", (uint32_t)-status);
     port_log("\r\n");
     return 1;

@@ -43,8 +43,7 @@ int16_t model_q14(int32_t q30)
 
 void *model_scratch(struct demo_arena *arena, size_t n)
 {
-    const size_t bytes = MODEL_ROUND8(n);
-    const size_t end = arena->size & ~(size_t)7;
+    const size_t bytes = MODEL_ROUND8(n), end = arena->size & ~(size_t)7;
     if (end < bytes || end - bytes < arena->used) {
         return NULL;
     }
@@ -65,13 +64,13 @@ int model_material(struct demo_arena *arena, struct ph_mesh *mesh, const struct 
     return PH_OK;
 }
 
-/* a times a number of Q2.30, to nearest. */
+/* a times a number of Q2.30, rounded to nearest. */
 static int32_t mul_q30(int32_t a, int32_t b)
 {
     return (int32_t)((fx_mul_wide(a, b) + (1 << 29)) >> 30);
 }
 
-/* Angle number i of n around the circle. */
+/* Cosine and sine of angle number i of n around the circle. */
 static void circle(uint32_t i, uint32_t n, int32_t *sin_q30, int32_t *cos_q30)
 {
     fx_sincos_q30((uint32_t)((((uint64_t)i << 32) + n / 2) / n), sin_q30, cos_q30);
@@ -89,8 +88,7 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < major; i++) {
-        const uint32_t row = i * minor;
-        const uint32_t next = (i + 1) % major * minor;
+        const uint32_t row = i * minor, next = (i + 1) % major * minor;
         int32_t su, cu;
         circle(i, major, &su, &cu);
         for (uint32_t j = 0; j < minor; j++) {
@@ -111,7 +109,7 @@ int model_torus(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t major, 
 
 int model_cube(struct demo_arena *arena, struct ph_mesh *mesh)
 {
-    /* Per face: normal, right, up. */
+    /* For each face: normal, right, up. */
     static const int8_t faces[6][3][3] = {
         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
         {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},  {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
@@ -125,8 +123,7 @@ int model_cube(struct demo_arena *arena, struct ph_mesh *mesh)
     mesh->uvs = (const fx_t(*)[2])uvs;
     for (uint32_t i = 0; i < 24; i++) {
         const int8_t(*const face)[3] = faces[i / 4];
-        const int u = corners[i % 4][0];
-        const int v = corners[i % 4][1];
+        const int u = corners[i % 4][0], v = corners[i % 4][1];
         fx_t p[3];
         for (int k = 0; k < 3; k++) {
             p[k] = FX_INT(face[0][k] + (2 * u - 1) * face[1][k] + (1 - 2 * v) * face[2][k]);
@@ -142,7 +139,7 @@ int model_cube(struct demo_arena *arena, struct ph_mesh *mesh)
     return PH_OK;
 }
 
-/* The wavy normal at (x, z) = (i2, k2) / 2: the direction of (.5 sin 1.3 x, 1, .5 cos 1.7 z). */
+/* The wavy normal at (x, z) = (i2, k2) / 2 is the direction of (.5 sin 1.3 x, 1, .5 cos 1.7 z). */
 static void ground_normal(int32_t i2, int32_t k2, int16_t normal[3])
 {
     const int64_t turn_13_q16 = 29118787035115; /* .65 rad in 2^-48 turns */
@@ -169,8 +166,7 @@ int model_ground(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t cells)
     }
     for (uint32_t i = 0; i < side; i++) {
         for (uint32_t j = 0; j < side; j++) {
-            const int32_t x2 = (int32_t)(2 * j) - (int32_t)cells;
-            const int32_t z2 = (int32_t)(2 * i) - (int32_t)cells;
+            const int32_t x2 = (int32_t)(2 * j) - (int32_t)cells, z2 = (int32_t)(2 * i) - (int32_t)cells;
             const uint32_t a = i * side + j;
             build.positions[a] = (struct fx_vec3){x2 * FX_HALF, 0, z2 * FX_HALF};
             ground_normal(x2, z2, build.normals[a]);

@@ -1,14 +1,13 @@
 #include "models_build.h"
 
-/* All edges by their lower vertex: those of vertex v have their upper ends in upper[first[v]] .. upper[first[v + 1]].
- */
+/* All edges by their lower vertex: upper[first[v]] .. upper[first[v + 1] - 1] are the upper ends of v's edges. */
 struct edge_buckets {
     uint32_t *first; /* vertex_count + 1 */
-    uint32_t *seen;  /* for each vertex, 1 + the lower vertex that met it last */
+    uint32_t *seen;  /* for each vertex: 1 + the last lower vertex that had an edge to it */
     uint16_t *upper; /* 3 * triangle_count */
 };
 
-/* Whether side (0: a-b, 1: b-c, 2: c-a) of triangle t is the diagonal of the quad (a, b, c), (a, c, d). */
+/* Whether side 0 (a-b), 1 (b-c) or 2 (c-a) of triangle t is the diagonal of the quad (a, b, c), (a, c, d). */
 static bool is_diagonal(const struct ph_mesh *mesh, uint32_t t, uint32_t side)
 {
     const uint32_t even = t & ~1u;
@@ -20,16 +19,15 @@ static bool is_diagonal(const struct ph_mesh *mesh, uint32_t t, uint32_t side)
     return p[0] == q[0] && p[2] == q[1];
 }
 
-/* Lower and upper end of a side. */
+/* The lower and the upper end of a side. */
 static void ends(const struct ph_mesh *mesh, uint32_t t, uint32_t side, uint16_t *lower, uint16_t *upper)
 {
-    const uint16_t a = mesh->triangles[t][side];
-    const uint16_t b = mesh->triangles[t][(side + 1) % 3];
+    const uint16_t a = mesh->triangles[t][side], b = mesh->triangles[t][(side + 1) % 3];
     *lower = a < b ? a : b;
     *upper = a < b ? b : a;
 }
 
-/* Counting sort of all sides by their lower vertex. */
+/* Sorts all sides by their lower vertex (counting sort). */
 static void sort_edges(const struct ph_mesh *mesh, bool quads, const struct edge_buckets *buckets)
 {
     uint16_t lower, upper;
@@ -55,7 +53,7 @@ static void sort_edges(const struct ph_mesh *mesh, bool quads, const struct edge
     }
 }
 
-/* Writes each edge once (edges = NULL: does not); returns how many. */
+/* Writes each edge once, or only counts if edges is NULL. Returns how many there are. */
 static uint32_t unique_edges(const struct edge_buckets *buckets, uint32_t vertex_count, uint16_t (*edges)[2])
 {
     uint32_t count = 0;

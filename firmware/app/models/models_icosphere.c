@@ -3,8 +3,8 @@
 #define NONE 0xFFFF
 
 /*
- * Edges that were already halved, in lists by their lower end: first[lower] is the youngest midpoint, next[midpoint] an
- * older one, other[midpoint] the upper end. No vertex has more than 6 edges, so no list is longer.
+ * The edges that are halved already, in a list for each lower end: first[lower] is the youngest midpoint,
+ * next[midpoint] an older one, other[midpoint] the upper end. No vertex has more than 6 edges, so no list is longer.
  */
 struct halves {
     struct fx_vec3 *vertices_q30;
@@ -12,18 +12,16 @@ struct halves {
     uint16_t *first, *next, *other;
 };
 
-/* The midpoint of a and b, on the sphere; made when it is asked for the first time. */
+/* The midpoint of a and b on the sphere; it is made when it is first asked for. */
 static uint16_t midpoint(struct halves *h, uint16_t a, uint16_t b)
 {
-    const uint16_t lower = a < b ? a : b;
-    const uint16_t upper = a < b ? b : a;
+    const uint16_t lower = a < b ? a : b, upper = a < b ? b : a;
     for (uint16_t m = h->first[lower]; m != NONE; m = h->next[m]) {
         if (h->other[m] == upper) {
             return m;
         }
     }
-    const struct fx_vec3 p = h->vertices_q30[lower];
-    const struct fx_vec3 q = h->vertices_q30[upper];
+    const struct fx_vec3 p = h->vertices_q30[lower], q = h->vertices_q30[upper];
     const uint16_t m = (uint16_t)h->count++;
     const struct fx_vec3 sum = {(p.x >> 1) + (q.x >> 1), (p.y >> 1) + (q.y >> 1), (p.z >> 1) + (q.z >> 1)};
     fx_vec3_direction_q30(sum, &h->vertices_q30[m]);
@@ -33,7 +31,7 @@ static uint16_t midpoint(struct halves *h, uint16_t a, uint16_t b)
     return m;
 }
 
-/* Each triangle becomes four, from the last to the first so that they fit into the same array. */
+/* Divides each triangle into four. It works from the last to the first, so that they fit into the same array. */
 static void subdivide(struct halves *h, uint16_t (*triangles)[3], uint32_t triangle_count)
 {
     const uint32_t old_count = h->count;
@@ -41,12 +39,8 @@ static void subdivide(struct halves *h, uint16_t (*triangles)[3], uint32_t trian
         h->first[i] = NONE;
     }
     for (uint32_t i = triangle_count; i-- > 0;) {
-        const uint16_t a = triangles[i][0];
-        const uint16_t b = triangles[i][1];
-        const uint16_t c = triangles[i][2];
-        const uint16_t ab = midpoint(h, a, b);
-        const uint16_t bc = midpoint(h, b, c);
-        const uint16_t ca = midpoint(h, c, a);
+        const uint16_t a = triangles[i][0], b = triangles[i][1], c = triangles[i][2];
+        const uint16_t ab = midpoint(h, a, b), bc = midpoint(h, b, c), ca = midpoint(h, c, a);
         const uint16_t four[4][3] = {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}};
         for (int k = 0; k < 4; k++) {
             for (int corner = 0; corner < 3; corner++) {
@@ -56,7 +50,7 @@ static void subdivide(struct halves *h, uint16_t (*triangles)[3], uint32_t trian
     }
 }
 
-/* Vertex 4 k + 2 s + t has -1 or 1 (s) on axis k, -phi or phi (t) on the axis after it. */
+/* Vertex 4 k + 2 s + t has -1 or 1 (s) on axis k and -phi or phi (t) on the next axis. */
 static void icosahedron(struct halves *h, struct model_build *build)
 {
     static const uint8_t faces[20][3] = {{0, 4, 2},  {0, 2, 5},  {0, 8, 4},  {0, 5, 10}, {0, 10, 8},
@@ -88,8 +82,8 @@ int model_icosphere(struct demo_arena *arena, struct ph_mesh *mesh, uint32_t lev
         return PH_ERR_NOMEM;
     }
     /*
-     * Until the end the positions are Q2.30, with 14 guard bits for the levels' normalisations, and the lists lie where
-     * the normals will be: three 16-bit numbers a vertex as well.
+     * Until the end the positions are Q2.30: 14 guard bits for the normalisations of all levels. The lists lie where
+     * the normals will be, because both are three 16-bit numbers a vertex.
      */
     uint16_t *const lists = (uint16_t *)build.normals;
     struct halves h = {build.positions, 0, lists, lists + vertices, lists + 2 * vertices};

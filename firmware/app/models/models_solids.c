@@ -1,7 +1,7 @@
 /* Floors, boxes and surfaces of revolution: see models.h. */
 #include "models_build.h"
 
-/* The squares of one colour of the chessboard. */
+/* Adds the squares of one colour of the chessboard. */
 static void floor_squares(struct model_build *build, uint32_t cells, uint32_t colour)
 {
     const uint32_t side = cells + 1;
@@ -57,18 +57,16 @@ int model_box(struct demo_arena *arena, struct ph_mesh *mesh, fx_t x, fx_t y, fx
     return PH_OK;
 }
 
-/* The unit normal of a profile from a to b, (outwards, upwards) in Q2.30; false where they are one point. */
+/* The unit normal of a profile's side from a to b, (outwards, upwards) in Q2.30. False: a and b are the same point. */
 static bool profile_normal(struct model_point a, struct model_point b, struct fx_vec3 *unit_q30)
 {
     return fx_vec3_direction_q30((struct fx_vec3){b.y - a.y, a.radius - b.radius, 0}, unit_q30);
 }
 
-/* At point i: the mean of the two sides' normals, or of one where the other has no length. */
+/* The normal at point i: the mean of its two sides' normals, or the normal of the side that has a length. */
 static struct fx_vec3 ring_normal(const struct model_point *profile, uint32_t points, uint32_t i)
 {
-    struct fx_vec3 below = {0, 0, 0};
-    struct fx_vec3 above = {0, 0, 0};
-    struct fx_vec3 mean = {FX_Q30_ONE, 0, 0};
+    struct fx_vec3 below = {0, 0, 0}, above = {0, 0, 0}, mean = {FX_Q30_ONE, 0, 0};
     if (i > 0) {
         profile_normal(profile[i - 1], profile[i], &below);
     }
@@ -83,9 +81,7 @@ static void lathe_ring(struct model_build *build, uint32_t first, uint32_t sides
                        struct fx_vec3 normal)
 {
     for (uint32_t k = 0; k < sides; k++) {
-        const fx_t turns = (fx_t)((k * 65536 + sides / 2) / sides);
-        const fx_t c = fx_cos(turns);
-        const fx_t s = fx_sin(turns);
+        const fx_t turns = (fx_t)((k * 65536 + sides / 2) / sides), c = fx_cos(turns), s = fx_sin(turns);
         build->positions[first + k] = (struct fx_vec3){fx_mul_sat(at.radius, c), at.y, -fx_mul_sat(at.radius, s)};
         build->normals[first + k][0] = model_q14(fx_mul_sat(normal.x, c));
         build->normals[first + k][1] = model_q14(normal.y);

@@ -1,33 +1,33 @@
 /*
  * The teapot that Martin Newell modelled with Bezier patches (published in F. Crow, "The Origins of the Teapot",
- * IEEE CG&A 7(1), 1987). The 306 control points of the 32 patches are mirror images of fewer: pot, lid and bottom are
- * turned from profiles, handle and spout are tubes with a plane of symmetry. Only what is no mirror image stands here,
- * in 1/4000 of the publication's unit and with its z upwards.
+ * IEEE CG&A 7(1), 1987). Most of the 306 control points of its 32 patches are mirror images: pot, lid and bottom are
+ * turned from profiles, handle and spout are tubes with a plane of symmetry. The tables below hold the other points, in
+ * 1/4000 of the publication's unit and with its z upwards.
  */
 #include "models_build.h"
 
-#define CENTRE_Z 6300  /* half the height, 1/4000 units */
-#define DIVISOR  10000 /* 1/4000 unit times this is one of ours: a published unit becomes 0.4 */
+#define CENTRE_Z 6300  /* half the height, in 1/4000 units */
+#define DIVISOR  10000 /* 1/4000 unit times this is one of ours; a published unit becomes 0.4 */
 
-/* A control ring of a turned part; in the first quarter (r, 0), (r, k), (k, r), (0, r) at height z. */
+/* A control ring of a turned part. Its points in the first quarter are (r, 0), (r, k), (k, r), (0, r) at height z. */
 struct ring {
     int16_t r, k, z;
 };
 
-/* Neighbouring patches share a ring. From the lid's knob to its edge: two patches. */
+/* Two patches from the lid's knob to its edge; neighbouring patches share a ring. */
 static const struct ring lid_rings[7] = {
     {0, 0, 12600},      {3200, 1800, 12600}, {0, 0, 11400},      {800, 448, 10800},
     {1600, 896, 10200}, {5200, 2912, 10200}, {5200, 2912, 9600},
 };
 
-/* From the inner rim down to the middle of the bottom: four patches. */
+/* Four patches from the inner rim down to the middle of the bottom. */
 static const struct ring pot_rings[13] = {
     {5600, 3136, 9600}, {5350, 2996, 10125}, {5750, 3220, 10125}, {6000, 3360, 9600}, {7000, 3920, 7500},
     {8000, 4480, 5400}, {8000, 4480, 3600},  {8000, 4480, 1800},  {6000, 3360, 900},  {6000, 3360, 600},
     {6000, 3360, 300},  {5700, 3192, 0},     {0, 0, 0},
 };
 
-/* Half rings of a tube: x, y >= 0, z; the first and the last lie in the plane of symmetry. Two patches each. */
+/* Half rings of a tube as x, y >= 0, z; both ends lie in the plane of symmetry. A tube is two patches long. */
 static const int16_t handle_rings[7][4][3] = {
     {{-6400, 0, 8100}, {-6400, 1200, 8100}, {-6000, 1200, 9000}, {-6000, 0, 9000}},
     {{-9200, 0, 8100}, {-9200, 1200, 8100}, {-10000, 1200, 9000}, {-10000, 0, 9000}},
@@ -47,12 +47,12 @@ static const int16_t spout_rings[7][4][3] = {
     {{11200, 0, 9600}, {11200, 600, 9600}, {12800, 600, 9600}, {12800, 0, 9600}},
 };
 
-/* The 16 control points of one patch: row along the profile or tube, column around it. */
+/* The 16 control points of a patch: rows along the profile or tube, columns around it. */
 struct patch {
     int16_t point[4][4][3];
 };
 
-/* Bernstein weights of i / n times n^3, and of their derivatives times n^2. */
+/* Bernstein weights of i / n, times n^3, and those of the derivatives, times n^2. */
 static void bernstein(int32_t i, int32_t n, int32_t weight[4], int32_t slope[4])
 {
     const int32_t j = n - i;
@@ -66,7 +66,7 @@ static void bernstein(int32_t i, int32_t n, int32_t weight[4], int32_t slope[4])
     slope[3] = 3 * i * i;
 }
 
-/* The sum over the patch of row weight * column weight * coordinate k; below 2^33 for n <= 8, so exact. */
+/* The sum over the patch of row weight * column weight * coordinate k. It is exact: below 2^33 for n <= 8. */
 static int64_t weigh(const struct patch *patch, const int32_t row[4], const int32_t column[4], int k)
 {
     int64_t sum = 0;
@@ -80,11 +80,10 @@ static int64_t weigh(const struct patch *patch, const int32_t row[4], const int3
     return sum;
 }
 
-/* a / b to nearest, b > 0. */
+/* a / b rounded to nearest, b > 0. */
 static fx_t round_divide(int64_t a, int64_t b)
 {
-    const int64_t doubled = 2 * a + b;
-    const int64_t quotient = doubled / (2 * b);
+    const int64_t doubled = 2 * a + b, quotient = doubled / (2 * b);
     return (fx_t)(doubled % (2 * b) < 0 ? quotient - 1 : quotient);
 }
 
@@ -98,7 +97,7 @@ static struct fx_vec3 cross_q30(struct fx_vec3 a, struct fx_vec3 b)
     };
 }
 
-/* Writes vertex v: the patch at row i, column j of n. The published z becomes our y. */
+/* Writes vertex v: the patch at row i and column j of n. The published z is our y. */
 static void put_vertex(struct model_build *build, uint32_t v, const struct patch *patch, int32_t i, int32_t j,
                        int32_t n)
 {
@@ -140,7 +139,7 @@ static void turned_patch(struct patch *patch, const struct ring *rings, uint32_t
     }
 }
 
-/* Patch number `row` of a tube; half 0 as it stands, half 1 its mirror image, running on around the tube. */
+/* Patch number `row` of a tube: half 0 as it is listed, half 1 as its mirror image, which continues around the tube. */
 static void tube_patch(struct patch *patch, const int16_t (*rings)[4][3], uint32_t row, uint32_t half)
 {
     for (uint32_t i = 0; i < 4; i++) {
@@ -153,7 +152,7 @@ static void tube_patch(struct patch *patch, const int16_t (*rings)[4][3], uint32
     }
 }
 
-/* Rows first .. last of a turned part, each a ring of 4 n vertices; returns the next free vertex. */
+/* Writes rows first .. last of a turned part; each is a ring of 4 n vertices. Returns the next free vertex. */
 static uint32_t turn(struct model_build *build, uint32_t v, const struct ring *rings, uint32_t first, uint32_t last,
                      uint32_t n)
 {
@@ -170,28 +169,26 @@ static uint32_t turn(struct model_build *build, uint32_t v, const struct ring *r
     return v;
 }
 
-/* Quads between `rings` rings of `columns` vertices from vertex v on. */
+/* Adds the quads between `rings` rings of `columns` vertices, which begin at vertex v. */
 static void join_rings(struct model_build *build, uint32_t v, uint32_t rings, uint32_t columns)
 {
     for (uint32_t i = 0; i + 1 < rings; i++) {
         for (uint32_t j = 0; j < columns; j++) {
-            const uint32_t a = v + i * columns + j;
-            const uint32_t d = v + i * columns + (j + 1) % columns;
+            const uint32_t a = v + i * columns + j, d = v + i * columns + (j + 1) % columns;
             model_quad(build, a, a + columns, d + columns, d);
         }
     }
 }
 
-/* Lid and pot: a pole, rings, a pole. The rings at the lid's edge and the inner rim are neighbours like any others. */
+/* Lid and pot: a pole, rings, a pole. The lid's edge and the inner rim are joined as any two rings are. */
 static uint32_t body(struct model_build *build, uint32_t n)
 {
-    const uint32_t columns = 4 * n;
-    const uint32_t rings = 6 * n;
+    const uint32_t columns = 4 * n, rings = 6 * n;
     uint32_t v = turn(build, 1, lid_rings, 1, 2 * n, n);
     v = turn(build, v, pot_rings, 0, 4 * n - 1, n);
     build->positions[0] = (struct fx_vec3){0, round_divide((int64_t)CENTRE_Z * FX_ONE, DIVISOR), 0};
     build->positions[v] = (struct fx_vec3){0, round_divide(-(int64_t)CENTRE_Z * FX_ONE, DIVISOR), 0};
-    /* At the poles a patch has no direction around; its profile is level there. */
+    /* a patch has no direction around at a pole; its profile is level there */
     build->normals[0][0] = build->normals[0][2] = build->normals[v][0] = build->normals[v][2] = 0;
     build->normals[0][1] = 16384;
     build->normals[v][1] = -16384;
@@ -205,11 +202,10 @@ static uint32_t body(struct model_build *build, uint32_t n)
     return v + 1;
 }
 
-/* Handle or spout: rings of 2 n vertices and a flat cover at each end. */
+/* Handle or spout: rings of 2 n vertices, and a flat cover at each end. */
 static uint32_t tube(struct model_build *build, uint32_t v, const int16_t (*rings)[4][3], uint32_t n)
 {
-    const uint32_t columns = 2 * n;
-    const uint32_t first = v;
+    const uint32_t columns = 2 * n, first = v;
     struct patch patch;
     for (uint32_t row = 0; row <= 2 * n; row++) {
         const uint32_t number = row > n ? 1 : 0;

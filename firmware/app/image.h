@@ -1,0 +1,16 @@
+/* image: what firmware/app/images/board_here.c gives to the main() of a firmware image; hal/port.h has board_here. */
+#ifndef IMAGE_H
+#define IMAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Static memory for the runner: the board's ram_bytes without RUNNER_OTHER_BYTES (memory_plan.h). */
+extern uint64_t image_memory[];
+extern const size_t image_memory_bytes;
+
+/* Static memory for the signatures of tiles (panel_tiles.h). 0 bytes where frames are sent whole (make's CHANGES=0). */
+extern uint32_t image_tiles[];
+extern const size_t image_tiles_bytes;
+
+#endif

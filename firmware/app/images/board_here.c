@@ -1,0 +1,25 @@
+/*
+ * What an image is built for: see image.h, hal/port.h and demo.h. firmware.mk compiles this file with -D:
+ *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/ram_bytes.c reads it)
+ *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
+ */
+#include "demo.h"
+#include "image.h"
+#include "memory_plan.h"
+#include "port.h"
+
+#ifdef BOARD_HERE /* make lint reads this file without a board */
+
+extern const struct board BOARD_HERE;
+extern const struct demo DEMO_HERE;
+
+const struct board *const board_here = &BOARD_HERE;
+const struct demo *const demo_here = &DEMO_HERE;
+
+uint64_t image_memory[(RAM_BYTES - RUNNER_OTHER_BYTES) / sizeof(uint64_t)];
+const size_t image_memory_bytes = sizeof image_memory;
+
+uint32_t image_tiles[TILES_BYTES > 0 ? TILES_BYTES / sizeof(uint32_t) : 1];
+const size_t image_tiles_bytes = TILES_BYTES;
+
+#endif

@@ -1,0 +1,156 @@
+/* See memory_plan.h. */
+#include "memory_plan.h"
+#include "runner.h"
+
+#define WIRE_MAX    4096 /* bytes of scratch memory for the panel driver */
+#define BUFFERS_MIN 2U   /* one is drawn while the other is sent */
+
+#define ROUND8(n) (((n) + 7) & ~(uint64_t)7)
+
+static bool sender_copies(const struct runner_config *config)
+{
+    return config->sender.ops != NULL && config->sender.ops->copies;
+}
+
+bool memory_plan_has_queue(const struct runner_config *config)
+{
+    return config->board->band_buffers > BUFFERS_MIN && config->board->format == PANEL_RGB565 && !sender_copies(config);
+}
+
+struct picture_memory memory_plan_picture(const struct runner_config *config, uint16_t lines)
+{
+    const struct panel *panel = config->board->panel;
+    struct picture_memory p = {.width = panel_width(panel, config->rotation),
+                               .height = panel_height(panel, config->rotation),
+                               .buffers = BUFFERS_MIN};
+    p.lines = lines < p.height ? lines : p.height;
+    p.bands = p.lines > 0 ? (p.height + p.lines - 1U) / p.lines : 0;
+    const uint32_t pixels = (uint32_t)p.width * p.lines;
+    p.band_bytes = (uint32_t)ROUND8(2 * pixels);
+    p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels);
+    p.bin_bytes = (uint32_t)ROUND8(4 * p.bands);
+    if (sender_copies(config)) { /* the driver collects windows in its scratch memory */
+        p.wire_bytes = WIRE_MAX;
+    } else if (config->board->format != PANEL_RGB565) { /* half a band of the smallest format */
+        const uint32_t wire = (uint32_t)ROUND8(pixels / 2);
+        const uint32_t least = wire < PANEL_SCRATCH_MIN ? PANEL_SCRATCH_MIN : wire;
+        p.wire_bytes = least < WIRE_MAX ? least : WIRE_MAX;
+    }
+    return p;
+}
+
+uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
+{
+    return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
+}
+
+/* What a level of a demo takes on a 32-bit target with so many triangles. */
+static uint64_t level_bytes_32(const struct demo_level *level, uint32_t triangle_max)
+{
+    return ROUND8(level->arena_bytes_32) + ROUND8((uint64_t)level->vertex_max * PH_VERTEX_BYTES_32) +
+           ROUND8((uint64_t)triangle_max * PH_TRIANGLE_BYTES_32);
+}
+
+static void place_scene(struct scene_memory *s)
+{
+    s->triangles_at = (size_t)ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes);
+    s->arena_at = s->triangles_at + (size_t)ROUND8((uint64_t)s->triangle_max * ph_triangle_bytes);
+    s->scratch_at = s->arena_at + (size_t)ROUND8(s->arena_bytes);
+}
+
+/* The finest level that fits whole; if none does, as many triangles of the coarsest as fit. */
+static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
+{
+    struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
+    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, level.triangle_max) > budget; i++) {
+        level = demo->coarser[i];
+    }
+    struct scene_memory s = {.arena_bytes = level.arena_bytes, .vertex_max = level.vertex_max};
+    const uint64_t meshes = level_bytes_32(&level, 0), whole = level_bytes_32(&level, level.triangle_max);
+    s.whole = whole <= budget;
+    if (s.whole) {
+        const size_t scratch = demo_scratch_bytes(demo, p->width, p->lines);
+        s.triangle_max = level.triangle_max;
+        s.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
+    } else if (meshes < budget) {
+        s.triangle_max = (uint32_t)(((budget - meshes) & ~(uint64_t)7) / PH_TRIANGLE_BYTES_32);
+    }
+    s.bytes_32 = level_bytes_32(&level, s.triangle_max) + ROUND8(s.scratch_bytes);
+    place_scene(&s);
+    return s;
+}
+
+/* The scene in what the budget leaves beside the picture. */
+static struct scene_memory scene_beside(const struct runner_config *config, const struct demo *demo,
+                                        const struct picture_memory *p)
+{
+    const uint64_t taken = memory_plan_picture_bytes(p);
+    return scene_within(demo, p, config->budget_bytes > taken ? config->budget_bytes - taken : 0);
+}
+
+/*
+ * The plan in bands of the board's own height. It begins with as many buffers as the board usually takes. Buffers are
+ * taken away while the demo does not fit whole, and added while there is room.
+ */
+static struct memory_plan plan_in_own_bands(const struct runner_config *config, const struct demo *demo)
+{
+    const bool queue = memory_plan_has_queue(config);
+    struct memory_plan plan = {.picture = memory_plan_picture(config, config->board->band_height)};
+    struct picture_memory *p = &plan.picture;
+    p->buffers = queue ? config->board->band_buffers : BUFFERS_MIN;
+    plan.scene = scene_beside(config, demo, p);
+    while (!plan.scene.whole && p->buffers > BUFFERS_MIN) {
+        p->buffers--;
+        plan.scene = scene_beside(config, demo, p);
+    }
+    while (queue && plan.scene.whole && p->buffers < p->bands && p->buffers < RUNNER_BANDS_MAX &&
+           memory_plan_picture_bytes(p) + p->band_bytes + plan.scene.bytes_32 <= config->budget_bytes) {
+        p->buffers++;
+    }
+    return plan;
+}
+
+/* The scene is that of the board's own bands, so that other bands show the same picture. Of higher bands are fewer. */
+struct memory_plan memory_plan(const struct runner_config *config, const struct demo *demo)
+{
+    struct memory_plan plan = plan_in_own_bands(config, demo);
+    struct picture_memory p = memory_plan_picture(config, config->band_height);
+    const uint32_t all_lines = plan.picture.buffers * plan.picture.lines, fit = p.lines > 0 ? all_lines / p.lines : 0;
+    const uint32_t count = fit < plan.picture.buffers ? fit : plan.picture.buffers;
+    p.buffers = count > BUFFERS_MIN ? count : BUFFERS_MIN;
+    plan.picture = p;
+    if (plan.scene.scratch_bytes > 0) {
+        plan.scene.scratch_bytes = demo_scratch_bytes(demo, p.width, p.lines);
+    }
+    return plan;
+}
+
+uint64_t memory_plan_bytes(const struct memory_plan *plan)
+{
+    return memory_plan_picture_bytes(&plan->picture) + plan->scene.scratch_at + ROUND8(plan->scene.scratch_bytes);
+}
+
+uint32_t runner_budget(const struct board *board)
+{
+    return board->ram_bytes > RUNNER_OTHER_BYTES ? board->ram_bytes - RUNNER_OTHER_BYTES : 0;
+}
+
+size_t runner_bytes(const struct runner_config *config)
+{
+    const struct memory_plan own = memory_plan(config, config->demo);
+    uint64_t most = memory_plan_bytes(&own);
+    for (uint32_t i = 0; i < demo_count; i++) {
+        const struct memory_plan listed = memory_plan(config, demo_list[i]);
+        const uint64_t bytes = listed.scene.triangle_max > 0 ? memory_plan_bytes(&listed) : 0;
+        most = bytes > most ? bytes : most;
+    }
+    return (size_t)most;
+}
+
+uint64_t runner_whole_bytes(const struct runner_config *config)
+{
+    const struct demo *demo = config->demo;
+    const struct picture_memory p = memory_plan_picture(config, config->board->band_height);
+    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
+    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, level.triangle_max);
+}
