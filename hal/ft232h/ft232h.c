@@ -26,7 +26,7 @@ int ft232h_fail(char *error, int status, const char *format, ...)
 
 static uint16_t bit_of(const struct board_pin *pin)
 {
-    const int number = pin->wired && pin->line != NULL ? mpsse_pin(pin->line) : -1;
+    const int number = pin->wired && pin->line != NULL ? ft232h_mpsse_pin(pin->line) : -1;
     return number < 0 ? 0 : (uint16_t)(1U << number);
 }
 
@@ -38,7 +38,7 @@ static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
     const uint16_t levels = (uint16_t)(level != pin->active_low ? h->levels | bit : h->levels & ~bit);
     const uint16_t changed = levels ^ h->levels;
     h->levels = levels;
-    return link_put(h->usb, commands, mpsse_pins(commands, levels, h->outputs, changed));
+    return ft232h_link_put(h->usb, commands, ft232h_mpsse_pins(commands, levels, h->outputs, changed));
 }
 
 /* A pin that is wired must be one that the engine can use: `fixed` (a bit), or 0: any that is not the engine's own. */
@@ -86,9 +86,9 @@ static int finish(struct ft232h *h)
     if (!h->unfinished) {
         return HAL_OK;
     }
-    int status = link_put(h->usb, ask, sizeof ask);
-    status = status < 0 ? status : link_flush(h->usb);
-    status = status < 0 ? status : link_get(h->usb, &low, 1);
+    int status = ft232h_link_put(h->usb, ask, sizeof ask);
+    status = status < 0 ? status : ft232h_link_flush(h->usb);
+    status = status < 0 ? status : ft232h_link_get(h->usb, &low, 1);
     h->unfinished = status < 0;
     return status;
 }
@@ -99,9 +99,9 @@ static int put_bytes(struct ft232h *h, const uint8_t *bytes, size_t n)
     int status = HAL_OK;
     while (n > 0 && status == HAL_OK) {
         const size_t piece = n < MPSSE_BLOCK_MAX ? n : MPSSE_BLOCK_MAX;
-        mpsse_block(head, MPSSE_OUT, piece);
-        status = link_put(h->usb, head, sizeof head);
-        status = status < 0 ? status : link_put(h->usb, bytes, piece);
+        ft232h_mpsse_block(head, MPSSE_OUT, piece);
+        status = ft232h_link_put(h->usb, head, sizeof head);
+        status = status < 0 ? status : ft232h_link_put(h->usb, bytes, piece);
         bytes += piece;
         n -= piece;
     }
@@ -125,7 +125,7 @@ static int ft232h_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes,
     int status = begin(h, dc);
     status = status < 0 ? status : put_bytes(h, bytes, n);
     status = status < 0 ? status : set_pin(h, &h->board->pins.select, false);
-    return status < 0 || n < FT232H_FLUSH_BYTES ? status : link_flush(h->usb);
+    return status < 0 || n < FT232H_FLUSH_BYTES ? status : ft232h_link_flush(h->usb);
 }
 
 static int ft232h_bus_wait(void *context)
@@ -146,11 +146,11 @@ static int ft232h_bus_read(void *context, uint8_t command, uint8_t *bytes, size_
     int status = finish(h);
     status = status < 0 ? status : begin(h, HAL_COMMAND);
     status = status < 0 ? status : put_bytes(h, &command, 1);
-    mpsse_block(head, MPSSE_IN, n);
-    status = status < 0 ? status : link_put(h->usb, head, sizeof head);
+    ft232h_mpsse_block(head, MPSSE_IN, n);
+    status = status < 0 ? status : ft232h_link_put(h->usb, head, sizeof head);
     status = status < 0 ? status : set_pin(h, &h->board->pins.select, false);
-    status = status < 0 ? status : link_flush(h->usb);
-    return status < 0 ? status : link_get(h->usb, bytes, n);
+    status = status < 0 ? status : ft232h_link_flush(h->usb);
+    return status < 0 ? status : ft232h_link_get(h->usb, bytes, n);
 }
 
 static int ft232h_pin_set(void *context, enum hal_pin pin, bool level)
@@ -165,14 +165,14 @@ static int32_t ft232h_bus_clock(void *context, uint32_t hz)
 {
     struct ft232h *h = context;
     uint8_t command[MPSSE_CLOCK];
-    const uint32_t got = mpsse_clock(command, hz);
+    const uint32_t got = ft232h_mpsse_clock(command, hz);
     if (got == 0) {
         return ft232h_fail(h->error, HAL_EINVAL, "FT232H: no clock as slow as %u Hz; the slowest is 458 Hz",
                            (unsigned)hz);
     }
     int status = finish(h);
-    link_pace(h->usb, got);
-    status = status < 0 ? status : link_put(h->usb, command, sizeof command);
+    ft232h_link_pace(h->usb, got);
+    status = status < 0 ? status : ft232h_link_put(h->usb, command, sizeof command);
     h->unfinished = true;
     return status < 0 ? status : (int32_t)got;
 }
@@ -211,8 +211,8 @@ static uint32_t ft232h_buttons(void *context)
     struct ft232h *h = context;
     uint8_t levels[2] = {0, 0};
     uint32_t held = 0;
-    if (h->board->button_count == 0 || finish(h) < 0 || link_put(h->usb, ask, sizeof ask) < 0 ||
-        link_flush(h->usb) < 0 || link_get(h->usb, levels, sizeof levels) < 0) {
+    if (h->board->button_count == 0 || finish(h) < 0 || ft232h_link_put(h->usb, ask, sizeof ask) < 0 ||
+        ft232h_link_flush(h->usb) < 0 || ft232h_link_get(h->usb, levels, sizeof levels) < 0) {
         return 0;
     }
     for (uint32_t i = 0; i < h->board->button_count; i++) {
@@ -244,8 +244,10 @@ static int start(struct ft232h *h)
     add_output(h, &pins->dc, false);
     add_output(h, &pins->reset, true);
     add_output(h, &pins->backlight, false);
-    int status = link_put(h->usb, modes, sizeof modes);
-    status = status < 0 ? status : link_put(h->usb, commands, mpsse_pins(commands, h->levels, h->outputs, UINT16_MAX));
+    int status = ft232h_link_put(h->usb, modes, sizeof modes);
+    status = status < 0
+                 ? status
+                 : ft232h_link_put(h->usb, commands, ft232h_mpsse_pins(commands, h->levels, h->outputs, UINT16_MAX));
     h->unfinished = true;
     return status < 0 ? status : finish(h);
 }
@@ -255,7 +257,7 @@ static void ft232h_close(void *context)
     struct ft232h *h = context;
     if (h->usb != NULL) {
         ft232h_pin_set(h, HAL_PIN_BACKLIGHT, false);
-        link_close(h->usb);
+        ft232h_link_close(h->usb);
         h->usb = NULL;
     }
 }
@@ -269,7 +271,7 @@ static int ft232h_open(void *context, const struct board *board)
     h->serial = serial;
     h->board = board;
     int status = check_board(h);
-    status = status < 0 ? status : link_open(&h->usb, serial, h->error);
+    status = status < 0 ? status : ft232h_link_open(&h->usb, serial, h->error);
     status = status < 0 ? status : start(h);
     if (status < 0) {
         ft232h_close(h);

@@ -32,15 +32,15 @@ enum {
 #define MPSSE_CLOCK     3
 
 /* Commands that bring `changed` pins (bit n: ADn, bit 8 + n: ACn) to their levels; returns how many bytes. */
-size_t mpsse_pins(uint8_t out[MPSSE_PINS_MAX], uint16_t levels, uint16_t outputs, uint16_t changed);
+size_t ft232h_mpsse_pins(uint8_t out[MPSSE_PINS_MAX], uint16_t levels, uint16_t outputs, uint16_t changed);
 
 /* The head of a block of n bytes, 1 .. MPSSE_BLOCK_MAX; command: MPSSE_OUT or MPSSE_IN. */
-void mpsse_block(uint8_t out[MPSSE_BLOCK], uint8_t command, size_t n);
+void ft232h_mpsse_block(uint8_t out[MPSSE_BLOCK], uint8_t command, size_t n);
 
 /* Sets the fastest clock of at most hz; returns it, or 0 if none is that slow. */
-uint32_t mpsse_clock(uint8_t out[MPSSE_CLOCK], uint32_t hz);
+uint32_t ft232h_mpsse_clock(uint8_t out[MPSSE_CLOCK], uint32_t hz);
 
 /* Bit number of "AD0" .. "AD7" (0 .. 7), "AC0" .. "AC7" (8 .. 15); -1 for other names. */
-int mpsse_pin(const char *name);
+int ft232h_mpsse_pin(const char *name);
 
 #endif

@@ -9,12 +9,12 @@
 #include "linux.h"
 
 /* The contact as it stands at the start. */
-void debounce_start(struct linux_button *button, bool pressed, uint64_t now_ns);
+void linux_debounce_start(struct linux_button *button, bool pressed, uint64_t now_ns);
 
 /* An edge to this state; in the order of time. settle_ns 0: edges come debounced. */
-void debounce_edge(struct linux_button *button, bool pressed, uint64_t time_ns, uint64_t settle_ns);
+void linux_debounce_edge(struct linux_button *button, bool pressed, uint64_t time_ns, uint64_t settle_ns);
 
 /* Held now, or pressed since the last look. */
-bool debounce_look(struct linux_button *button, uint64_t now_ns, uint64_t settle_ns);
+bool linux_debounce_look(struct linux_button *button, uint64_t now_ns, uint64_t settle_ns);
 
 #endif

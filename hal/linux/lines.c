@@ -34,7 +34,7 @@ static bool all_digits(const char *text, size_t most)
     return n > 0 && n <= most && text[n] == 0;
 }
 
-bool line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset)
+bool linux_line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset)
 {
     const char *colon = strrchr(text, ':');
     if (colon == NULL || colon == text || !all_digits(colon + 1, OFFSET_DIGITS)) {
@@ -50,7 +50,7 @@ bool line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset)
     return true;
 }
 
-int line_gpio_number(const char *name)
+int linux_line_gpio_number(const char *name)
 {
     return strncmp(name, "GPIO", 4) == 0 && all_digits(name + 4, 3) ? (int)strtol(name + 4, NULL, 10) : -1;
 }
@@ -60,19 +60,19 @@ static int match(void *chip, const struct wanted *wanted)
 {
     char label[32] = "";
     if (wanted->name != NULL) {
-        return gpio_chip_find(chip, wanted->name);
+        return linux_gpio_chip_find(chip, wanted->name);
     }
     if (wanted->label != NULL &&
-        (gpio_chip_label(chip, label, sizeof label) < 0 || strcmp(label, wanted->label) != 0)) {
+        (linux_gpio_chip_label(chip, label, sizeof label) < 0 || strcmp(label, wanted->label) != 0)) {
         return -ENOENT;
     }
-    return (int)wanted->offset < gpio_chip_lines(chip) ? (int)wanted->offset : -ENOENT;
+    return (int)wanted->offset < linux_gpio_chip_lines(chip) ? (int)wanted->offset : -ENOENT;
 }
 
 /* Leaves the chip open in found if it has what is wanted. */
 static bool look_at_chip(struct found *found, const struct wanted *wanted)
 {
-    void *chip = gpio_chip_open(found->path);
+    void *chip = linux_gpio_chip_open(found->path);
     if (chip == NULL) {
         if (errno != ENOENT && errno != ENODEV && found->refusal == 0) {
             found->refusal = errno;
@@ -83,7 +83,7 @@ static bool look_at_chip(struct found *found, const struct wanted *wanted)
     found->chips_seen++;
     const int offset = match(chip, wanted);
     if (offset < 0) {
-        gpio_chip_close(chip);
+        linux_gpio_chip_close(chip);
         return false;
     }
     found->chip = chip;
@@ -113,7 +113,7 @@ static bool look_for(struct found *found, const struct wanted *wanted)
 /* "GPIOn" on kernels that name no lines. labels: separated by spaces. */
 static bool look_for_number(struct found *found, const char *name, const char *labels)
 {
-    const int number = line_gpio_number(name);
+    const int number = linux_line_gpio_number(name);
     char label[32];
     while (number >= 0 && labels != NULL && *labels != 0) {
         const size_t n = strcspn(labels, " ");
@@ -131,7 +131,7 @@ static bool find(struct found *found, const struct board *board, const char *tex
 {
     char chip[LINUX_PATH_SIZE];
     unsigned offset = 0;
-    if (line_place(text, chip, &offset)) {
+    if (linux_line_place(text, chip, &offset)) {
         const bool is_path = chip[0] == '/' || (strncmp(chip, "gpiochip", 8) == 0 && all_digits(chip + 8, 4));
         const struct wanted wanted = {.path = is_path ? chip : NULL, .label = is_path ? NULL : chip, .offset = offset};
         return look_for(found, &wanted);
@@ -174,7 +174,7 @@ static int not_taken(const struct found *found, const char *text, int number, ch
         return linux_fail(error, linux_status(number), "line %s (%s:%u) cannot be used: %s; take another line", text,
                           found->path, found->offset, strerror(number));
     }
-    gpio_chip_look(found->chip, found->offset, &look);
+    linux_gpio_chip_look(found->chip, found->offset, &look);
     return linux_fail(error, HAL_EBUSY,
                       "line %s (%s:%u) is taken by \"%s\"; end that program, or remove the overlay that claims it",
                       text, found->path, found->offset, look.holder[0] != 0 ? look.holder : "?");
@@ -191,8 +191,8 @@ static int find_pin(struct found *found, const struct board *board, const struct
     return find(found, board, pin->line) ? HAL_OK : not_found(found, pin->line, error);
 }
 
-int line_open(struct linux_line *line, const struct board *board, const struct board_pin *pin,
-              const struct gpio_want *want, char error[LINUX_ERROR_SIZE])
+int linux_line_open(struct linux_line *line, const struct board *board, const struct board_pin *pin,
+                    const struct linux_gpio_want *want, char error[LINUX_ERROR_SIZE])
 {
     struct found found = {0};
     if (!pin->wired) {
@@ -203,10 +203,10 @@ int line_open(struct linux_line *line, const struct board *board, const struct b
         return status;
     }
     line->active_low = pin->active_low;
-    status = gpio_request(line, found.chip, found.offset, want);
+    status = linux_gpio_request(line, found.chip, found.offset, want);
     if (status < 0) {
         status = not_taken(&found, pin->line, -status, error);
-        gpio_chip_close(found.chip);
+        linux_gpio_chip_close(found.chip);
     }
     return status;
 }
@@ -222,9 +222,9 @@ int linux_line_look(const struct board *board, const struct board_pin *pin, stru
     }
     memcpy(look->chip, found.path, sizeof look->chip);
     look->offset = found.offset;
-    gpio_chip_label(found.chip, look->label, sizeof look->label);
-    status = gpio_chip_look(found.chip, found.offset, look);
-    gpio_chip_close(found.chip);
+    linux_gpio_chip_label(found.chip, look->label, sizeof look->label);
+    status = linux_gpio_chip_look(found.chip, found.offset, look);
+    linux_gpio_chip_close(found.chip);
     return status == 0 ? HAL_OK
                        : linux_fail(error, linux_status(-status), "%s:%u cannot be looked at: %s", found.path,
                                     found.offset, strerror(-status));
@@ -232,5 +232,5 @@ int linux_line_look(const struct board *board, const struct board_pin *pin, stru
 
 const char *linux_gpiod_version(void)
 {
-    return gpio_version();
+    return linux_gpio_version();
 }

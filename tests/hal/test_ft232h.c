@@ -163,7 +163,7 @@ static void receive(uint8_t byte)
     }
 }
 
-int link_open(struct ft232h_usb **link, const char *serial, char *error)
+int ft232h_link_open(struct ft232h_usb **link, const char *serial, char *error)
 {
     (void)serial;
     error[0] = 0;
@@ -175,13 +175,13 @@ int link_open(struct ft232h_usb **link, const char *serial, char *error)
     return HAL_OK;
 }
 
-void link_pace(struct ft232h_usb *link, uint32_t hz)
+void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz)
 {
     (void)link;
     assert_true(hz > 0);
 }
 
-int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
+int ft232h_link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
 {
     assert_ptr_equal(link, &chip);
     for (size_t i = 0; i < n; i++) {
@@ -190,14 +190,14 @@ int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
     return HAL_OK;
 }
 
-int link_flush(struct ft232h_usb *link)
+int ft232h_link_flush(struct ft232h_usb *link)
 {
     assert_ptr_equal(link, &chip);
     link->flushes++;
     return HAL_OK;
 }
 
-int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
+int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 {
     assert_ptr_equal(link, &chip);
     assert_true(link->answers_end - link->answers_at >= n); /* or the real one would wait in vain */
@@ -209,7 +209,7 @@ int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
     return HAL_OK;
 }
 
-void link_close(struct ft232h_usb *link)
+void ft232h_link_close(struct ft232h_usb *link)
 {
     if (link != NULL) {
         assert_true(link->open);

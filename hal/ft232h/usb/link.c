@@ -65,7 +65,7 @@ static int fail(struct ft232h_usb *link, int error, const char *what)
     if (link->status < 0) {
         return link->status;
     }
-    link->status = usb_status(error);
+    link->status = ft232h_usb_status(error);
     switch (error) {
     case LIBUSB_ERROR_NO_DEVICE:
         ft232h_fail(link->error, 0, "FT232H: unplugged while %s; plug it in and start again", what);
@@ -138,7 +138,7 @@ static int reclaim(struct ft232h_usb *link, struct buffer *buffer)
     return error < 0 ? fail(link, error, "sending") : link->status;
 }
 
-int link_flush(struct ft232h_usb *link)
+int ft232h_link_flush(struct ft232h_usb *link)
 {
     struct buffer *buffer = &link->buffers[link->filling];
     if (link->status < 0 || link->filled == 0) {
@@ -157,7 +157,7 @@ int link_flush(struct ft232h_usb *link)
     return HAL_OK;
 }
 
-int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
+int ft232h_link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
 {
     int status = link->status;
     while (n > 0 && status == HAL_OK) {
@@ -170,13 +170,13 @@ int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
             link->filled += piece;
             bytes += piece;
             n -= piece;
-            status = link->filled == BUFFER_SIZE ? link_flush(link) : HAL_OK;
+            status = link->filled == BUFFER_SIZE ? ft232h_link_flush(link) : HAL_OK;
         }
     }
     return status;
 }
 
-void link_pace(struct ft232h_usb *link, uint32_t hz)
+void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz)
 {
     link->hz = hz;
 }
@@ -193,7 +193,7 @@ static void reap(struct ft232h_usb *link)
     }
 }
 
-int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
+int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 {
     const unsigned patience = patience_ms(link);
     const uint64_t end = now_ms() + patience;
@@ -272,16 +272,16 @@ static int start_engine(struct ft232h_usb *link)
     status = status < 0 ? status : request(link, REQUEST_LATENCY, LATENCY_MS);
     status = status < 0 ? status : request(link, REQUEST_BIT_MODE, BIT_MODE_RESET);
     status = status < 0 ? status : request(link, REQUEST_BIT_MODE, BIT_MODE_MPSSE);
-    status = status < 0 ? status : link_put(link, &bad, 1);
-    status = status < 0 ? status : link_flush(link);
+    status = status < 0 ? status : ft232h_link_put(link, &bad, 1);
+    status = status < 0 ? status : ft232h_link_flush(link);
     for (unsigned i = 0; status == HAL_OK && i < PACKET && (seen[0] != MPSSE_BAD_ECHO || seen[1] != MPSSE_BAD); i++) {
         seen[0] = seen[1];
-        status = link_get(link, &seen[1], 1);
+        status = ft232h_link_get(link, &seen[1], 1);
     }
     return status < 0 || seen[0] == MPSSE_BAD_ECHO ? status : fail(link, LIBUSB_ERROR_IO, "starting its engine");
 }
 
-int link_open(struct ft232h_usb **link_out, const char *serial, char *error)
+int ft232h_link_open(struct ft232h_usb **link_out, const char *serial, char *error)
 {
     struct ft232h_usb *link = calloc(1, sizeof *link);
     *link_out = NULL;
@@ -292,13 +292,13 @@ int link_open(struct ft232h_usb **link_out, const char *serial, char *error)
     link->hz = 1000000;
     const int failed = libusb_init(&link->usb);
     int status = failed < 0 ? fail(link, failed, "starting libusb") : HAL_OK;
-    status = status < 0 ? status : usb_find(link->usb, serial, &link->handle, error);
+    status = status < 0 ? status : ft232h_usb_find(link->usb, serial, &link->handle, error);
     status = status < 0 ? status : find_endpoints(link);
     status = status < 0 ? status : take_buffers(link);
     status = status < 0 ? status : claim(link);
     status = status < 0 ? status : start_engine(link);
     if (status < 0) {
-        link_close(link);
+        ft232h_link_close(link);
         return status;
     }
     *link_out = link;
@@ -317,7 +317,7 @@ static void free_buffer(struct ft232h_usb *link, struct buffer *buffer)
     free(buffer->bytes);
 }
 
-void link_close(struct ft232h_usb *link)
+void ft232h_link_close(struct ft232h_usb *link)
 {
     if (link == NULL) {
         return;
