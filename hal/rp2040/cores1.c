@@ -1,4 +1,4 @@
-/* See port.h: the second core stays in its sleep. */
+/* See port.h: the second core sleeps in its ROM. */
 #include "port.h"
 
 bool port_core_run(void (*run)(void *argument), void *argument)
