@@ -212,19 +212,21 @@ __attribute__((naked)) static void on_fault(void)
 #define SYSTEM_VECTORS 16
 typedef void handler(void);
 
-__attribute__((section(".vectors"), used)) static handler *const vectors[SYSTEM_VECTORS] = {(handler *)ld_stack_top,
-                                                                                            cortexm_start,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            on_fault,
-                                                                                            tick};
+__attribute__((section(".vectors"), used)) static handler *const vectors[SYSTEM_VECTORS] = {
+    (handler *)ld_stack_top,
+    cortexm_start,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    tick,
+};
