@@ -65,6 +65,18 @@ a_program_of_ones_own() {
     firmware BOARD="$board" APP="$dir/mine.c" && [ "$(stat -c %s "$B/firmware/$board-mine.bin")" -lt 16384 ]
 }
 
+template_links() { # what one copies to port a chip; every function of the ports' headers is there
+    mkdir -p "$dir/kits/none-yet" &&
+        sed 's/board_feather_stm32f405/board_none_yet/; s/feather-stm32f405/none-yet/' boards/feather-stm32f405/board.c >"$dir/kits/none-yet/board.c" &&
+        printf '%s\n' 'PORT = template' 'CHIP_FLASH_BYTES = 1048576' 'CHIP_RAM_BYTES = 262144' >"$dir/kits/none-yet/board.mk" &&
+        firmware BOARD_DIR="$dir/kits" BOARD=none-yet && [ -s "$B/firmware/none-yet-demos.bin" ] || return 1
+    local name
+    for name in $(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h); do
+        arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,cortexm/start}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
+    done
+    says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
+}
+
 no_such_board() {
     local said
     said=$(make -s B="$B" firmware BOARD=nonsense 2>&1) && return 1
@@ -164,6 +176,7 @@ void *_sbrk(int n); void *_sbrk(int n) { (void)n; return 0; }
 int main(void) { return malloc(8) != 0; }'
 check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
 check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
+check "the_template_of_a_port_becomes_an_image" template_links
 check "a_board_that_is_not_there_is_one_clear_line" no_such_board
 check "wrong_values_are_one_clear_line" wrong_values_are_told
 check "names_that_cannot_be_are_one_clear_line" names_that_cannot_be_are_told
