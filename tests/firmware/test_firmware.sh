@@ -144,11 +144,11 @@ size_adds_up() {
 at_most_60_percent() {
     local mk found=0
     for mk in boards/*/board.mk; do
-        local name=${mk#boards/} ram chip port beside
+        local name=${mk#boards/} ram chip beside
         name=${name%/board.mk}
+        make -np BOARD="$name" help 2>/dev/null >"$dir/database"
         ram=$(($(sed -n 's/^ *\.ram_bytes = \(.*\),.*/\1/p' "boards/$name/board.c")))
-        chip=$(sed -n 's/^CHIP_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "$mk") port=$(sed -n 's/^PORT *:*= *\([a-z0-9]*\).*/\1/p' "$mk")
-        beside=$(sed -n 's/^PORT_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "hal/$port/port.mk")
+        chip=$(sed -n 's/^CHIP_RAM_BYTES :*= *//p' "$dir/database") beside=$(sed -n 's/^PORT_RAM_BYTES :*= *//p' "$dir/database")
         found=$((found + 1))
         [ $((100 * (ram + ${beside:-0}))) -le $((60 * chip)) ] || { echo "$name: $ram and ${beside:-0} of $chip" && return 1; }
     done

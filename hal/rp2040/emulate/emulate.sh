@@ -39,7 +39,8 @@ elf=$1 out=$2 frames=$3
 shift 3
 [ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2
 
-pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
+board=$("${HOSTCC:-cc}" -E -P -Ihal -Iboards "${BOARD_HOME:-boards/$BOARD}/board.c") || stop "$BOARD: its board.c is wrong"
+pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # { wired, active low, (number), line }
 [ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
 [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
 
