@@ -1,4 +1,4 @@
-/* See ft232h.h: the operations as MPSSE commands; their way to the chip is link.h. */
+/* See ft232h.h. The operations become MPSSE commands here; link.h carries them to the chip. */
 #define _POSIX_C_SOURCE 200809L
 #include "ft232h.h"
 
@@ -30,7 +30,7 @@ static uint16_t bit_of(const struct board_pin *pin)
     return number < 0 ? 0 : (uint16_t)(1U << number);
 }
 
-/* The pin's level as hal.h means it; goes into the stream if it changes. */
+/* Sets a pin's level, in the sense of hal.h; a change goes into the stream. */
 static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
 {
     uint8_t commands[MPSSE_PINS_MAX];
@@ -41,7 +41,8 @@ static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
     return ft232h_link_put(h->usb, commands, ft232h_mpsse_pins(commands, levels, h->outputs, changed));
 }
 
-/* A pin that is wired must be one that the engine can use: `fixed` (a bit), or 0: any that is not the engine's own. */
+/* Refuses a wired pin that the engine cannot use so. `fixed` is the bit that it must be; 0: any but the engine's own.
+ */
 static int check_pin(struct ft232h *h, const char *what, const struct board_pin *pin, uint16_t fixed)
 {
     const uint16_t bit = bit_of(pin);
@@ -78,7 +79,7 @@ static int check_board(struct ft232h *h)
 
 /* ---- the stream --------------------------------------------------------------------------------- */
 
-/* Until the engine has done all of it: the answer to the last command is back. */
+/* Waits for the answer to a last command: then the engine has done all before it. */
 static int finish(struct ft232h *h)
 {
     static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_SEND_NOW};
@@ -108,7 +109,7 @@ static int put_bytes(struct ft232h *h, const uint8_t *bytes, size_t n)
     return status;
 }
 
-/* D/C, then select: the panel takes D/C as it is with each byte's last bit. */
+/* Sets D/C before select, for the panel reads D/C with the last bit of each byte. */
 static int begin(struct ft232h *h, enum hal_dc dc)
 {
     h->unfinished = true;
@@ -192,7 +193,7 @@ static uint32_t ft232h_time_us(void *context)
     return (uint32_t)(now_ns() / 1000);
 }
 
-/* From the last bit on; its error comes again with the next operation. */
+/* Counts from the last bit. An error of finish() comes again with the next operation. */
 static void ft232h_delay_us(void *context, uint32_t us)
 {
     struct timespec end;
@@ -204,7 +205,7 @@ static void ft232h_delay_us(void *context, uint32_t us)
     }
 }
 
-/* Asks for all pins; a contact that bounces while it is looked at is right the next time. */
+/* Asks for all pins. When a contact bounces just then, the next call sees it right. */
 static uint32_t ft232h_buttons(void *context)
 {
     static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_GET_HIGH, MPSSE_SEND_NOW};
@@ -232,7 +233,7 @@ static void add_output(struct ft232h *h, const struct board_pin *pin, bool level
     h->levels |= level != pin->active_low ? bit : 0U;
 }
 
-/* Panel selected by nothing, running, dark; the clock at rest. */
+/* The panel is not selected, runs and is dark; the clock rests. */
 static int start(struct ft232h *h)
 {
     static const uint8_t modes[] = {MPSSE_60_MHZ, MPSSE_ADAPTIVE_OFF, MPSSE_LOOPBACK_OFF};

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#define MPSSE_BASE_HZ 30000000U /* 60 MHz, and two edges a bit */
+#define MPSSE_BASE_HZ 30000000U /* 60 MHz with two edges a bit */
 
 size_t ft232h_mpsse_pins(uint8_t out[MPSSE_PINS_MAX], uint16_t levels, uint16_t outputs, uint16_t changed)
 {

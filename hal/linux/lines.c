@@ -10,7 +10,7 @@
 
 enum { CHIPS_MAX = 64, OFFSET_DIGITS = 5 };
 
-/* What is looked for: a name on any chip, or an offset on the chip of a path or of a label. */
+/* The line that is wanted: a name on any chip, or an offset on the chip of a path or of a label. */
 struct wanted {
     const char *name;
     const char *path;
@@ -18,13 +18,13 @@ struct wanted {
     unsigned offset;
 };
 
-/* A line that was found, and on the way there the chips that could not be looked at. */
+/* The line that was found, and the first chip that could not be opened before it. */
 struct found {
     void *chip; /* open; NULL: none */
     unsigned offset;
     char path[LINUX_PATH_SIZE];
     unsigned chips_seen;
-    int refusal; /* errno of the first chip that is there but cannot be opened */
+    int refusal; /* errno of the first chip that exists but cannot be opened */
     char refused[LINUX_PATH_SIZE];
 };
 
@@ -69,7 +69,7 @@ static int match(void *chip, const struct wanted *wanted)
     return (int)wanted->offset < linux_gpio_chip_lines(chip) ? (int)wanted->offset : -ENOENT;
 }
 
-/* Leaves the chip open in found if it has what is wanted. */
+/* Leaves the chip open in found if it has the line that is wanted. */
 static bool look_at_chip(struct found *found, const struct wanted *wanted)
 {
     void *chip = linux_gpio_chip_open(found->path);
@@ -91,10 +91,8 @@ static bool look_at_chip(struct found *found, const struct wanted *wanted)
     return true;
 }
 
-/*
- * Chip after chip by path: libgpiod's own look-ups make "no permission" a "not found".
- * The chips are looked at in the order of their numbers.
- */
+/* Opens chip after chip by path, in the order of their numbers: libgpiod's own search reports "no permission" as "not
+ * found". */
 static bool look_for(struct found *found, const struct wanted *wanted)
 {
     if (wanted->path != NULL) {
@@ -110,7 +108,7 @@ static bool look_for(struct found *found, const struct wanted *wanted)
     return false;
 }
 
-/* "GPIOn" on kernels that name no lines. labels: separated by spaces. */
+/* Finds "GPIOn" on kernels that name no lines. labels: separated by spaces. */
 static bool look_for_number(struct found *found, const char *name, const char *labels)
 {
     const int number = linux_line_gpio_number(name);
@@ -180,7 +178,7 @@ static int not_taken(const struct found *found, const char *text, int number, ch
                       text, found->path, found->offset, look.holder[0] != 0 ? look.holder : "?");
 }
 
-/* A wired pin must have a name. */
+/* Finds a wired pin, which must have a name. */
 static int find_pin(struct found *found, const struct board *board, const struct board_pin *pin,
                     char error[LINUX_ERROR_SIZE])
 {

@@ -1,4 +1,4 @@
-/* See linux.h: the operations; what they do to the bus is in spi.c, to the lines in lines.c. */
+/* See linux.h. The operations are here, the bus is in spi.c, the lines are in lines.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "linux.h"
 
@@ -38,7 +38,7 @@ static int set_line(struct linux_hal *h, struct linux_line *line, const char *wh
 
 /* ---- sending ------------------------------------------------------------------------------------ */
 
-/* The least counts: it is what the system calls take, without what else the machine does. */
+/* Keeps the least: that is what the system calls take while the computer does nothing else. */
 static void note_short_write(struct linux_hal *h, size_t n, uint64_t took_ns)
 {
     const uint64_t bits_ns = 8000000000U * n / h->clock_hz;
@@ -46,7 +46,7 @@ static void note_short_write(struct linux_hal *h, size_t n, uint64_t took_ns)
     h->write_ns = ns < h->write_ns ? ns : h->write_ns;
 }
 
-/* Nothing is on the wire when this starts nor when it returns, so D/C may move first. */
+/* The bus is idle when this starts and when it returns, so D/C may move first. */
 static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     int status = HAL_OK;
@@ -81,7 +81,7 @@ static void *sender(void *context)
         }
         pthread_mutex_unlock(&h->mutex);
         const int status =
-            send_bytes(h, h->job_dc, h->job_bytes, h->job_size); /* the kit is this thread's while busy */
+            send_bytes(h, h->job_dc, h->job_bytes, h->job_size); /* while busy the kit belongs to this thread */
         pthread_mutex_lock(&h->mutex);
         h->job_status = status;
         h->busy = false;
@@ -91,11 +91,11 @@ static void *sender(void *context)
     return NULL;
 }
 
-/* Waits until the thread is idle; its error, once. */
+/* Waits until the thread is idle; returns its error, once. */
 static int idle(struct linux_hal *h)
 {
     pthread_mutex_lock(&h->mutex);
-    while (h->busy) { /* ends: the kernel's SPI drivers time out */
+    while (h->busy) { /* this ends, for the kernel's SPI drivers time out */
         pthread_cond_wait(&h->changed, &h->mutex);
     }
     const int status = h->job_status;
@@ -109,7 +109,7 @@ static int start_sender(struct linux_hal *h)
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before); /* signals are for the program's own threads */
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* the program's own threads get the signals */
     const int number = pthread_create(&h->thread, NULL, sender, h);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     h->threaded = number == 0;
@@ -172,7 +172,7 @@ static int open_bus(struct linux_hal *h)
     return h->spi < 0 ? h->spi : HAL_OK;
 }
 
-/* An output, first at `level` in the sense of hal.h. */
+/* Takes an output whose first level, in the sense of hal.h, is `level`. */
 static int open_output(struct linux_hal *h, struct linux_line *line, const struct board_pin *pin, bool level)
 {
     const struct linux_gpio_want want = {.use = GPIO_OUT, .level = level != pin->active_low};
@@ -192,7 +192,7 @@ static int open_lines(struct linux_hal *h)
     return status < 0 ? status : linux_line_open(&h->tearing, h->board, &pins->tearing, &edges, h->error);
 }
 
-/* A button connects its line to ground (active low) or to the supply; the other level is the pull-up's or -down's. */
+/* A button connects its line to ground (active low) or to the supply; a pull-up or pull-down makes the other level. */
 static int open_buttons(struct linux_hal *h)
 {
     for (uint32_t i = 0; i < h->board->button_count && i < BOARD_BUTTONS_MAX; i++) {
@@ -334,7 +334,7 @@ static int linux_te_wait(void *context, uint32_t timeout_us)
         return HAL_ENOSYS;
     }
     for (int i = 0; i < EDGES_MAX && edge_waits(&h->tearing, 0); i++) {
-        linux_gpio_edge(&h->tearing, &time_ns); /* of frames that are over */
+        linux_gpio_edge(&h->tearing, &time_ns); /* an edge of an earlier frame */
     }
     const uint64_t end_ns = now_ns() + 1000ULL * timeout_us;
     for (uint64_t now = now_ns(); now < end_ns; now = now_ns()) {
@@ -359,7 +359,7 @@ static uint32_t linux_time_us(void *context)
     return (uint32_t)(now_ns() / 1000);
 }
 
-/* From the last bit on: an error of the bus stays for the next write or wait. */
+/* Counts from the last bit. An error of the bus stays for the next write or wait. */
 static void linux_delay_us(void *context, uint32_t us)
 {
     struct linux_hal *h = context;

@@ -32,7 +32,7 @@ static bool is_ft232h(libusb_device *device)
            descriptor.idProduct == PRODUCT;
 }
 
-/* Numbers and serial of one that is there; its handle, or NULL and the status says why. */
+/* Reads numbers and serial of a device; returns its handle, or NULL when the status says why. */
 static libusb_device_handle *look_at(libusb_device *device, struct ft232h_look *look)
 {
     struct libusb_device_descriptor descriptor;
@@ -52,11 +52,11 @@ static libusb_device_handle *look_at(libusb_device *device, struct ft232h_look *
     return handle;
 }
 
-/* What was seen of all of them. */
+/* All FT232Hs that were found. */
 struct survey {
     int count;
     struct ft232h_look looks[MOST];
-    libusb_device_handle *handle; /* of the first that matches */
+    libusb_device_handle *handle; /* of the first whose serial number matches */
 };
 
 static void survey(struct survey *all, libusb_device **devices, ssize_t n, const char *serial)
@@ -77,7 +77,7 @@ static void survey(struct survey *all, libusb_device **devices, ssize_t n, const
     }
 }
 
-/* "A1, B2, no permission": their serial numbers, for people. */
+/* Writes the serial numbers for people: "A1, B2, no permission to read". */
 static void name_all(const struct survey *all, char *text, size_t size)
 {
     size_t n = 0;
@@ -118,7 +118,7 @@ static int choose(struct survey *all, const char *serial, char *error)
         return HAL_OK;
     }
     for (int i = 0; i < all->count; i++) {
-        if (all->looks[i].status < 0) { /* the one that is wanted may be among those that cannot be opened */
+        if (all->looks[i].status < 0) { /* this may be the wanted one */
             return refused(&all->looks[i], error);
         }
     }
