@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `make firmware`: what it builds, what it prints, and what it refuses. The images themselves run in test_firmware_*.sh.
+# `make firmware` builds images, says what they take, and refuses wrong input. The images run in test_firmware_*.sh.
 # shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -99,7 +99,7 @@ wrong_values_are_told() {
         says "only the boards of an RP2040" speed BOARD="$board" && says "BOARD= is missing" speed
 }
 
-# What make or the shell would take apart, or make somewhere else.
+# Names that make or the shell would split, or build elsewhere.
 names_that_cannot_be_are_told() {
     local name
     for name in "a b" "it's" 'a;b' 'a&b' 'a(b)' 'a"b' 'a%'; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# How an RP2040 kit comes into its boot loader, on the emulated chip: asked for on the UART at any moment, or by a button
-# that is held at power-up. The emulator's ROM knows the function by its letters (RP2040 datasheet 2.8.3).
+# An RP2040 kit enters its boot loader when the UART asks for it at any moment, or when a button is held at power-up. The
+# chip is emulated; its ROM finds the function by two letters (RP2040 datasheet 2.8.3).
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -74,9 +74,9 @@ no_chip_select_is_told() {
 
 check "images_are_built" builds
 check "B_on_the_UART_reboots_into_the_boot_loader" asked_for 1 1
-check "... before_the_second_frame" asked_for 1 0
-check "... with_two_cores" asked_for 2 3
-check "... while_it_holds" asked_for_while_it_holds
+check "it_reboots_before_the_second_frame_too" asked_for 1 0
+check "it_reboots_with_two_cores_too" asked_for 2 3
+check "it_reboots_while_it_holds_too" asked_for_while_it_holds
 check "each_button_held_at_power_up_does_so" held_at_power_up
 check "other_pins_and_later_moments_do_not" not_without_a_reason
 check "H_holds_and_steps_G_goes_on" holds_steps_and_goes_on

@@ -1,7 +1,7 @@
 /*
- * The conformance test of hal.h: what every backend must do. A new backend is one line in `backends` and a function
- * that prepares its kit. What only a real panel can show is in the other tests. Backends that need hardware are tried
- * where the virtual kit is: test_kit_hal.sh starts this program in it.
+ * The conformance test of hal.h, for every backend. A new backend is one line in `backends` and a function that
+ * prepares its kit. hal/template is a port, but its operations run here, too. Backends that need hardware are tested in
+ * the virtual kit: test_kit_hal.sh starts this program in it.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +19,7 @@
 struct backend {
     const char *name;
     const struct board *board;
-    void (*prepare)(struct hal *hal, const struct board *board); /* not open yet, or open already: open must work */
+    void (*prepare)(struct hal *hal, const struct board *board); /* the kit is open already, or not yet */
     void (*release)(struct hal *hal);
     bool keeps_time;
 };

@@ -1,7 +1,7 @@
 /*
- * hal/linux without hardware: how writes are divided, which line a name means, what is said when something is missing,
- * and which of a contact's edges are presses. libgpiod is played by the chips below; the rest, with the real kernel, is
- * in test_kit_hal.sh.
+ * hal/linux without hardware: how writes are divided, which line a name means, which error a missing part gives, and
+ * which edges of a contact are presses. The chips below take the place of libgpiod. test_kit_hal.sh tests the rest,
+ * with the real kernel.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,7 +26,7 @@ struct chip {
     const char *label;
     int refusal;       /* errno of opening it */
     bool names;        /* line n is called "GPIOn" */
-    bool taken[LINES]; /* by "spi0 CS0" */
+    bool taken[LINES]; /* "spi0 CS0" has the line */
     int opened;        /* how often it is open now */
 };
 
@@ -211,7 +211,7 @@ static void places_and_names_are_told_apart(void **state)
     assert_int_equal(linux_line_gpio_number("AD3"), -1);
 }
 
-/* Which chip and line a name means on the machine that `chips` is; -1 and the line in error if none. */
+/* The chip and line that a name means on the machine of `chips`; -1 and a line in error if there is none. */
 static int look_up(const char *name, unsigned *offset, char *error)
 {
     struct linux_line line = {0};
@@ -232,7 +232,7 @@ static void a_line_is_found_by_its_name_on_any_chip(void **state)
     (void)state;
     char error[LINUX_ERROR_SIZE] = "";
     unsigned offset = 0;
-    chips[0] = (struct chip){.label = "pinctrl-rp1"}; /* the label would do, but names come first */
+    chips[0] = (struct chip){.label = "pinctrl-rp1"}; /* this label fits, but names come first */
     chips[2] = (struct chip){.label = "some expander", .names = true};
     assert_int_equal(look_up("GPIO25", &offset, error), 2);
     assert_int_equal(offset, 25);
@@ -343,7 +343,7 @@ static void a_press_between_two_looks_is_seen_once(void **state)
     assert_false(linux_debounce_look(&button, 166 * MS, SETTLE));
 }
 
-/* The release falls into the settling time of the press: no edge comes after it. */
+/* The release comes within the settling time of the press, and no edge comes after it. */
 static void a_short_press_ends(void **state)
 {
     (void)state;
