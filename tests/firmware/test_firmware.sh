@@ -71,9 +71,9 @@ template_links() { # what one copies to port a chip; every function of the ports
         printf '%s\n' 'PORT = template' 'CHIP_FLASH_BYTES = 1048576' 'CHIP_RAM_BYTES = 262144' >"$dir/kits/none-yet/board.mk" &&
         firmware BOARD_DIR="$dir/kits" BOARD=none-yet && [ -s "$B/firmware/none-yet-demos.bin" ] || return 1
     local name
-    for name in $(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h); do
+    while read -r name; do
         arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,cortexm/start}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
-    done
+    done < <(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h)
     says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
 }
 
