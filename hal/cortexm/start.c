@@ -47,9 +47,10 @@ static void tick_in_fault(void)
     }
 }
 
-uint32_t cortexm_time_us(void)
+uint32_t cortexm_time_us(void *context)
 {
     uint32_t before, left;
+    (void)context;
     tick_in_fault();
     do { /* reads again if a tick came in between */
         before = *(volatile uint32_t *)&machine.tick_us_at;
@@ -58,10 +59,10 @@ uint32_t cortexm_time_us(void)
     return before + (TICK_US * machine.clocks - 1 - left) / machine.clocks;
 }
 
-void cortexm_delay_us(uint32_t us)
+void cortexm_delay_us(void *context, uint32_t us)
 {
-    const uint32_t from = cortexm_time_us();
-    while (cortexm_time_us() - from <= us) {
+    const uint32_t from = cortexm_time_us(context);
+    while (cortexm_time_us(context) - from <= us) {
     }
 }
 

@@ -19,7 +19,8 @@ void port_bus_stop(void);
 /* Turns the display off and puts it to sleep, whatever state its driver was in. */
 void cortexm_dark(void);
 
-uint32_t cortexm_time_us(void);
-void cortexm_delay_us(uint32_t us);
+/* Operations of struct hal_ops; they ignore their context. */
+uint32_t cortexm_time_us(void *context);
+void cortexm_delay_us(void *context, uint32_t us);
 
 #endif

@@ -141,17 +141,6 @@ void port_boot_loader(void)
 {
 }
 
-bool port_core_run(void (*run)(void *argument), void *argument)
-{
-    (void)run;
-    (void)argument;
-    return false;
-}
-
-void port_core_join(void)
-{
-}
-
 /* ---- the kit ---------------------------------------------------------------------------------------- */
 
 static uint32_t buttons_down(void)
@@ -171,7 +160,7 @@ static void open_buttons(void)
         gpio_set_bit(pin->number, GPIO_DEN);
         gpio_set_bit(pin->number, GPIO_PUR);
     }
-    cortexm_delay_us(10); /* the pull-ups charge the lines */
+    cortexm_delay_us(NULL, 10); /* the pull-ups charge the lines */
     kit.stuck = buttons_down();
 }
 
@@ -250,18 +239,6 @@ static int lm3s6965_pin_set(void *context, enum hal_pin pin, bool level)
     return HAL_OK;
 }
 
-static uint32_t lm3s6965_time_us(void *context)
-{
-    (void)context;
-    return cortexm_time_us();
-}
-
-static void lm3s6965_delay_us(void *context, uint32_t us)
-{
-    (void)context;
-    cortexm_delay_us(us);
-}
-
 static uint32_t lm3s6965_buttons(void *context)
 {
     const uint32_t down = buttons_down();
@@ -293,8 +270,8 @@ struct hal port_hal(void)
         .bus_write = lm3s6965_bus_write,
         .bus_wait = lm3s6965_bus_wait,
         .pin_set = lm3s6965_pin_set,
-        .time_us = lm3s6965_time_us,
-        .delay_us = lm3s6965_delay_us,
+        .time_us = cortexm_time_us,
+        .delay_us = cortexm_delay_us,
         .buttons = lm3s6965_buttons,
         .close = lm3s6965_close,
     };

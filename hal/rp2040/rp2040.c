@@ -39,52 +39,6 @@ static int rp2040_open(void *context, const struct board *board)
     return HAL_OK;
 }
 
-static int32_t rp2040_bus_clock(void *context, uint32_t hz)
-{
-    (void)context;
-    return rp2040_spi_clock(hz);
-}
-
-static int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
-{
-    (void)context;
-    rp2040_spi_write(dc, bytes, (uint32_t)n);
-    return HAL_OK;
-}
-
-static int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
-{
-    (void)context;
-    rp2040_spi_write_rows(bytes, (uint32_t)n, (uint32_t)stride, (uint32_t)rows);
-    return HAL_OK;
-}
-
-static void rp2040_bus_queue(void *context, bool on)
-{
-    (void)context;
-    rp2040_spi_queue(on);
-}
-
-static uint32_t rp2040_bus_written(void *context)
-{
-    (void)context;
-    return rp2040_spi_written();
-}
-
-static int rp2040_bus_until(void *context, uint32_t written)
-{
-    (void)context;
-    rp2040_spi_until(written);
-    return HAL_OK;
-}
-
-static int rp2040_bus_wait(void *context)
-{
-    (void)context;
-    rp2040_spi_wait();
-    return HAL_OK;
-}
-
 static int rp2040_pin_set(void *context, enum hal_pin pin, bool level)
 {
     const struct board *const *open = context;

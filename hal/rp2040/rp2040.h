@@ -5,7 +5,7 @@
  *   start.c    start, faults, the end              clocks.c             12 MHz crystal -> 125 MHz
  *   rp2040.c   struct hal_ops, USB boot loader     spi.c                the bus: SPI and one channel of DMA
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
- *   divide.c   / and % by the SIO's divider        cores1.c, cores2.c   without and with the second core (CORES=)
+ *   divide.c   / and % by the SIO's divider        cores2.c             the second core (CORES=2)
  *
  * Calls run one way: entry.S, start.c, rp2040.c, spi.c and uart.c, pins.c.
  *
@@ -29,16 +29,16 @@ void rp2040_pin_input(uint32_t pin);
 void rp2040_pin_function(uint32_t pin, uint32_t function);
 void rp2040_pin_write(uint32_t pin, bool level);
 
-/* The bus of struct hal_ops; there is one. */
+/* The bus; there is one. Operations of struct hal_ops ignore their context. */
 void rp2040_spi_open(const struct board *board);
-int32_t rp2040_spi_clock(uint32_t hz);
-void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n);
-void rp2040_spi_write_rows(const uint8_t *bytes, uint32_t n, uint32_t stride, uint32_t rows);
-void rp2040_spi_queue(bool on);
-uint32_t rp2040_spi_written(void);
-void rp2040_spi_until(uint32_t written);
-void rp2040_spi_wait(void);
 void rp2040_spi_close(void);
+int32_t rp2040_bus_clock(void *context, uint32_t hz);
+int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n);
+int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows);
+void rp2040_bus_queue(void *context, bool on);
+uint32_t rp2040_bus_written(void *context);
+int rp2040_bus_until(void *context, uint32_t written);
+int rp2040_bus_wait(void *context);
 
 /* Handlers of DMA_IRQ_0 and TIMER_IRQ_0. */
 void rp2040_spi_interrupt(void);

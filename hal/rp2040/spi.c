@@ -174,11 +174,11 @@ void rp2040_spi_open(const struct board *board)
     REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
     REG(DMA_INTE0) = 1;
     REG(NVIC_ISER) = 1U << IRQ_DMA_0;
-    rp2040_spi_clock(1000000);
+    rp2040_bus_clock(NULL, 1000000);
 }
 
 /* SSPCLK / (prescaler x (SCR + 1)): an even prescaler up to 254, SCR up to 255. */
-int32_t rp2040_spi_clock(uint32_t hz)
+int32_t rp2040_bus_clock(void *context, uint32_t hz)
 {
     const uint32_t divide = hz == 0 ? UINT32_MAX : (CLK_HZ - 1) / hz + 1;
     uint32_t prescaler = 2;
@@ -189,7 +189,7 @@ int32_t rp2040_spi_clock(uint32_t hz)
         return HAL_EINVAL;
     }
     const uint32_t scr = (divide - 1) / prescaler;
-    rp2040_spi_wait();
+    rp2040_bus_wait(context);
     spi.cr0 = (spi.cr0 & 0xff) | scr << 8;
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(SPI_SSPCPSR(spi.unit)) = prescaler;
@@ -197,19 +197,23 @@ int32_t rp2040_spi_clock(uint32_t hz)
     return (int32_t)(CLK_HZ / (prescaler * (scr + 1)));
 }
 
-void rp2040_spi_queue(bool on)
+void rp2040_bus_queue(void *context, bool on)
 {
+    (void)context;
     spi.waiting_most = on ? WRITES - 1 : 0;
 }
 
-uint32_t rp2040_spi_written(void)
+uint32_t rp2040_bus_written(void *context)
 {
+    (void)context;
     return spi.given;
 }
 
-void rp2040_spi_until(uint32_t written)
+int rp2040_bus_until(void *context, uint32_t written)
 {
+    (void)context;
     wait_for_dma(spi.given - written);
+    return HAL_OK;
 }
 
 /* The next free place; nobody else reads it before `given` moves on. */
@@ -277,32 +281,38 @@ static void write_rows(enum hal_dc dc, const uint8_t *bytes, uint32_t n, uint32_
     give();
 }
 
-void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
+    (void)context;
     if (n > HAL_COPIED) {
         write_rows(dc, bytes, n, n, 1);
     } else if (n > 0) {
         write_short(dc, bytes, n);
     }
+    return HAL_OK;
 }
 
-void rp2040_spi_write_rows(const uint8_t *bytes, uint32_t n, uint32_t stride, uint32_t rows)
+int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
 {
+    (void)context;
     if (n > 0 && rows > 0) {
         write_rows(HAL_DATA, bytes, n, stride, rows);
     }
+    return HAL_OK;
 }
 
-void rp2040_spi_wait(void)
+int rp2040_bus_wait(void *context)
 {
+    (void)context;
     wait_for_dma(0);
     wait_for_last_bit();
     chip_select(false);
+    return HAL_OK;
 }
 
 void rp2040_spi_close(void)
 {
-    rp2040_spi_wait();
+    rp2040_bus_wait(NULL);
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(DMA_INTE0) = 0;
 }

@@ -210,17 +210,6 @@ int port_log_read(void)
     return (USART_SR & USART_RXNE) != 0 ? (int)(USART_DR & 255) : -1;
 }
 
-bool port_core_run(void (*run)(void *argument), void *argument)
-{
-    (void)run;
-    (void)argument;
-    return false;
-}
-
-void port_core_join(void)
-{
-}
-
 /* ---- the bus ---------------------------------------------------------------------------------------- */
 
 static bool dma_is_there(void)
@@ -358,18 +347,6 @@ static int stm32f4_pin_set(void *context, enum hal_pin pin, bool level)
     return HAL_OK;
 }
 
-static uint32_t stm32f4_time_us(void *context)
-{
-    (void)context;
-    return cortexm_time_us();
-}
-
-static void stm32f4_delay_us(void *context, uint32_t us)
-{
-    (void)context;
-    cortexm_delay_us(us);
-}
-
 static uint32_t stm32f4_buttons(void *context)
 {
     uint32_t down = 0;
@@ -398,8 +375,8 @@ struct hal port_hal(void)
         .bus_write = stm32f4_bus_write,
         .bus_wait = stm32f4_bus_wait,
         .pin_set = stm32f4_pin_set,
-        .time_us = stm32f4_time_us,
-        .delay_us = stm32f4_delay_us,
+        .time_us = cortexm_time_us,
+        .delay_us = cortexm_delay_us,
         .buttons = stm32f4_buttons,
         .close = stm32f4_close,
     };

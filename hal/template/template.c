@@ -1,12 +1,12 @@
 /*
  * Port to no chip: an image with it links, and does nothing. Copy this folder to port a chip, as hal/README.md tells.
- * hal.h, port.h and cortexm/start.h say what each function must do; hal/cortexm has start, time, faults and the end.
+ * hal.h, port.h and cortexm/start.h say what each function must do; hal/cortexm has the rest of port.h.
  */
 #include "board.h"
 #include "cortexm/start.h"
 #include "port.h"
 
-/* ---- start, log, other core -------------------------------------------------------------------------- */
+/* ---- start, log -------------------------------------------------------------------------------------- */
 
 uint32_t port_start(void)
 {
@@ -24,17 +24,6 @@ int port_log_read(void)
 }
 
 void port_boot_loader(void)
-{
-}
-
-bool port_core_run(void (*run)(void *argument), void *argument)
-{
-    (void)run;
-    (void)argument;
-    return false;
-}
-
-void port_core_join(void)
 {
 }
 

@@ -17,7 +17,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
   --calls FRAME,WRITE,ROWS  addresses (hexadecimal) of the functions that the image calls when it begins to send a
-                      frame, and to write to the bus: (dc, bytes, n) and (bytes, n, stride, rows). The events then have
+                      frame, and to write to the bus: bus_write and bus_write_rows of hal.h. The events then have
                       a note 'frame' where the last bit of one is out. Without them a frame begins with the command
                       memory write, 2Ch
   --free-wire         words take no time on the bus: the report has the cores' own time
@@ -223,8 +223,8 @@ function addCalls([frameAt, writeAt, rowsAt]) {
     }
     beginFrame();
   });
-  machine.calls.set(writeAt, ([, , n]) => { given += n; });
-  machine.calls.set(rowsAt, ([, n, , rows]) => { given += n * rows; });
+  machine.calls.set(writeAt, ([, , , n]) => { given += n; });
+  machine.calls.set(rowsAt, ([, , n, , rows]) => { given += n * rows; });
 }
 
 if (options.calls !== undefined) {

@@ -6,7 +6,8 @@
 //
 // The user sets hooks: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
 // the chip drives changes, onUart(byte), onEnd(why). machine.calls is a Map from an address to a function, which gets
-// r0 .. r3 when core 0 comes there. With machine.freeWire words take no time, as in rp2040js; the cores' own time is left.
+// r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
+// time, as in rp2040js; the cores' own time is left.
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
@@ -231,10 +232,10 @@ export function makeMachine(lib, { cores = 1, warn }) {
       core.executeInstruction();
       return;
     }
-    const handler = core.IPSR, [r0, r1, r2, r3] = core.registers;
+    const handler = core.IPSR, words = [...core.registers.slice(0, 4), mcu.readUint32(core.SP)];
     core.executeInstruction();
     if (core.IPSR === handler) {
-      call([r0, r1, r2, r3]);
+      call(words);
     }
   };
 
