@@ -91,13 +91,19 @@ static void *sender(void *context)
     return NULL;
 }
 
+/* Locks the kit when the thread is idle. The wait ends, for the kernel's SPI drivers time out. */
+static void lock_idle(struct linux_hal *h)
+{
+    pthread_mutex_lock(&h->mutex);
+    while (h->busy) {
+        pthread_cond_wait(&h->changed, &h->mutex);
+    }
+}
+
 /* Waits until the thread is idle; returns its error, once. */
 static int idle(struct linux_hal *h)
 {
-    pthread_mutex_lock(&h->mutex);
-    while (h->busy) { /* this ends, for the kernel's SPI drivers time out */
-        pthread_cond_wait(&h->changed, &h->mutex);
-    }
+    lock_idle(h);
     const int status = h->job_status;
     h->job_status = HAL_OK;
     pthread_mutex_unlock(&h->mutex);
@@ -121,10 +127,7 @@ static void stop_sender(struct linux_hal *h)
     if (!h->threaded) {
         return;
     }
-    pthread_mutex_lock(&h->mutex);
-    while (h->busy) {
-        pthread_cond_wait(&h->changed, &h->mutex);
-    }
+    lock_idle(h);
     h->quit = true;
     pthread_cond_broadcast(&h->changed);
     pthread_mutex_unlock(&h->mutex);
@@ -364,10 +367,7 @@ static void linux_delay_us(void *context, uint32_t us)
 {
     struct linux_hal *h = context;
     struct timespec end;
-    pthread_mutex_lock(&h->mutex);
-    while (h->busy) {
-        pthread_cond_wait(&h->changed, &h->mutex);
-    }
+    lock_idle(h);
     pthread_mutex_unlock(&h->mutex);
     const uint64_t end_ns = now_ns() + 1000ULL * us;
     end.tv_sec = (time_t)(end_ns / 1000000000U);
