@@ -99,6 +99,7 @@ static uint32_t template_write_ns(void *context)
     return 0;
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): hal.h has the type. */
 static int template_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t n)
 {
     (void)context;
