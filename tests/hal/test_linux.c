@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- a machine's chips, in place of hal/linux/gpiod*.c ------------------------------------------- */
+/* ---- a machine's chips, in place of hal/linux/gpiod*/ -------------------------------------------- */
 
 enum { CHIPS = 3, LINES = 54 };
 
