@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- a machine's chips, in place of hal/linux/gpiod*/ -------------------------------------------- */
+/* ---- a machine's chips, in place of libgpiod (hal/linux/gpiod1) ------------------------------------- */
 
 enum { CHIPS = 3, LINES = 54 };
 
