@@ -176,6 +176,8 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
 
+$(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
+
 core-objects: $(call objects,$(CORE))
 firmware-objects: core-objects $(call objects,$(APP_SRC) $(wildcard hal/panel/*.c))
 test-programs: $(TESTS) $(FUZZ)
@@ -229,4 +231,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
 	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
 
--include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ)) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d)
+-include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d)

@@ -1,4 +1,4 @@
-/* See board.h. */
+/* See boards.h and board.h. */
 #include "boards.h"
 
 #include "boards_more.h"

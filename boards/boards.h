@@ -1,11 +1,11 @@
-/* boards: all kits. */
+/* boards: all kits. Boards of a family share their wiring in families/. */
 #ifndef BOARDS_H
 #define BOARDS_H
 
 #include "board.h"
 #include "panels.h"
 
-/* Raspberry Pi 5; 4; all before: there GPIOn of the header is line n of the chip. */
+/* Raspberry Pi 5; 4; all before. GPIOn of the header is line n of the chip with this label. */
 #define RPI_GPIO_LABELS "pinctrl-rp1 pinctrl-bcm2711 pinctrl-bcm2835"
 
 extern const struct board board_pico_display, board_pico_display_2, board_waveshare_pico_lcd_1in3,

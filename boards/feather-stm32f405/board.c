@@ -1,7 +1,4 @@
-/*
- * Pinout: https://learn.adafruit.com/adafruit-2-4-tft-touch-screen-featherwing/pinouts
- * D9 is PB8, D10 is PB9. Reset is the Feather's; the backlight is always on.
- */
+/* D9 is PB8, D10 is PB9. The panel is reset with the Feather; its backlight is always on. */
 #include "boards.h"
 
 const struct board board_feather_stm32f405 = {

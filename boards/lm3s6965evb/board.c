@@ -1,7 +1,4 @@
-/*
- * Pinout: https://www.ti.com/tool/EK-LM3S6965
- * The bus is shared with the SD card: PD0 must be high. The panel is reset with the CPU. QEMU's panel cannot be turned.
- */
+/* The SD card shares the bus, so PD0 must be high. The panel is reset with the CPU. QEMU's panel cannot be turned. */
 #include "boards.h"
 
 const struct board board_lm3s6965evb = {

@@ -1,9 +1,8 @@
 /*
- * Pinout: https://pinout.xyz/pinout/pirate_audio_line_out; checked against the maker's examples
- * (https://github.com/pimoroni/pirate-audio). Keys A, B, X, Y are up, down, left, right; Y is GPIO20 on boards sold
- * before 23 January 2020. No reset line.
+ * Checked against the maker's examples (https://github.com/pimoroni/pirate-audio). On boards sold before 23 January
+ * 2020 key Y is GPIO20.
  */
-#include "boards.h"
+#include "families/rpi.h"
 
 const struct board board_rpi_pirate_audio = {
     .name = "rpi-pirate-audio",
@@ -12,25 +11,7 @@ const struct board board_rpi_pirate_audio = {
     .panel = &panel_st7789_240x240,
     .rotation = PANEL_R0,
     .format = PANEL_RGB565,
-    .spi_select = 1,
-    .gpio_labels = RPI_GPIO_LABELS,
     .spi_hz = 62500000,
-    .pins =
-        {
-            .clock = BOARD_LINE("GPIO11"),
-            .data = BOARD_LINE("GPIO10"),
-            .select = BOARD_LINE_LOW("GPIO7"),
-            .dc = BOARD_LINE("GPIO9"),
-            .backlight = BOARD_LINE("GPIO13"),
-        },
-    .buttons =
-        {
-            {HAL_BUTTON_UP, BOARD_LINE_LOW("GPIO5")},
-            {HAL_BUTTON_DOWN, BOARD_LINE_LOW("GPIO6")},
-            {HAL_BUTTON_LEFT, BOARD_LINE_LOW("GPIO16")},
-            {HAL_BUTTON_RIGHT, BOARD_LINE_LOW("GPIO24")},
-        },
-    .button_count = 4,
-    .band_height = 60,
-    .ram_bytes = 16 * 1024 * 1024,
+    RPI_HEADER,
+    RPI_PIMORONI,
 };

@@ -1,8 +1,5 @@
-/*
- * Pinout: https://www.waveshare.com/wiki/RP2040-LCD-1.28
- * No buttons.
- */
-#include "boards.h"
+/* It has no buttons. */
+#include "families/pico.h"
 
 const struct board board_waveshare_rp2040_lcd_1in28 = {
     .name = "waveshare-rp2040-lcd-1in28",
@@ -11,17 +8,8 @@ const struct board board_waveshare_rp2040_lcd_1in28 = {
     .panel = &panel_gc9a01_240x240,
     .rotation = PANEL_R0,
     .format = PANEL_RGB565,
-    .spi_bus = 1,
     .spi_hz = 62500000,
-    .pins =
-        {
-            .clock = BOARD_PIN(10),
-            .data = BOARD_PIN(11),
-            .select = BOARD_PIN_LOW(9),
-            .dc = BOARD_PIN(8),
-            .reset = BOARD_PIN(12),
-            .backlight = BOARD_PIN(25),
-        },
+    PICO_WAVESHARE(25),
     .band_height = 16,
     .band_buffers = 6,
     .ram_bytes = 140 * 1024,

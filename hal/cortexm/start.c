@@ -21,14 +21,12 @@
 #define STACK_PAINT 0x57AC57ACu
 
 /* From the linker script. */
-extern uint32_t data_start[], data_end[], data_load[], bss_start[], bss_end[], stack_guard[], stack_start[],
-    stack_top[];
+extern uint32_t ld_data_start[], ld_data_end[], ld_data_load[], ld_bss_start[], ld_bss_end[], ld_stack_guard[],
+    ld_stack_start[], ld_stack_top[];
 
 int main(void);
-void start(void);
-void fault(void);
-void fault_report(uint32_t pc, uint32_t lr, uint32_t saved);
-void tick(void);
+void cortexm_start(void);                                            /* for sections.ld */
+void cortexm_fault_report(uint32_t pc, uint32_t lr, uint32_t saved); /* for on_fault */
 
 static struct {
     uint32_t tick_us_at; /* time at the last tick */
@@ -36,12 +34,12 @@ static struct {
     bool ending;
 } machine;
 
-void tick(void)
+static void tick(void)
 {
     machine.tick_us_at += TICK_US;
 }
 
-/* In a fault SysTick's interrupt has to wait. */
+/* Within an exception SysTick's interrupt has to wait, so this counts its tick. */
 static void tick_in_fault(void)
 {
     if ((ICSR & 511) != 0 && (SYST_CSR & 1U << 16) != 0) {
@@ -49,21 +47,22 @@ static void tick_in_fault(void)
     }
 }
 
-uint32_t cortexm_time_us(void)
+uint32_t cortexm_time_us(void *context)
 {
     uint32_t before, left;
+    (void)context;
     tick_in_fault();
-    do { /* again if a tick came in between */
+    do { /* reads again if a tick came in between */
         before = *(volatile uint32_t *)&machine.tick_us_at;
         left = SYST_CVR;
     } while (before != *(volatile uint32_t *)&machine.tick_us_at);
     return before + (TICK_US * machine.clocks - 1 - left) / machine.clocks;
 }
 
-void cortexm_delay_us(uint32_t us)
+void cortexm_delay_us(void *context, uint32_t us)
 {
-    const uint32_t from = cortexm_time_us();
-    while (cortexm_time_us() - from <= us) {
+    const uint32_t from = cortexm_time_us(context);
+    while (cortexm_time_us(context) - from <= us) {
     }
 }
 
@@ -75,7 +74,7 @@ static void start_time(uint32_t clock_hz)
     SYST_CSR = 7; /* on, interrupt, CPU clock */
 }
 
-/* Symbols of the linker script are objects of their own to the language: counted, not compared. */
+/* To C each symbol of the linker script is an object of its own, and pointers into two objects may not be compared. */
 static uint32_t words_between(const uint32_t *from, const uint32_t *to)
 {
     return (uint32_t)(((uintptr_t)to - (uintptr_t)from) / 4);
@@ -88,49 +87,49 @@ static void fill(uint32_t *to, uint32_t words, uint32_t value)
     }
 }
 
-/* Not into the frame of this very function. */
+/* Leaves out the frame of this very function. */
 static __attribute__((noinline)) void paint_stack(void)
 {
-    const uint32_t below = words_between(stack_start, (const uint32_t *)__builtin_frame_address(0));
-    fill(stack_start, below - 16, STACK_PAINT);
+    const uint32_t below = words_between(ld_stack_start, (const uint32_t *)__builtin_frame_address(0));
+    fill(ld_stack_start, below - 16, STACK_PAINT);
 }
 
-/* The 128 bytes below the stack: nobody may touch them, all else is as without an MPU. */
+/* Forbids the 128 bytes below the stack to everybody. The rest of memory stays as without an MPU. */
 static void guard_stack(void)
 {
     MPU_RNR = 0;
-    MPU_RBAR = (uint32_t)(uintptr_t)stack_guard;
+    MPU_RBAR = (uint32_t)(uintptr_t)ld_stack_guard;
     MPU_RASR = 6U << 1 | 1U;
     MPU_CTRL = 5;
 }
 
 uint32_t port_stack_used(void)
 {
-    const uint32_t words = words_between(stack_start, stack_top);
+    const uint32_t words = words_between(ld_stack_start, ld_stack_top);
     uint32_t unused = 0;
-    while (unused < words && stack_start[unused] == STACK_PAINT) {
+    while (unused < words && ld_stack_start[unused] == STACK_PAINT) {
         unused++;
     }
     return 4 * (words - unused);
 }
 
-void start(void)
+void cortexm_start(void)
 {
-    const uint32_t words = words_between(data_start, data_end);
+    const uint32_t words = words_between(ld_data_start, ld_data_end);
     for (uint32_t i = 0; i < words; i++) {
-        data_start[i] = data_load[i];
+        ld_data_start[i] = ld_data_load[i];
     }
-    fill(bss_start, words_between(bss_start, bss_end), 0);
+    fill(ld_bss_start, words_between(ld_bss_start, ld_bss_end), 0);
     paint_stack();
     guard_stack();
-    SHCSR |= 7U << 16; /* memory, bus and usage faults have handlers of their own */
+    SHCSR |= 7U << 16; /* gives memory, bus and usage faults handlers of their own */
     start_time(port_start());
     port_exit(main());
 }
 
 /* ---- the end -------------------------------------------------------------------------------------- */
 
-/* What a debugger or an emulator does for a program (Arm semihosting specification); the arguments lie in r0 and r1. */
+/* Asks a debugger or an emulator (Arm semihosting specification). The arguments lie in r0 and r1. */
 __attribute__((naked, noinline)) static void semihosting(uint32_t operation __attribute__((unused)),
                                                          const uint32_t *block __attribute__((unused)))
 {
@@ -151,7 +150,7 @@ void cortexm_dark(void)
     panel_close(&d);
 }
 
-/* Without a debugger or emulator the exit is a fault itself, which ends here, too. */
+/* Without a debugger or emulator the semihosting call is a fault, which comes back here. */
 void port_exit(int status)
 {
     if (!machine.ending) {
@@ -176,8 +175,8 @@ static void log_hex(const char *name, uint32_t value)
     port_log(text);
 }
 
-/* saved: pc and lr are known, the stack had room for them. */
-void fault_report(uint32_t pc, uint32_t lr, uint32_t saved)
+/* saved: the stack had room for pc and lr, so they are known. */
+void cortexm_fault_report(uint32_t pc, uint32_t lr, uint32_t saved)
 {
     if (machine.ending) {
         port_exit(1);
@@ -195,40 +194,40 @@ void fault_report(uint32_t pc, uint32_t lr, uint32_t saved)
     port_exit(1);
 }
 
-/* The report starts on an empty stack, for the old one may be full: what the exception saved there is read before. */
-__attribute__((naked)) void fault(void)
+/* Reads what the exception saved, then starts the report on an empty stack, for the old one may be full. */
+__attribute__((naked)) static void on_fault(void)
 {
     __asm__ volatile("mrs r3, msp\n"
-                     "ldr r2, =stack_start\n"
+                     "ldr r2, =ld_stack_start\n"
                      "cmp r3, r2\n"
                      "ittte hs\n"
                      "ldrhs r0, [r3, #24]\n"
                      "ldrhs r1, [r3, #20]\n"
                      "movhs r2, #1\n"
                      "movlo r2, #0\n"
-                     "ldr r3, =stack_top\n"
+                     "ldr r3, =ld_stack_top\n"
                      "mov sp, r3\n"
-                     "b fault_report\n");
+                     "b cortexm_fault_report\n");
 }
 
 #define SYSTEM_VECTORS 16
 typedef void handler(void);
 
 __attribute__((section(".vectors"), used)) static handler *const vectors[SYSTEM_VECTORS] = {
-    (handler *)stack_top,
-    start,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
-    fault,
+    (handler *)ld_stack_top,
+    cortexm_start,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
+    on_fault,
     tick,
 };

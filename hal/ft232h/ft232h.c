@@ -1,4 +1,4 @@
-/* See ft232h.h: the operations as MPSSE commands; their way to the chip is link.h. */
+/* See ft232h.h. The operations become MPSSE commands here; link.h carries them to the chip. */
 #define _POSIX_C_SOURCE 200809L
 #include "ft232h.h"
 
@@ -26,11 +26,11 @@ int ft232h_fail(char *error, int status, const char *format, ...)
 
 static uint16_t bit_of(const struct board_pin *pin)
 {
-    const int number = pin->wired && pin->line != NULL ? mpsse_pin(pin->line) : -1;
+    const int number = pin->wired && pin->line != NULL ? ft232h_mpsse_pin(pin->line) : -1;
     return number < 0 ? 0 : (uint16_t)(1U << number);
 }
 
-/* The pin's level as hal.h means it; goes into the stream if it changes. */
+/* Sets a pin's level, in the sense of hal.h; a change goes into the stream. */
 static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
 {
     uint8_t commands[MPSSE_PINS_MAX];
@@ -38,10 +38,11 @@ static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
     const uint16_t levels = (uint16_t)(level != pin->active_low ? h->levels | bit : h->levels & ~bit);
     const uint16_t changed = levels ^ h->levels;
     h->levels = levels;
-    return link_put(h->usb, commands, mpsse_pins(commands, levels, h->outputs, changed));
+    return ft232h_link_put(h->usb, commands, ft232h_mpsse_pins(commands, levels, h->outputs, changed));
 }
 
-/* A pin that is wired must be one that the engine can use: `fixed` (a bit), or 0: any that is not the engine's own. */
+/* Refuses a wired pin that the engine cannot use so. `fixed` is the bit that it must be; 0: any but the engine's own.
+ */
 static int check_pin(struct ft232h *h, const char *what, const struct board_pin *pin, uint16_t fixed)
 {
     const uint16_t bit = bit_of(pin);
@@ -78,7 +79,7 @@ static int check_board(struct ft232h *h)
 
 /* ---- the stream --------------------------------------------------------------------------------- */
 
-/* Until the engine has done all of it: the answer to the last command is back. */
+/* Waits for the answer to a last command: then the engine has done all before it. */
 static int finish(struct ft232h *h)
 {
     static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_SEND_NOW};
@@ -86,9 +87,9 @@ static int finish(struct ft232h *h)
     if (!h->unfinished) {
         return HAL_OK;
     }
-    int status = link_put(h->usb, ask, sizeof ask);
-    status = status < 0 ? status : link_flush(h->usb);
-    status = status < 0 ? status : link_get(h->usb, &low, 1);
+    int status = ft232h_link_put(h->usb, ask, sizeof ask);
+    status = status < 0 ? status : ft232h_link_flush(h->usb);
+    status = status < 0 ? status : ft232h_link_get(h->usb, &low, 1);
     h->unfinished = status < 0;
     return status;
 }
@@ -99,16 +100,16 @@ static int put_bytes(struct ft232h *h, const uint8_t *bytes, size_t n)
     int status = HAL_OK;
     while (n > 0 && status == HAL_OK) {
         const size_t piece = n < MPSSE_BLOCK_MAX ? n : MPSSE_BLOCK_MAX;
-        mpsse_block(head, MPSSE_OUT, piece);
-        status = link_put(h->usb, head, sizeof head);
-        status = status < 0 ? status : link_put(h->usb, bytes, piece);
+        ft232h_mpsse_block(head, MPSSE_OUT, piece);
+        status = ft232h_link_put(h->usb, head, sizeof head);
+        status = status < 0 ? status : ft232h_link_put(h->usb, bytes, piece);
         bytes += piece;
         n -= piece;
     }
     return status;
 }
 
-/* D/C, then select: the panel takes D/C as it is with each byte's last bit. */
+/* Sets D/C before select, for the panel reads D/C with the last bit of each byte. */
 static int begin(struct ft232h *h, enum hal_dc dc)
 {
     h->unfinished = true;
@@ -125,7 +126,7 @@ static int ft232h_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes,
     int status = begin(h, dc);
     status = status < 0 ? status : put_bytes(h, bytes, n);
     status = status < 0 ? status : set_pin(h, &h->board->pins.select, false);
-    return status < 0 || n < FT232H_FLUSH_BYTES ? status : link_flush(h->usb);
+    return status < 0 || n < FT232H_FLUSH_BYTES ? status : ft232h_link_flush(h->usb);
 }
 
 static int ft232h_bus_wait(void *context)
@@ -146,11 +147,11 @@ static int ft232h_bus_read(void *context, uint8_t command, uint8_t *bytes, size_
     int status = finish(h);
     status = status < 0 ? status : begin(h, HAL_COMMAND);
     status = status < 0 ? status : put_bytes(h, &command, 1);
-    mpsse_block(head, MPSSE_IN, n);
-    status = status < 0 ? status : link_put(h->usb, head, sizeof head);
+    ft232h_mpsse_block(head, MPSSE_IN, n);
+    status = status < 0 ? status : ft232h_link_put(h->usb, head, sizeof head);
     status = status < 0 ? status : set_pin(h, &h->board->pins.select, false);
-    status = status < 0 ? status : link_flush(h->usb);
-    return status < 0 ? status : link_get(h->usb, bytes, n);
+    status = status < 0 ? status : ft232h_link_flush(h->usb);
+    return status < 0 ? status : ft232h_link_get(h->usb, bytes, n);
 }
 
 static int ft232h_pin_set(void *context, enum hal_pin pin, bool level)
@@ -165,14 +166,14 @@ static int32_t ft232h_bus_clock(void *context, uint32_t hz)
 {
     struct ft232h *h = context;
     uint8_t command[MPSSE_CLOCK];
-    const uint32_t got = mpsse_clock(command, hz);
+    const uint32_t got = ft232h_mpsse_clock(command, hz);
     if (got == 0) {
         return ft232h_fail(h->error, HAL_EINVAL, "FT232H: no clock as slow as %u Hz; the slowest is 458 Hz",
                            (unsigned)hz);
     }
     int status = finish(h);
-    link_pace(h->usb, got);
-    status = status < 0 ? status : link_put(h->usb, command, sizeof command);
+    ft232h_link_pace(h->usb, got);
+    status = status < 0 ? status : ft232h_link_put(h->usb, command, sizeof command);
     h->unfinished = true;
     return status < 0 ? status : (int32_t)got;
 }
@@ -192,7 +193,7 @@ static uint32_t ft232h_time_us(void *context)
     return (uint32_t)(now_ns() / 1000);
 }
 
-/* From the last bit on; its error comes again with the next operation. */
+/* Counts from the last bit. An error of finish() comes again with the next operation. */
 static void ft232h_delay_us(void *context, uint32_t us)
 {
     struct timespec end;
@@ -204,15 +205,15 @@ static void ft232h_delay_us(void *context, uint32_t us)
     }
 }
 
-/* Asks for all pins; a contact that bounces while it is looked at is right the next time. */
+/* Asks for all pins. When a contact bounces just then, the next call sees it right. */
 static uint32_t ft232h_buttons(void *context)
 {
     static const uint8_t ask[] = {MPSSE_GET_LOW, MPSSE_GET_HIGH, MPSSE_SEND_NOW};
     struct ft232h *h = context;
     uint8_t levels[2] = {0, 0};
     uint32_t held = 0;
-    if (h->board->button_count == 0 || finish(h) < 0 || link_put(h->usb, ask, sizeof ask) < 0 ||
-        link_flush(h->usb) < 0 || link_get(h->usb, levels, sizeof levels) < 0) {
+    if (h->board->button_count == 0 || finish(h) < 0 || ft232h_link_put(h->usb, ask, sizeof ask) < 0 ||
+        ft232h_link_flush(h->usb) < 0 || ft232h_link_get(h->usb, levels, sizeof levels) < 0) {
         return 0;
     }
     for (uint32_t i = 0; i < h->board->button_count; i++) {
@@ -232,7 +233,7 @@ static void add_output(struct ft232h *h, const struct board_pin *pin, bool level
     h->levels |= level != pin->active_low ? bit : 0U;
 }
 
-/* Panel selected by nothing, running, dark; the clock at rest. */
+/* The panel is not selected, runs and is dark; the clock rests. */
 static int start(struct ft232h *h)
 {
     static const uint8_t modes[] = {MPSSE_60_MHZ, MPSSE_ADAPTIVE_OFF, MPSSE_LOOPBACK_OFF};
@@ -244,8 +245,10 @@ static int start(struct ft232h *h)
     add_output(h, &pins->dc, false);
     add_output(h, &pins->reset, true);
     add_output(h, &pins->backlight, false);
-    int status = link_put(h->usb, modes, sizeof modes);
-    status = status < 0 ? status : link_put(h->usb, commands, mpsse_pins(commands, h->levels, h->outputs, UINT16_MAX));
+    int status = ft232h_link_put(h->usb, modes, sizeof modes);
+    status = status < 0
+                 ? status
+                 : ft232h_link_put(h->usb, commands, ft232h_mpsse_pins(commands, h->levels, h->outputs, UINT16_MAX));
     h->unfinished = true;
     return status < 0 ? status : finish(h);
 }
@@ -255,7 +258,7 @@ static void ft232h_close(void *context)
     struct ft232h *h = context;
     if (h->usb != NULL) {
         ft232h_pin_set(h, HAL_PIN_BACKLIGHT, false);
-        link_close(h->usb);
+        ft232h_link_close(h->usb);
         h->usb = NULL;
     }
 }
@@ -269,7 +272,7 @@ static int ft232h_open(void *context, const struct board *board)
     h->serial = serial;
     h->board = board;
     int status = check_board(h);
-    status = status < 0 ? status : link_open(&h->usb, serial, h->error);
+    status = status < 0 ? status : ft232h_link_open(&h->usb, serial, h->error);
     status = status < 0 ? status : start(h);
     if (status < 0) {
         ft232h_close(h);

@@ -1,7 +1,7 @@
 /*
- * link: the USB side of an FT232H: bytes to its engine in order, bytes from it. usb/ does it with libusb, nousb/
- * refuses. Private to hal/ft232h. Results: 0 or a status of hal.h, with its line in the error of link_open. Nothing
- * waits for ever.
+ * link: the USB side of an FT232H. It carries bytes to its engine in order, and bytes from it. usb/ does so with
+ * libusb, nousb/ refuses. Private to hal/ft232h. Results: 0 or a status of hal.h, with its line in the error of
+ * ft232h_link_open. Nothing waits for ever.
  */
 #ifndef HAL_FT232H_LINK_H
 #define HAL_FT232H_LINK_H
@@ -10,26 +10,26 @@
 
 /*
  * Finds the FT232H (serial: NULL for the only one), takes it from the kernel's serial driver and starts its MPSSE.
- * error must stay until link_close.
+ * error must stay until ft232h_link_close.
  */
-int link_open(struct ft232h_usb **link, const char *serial, char *error);
+int ft232h_link_open(struct ft232h_usb **link, const char *serial, char *error);
 
 /* Writes the line to error (FT232H_ERROR_SIZE), cut to what fits, and returns status. Defined in ft232h.c. */
 int ft232h_fail(char *error, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The clock from here on, for the time-outs; link_get must have returned everything asked for before. */
-void link_pace(struct ft232h_usb *link, uint32_t hz);
+/* Tells the clock from here on, for the time-outs. All answers asked for before must have been read. */
+void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz);
 
-/* Copies bytes into the stream; waits while two transfers are under way and a third is full. */
-int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n);
+/* Copies bytes into the stream. Waits while two transfers are under way and a third is full. */
+int ft232h_link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n);
 
-/* Starts the transfer of what is left in the stream. */
-int link_flush(struct ft232h_usb *link);
+/* Starts the transfer of the bytes that are left in the stream. */
+int ft232h_link_flush(struct ft232h_usb *link);
 
 /* Reads exactly n bytes of answers. */
-int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n);
+int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n);
 
-/* The pins float, the serial driver is back. NULL is fine. */
-void link_close(struct ft232h_usb *link);
+/* Lets the pins float and gives the device back to the serial driver. NULL is allowed. */
+void ft232h_link_close(struct ft232h_usb *link);
 
 #endif

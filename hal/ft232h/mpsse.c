@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-#define MPSSE_BASE_HZ 30000000U /* 60 MHz, and two edges a bit */
+#define MPSSE_BASE_HZ 30000000U /* 60 MHz with two edges a bit */
 
-size_t mpsse_pins(uint8_t out[MPSSE_PINS_MAX], uint16_t levels, uint16_t outputs, uint16_t changed)
+size_t ft232h_mpsse_pins(uint8_t out[MPSSE_PINS_MAX], uint16_t levels, uint16_t outputs, uint16_t changed)
 {
     size_t n = 0;
     if ((changed & 0xFF) != 0) {
@@ -21,14 +21,14 @@ size_t mpsse_pins(uint8_t out[MPSSE_PINS_MAX], uint16_t levels, uint16_t outputs
     return n;
 }
 
-void mpsse_block(uint8_t out[MPSSE_BLOCK], uint8_t command, size_t n)
+void ft232h_mpsse_block(uint8_t out[MPSSE_BLOCK], uint8_t command, size_t n)
 {
     out[0] = command;
     out[1] = (uint8_t)(n - 1);
     out[2] = (uint8_t)((n - 1) >> 8);
 }
 
-uint32_t mpsse_clock(uint8_t out[MPSSE_CLOCK], uint32_t hz)
+uint32_t ft232h_mpsse_clock(uint8_t out[MPSSE_CLOCK], uint32_t hz)
 {
     if (hz == 0) {
         return 0;
@@ -44,7 +44,7 @@ uint32_t mpsse_clock(uint8_t out[MPSSE_CLOCK], uint32_t hz)
     return MPSSE_BASE_HZ / (divisor + 1);
 }
 
-int mpsse_pin(const char *name)
+int ft232h_mpsse_pin(const char *name)
 {
     if (strlen(name) != 3 || name[0] != 'A' || name[2] < '0' || name[2] > '7') {
         return -1;

@@ -8,7 +8,7 @@ static void hold(struct linux_button *button, bool pressed, uint64_t time_ns)
     button->was_held |= pressed;
 }
 
-void debounce_start(struct linux_button *button, bool pressed, uint64_t now_ns)
+void linux_debounce_start(struct linux_button *button, bool pressed, uint64_t now_ns)
 {
     button->raw = pressed;
     button->edge_ns = now_ns;
@@ -16,7 +16,7 @@ void debounce_start(struct linux_button *button, bool pressed, uint64_t now_ns)
     hold(button, pressed, now_ns);
 }
 
-void debounce_edge(struct linux_button *button, bool pressed, uint64_t time_ns, uint64_t settle_ns)
+void linux_debounce_edge(struct linux_button *button, bool pressed, uint64_t time_ns, uint64_t settle_ns)
 {
     button->raw = pressed;
     button->edge_ns = time_ns;
@@ -25,7 +25,7 @@ void debounce_edge(struct linux_button *button, bool pressed, uint64_t time_ns, 
     }
 }
 
-bool debounce_look(struct linux_button *button, uint64_t now_ns, uint64_t settle_ns)
+bool linux_debounce_look(struct linux_button *button, uint64_t now_ns, uint64_t settle_ns)
 {
     if (button->raw != button->held && now_ns >= button->edge_ns + settle_ns) {
         hold(button, button->raw, now_ns);

@@ -1,13 +1,13 @@
-/* fail: one line for people on what went wrong. Private to hal/linux. */
+/* fail: one line for people about an error. Private to hal/linux. */
 #ifndef HAL_LINUX_FAIL_H
 #define HAL_LINUX_FAIL_H
 
 #include "linux.h"
 
-/* Linux' errno (> 0) as a status of hal.h; those that hal.h does not list become HAL_EIO. */
+/* Linux' errno (> 0) as a status of hal.h. A number that hal.h does not list becomes HAL_EIO. */
 int linux_status(int number);
 
-/* Writes the line, cut to what fits, and returns status. */
+/* Writes the line, cut if it is too long, and returns status. */
 int linux_fail(char error[LINUX_ERROR_SIZE], int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 #endif

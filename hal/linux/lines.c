@@ -10,7 +10,7 @@
 
 enum { CHIPS_MAX = 64, OFFSET_DIGITS = 5 };
 
-/* What is looked for: a name on any chip, or an offset on the chip of a path or of a label. */
+/* The line that is wanted: a name on any chip, or an offset on the chip of a path or of a label. */
 struct wanted {
     const char *name;
     const char *path;
@@ -18,13 +18,13 @@ struct wanted {
     unsigned offset;
 };
 
-/* A line that was found, and on the way there the chips that could not be looked at. */
+/* The line that was found, and the first chip that could not be opened before it. */
 struct found {
     void *chip; /* open; NULL: none */
     unsigned offset;
     char path[LINUX_PATH_SIZE];
     unsigned chips_seen;
-    int refusal; /* errno of the first chip that is there but cannot be opened */
+    int refusal; /* errno of the first chip that exists but cannot be opened */
     char refused[LINUX_PATH_SIZE];
 };
 
@@ -34,7 +34,7 @@ static bool all_digits(const char *text, size_t most)
     return n > 0 && n <= most && text[n] == 0;
 }
 
-bool line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset)
+bool linux_line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset)
 {
     const char *colon = strrchr(text, ':');
     if (colon == NULL || colon == text || !all_digits(colon + 1, OFFSET_DIGITS)) {
@@ -50,7 +50,7 @@ bool line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset)
     return true;
 }
 
-int line_gpio_number(const char *name)
+int linux_line_gpio_number(const char *name)
 {
     return strncmp(name, "GPIO", 4) == 0 && all_digits(name + 4, 3) ? (int)strtol(name + 4, NULL, 10) : -1;
 }
@@ -60,19 +60,19 @@ static int match(void *chip, const struct wanted *wanted)
 {
     char label[32] = "";
     if (wanted->name != NULL) {
-        return gpio_chip_find(chip, wanted->name);
+        return linux_gpio_chip_find(chip, wanted->name);
     }
     if (wanted->label != NULL &&
-        (gpio_chip_label(chip, label, sizeof label) < 0 || strcmp(label, wanted->label) != 0)) {
+        (linux_gpio_chip_label(chip, label, sizeof label) < 0 || strcmp(label, wanted->label) != 0)) {
         return -ENOENT;
     }
-    return (int)wanted->offset < gpio_chip_lines(chip) ? (int)wanted->offset : -ENOENT;
+    return (int)wanted->offset < linux_gpio_chip_lines(chip) ? (int)wanted->offset : -ENOENT;
 }
 
-/* Leaves the chip open in found if it has what is wanted. */
+/* Leaves the chip open in found if it has the line that is wanted. */
 static bool look_at_chip(struct found *found, const struct wanted *wanted)
 {
-    void *chip = gpio_chip_open(found->path);
+    void *chip = linux_gpio_chip_open(found->path);
     if (chip == NULL) {
         if (errno != ENOENT && errno != ENODEV && found->refusal == 0) {
             found->refusal = errno;
@@ -83,7 +83,7 @@ static bool look_at_chip(struct found *found, const struct wanted *wanted)
     found->chips_seen++;
     const int offset = match(chip, wanted);
     if (offset < 0) {
-        gpio_chip_close(chip);
+        linux_gpio_chip_close(chip);
         return false;
     }
     found->chip = chip;
@@ -91,10 +91,8 @@ static bool look_at_chip(struct found *found, const struct wanted *wanted)
     return true;
 }
 
-/*
- * Chip after chip by path: libgpiod's own look-ups make "no permission" a "not found".
- * The chips are looked at in the order of their numbers.
- */
+/* Opens chip after chip by path, in the order of their numbers: libgpiod's own search reports "no permission" as "not
+ * found". */
 static bool look_for(struct found *found, const struct wanted *wanted)
 {
     if (wanted->path != NULL) {
@@ -110,10 +108,10 @@ static bool look_for(struct found *found, const struct wanted *wanted)
     return false;
 }
 
-/* "GPIOn" on kernels that name no lines. labels: separated by spaces. */
+/* Finds "GPIOn" on kernels that name no lines. labels: separated by spaces. */
 static bool look_for_number(struct found *found, const char *name, const char *labels)
 {
-    const int number = line_gpio_number(name);
+    const int number = linux_line_gpio_number(name);
     char label[32];
     while (number >= 0 && labels != NULL && *labels != 0) {
         const size_t n = strcspn(labels, " ");
@@ -131,7 +129,7 @@ static bool find(struct found *found, const struct board *board, const char *tex
 {
     char chip[LINUX_PATH_SIZE];
     unsigned offset = 0;
-    if (line_place(text, chip, &offset)) {
+    if (linux_line_place(text, chip, &offset)) {
         const bool is_path = chip[0] == '/' || (strncmp(chip, "gpiochip", 8) == 0 && all_digits(chip + 8, 4));
         const struct wanted wanted = {.path = is_path ? chip : NULL, .label = is_path ? NULL : chip, .offset = offset};
         return look_for(found, &wanted);
@@ -174,13 +172,13 @@ static int not_taken(const struct found *found, const char *text, int number, ch
         return linux_fail(error, linux_status(number), "line %s (%s:%u) cannot be used: %s; take another line", text,
                           found->path, found->offset, strerror(number));
     }
-    gpio_chip_look(found->chip, found->offset, &look);
+    linux_gpio_chip_look(found->chip, found->offset, &look);
     return linux_fail(error, HAL_EBUSY,
                       "line %s (%s:%u) is taken by \"%s\"; end that program, or remove the overlay that claims it",
                       text, found->path, found->offset, look.holder[0] != 0 ? look.holder : "?");
 }
 
-/* A wired pin must have a name. */
+/* Finds a wired pin, which must have a name. */
 static int find_pin(struct found *found, const struct board *board, const struct board_pin *pin,
                     char error[LINUX_ERROR_SIZE])
 {
@@ -191,8 +189,8 @@ static int find_pin(struct found *found, const struct board *board, const struct
     return find(found, board, pin->line) ? HAL_OK : not_found(found, pin->line, error);
 }
 
-int line_open(struct linux_line *line, const struct board *board, const struct board_pin *pin,
-              const struct gpio_want *want, char error[LINUX_ERROR_SIZE])
+int linux_line_open(struct linux_line *line, const struct board *board, const struct board_pin *pin,
+                    const struct linux_gpio_want *want, char error[LINUX_ERROR_SIZE])
 {
     struct found found = {0};
     if (!pin->wired) {
@@ -203,10 +201,10 @@ int line_open(struct linux_line *line, const struct board *board, const struct b
         return status;
     }
     line->active_low = pin->active_low;
-    status = gpio_request(line, found.chip, found.offset, want);
+    status = linux_gpio_request(line, found.chip, found.offset, want);
     if (status < 0) {
         status = not_taken(&found, pin->line, -status, error);
-        gpio_chip_close(found.chip);
+        linux_gpio_chip_close(found.chip);
     }
     return status;
 }
@@ -222,9 +220,9 @@ int linux_line_look(const struct board *board, const struct board_pin *pin, stru
     }
     memcpy(look->chip, found.path, sizeof look->chip);
     look->offset = found.offset;
-    gpio_chip_label(found.chip, look->label, sizeof look->label);
-    status = gpio_chip_look(found.chip, found.offset, look);
-    gpio_chip_close(found.chip);
+    linux_gpio_chip_label(found.chip, look->label, sizeof look->label);
+    status = linux_gpio_chip_look(found.chip, found.offset, look);
+    linux_gpio_chip_close(found.chip);
     return status == 0 ? HAL_OK
                        : linux_fail(error, linux_status(-status), "%s:%u cannot be looked at: %s", found.path,
                                     found.offset, strerror(-status));
@@ -232,5 +230,5 @@ int linux_line_look(const struct board *board, const struct board_pin *pin, stru
 
 const char *linux_gpiod_version(void)
 {
-    return gpio_version();
+    return linux_gpio_version();
 }

@@ -4,14 +4,14 @@
 
 #include "gpio_lines.h"
 
-/* "chip:offset" apart; false if text is not of that form (then it is a name). */
-bool line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset);
+/* Splits "chip:offset"; false if text is not of that form, so that it is a name. */
+bool linux_line_place(const char *text, char chip[LINUX_PATH_SIZE], unsigned *offset);
 
 /* n of "GPIOn"; -1 for other names. */
-int line_gpio_number(const char *name);
+int linux_line_gpio_number(const char *name);
 
-/* Takes the line of a pin; one that is not wired is left as it is and is no error. */
-int line_open(struct linux_line *line, const struct board *board, const struct board_pin *pin,
-              const struct gpio_want *want, char error[LINUX_ERROR_SIZE]);
+/* Takes the line of a pin. A pin that is not wired is no error; its line stays as it is. */
+int linux_line_open(struct linux_line *line, const struct board *board, const struct board_pin *pin,
+                    const struct linux_gpio_want *want, char error[LINUX_ERROR_SIZE]);
 
 #endif

@@ -1,4 +1,4 @@
-/* See linux.h: the operations; what they do to the bus is in spi.c, to the lines in lines.c. */
+/* See linux.h. The operations are here, the bus is in spi.c, the lines are in lines.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "linux.h"
 
@@ -30,7 +30,7 @@ static bool wired(const struct linux_line *line)
 
 static int set_line(struct linux_hal *h, struct linux_line *line, const char *what, bool level)
 {
-    const int status = gpio_set(line, level != line->active_low);
+    const int status = linux_gpio_set(line, level != line->active_low);
     return status == 0
                ? HAL_OK
                : linux_fail(h->error, linux_status(-status), "the %s line cannot be set: %s", what, strerror(-status));
@@ -38,7 +38,7 @@ static int set_line(struct linux_hal *h, struct linux_line *line, const char *wh
 
 /* ---- sending ------------------------------------------------------------------------------------ */
 
-/* The least counts: it is what the system calls take, without what else the machine does. */
+/* Keeps the least: that is what the system calls take while the computer does nothing else. */
 static void note_short_write(struct linux_hal *h, size_t n, uint64_t took_ns)
 {
     const uint64_t bits_ns = 8000000000U * n / h->clock_hz;
@@ -46,7 +46,7 @@ static void note_short_write(struct linux_hal *h, size_t n, uint64_t took_ns)
     h->write_ns = ns < h->write_ns ? ns : h->write_ns;
 }
 
-/* Nothing is on the wire when this starts nor when it returns, so D/C may move first. */
+/* The bus is idle when this starts and when it returns, so D/C may move first. */
 static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     int status = HAL_OK;
@@ -57,8 +57,8 @@ static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes,
         h->dc_now = status == HAL_OK ? (int)dc : -1;
     }
     for (size_t sent = 0; sent < n && status == HAL_OK;) {
-        const size_t piece = spi_piece(n - sent, h->bufsiz);
-        status = spi_send(h, bytes + sent, piece, h->error);
+        const size_t piece = linux_spi_piece(n - sent, h->bufsiz);
+        status = linux_spi_send(h, bytes + sent, piece, h->error);
         sent += piece;
     }
     if (n >= LINUX_MEASURED_BYTES && status == HAL_OK) {
@@ -81,7 +81,7 @@ static void *sender(void *context)
         }
         pthread_mutex_unlock(&h->mutex);
         const int status =
-            send_bytes(h, h->job_dc, h->job_bytes, h->job_size); /* the kit is this thread's while busy */
+            send_bytes(h, h->job_dc, h->job_bytes, h->job_size); /* while busy the kit belongs to this thread */
         pthread_mutex_lock(&h->mutex);
         h->job_status = status;
         h->busy = false;
@@ -91,13 +91,19 @@ static void *sender(void *context)
     return NULL;
 }
 
-/* Waits until the thread is idle; its error, once. */
-static int idle(struct linux_hal *h)
+/* Locks the kit when the thread is idle. The wait ends, for the kernel's SPI drivers time out. */
+static void lock_idle(struct linux_hal *h)
 {
     pthread_mutex_lock(&h->mutex);
-    while (h->busy) { /* ends: the kernel's SPI drivers time out */
+    while (h->busy) {
         pthread_cond_wait(&h->changed, &h->mutex);
     }
+}
+
+/* Waits until the thread is idle; returns its error, once. */
+static int idle(struct linux_hal *h)
+{
+    lock_idle(h);
     const int status = h->job_status;
     h->job_status = HAL_OK;
     pthread_mutex_unlock(&h->mutex);
@@ -109,7 +115,7 @@ static int start_sender(struct linux_hal *h)
     sigset_t all;
     sigset_t before;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before); /* signals are for the program's own threads */
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* the program's own threads get the signals */
     const int number = pthread_create(&h->thread, NULL, sender, h);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     h->threaded = number == 0;
@@ -121,10 +127,7 @@ static void stop_sender(struct linux_hal *h)
     if (!h->threaded) {
         return;
     }
-    pthread_mutex_lock(&h->mutex);
-    while (h->busy) {
-        pthread_cond_wait(&h->changed, &h->mutex);
-    }
+    lock_idle(h);
     h->quit = true;
     pthread_cond_broadcast(&h->changed);
     pthread_mutex_unlock(&h->mutex);
@@ -142,15 +145,15 @@ static void linux_close(void *context)
     }
     stop_sender(h);
     if (wired(&h->backlight)) {
-        gpio_set(&h->backlight, h->backlight.active_low);
+        linux_gpio_set(&h->backlight, h->backlight.active_low);
     }
     for (uint32_t i = 0; i < BOARD_BUTTONS_MAX; i++) {
-        gpio_release(&h->buttons[i].line);
+        linux_gpio_release(&h->buttons[i].line);
     }
-    gpio_release(&h->tearing);
-    gpio_release(&h->backlight);
-    gpio_release(&h->reset);
-    gpio_release(&h->dc);
+    linux_gpio_release(&h->tearing);
+    linux_gpio_release(&h->backlight);
+    linux_gpio_release(&h->reset);
+    linux_gpio_release(&h->dc);
     if (h->spi >= 0) {
         close(h->spi);
     }
@@ -163,47 +166,47 @@ static void linux_close(void *context)
 static int open_bus(struct linux_hal *h)
 {
     const size_t bufsiz = linux_spi_bufsiz();
-    const int named = spi_name(h->spi_name, h->board, h->spi_path, h->error);
+    const int named = linux_spi_name(h->spi_name, h->board, h->spi_path, h->error);
     if (named < 0) {
         return named;
     }
-    h->spi = spi_open(h->spi_name, h->board->spi_mode, h->error);
+    h->spi = linux_spi_open(h->spi_name, h->board->spi_mode, h->error);
     h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
     return h->spi < 0 ? h->spi : HAL_OK;
 }
 
-/* An output, first at `level` in the sense of hal.h. */
+/* Takes an output whose first level, in the sense of hal.h, is `level`. */
 static int open_output(struct linux_hal *h, struct linux_line *line, const struct board_pin *pin, bool level)
 {
-    const struct gpio_want want = {.use = GPIO_OUT, .level = level != pin->active_low};
-    return line_open(line, h->board, pin, &want, h->error);
+    const struct linux_gpio_want want = {.use = GPIO_OUT, .level = level != pin->active_low};
+    return linux_line_open(line, h->board, pin, &want, h->error);
 }
 
 static int open_lines(struct linux_hal *h)
 {
     const struct board_pins *pins = &h->board->pins;
-    const struct gpio_want edges = {.use = pins->tearing.active_low ? GPIO_IN_BOTH : GPIO_IN_RISING};
+    const struct linux_gpio_want edges = {.use = pins->tearing.active_low ? GPIO_IN_BOTH : GPIO_IN_RISING};
     if (!pins->dc.wired) {
         return linux_fail(h->error, HAL_EINVAL, "board %s has no D/C line", h->board->name);
     }
     int status = open_output(h, &h->dc, &pins->dc, false);
     status = status < 0 ? status : open_output(h, &h->reset, &pins->reset, true);
     status = status < 0 ? status : open_output(h, &h->backlight, &pins->backlight, false);
-    return status < 0 ? status : line_open(&h->tearing, h->board, &pins->tearing, &edges, h->error);
+    return status < 0 ? status : linux_line_open(&h->tearing, h->board, &pins->tearing, &edges, h->error);
 }
 
-/* A button connects its line to ground (active low) or to the supply; the other level is the pull-up's or -down's. */
+/* A button connects its line to ground (active low) or to the supply; a pull-up or pull-down makes the other level. */
 static int open_buttons(struct linux_hal *h)
 {
     for (uint32_t i = 0; i < h->board->button_count && i < BOARD_BUTTONS_MAX; i++) {
         const struct board_pin *pin = &h->board->buttons[i].pin;
         struct linux_button *button = &h->buttons[i];
-        const struct gpio_want want = {
+        const struct linux_gpio_want want = {
             .use = GPIO_IN_BOTH, .pull_up = pin->active_low, .pull_down = !pin->active_low, .debounce_us = SETTLE_US};
-        int status = line_open(&button->line, h->board, pin, &want, h->error);
+        int status = linux_line_open(&button->line, h->board, pin, &want, h->error);
         if (status == HAL_OK && wired(&button->line)) {
-            const int level = gpio_get(&button->line);
-            debounce_start(button, level >= 0 && (level > 0) != pin->active_low, now_ns());
+            const int level = linux_gpio_get(&button->line);
+            linux_debounce_start(button, level >= 0 && (level > 0) != pin->active_low, now_ns());
         }
         if (status < 0) {
             return status;
@@ -248,7 +251,7 @@ static int32_t linux_bus_clock(void *context, uint32_t hz)
     if (hz == 0) {
         return linux_fail(h->error, HAL_EINVAL, "%s: a clock of 0 Hz was asked for", h->spi_name);
     }
-    const int32_t got = spi_clock(h->spi, h->spi_name, hz, h->error);
+    const int32_t got = linux_spi_clock(h->spi, h->spi_name, hz, h->error);
     h->clock_hz = got > 0 ? (uint32_t)got : h->clock_hz;
     return got;
 }
@@ -295,14 +298,14 @@ static int linux_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t
     if (!h->board->pins.data_in.wired) {
         return linux_fail(h->error, HAL_ENOSYS, "board %s has no data line from the panel", h->board->name);
     }
-    if (n == 0 || n > spi_piece(n, h->bufsiz)) {
+    if (n == 0 || n > linux_spi_piece(n, h->bufsiz)) {
         return linux_fail(h->error, HAL_EINVAL, "%s: %zu bytes cannot be read at once", h->spi_name, n);
     }
     if (h->dc_now != HAL_COMMAND) {
         status = set_line(h, &h->dc, "D/C", false);
         h->dc_now = status == HAL_OK ? HAL_COMMAND : -1;
     }
-    return status < 0 ? status : spi_read(h, command, bytes, n, h->error);
+    return status < 0 ? status : linux_spi_read(h, command, bytes, n, h->error);
 }
 
 static int linux_pin_set(void *context, enum hal_pin pin, bool level)
@@ -318,7 +321,7 @@ static int linux_pin_set(void *context, enum hal_pin pin, bool level)
 
 static bool edge_waits(struct linux_line *line, int timeout_ms)
 {
-    struct pollfd waiting = {.fd = gpio_descriptor(line), .events = POLLIN};
+    struct pollfd waiting = {.fd = linux_gpio_descriptor(line), .events = POLLIN};
     return poll(&waiting, 1, timeout_ms) > 0 && (waiting.revents & POLLIN) != 0;
 }
 
@@ -334,12 +337,12 @@ static int linux_te_wait(void *context, uint32_t timeout_us)
         return HAL_ENOSYS;
     }
     for (int i = 0; i < EDGES_MAX && edge_waits(&h->tearing, 0); i++) {
-        gpio_edge(&h->tearing, &time_ns); /* of frames that are over */
+        linux_gpio_edge(&h->tearing, &time_ns); /* an edge of an earlier frame */
     }
     const uint64_t end_ns = now_ns() + 1000ULL * timeout_us;
     for (uint64_t now = now_ns(); now < end_ns; now = now_ns()) {
         if (edge_waits(&h->tearing, (int)((end_ns - now + 999999) / 1000000))) {
-            const int rising = gpio_edge(&h->tearing, &time_ns);
+            const int rising = linux_gpio_edge(&h->tearing, &time_ns);
             if (rising < 0) {
                 return linux_fail(h->error, linux_status(-rising), "the TE line cannot be read: %s", strerror(-rising));
             }
@@ -359,15 +362,12 @@ static uint32_t linux_time_us(void *context)
     return (uint32_t)(now_ns() / 1000);
 }
 
-/* From the last bit on: an error of the bus stays for the next write or wait. */
+/* Counts from the last bit. An error of the bus stays for the next write or wait. */
 static void linux_delay_us(void *context, uint32_t us)
 {
     struct linux_hal *h = context;
     struct timespec end;
-    pthread_mutex_lock(&h->mutex);
-    while (h->busy) {
-        pthread_cond_wait(&h->changed, &h->mutex);
-    }
+    lock_idle(h);
     pthread_mutex_unlock(&h->mutex);
     const uint64_t end_ns = now_ns() + 1000ULL * us;
     end.tv_sec = (time_t)(end_ns / 1000000000U);
@@ -379,19 +379,19 @@ static void linux_delay_us(void *context, uint32_t us)
 static uint32_t linux_buttons(void *context)
 {
     struct linux_hal *h = context;
-    const uint64_t settle_ns = gpio_debounces() ? 0 : 1000ULL * SETTLE_US;
+    const uint64_t settle_ns = linux_gpio_debounces() ? 0 : 1000ULL * SETTLE_US;
     uint32_t held = 0;
     for (uint32_t i = 0; i < BOARD_BUTTONS_MAX; i++) {
         struct linux_button *button = &h->buttons[i];
         uint64_t time_ns = 0;
         for (int k = 0; k < EDGES_MAX && wired(&button->line) && edge_waits(&button->line, 0); k++) {
-            const int rising = gpio_edge(&button->line, &time_ns);
+            const int rising = linux_gpio_edge(&button->line, &time_ns);
             if (rising < 0) {
                 break;
             }
-            debounce_edge(button, (rising > 0) != button->line.active_low, time_ns, settle_ns);
+            linux_debounce_edge(button, (rising > 0) != button->line.active_low, time_ns, settle_ns);
         }
-        if (wired(&button->line) && debounce_look(button, now_ns(), settle_ns)) {
+        if (wired(&button->line) && linux_debounce_look(button, now_ns(), settle_ns)) {
             held |= h->board->buttons[i].button;
         }
     }

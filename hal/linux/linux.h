@@ -5,19 +5,19 @@
  *   struct hal hal = {&linux_ops, &context};
  *   if (hal.ops->open(&context, board) < 0) { puts(linux_hal_error(&context)); }
  *
- * The board may be one of boards/ or made up by the caller at run time; it must stay as long as the kit is open. Of its
- * pins the kernel's SPI driver moves clock, data and select; D/C, reset, backlight, TE and buttons are lines, named as
+ * The board is one of boards/, or one that the caller makes at run time; it must stay while the kit is open. The
+ * kernel's SPI driver moves clock, data and select. D/C, reset, backlight, TE and buttons are lines with names such as
  *
  *   "GPIO25"            a line that the kernel calls so, on any chip
  *   "gpiochip0:25"      line 25 of /dev/gpiochip0 (or "/dev/gpiochip0:25")
  *   "pinctrl-rp1:25"    line 25 of the chip with this label
  *
- * Where the kernel gives lines no names, "GPIOn" is line n of the first chip whose label stands in board->gpio_labels.
+ * Where the kernel gives lines no names, "GPIOn" is line n of the first chip with a label in board->gpio_labels.
  * A pin without a name (BOARD_PIN) is refused: chips are numbered differently from one kernel to the next.
  *
- * Writes of more than LINUX_INLINE_BYTES are sent by a thread of the kit while the caller goes on; D/C is moved by
- * whoever sends. An error of such a write is returned by the next bus_write or bus_wait, once. The functions of one kit
- * are for one thread at a time; kits do not know of each other.
+ * A thread of the kit sends writes of more than LINUX_INLINE_BYTES while the caller goes on; the sender also moves D/C.
+ * The next bus_write or bus_wait returns the error of such a write, once. One thread at a time may call the functions
+ * of a kit. Kits do not know of each other.
  *
  * Without libgpiod (its folder is chosen when Pinhole is built) a board with lines cannot be opened, and says so.
  */
@@ -29,11 +29,11 @@
 
 #include <pthread.h>
 
-#define LINUX_INLINE_BYTES 64 /* a thread takes longer to wake up than these take to go out */
+#define LINUX_INLINE_BYTES 64 /* they are sent sooner than a thread wakes up */
 #define LINUX_ERROR_SIZE   384
 #define LINUX_PATH_SIZE    64
 
-/* One line that is ours. Private; gpio_lines.h. */
+/* One line that was taken. Private; gpio_lines.h. */
 struct linux_line {
     void *chip, *request, *events; /* libgpiod's; request NULL: not wired */
     unsigned offset;
@@ -44,13 +44,13 @@ struct linux_line {
 struct linux_button {
     struct linux_line line;
     bool raw;         /* level at its last edge */
-    bool held;        /* what the user is told */
-    bool was_held;    /* pressed since the user was last told */
+    bool held;        /* debounced */
+    bool was_held;    /* pressed since the last look */
     uint64_t edge_ns; /* time of the last edge */
     uint64_t held_ns; /* time of the last change of held */
 };
 
-/* All of it is private but spi_path. */
+/* All members are private but spi_path. */
 struct linux_hal {
     const char *spi_path; /* set before open; NULL: /dev/spidevBUS.SELECT of the board */
 
@@ -73,8 +73,8 @@ struct linux_hal {
     size_t job_size;
     int job_status;      /* first error since it was last returned */
     uint64_t sent_bytes; /* in writes of LINUX_MEASURED_BYTES or more */
-    uint64_t sent_ns;    /* ... and the time they took */
-    uint64_t write_ns;   /* least that a short write with its D/C move took besides its bits; UINT64_MAX: none yet */
+    uint64_t sent_ns;    /* the time that these took */
+    uint64_t write_ns;   /* the least that a short write and its D/C took beside its bits; UINT64_MAX: none yet */
 
     char error[LINUX_ERROR_SIZE];
 };
@@ -82,29 +82,29 @@ struct linux_hal {
 /* bus_read and te_wait return HAL_ENOSYS where data_in or tearing is not wired. */
 extern const struct hal_ops linux_ops;
 
-/* One line on the last error: what, where, what to do. "" if there was none. */
+/* One line on the last error: what happened, where, what to do. "" if there was none. */
 const char *linux_hal_error(const struct linux_hal *h);
 
 #define LINUX_MEASURED_BYTES 2048
 
 /*
- * Bits per second that large writes have had so far, pauses of the kernel included: a lower bound of the clock on the
+ * The bits per second of all large writes so far, with the kernel's pauses. This is a lower bound of the clock on the
  * wire, which spidev does not tell. 0: none were sent. Call it while no write is under way (after bus_wait).
  */
 uint32_t linux_hal_bits_per_second(const struct linux_hal *h);
 
 /* ---- for `pinhole-panel doctor`: looks, takes nothing -------------------------------------------- */
 
-/* spidev's limit on one message, bytes; 0: spidev is not there. */
+/* spidev's limit on one message, bytes; 0: there is no spidev. */
 size_t linux_spi_bufsiz(void);
 
 struct linux_spi_look {
     char path[LINUX_PATH_SIZE];
-    uint32_t asked_hz, got_hz; /* got: what spidev keeps of what was asked */
+    uint32_t asked_hz, got_hz; /* got: the clock that spidev keeps */
 };
 
 /*
- * Opens the board's SPI device (or path, if not NULL), sets mode and clock as linux_ops would, and closes it.
+ * Opens the board's SPI device (or path, if not NULL), sets mode and clock as linux_ops would, and closes it. Returns
  * 0, or the error that open would return, with its line in error.
  */
 int linux_spi_look(const struct board *board, const char *path, struct linux_spi_look *look,
@@ -115,10 +115,11 @@ struct linux_line_look {
     char label[32], name[32];   /* as the kernel says */
     unsigned offset;
     bool taken;
-    char holder[32]; /* who has it, if taken: the consumer's name, "" if it gave none */
+    char holder[32]; /* if taken: the consumer's name, "" if it gave none */
 };
 
-/* Finds the line of a wired pin of the board. 0, or the error that open would return, with its line in error. */
+/* Finds the line of a wired pin of the board. Returns 0, or the error that open would return, with its line in error.
+ */
 int linux_line_look(const struct board *board, const struct board_pin *pin, struct linux_line_look *look,
                     char error[LINUX_ERROR_SIZE]);
 

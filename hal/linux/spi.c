@@ -14,7 +14,7 @@
 
 enum { BUFSIZ_DEFAULT = 4096, ALIGNMENT = 128, ALIGNMENT_LEAST = 8 };
 
-size_t spi_piece(size_t left, size_t bufsiz)
+size_t linux_spi_piece(size_t left, size_t bufsiz)
 {
     const size_t alignment = bufsiz >= ALIGNMENT ? ALIGNMENT : ALIGNMENT_LEAST;
     const size_t most = bufsiz > alignment ? bufsiz - bufsiz % alignment : bufsiz;
@@ -35,7 +35,8 @@ size_t linux_spi_bufsiz(void)
     return bytes;
 }
 
-int spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path, char error[LINUX_ERROR_SIZE])
+int linux_spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path,
+                   char error[LINUX_ERROR_SIZE])
 {
     const int n = path != NULL ? snprintf(name, LINUX_PATH_SIZE, "%s", path)
                                : snprintf(name, LINUX_PATH_SIZE, "/dev/spidev%u.%u", board->spi_bus, board->spi_select);
@@ -70,7 +71,7 @@ static int refused(const char *name, int number, char error[LINUX_ERROR_SIZE])
     }
 }
 
-int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE])
+int linux_spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE])
 {
     uint8_t mode_bits = (uint8_t)mode;
     uint8_t word_bits = 8;
@@ -88,7 +89,7 @@ int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE])
     return spi;
 }
 
-int32_t spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE])
+int32_t linux_spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE])
 {
     uint32_t got = hz > INT32_MAX ? INT32_MAX : hz;
     if (ioctl(spi, SPI_IOC_WR_MAX_SPEED_HZ, &got) < 0 || ioctl(spi, SPI_IOC_RD_MAX_SPEED_HZ, &got) < 0) {
@@ -124,13 +125,13 @@ static struct spi_ioc_transfer transfer_of(const struct linux_hal *h, const void
     return transfer;
 }
 
-int spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
+int linux_spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
 {
     struct spi_ioc_transfer transfer = transfer_of(h, bytes, NULL, n);
     return ioctl(h->spi, SPI_IOC_MESSAGE(1), &transfer) < 0 ? message_failed(h, n, error) : HAL_OK;
 }
 
-int spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
+int linux_spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
 {
     struct spi_ioc_transfer transfers[2] = {transfer_of(h, &command, NULL, 1), transfer_of(h, NULL, bytes, n)};
     return ioctl(h->spi, SPI_IOC_MESSAGE(2), transfers) < 0 ? message_failed(h, n + 1, error) : HAL_OK;
@@ -142,15 +143,15 @@ int linux_spi_look(const struct board *board, const char *path, struct linux_spi
     error[0] = 0;
     look->asked_hz = board->spi_hz;
     look->got_hz = 0;
-    const int named = spi_name(look->path, board, path, error);
+    const int named = linux_spi_name(look->path, board, path, error);
     if (named < 0) {
         return named;
     }
-    const int spi = spi_open(look->path, board->spi_mode, error);
+    const int spi = linux_spi_open(look->path, board->spi_mode, error);
     if (spi < 0) {
         return spi;
     }
-    const int32_t got = spi_clock(spi, look->path, board->spi_hz, error);
+    const int32_t got = linux_spi_clock(spi, look->path, board->spi_hz, error);
     close(spi);
     look->got_hz = got < 0 ? 0 : (uint32_t)got;
     return got < 0 ? (int)got : HAL_OK;

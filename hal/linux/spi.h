@@ -1,4 +1,4 @@
-/* spi: the bytes' way through spidev. Private to hal/linux. Results: 0 or a status of hal.h with its line in error. */
+/* spi: sends bytes through spidev. Private to hal/linux. Results: 0, or a status of hal.h with its line in error. */
 #ifndef HAL_LINUX_SPI_H
 #define HAL_LINUX_SPI_H
 
@@ -6,24 +6,25 @@
 
 /*
  * Bytes of the next transfer when `left` (> 0) are left. spidev limits the SUM of a message's transfers to bufsiz, each
- * rounded up to the alignment of DMA buffers (at most 128 bytes; 8 on machines whose bufsiz is set below that): one
- * transfer as long as that allows is the best message.
+ * rounded up to the alignment of DMA buffers (at most 128 bytes; 8 on machines whose bufsiz is below that). So the best
+ * message is one transfer that is as long as that allows.
  */
-size_t spi_piece(size_t left, size_t bufsiz);
+size_t linux_spi_piece(size_t left, size_t bufsiz);
 
-/* The device of the board, or path if not NULL. HAL_EINVAL: it is too long. */
-int spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path, char error[LINUX_ERROR_SIZE]);
+/* Writes the name of the board's device, or path if not NULL. HAL_EINVAL: it is too long. */
+int linux_spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path,
+                   char error[LINUX_ERROR_SIZE]);
 
-/* Opens it and sets mode and bits a word; returns the descriptor. */
-int spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE]);
+/* Opens the device, sets its mode and 8 bits a word; returns the descriptor. */
+int linux_spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE]);
 
-/* Sets the clock; returns what spidev keeps of it. hz: > 0 */
-int32_t spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE]);
+/* Sets the clock, hz > 0; returns the clock that spidev keeps. */
+int32_t linux_spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE]);
 
-/* Sends one piece (spi_piece). */
-int spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
+/* Sends one piece (linux_spi_piece). */
+int linux_spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
 
 /* Sends a command byte, then reads n bytes, under one chip select. */
-int spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
+int linux_spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
 
 #endif

@@ -1,7 +1,7 @@
 /*
  * Port to the Stellaris LM3S6965: SSI0, GPIO, UART0. Register addresses and bits are those of the LM3S6965 data sheet.
  *
- * bus_write sends while it is called: a frame of this kit's panel is 4 KB, and the chip has no DMA.
+ * bus_write returns when all bytes are in the FIFO: a frame of this kit's panel is 4 KB, and the chip has no DMA.
  */
 #include "board.h"
 #include "port.h"
@@ -38,12 +38,12 @@
 
 #define CLOCK_HZ 50000000U
 
-#define CARD_SELECT BOARD_PORT('D', 0) /* the SD card's, on the same bus: high */
+#define CARD_SELECT BOARD_PORT('D', 0) /* the SD card's chip select, on the same bus; it must be high */
 
 static struct {
     const struct board *board;
-    uint32_t stuck; /* buttons down since the start: they count once they have been up */
-    int early;      /* a byte that was there before the UART was set up, or -1 */
+    uint32_t stuck; /* buttons that were down at the start: each counts after it was up once */
+    int early;      /* the byte that came before the UART was set up, or -1 */
 } kit;
 
 /* ---- pins ------------------------------------------------------------------------------------------ */
@@ -59,7 +59,7 @@ static void gpio_set_bit(uint32_t pin, uint32_t offset)
     REG32(gpio_base(pin) + offset) |= 1U << pin % 32;
 }
 
-/* The data register is addressed by the mask of the pins that are meant. */
+/* The address within the data register is the mask of the pins that are read or written. */
 static void gpio_write(uint32_t pin, bool high)
 {
     REG32(gpio_base(pin) + (4U << pin % 32)) = high ? 0xFF : 0;
@@ -85,21 +85,22 @@ static void gpio_function(uint32_t pin)
 
 /* ---- start, log ------------------------------------------------------------------------------------- */
 
-/* 8 MHz crystal, PLL, 200 MHz / 4. */
+/* An 8 MHz crystal and the PLL give 200 MHz / 4. */
 static void start_clock(void)
 {
     const uint32_t bypass = 1U << 11, use_divider = 1U << 22, fields = 15U << 23 | 1U << 13 | 15U << 6 | 3U << 4 | 3U;
     RCC = (RCC | bypass) & ~use_divider;
-    RCC = (RCC & ~fields) | 3U << 23 | 14U << 6 | 2U; /* main oscillator, the internal one off, PLL on */
+    RCC = (RCC & ~fields) | 3U << 23 | 14U << 6 |
+          2U; /* the main oscillator and the PLL are on, the internal oscillator is off */
     RCC |= use_divider;
-    for (uint32_t i = 0; i < 100000 && (RIS & 64) == 0; i++) { /* PLL lock: 0.5 ms */
+    for (uint32_t i = 0; i < 100000 && (RIS & 64) == 0; i++) { /* the PLL locks within 0.5 ms */
     }
     RCC &= ~bypass;
 }
 
 static void start_uart(void)
 {
-    kit.early = (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255); /* setting up empties the FIFO */
+    kit.early = (UART_FR & FR_RXFE) != 0 ? -1 : (int)(UART_DR & 255); /* the set-up empties the FIFO */
     UART_CTL = 0;
     UART_IBRD = 27; /* 50 MHz / 16 / 115200 = 27 + 8 / 64 */
     UART_FBRD = 8;
@@ -114,7 +115,7 @@ uint32_t port_start(void)
     start_clock();
     RCGC1 |= 0x11; /* UART0, SSI0 */
     RCGC2 |= 0x3F; /* ports A .. F */
-    (void)RCGC2;   /* three clocks before the first access */
+    (void)RCGC2;   /* the first access must come three clocks later */
     (void)RCGC2;
     start_uart();
     return CLOCK_HZ;
@@ -140,17 +141,6 @@ void port_boot_loader(void)
 {
 }
 
-bool port_core_run(void (*run)(void *argument), void *argument)
-{
-    (void)run;
-    (void)argument;
-    return false;
-}
-
-void port_core_join(void)
-{
-}
-
 /* ---- the kit ---------------------------------------------------------------------------------------- */
 
 static uint32_t buttons_down(void)
@@ -170,7 +160,7 @@ static void open_buttons(void)
         gpio_set_bit(pin->number, GPIO_DEN);
         gpio_set_bit(pin->number, GPIO_PUR);
     }
-    cortexm_delay_us(10); /* the pull-ups against the lines' capacitance */
+    cortexm_delay_us(NULL, 10); /* the pull-ups charge the lines */
     kit.stuck = buttons_down();
 }
 
@@ -192,7 +182,7 @@ static int lm3s6965_open(void *context, const struct board *board)
     return HAL_OK;
 }
 
-/* CLOCK / (CPSR (1 + SCR)), CPSR even: with SCR = 0 .. 255 every rate from 769 Hz on is there. */
+/* The clock is CLOCK / (CPSR (1 + SCR)) with CPSR even, 2 .. 254, and SCR = 0 .. 255; the slowest is 769 Hz. */
 static int32_t lm3s6965_bus_clock(void *context, uint32_t hz)
 {
     (void)context;
@@ -208,7 +198,7 @@ static int32_t lm3s6965_bus_clock(void *context, uint32_t hz)
     return HAL_EINVAL;
 }
 
-/* What comes in is read and dropped: a transmitter whose receive FIFO is full may stop (QEMU's does). */
+/* Reads what came in and drops it: a transmitter may stop when the receive FIFO is full (QEMU's does). */
 static void drain(void)
 {
     while ((SSI_SR & SR_RNE) != 0) {
@@ -249,18 +239,6 @@ static int lm3s6965_pin_set(void *context, enum hal_pin pin, bool level)
     return HAL_OK;
 }
 
-static uint32_t lm3s6965_time_us(void *context)
-{
-    (void)context;
-    return cortexm_time_us();
-}
-
-static void lm3s6965_delay_us(void *context, uint32_t us)
-{
-    (void)context;
-    cortexm_delay_us(us);
-}
-
 static uint32_t lm3s6965_buttons(void *context)
 {
     const uint32_t down = buttons_down();
@@ -278,7 +256,7 @@ static void lm3s6965_close(void *context)
 
 void port_bus_stop(void)
 {
-    if (kit.board == NULL) { /* not open yet: what follows needs the board's pins */
+    if (kit.board == NULL) { /* not open yet; bus_write will need the board's pins */
         lm3s6965_open(NULL, board_here);
     }
 }
@@ -292,8 +270,8 @@ struct hal port_hal(void)
         .bus_write = lm3s6965_bus_write,
         .bus_wait = lm3s6965_bus_wait,
         .pin_set = lm3s6965_pin_set,
-        .time_us = lm3s6965_time_us,
-        .delay_us = lm3s6965_delay_us,
+        .time_us = cortexm_time_us,
+        .delay_us = cortexm_delay_us,
         .buttons = lm3s6965_buttons,
         .close = lm3s6965_close,
     };

@@ -1,7 +1,7 @@
-# Stellaris LM3S6965; see firmware/firmware.mk for what these are. There is no UF2 family of this chip.
+# Stellaris LM3S6965; firmware/firmware.mk explains these variables. The chip has no UF2 family.
 PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m3 -mthumb
-PORT_SRC := hal/lm3s6965/lm3s6965.c hal/cortexm/start.c
+PORT_SRC := hal/lm3s6965/lm3s6965.c hal/cortexm/start.c hal/cortexm/one_core.c
 PORT_LD := hal/lm3s6965/lm3s6965.ld
 PORT_STACK_BYTES := 6656
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler

@@ -1,4 +1,4 @@
-/* See null.h. */
+/* See null.h, and hal.h for what each operation must do. */
 #include "null.h"
 
 static int null_open(void *context, const struct board *board)

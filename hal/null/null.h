@@ -1,4 +1,4 @@
-/* null: a backend that compiles and does nothing. Copy it to begin a new one. Its context is not used. */
+/* null: a backend that drives nothing; it does not use its context. Copy it to begin a backend for a computer. */
 #ifndef HAL_NULL_H
 #define HAL_NULL_H
 

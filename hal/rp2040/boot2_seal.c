@@ -1,9 +1,9 @@
 /*
- * boot2_seal: reads boot2 (256 bytes) on stdin and writes it with its checksum as the last four on stdout. Runs on the
- * machine that builds.
+ * boot2_seal: reads boot2 (256 bytes) on stdin and writes it on stdout with its checksum in the last four bytes. It
+ * runs on the machine that builds.
  *
- * The checksum is the ROM's (RP2040 datasheet 2.8.1.3.1): CRC-32, polynomial 04C11DB7h, from FFFFFFFFh, highest bit
- * first, nothing inverted; stored little-endian.
+ * The checksum is that of the ROM (RP2040 datasheet 2.8.1.3.1): CRC-32 with polynomial 04C11DB7h, starts at FFFFFFFFh,
+ * highest bit first, not inverted, stored little-endian.
  */
 #include <stdint.h>
 #include <stdio.h>

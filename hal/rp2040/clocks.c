@@ -1,4 +1,4 @@
-/* See rp2040.h. */
+/* See rp2040.h: clocks and resets. */
 #include "registers.h"
 #include "rp2040.h"
 
@@ -11,7 +11,7 @@ static void unreset(uint32_t blocks)
     }
 }
 
-/* Datasheet 2.16: 1 ms of start-up, counted in 256 cycles. */
+/* Datasheet 2.16: the start-up takes 1 ms, counted in units of 256 cycles. */
 static void start_crystal(void)
 {
     REG(XOSC_CTRL) = 0xaa0; /* 1 .. 15 MHz */
@@ -34,7 +34,7 @@ static void start_pll(void)
     REG_CLEAR(PLL_SYS_PWR) = 1 << 3; /* post dividers on */
 }
 
-/* clk_sys leaves the PLL while that is set up: an image may be started by another one. */
+/* clk_sys leaves the PLL while the PLL is set up: it may run already, when another image started this one. */
 void rp2040_clocks_init(void)
 {
     start_crystal();
@@ -46,8 +46,8 @@ void rp2040_clocks_init(void)
     }
     REG_SET(RESETS_RESET) = RESET_PLL_SYS;
     start_pll();
-    REG(CLK_SYS_CTRL) = 0; /* auxiliary source: PLL */
-    REG(CLK_SYS_CTRL) = 1; /* ... taken */
+    REG(CLK_SYS_CTRL) = 0; /* the auxiliary source is the PLL */
+    REG(CLK_SYS_CTRL) = 1; /* takes the auxiliary source */
     while (REG(CLK_SYS_SELECTED) != 1 << 1) {
     }
     REG(CLK_PERI_CTRL) = 1 << 11; /* on, from clk_sys */

@@ -1,8 +1,8 @@
 /*
- * See port.h: the second core waits for a function and its argument on the FIFO between the cores, runs it and answers
+ * See port.h: the second core takes a function and its argument from the FIFO between the cores, runs it and answers
  * with a word. RP2040 datasheet 2.3.1.4 (FIFO), 2.8.2 (how core 1 is started), 2.13 (power-on state machine).
  *
- * Whoever pushes sends an event: who waits on an empty FIFO sleeps.
+ * A core that waits on an empty FIFO sleeps; the core that pushes sends an event to wake it.
  */
 #include "port.h"
 #include "registers.h"
@@ -10,7 +10,7 @@
 #define PSM_FRCE_OFF 0x40010004
 enum { PSM_PROC1 = 1 << 16 };
 
-#define STACK_BYTES 1280 /* drawing a band took 624, measured in the emulator */
+#define STACK_BYTES 1280 /* drawing a band took 624 in the emulator */
 
 static uint64_t stack[STACK_BYTES / 8];
 
@@ -51,7 +51,7 @@ static _Noreturn void serve(void)
     }
 }
 
-/* Core 1 into its ROM's waiting loop, wherever it was. */
+/* Puts core 1 into the waiting loop of its ROM, wherever it was. */
 static void reset_core1(void)
 {
     REG_SET(PSM_FRCE_OFF) = PSM_PROC1;
@@ -60,7 +60,7 @@ static void reset_core1(void)
     REG_CLEAR(PSM_FRCE_OFF) = PSM_PROC1;
 }
 
-/* The ROM echoes each word of the sequence; a wrong echo starts it again. */
+/* The ROM echoes each word of the sequence; after a wrong echo the sequence starts again. */
 static void start_core1(void)
 {
     const uint32_t vector_table = REG(0xe000ed08);

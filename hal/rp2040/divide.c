@@ -1,7 +1,7 @@
 /*
- * What the compiler calls for 32-bit / and %: by the SIO's divider (RP2040 datasheet 2.3.1.5), 8 cycles where libgcc
- * takes some 50 to 140. Each core has its own, and no handler divides. These replace libgcc's: the linker takes them
- * first. Division by zero is as undefined as in C.
+ * The functions that the compiler calls for 32-bit / and %. They use the SIO's divider (RP2040 datasheet 2.3.1.5),
+ * which takes 8 cycles; libgcc takes 50 to 140. Each core has a divider of its own, and no handler divides. The linker
+ * takes these before libgcc's. Division by zero is as undefined as in C.
  */
 #include "registers.h"
 
@@ -30,7 +30,7 @@ static void divide_signed(int32_t dividend, int32_t divisor)
     wait();
 }
 
-/* Quotient in r0, remainder in r1; the quotient is read last, which marks the divider as free. */
+/* The quotient goes into r0, the remainder into r1. Reading the quotient, the last, marks the divider as free. */
 static uint64_t both(void)
 {
     const uint32_t remainder = REG(SIO_DIV_REMAINDER);

@@ -1,18 +1,25 @@
 /*
- * Where boot2 and the vectors enter: what cannot be said in C. Symbols ld_... are from rp2040.ld.
+ * The vectors, and the two entries that C cannot express. Symbols ld_... come from rp2040.ld.
  */
     .syntax unified
     .cpu cortex-m0plus
     .thumb
-    .text
 
+    .section .vectors, "a"
+    .word ld_stack_top, reset, on_fault, on_fault                /* reset, NMI, hard fault */
+    .word 0, 0, 0, 0, 0, 0, 0, on_fault, 0, 0, on_fault, on_fault /* SVC, PendSV, SysTick */
+    .word rp2040_timer_interrupt                                /* IRQ 0: TIMER_0 */
+    .word 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+    .word rp2040_spi_interrupt                                  /* IRQ 11: DMA_0 */
+    .word 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+
+    .text
 /*
- * Memory for C: code and data copied to RAM, the rest cleared, the stack painted with its own addresses (see
- * port_stack_used()); then rp2040_start(), which does not return.
+ * Prepares memory for C: copies code and data to RAM, clears the rest, and paints the stack with its own addresses (see
+ * port_stack_used()). Then it goes to rp2040_start(), which does not return.
  */
-    .global rp2040_reset
     .thumb_func
-rp2040_reset:
+reset:
     ldr r0, =ld_data_load
     ldr r1, =ld_data_start
     ldr r2, =ld_data_end
@@ -37,20 +44,10 @@ rp2040_reset:
     ldr r0, =rp2040_start
     bx r0
 
-/* Every fault: its frame, r0 .. r3, r12, lr, pc, psr as the core has put them on its stack, to rp2040_fault(). */
-    .global rp2040_on_fault
+/* Every fault comes here. Its frame on the stack (r0 .. r3, r12, lr, pc, psr) goes to rp2040_fault(). */
     .thumb_func
-rp2040_on_fault:
+on_fault:
     mrs r0, msp
     ldr r1, =rp2040_fault
     bx r1
-
-/* rp2040_end_emulator(reason): the semihosting call SYS_EXIT (Arm, "Semihosting for AArch32 and AArch64"). */
-    .global rp2040_end_emulator
-    .thumb_func
-rp2040_end_emulator:
-    movs r1, r0
-    movs r0, #0x18
-    bkpt 0xab
-    bx lr
     .ltorg

@@ -1,6 +1,6 @@
 /*
- * registers: what this port uses of the RP2040. Names, addresses and bits as in the RP2040 datasheet (Raspberry Pi
- * Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 4.2 (UART), 4.4 (SPI), 4.6
+ * registers: the registers that this port uses. Names, addresses and bits are those of the RP2040 datasheet (Raspberry
+ * Pi Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 4.2 (UART), 4.4 (SPI), 4.6
  * (timer), 4.7 (watchdog tick).
  */
 #ifndef RP2040_REGISTERS_H
@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 #define REG(address) (*(volatile uint32_t *)(uintptr_t)(address))
-/* The same register, where only the bits written as 1 change. */
+/* Sets or clears only the bits that are written as 1. */
 #define REG_SET(address)   REG((address) + 0x2000)
 #define REG_CLEAR(address) REG((address) + 0x3000)
 

@@ -1,37 +1,11 @@
-/* See rp2040.h and port.h. */
+/* See rp2040.h and port.h: the operations of struct hal_ops, and the ROM's boot loader. */
 #include "rp2040.h"
 #include "port.h"
 #include "registers.h"
 
 #include <stddef.h>
 
-#define ALARM_MIN_US 100 /* shorter, an alarm could be set too late */
-
-void rp2040_pin_write(uint32_t pin, bool level)
-{
-    REG(level ? SIO_GPIO_OUT_SET : SIO_GPIO_OUT_CLR) = 1U << pin;
-}
-
-void rp2040_pin_function(uint32_t pin, uint32_t function)
-{
-    REG(IO_BANK0_CTRL(pin)) = function;
-}
-
-/* The level is there before the pin drives it. */
-void rp2040_pin_output(uint32_t pin, bool level)
-{
-    rp2040_pin_write(pin, level);
-    REG(SIO_GPIO_OE_SET) = 1U << pin;
-    REG(PADS_BANK0(pin)) = PAD_SCHMITT | PAD_8_MA | PAD_INPUT;
-    rp2040_pin_function(pin, FUNCTION_SIO);
-}
-
-void rp2040_pin_input(uint32_t pin)
-{
-    REG(SIO_GPIO_OE_CLR) = 1U << pin;
-    REG(PADS_BANK0(pin)) = PAD_SCHMITT | PAD_PULL_UP | PAD_INPUT;
-    rp2040_pin_function(pin, FUNCTION_SIO);
-}
+#define ALARM_MIN_US 100 /* an alarm for a shorter time could be set too late */
 
 static void set_pin(const struct board_pin *pin, bool level)
 {
@@ -65,52 +39,6 @@ static int rp2040_open(void *context, const struct board *board)
     return HAL_OK;
 }
 
-static int32_t rp2040_bus_clock(void *context, uint32_t hz)
-{
-    (void)context;
-    return rp2040_spi_clock(hz);
-}
-
-static int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
-{
-    (void)context;
-    rp2040_spi_write(dc, bytes, (uint32_t)n);
-    return HAL_OK;
-}
-
-static int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
-{
-    (void)context;
-    rp2040_spi_write_rows(bytes, (uint32_t)n, (uint32_t)stride, (uint32_t)rows);
-    return HAL_OK;
-}
-
-static void rp2040_bus_queue(void *context, bool on)
-{
-    (void)context;
-    rp2040_spi_queue(on);
-}
-
-static uint32_t rp2040_bus_written(void *context)
-{
-    (void)context;
-    return rp2040_spi_written();
-}
-
-static int rp2040_bus_until(void *context, uint32_t written)
-{
-    (void)context;
-    rp2040_spi_until(written);
-    return HAL_OK;
-}
-
-static int rp2040_bus_wait(void *context)
-{
-    (void)context;
-    rp2040_spi_wait();
-    return HAL_OK;
-}
-
 static int rp2040_pin_set(void *context, enum hal_pin pin, bool level)
 {
     const struct board *const *open = context;
@@ -125,13 +53,14 @@ static uint32_t rp2040_time_us(void *context)
     return REG(TIMER_TIMERAWL);
 }
 
-/* Sleeps until an alarm where it is worth it; it only wakes. One more: the first microsecond has begun already. */
+/* Waits one microsecond more, for the first has already begun. The alarm only wakes the core; the loop ends the wait.
+ */
 static void rp2040_delay_us(void *context, uint32_t us)
 {
     const uint32_t start = rp2040_time_us(context);
     const bool sleep = us >= ALARM_MIN_US;
     if (sleep) {
-        REG(TIMER_ALARM0) = start + us + 2; /* surely after the loop has its time */
+        REG(TIMER_ALARM0) = start + us + 2; /* surely late enough for the loop to end */
     }
     while (rp2040_time_us(context) - start <= us) {
         if (sleep) {
@@ -145,7 +74,7 @@ void rp2040_timer_interrupt(void)
     REG(TIMER_INTR) = 1;
 }
 
-/* The pin's edge is latched: what came before this call is forgotten first. */
+/* The pin latches its edge, so this first clears an edge from before the call. */
 static int rp2040_te_wait(void *context, uint32_t timeout_us)
 {
     const struct board *const *open = context;
@@ -203,14 +132,14 @@ void rp2040_dark(void)
 typedef void *lookup_fn(const uint16_t *table, uint32_t code);
 typedef void reset_usb_boot_fn(uint32_t activity_pins, uint32_t disabled_interfaces);
 
-/* A halfword of the ROM's first words; the compiler does not believe in objects down there. */
+/* Reads a halfword from the ROM's first words. The asm hides the address: compilers expect no object so near to 0. */
 static uintptr_t rom_word(uintptr_t address)
 {
     __asm("" : "+r"(address));
     return *(const uint16_t *)address;
 }
 
-/* The ROM's reset_usb_boot(), found by its letters (RP2040 datasheet 2.8.3). */
+/* Calls the ROM's reset_usb_boot(), which the ROM finds by two letters (RP2040 datasheet 2.8.3). */
 void port_boot_loader(void)
 {
     lookup_fn *const lookup = (lookup_fn *)rom_word(0x18);

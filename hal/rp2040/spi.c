@@ -1,47 +1,47 @@
 /*
- * The bus: one of the two SPI units (PL022) fed by DMA channel 0; chip select and D/C are moved by hand.
+ * The bus: DMA channel 0 feeds one of the two SPI units (PL022). The code moves chip select and D/C by hand.
  *
- * They move only while the bus is idle: DMA done AND the unit no longer busy, for up to 8 words are still in its FIFO
- * when DMA is done. As long as D/C and word width stay, the next transfer starts as soon as DMA has read the last one's
- * buffer, and bits follow on each other.
+ * They move only while the bus is idle: the DMA is done AND the unit is no longer busy, for up to 8 words are still in
+ * its FIFO when the DMA is done. While D/C and word width stay the same, the next transfer starts as soon as the DMA
+ * has read the last buffer, without a pause between the bits.
  *
- * Whole halfwords go out as 16-bit words: half the DMA transfers, and half the pauses that the PL022 makes between
- * words in mode 0. Commands and their parameters go straight into the unit's FIFO, all that wait one after the other:
- * a window's take 4 us together.
+ * Whole halfwords go out as 16-bit words. That halves the DMA transfers, and the pauses that the PL022 makes between
+ * words in mode 0. Commands and their parameters go straight into the unit's FIFO, one after the other: those of a
+ * window take 4 us together.
  *
- * What a handler does lies in RAM, and so do its data: flash may answer late.
+ * The handler's code and data lie in RAM, because flash may answer late.
  */
 #include "registers.h"
 #include "rp2040.h"
 
 #define SHORTS 12 /* bytes: column, row and memory write commands of a window are 11 */
 
-/* A write that waits or is on its way: rows for the DMA, or short ones, copied. */
+/* A write that waits or is on its way: rows for the DMA, or short writes that were copied. */
 struct write {
     union {
         struct {
             const uint8_t *bytes; /* of the first row */
-            uint32_t n, stride;   /* bytes of a row, from one to the next */
+            uint32_t n, stride;   /* bytes of a row; bytes from one row to the next */
         };
         uint8_t copy[SHORTS];
     };
-    uint16_t count; /* rows; or bytes copied */
-    uint16_t data;  /* their D/C, a bit a byte; rows: bit 0 */
+    uint16_t count; /* rows, or bytes copied */
+    uint16_t data;  /* D/C: one bit for each byte copied; for rows, bit 0 */
     bool copied;
 };
 
 #define WRITES 32 /* a power of two */
 
-/* The kit's bus: one a chip. Writes are numbered; the one numbered `sent` is on its way unless it equals `given`. */
+/* The chip's one bus. Writes have numbers: write `sent` is on its way unless `sent` equals `given`. */
 static struct {
     uint32_t unit;
     uint32_t cr0;          /* clock and mode, without word width */
-    uint32_t bits, dc;     /* as they are */
-    uint32_t dc_pin;       /* a bit */
-    uint32_t select_pin;   /* ... or none */
-    bool select_low;       /* selected is low */
-    uint32_t rows_left;    /* of the write on its way, with the one that DMA reads */
-    uint32_t row, stride;  /* address of that one */
+    uint32_t bits, dc;     /* word width and D/C at present */
+    uint32_t dc_pin;       /* as a bit */
+    uint32_t select_pin;   /* as a bit; 0: not wired */
+    bool select_low;       /* low selects */
+    uint32_t rows_left;    /* of the write on its way, with the row that the DMA reads */
+    uint32_t row, stride;  /* address of that row; bytes to the next */
     uint32_t waiting_most; /* writes that may wait */
     struct write writes[WRITES];
     volatile uint32_t given, sent;
@@ -72,7 +72,7 @@ static void set_word(uint32_t bits)
     spi.bits = bits;
 }
 
-/* What goes into the unit from now on is of this width and has this D/C. */
+/* The words that go into the unit from now on have this width and this D/C. */
 static inline void turn_to(uint32_t bits, uint32_t dc)
 {
     if (dc != spi.dc || bits != spi.bits) {
@@ -98,11 +98,12 @@ static void send_copied(const struct write *w)
     }
 }
 
-/* Its first row; DMA is idle. */
+/* Starts the first row; the DMA is idle. */
 static void start_rows(const struct write *w)
 {
     const uint32_t bits = ((w->n | w->stride | (uintptr_t)w->bytes) & 1) == 0 ? 16 : 8;
-    const uint32_t pace = DMA_EN | DMA_INCR_READ | DMA_TREQ_SPI_TX(spi.unit); /* chained to itself: to none */
+    const uint32_t pace =
+        DMA_EN | DMA_INCR_READ | DMA_TREQ_SPI_TX(spi.unit); /* chained to itself, which means to none */
     turn_to(bits, w->data);
     spi.rows_left = w->count;
     spi.row = (uint32_t)(uintptr_t)w->bytes;
@@ -112,7 +113,7 @@ static void start_rows(const struct write *w)
     REG(DMA_CH0_CTRL_TRIG) = bits == 16 ? pace | DMA_HALFWORDS | DMA_BSWAP : pace;
 }
 
-/* Short writes at once, up to one with rows; DMA is idle, nothing interrupts. */
+/* Sends short writes until one has rows, and starts that one. The DMA is idle, and nothing interrupts. */
 static void go_on(void)
 {
     for (uint32_t next = spi.sent; next != spi.given; spi.sent = ++next) {
@@ -125,7 +126,7 @@ static void go_on(void)
     }
 }
 
-/* The DMA has read all of a row. */
+/* The DMA has read a whole row. */
 void rp2040_spi_interrupt(void)
 {
     REG(DMA_INTS0) = 1;
@@ -138,8 +139,8 @@ void rp2040_spi_interrupt(void)
     go_on();
 }
 
-/* Until at most so many writes wait or are on their way. The interrupt ends WFE, also one that came between the look
- * and the WFE. */
+/* Waits until at most so many writes wait or are on their way. WFE also ends when the interrupt came before it, after
+ * the condition was read. */
 static void wait_for_dma(uint32_t waiting)
 {
     while (spi.given - spi.sent > waiting) {
@@ -173,11 +174,11 @@ void rp2040_spi_open(const struct board *board)
     REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
     REG(DMA_INTE0) = 1;
     REG(NVIC_ISER) = 1U << IRQ_DMA_0;
-    rp2040_spi_clock(1000000);
+    rp2040_bus_clock(NULL, 1000000);
 }
 
 /* SSPCLK / (prescaler x (SCR + 1)): an even prescaler up to 254, SCR up to 255. */
-int32_t rp2040_spi_clock(uint32_t hz)
+int32_t rp2040_bus_clock(void *context, uint32_t hz)
 {
     const uint32_t divide = hz == 0 ? UINT32_MAX : (CLK_HZ - 1) / hz + 1;
     uint32_t prescaler = 2;
@@ -188,7 +189,7 @@ int32_t rp2040_spi_clock(uint32_t hz)
         return HAL_EINVAL;
     }
     const uint32_t scr = (divide - 1) / prescaler;
-    rp2040_spi_wait();
+    rp2040_bus_wait(context);
     spi.cr0 = (spi.cr0 & 0xff) | scr << 8;
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(SPI_SSPCPSR(spi.unit)) = prescaler;
@@ -196,32 +197,36 @@ int32_t rp2040_spi_clock(uint32_t hz)
     return (int32_t)(CLK_HZ / (prescaler * (scr + 1)));
 }
 
-void rp2040_spi_queue(bool on)
+void rp2040_bus_queue(void *context, bool on)
 {
+    (void)context;
     spi.waiting_most = on ? WRITES - 1 : 0;
 }
 
-uint32_t rp2040_spi_written(void)
+uint32_t rp2040_bus_written(void *context)
 {
+    (void)context;
     return spi.given;
 }
 
-void rp2040_spi_until(uint32_t written)
+int rp2040_bus_until(void *context, uint32_t written)
 {
+    (void)context;
     wait_for_dma(spi.given - written);
+    return HAL_OK;
 }
 
-/* The next free place; nobody else looks at it before `given` has moved. */
+/* The next free place; nobody else reads it before `given` moves on. */
 static struct write *place(void)
 {
     wait_for_dma(spi.waiting_most);
     return &spi.writes[spi.given % WRITES];
 }
 
-/* The place is filled. */
+/* Hands over the place, which is filled. */
 static void give(void)
 {
-    __asm volatile("cpsid i" ::: "memory"); /* what DMA reads is in memory */
+    __asm volatile("cpsid i" ::: "memory"); /* all that the DMA reads is in memory by now */
     const bool idle = spi.sent == spi.given;
     spi.given++;
     if (idle) {
@@ -239,7 +244,7 @@ static void add_copies(struct write *w, enum hal_dc dc, const uint8_t *bytes, ui
     }
 }
 
-/* To the short ones that were given last and still wait: they go together. */
+/* Adds to the last write if that one is short, still waits and has room. */
 static bool joins(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
 {
     struct write *last = &spi.writes[(spi.given - 1) % WRITES];
@@ -276,32 +281,38 @@ static void write_rows(enum hal_dc dc, const uint8_t *bytes, uint32_t n, uint32_
     give();
 }
 
-void rp2040_spi_write(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
+int rp2040_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
+    (void)context;
     if (n > HAL_COPIED) {
         write_rows(dc, bytes, n, n, 1);
     } else if (n > 0) {
         write_short(dc, bytes, n);
     }
+    return HAL_OK;
 }
 
-void rp2040_spi_write_rows(const uint8_t *bytes, uint32_t n, uint32_t stride, uint32_t rows)
+int rp2040_bus_write_rows(void *context, const uint8_t *bytes, size_t n, size_t stride, size_t rows)
 {
+    (void)context;
     if (n > 0 && rows > 0) {
         write_rows(HAL_DATA, bytes, n, stride, rows);
     }
+    return HAL_OK;
 }
 
-void rp2040_spi_wait(void)
+int rp2040_bus_wait(void *context)
 {
+    (void)context;
     wait_for_dma(0);
     wait_for_last_bit();
     chip_select(false);
+    return HAL_OK;
 }
 
 void rp2040_spi_close(void)
 {
-    rp2040_spi_wait();
+    rp2040_bus_wait(NULL);
     REG(SPI_SSPCR1(spi.unit)) = 0;
     REG(DMA_INTE0) = 0;
 }

@@ -1,15 +1,12 @@
-/* Vectors, the way to main(), faults. The ROM comes here through boot2.S and entry.S. */
+/* The start of main(), faults and the end. The ROM comes here through boot2.S and entry.S. */
 #include "port.h"
 #include "registers.h"
 #include "rp2040.h"
 
-#define BKPT_OPCODE 0xbeab /* of rp2040_end_emulator */
+#define BKPT_OPCODE 0xbeab /* of end_emulator */
 
 extern uint32_t ld_stack[], ld_stack_top[]; /* rp2040.ld */
 
-void rp2040_reset(void);                       /* entry.S */
-void rp2040_on_fault(void);                    /* entry.S */
-void rp2040_end_emulator(uint32_t reason);     /* entry.S */
 _Noreturn void rp2040_start(void);             /* for entry.S */
 _Noreturn void rp2040_fault(const uint32_t *); /* for entry.S */
 int main(void);
@@ -35,7 +32,7 @@ void rp2040_fault(const uint32_t *frame)
 {
     rp2040_dark();
     if (*(const uint16_t *)(uintptr_t)frame[6] == BKPT_OPCODE) {
-        stop(); /* port_exit, without a debugger */
+        stop(); /* from port_exit, without a debugger */
     }
     port_log("\r\nfault at ");
     put_hex(frame[6]);
@@ -45,14 +42,22 @@ void rp2040_fault(const uint32_t *frame)
     stop();
 }
 
+/* A semihosting call (Arm, "Semihosting for AArch32 and AArch64"); the arguments lie in r0 and r1. */
+__attribute__((naked, noinline)) static void end_emulator(uint32_t operation __attribute__((unused)),
+                                                          uint32_t reason __attribute__((unused)))
+{
+    __asm volatile("bkpt 0xab\n"
+                   "bx lr\n");
+}
+
 void port_exit(int status)
 {
     rp2040_dark();
-    rp2040_end_emulator(status == 0 ? 0x20026 : 0x20023); /* as wished; an error */
+    end_emulator(0x18, status == 0 ? 0x20026 : 0x20023); /* SYS_EXIT: application exit, or an error */
     stop();
 }
 
-/* What the paint of entry.S has left. */
+/* The lowest word of the stack that no longer holds the paint of entry.S tells how far the stack came. */
 uint32_t port_stack_used(void)
 {
     const uint32_t top = (uint32_t)(uintptr_t)ld_stack_top;
@@ -70,24 +75,3 @@ void rp2040_start(void)
     port_exit(main());
     stop();
 }
-
-struct vectors {
-    uint32_t *stack_top;
-    void (*handlers[15 + 26])(void);
-};
-
-extern const struct vectors vectors;
-const __attribute__((section(".vectors"), used)) struct vectors vectors = {
-    .stack_top = ld_stack_top,
-    .handlers =
-        {
-            [0] = rp2040_reset,
-            [1] = rp2040_on_fault, /* NMI */
-            [2] = rp2040_on_fault,
-            [10] = rp2040_on_fault, /* SVC */
-            [13] = rp2040_on_fault, /* PendSV */
-            [14] = rp2040_on_fault, /* SysTick */
-            [15 + IRQ_TIMER_0] = rp2040_timer_interrupt,
-            [15 + IRQ_DMA_0] = rp2040_spi_interrupt,
-        },
-};

@@ -1,4 +1,4 @@
-/* See port.h: the log. UART0, 115200 8N1, TX GP0, RX GP1, which all boards leave free. */
+/* See port.h: the log on UART0, 115200 8N1, TX GP0, RX GP1. All boards leave these pins free. */
 #include "port.h"
 #include "registers.h"
 #include "rp2040.h"

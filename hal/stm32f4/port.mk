@@ -1,7 +1,7 @@
-# STM32F405; see firmware/firmware.mk for what these are.
+# STM32F405; firmware/firmware.mk explains these variables.
 PORT_CPU := armv7m
 PORT_FLAGS := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft
-PORT_SRC := hal/stm32f4/stm32f4.c hal/cortexm/start.c
+PORT_SRC := hal/stm32f4/stm32f4.c hal/cortexm/start.c hal/cortexm/one_core.c
 PORT_LD := hal/stm32f4/stm32f4.ld
 PORT_STACK_BYTES := 6656
 PORT_STACK_EXTRA := 40 # SysTick: the frame and its handler

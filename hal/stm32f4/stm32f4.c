@@ -1,9 +1,9 @@
 /*
  * Port to the STM32F405: SPI2 with DMA1 stream 4, GPIO, USART3 (PB10 TX, PB11 RX). Register addresses and bits are
- * those of the reference manual RM0090; pins of the boards' SPI are all on SPI2.
+ * those of the reference manual RM0090. All boards have their panel on SPI2.
  *
- * bus_write returns while DMA sends; D/C and chip select are touched only when the last bit is out. Where DMA is not
- * there (an emulator) bytes are written one by one.
+ * bus_write returns while the DMA sends. D/C and chip select move only when the last bit is out. In an emulator without
+ * DMA the CPU writes byte by byte.
  */
 #include "board.h"
 #include "cortexm/start.h"
@@ -16,7 +16,7 @@
 #define RCC_APB1ENR REG32(0x40023840)
 #define RCC_APB2ENR REG32(0x40023844)
 #define FLASH_ACR   REG32(0x40023C00)
-#define MEMRMP      REG32(0x40013800) /* of SYSCFG */
+#define MEMRMP      REG32(0x40013800) /* in SYSCFG */
 #define AIRCR       REG32(0xE000ED0C)
 #define MPU_CTRL    REG32(0xE000ED94)
 
@@ -114,7 +114,9 @@ static void gpio_button(const struct board_pin *pin)
 
 /* ---- the boot loader in ROM ------------------------------------------------------------------------ */
 
-/* It is entered right after a reset, so that it finds the chip as from power-on; this is what a reset does not touch.
+/*
+ * The boot loader is entered right after a reset, so that it finds the chip as after power-on. A reset does not touch
+ * this word.
  */
 static __attribute__((section(".noinit"))) uint32_t boot_wish;
 
@@ -127,7 +129,8 @@ void port_boot_loader(void)
     }
 }
 
-/* Its memory at 0, where its vectors are looked for, and no guard in the RAM that it takes (AN2606). */
+/* Maps the boot loader's memory to 0, where its vectors must be, and removes the guard from the RAM that it uses
+ * (AN2606). */
 static void enter_boot_loader(void)
 {
     const volatile uint32_t *vectors = (const uint32_t *)BOOT_LOADER; /* NOLINT: an address of the memory map */
@@ -155,7 +158,8 @@ static bool ready(uint32_t bit)
     return false;
 }
 
-/* 12 MHz crystal, 336 MHz / 2; APB1 a quarter, APB2 a half. A chip without the crystal stays on its own 16 MHz. */
+/* A 12 MHz crystal gives 336 MHz / 2, APB1 a quarter of it, APB2 a half. Without the crystal the chip stays at 16 MHz.
+ */
 static void start_clock(void)
 {
     kit.cpu_hz = kit.apb1_hz = HSI_HZ;
@@ -184,7 +188,7 @@ uint32_t port_start(void)
     start_clock();
     RCC_AHB1ENR |= 0x1FU | 1U << 21;    /* ports A .. E, DMA1 */
     RCC_APB1ENR |= 1U << 14 | 1U << 18; /* SPI2, USART3 */
-    (void)RCC_APB1ENR;                  /* two clocks before the first access */
+    (void)RCC_APB1ENR;                  /* the first access must come two clocks later */
     gpio_function(BOARD_PORT('B', 10), AF_USART);
     gpio_function(BOARD_PORT('B', 11), AF_USART);
     USART_BRR = (kit.apb1_hz + BAUD / 2) / BAUD;
@@ -204,17 +208,6 @@ void port_log(const char *text)
 int port_log_read(void)
 {
     return (USART_SR & USART_RXNE) != 0 ? (int)(USART_DR & 255) : -1;
-}
-
-bool port_core_run(void (*run)(void *argument), void *argument)
-{
-    (void)run;
-    (void)argument;
-    return false;
-}
-
-void port_core_join(void)
-{
 }
 
 /* ---- the bus ---------------------------------------------------------------------------------------- */
@@ -258,7 +251,7 @@ static int stm32f4_bus_wait(void *context)
     }
     while ((SPI_SR & SR_BSY) != 0) {
     }
-    (void)SPI_DR; /* nobody wanted what came in */
+    (void)SPI_DR; /* drops what came in */
     (void)SPI_SR;
     return status;
 }
@@ -279,7 +272,7 @@ static int stm32f4_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes
         return status;
     }
     gpio_write(kit.board->pins.dc.number, dc == HAL_DATA);
-    if (!kit.dma || n < 8) { /* a command is out before DMA is set up */
+    if (!kit.dma || n < 8) { /* a command is out sooner than DMA is set up */
         write_polled(bytes, n);
         return HAL_OK;
     }
@@ -313,7 +306,7 @@ void port_bus_stop(void)
     DMA_CR = 0;
     SPI_CR2 = 0;
     kit.under_way = kit.dma = false;
-    if (kit.board == NULL) { /* not open yet: what follows needs the board's pins */
+    if (kit.board == NULL) { /* not open yet; bus_write will need the board's pins */
         port_hal().ops->open(NULL, board_here);
     }
 }
@@ -337,7 +330,7 @@ static int stm32f4_open(void *context, const struct board *board)
     for (uint32_t i = 0; i < board->button_count; i++) {
         gpio_button(&board->buttons[i].pin);
     }
-    SPI_CR1 = 3U << 8 | CR1_BR | 4U | (board->spi_mode == 3 ? 3U : 0); /* master, select by software, slowest */
+    SPI_CR1 = 3U << 8 | CR1_BR | 4U | (board->spi_mode == 3 ? 3U : 0); /* master, select by software, slowest clock */
     SPI_CR1 |= CR1_SPE;
     kit.dma = dma_is_there();
     return HAL_OK;
@@ -352,18 +345,6 @@ static int stm32f4_pin_set(void *context, enum hal_pin pin, bool level)
         gpio_write(p->number, level != p->active_low);
     }
     return HAL_OK;
-}
-
-static uint32_t stm32f4_time_us(void *context)
-{
-    (void)context;
-    return cortexm_time_us();
-}
-
-static void stm32f4_delay_us(void *context, uint32_t us)
-{
-    (void)context;
-    cortexm_delay_us(us);
 }
 
 static uint32_t stm32f4_buttons(void *context)
@@ -394,8 +375,8 @@ struct hal port_hal(void)
         .bus_write = stm32f4_bus_write,
         .bus_wait = stm32f4_bus_wait,
         .pin_set = stm32f4_pin_set,
-        .time_us = stm32f4_time_us,
-        .delay_us = stm32f4_delay_us,
+        .time_us = cortexm_time_us,
+        .delay_us = cortexm_delay_us,
         .buttons = stm32f4_buttons,
         .close = stm32f4_close,
     };

@@ -13,7 +13,7 @@ dir=$B/bench-icosphere board=pico-display-2-all
 rm -rf "$dir"
 mkdir -p "$dir/kits/$board"
 number() { sed -n "s/^$1 = \([0-9]*\).*/\1/p" "$2"; }
-ram=$(($(number CHIP_RAM_BYTES boards/pico-display-2/board.mk) - $(number PORT_RAM_BYTES hal/rp2040/port.mk)))
+ram=$(($(number CHIP_RAM_BYTES boards/families/pico.mk) - $(number PORT_RAM_BYTES hal/rp2040/port.mk)))
 sed "s/board_pico_display_2 /board_${board//-/_} /; s/\.ram_bytes = .*/.ram_bytes = $ram,/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
 cp boards/pico-display-2/board.mk "$dir/kits/$board"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# As tests/firmware/test_firmware_rp2040.sh: every RP2040 board, with one core and with two, every demo for some frames with its
-# buttons pressed; what is drawn in the time that a whole frame takes on the bus takes at most 1.03 times as long.
+# Like tests/firmware/test_firmware_rp2040.sh for every RP2040 board, with one core and with two: every demo for some frames,
+# with buttons pressed. A demo that the cores draw in the time of a whole frame on the bus takes at most 1.03 times as long.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -18,7 +18,7 @@ every_demo() { # board, cores
 
 on_the_bus() { awk '{ us += $3 } END { printf "%.0f\n", us / NR }' "$dir/out/report"; } # us a frame
 
-# CHANGES=0 sends whole frames, of the same pictures; CHANGES=1 less.
+# CHANGES=0 sends whole frames of the same pictures; CHANGES=1 sends less.
 whole_frames() {
     local bus whole less
     bus=$("$B/pinhole-sim" --board pico-display --demo cube --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')
@@ -31,8 +31,8 @@ whole_frames() {
 
 within_the_bar() { hal/rp2040/emulate/speed.sh "$1" >"$dir/speed" 2>&1 || { cat "$dir/speed" && return 1; }; }
 
-# In a copy, where D/C and chip select move when DMA is done and the last words are still in the FIFO, other pictures come.
-# (Only the slow clock of the panel's start shows it: a handler takes longer than 8 words at 62.5 MHz.)
+# In a copy D/C and chip select move when the DMA is done, while the last words are still in the FIFO. The pictures change.
+# Only the slow clock of the panel's start shows it, for a handler takes longer than 8 words at 62.5 MHz.
 a_dc_line_that_moves_early_is_seen() {
     local copy=$dir/copy
     mkdir "$copy" && cp -r Makefile firmware hal boards host-sim tests "$copy" || return 1
@@ -46,12 +46,12 @@ a_dc_line_that_moves_early_is_seen() {
 
 make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
 for mk in boards/*/board.mk; do
-    grep -q '^PORT = rp2040' "$mk" || continue
+    grep -q 'families/pico.mk' "$mk" || continue
     board=$(basename "$(dirname "$mk")")
     for cores in 1 2; do
         check "every_demo_is_the_simulators_on_${board}_with_$cores" every_demo "$board" $cores
     done
-    check "what_the_cores_can_draw_in_the_time_of_the_bus_takes_no_longer_on_$board" within_the_bar "$board"
+    check "a_demo_that_fits_the_time_of_the_bus_takes_no_longer_on_$board" within_the_bar "$board"
 done
 check "without_CHANGES_frames_are_whole" whole_frames
 check "a_dc_line_that_moves_early_is_seen" a_dc_line_that_moves_early_is_seen

@@ -1,9 +1,9 @@
 # shellcheck shell=bash disable=SC2154
-# For the tests of RP2040 images; needs B, dir (a folder for what comes out) and tests/tap.sh.
+# For the tests of RP2040 images; needs B, dir (a folder for the results) and tests/tools/tap.sh.
 #   rp2040_here                              exits 77 where something is missing
 #   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
-#                                            runs the image of all demos; KEYS is a file as of pinhole-sim --keys, or -
-#                                            (CHANGES=0 in the environment: the one that sends whole frames);
+#                                            runs the image of all demos; KEYS is a file for pinhole-sim --keys, or -
+#                                            (CHANGES=0 in the environment: the image that sends whole frames);
 #                                            frames to $dir/seen, the UART to $dir/log, the wires to $dir/out/events
 #   expect BOARD FRAMES [KEYS]               pinhole-sim's frames, to $dir/expected
 #   sweep EACH                               keys that show every demo for EACH frames and press buttons, to $dir/keys

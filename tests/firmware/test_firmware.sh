@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# `make firmware`: what it builds, what it prints, and what it refuses. The images themselves run in test_firmware_*.sh.
+# `make firmware` builds images, says what they take, and refuses wrong input. The images run in test_firmware_*.sh.
 # shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -65,6 +65,18 @@ a_program_of_ones_own() {
     firmware BOARD="$board" APP="$dir/mine.c" && [ "$(stat -c %s "$B/firmware/$board-mine.bin")" -lt 16384 ]
 }
 
+template_links() { # what one copies to port a chip; every function of the ports' headers is there
+    mkdir -p "$dir/kits/none-yet" &&
+        sed 's/board_feather_stm32f405/board_none_yet/; s/feather-stm32f405/none-yet/' boards/feather-stm32f405/board.c >"$dir/kits/none-yet/board.c" &&
+        printf '%s\n' 'PORT = template' 'CHIP_FLASH_BYTES = 1048576' 'CHIP_RAM_BYTES = 262144' >"$dir/kits/none-yet/board.mk" &&
+        firmware BOARD_DIR="$dir/kits" BOARD=none-yet && [ -s "$B/firmware/none-yet-demos.bin" ] || return 1
+    local name
+    while read -r name; do
+        arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,cortexm/start,cortexm/one_core}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
+    done < <(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h)
+    says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
+}
+
 no_such_board() {
     local said
     said=$(make -s B="$B" firmware BOARD=nonsense 2>&1) && return 1
@@ -87,7 +99,7 @@ wrong_values_are_told() {
         says "only the boards of an RP2040" speed BOARD="$board" && says "BOARD= is missing" speed
 }
 
-# What make or the shell would take apart, or make somewhere else.
+# Names that make or the shell would split, or build elsewhere.
 names_that_cannot_be_are_told() {
     local name
     for name in "a b" "it's" 'a;b' 'a&b' 'a(b)' 'a"b' 'a%'; do
@@ -132,18 +144,18 @@ size_adds_up() {
 at_most_60_percent() {
     local mk found=0
     for mk in boards/*/board.mk; do
-        local name=${mk#boards/} ram chip port beside
+        local name=${mk#boards/} ram chip beside
         name=${name%/board.mk}
         ram=$(make -s B="$B" BOARD="$name" "$B/ram-bytes" && "$B/ram-bytes") || return 1
-        chip=$(sed -n 's/^CHIP_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "$mk") port=$(sed -n 's/^PORT *:*= *\([a-z0-9]*\).*/\1/p' "$mk")
-        beside=$(sed -n 's/^PORT_RAM_BYTES *:*= *\([0-9]*\).*/\1/p' "hal/$port/port.mk")
+        make -np BOARD="$name" help 2>/dev/null >"$dir/database"
+        chip=$(sed -n 's/^CHIP_RAM_BYTES :*= *//p' "$dir/database") beside=$(sed -n 's/^PORT_RAM_BYTES :*= *//p' "$dir/database")
         found=$((found + 1))
         [ $((100 * (ram + ${beside:-0}))) -le $((60 * chip)) ] || { echo "$name: $ram and ${beside:-0} of $chip" && return 1; }
     done
     [ "$found" -ge 2 ]
 }
 
-kit_counts_the_targets_sizes() {
+runner_counts_the_targets_sizes() {
     local vertex triangle
     vertex=$(sed -n 's/^#define PH_VERTEX_BYTES_32 *//p' firmware/core/render.h) triangle=$(sed -n 's/^#define PH_TRIANGLE_BYTES_32 *//p' firmware/core/render.h)
     size() { printf '#include "triangle.h"\n#include "vertex.h"\n_Static_assert(sizeof(struct ph_vertex) == %s && sizeof(struct ph_triangle) == %s, "");\n' "$1" "$2" |
@@ -164,6 +176,7 @@ void *_sbrk(int n); void *_sbrk(int n) { (void)n; return 0; }
 int main(void) { return malloc(8) != 0; }'
 check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
 check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
+check "the_template_of_a_port_becomes_an_image" template_links
 check "a_board_that_is_not_there_is_one_clear_line" no_such_board
 check "wrong_values_are_one_clear_line" wrong_values_are_told
 check "names_that_cannot_be_are_one_clear_line" names_that_cannot_be_are_told
@@ -171,5 +184,5 @@ check "names_of_other_tongues_can_be" names_of_other_tongues_can_be
 check "what_is_too_large_is_one_line_and_leaves_nothing" too_large_is_one_line_and_leaves_nothing
 check "the_sizes_of_the_modules_add_up" size_adds_up
 check "no_board_gives_Pinhole_more_than_60_percent_of_its_RAM" at_most_60_percent
-check "the_kit_counts_with_the_targets_sizes" kit_counts_the_targets_sizes
+check "the_runner_counts_with_the_targets_sizes" runner_counts_the_targets_sizes
 tap_end

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The image of the Stellaris kit runs in QEMU: what QEMU's own panel shows are pinhole-sim's frames, byte for byte, for
-# every demo that the kit has room for; buttons work, faults are told, and what a panel would resent is a failure.
+# The image of the Stellaris kit runs in QEMU. QEMU's own panel shows pinhole-sim's frames, byte for byte, for every demo that
+# fits the kit. Buttons work, faults are told, and an unknown command to the panel is a failure.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -167,7 +167,7 @@ check "a_stack_that_runs_over_is_a_fault" fails_with over 'the image says: fault
 check "an_access_to_nowhere_is_a_failure" fails_with nowhere 'QEMU says: Invalid write' 'static volatile uint32_t *volatile nowhere = (uint32_t *)0xA0000000; *nowhere = 1; port_log("frame 1,\\n");'
 check "a_command_that_the_panel_does_not_know_is_a_failure" fails_with unknown 'QEMU says: .*0x99' 'const uint8_t wrong = 0x99; hal.ops->bus_write(hal.context, HAL_COMMAND, &wrong, 1);'
 check "an_image_that_says_no_more_is_a_failure" fails_with silent 'logs nothing more\|QEMU' 'port_exit(0);'
-check "what_is_no_image_is_refused_in_one_line" what_is_no_image_is_refused
+check "a_file_that_is_no_image_is_refused_in_one_line" what_is_no_image_is_refused
 check "an_interrupted_emulator_leaves_no_QEMU" interrupted
 check "the_exit_status_is_the_images" exit_status_is_passed_on
 tap_end

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Images for RP2040 kits on the emulated chip (rp2040js with SPI time, see hal/rp2040/emulate): frames are pinhole-sim's,
-# byte for byte, with one core and with two; the wires are as a panel wants them; what the kit does when asked or hurt.
-# Any warning of the emulator fails. tests/firmware/long_firmware_rp2040.sh takes every board.
+# Images for RP2040 kits run on the emulated chip (rp2040js with SPI time, see hal/rp2040/emulate). Frames are pinhole-sim's,
+# byte for byte, with one core and with two; the wires obey the panel; requests and faults have their effect. Any warning
+# of the emulator fails. tests/firmware/long_firmware_rp2040.sh takes every board.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -122,8 +122,8 @@ check "a_button_held_at_power_up_does_so_too" boot_loader_by_a_button
 check "a_fault_is_told_and_the_panel_is_dark" fault_is_told
 check "a_flipped_bit_in_boot2_is_refused" flipped_bit_in_boot2_is_refused
 check "the_UF2_file_holds_the_same_image" uf2_is_the_same_image
-check "frames_of_an_ST7735S_at_10_MHz" small_panel
-check "what_is_done_per_pixel_runs_from_RAM" per_pixel_from_ram
+check "frames_of_an_ST7735S_at_10_MHz_are_the_simulators" small_panel
+check "the_code_for_each_pixel_runs_from_RAM" per_pixel_from_ram
 check "an_interrupted_emulator_leaves_nothing_behind" interrupted
 check "make_emulate_writes_pictures" make_emulate
 tap_end

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The image of the Feather STM32F405 runs in QEMU, which has the chip but no display: its stores to SPI and pins, read from
-# QEMU's trace, make a controller's model show pinhole-sim's frames, byte for byte, for every demo.
+# The image of the Feather STM32F405 runs in QEMU, which has the chip but no display. Its stores to SPI and pins, read from
+# QEMU's trace, go to a controller's model, which shows pinhole-sim's frames, byte for byte, for every demo.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -18,7 +18,7 @@ builds() {
     make -s -j2 B="$B" "$B/pinhole-emulate" "$B/pinhole-sim" && make_image firmware BOARD="$board" >"$dir/built"
 }
 
-# Held for a frame, then up for none: so every second frame, and the frames between show the demo move.
+# Select is pressed in every second frame; the frames between show the demo move.
 script() { seq 2 2 $((2 * demos)) | sed 's/$/ select/'; }
 
 every_demo_is_the_simulators() {
@@ -73,5 +73,5 @@ check "every_demo_shows_the_simulators_frames" every_demo_is_the_simulators
 check "all_demos_were_seen" many_demos_were_seen
 check "the_stack_used_stays_below_the_computed_bound" stack_stays_below_its_bound
 check "pictures_are_the_simulators" pictures_are_written
-check "what_the_panel_resents_is_told_at_once" what_the_panel_resents_is_a_failure
+check "a_command_that_the_panel_does_not_know_is_told_at_once" what_the_panel_resents_is_a_failure
 tap_end

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What an image understands on its UART, on the two kits that QEMU has: hold, step, go on, buttons, boot loader. (RP2040:
-# test_firmware_boot.sh.)
+# The images of the two kits in QEMU obey their UART: hold, step, go on, buttons, boot loader. test_firmware_boot.sh tests
+# the RP2040.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -58,6 +58,6 @@ obeys_and_ends() {
 
 for board in lm3s6965evb feather-stm32f405; do
     check "the_image_of_${board}_builds" make_image firmware BOARD="$board"
-    check "it_holds_steps_goes_on_and_takes_buttons_and_B" obeys_and_ends "$board"
+    check "${board}_holds_steps_goes_on_and_takes_buttons_and_B" obeys_and_ends "$board"
 done
 tap_end

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What the images of the QEMU kits do on the wires when they start, end, fail, and are asked for the boot loader: QEMU's
-# trace of stores becomes events (host-sim/wire/wire_events.h), which pinhole-wire shows to the controller's model. (RP2040:
-# test_firmware_rp2040.sh.)
+# The wires of the QEMU kits are right when an image starts, ends, fails or enters the boot loader. QEMU's trace of stores
+# becomes events (host-sim/wire/wire_events.h), which pinhole-wire gives to the controller's model. test_firmware_rp2040.sh
+# does so for the RP2040.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -116,7 +116,7 @@ fault_before_the_panel_is_open() { # board: nothing is ever shown, the display i
     ! order "$1" "$dir/early.$1.events" 2>/dev/null | grep 'display on'
 }
 
-# What QEMU has of the boot loader is its address: to read it there, after the reset, is a fault.
+# QEMU has no boot loader: the jump to its address, after the reset, is a fault.
 boot_loader_on_request() {
     runs feather-stm32f405 boot 'port_boot_loader();' && ends_asleep feather-stm32f405 "$dir/boot.feather-stm32f405.events" || return 1
     grep -q 'address 1FFF0000' "$dir/boot.feather-stm32f405.log" && fault_is_told feather-stm32f405 boot enter_boot_loader || return 1
@@ -128,10 +128,10 @@ boot_loader_on_request() {
 check "images_are_built_and_run" builds
 for board in lm3s6965evb feather-stm32f405; do
     check "the_panel_of_${board}_is_dark_until_its_first_frame_and_after_the_end" starts_and_ends_in_order "$board"
-    check "... asleep_at_the_end" ends_asleep "$board" "$dir/once.$board.events"
-    check "a_fault_on_$board names_its_place_and_leaves_the_panel_dark" fault_leaves_the_panel_dark "$board"
-    check "... within_a_frame" fault_within_a_frame_leaves_it_dark "$board"
-    check "... before_the_panel_is_open" fault_before_the_panel_is_open "$board"
+    check "the_panel_of_${board}_sleeps_at_the_end" ends_asleep "$board" "$dir/once.$board.events"
+    check "a_fault_on_${board}_names_its_place_and_leaves_the_panel_dark" fault_leaves_the_panel_dark "$board"
+    check "a_fault_within_a_frame_on_${board}_leaves_the_panel_dark" fault_within_a_frame_leaves_it_dark "$board"
+    check "a_fault_on_${board}_before_the_panel_is_open_leaves_it_dark" fault_before_the_panel_is_open "$board"
 done
 check "the_boot_loader_of_the_STM32_is_entered_right_after_a_reset" boot_loader_on_request
 check "stores_without_waits_would_be_resented" waits_are_seen

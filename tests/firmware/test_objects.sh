@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the firmware promises is checked on its objects for Cortex-M0+ and Cortex-M3: no floating point, no heap, nothing
-# mutable at file scope, no recursion, a bounded stack. Each check is tried on an object that breaks the promise, too.
+# The firmware's objects for Cortex-M0+ and Cortex-M3 keep its promises: no floating point, no heap, nothing mutable at file
+# scope, no recursion, a bounded stack. Each check is also tried on an object that breaks the promise.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -14,7 +14,7 @@ command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-# All that firmware may take from libgcc and libc: integer arithmetic and plain memory.
+# Firmware takes nothing from libgcc and libc but integer arithmetic and plain memory.
 allowed='^(__aeabi_(lmul|u?idiv|u?idivmod|u?ldivmod|llsl|llsr|lasr|u?lcmp|mem(cpy|set|clr|move)[48]?)|__gnu_thumb1_case_[a-z]+|__c[lt]z[sd]i2|mem(cpy|set|move|cmp)|str(cmp|len))$'
 
 foreign_symbols() { # objects: what is used but not defined in them, nor allowed

@@ -1,4 +1,5 @@
-/* The kits as data: complete, consistent, and each one shows a picture as it is usually held, without a complaint. */
+/* The kits' data are complete and consistent, and each kit shows an upright picture without a complaint of its model.
+ */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -89,7 +90,7 @@ static bool same_pin(const struct board_pin *a, const struct board_pin *b)
     return strcmp(a->line, b->line) == 0;
 }
 
-/* Does wire i use the pin of an earlier one? */
+/* Fails if wire i uses the pin of an earlier one. */
 static void check_wire(const struct board *board, uint32_t i)
 {
     const struct board_pin *a = pin_of(board, i);
@@ -127,7 +128,7 @@ static void buttons_differ(void **state)
     }
 }
 
-/* As a program would do it, from the board alone; the time of a frame is that of the formula. */
+/* Opens each kit from its board alone, as a program does. A frame takes the time of the formula. */
 static void every_kit_shows_a_picture(void **state)
 {
     (void)state;

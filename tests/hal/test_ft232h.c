@@ -1,6 +1,6 @@
 /*
- * hal/ft232h without USB: its command stream is decoded here, by the text of FTDI's AN_108 and not by the encoder's
- * tables, down to single bits with the D/C level at each, and ends in the simulator's panel.
+ * hal/ft232h without USB. This file decodes its command stream by the text of FTDI's AN_108, not by the encoder's
+ * tables, down to single bits with the level of D/C at each. The bits end in the simulator's panel.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -23,12 +23,12 @@
 enum { LOW, HIGH };
 
 struct ft232h_usb {
-    uint8_t command[3]; /* that is being received */
+    uint8_t command[3]; /* the one that is being received */
     unsigned have;
     uint32_t left; /* bytes of a block that are still to come */
     uint8_t levels[2], outputs[2];
     uint32_t divisor;
-    bool by_five; /* as it is after a reset */
+    bool by_five; /* divides the clock by five, as after a reset */
     bool open;
     uint8_t answers[70000];
     size_t answers_at, answers_end;
@@ -92,7 +92,7 @@ static void shift_out(uint8_t byte)
     chip.bytes_shifted++;
 }
 
-/* Bytes that follow the command byte before it can be carried out. */
+/* The bytes that a command takes after its first. */
 static unsigned parameters_of(uint8_t command)
 {
     switch (command) {
@@ -163,7 +163,7 @@ static void receive(uint8_t byte)
     }
 }
 
-int link_open(struct ft232h_usb **link, const char *serial, char *error)
+int ft232h_link_open(struct ft232h_usb **link, const char *serial, char *error)
 {
     (void)serial;
     error[0] = 0;
@@ -175,13 +175,13 @@ int link_open(struct ft232h_usb **link, const char *serial, char *error)
     return HAL_OK;
 }
 
-void link_pace(struct ft232h_usb *link, uint32_t hz)
+void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz)
 {
     (void)link;
     assert_true(hz > 0);
 }
 
-int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
+int ft232h_link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
 {
     assert_ptr_equal(link, &chip);
     for (size_t i = 0; i < n; i++) {
@@ -190,17 +190,17 @@ int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
     return HAL_OK;
 }
 
-int link_flush(struct ft232h_usb *link)
+int ft232h_link_flush(struct ft232h_usb *link)
 {
     assert_ptr_equal(link, &chip);
     link->flushes++;
     return HAL_OK;
 }
 
-int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
+int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 {
     assert_ptr_equal(link, &chip);
-    assert_true(link->answers_end - link->answers_at >= n); /* or the real one would wait in vain */
+    assert_true(link->answers_end - link->answers_at >= n); /* the real one would time out */
     memcpy(bytes, link->answers + link->answers_at, n);
     link->answers_at += n;
     if (link->answers_at == link->answers_end) {
@@ -209,7 +209,7 @@ int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
     return HAL_OK;
 }
 
-void link_close(struct ft232h_usb *link)
+void ft232h_link_close(struct ft232h_usb *link)
 {
     if (link != NULL) {
         assert_true(link->open);
@@ -250,7 +250,7 @@ static void unplug(void)
     sim_close(chip.sim);
 }
 
-/* D/C and select on one port, on two; reset and backlight. */
+/* A board with other lines for select and D/C, and with a backlight. */
 static struct board wired_otherwise(const char *select, const char *dc)
 {
     struct board board = board_ft232h_ili9341;
@@ -294,7 +294,7 @@ static void the_backend_keeps_the_contract(void **state)
     unplug();
 }
 
-/* 30 MHz / (1 + n), the fastest that is not above what was asked for. */
+/* The clock is the fastest 30 MHz / (1 + n) of at most the one asked for. */
 static void the_clock_is_the_next_below(void **state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 /*
- * The conformance test of hal.h: what every backend must do. A new backend is one line in `backends` and a function
- * that prepares its kit. What only a real panel can show is in the other tests. Backends that need hardware are tried
- * where the virtual kit is: test_kit_hal.sh starts this program in it.
+ * The conformance test of hal.h, for every backend. A new backend is one line in `backends` and a function that
+ * prepares its kit. hal/template is a port, but its operations run here, too. Backends that need hardware are tested in
+ * the virtual kit: test_kit_hal.sh starts this program in it.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,6 +11,7 @@
 #include "boards.h"
 #include "hal_conformance.h"
 #include "null/null.h"
+#include "port.h"
 #include "sim.h"
 
 #include <string.h>
@@ -18,7 +19,7 @@
 struct backend {
     const char *name;
     const struct board *board;
-    void (*prepare)(struct hal *hal, const struct board *board); /* not open yet, or open already: open must work */
+    void (*prepare)(struct hal *hal, const struct board *board); /* the kit is open already, or not yet */
     void (*release)(struct hal *hal);
     bool keeps_time;
 };
@@ -29,9 +30,15 @@ static void prepare_null(struct hal *hal, const struct board *board)
     *hal = (struct hal){&null_ops, NULL};
 }
 
-static void release_null(struct hal *hal)
+static void release_nothing(struct hal *hal)
 {
     (void)hal;
+}
+
+static void prepare_template(struct hal *hal, const struct board *board)
+{
+    (void)board;
+    *hal = port_hal();
 }
 
 static void prepare_sim(struct hal *hal, const struct board *board)
@@ -45,7 +52,8 @@ static void release_sim(struct hal *hal)
 }
 
 static const struct backend backends[] = {
-    {"null", &board_pico_display, prepare_null, release_null, false},
+    {"null", &board_pico_display, prepare_null, release_nothing, false},
+    {"template", &board_pico_display, prepare_template, release_nothing, false},
     {"sim", &board_pico_display, prepare_sim, release_sim, true},
     {"sim", &board_lm3s6965evb, prepare_sim, release_sim, true},
     {"sim", &board_sim_ili9488, prepare_sim, release_sim, true},

@@ -1,7 +1,7 @@
 /*
- * hal/linux without hardware: how writes are divided, which line a name means, what is said when something is missing,
- * and which of a contact's edges are presses. libgpiod is played by the chips below; the rest, with the real kernel, is
- * in test_kit_hal.sh.
+ * hal/linux without hardware: how writes are divided, which line a name means, which error a missing part gives, and
+ * which edges of a contact are presses. The chips below take the place of libgpiod. test_kit_hal.sh tests the rest,
+ * with the real kernel.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- a machine's chips, in place of hal/linux/gpiod*.c ------------------------------------------- */
+/* ---- a machine's chips, in place of libgpiod (hal/linux/gpiod1) ------------------------------------- */
 
 enum { CHIPS = 3, LINES = 54 };
 
@@ -26,23 +26,23 @@ struct chip {
     const char *label;
     int refusal;       /* errno of opening it */
     bool names;        /* line n is called "GPIOn" */
-    bool taken[LINES]; /* by "spi0 CS0" */
+    bool taken[LINES]; /* "spi0 CS0" has the line */
     int opened;        /* how often it is open now */
 };
 
 static struct chip chips[CHIPS];
 
-const char *gpio_version(void)
+const char *linux_gpio_version(void)
 {
     return "played";
 }
 
-bool gpio_debounces(void)
+bool linux_gpio_debounces(void)
 {
     return false;
 }
 
-void *gpio_chip_open(const char *path)
+void *linux_gpio_chip_open(const char *path)
 {
     unsigned i = CHIPS;
     if (sscanf(path, "/dev/gpiochip%u", &i) != 1 || i >= CHIPS || chips[i].label == NULL) { /* NOLINT(cert-err34-c) */
@@ -57,30 +57,30 @@ void *gpio_chip_open(const char *path)
     return &chips[i];
 }
 
-void gpio_chip_close(void *chip)
+void linux_gpio_chip_close(void *chip)
 {
     ((struct chip *)chip)->opened--;
 }
 
-int gpio_chip_label(void *chip, char *label, size_t size)
+int linux_gpio_chip_label(void *chip, char *label, size_t size)
 {
     snprintf(label, size, "%s", ((struct chip *)chip)->label);
     return 0;
 }
 
-int gpio_chip_lines(void *chip)
+int linux_gpio_chip_lines(void *chip)
 {
     (void)chip;
     return LINES;
 }
 
-int gpio_chip_find(void *chip, const char *name)
+int linux_gpio_chip_find(void *chip, const char *name)
 {
-    const int number = line_gpio_number(name);
+    const int number = linux_line_gpio_number(name);
     return ((struct chip *)chip)->names && number >= 0 && number < LINES ? number : -ENOENT;
 }
 
-int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
+int linux_gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
 {
     look->taken = ((struct chip *)chip)->taken[offset];
     snprintf(look->name, sizeof look->name, "%s", "");
@@ -88,7 +88,7 @@ int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
     return 0;
 }
 
-int gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct gpio_want *want)
+int linux_gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct linux_gpio_want *want)
 {
     (void)want;
     if (((struct chip *)chip)->taken[offset]) {
@@ -100,34 +100,34 @@ int gpio_request(struct linux_line *line, void *chip, unsigned offset, const str
     return 0;
 }
 
-void gpio_release(struct linux_line *line)
+void linux_gpio_release(struct linux_line *line)
 {
     if (line->request != NULL) {
-        gpio_chip_close(line->chip);
+        linux_gpio_chip_close(line->chip);
         line->request = NULL;
     }
 }
 
-int gpio_set(struct linux_line *line, bool level)
+int linux_gpio_set(struct linux_line *line, bool level)
 {
     (void)line;
     (void)level;
     return 0;
 }
 
-int gpio_get(struct linux_line *line)
+int linux_gpio_get(struct linux_line *line)
 {
     (void)line;
     return 0;
 }
 
-int gpio_descriptor(struct linux_line *line)
+int linux_gpio_descriptor(struct linux_line *line)
 {
     (void)line;
     return -1;
 }
 
-int gpio_edge(struct linux_line *line, uint64_t *time_ns)
+int linux_gpio_edge(struct linux_line *line, uint64_t *time_ns)
 {
     (void)line;
     *time_ns = 0;
@@ -151,11 +151,11 @@ static void a_piece_is_the_longest_that_spidev_takes(void **state)
     for (size_t i = 0; i < sizeof bufsizes / sizeof bufsizes[0]; i++) {
         const size_t bufsiz = bufsizes[i];
         const size_t alignment = bufsiz < 128 ? 8 : 128;
-        const size_t piece = spi_piece(1 << 20, bufsiz);
+        const size_t piece = linux_spi_piece(1 << 20, bufsiz);
         assert_true((piece + alignment - 1) / alignment * alignment <= bufsiz);
         assert_true((piece + alignment) / alignment * alignment > bufsiz);
-        assert_int_equal(spi_piece(1, bufsiz), 1);
-        assert_int_equal(spi_piece(piece - 1, bufsiz), piece - 1);
+        assert_int_equal(linux_spi_piece(1, bufsiz), 1);
+        assert_int_equal(linux_spi_piece(piece - 1, bufsiz), piece - 1);
     }
 }
 
@@ -163,7 +163,7 @@ static unsigned messages(size_t bytes, size_t bufsiz)
 {
     unsigned count = 0;
     for (; bytes > 0; count++) {
-        bytes -= spi_piece(bytes, bufsiz);
+        bytes -= linux_spi_piece(bytes, bufsiz);
     }
     return count;
 }
@@ -195,32 +195,32 @@ static void places_and_names_are_told_apart(void **state)
     (void)state;
     char chip[LINUX_PATH_SIZE];
     unsigned offset = 0;
-    assert_true(line_place("gpiochip0:25", chip, &offset));
+    assert_true(linux_line_place("gpiochip0:25", chip, &offset));
     assert_string_equal(chip, "gpiochip0");
     assert_int_equal(offset, 25);
-    assert_true(line_place("1f000d0000.gpio:a:7", chip, &offset));
+    assert_true(linux_line_place("1f000d0000.gpio:a:7", chip, &offset));
     assert_string_equal(chip, "1f000d0000.gpio:a");
     assert_int_equal(offset, 7);
     static const char *const names[] = {"GPIO25", "", ":25", "chip:", "chip:2x", "chip:123456", "PIN_7", "a:-1"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        assert_false(line_place(names[i], chip, &offset));
+        assert_false(linux_line_place(names[i], chip, &offset));
     }
-    assert_int_equal(line_gpio_number("GPIO7"), 7);
-    assert_int_equal(line_gpio_number("GPIO"), -1);
-    assert_int_equal(line_gpio_number("GPIO7A"), -1);
-    assert_int_equal(line_gpio_number("AD3"), -1);
+    assert_int_equal(linux_line_gpio_number("GPIO7"), 7);
+    assert_int_equal(linux_line_gpio_number("GPIO"), -1);
+    assert_int_equal(linux_line_gpio_number("GPIO7A"), -1);
+    assert_int_equal(linux_line_gpio_number("AD3"), -1);
 }
 
-/* Which chip and line a name means on the machine that `chips` is; -1 and the line in error if none. */
+/* The chip and line that a name means on the machine of `chips`; -1 and a line in error if there is none. */
 static int look_up(const char *name, unsigned *offset, char *error)
 {
     struct linux_line line = {0};
     const struct board_pin pin = {.wired = true, .line = name};
-    const struct gpio_want want = {.use = GPIO_OUT};
-    const int status = line_open(&line, &board_rpi_waveshare_1in3, &pin, &want, error);
+    const struct linux_gpio_want want = {.use = GPIO_OUT};
+    const int status = linux_line_open(&line, &board_rpi_waveshare_1in3, &pin, &want, error);
     const int chip = status < 0 ? -1 : (int)((struct chip *)line.chip - chips);
     *offset = line.offset;
-    gpio_release(&line);
+    linux_gpio_release(&line);
     for (int i = 0; i < CHIPS; i++) {
         assert_int_equal(chips[i].opened, 0);
     }
@@ -232,7 +232,7 @@ static void a_line_is_found_by_its_name_on_any_chip(void **state)
     (void)state;
     char error[LINUX_ERROR_SIZE] = "";
     unsigned offset = 0;
-    chips[0] = (struct chip){.label = "pinctrl-rp1"}; /* the label would do, but names come first */
+    chips[0] = (struct chip){.label = "pinctrl-rp1"}; /* this label fits, but names come first */
     chips[2] = (struct chip){.label = "some expander", .names = true};
     assert_int_equal(look_up("GPIO25", &offset, error), 2);
     assert_int_equal(offset, 25);
@@ -302,9 +302,9 @@ static void a_pin_without_a_name_is_refused(void **state)
     (void)state;
     char error[LINUX_ERROR_SIZE] = "";
     struct linux_line line = {0};
-    const struct gpio_want want = {.use = GPIO_OUT};
+    const struct linux_gpio_want want = {.use = GPIO_OUT};
     const struct board *pico = &board_pico_display;
-    assert_int_equal(line_open(&line, pico, &pico->pins.dc, &want, error), HAL_EINVAL);
+    assert_int_equal(linux_line_open(&line, pico, &pico->pins.dc, &want, error), HAL_EINVAL);
     assert_non_null(strstr(error, "pico-display"));
 }
 
@@ -317,52 +317,52 @@ static void bounces_are_one_press(void **state)
 {
     (void)state;
     struct linux_button button;
-    debounce_start(&button, false, 0);
-    assert_false(debounce_look(&button, 99 * MS, SETTLE));
+    linux_debounce_start(&button, false, 0);
+    assert_false(linux_debounce_look(&button, 99 * MS, SETTLE));
     const uint64_t press = 100 * MS;
     for (int i = 0; i <= 6; i++) { /* down, up, down, .. down */
-        debounce_edge(&button, i % 2 == 0, press + (uint64_t)i * MS, SETTLE);
-        assert_true(debounce_look(&button, press + (uint64_t)i * MS, SETTLE));
+        linux_debounce_edge(&button, i % 2 == 0, press + (uint64_t)i * MS, SETTLE);
+        assert_true(linux_debounce_look(&button, press + (uint64_t)i * MS, SETTLE));
     }
-    assert_true(debounce_look(&button, 150 * MS, SETTLE));
+    assert_true(linux_debounce_look(&button, 150 * MS, SETTLE));
     for (int i = 0; i <= 6; i++) {
-        debounce_edge(&button, i % 2 != 0, 200 * MS + (uint64_t)i * MS, SETTLE);
-        assert_false(debounce_look(&button, 200 * MS + (uint64_t)i * MS, SETTLE));
+        linux_debounce_edge(&button, i % 2 != 0, 200 * MS + (uint64_t)i * MS, SETTLE);
+        assert_false(linux_debounce_look(&button, 200 * MS + (uint64_t)i * MS, SETTLE));
     }
-    assert_false(debounce_look(&button, 250 * MS, SETTLE));
+    assert_false(linux_debounce_look(&button, 250 * MS, SETTLE));
 }
 
 static void a_press_between_two_looks_is_seen_once(void **state)
 {
     (void)state;
     struct linux_button button;
-    debounce_start(&button, false, 0);
-    debounce_edge(&button, true, 100 * MS, SETTLE);
-    debounce_edge(&button, false, 120 * MS, SETTLE);
-    assert_true(debounce_look(&button, 133 * MS, SETTLE));
-    assert_false(debounce_look(&button, 166 * MS, SETTLE));
+    linux_debounce_start(&button, false, 0);
+    linux_debounce_edge(&button, true, 100 * MS, SETTLE);
+    linux_debounce_edge(&button, false, 120 * MS, SETTLE);
+    assert_true(linux_debounce_look(&button, 133 * MS, SETTLE));
+    assert_false(linux_debounce_look(&button, 166 * MS, SETTLE));
 }
 
-/* The release falls into the settling time of the press: no edge comes after it. */
+/* The release comes within the settling time of the press, and no edge comes after it. */
 static void a_short_press_ends(void **state)
 {
     (void)state;
     struct linux_button button;
-    debounce_start(&button, false, 0);
-    debounce_edge(&button, true, 100 * MS, SETTLE);
-    debounce_edge(&button, false, 103 * MS, SETTLE);
-    assert_true(debounce_look(&button, 104 * MS, SETTLE));
-    assert_false(debounce_look(&button, 112 * MS, SETTLE));
+    linux_debounce_start(&button, false, 0);
+    linux_debounce_edge(&button, true, 100 * MS, SETTLE);
+    linux_debounce_edge(&button, false, 103 * MS, SETTLE);
+    assert_true(linux_debounce_look(&button, 104 * MS, SETTLE));
+    assert_false(linux_debounce_look(&button, 112 * MS, SETTLE));
 }
 
 static void a_button_held_at_the_start_is_held(void **state)
 {
     (void)state;
     struct linux_button button;
-    debounce_start(&button, true, 0);
-    assert_true(debounce_look(&button, 1 * MS, SETTLE));
-    debounce_edge(&button, false, 50 * MS, 0); /* edges that the kernel debounced */
-    assert_false(debounce_look(&button, 50 * MS, 0));
+    linux_debounce_start(&button, true, 0);
+    assert_true(linux_debounce_look(&button, 1 * MS, SETTLE));
+    linux_debounce_edge(&button, false, 50 * MS, 0); /* edges that the kernel debounced */
+    assert_false(linux_debounce_look(&button, 50 * MS, 0));
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 /*
- * Every panel, rotation and format: what goes through the driver is seen on the model's glass, and on a glass of any
- * size. The expected pictures come from panel_picture.c (floating point, no shared code), the offsets from other
- * drivers.
+ * For every panel, rotation and format the model's glass shows the picture that went through the driver; so does a
+ * glass of any size. The expected pictures come from panel_picture.c (floating point, no shared code), the offsets from
+ * other drivers.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -33,7 +33,7 @@ struct shot {
     size_t scratch_bytes;
 };
 
-/* Two frames, the second one is looked at. */
+/* Draws two frames and checks the second. */
 static void shoot(const struct shot *s)
 {
     static uint8_t scratch[4096];
@@ -156,7 +156,7 @@ static void one_rule_gives_the_published_offsets(void **state)
     }
 }
 
-/* Bits that a pixel needs, against those that go out. */
+/* The bits that a pixel needs, compared with those that go out. */
 static void a_frame_costs_at_most_one_percent_more_than_its_pixels(void **state)
 {
     (void)state;
@@ -230,8 +230,8 @@ static void grey_is_dithered_evenly_between_its_levels(void **state)
 }
 
 /*
- * A glass of 127 columns bonded to the first ones of a controller that takes pixels in pairs. The model's glass has
- * 128: the one more is what the pad of half a byte falls on, and must be black.
+ * A glass of 127 columns, bonded to the first columns of a controller that takes pixels in pairs. The model's glass has
+ * 128. Half a byte of padding falls on the last column, which must be black.
  */
 static void check_odd_greys(unsigned rotation, uint32_t pad_x, uint32_t pad_y)
 {

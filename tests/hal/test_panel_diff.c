@@ -1,6 +1,6 @@
 /*
- * panel_diff on every panel, rotation and format: the picture on the model's glass is the whole one's, the bytes on the
- * wire are those that were predicted, and not many more than a search without hurry finds.
+ * panel_diff on every panel, rotation and format: the model's glass shows the same picture as after a whole frame. The
+ * bytes on the wire are the predicted ones, and few more than an exhaustive search finds.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,7 +21,7 @@
 static uint16_t picture[PICTURE_PIXELS];
 static uint8_t seen[3 * PICTURE_PIXELS], expected[3 * PICTURE_PIXELS];
 
-/* A panel on the simulator, with the spy between if wanted. */
+/* A panel on the simulator, on request with the spy between. */
 struct rig {
     struct board board;
     struct sim *sim;
@@ -80,7 +80,7 @@ static void rig_close(struct rig *rig, const char *what)
     free(rig->memory);
 }
 
-/* The picture `lines` lines at a time, each from a buffer that is spoilt as soon as it is the caller's again. */
+/* Sends the picture `lines` lines at a time, from a buffer that is spoilt as soon as it is the caller's again. */
 static int show(struct rig *rig, uint32_t lines)
 {
     static uint16_t band[PICTURE_PIXELS];
@@ -265,7 +265,7 @@ static void all_is_sent_again_every_so_many_frames(void **state)
     rig_close(&rig, "refresh");
 }
 
-/* Wherever the wire fails, the frame after it is right. */
+/* Wherever the wire fails, the next frame is right. */
 static void after_an_error_the_next_frame_is_whole(void **state)
 {
     (void)state;
@@ -326,7 +326,7 @@ static void take_picture(const struct player *p)
     }
 }
 
-/* What the wire had since `before`: bytes, and WRITE_BYTES for each command, and for what follows each. */
+/* The cost on the wire since `before`: its bytes, and WRITE_BYTES for each command and for the write after it. */
 static uint64_t cost_since(const struct rig *rig, const struct sim_counters *before, bool slow)
 {
     const struct sim_counters now = sim_counters(rig->sim);
@@ -334,7 +334,7 @@ static uint64_t cost_since(const struct rig *rig, const struct sim_counters *bef
     return now.bytes - before->bytes + (slow ? WRITE_BYTES * writes : 0);
 }
 
-/* Bytes of eight frames `step` apart on a small panel, and of the best covers that the search finds. */
+/* Adds the bytes of eight frames `step` apart on a small panel, and those of the best covers that the search finds. */
 static void compare_with_search(const char *name, uint32_t step, bool slow, uint64_t bytes[2])
 {
     struct hal_ops slow_ops;
@@ -351,7 +351,7 @@ static void compare_with_search(const char *name, uint32_t step, bool slow, uint
         assert_int_equal(rig.d.clock_hz, 62500000);
         make_writes_slow(&rig, &slow_ops);
     }
-    const uint32_t write = slow ? 2 * WRITE_BYTES : 0; /* of a command and what follows it */
+    const uint32_t write = slow ? 2 * WRITE_BYTES : 0; /* of a command and the write after it */
     const struct cover_costs costs = {5 + write, 1 + write, 2};
     bytes[0] = bytes[1] = 0;
     for (uint32_t frame = 0; frame < 9; frame++) {

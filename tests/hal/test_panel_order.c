@@ -1,6 +1,6 @@
 /*
- * What the driver does in which order, and what it does when something goes wrong. The backend is spy_hal: it logs, and
- * it keeps every buffer until the last moment that hal.h allows.
+ * The order of the driver's steps, and its behaviour after errors. The backend is spy_hal: it logs, and it keeps every
+ * buffer until the last moment that hal.h allows.
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /*
- * panel_tiles: the picture on the model's glass is the whole one's, little is sent where little changed, and what a
- * signature has missed is healed in time.
+ * panel_tiles: the model's glass shows the same picture as after a whole frame. Little is sent where little changed,
+ * and a change that a signature missed is healed in time.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -55,7 +55,7 @@ static void rig_close(struct rig *rig)
     free(rig->memory);
 }
 
-/* Bands are copied to where words are aligned, as a kit's are. */
+/* Copies bands into aligned memory, as those of a kit are. */
 static int show(struct rig *rig)
 {
     static uint16_t band[PICTURE_PIXELS] __attribute__((aligned(4)));
@@ -127,7 +127,7 @@ static void the_glass_shows_what_was_drawn(void **state)
     }
 }
 
-/* Shown so often that it is watched, and nothing but tiles in their turn is sent. */
+/* Shows the picture until only the tiles in their turn are sent. */
 static void settle(struct rig *rig)
 {
     for (uint32_t i = 0; i < 3; i++) {
@@ -143,7 +143,7 @@ static void one_pixel_costs_one_tile(void **state)
     picture_fill(picture, 240, 240, 1);
     settle(&rig);
     const uint32_t tile = 2 * 16 * 16, window = 11;
-    assert_int_equal(rig.d.frame_bytes, tile + window); /* nothing: the one in its turn */
+    assert_int_equal(rig.d.frame_bytes, tile + window); /* only the tile in its turn */
     for (uint32_t i = 0; i < 200; i++) {
         picture[draw(240 * 240)] ^= (uint16_t)(1U << draw(16));
         assert_int_equal(show(&rig), 0);
@@ -204,7 +204,7 @@ static uint32_t word_at(const uint16_t *pixels)
     return word;
 }
 
-/* Another tile with the same signature: the second word takes back what the first has done. */
+/* Makes another tile with the same signature: its second word undoes the effect of the first. */
 static void forge(uint16_t *tile)
 {
     const uint32_t first = word_at(tile), second = word_at(tile + 2), other = first ^ 0x00f00010;
@@ -230,12 +230,12 @@ static void a_false_match_is_healed_in_time(void **state)
             frames++;
         } while (!glass_agrees(&rig) && frames < 2 * n);
         assert_in_range(frames, 1, n);
-        assert_true(i != 0 || frames > 1); /* it was a match */
+        assert_true(i != 0 || frames > 1); /* the signatures were the same */
     }
     rig_close(&rig);
 }
 
-/* Whoever writes into the panel's memory besides, e.g. a disturbance. */
+/* A disturbance that writes into the panel's memory. */
 static void a_disturbed_panel_is_healed_in_time(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the README shows works: its program compiles without a warning and prints what stands there, its commands run, its
+# What the READMEs show works: its program compiles without a warning and prints what stands there, its commands run, its
 # links lead somewhere, its numbers are those that the checks hold. (Its tables: test_readme_tables.c.)
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -10,11 +10,13 @@ B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-block() { # language, pattern: the first fenced block of that language in which a line matches
+readmes=(README.md */README.md)
+
+block() { # language, pattern: the first fenced block of that language in which a line matches, in any README.md
     awk -v fence="^\`\`\`$1\$" -v pattern="$2" '
         $0 ~ fence { inside = 1; text = ""; found = 0; next }
         inside && /^```$/ { if (found) { printf "%s", text; exit } inside = 0 }
-        inside { text = text $0 "\n"; if ($0 ~ pattern) { found = 1 } }' README.md
+        inside { text = text $0 "\n"; if ($0 ~ pattern) { found = 1 } }' "${readmes[@]}"
 }
 
 program_prints_what_is_shown() {
@@ -86,10 +88,12 @@ commands_run() {
 }
 
 links_exist() {
-    local link missing=0
-    while read -r link; do
-        [ -e "$link" ] || { echo "$link" && missing=1; }
-    done < <(grep -oE '\]\([^)#]+' README.md | cut -c3- | grep -v '^http')
+    local readme link missing=0
+    for readme in "${readmes[@]}"; do
+        while read -r link; do
+            [ -e "$(dirname "$readme")/$link" ] || { echo "$readme: $link" && missing=1; }
+        done < <(grep -oE '\]\([^)#]+' "$readme" | cut -c3- | grep -v '^http')
+    done
     return "$missing"
 }
 
@@ -97,7 +101,7 @@ targets_exist() {
     local target
     while read -r target; do
         grep -qh "^$target:.*##" Makefile firmware/firmware.mk || { echo "make $target" && return 1; }
-    done < <(grep -oE '(^|`)make [a-z][a-z-]*' README.md | cut -d' ' -f2 | sort -u)
+    done < <(grep -ohE '(^|`)make [a-z][a-z-]*' "${readmes[@]}" | cut -d' ' -f2 | sort -u)
 }
 
 numbers_are_those_of_the_checks() { # budgets and counts, as the README writes them

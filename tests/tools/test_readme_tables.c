@@ -1,6 +1,6 @@
 /*
- * The README's tables of boards, wiring and panels say what the tables in the code say: each expected row must stand in
- * README.md as it is. A row that is missing is printed, ready to be put there.
+ * The tables of boards, wiring and panels in boards/README.md say the same as the tables in the code: each expected row
+ * must stand there as it is. A row that is missing is printed, ready to be put there.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -136,7 +136,7 @@ static void panels_are_all_there(void **state)
 static int read_readme(void **state)
 {
     (void)state;
-    FILE *file = fopen("README.md", "rb");
+    FILE *file = fopen("boards/README.md", "rb");
     readme = calloc(1, 1 << 20);
     if (file == NULL || readme == NULL) {
         return -1;

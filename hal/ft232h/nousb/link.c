@@ -1,20 +1,20 @@
 /* See link.h. Built without libusb. */
 #include "ft232h/link.h"
 
-int link_open(struct ft232h_usb **link, const char *serial, char *error)
+int ft232h_link_open(struct ft232h_usb **link, const char *serial, char *error)
 {
     (void)serial;
     *link = NULL;
     return ft232h_fail(error, HAL_ENOSYS, "FT232H: built without libusb; install libusb-1.0-0-dev and make again");
 }
 
-void link_pace(struct ft232h_usb *link, uint32_t hz)
+void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz)
 {
     (void)link;
     (void)hz;
 }
 
-int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
+int ft232h_link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
 {
     (void)link;
     (void)bytes;
@@ -22,13 +22,13 @@ int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
     return HAL_ENOSYS;
 }
 
-int link_flush(struct ft232h_usb *link)
+int ft232h_link_flush(struct ft232h_usb *link)
 {
     (void)link;
     return HAL_ENOSYS;
 }
 
-int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
+int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 {
     (void)link;
     if (n > 0) {
@@ -37,7 +37,7 @@ int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
     return HAL_ENOSYS;
 }
 
-void link_close(struct ft232h_usb *link)
+void ft232h_link_close(struct ft232h_usb *link)
 {
     (void)link;
 }

@@ -8,7 +8,7 @@
 
 enum { VENDOR = 0x0403, PRODUCT = 0x6014, MOST = 16 };
 
-int usb_status(int error)
+int ft232h_usb_status(int error)
 {
     switch (error) {
     case LIBUSB_ERROR_ACCESS:
@@ -32,7 +32,7 @@ static bool is_ft232h(libusb_device *device)
            descriptor.idProduct == PRODUCT;
 }
 
-/* Numbers and serial of one that is there; its handle, or NULL and the status says why. */
+/* Reads numbers and serial of a device; returns its handle, or NULL when the status says why. */
 static libusb_device_handle *look_at(libusb_device *device, struct ft232h_look *look)
 {
     struct libusb_device_descriptor descriptor;
@@ -42,7 +42,7 @@ static libusb_device_handle *look_at(libusb_device *device, struct ft232h_look *
     look->address = libusb_get_device_address(device);
     const int error = libusb_open(device, &handle);
     if (error < 0) {
-        look->status = usb_status(error);
+        look->status = ft232h_usb_status(error);
         return NULL;
     }
     if (libusb_get_device_descriptor(device, &descriptor) == 0 && descriptor.iSerialNumber != 0) {
@@ -52,11 +52,11 @@ static libusb_device_handle *look_at(libusb_device *device, struct ft232h_look *
     return handle;
 }
 
-/* What was seen of all of them. */
+/* All FT232Hs that were found. */
 struct survey {
     int count;
     struct ft232h_look looks[MOST];
-    libusb_device_handle *handle; /* of the first that matches */
+    libusb_device_handle *handle; /* of the first whose serial number matches */
 };
 
 static void survey(struct survey *all, libusb_device **devices, ssize_t n, const char *serial)
@@ -77,7 +77,7 @@ static void survey(struct survey *all, libusb_device **devices, ssize_t n, const
     }
 }
 
-/* "A1, B2, no permission": their serial numbers, for people. */
+/* Writes the serial numbers for people: "A1, B2, no permission to read". */
 static void name_all(const struct survey *all, char *text, size_t size)
 {
     size_t n = 0;
@@ -118,20 +118,21 @@ static int choose(struct survey *all, const char *serial, char *error)
         return HAL_OK;
     }
     for (int i = 0; i < all->count; i++) {
-        if (all->looks[i].status < 0) { /* the one that is wanted may be among those that cannot be opened */
+        if (all->looks[i].status < 0) { /* this may be the wanted one */
             return refused(&all->looks[i], error);
         }
     }
     return ft232h_fail(error, HAL_ENODEV, "no FT232H has the serial number %s; on USB: %s", serial, names);
 }
 
-int usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error)
+int ft232h_usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error)
 {
     struct survey all;
     libusb_device **devices = NULL;
     const ssize_t n = libusb_get_device_list(usb, &devices);
     if (n < 0) {
-        return ft232h_fail(error, usb_status((int)n), "USB devices cannot be listed: %s", libusb_strerror((int)n));
+        return ft232h_fail(error, ft232h_usb_status((int)n), "USB devices cannot be listed: %s",
+                           libusb_strerror((int)n));
     }
     survey(&all, devices, n, serial);
     libusb_free_device_list(devices, 1);
@@ -150,7 +151,7 @@ int ft232h_list(struct ft232h_look *looks, int max)
     libusb_device **devices = NULL;
     int error = libusb_init(&usb);
     if (error < 0) {
-        return usb_status(error);
+        return ft232h_usb_status(error);
     }
     const ssize_t n = libusb_get_device_list(usb, &devices);
     survey(&all, devices, n, NULL);
@@ -164,5 +165,5 @@ int ft232h_list(struct ft232h_look *looks, int max)
     for (int i = 0; i < all.count && i < max; i++) {
         looks[i] = all.looks[i];
     }
-    return n < 0 ? usb_status((int)n) : all.count;
+    return n < 0 ? ft232h_usb_status((int)n) : all.count;
 }

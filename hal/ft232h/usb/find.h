@@ -7,9 +7,9 @@
 #include <libusb-1.0/libusb.h>
 
 /* libusb's error (< 0) as a status of hal.h. */
-int usb_status(int error);
+int ft232h_usb_status(int error);
 
 /* Opens the FT232H of this serial number (NULL: the only one). */
-int usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error);
+int ft232h_usb_find(libusb_context *usb, const char *serial, libusb_device_handle **handle, char *error);
 
 #endif

@@ -14,7 +14,7 @@
 enum {
     BUFFER_SIZE = 32768,
     BUFFERS = 2,
-    PACKET = 512, /* of a high-speed bulk endpoint; the first STATUS_BYTES are no data */
+    PACKET = 512, /* of a high-speed bulk endpoint; its first STATUS_BYTES are no data */
     STATUS_BYTES = 2,
     REQUEST_RESET = 0x00,
     REQUEST_LATENCY = 0x09,
@@ -28,8 +28,8 @@ enum {
 struct buffer {
     struct libusb_transfer *transfer;
     uint8_t *bytes;
-    int under_way; /* int: for libusb_handle_events_timeout_completed */
-    int done;
+    int under_way;
+    int done; /* int, as libusb_handle_events_timeout_completed wants it */
 };
 
 struct ft232h_usb {
@@ -38,13 +38,13 @@ struct ft232h_usb {
     bool claimed;
     uint8_t in, out; /* endpoints */
     struct buffer buffers[BUFFERS];
-    unsigned filling; /* buffer that is filled next */
+    unsigned filling; /* the buffer that is filled next */
     size_t filled;
     uint32_t hz;
     uint8_t answers[PACKET];
     size_t answers_at, answers_end;
     int status;  /* first error */
-    char *error; /* the line is written there */
+    char *error; /* where its line is written */
 };
 
 static uint64_t now_ms(void)
@@ -54,7 +54,7 @@ static uint64_t now_ms(void)
     return (uint64_t)now.tv_sec * 1000U + (uint64_t)now.tv_nsec / 1000000U;
 }
 
-/* For all that may be under way, twice over. */
+/* Twice the time of all bytes that may be under way, and FT232H_WAIT_MS. */
 static unsigned patience_ms(const struct ft232h_usb *link)
 {
     return FT232H_WAIT_MS + (unsigned)(2ULL * BUFFERS * BUFFER_SIZE * 8 * 1000 / link->hz);
@@ -65,7 +65,7 @@ static int fail(struct ft232h_usb *link, int error, const char *what)
     if (link->status < 0) {
         return link->status;
     }
-    link->status = usb_status(error);
+    link->status = ft232h_usb_status(error);
     switch (error) {
     case LIBUSB_ERROR_NO_DEVICE:
         ft232h_fail(link->error, 0, "FT232H: unplugged while %s; plug it in and start again", what);
@@ -111,7 +111,7 @@ static void LIBUSB_CALL transfer_done(struct libusb_transfer *transfer)
     buffer->done = 1;
 }
 
-/* Handles events until the buffer's transfer is done, at most ms; false: it is not. */
+/* Handles events until the buffer's transfer is done, at most for ms; returns whether it is. */
 static bool await(struct ft232h_usb *link, struct buffer *buffer, unsigned ms)
 {
     const uint64_t end = now_ms() + ms;
@@ -124,7 +124,7 @@ static bool await(struct ft232h_usb *link, struct buffer *buffer, unsigned ms)
     return buffer->done;
 }
 
-/* The buffer is ours again, or an error is noted. Its transfer times out by itself before we do. */
+/* Takes the buffer back, or notes an error. The transfer's own time-out comes first. */
 static int reclaim(struct ft232h_usb *link, struct buffer *buffer)
 {
     if (!buffer->under_way) {
@@ -138,7 +138,7 @@ static int reclaim(struct ft232h_usb *link, struct buffer *buffer)
     return error < 0 ? fail(link, error, "sending") : link->status;
 }
 
-int link_flush(struct ft232h_usb *link)
+int ft232h_link_flush(struct ft232h_usb *link)
 {
     struct buffer *buffer = &link->buffers[link->filling];
     if (link->status < 0 || link->filled == 0) {
@@ -157,7 +157,7 @@ int link_flush(struct ft232h_usb *link)
     return HAL_OK;
 }
 
-int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
+int ft232h_link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
 {
     int status = link->status;
     while (n > 0 && status == HAL_OK) {
@@ -170,20 +170,20 @@ int link_put(struct ft232h_usb *link, const uint8_t *bytes, size_t n)
             link->filled += piece;
             bytes += piece;
             n -= piece;
-            status = link->filled == BUFFER_SIZE ? link_flush(link) : HAL_OK;
+            status = link->filled == BUFFER_SIZE ? ft232h_link_flush(link) : HAL_OK;
         }
     }
     return status;
 }
 
-void link_pace(struct ft232h_usb *link, uint32_t hz)
+void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz)
 {
     link->hz = hz;
 }
 
 /* ---- answers ------------------------------------------------------------------------------------ */
 
-/* Notes the errors of transfers out that have ended meanwhile: no answer comes after them. */
+/* Notes the errors of transfers that have ended meanwhile, for no answer comes after them. */
 static void reap(struct ft232h_usb *link)
 {
     for (unsigned i = 0; i < BUFFERS; i++) {
@@ -193,7 +193,7 @@ static void reap(struct ft232h_usb *link)
     }
 }
 
-int link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
+int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 {
     const unsigned patience = patience_ms(link);
     const uint64_t end = now_ms() + patience;
@@ -257,13 +257,13 @@ static int take_buffers(struct ft232h_usb *link)
 
 static int claim(struct ft232h_usb *link)
 {
-    libusb_set_auto_detach_kernel_driver(link->handle, 1); /* ftdi_sio; not an error where there is no such thing */
+    libusb_set_auto_detach_kernel_driver(link->handle, 1); /* ftdi_sio; where it is missing that is no error */
     const int error = libusb_claim_interface(link->handle, 0);
     link->claimed = error == 0;
     return error < 0 ? fail(link, error, "claiming it") : HAL_OK;
 }
 
-/* A command that does not exist must come back: then the engine runs, and old answers are gone. */
+/* Sends a command that does not exist. When its echo comes back the engine runs, and old answers are gone. */
 static int start_engine(struct ft232h_usb *link)
 {
     const uint8_t bad = MPSSE_BAD;
@@ -272,16 +272,16 @@ static int start_engine(struct ft232h_usb *link)
     status = status < 0 ? status : request(link, REQUEST_LATENCY, LATENCY_MS);
     status = status < 0 ? status : request(link, REQUEST_BIT_MODE, BIT_MODE_RESET);
     status = status < 0 ? status : request(link, REQUEST_BIT_MODE, BIT_MODE_MPSSE);
-    status = status < 0 ? status : link_put(link, &bad, 1);
-    status = status < 0 ? status : link_flush(link);
+    status = status < 0 ? status : ft232h_link_put(link, &bad, 1);
+    status = status < 0 ? status : ft232h_link_flush(link);
     for (unsigned i = 0; status == HAL_OK && i < PACKET && (seen[0] != MPSSE_BAD_ECHO || seen[1] != MPSSE_BAD); i++) {
         seen[0] = seen[1];
-        status = link_get(link, &seen[1], 1);
+        status = ft232h_link_get(link, &seen[1], 1);
     }
     return status < 0 || seen[0] == MPSSE_BAD_ECHO ? status : fail(link, LIBUSB_ERROR_IO, "starting its engine");
 }
 
-int link_open(struct ft232h_usb **link_out, const char *serial, char *error)
+int ft232h_link_open(struct ft232h_usb **link_out, const char *serial, char *error)
 {
     struct ft232h_usb *link = calloc(1, sizeof *link);
     *link_out = NULL;
@@ -292,13 +292,13 @@ int link_open(struct ft232h_usb **link_out, const char *serial, char *error)
     link->hz = 1000000;
     const int failed = libusb_init(&link->usb);
     int status = failed < 0 ? fail(link, failed, "starting libusb") : HAL_OK;
-    status = status < 0 ? status : usb_find(link->usb, serial, &link->handle, error);
+    status = status < 0 ? status : ft232h_usb_find(link->usb, serial, &link->handle, error);
     status = status < 0 ? status : find_endpoints(link);
     status = status < 0 ? status : take_buffers(link);
     status = status < 0 ? status : claim(link);
     status = status < 0 ? status : start_engine(link);
     if (status < 0) {
-        link_close(link);
+        ft232h_link_close(link);
         return status;
     }
     *link_out = link;
@@ -310,14 +310,14 @@ static void free_buffer(struct ft232h_usb *link, struct buffer *buffer)
     if (buffer->under_way && !buffer->done) {
         libusb_cancel_transfer(buffer->transfer);
         if (!await(link, buffer, FT232H_WAIT_MS)) {
-            return; /* libusb still has it: lost memory is better than reused memory */
+            return; /* libusb still uses it, so it must not be freed */
         }
     }
     libusb_free_transfer(buffer->transfer);
     free(buffer->bytes);
 }
 
-void link_close(struct ft232h_usb *link)
+void ft232h_link_close(struct ft232h_usb *link)
 {
     if (link == NULL) {
         return;

@@ -5,44 +5,44 @@
 #include <gpiod.h>
 #include <stdio.h>
 
-const char *gpio_version(void)
+const char *linux_gpio_version(void)
 {
     return gpiod_version_string();
 }
 
-bool gpio_debounces(void)
+bool linux_gpio_debounces(void)
 {
     return false;
 }
 
-void *gpio_chip_open(const char *path)
+void *linux_gpio_chip_open(const char *path)
 {
     return gpiod_chip_open(path);
 }
 
-void gpio_chip_close(void *chip)
+void linux_gpio_chip_close(void *chip)
 {
     gpiod_chip_close(chip);
 }
 
-int gpio_chip_label(void *chip, char *label, size_t size)
+int linux_gpio_chip_label(void *chip, char *label, size_t size)
 {
     snprintf(label, size, "%s", gpiod_chip_label(chip));
     return 0;
 }
 
-int gpio_chip_lines(void *chip)
+int linux_gpio_chip_lines(void *chip)
 {
     return (int)gpiod_chip_num_lines(chip);
 }
 
-int gpio_chip_find(void *chip, const char *name)
+int linux_gpio_chip_find(void *chip, const char *name)
 {
     struct gpiod_line *line = gpiod_chip_find_line(chip, name);
     return line == NULL ? -ENOENT : (int)gpiod_line_offset(line);
 }
 
-int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
+int linux_gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
 {
     struct gpiod_line *line = gpiod_chip_get_line(chip, offset);
     if (line == NULL) {
@@ -56,7 +56,7 @@ int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
     return 0;
 }
 
-static int bias_flags(const struct gpio_want *want)
+static int bias_flags(const struct linux_gpio_want *want)
 {
     if (want->pull_up) {
         return GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP;
@@ -64,7 +64,7 @@ static int bias_flags(const struct gpio_want *want)
     return want->pull_down ? GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN : 0;
 }
 
-static int take(struct gpiod_line *line, const struct gpio_want *want)
+static int take(struct gpiod_line *line, const struct linux_gpio_want *want)
 {
     switch (want->use) {
     case GPIO_OUT:
@@ -78,7 +78,7 @@ static int take(struct gpiod_line *line, const struct gpio_want *want)
     return -1;
 }
 
-int gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct gpio_want *want)
+int linux_gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct linux_gpio_want *want)
 {
     struct gpiod_line *taken = gpiod_chip_get_line(chip, offset);
     if (taken == NULL || take(taken, want) != 0) {
@@ -89,7 +89,7 @@ int gpio_request(struct linux_line *line, void *chip, unsigned offset, const str
     return 0;
 }
 
-void gpio_release(struct linux_line *line)
+void linux_gpio_release(struct linux_line *line)
 {
     if (line->request != NULL) {
         gpiod_line_release(line->request);
@@ -98,23 +98,23 @@ void gpio_release(struct linux_line *line)
     }
 }
 
-int gpio_set(struct linux_line *line, bool level)
+int linux_gpio_set(struct linux_line *line, bool level)
 {
     return gpiod_line_set_value(line->request, level) == 0 ? 0 : -errno;
 }
 
-int gpio_get(struct linux_line *line)
+int linux_gpio_get(struct linux_line *line)
 {
     const int level = gpiod_line_get_value(line->request);
     return level < 0 ? -errno : level;
 }
 
-int gpio_descriptor(struct linux_line *line)
+int linux_gpio_descriptor(struct linux_line *line)
 {
     return gpiod_line_event_get_fd(line->request);
 }
 
-int gpio_edge(struct linux_line *line, uint64_t *time_ns)
+int linux_gpio_edge(struct linux_line *line, uint64_t *time_ns)
 {
     struct gpiod_line_event event;
     if (gpiod_line_event_read(line->request, &event) != 0) {

@@ -5,17 +5,17 @@
 #include <gpiod.h>
 #include <stdio.h>
 
-const char *gpio_version(void)
+const char *linux_gpio_version(void)
 {
     return gpiod_api_version();
 }
 
-bool gpio_debounces(void)
+bool linux_gpio_debounces(void)
 {
     return true;
 }
 
-void *gpio_chip_open(const char *path)
+void *linux_gpio_chip_open(const char *path)
 {
     struct gpiod_chip *chip = gpiod_chip_open(path);
     if (chip == NULL && errno == ENODEV) {
@@ -24,12 +24,12 @@ void *gpio_chip_open(const char *path)
     return chip;
 }
 
-void gpio_chip_close(void *chip)
+void linux_gpio_chip_close(void *chip)
 {
     gpiod_chip_close(chip);
 }
 
-int gpio_chip_label(void *chip, char *label, size_t size)
+int linux_gpio_chip_label(void *chip, char *label, size_t size)
 {
     struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
     if (info == NULL) {
@@ -40,7 +40,7 @@ int gpio_chip_label(void *chip, char *label, size_t size)
     return 0;
 }
 
-int gpio_chip_lines(void *chip)
+int linux_gpio_chip_lines(void *chip)
 {
     struct gpiod_chip_info *info = gpiod_chip_get_info(chip);
     if (info == NULL) {
@@ -51,13 +51,13 @@ int gpio_chip_lines(void *chip)
     return (int)count;
 }
 
-int gpio_chip_find(void *chip, const char *name)
+int linux_gpio_chip_find(void *chip, const char *name)
 {
     const int offset = gpiod_chip_get_line_offset_from_name(chip, name);
     return offset < 0 ? -errno : offset;
 }
 
-int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
+int linux_gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
 {
     struct gpiod_line_info *info = gpiod_chip_get_line_info(chip, offset);
     if (info == NULL) {
@@ -72,7 +72,7 @@ int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
     return 0;
 }
 
-static int settle(struct gpiod_line_settings *settings, const struct gpio_want *want)
+static int settle(struct gpiod_line_settings *settings, const struct linux_gpio_want *want)
 {
     const enum gpiod_line_value level = want->level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
     if (want->use == GPIO_OUT) {
@@ -92,7 +92,7 @@ static int settle(struct gpiod_line_settings *settings, const struct gpio_want *
 
 /* A request with these settings, NULL and errno. */
 static struct gpiod_line_request *take(void *chip, unsigned offset, struct gpiod_line_settings *settings,
-                                       const struct gpio_want *want)
+                                       const struct linux_gpio_want *want)
 {
     struct gpiod_line_request *request = NULL;
     struct gpiod_line_config *lines = gpiod_line_config_new();
@@ -111,7 +111,7 @@ static struct gpiod_line_request *take(void *chip, unsigned offset, struct gpiod
     return request;
 }
 
-int gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct gpio_want *want)
+int linux_gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct linux_gpio_want *want)
 {
     struct gpiod_line_settings *settings = gpiod_line_settings_new();
     struct gpiod_edge_event_buffer *events = gpiod_edge_event_buffer_new(1);
@@ -133,7 +133,7 @@ int gpio_request(struct linux_line *line, void *chip, unsigned offset, const str
     return 0;
 }
 
-void gpio_release(struct linux_line *line)
+void linux_gpio_release(struct linux_line *line)
 {
     if (line->request != NULL) {
         gpiod_line_request_release(line->request);
@@ -143,24 +143,24 @@ void gpio_release(struct linux_line *line)
     }
 }
 
-int gpio_set(struct linux_line *line, bool level)
+int linux_gpio_set(struct linux_line *line, bool level)
 {
     const enum gpiod_line_value value = level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
     return gpiod_line_request_set_value(line->request, line->offset, value) == 0 ? 0 : -errno;
 }
 
-int gpio_get(struct linux_line *line)
+int linux_gpio_get(struct linux_line *line)
 {
     const enum gpiod_line_value value = gpiod_line_request_get_value(line->request, line->offset);
     return value == GPIOD_LINE_VALUE_ERROR ? -errno : value == GPIOD_LINE_VALUE_ACTIVE;
 }
 
-int gpio_descriptor(struct linux_line *line)
+int linux_gpio_descriptor(struct linux_line *line)
 {
     return gpiod_line_request_get_fd(line->request);
 }
 
-int gpio_edge(struct linux_line *line, uint64_t *time_ns)
+int linux_gpio_edge(struct linux_line *line, uint64_t *time_ns)
 {
     if (gpiod_line_request_read_edge_events(line->request, line->events, 1) != 1) {
         return -errno;

@@ -4,49 +4,49 @@
 #include <errno.h>
 #include <stdio.h>
 
-const char *gpio_version(void)
+const char *linux_gpio_version(void)
 {
     return NULL;
 }
 
-bool gpio_debounces(void)
+bool linux_gpio_debounces(void)
 {
     return false;
 }
 
-void *gpio_chip_open(const char *path)
+void *linux_gpio_chip_open(const char *path)
 {
     (void)path;
     errno = ENOSYS;
     return NULL;
 }
 
-void gpio_chip_close(void *chip)
+void linux_gpio_chip_close(void *chip)
 {
     (void)chip;
 }
 
-int gpio_chip_label(void *chip, char *label, size_t size)
+int linux_gpio_chip_label(void *chip, char *label, size_t size)
 {
     (void)chip;
     snprintf(label, size, "%s", "");
     return -ENOSYS;
 }
 
-int gpio_chip_lines(void *chip)
+int linux_gpio_chip_lines(void *chip)
 {
     (void)chip;
     return -ENOSYS;
 }
 
-int gpio_chip_find(void *chip, const char *name)
+int linux_gpio_chip_find(void *chip, const char *name)
 {
     (void)chip;
     (void)name;
     return -ENOSYS;
 }
 
-int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
+int linux_gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
 {
     (void)chip;
     (void)offset;
@@ -54,7 +54,7 @@ int gpio_chip_look(void *chip, unsigned offset, struct linux_line_look *look)
     return -ENOSYS;
 }
 
-int gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct gpio_want *want)
+int linux_gpio_request(struct linux_line *line, void *chip, unsigned offset, const struct linux_gpio_want *want)
 {
     (void)line;
     (void)chip;
@@ -63,31 +63,31 @@ int gpio_request(struct linux_line *line, void *chip, unsigned offset, const str
     return -ENOSYS;
 }
 
-void gpio_release(struct linux_line *line)
+void linux_gpio_release(struct linux_line *line)
 {
     (void)line;
 }
 
-int gpio_set(struct linux_line *line, bool level)
+int linux_gpio_set(struct linux_line *line, bool level)
 {
     (void)line;
     (void)level;
     return -ENOSYS;
 }
 
-int gpio_get(struct linux_line *line)
+int linux_gpio_get(struct linux_line *line)
 {
     (void)line;
     return -ENOSYS;
 }
 
-int gpio_descriptor(struct linux_line *line)
+int linux_gpio_descriptor(struct linux_line *line)
 {
     (void)line;
     return -ENOSYS;
 }
 
-int gpio_edge(struct linux_line *line, uint64_t *time_ns)
+int linux_gpio_edge(struct linux_line *line, uint64_t *time_ns)
 {
     (void)line;
     *time_ns = 0;

@@ -1,4 +1,4 @@
-// Runs a firmware image on an emulated RP2040 and writes what its wires did (the format is in host-sim/wire.h).
+// Runs a firmware image on an emulated RP2040 and writes the events on its wires (host-sim/wire/wire_events.h: the format).
 import { closeSync, openSync, readFileSync, writeFileSync, writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -17,12 +17,12 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
   --calls FRAME,WRITE,ROWS  addresses (hexadecimal) of the functions that the image calls when it begins to send a
-                      frame, and to write to the bus: (dc, bytes, n) and (bytes, n, stride, rows). The events then have
+                      frame, and to write to the bus: bus_write and bus_write_rows of hal.h. The events then have
                       a note 'frame' where the last bit of one is out. Without them a frame begins with the command
                       memory write, 2Ch
   --free-wire         words take no time on the bus: the report has the cores' own time
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
-What the image says on its UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
+The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
 
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
@@ -49,7 +49,7 @@ function fail(text) {
   process.exit(1);
 }
 
-// A UF2 file is 512-byte blocks: magics, flags, address, size, number, count, family, data.
+// A UF2 file has blocks of 512 bytes: magics, flags, address, size, number, count, family, data.
 function unpackUf2(file) {
   const view = new DataView(file.buffer, file.byteOffset, file.length);
   const image = new Uint8Array(16 * 1024 * 1024).fill(0xff);
@@ -65,12 +65,12 @@ function unpackUf2(file) {
   return image.slice(0, end);
 }
 
-// { frame -> what is given for it } of options such as "3:12+13".
+// A Map from the frame to the text of options such as "3:12+13".
 function byFrame(list) {
   return new Map(list.map((text) => [Number(text.split(':')[0]), text.slice(text.indexOf(':') + 1)]));
 }
 
-// Collects words into transfers and writes them with the levels that they met.
+// Collects words into transfers and writes them with the levels of the pins at that time.
 function makeRecorder(machine, fd) {
   let text = '', transfer = null, waiting = [], levelsAtStart = 0;
   const put = (line) => {
@@ -98,7 +98,7 @@ function makeRecorder(machine, fd) {
   return {
     put, level,
     name(bit, name) { put(`0 name ${bit} ${name}`); },
-    levels(levels) { // while a word is on its way it is still told as one transfer, with both levels
+    levels(levels) { // a word during which a level changes is still one transfer, with both levels
       if (machine.wordInFlight) {
         waiting.push([machine.time, levels]);
         return;
@@ -126,7 +126,7 @@ function makeRecorder(machine, fd) {
       flush();
       put(`${ns(machine.time)} note ${text}`);
     },
-    close() { // the levels of a word that never came to its end count, too
+    close() { // the levels of an unfinished word count, too
       flush();
       waiting.forEach(([time, levels]) => level(time, levels));
       flushText();
@@ -204,7 +204,7 @@ function beginFrame() {
   }
 }
 
-// What the image has given to the bus, and what was on the wire, in bytes: a frame is out when both agree.
+// Bytes that the image gave to the bus, and bytes that were on the wire: a frame is out when both agree.
 let given = 0, out = 0, done = 0;
 const ends = []; // `given` at the end of frames that are not yet out
 
@@ -223,8 +223,8 @@ function addCalls([frameAt, writeAt, rowsAt]) {
     }
     beginFrame();
   });
-  machine.calls.set(writeAt, ([, , n]) => { given += n; });
-  machine.calls.set(rowsAt, ([, n, , rows]) => { given += n * rows; });
+  machine.calls.set(writeAt, ([, , , n]) => { given += n; });
+  machine.calls.set(rowsAt, ([, , n, , rows]) => { given += n * rows; });
 }
 
 if (options.calls !== undefined) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...] | --install
-# Runs an image of an RP2040 board in rp2040js and writes its frames as DIR/frame-NNNN.ppm: what pinhole-wire makes of the
-# chip's wires. Prints their checksums, then how fast they came. DIR/events and DIR/report stay (see emulate.mjs).
-# Needs node and npm, which gets rp2040js (package.json has the version) into the build directory; --install does only that.
-# Environment: B (build directory), BOARD, BOARD_HOME, CORES (that the chip is given; 2), EVENTS_ONLY=1 (no pictures).
+# Runs an image of an RP2040 board in rp2040js. pinhole-wire makes its frames, DIR/frame-NNNN.ppm, from the chip's wires.
+# Prints their checksums and how fast they came. DIR/events and DIR/report stay (see emulate.mjs).
+# Needs node and npm. npm gets rp2040js (package.json has the version) into the build directory; --install does only that.
+# Environment: B (build directory), BOARD, BOARD_HOME, CORES (of the chip; 2), EVENTS_ONLY=1 (no pictures), HOSTCC.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cd "$here/../../.."
@@ -39,12 +39,13 @@ elf=$1 out=$2 frames=$3
 shift 3
 [ -x "$B/pinhole-wire" ] || make -s B="$B" "$B/pinhole-wire" >&2
 
-pin() { sed -n "s/.*\.$1 = BOARD_PIN\(_LOW\)*(\([0-9]*\)).*/\2/p" "${BOARD_HOME:-boards/$BOARD}/board.c"; }
+board=$("${HOSTCC:-cc}" -E -P -Ihal -Iboards "${BOARD_HOME:-boards/$BOARD}/board.c") || stop "$BOARD: its board.c is wrong"
+pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # { wired, active low, (number), line }
 [ -n "$(pin dc)" ] || stop "$BOARD: no D/C pin (.dc = BOARD_PIN(n)) in its board.c"
 [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
 
-# Where the image begins a frame and writes to the bus; another program than the demos may have no such functions.
-calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_spi_write"] "," at["rp2040_spi_write_rows"] } }')
+# The functions that begin a frame and write to the bus; a program other than the demos may have none.
+calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_bus_write"] "," at["rp2040_bus_write_rows"] } }')
 mkdir -p "$out"
 unfinished=$out
 node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \

@@ -1,13 +1,13 @@
-// An RP2040 with what rp2040js leaves out: a wire that takes time, a second core, a boot ROM's few words.
+// An RP2040 with the parts that rp2040js lacks: a wire that takes time, a second core, a few words of the boot ROM.
 //
 //   const machine = makeMachine(rp2040js, { cores, warn });    warn(text): the emulator objects to something
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
-// Hooks, to be set: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
-// the chip drives changes, onUart(byte), onEnd(why). machine.calls: a Map from the address of a function to what is
-// called with r0 .. r3 when core 0 enters it. machine.freeWire: words
-// take no time, as in the stock package: what is left is the cores' own.
+// The user sets hooks: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
+// the chip drives changes, onUart(byte), onEnd(why). machine.calls is a Map from an address to a function, which gets
+// r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
+// time, as in rp2040js; the cores' own time is left.
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
@@ -26,9 +26,9 @@ function crc32mpeg2(bytes) {
   return crc >>> 0;
 }
 
-// The FIFOs between the cores, and core 1 in the ROM: it echoes 0, 0, 1, vectors, stack, entry and then starts there.
+// The FIFOs between the cores, and core 1 in its ROM: it echoes 0, 0, 1, vectors, stack, entry and then starts there.
 function addFifos(machine) {
-  const queues = [[], []]; // by who reads
+  const queues = [[], []]; // by the core that reads
   const started = [];
   const fromRom = (word) => {
     const expected = [0, 0, 1][started.length];
@@ -86,7 +86,7 @@ function wrapSio(sio, shared, core, fifos) {
   };
 }
 
-// The stock package gives SPI no time: a word is out after its bits have passed at the unit's clock.
+// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock.
 function addWireTime(machine, spi) {
   const { clock } = machine.mcu;
   let word = null;
@@ -109,7 +109,7 @@ function addWireTime(machine, spi) {
   };
 }
 
-// The ROM's function table, as an image finds it: a lookup function, and reset_usb_boot() behind it.
+// The ROM's function table as an image finds it: a lookup function that returns reset_usb_boot().
 function addRom(machine) {
   const { mcu } = machine;
   const rom = new DataView(mcu.bootrom.buffer);
@@ -134,7 +134,7 @@ function addRom(machine) {
 
 function watchPins(machine) {
   machine.mcu.gpio.forEach((pin, index) => {
-    pin.setInputValue(true); // pulled up, or nobody cares
+    pin.setInputValue(true); // as if pulled up
     pin.addListener((state) => {
       const bit = 2 ** index;
       const high = state === 1;
@@ -232,10 +232,10 @@ export function makeMachine(lib, { cores = 1, warn }) {
       core.executeInstruction();
       return;
     }
-    const handler = core.IPSR, [r0, r1, r2, r3] = core.registers;
+    const handler = core.IPSR, words = [...core.registers.slice(0, 4), mcu.readUint32(core.SP)];
     core.executeInstruction();
     if (core.IPSR === handler) {
-      call([r0, r1, r2, r3]);
+      call(words);
     }
   };
 
@@ -243,7 +243,7 @@ export function makeMachine(lib, { cores = 1, warn }) {
     const { core } = own;
     const before = core.cycles;
     execute(core);
-    own.time += ((core.cycles - before) * 1e9) / mcu.clkSys; // the return value leaves the divider's cycles out
+    own.time += ((core.cycles - before) * 1e9) / mcu.clkSys; // unlike the return value, this counts the divider's cycles
     own.asleep = core.waiting;
     if (core.registers[13] < own.lowest) {
       own.lowest = core.registers[13];

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Usage: speed.sh BOARD [FRAMES [DEMO...]]
-# How fast every demo is on an emulated RP2040 board, with one core and with two: a table of frames/s. `the bus`: what
-# whole frames would allow; `alone`: what the cores would do if the bus took no time; load: of each core, core 0 sleeps
-# while core 1 finishes its half; sent: of a whole frame's bytes. A demo that is drawn in the bus's time and takes over
-# 1.03 times as long is marked with !, and the exit status is 1.
-# FRAMES (6, at least 5) are drawn of each DEMO (all; as pinhole-sim lists them), and three of them count.
+# Prints frames/s of every demo on an emulated RP2040 board, with one core and with two. `the bus` is the rate of whole
+# frames on the bus; `alone` is the rate if the bus took no time; load is that of each core (core 0 sleeps while core 1
+# finishes its half); sent is the part of a whole frame's bytes. A demo that the cores alone draw in the time of the bus,
+# but that takes over 1.03 times as long on it, is marked with !, and the exit status is 1.
+# Each DEMO (all; as pinhole-sim lists them) is drawn for FRAMES frames (6, at least 5), and three of them count.
 # Environment: B (build directory), CHANGES=0 (whole frames). Leaves $B/speed/BOARD.csv in us a frame.
 # `make speed BOARD=x` calls it.
 set -eu
@@ -18,8 +18,8 @@ trap 'rm -rf "$dir"' EXIT
 [ ! -t 2 ] || echo "speed: some minutes" >&2
 make -s B="$B" "$B/pinhole-sim" >&2
 
-# `first frame, frames, name` of those that fit: the button passes over what does not. Two frames of those not asked for: a button that is held
-# selects but once.
+# Writes `first frame, frames, name` of the demos that fit, for the button passes over the others. A demo that was not asked
+# for gets two frames, because a button that is held selects only once.
 options=() frame=0 last=${!#}
 [ $# -gt 0 ] || last=
 for demo in $("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2 }'); do
@@ -43,7 +43,7 @@ for cores in 1 2; do
             >/dev/null 2>"$dir/log" || { tail -n 3 "$dir/log" >&2 && exit 1; }
     done
 done
-# The first frame shows the panel's start: whole, and nothing else is on the bus.
+# The first frame is whole, for it shows the panel's start, and nothing else is on the bus.
 whole=$("$B/pinhole-sim" --board "$BOARD" --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')
 cut -d' ' -f1-4 "$dir/1-wire/report" | paste -d' ' - <(cut -d' ' -f2 "$dir/1-free-wire/report") \
     <(cut -d' ' -f2- "$dir/2-wire/report") <(cut -d' ' -f2 "$dir/2-free-wire/report") |

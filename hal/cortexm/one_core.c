@@ -1,4 +1,4 @@
-/* See port.h: the second core stays in its sleep. */
+/* See port.h: for chips with one core, and images that use only one. */
 #include "port.h"
 
 bool port_core_run(void (*run)(void *argument), void *argument)

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Every global symbol of hal has a prefix that says whose it is: the folder's name, and board_ for boards. The ports of
+# microcontrollers also define the functions of port.h, port_..., and those that the compiler calls, __aeabi_...
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+others() { # prefixes, object or library: the symbols without one of them
+    nm -g --defined-only "$2" | awk 'NF == 3 { print $3 }' | grep -vE "^($1)_"
+}
+
+library() {
+    make -s -j2 B="$B" "$B/libpinhole-hal.a" && ! others 'linux|ft232h|null|panel|board' "$B/libpinhole-hal.a"
+}
+
+port() { # folder below hal
+    local file wrong=0
+    for file in "hal/$1"/*.[cS]; do
+        case $file in */boot2_seal.c) continue ;; esac # runs on the machine that builds
+        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -O1 -ffreestanding -Ihal -c "$file" -o "$dir/object.o" || return 1
+        ! others "$1|port|__aeabi" "$dir/object.o" || wrong=1
+    done
+    return "$wrong"
+}
+
+prefix_is_missed() {
+    echo 'int spi_open(void); int spi_open(void) { return 0; }' >"$dir/wrong.c" && cc -c "$dir/wrong.c" -o "$dir/wrong.o" &&
+        [ "$(others linux "$dir/wrong.o")" = spi_open ]
+}
+
+check "a_symbol_without_a_prefix_is_seen" prefix_is_missed
+check "the_library_exports_only_names_with_its_prefixes" library
+for folder in cortexm lm3s6965 rp2040 stm32f4 template; do
+    if command -v arm-none-eabi-gcc >/dev/null; then
+        check "the_port_${folder}_exports_only_names_with_its_prefixes" port "$folder"
+    else
+        skip "the_port_${folder}_exports_only_names_with_its_prefixes" "no arm-none-eabi-gcc"
+    fi
+done
+tap_end
