@@ -17,6 +17,7 @@
 #define ph_matvec_prepare  armv6m_matvec_prepare
 #define ph_matvec_in_range armv6m_matvec_in_range
 #define ph_matvec_near     armv6m_matvec_near
+#define ph_matvec_mul      armv6m_matvec_mul
 #include "armv6m/matvec.h"
 #undef ph_row
 #undef ph_is_within
@@ -24,6 +25,7 @@
 #undef ph_matvec_prepare
 #undef ph_matvec_in_range
 #undef ph_matvec_near
+#undef ph_matvec_mul
 
 #include "ref_random.h"
 

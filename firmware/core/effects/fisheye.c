@@ -16,9 +16,9 @@
  */
 #include "fisheye.h"
 
-#define LONG        20                     /* edges longer than this part of a turn are divided always */
-#define SHORT       ((int64_t)1 << 48)     /* shorter edges, below 2^-5 radian, never are; squared Q29 */
-#define DEPTH       20                     /* pieces that wait on the stack */
+#define LONG        20                 /* edges longer than this part of a turn are divided always */
+#define SHORT       ((int64_t)1 << 48) /* shorter edges, below 2^-5 radian, never are; squared Q29 */
+#define DEPTH       20
 #define POOL        (DEPTH + 3)            /* vertices in use at a time */
 #define SPLITS_MAX  4096                   /* divisions of one triangle */
 #define REACH       (2048 * 256)           /* set-up takes coordinates up to here from the centre, 1/256 px */

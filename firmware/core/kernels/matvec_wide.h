@@ -4,6 +4,7 @@
  *   ph_matvec_prepare(rows, matrix)   once a mesh; rows points at the matrix
  *   ph_matvec_in_range(rows, p)      whether p is near enough for what follows
  *   ph_matvec_near(rows, p)      exactly ph_matrix_mul(matrix, p) of such a point
+ *   ph_matvec_mul(rows, p)     the same of any point
  *
  * This one is for CPUs on which a product of 64 bits costs little: with positions 2^4 times as large, the sum's high
  * word is the result.
@@ -62,6 +63,11 @@ static inline struct fx_vec3 ph_matvec_near(const struct ph_matvec *rows, const 
     const int32_t x16 = p->x * 16, y16 = p->y * 16, z16 = p->z * 16;
     return (struct fx_vec3){ph_row_high(&rows->row[0], x16, y16, z16), ph_row_high(&rows->row[1], x16, y16, z16),
                             ph_row_high(&rows->row[2], x16, y16, z16)};
+}
+
+static inline struct fx_vec3 ph_matvec_mul(const struct ph_matvec *rows, const struct fx_vec3 *p)
+{
+    return ph_matvec_in_range(rows, p) ? ph_matvec_near(rows, p) : ph_matrix_mul(rows->matrix, p);
 }
 
 #endif

@@ -104,4 +104,9 @@ static inline struct fx_vec3 ph_matvec_near(const struct ph_matvec *rows, const 
                             ph_row_of_digits(&rows->row[2], x, y, z)};
 }
 
+static inline struct fx_vec3 ph_matvec_mul(const struct ph_matvec *rows, const struct fx_vec3 *p)
+{
+    return ph_matvec_in_range(rows, p) ? ph_matvec_near(rows, p) : ph_matrix_mul(rows->matrix, p);
+}
+
 #endif
