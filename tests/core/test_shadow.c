@@ -382,6 +382,22 @@ static void picture_of(const struct view *v, const double p[3], double out[2])
     out[1] = SIZE / 2. - focal * at[1] / -at[2];
 }
 
+/* The smallest upright rectangle around some points of the picture: x, y. */
+struct extent {
+    double least[2], most[2];
+};
+
+static const struct extent no_extent = {{SIZE, SIZE}, {0, 0}};
+
+static void extend(struct extent *e, double x, double y)
+{
+    const double at[2] = {x, y};
+    for (int i = 0; i < 2; i++) {
+        e->least[i] = fmin(e->least[i], at[i]);
+        e->most[i] = fmax(e->most[i], at[i]);
+    }
+}
+
 /* On any plane: the pixels of the shadow reach as far as the four corners that the matrix gives. */
 static void shadows_reach_as_far_as_the_matrix_of_haw_says(void **state)
 {
@@ -389,8 +405,8 @@ static void shadows_reach_as_far_as_the_matrix_of_haw_says(void **state)
     ref_seed(78);
     for (int i = 0; i < 200; i++) {
         const struct ph_material both = {.shading = PH_SHADE_UNLIT, .two_sided = 1, .colour = SHADOW};
-        double n[3], middle[3], light[3], to[3], least[2] = {SIZE, SIZE}, most[2] = {0, 0};
-        double want_least[2] = {SIZE, SIZE}, want_most[2] = {0, 0};
+        double n[3], middle[3], light[3], to[3];
+        struct extent got = no_extent, want = no_extent;
         struct object o;
         struct view v;
         ref_direction(n);
@@ -416,23 +432,17 @@ static void shadows_reach_as_far_as_the_matrix_of_haw_says(void **state)
             double at[2];
             shadow_of(n, plane.d / 65536., light, &o.corners[k], to);
             picture_of(&v, to, at);
-            for (int x = 0; x < 2; x++) {
-                want_least[x] = fmin(want_least[x], at[x]);
-                want_most[x] = fmax(want_most[x], at[x]);
-            }
+            extend(&want, at[0], at[1]);
         }
         for (int k = 0; k < SIZE * SIZE; k++) {
-            for (int x = 0; v.rig.pixels[k] == SHADOW && x < 2; x++) {
-                const double at = (x ? k / SIZE : k % SIZE) + .5;
-                least[x] = fmin(least[x], at);
-                most[x] = fmax(most[x], at);
+            if (v.rig.pixels[k] == SHADOW) {
+                extend(&got, k % SIZE + .5, k / SIZE + .5);
             }
         }
         for (int x = 0; x < 2; x++) {
-            want_least[x] = fmax(want_least[x], 0);
-            want_most[x] = fmin(want_most[x], SIZE);
-            assert_true(least[x] >= want_least[x] - .01 && most[x] <= want_most[x] + .01);
-            assert_true(least[x] <= want_least[x] + 8 && most[x] >= want_most[x] - 8); /* sharp corners */
+            const double least = fmax(want.least[x], 0), most = fmin(want.most[x], SIZE);
+            assert_true(got.least[x] >= least - .01 && got.most[x] <= most + .01);
+            assert_true(got.least[x] <= least + 8 && got.most[x] >= most - 8); /* sharp corners */
         }
         rig_close(&v.rig);
     }

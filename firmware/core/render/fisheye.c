@@ -87,7 +87,7 @@ static struct polar polar_of(int32_t x, int32_t y, int32_t w)
     return p;
 }
 
-/* x / length in Q2.29, from the reciprocal of length. |x| may exceed length < 2^30 by a few units. */
+/* x / length in Q2.29 from the reciprocal of length; |x| <= length < 2^30, or a few units more. */
 static int32_t share(int32_t x, uint32_t reciprocal, int shift)
 {
     return (int32_t)(fx_mul_wide((int32_t)((uint32_t)x << (shift - 2)), (int32_t)(reciprocal >> 1)) >> 30);

@@ -1,4 +1,4 @@
-/* fisheye: the stages of the pipeline for the equidistant projection. Private to firmware/core; see fisheye.c. */
+/* fisheye: the equidistant projection. Private to firmware/core; the method is in fisheye.c. */
 #ifndef PH_FISHEYE_H
 #define PH_FISHEYE_H
 
