@@ -8,7 +8,7 @@
  * It keeps a copy of the picture on the glass and compares lines with it as they come. For what changed it chooses
  * windows whose commands and pixels together are few bytes. Dynamic programming over the lines cuts them into slabs and
  * the slabs into windows; each window is cut once more in the other direction if that saves bytes. The result is not
- * always the minimum: tests/hal/test_panel_diff.c compares it with an exhaustive search. If writes take the backend time
+ * always the minimum: tests/hal/test_panel_diff.c compares with an exhaustive search. If writes take the backend time
  * besides their bits (write_ns in hal.h), that time counts as bytes, too; then windows are fewer and larger.
  *
  * The picture is always exact, in every format. The windows depend on how many lines come at a time, because each call
