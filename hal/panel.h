@@ -177,9 +177,8 @@ void panel_windows_begin(struct panel_driver *d);
 int panel_window(struct panel_driver *d, uint32_t x, uint32_t y, uint32_t width, uint32_t height);
 
 /*
- * Sends the window's next lines out of a picture in memory. `pixels` is the first pixel of the first line in the
- * window, `stride` the pixels from a line to the next (>= the window's width). The pixels belong to the driver as with
- * panel_rows.
+ * Sends the window's next lines out of a picture in memory, from its pixel *pixels on. `stride` is the pixels from a
+ * line to the next (>= the window's width). The pixels belong to the driver as with panel_rows.
  */
 int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t stride, uint32_t lines);
 

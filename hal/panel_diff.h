@@ -8,14 +8,13 @@
  * It keeps a copy of the picture on the glass and compares lines with it as they come. For what changed it chooses
  * windows whose commands and pixels together are few bytes. Dynamic programming over the lines cuts them into slabs and
  * the slabs into windows; each window is cut once more in the other direction if that saves bytes. The result is not
- * always the minimum: tests/hal/test_panel_diff.c compares it with an exhaustive search. If a write of the backend
- * costs time besides its bits (write_ns in hal.h), each write counts as the bytes that the bus could send in that time.
- * Then windows are fewer and larger.
+ * always the minimum: tests/hal/test_panel_diff.c compares with an exhaustive search. If writes take the backend time
+ * besides their bits (write_ns in hal.h), that time counts as bytes, too; then windows are fewer and larger.
  *
  * The picture is always exact, in every format. The windows depend on how many lines come at a time, because each call
  * decides for its own lines (at least 32); the picture does not.
  *
- * Time: at most 64 times the changed runs above it for each line. No heap, no recursion.
+ * Time for each line: at most 64 times the changed runs of the lines above it. No heap, no recursion.
  */
 #ifndef PANEL_DIFF_H
 #define PANEL_DIFF_H

@@ -15,9 +15,7 @@
  * times a second, that is once in 80 hours. It does not last: each frame also sends the next tile in turn, whatever its
  * signature, so that every tile is sent within panel_tiles_refresh_frames() frames. That mends a disturbed panel, too.
  *
- * If nearly all tiles of a band changed twice, it is sent whole for 16 frames, and signatures are made in only one of
- * them.
- *
+ * If nearly all tiles of a band changed twice, it is sent whole for 16 frames; only one of them makes signatures.
  * The windows of a frame depend only on its pixels and on the frames before. The format is RGB565.
  */
 #ifndef PANEL_TILES_H

@@ -65,7 +65,7 @@ uint64_t memory_plan_picture_bytes(const struct picture_memory *p);
 struct memory_plan memory_plan(const struct runner_config *config, const struct demo *demo);
 uint64_t memory_plan_bytes(const struct memory_plan *plan);
 
-/* Whether a queue is of use: pixels go out straight from the band buffers, of which the board has more than two. */
+/* Whether the queue is of use: pixels go out straight from the band buffers, and the board wants more than two. */
 bool memory_plan_has_queue(const struct runner_config *config);
 
 #endif

@@ -1,8 +1,7 @@
 #!/bin/sh
 # Usage: firmware/tools/budget.sh IMAGE.elf OBJECTS MAIN flash=BYTES ram=BYTES chip_ram=BYTES stack=BYTES extra=BYTES
 # Prints how much an image takes of its board's flash, its budget of RAM, and its stack. Exits 1 if one of them is too
-# small, or if the image contains floating point, a heap or files. firmware.mk calls it. Environment: CROSS (prefix of
-# the tools).
+# small, or if the image has floating point, a heap or files. firmware.mk calls it. Environment: CROSS (tools' prefix).
 set -eu
 elf=$1 objects=$2 main=$3 # OBJECTS may hold the mains of several images; MAIN is this one's
 shift 3

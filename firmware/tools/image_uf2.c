@@ -1,7 +1,7 @@
 /*
  * Usage: image-uf2 FAMILY ADDRESS IMAGE.bin IMAGE.uf2
- * Packs a flash image into UF2 blocks (https://github.com/microsoft/uf2). A block has 512 bytes, 256 of them payload, and
- * the chip's family number. This program runs on the computer that builds the image.
+ * Packs a flash image into UF2 blocks (https://github.com/microsoft/uf2). A block has 512 bytes, 256 of them payload,
+ * and the chip's family number. This program runs on the computer that builds the image.
  */
 #include <errno.h>
 #include <stdint.h>
