@@ -6,7 +6,7 @@
 #include "asset_options.h"
 #include "complain.h"
 #include "runner.h"
-#include "save.h"
+#include "file_save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -180,7 +180,7 @@ static int save(const struct asset *asset, const char *path)
     } else if (strcmp(path, "-") == 0) {
         fwrite(text, 1, length, stdout);
     } else {
-        status = save_bytes(path, text, length);
+        status = file_save_bytes(path, text, length);
     }
     free(text);
     return status;

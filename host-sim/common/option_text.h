@@ -28,6 +28,10 @@ int option_text_choice(const char *text, const char *const names[], int count);
 /* "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
+/* A value of --depth as enum ph_depth_format, and the name of such a format. */
+bool option_text_depth(const char *text, uint8_t *out);
+const char *option_text_depth_name(uint8_t format);
+
 /* Whether a file's name has this ending, and something before it. */
 bool option_text_ends(const char *name, const char *ending);
 

@@ -1,6 +1,6 @@
 #include "ppm.h"
 
-#include "save.h"
+#include "file_save.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@ static int write_picture(FILE *file, const void *context)
 
 int ppm_save(const char *path, const struct ppm *picture)
 {
-    return save_file(path, write_picture, picture);
+    return file_save(path, write_picture, picture);
 }
 
 /* The next number of a header: white space and comments before it. */

@@ -13,7 +13,7 @@ struct ppm {
 /* Appends one picture and flushes. 0, or -1 with errno set. */
 int ppm_write(FILE *file, const struct ppm *picture);
 
-/* Writes path as save_file() does. 0, or -1 with errno set. */
+/* Writes path as file_save() does. 0, or -1 with errno set. */
 int ppm_save(const char *path, const struct ppm *picture);
 
 #define PPM_SIDE_MAX 16384

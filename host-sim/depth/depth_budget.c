@@ -28,7 +28,7 @@ static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format forma
     static const double tilts[] = {0, 40, 75};
     double s_min = 0, measured = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-        const struct planes_sweep sweep = planes_sweep(canvas, format, z, tilts[i]);
+        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, z, tilts[i]);
         s_min = fmax(s_min, sweep.s_min_m);
         measured = fmax(measured, sweep.measured_m);
     }
@@ -58,11 +58,11 @@ static int measure_store(const struct depth_lab *lab, const struct lab_format *f
 static void measure(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
 {
     double *const measured = budget->measured_m;
-    measured[DEPTH_SHARE_INPUT] = budget_input_m(canvas, z);
-    measured[DEPTH_SHARE_MATRIX] = budget_matrix_m(canvas, z);
-    measured[DEPTH_SHARE_DIVIDE] = budget_divide_m(canvas, z);
-    measured[DEPTH_SHARE_INTERPOLATION] = budget_interpolation_m(canvas, z);
-    measured[DEPTH_SHARE_SUBPIXEL] = budget_subpixel_m(canvas, z);
+    measured[DEPTH_SHARE_INPUT] = depth_budget_input_m(canvas, z);
+    measured[DEPTH_SHARE_MATRIX] = depth_budget_matrix_m(canvas, z);
+    measured[DEPTH_SHARE_DIVIDE] = depth_budget_divide_m(canvas, z);
+    measured[DEPTH_SHARE_INTERPOLATION] = depth_budget_interpolation_m(canvas, z);
+    measured[DEPTH_SHARE_SUBPIXEL] = depth_budget_subpixel_m(canvas, z);
     sweep_tilts(canvas, format, z, budget);
 }
 
@@ -91,7 +91,7 @@ static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *
     const struct lab_format *format = &lab_formats[row];
     struct planes_canvas canvas;
     struct budget budget;
-    int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     for (uint32_t i = 0; i < count && status == 0; i++) {
         const double z = depth_metres(at[i]);
         status = measure_store(lab, format, at[i], &budget.measured_m[DEPTH_SHARE_STORE]);
@@ -101,7 +101,7 @@ static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *
             print_budget(lab, format, z, &budget);
         }
     }
-    planes_close(&canvas);
+    depth_planes_close(&canvas);
     return status;
 }
 

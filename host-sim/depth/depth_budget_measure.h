@@ -17,10 +17,10 @@
 #include "depth_planes_scene.h"
 
 /* In metres; NAN without memory. canvas: open, in the format that is measured. */
-double budget_input_m(struct planes_canvas *canvas, double z);
-double budget_matrix_m(struct planes_canvas *canvas, double z);
-double budget_divide_m(struct planes_canvas *canvas, double z);
-double budget_interpolation_m(struct planes_canvas *canvas, double z);
-double budget_subpixel_m(struct planes_canvas *canvas, double z);
+double depth_budget_input_m(struct planes_canvas *canvas, double z);
+double depth_budget_matrix_m(struct planes_canvas *canvas, double z);
+double depth_budget_divide_m(struct planes_canvas *canvas, double z);
+double depth_budget_interpolation_m(struct planes_canvas *canvas, double z);
+double depth_budget_subpixel_m(struct planes_canvas *canvas, double z);
 
 #endif

@@ -1,4 +1,4 @@
-/* depth_options: the command line of pinhole-depth. Every number is read strictly, as by options.h. */
+/* depth_options: the command line of pinhole-depth. Every number is read strictly. */
 #ifndef DEPTH_OPTIONS_H
 #define DEPTH_OPTIONS_H
 

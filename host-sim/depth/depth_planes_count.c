@@ -17,21 +17,21 @@ static uint32_t area_of(const struct planes_canvas *canvas)
     return (uint32_t)canvas->lab->width * canvas->lab->height;
 }
 
-struct planes_count planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts)
+struct planes_count depth_planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts)
 {
     const uint32_t area = area_of(canvas);
-    const bool nearer = planes_front_is_nearer(pair);
+    const bool nearer = depth_planes_front_is_nearer(pair);
     struct planes_count count = {0, 0};
-    planes_draw(canvas, &pair->behind, NULL);
+    depth_planes_draw(canvas, &pair->behind, NULL);
     for (uint32_t i = 0; i < area; i++) {
         verdicts[i] = canvas->pixels[i] != PLANES_NONE;
     }
-    planes_draw(canvas, NULL, &pair->front);
+    depth_planes_draw(canvas, NULL, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         verdicts[i] = verdicts[i] != 0 && canvas->pixels[i] != PLANES_NONE ? PLANES_RIGHT : PLANES_UNCOUNTED;
         count.samples += verdicts[i] == PLANES_RIGHT;
     }
-    planes_draw(canvas, &pair->behind, &pair->front);
+    depth_planes_draw(canvas, &pair->behind, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         if (verdicts[i] == PLANES_RIGHT && nearer != (canvas->pixels[i] == PLANES_FRONT)) {
             verdicts[i] = PLANES_WRONG;
@@ -57,7 +57,7 @@ static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_
     const struct depth_lab *lab = canvas->lab;
     const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, at_m), at_m / 16);
     const double most = SIDE_PX * pixel;
-    struct planes_place place = planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
+    struct planes_place place = depth_planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
     const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
     const double low = i % 2 == 0 ? fmax(-most, place.slope_low / MARGIN) : place.slope_low / MARGIN;
     const double high = i % 2 == 0 ? fmin(most, place.slope_high / MARGIN) : place.slope_high / MARGIN;
@@ -74,10 +74,10 @@ enum verdict { ALL_RIGHT, SOME_WRONG, IMPOSSIBLE };
 static bool is_wrong(struct planes_canvas *canvas, const struct planes_pair *pair)
 {
     const uint32_t area = area_of(canvas);
-    planes_draw(canvas, &pair->behind, &pair->front);
+    depth_planes_draw(canvas, &pair->behind, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         if (canvas->pixels[i] == PLANES_BEHIND) {
-            return planes_count(canvas, pair, canvas->verdicts).wrong > 0;
+            return depth_planes_count(canvas, pair, canvas->verdicts).wrong > 0;
         }
     }
     return false;
@@ -95,10 +95,10 @@ static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_forma
         struct planes_pair pair;
         struct planes_place place = place_of(canvas, format, at_m, tilt_deg, i);
         place.separation_m = separation_m;
-        if (!planes_make(canvas->lab, &place, &pair) || !planes_front_is_nearer(&pair)) {
+        if (!depth_planes_make(canvas->lab, &place, &pair) || !depth_planes_front_is_nearer(&pair)) {
             return IMPOSSIBLE;
         }
-        *real_m = fmax(*real_m, planes_separation_m(&pair));
+        *real_m = fmax(*real_m, depth_planes_separation_m(&pair));
         if (is_wrong(canvas, &pair)) {
             return SOME_WRONG;
         }
@@ -113,8 +113,8 @@ static double tan_phi_max(const struct depth_lab *lab)
     return hypot(half * lab->width, half * lab->height);
 }
 
-double planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
-                          double tilt_deg)
+double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
+                                double tilt_deg)
 {
     const double angle = depth_radians(tilt_deg);
     return depth_step_m(format, lab, z) * fabs(cos(angle) - slope * sin(angle)) +
@@ -126,18 +126,18 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
                     struct planes_sweep *sweep)
 {
     const double lean = tan(depth_radians(fabs(tilt_deg))), tan_phi = tan_phi_max(lab);
-    const struct planes_place whole = planes_whole(lab, at_m, fabs(tilt_deg), 0);
+    const struct planes_place whole = depth_planes_whole(lab, at_m, fabs(tilt_deg), 0);
     const double pixel = depth_pixel_slope(lab);
     for (int row = 0; row * pixel <= -whole.slope_low / MARGIN; row++) {
         const double slope = -row * pixel;
         const double z = at_m / (1 - slope * lean), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
-        sweep->at_tilt_m = fmax(sweep->at_tilt_m, planes_predicted_m(lab, format, z, slope, fabs(tilt_deg)));
+        sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, fabs(tilt_deg)));
     }
 }
 
-struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
-                                 double tilt_deg)
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
+                                       double tilt_deg)
 {
     struct planes_sweep sweep = {0, 0, HUGE_VAL};
     predict(canvas->lab, format, at_m, tilt_deg, &sweep);

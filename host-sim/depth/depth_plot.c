@@ -2,10 +2,10 @@
 #define _XOPEN_SOURCE 700 /* open_memstream */
 
 #include "complain.h"
-#include "depth_plot_gnuplot.h"
+#include "depth_gnuplot.h"
 #include "depth_plot_kinds.h"
 #include "option_text.h"
-#include "save.h"
+#include "file_save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -50,7 +50,7 @@ int depth_plot_picture(const struct depth_lab *lab, const struct depth_plot_kind
         status = complain(EXIT_FAILED, "out of memory");
     }
     if (status == 0) {
-        status = gnuplot_run(text, picture, length);
+        status = depth_gnuplot_run(text, picture, length);
     }
     free(text);
     return status;
@@ -83,7 +83,7 @@ int depth_plot(const struct depth_lab *lab)
     size_t length = 0;
     int status = depth_plot_picture(lab, kind, png, &picture, &length);
     if (status == 0) {
-        status = save_bytes(lab->out, picture, length);
+        status = file_save_bytes(lab->out, picture, length);
     }
     free(picture);
     return status;

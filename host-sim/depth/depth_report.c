@@ -3,10 +3,10 @@
 
 #include "complain.h"
 #include "depth_budget_terms.h"
-#include "depth_plot_gnuplot.h"
+#include "depth_gnuplot.h"
 #include "depth_plot_kinds.h"
 #include "lab_num.h"
-#include "save.h"
+#include "file_save.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -148,7 +148,7 @@ static int put_plot(const struct depth_lab *lab, FILE *report, const char *name,
         status = depth_plot_picture(lab, kind, false, &picture, &length);
     }
     if (status == 0) {
-        status = save_bytes(path, picture, length);
+        status = file_save_bytes(path, picture, length);
     }
     free(picture);
     fprintf(report, "\n![%s](%s.svg)\n\n`pinhole-depth plot %s", kind->title, name, name);
@@ -162,7 +162,7 @@ static int save_rows(const struct depth_lab *lab, const char *name, char *csv)
     char path[PATH_MAX];
     depth_table_drop_remarks(csv);
     const int status = name_file(lab, name, "csv", path);
-    return status != 0 ? status : save_bytes(path, csv, strlen(csv));
+    return status != 0 ? status : file_save_bytes(path, csv, strlen(csv));
 }
 
 /* The distance and the separation that advise is asked about. */
@@ -237,7 +237,7 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
 
 static int put_report(const struct depth_lab *lab, FILE *report)
 {
-    const bool can_plot = gnuplot_is_here();
+    const bool can_plot = depth_gnuplot_is_here();
     struct depth_lab documents = *lab; /* with the near and far planes that the documents have */
     int status = 0;
     documents.near_set = documents.far_set = false;
@@ -280,7 +280,7 @@ int depth_report(const struct depth_lab *lab)
         status = name_file(lab, "report", "md", path);
     }
     if (status == 0) {
-        status = save_bytes(path, text, length);
+        status = file_save_bytes(path, text, length);
     }
     free(text);
     return status;

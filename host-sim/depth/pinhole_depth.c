@@ -2,7 +2,7 @@
 
 #include "complain.h"
 #include "depth_options.h"
-#include "save.h"
+#include "file_save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -52,7 +52,7 @@ static int show(const struct depth_command *command, const struct depth_lab *lab
     }
     depth_table_drop_remarks(csv);
     if (strcmp(lab->csv, "-") != 0) {
-        return save_bytes(lab->csv, csv, strlen(csv));
+        return file_save_bytes(lab->csv, csv, strlen(csv));
     }
     fputs(csv, stdout);
     return 0;

@@ -4,7 +4,7 @@
 #include "emulate_qemu.h"
 
 #include "complain.h"
-#include "stop.h"
+#include "signal_stop.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -22,12 +22,12 @@
 #define WAIT_MS     30000 /* for a line or an answer */
 #define LAST_MS     200
 
-bool qemu_interrupted(void)
+bool emulate_qemu_interrupted(void)
 {
-    if (stop_signal != 0) {
+    if (signal_stop != 0) {
         complain(EXIT_FAILED, "interrupted");
     }
-    return stop_signal != 0;
+    return signal_stop != 0;
 }
 
 struct ends {
@@ -101,7 +101,7 @@ static void execute(const struct ends *e, const char *machine, const char *image
     _exit(127);
 }
 
-int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
+int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
 {
     struct ends e;
     *q = (struct qemu){.pid = -1, .monitor = -1, .uart = -1, .trace = -1, .said = -1};
@@ -120,15 +120,16 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
     q->uart = e.uart[0];
     q->trace = e.trace[0];
     q->said = e.said[0];
-    stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
+    signal_stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
     signal(SIGPIPE, SIG_IGN);
-    return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
+    return q->pid > 0 ? emulate_qemu_command(q, "qmp_capabilities", NULL)
+                      : complain(EXIT_FAILED, "fork: %s", strerror(errno));
 }
 
 static bool readable(int fd, int wait_ms)
 {
     struct pollfd p = {.fd = fd, .events = POLLIN};
-    return stop_signal == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
+    return signal_stop == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
 }
 
 /* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
@@ -163,7 +164,7 @@ static int end(struct qemu *q)
         return 0;
     }
     q->said = -1;
-    const int status = stop_signal != 0 ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
+    const int status = signal_stop != 0 ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
     fclose(said);
     return status;
 }
@@ -172,11 +173,11 @@ static int end(struct qemu *q)
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;
-    if (qemu_interrupted()) {
+    if (emulate_qemu_interrupted()) {
         return EXIT_FAILED;
     }
     while (readable(q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
-        if (qemu_logged(q, byte) && qemu_check_line(q) != 0) {
+        if (emulate_qemu_logged(q, byte) && emulate_qemu_check_line(q) != 0) {
             return EXIT_FAILED;
         }
     }
@@ -205,7 +206,7 @@ static int await_answer(struct qemu *q, const char *name)
     return last_words(q, "answer", name);
 }
 
-int qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
+int emulate_qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
 {
     char text[1024], values[768] = "";
     va_list list;
@@ -221,13 +222,13 @@ int qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
     return await_answer(q, name);
 }
 
-int qemu_send(const struct qemu *q, const char *text)
+int emulate_qemu_send(const struct qemu *q, const char *text)
 {
     const ssize_t n = (ssize_t)strlen(text);
     return write(q->uart, text, (size_t)n) == n ? 0 : complain(EXIT_FAILED, "QEMU does not take what the UART gets");
 }
 
-bool qemu_logged(struct qemu *q, char byte)
+bool emulate_qemu_logged(struct qemu *q, char byte)
 {
     if (byte == '\r') {
         return false;
@@ -245,27 +246,27 @@ bool qemu_logged(struct qemu *q, char byte)
     return true;
 }
 
-int qemu_check_line(const struct qemu *q)
+int emulate_qemu_check_line(const struct qemu *q)
 {
     const bool bad = strncmp(q->line, "fault", 5) == 0 || strncmp(q->line, "stopped", 7) == 0;
     return bad ? complain(EXIT_FAILED, "the image says: %s", q->line) : 0;
 }
 
-int qemu_line(struct qemu *q)
+int emulate_qemu_line(struct qemu *q)
 {
     char byte;
     while (readable(q->uart, WAIT_MS) && read(q->uart, &byte, 1) == 1) {
-        if (qemu_logged(q, byte)) {
-            return qemu_check_line(q);
+        if (emulate_qemu_logged(q, byte)) {
+            return emulate_qemu_check_line(q);
         }
     }
-    if (qemu_interrupted() || end(q) != 0) {
+    if (emulate_qemu_interrupted() || end(q) != 0) {
         return EXIT_FAILED;
     }
     return complain(EXIT_FAILED, "the image logs nothing more");
 }
 
-int qemu_stop(struct qemu *q)
+int emulate_qemu_stop(struct qemu *q)
 {
     const int status = end(q);
     const int others[] = {q->monitor, q->uart, q->trace};

@@ -27,36 +27,37 @@ struct qemu {
 };
 
 /* Starts the machine, halted. uart: which of the machine's serial lines is the log, 0 for the first. */
-int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced);
+int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced);
 
 /* A QMP command, with arguments (JSON, a format) or NULL. Waits for its answer. */
-int qemu_command(struct qemu *q, const char *name, const char *arguments, ...) __attribute__((format(printf, 3, 4)));
+int emulate_qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* A signal asks this program to end; one line has said so. */
-bool qemu_interrupted(void);
+bool emulate_qemu_interrupted(void);
 
 /* Characters to the UART. */
-int qemu_send(const struct qemu *q, const char *text);
+int emulate_qemu_send(const struct qemu *q, const char *text);
 
 /* Takes a byte that the image logged; true when a line is complete: q->line. */
-bool qemu_logged(struct qemu *q, char byte);
+bool emulate_qemu_logged(struct qemu *q, char byte);
 
 /* Waits for the next line of the log on the UART. A line "fault..." or "stopped..." is a failure. */
-int qemu_line(struct qemu *q);
-int qemu_check_line(const struct qemu *q);
+int emulate_qemu_line(struct qemu *q);
+int emulate_qemu_check_line(const struct qemu *q);
 
 /* Ends it. EXIT_FAILED if it wrote anything but what every run of these machines writes to stderr. */
-int qemu_stop(struct qemu *q);
+int emulate_qemu_stop(struct qemu *q);
 
 /* ---- the machines ------------------------------------------------------------------------------- */
 
-struct keys;
+struct key_script;
 
 struct emulation {
     const struct board *board;
     const char *image;
     uint32_t frames;
-    const struct keys *keys;
+    const struct key_script *keys;
     FILE *log;
     void *context; /* frame's */
     int (*frame)(void *context, uint32_t frame, const struct ppm *picture);

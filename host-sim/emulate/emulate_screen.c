@@ -5,7 +5,7 @@
 
 #include "complain.h"
 #include "hal.h"
-#include "keys.h"
+#include "key_script.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -29,10 +29,11 @@ static int press(struct qemu *q, uint32_t was, uint32_t is)
     int status = 0;
     for (size_t i = 0; i < BUTTONS && status == 0; i++) {
         if (((was ^ is) & wiring[i].button) != 0) {
-            status = qemu_command(q, "input-send-event",
-                                  "\"events\": [{\"type\": \"key\", \"data\": {\"down\": %s, \"key\": {\"type\": "
-                                  "\"qcode\", \"data\": \"%s\"}}}]",
-                                  is & wiring[i].button ? "true" : "false", wiring[i].key);
+            status =
+                emulate_qemu_command(q, "input-send-event",
+                                     "\"events\": [{\"type\": \"key\", \"data\": {\"down\": %s, \"key\": {\"type\": "
+                                     "\"qcode\", \"data\": \"%s\"}}}]",
+                                     is & wiring[i].button ? "true" : "false", wiring[i].key);
         }
     }
     return status;
@@ -77,7 +78,7 @@ static int look(struct qemu *q, struct ppm *picture)
         return complain(EXIT_FAILED, "%s: cannot be made", path);
     }
     close(fd);
-    int status = qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
+    int status = emulate_qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
     if (status == 0 && ppm_load(path, &screen) != 0) {
         status = complain(EXIT_FAILED, "%s: QEMU's screen cannot be read", path);
     }
@@ -96,7 +97,7 @@ static int await_frame(struct qemu *q, uint32_t frame)
     int status;
     snprintf(text, sizeof text, "frame %u,", (unsigned)frame);
     do {
-        status = qemu_line(q);
+        status = emulate_qemu_line(q);
     } while (status == 0 && strncmp(q->line, text, strlen(text)) != 0);
     return status;
 }
@@ -107,14 +108,15 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
     uint32_t held = 0;
     int status = 0;
     for (uint32_t frame = 0; frame < e->frames && status == 0; frame++) {
-        const uint32_t now = frame > 0 ? keys_at(e->keys, frame) : 0;
+        const uint32_t now = frame > 0 ? key_script_at(e->keys, frame) : 0;
         status = press(q, held, now);
         held = now;
         if (status == 0) {
-            status = qemu_send(q, "H");
+            status = emulate_qemu_send(q, "H");
         }
         if (status == 0 && frame == 0) { /* the answer says that the UART has it */
-            status = qemu_command(q, "query-status", NULL) != 0 ? EXIT_FAILED : qemu_command(q, "cont", NULL);
+            status = emulate_qemu_command(q, "query-status", NULL) != 0 ? EXIT_FAILED
+                                                                        : emulate_qemu_command(q, "cont", NULL);
         }
         if (status == 0) {
             status = await_frame(q, frame);
@@ -142,12 +144,12 @@ int emulate_screen(const struct emulation *e)
     if (picture.rgb == NULL) {
         return complain(EXIT_FAILED, "not enough memory for a picture");
     }
-    int status = qemu_start(&q, "lm3s6965evb", e->image, 0, false);
+    int status = emulate_qemu_start(&q, "lm3s6965evb", e->image, 0, false);
     q.log = e->log;
     if (status == 0) {
         status = run(e, &q, &picture);
     }
     free(picture.rgb);
-    const int stopped = qemu_stop(&q);
+    const int stopped = emulate_qemu_stop(&q);
     return status != 0 ? status : stopped;
 }

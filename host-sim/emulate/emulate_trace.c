@@ -11,7 +11,7 @@
 
 #include "complain.h"
 #include "hal.h"
-#include "keys.h"
+#include "key_script.h"
 #include "wire_events.h"
 
 #include <stdlib.h>
@@ -114,7 +114,7 @@ static int step(struct trace *t)
                    {HAL_BUTTON_SELECT, 's'}};
     char text[8], waste[4096];
     size_t n = 0;
-    const uint32_t held = keys_at(t->e->keys, t->frames);
+    const uint32_t held = key_script_at(t->e->keys, t->frames);
     for (size_t i = 0; i < sizeof letters / sizeof letters[0]; i++) {
         text[n] = letters[i].letter;
         n += (held & letters[i].button) != 0;
@@ -123,16 +123,16 @@ static int step(struct trace *t)
     text[n + 1] = '\0';
     while (recv(t->q.uart, waste, sizeof waste, MSG_DONTWAIT) > 0) { /* the log is read from the trace */
     }
-    return qemu_send(&t->q, text);
+    return emulate_qemu_send(&t->q, text);
 }
 
 /* A line of the log. The image is told to hold as early as it can hear it, which is during its first frame. */
 static int logged(struct trace *t)
 {
-    int status = qemu_check_line(&t->q);
+    int status = emulate_qemu_check_line(&t->q);
     if (status == 0 && !t->started && strncmp(t->q.line, "demo ", 5) == 0) {
         t->started = true;
-        return qemu_send(&t->q, "H");
+        return emulate_qemu_send(&t->q, "H");
     }
     if (status == 0 && t->started && strncmp(t->q.line, "frame ", 6) == 0) {
         status = flush(t);
@@ -153,7 +153,7 @@ static int store(struct trace *t, uint32_t address, uint32_t value)
         return status;
     }
     if (address == USART_DR) {
-        return qemu_logged(&t->q, (char)value) ? logged(t) : 0;
+        return emulate_qemu_logged(&t->q, (char)value) ? logged(t) : 0;
     }
     if (address >= GPIO_A && port < GPIO_ALL && (address - GPIO_A) % GPIO_STEP == GPIO_BSRR) {
         return move_pins(t, port, value);
@@ -179,10 +179,11 @@ static int run(struct trace *t)
 {
     char line[512];
     FILE *in = fdopen(dup(t->q.trace), "r");
-    int status = in != NULL ? qemu_command(&t->q, "cont", NULL) : complain(EXIT_FAILED, "QEMU's trace cannot be read");
+    int status =
+        in != NULL ? emulate_qemu_command(&t->q, "cont", NULL) : complain(EXIT_FAILED, "QEMU's trace cannot be read");
     while (status == 0 && t->frames < t->e->frames) {
         const bool more = fgets(line, sizeof line, in) != NULL;
-        if (qemu_interrupted()) {
+        if (emulate_qemu_interrupted()) {
             status = EXIT_FAILED;
         } else if (!more) {
             status = complain(EXIT_FAILED, "QEMU stopped after %u frames", (unsigned)t->frames);
@@ -219,12 +220,12 @@ int emulate_trace(const struct emulation *e)
         free(t.picture.rgb);
         return complain(EXIT_FAILED, "not enough memory, or no model of the board's controller");
     }
-    int status = qemu_start(&t.q, "netduinoplus2", e->image, UARTS_BEFORE, true);
+    int status = emulate_qemu_start(&t.q, "netduinoplus2", e->image, UARTS_BEFORE, true);
     t.q.log = e->log;
     if (status == 0) {
         status = run(&t);
     }
-    const int stopped = qemu_stop(&t.q);
+    const int stopped = emulate_qemu_stop(&t.q);
     wire_close(t.wire);
     free(t.picture.rgb);
     return status != 0 ? status : stopped;

@@ -4,7 +4,7 @@
 #include "crc32.h"
 #include "emulate_qemu.h"
 #include "frame_out.h"
-#include "keys.h"
+#include "key_script.h"
 #include "option_table.h"
 #include "option_text.h"
 
@@ -85,7 +85,7 @@ static int show(void *context, uint32_t frame, const struct ppm *picture)
 
 static int run(struct request *r)
 {
-    struct keys keys = {.count = 0};
+    struct key_script keys = {.count = 0};
     struct emulation e = {.board = r->board,
                           .image = r->image,
                           .frames = r->frames,
@@ -95,7 +95,7 @@ static int run(struct request *r)
                           .frame = show};
     int status = emulate_check_image(r->image, r->machine == 0 ? 0 : 0x08000000);
     if (status == 0) {
-        status = keys_read(&keys, r->keys);
+        status = key_script_read(&keys, r->keys);
     }
     if (status == 0) {
         status = frame_out_open(&r->frames_out, r->out, true);
@@ -103,7 +103,7 @@ static int run(struct request *r)
     if (status == 0) {
         status = r->machine == 0 ? emulate_screen(&e) : emulate_trace(&e);
     }
-    keys_free(&keys);
+    key_script_free(&keys);
     return status;
 }
 

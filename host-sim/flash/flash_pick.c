@@ -75,7 +75,7 @@ static bool are_alike(const struct flash_board *boards, int count)
     return true;
 }
 
-int flash_usb_pick(const struct flash_board *boards, int count, const char *serial, char *error)
+int flash_pick(const struct flash_board *boards, int count, const char *serial, char *error)
 {
     char names[NAMES_SIZE];
     int picked = -1, matching = 0;

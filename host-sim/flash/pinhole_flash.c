@@ -4,7 +4,7 @@
 #include "flash_job.h"
 #include "flash_usb.h"
 #include "option_table.h"
-#include "stop.h"
+#include "signal_stop.h"
 #include "progress.h"
 
 #include <stdio.h>
@@ -90,7 +90,7 @@ static int list(const struct flash_board *boards, int count)
         }
     }
     char error[FLASH_ERROR_SIZE];
-    return shown == 0 && flash_usb_pick(boards, count, NULL, error) < 0 ? complain(EXIT_FAILED, "%s", error) : 0;
+    return shown == 0 && flash_pick(boards, count, NULL, error) < 0 ? complain(EXIT_FAILED, "%s", error) : 0;
 }
 
 /* ---- the job ------------------------------------------------------------------------------------ */
@@ -112,12 +112,12 @@ static int write_image(const struct request *r, const struct flash_image *image,
                             .image = image,
                             .verify = !r->no_verify,
                             .reboot = !r->no_reboot,
-                            .stop = &stop_signal,
+                            .stop = &signal_stop,
                             .progress = show_progress};
     status = flash_job_run(&job);
     flash_usb_close(usb);
     if (status < 0) {
-        return complain(status == FLASH_STOPPED ? 128 + (int)stop_signal : EXIT_FAILED, "RP2040 %u:%u: %s", board->bus,
+        return complain(status == FLASH_STOPPED ? 128 + (int)signal_stop : EXIT_FAILED, "RP2040 %u:%u: %s", board->bus,
                         board->address, job.error);
     }
     printf("RP2040 %u:%u: %u bytes written%s%s\n", board->bus, board->address, (unsigned)image->size,
@@ -134,7 +134,7 @@ static int run(const struct request *r)
         return complain(EXIT_FAILED, "%s: %s", r->path, error);
     }
     const int count = flash_usb_list(boards);
-    const int picked = count < 0 || r->list ? -1 : flash_usb_pick(boards, count, r->serial, error);
+    const int picked = count < 0 || r->list ? -1 : flash_pick(boards, count, r->serial, error);
     int status;
     if (count < 0) {
         status = complain_usb(count);
@@ -157,8 +157,9 @@ int main(int argc, char *argv[])
     if (status != 0) {
         return status;
     }
-    stop_catch(); /* no command is cut off in its middle: the board could be written to no more until it is pulled out
-                   */
+    signal_stop_catch(); /* no command is cut off in its middle: the board could be written to no more until it is
+                          * pulled out
+                          */
     if (request.help) {
         print_help();
     } else {

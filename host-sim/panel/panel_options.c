@@ -3,7 +3,6 @@
 #include "complain.h"
 #include "option_table.h"
 #include "option_text.h"
-#include "options.h"
 #include "render.h"
 
 #include <stdio.h>
@@ -122,14 +121,7 @@ static bool set_band(void *to, const char *value)
 
 static bool set_depth(void *to, const char *value)
 {
-    struct panel_options *o = to;
-    for (uint8_t format = 0; format < PH_DEPTH_FORMATS; format++) {
-        if (strcmp(value, options_depth_name(format)) == 0) {
-            o->depth = format;
-            return true;
-        }
-    }
-    return false;
+    return option_text_depth(value, &((struct panel_options *)to)->depth);
 }
 
 static bool set_diff(void *to, const char *value)

@@ -9,7 +9,7 @@
 #include "panel_kit.h"
 #include "panel_probe.h"
 #include "panel_show.h"
-#include "stop.h"
+#include "signal_stop.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -94,7 +94,7 @@ static struct panel_scene plain_scene(const struct panel_options *o)
                                 .refresh = o->refresh,
                                 .overlay = o->overlay,
                                 .stats = o->stats,
-                                .stop = &stop_signal};
+                                .stop = &signal_stop};
 }
 
 static int show(struct stage *stage, const struct panel_options *o)
@@ -296,12 +296,12 @@ int main(int argc, char *argv[])
     if (stage == NULL) {
         return complain(EXIT_FAILED, "not enough memory");
     }
-    stop_catch();
+    signal_stop_catch();
     signal(SIGPIPE, SIG_IGN); /* a pipe that nobody reads is an error of the write */
     status = obey(stage, &options);
     free(stage);
-    if (stop_signal != 0) {
-        return 128 + stop_signal;
+    if (signal_stop != 0) {
+        return 128 + signal_stop;
     }
     return status == 0 ? complain_stdout() : status;
 }

@@ -7,7 +7,7 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
-#include "line.h"
+#include "text_line.h"
 #include "option_table.h"
 #include "option_text.h"
 #include "wire_events.h"
@@ -195,7 +195,7 @@ static int replay(struct wire *w, FILE *in, const char *name)
     int status = 0;
     errno = 0;
     for (unsigned number = 1; status == 0; number++) {
-        const ssize_t length = line_read(&line, &size, LINE_LIMIT, in);
+        const ssize_t length = text_line_read(&line, &size, LINE_LIMIT, in);
         if (length < 0) {
             break;
         }

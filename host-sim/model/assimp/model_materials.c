@@ -1,7 +1,7 @@
 #include "model_read.h"
 
-#include "png_in.h"
-#include "texture_make.h"
+#include "model_png.h"
+#include "model_texture.h"
 
 #include <assimp/material.h>
 
@@ -86,7 +86,7 @@ static const char *why_unread(const uint8_t *bytes, size_t n)
     if (n >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
         return "is JPEG: only PNG is read";
     }
-    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? png_in_reason : "is no PNG: only PNG is read";
+    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? model_png_reason : "is no PNG: only PNG is read";
 }
 
 static const char *why_file_unread(const char *path)
@@ -110,14 +110,14 @@ static const char *load_picture(const struct aiScene *scene, const char *model_p
         if (embedded->mHeight != 0) {
             return "is raw: only PNG is read";
         }
-        const int status = png_in_memory(embedded->pcData, embedded->mWidth, picture);
+        const int status = model_png_memory(embedded->pcData, embedded->mWidth, picture);
         return status == 0 ? NULL : why_unread((const uint8_t *)embedded->pcData, embedded->mWidth);
     }
     char path[PATH_BYTES];
     if (!beside(path, model_path, name)) {
         return "has too long a name";
     }
-    return png_in_file(path, picture) == 0 ? NULL : why_file_unread(path);
+    return model_png_file(path, picture) == 0 ? NULL : why_file_unread(path);
 }
 
 static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
@@ -144,7 +144,7 @@ static const struct ph_texture *read_texture(struct model_shared *shared, const 
         return NULL;
     }
     struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
-    const int status = texture != NULL ? texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
+    const int status = texture != NULL ? model_texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
     free(picture.rgb);
     if (status != 0) {
         model_read_note(shared, "texture %.100s is left out: no memory", name.data);

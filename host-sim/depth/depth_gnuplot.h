@@ -1,6 +1,6 @@
-/* depth_plot_gnuplot: a gnuplot script in memory becomes a picture in a file, or in memory. */
-#ifndef DEPTH_PLOT_GNUPLOT_H
-#define DEPTH_PLOT_GNUPLOT_H
+/* depth_gnuplot: a gnuplot script in memory becomes a picture in a file, or in memory. */
+#ifndef DEPTH_GNUPLOT_H
+#define DEPTH_GNUPLOT_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -9,9 +9,9 @@
  * Runs gnuplot on the script, without its user's start-up files. *picture: what it wrote, to be freed.
  * 0, or EXIT_FAILED and one line: gnuplot is missing, or what it complained about.
  */
-int gnuplot_run(const char *script, char **picture, size_t *length);
+int depth_gnuplot_run(const char *script, char **picture, size_t *length);
 
 /* Whether gnuplot can be run. */
-bool gnuplot_is_here(void);
+bool depth_gnuplot_is_here(void);
 
 #endif

@@ -1,11 +1,11 @@
-#include "player.h"
+#include "sim_player.h"
 
 #include "complain.h"
-#include "options.h"
+#include "option_text.h"
 
 #include <stdlib.h>
 
-static int refuse(const struct player_setup *setup, int status)
+static int refuse(const struct sim_player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
         return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; %s", setup->board->name,
@@ -16,10 +16,10 @@ static int refuse(const struct player_setup *setup, int status)
     return complain(EXIT_FAILED, "%s: the panel does not open (%d)", setup->board->name, status);
 }
 
-int player_open(struct player *p, const struct player_setup *setup)
+int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
 {
     const struct board *board = setup->board;
-    *p = (struct player){.setup = *setup};
+    *p = (struct sim_player){.setup = *setup};
     p->sim = sim_open(board, &p->hal);
     if (p->sim == NULL) {
         return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", board->name);
@@ -46,7 +46,7 @@ int player_open(struct player *p, const struct player_setup *setup)
     return status == 0 ? 0 : refuse(setup, status);
 }
 
-static int make_frame(struct player *p, uint32_t frame)
+static int make_frame(struct sim_player *p, uint32_t frame)
 {
     const int status = runner_scene(&p->runner, frame);
     return status == 0 ? 0
@@ -55,7 +55,7 @@ static int make_frame(struct player *p, uint32_t frame)
 }
 
 /* Once: nothing is lost silently. */
-static void tell_drops(struct player *p, uint32_t frame)
+static void tell_drops(struct sim_player *p, uint32_t frame)
 {
     const struct ph_stats *s = &p->runner.renderer.stats;
     if (p->drops_told || (s->triangles_dropped == 0 && s->vertices_dropped == 0)) {
@@ -68,7 +68,7 @@ static void tell_drops(struct player *p, uint32_t frame)
              p->setup.state != NULL ? "; pinhole-asset simplifies a model" : "");
 }
 
-int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)
+int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)
 {
     if (make_frame(p, frame) != 0) {
         return EXIT_FAILED;
@@ -79,7 +79,7 @@ int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struc
     return 0;
 }
 
-int player_frame(struct player *p, uint32_t frame)
+int sim_player_frame(struct sim_player *p, uint32_t frame)
 {
     p->counters = sim_counters(p->sim);
     if (runner_buttons(&p->runner, 0) != 0) {
@@ -100,23 +100,23 @@ int player_frame(struct player *p, uint32_t frame)
     return 0;
 }
 
-uint64_t player_bus_ns(const struct player *p)
+uint64_t sim_player_bus_ns(const struct sim_player *p)
 {
     return sim_counters(p->sim).bus_ns - p->counters.bus_ns;
 }
 
-void player_print_stats(const struct player *p, uint32_t frame)
+void sim_player_print_stats(const struct sim_player *p, uint32_t frame)
 {
     const struct ph_stats *s = &p->runner.renderer.stats;
     const struct sim_counters now = sim_counters(p->sim);
-    const double bus_us = (double)player_bus_ns(p) / 1000;
+    const double bus_us = (double)sim_player_bus_ns(p) / 1000;
     fprintf(stderr, "frame %u: vertices %u, triangles in %u, culled %u, clipped %u, drawn %u, dropped %u; ",
             (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
             (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped);
     fprintf(stderr,
             "vertices dropped %u; fragments %u, depth %s; wire %llu bytes, writes %u, bus %.0f us at %u Hz, %.1f "
             "frames/s\n",
-            (unsigned)s->vertices_dropped, (unsigned)s->fragments, options_depth_name(s->depth_format),
+            (unsigned)s->vertices_dropped, (unsigned)s->fragments, option_text_depth_name(s->depth_format),
             (unsigned long long)(now.bytes - p->counters.bytes), (unsigned)(now.writes - p->counters.writes), bus_us,
             (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
 }
@@ -133,7 +133,7 @@ static uint32_t print_complaints(const struct sim *sim)
     return count;
 }
 
-int player_close(struct player *p)
+int sim_player_close(struct sim_player *p)
 {
     uint32_t complaints = 0;
     if (p->sim != NULL) {

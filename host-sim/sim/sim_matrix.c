@@ -1,4 +1,4 @@
-#include "matrix_print.h"
+#include "sim_matrix.h"
 
 static void print_one(FILE *file, const char *name, const struct ph_mat4 *matrix)
 {
@@ -12,8 +12,8 @@ static void print_one(FILE *file, const char *name, const struct ph_mat4 *matrix
     }
 }
 
-int matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
-                 uint16_t height, enum ph_convention convention)
+int sim_matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
+                     uint16_t height, enum ph_convention convention)
 {
     struct ph_mat4 to_clip;
     const int status = ph_matrix_projection(&to_clip, projection, convention);

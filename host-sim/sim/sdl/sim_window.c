@@ -1,11 +1,11 @@
-#include "window.h"
+#include "sim_window.h"
 
 #include "complain.h"
 #include "hal.h"
 
 #include <SDL2/SDL.h>
 
-struct window {
+struct sim_window {
     SDL_Window *window;
     SDL_Renderer *renderer;
     SDL_Texture *texture;
@@ -34,7 +34,7 @@ static int scale_for(int width, int height)
     return scale > 1 ? scale : 1;
 }
 
-static bool open_parts(struct window *w, const char *title, int width, int height)
+static bool open_parts(struct sim_window *w, const char *title, int width, int height)
 {
     const int scale = scale_for(width, height), place = (int)SDL_WINDOWPOS_CENTERED;
     w->window = SDL_CreateWindow(title, place, place, width * scale, height * scale, SDL_WINDOW_RESIZABLE);
@@ -58,9 +58,9 @@ static void choose_screen(void)
     SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "x11,wayland,cocoa,KMSDRM" : "x11,cocoa,KMSDRM");
 }
 
-int window_open(struct window **window, const char *title, uint16_t width, uint16_t height)
+int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height)
 {
-    struct window *w = SDL_calloc(1, sizeof *w);
+    struct sim_window *w = SDL_calloc(1, sizeof *w);
     *window = NULL;
     if (w == NULL) {
         return complain(EXIT_FAILED, "--window: not enough memory");
@@ -71,7 +71,7 @@ int window_open(struct window **window, const char *title, uint16_t width, uint1
     if (SDL_Init(SDL_INIT_VIDEO) != 0 || !open_parts(w, title, width, height)) {
         const int status =
             complain(EXIT_FAILED, "--window: no screen (%s); run it on a desktop, or set DISPLAY", SDL_GetError());
-        window_close(w);
+        sim_window_close(w);
         return status;
     }
     w->due = SDL_GetPerformanceCounter();
@@ -88,7 +88,7 @@ static uint32_t button_of(SDL_Scancode key)
     return button;
 }
 
-bool window_buttons(const struct window *window, uint32_t *buttons)
+bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
 {
     bool open = window != NULL;
     *buttons = 0;
@@ -107,7 +107,7 @@ bool window_buttons(const struct window *window, uint32_t *buttons)
 }
 
 /* Sleeps until the picture is due; one that is late already starts the count again. */
-static void wait_until_due(struct window *w, uint64_t frame_ns)
+static void wait_until_due(struct sim_window *w, uint64_t frame_ns)
 {
     const uint64_t hz = SDL_GetPerformanceFrequency();
     w->due += frame_ns * (hz / 1000) / 1000000;
@@ -119,7 +119,7 @@ static void wait_until_due(struct window *w, uint64_t frame_ns)
     }
 }
 
-void window_show(struct window *window, const uint8_t *rgb, uint64_t frame_ns)
+void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns)
 {
     SDL_UpdateTexture(window->texture, NULL, rgb, window->pitch);
     SDL_RenderClear(window->renderer);
@@ -128,7 +128,7 @@ void window_show(struct window *window, const uint8_t *rgb, uint64_t frame_ns)
     SDL_RenderPresent(window->renderer);
 }
 
-void window_close(struct window *window)
+void sim_window_close(struct sim_window *window)
 {
     if (window != NULL) {
         SDL_DestroyTexture(window->texture);

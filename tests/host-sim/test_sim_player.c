@@ -5,25 +5,26 @@
 #include <cmocka.h>
 
 #include "caught.h"
-#include "player.h"
+#include "sim_player.h"
 
 #include <string.h>
 
-static struct player_setup setup_of(const struct board *board)
+static struct sim_player_setup setup_of(const struct board *board)
 {
-    return (struct player_setup){.board = board, .band_height = 8, .demo = demo_find("cube")};
+    return (struct sim_player_setup){.board = board, .band_height = 8, .demo = demo_find("cube")};
 }
 
 static void a_kit_that_is_used_well_is_silent(void **state)
 {
     struct sim_virtual v;
-    struct player player;
+    struct sim_player player;
     struct caught c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
-    const struct player_setup setup = setup_of(&v.board);
+    const struct sim_player_setup setup = setup_of(&v.board);
     caught_begin(&c);
-    const int opened = player_open(&player, &setup), drawn = player_frame(&player, 0), closed = player_close(&player);
+    const int opened = sim_player_open(&player, &setup), drawn = sim_player_frame(&player, 0),
+              closed = sim_player_close(&player);
     caught_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
@@ -34,15 +35,16 @@ static void a_kit_that_is_used_well_is_silent(void **state)
 static void a_complaint_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
-    struct player player;
+    struct sim_player player;
     struct caught c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     v.board.spi_hz = 200000000; /* far above what an ST7789 takes */
     v.board.over_limit = false;
-    const struct player_setup setup = setup_of(&v.board);
+    const struct sim_player_setup setup = setup_of(&v.board);
     caught_begin(&c);
-    const int opened = player_open(&player, &setup), drawn = player_frame(&player, 0), closed = player_close(&player);
+    const int opened = sim_player_open(&player, &setup), drawn = sim_player_frame(&player, 0),
+              closed = sim_player_close(&player);
     caught_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
@@ -54,17 +56,17 @@ static void a_complaint_is_one_line_and_a_failure(void **state)
 static void a_bus_that_fails_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
-    struct player player;
+    struct sim_player player;
     struct caught c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
-    const struct player_setup setup = setup_of(&v.board);
-    assert_int_equal(player_open(&player, &setup), 0);
+    const struct sim_player_setup setup = setup_of(&v.board);
+    assert_int_equal(sim_player_open(&player, &setup), 0);
     sim_fault(player.sim, SIM_FAULT_WRITE, 5);
     caught_begin(&c);
-    const int drawn = player_frame(&player, 3);
+    const int drawn = sim_player_frame(&player, 3);
     caught_end(&c);
-    player_close(&player);
+    sim_player_close(&player);
     assert_int_equal(drawn, 1);
     assert_non_null(strstr(c.text, "frame 3"));
     assert_int_equal(caught_lines(&c), 1);
@@ -73,17 +75,17 @@ static void a_bus_that_fails_is_one_line_and_a_failure(void **state)
 static void a_camera_without_a_volume_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
-    struct player player;
+    struct sim_player player;
     struct caught c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
-    struct player_setup setup = setup_of(&v.board);
+    struct sim_player_setup setup = setup_of(&v.board);
     setup.camera.projection_set = true; /* and all zeros */
-    assert_int_equal(player_open(&player, &setup), 0);
+    assert_int_equal(sim_player_open(&player, &setup), 0);
     caught_begin(&c);
-    const int drawn = player_frame(&player, 0);
+    const int drawn = sim_player_frame(&player, 0);
     caught_end(&c);
-    player_close(&player);
+    sim_player_close(&player);
     assert_int_equal(drawn, 1);
     assert_int_equal(caught_lines(&c), 1);
 }

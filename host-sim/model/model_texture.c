@@ -1,4 +1,4 @@
-#include "texture_make.h"
+#include "model_texture.h"
 
 static uint8_t log2_of_side(uint32_t side)
 {
@@ -38,7 +38,7 @@ static uint16_t mean_colour(const struct ppm *picture, struct span x, struct spa
     return ph_rgb565((uint8_t)(sum[0] / n), (uint8_t)(sum[1] / n), (uint8_t)(sum[2] / n));
 }
 
-int texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture)
+int model_texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture)
 {
     const uint8_t log2_width = log2_of_side(picture->width), log2_height = log2_of_side(picture->height);
     uint16_t *texels = demo_alloc(arena, sizeof *texels << (log2_width + log2_height));

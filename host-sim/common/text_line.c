@@ -1,6 +1,6 @@
 #define _POSIX_C_SOURCE 200809L /* getc_unlocked, ssize_t */
 
-#include "line.h"
+#include "text_line.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static bool make_room(char **line, size_t *size, size_t n)
     return true;
 }
 
-ssize_t line_read(char **line, size_t *size, size_t most, FILE *file)
+ssize_t text_line_read(char **line, size_t *size, size_t most, FILE *file)
 {
     size_t n = 0;
     for (int c = 0; n < most && c != '\n'; n++) {

@@ -1,5 +1,5 @@
 /* line: whole lines as getline gives them, and never more than was asked for. */
-#include "line.h"
+#include "text_line.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,7 +20,7 @@ static void expect(const char *text, size_t n, size_t most, const char *lines)
     assert_non_null(file);
     assert_int_equal(fwrite(text, 1, n, file), n);
     rewind(file);
-    while ((length = line_read(&line, &size, most, file)) > 0) {
+    while ((length = text_line_read(&line, &size, most, file)) > 0) {
         assert_true((size_t)length <= most && (size_t)length < size);
         assert_int_equal(line[length], 0);
         strncat(found, line, sizeof found - strlen(found) - 2);
@@ -57,7 +57,7 @@ static void a_byte_of_zero_is_counted(void **state)
     assert_non_null(file);
     assert_int_equal(fwrite("a\0b\n", 1, 4, file), 4);
     rewind(file);
-    assert_int_equal(line_read(&line, &size, 100, file), 4);
+    assert_int_equal(text_line_read(&line, &size, 100, file), 4);
     assert_memory_equal(line, "a\0b\n", 5);
     free(line);
     fclose(file);
@@ -74,7 +74,7 @@ static void a_line_longer_than_the_first_room_is_whole(void **state)
         putc('a' + i % 26, file);
     }
     rewind(file);
-    assert_int_equal(line_read(&line, &size, 5000, file), 1000);
+    assert_int_equal(text_line_read(&line, &size, 5000, file), 1000);
     for (int i = 0; i < 1000; i++) {
         assert_int_equal(line[i], 'a' + i % 26);
     }
@@ -89,7 +89,7 @@ static void a_directory_is_an_error(void **state)
     size_t size = 0;
     FILE *const file = fopen("/", "r");
     assert_non_null(file);
-    assert_int_equal(line_read(&line, &size, 100, file), -1);
+    assert_int_equal(text_line_read(&line, &size, 100, file), -1);
     assert_false(feof(file));
     free(line);
     fclose(file);

@@ -1,6 +1,6 @@
-/* texture_make: pictures as textures for the renderer. */
-#ifndef TEXTURE_MAKE_H
-#define TEXTURE_MAKE_H
+/* model_texture: pictures as textures for the renderer. */
+#ifndef MODEL_TEXTURE_H
+#define MODEL_TEXTURE_H
 
 #include "demo.h"
 #include "ppm.h"
@@ -11,6 +11,6 @@
  * Resamples picture (by the mean of the pixels that a texel covers) to the next power of two of each side, at most
  * 1024. Repeats. PH_ERR_NOMEM: the arena is full.
  */
-int texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture);
+int model_texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture);
 
 #endif

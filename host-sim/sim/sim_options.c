@@ -1,4 +1,4 @@
-#include "options.h"
+#include "sim_options.h"
 
 #include "complain.h"
 #include "option_table.h"
@@ -15,32 +15,32 @@
 
 static bool set_size(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     return option_text_size(value, SIZE_LIMIT, &o->width, &o->height);
 }
 
 static bool set_frames(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
 }
 
 static bool set_start(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
 }
 
 static bool set_rotate(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     o->rotate_set = true;
     return option_text_turns(value, &o->rotate);
 }
 
 static bool set_band(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     uint32_t lines;
     if (!option_text_u32(value, 1, SIZE_LIMIT, &lines)) {
         return false;
@@ -52,7 +52,7 @@ static bool set_band(void *to, const char *value)
 /* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
 static bool set_camera(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     static const char *const keys[] = {"eye=", "target=", "up="};
     struct fx_vec3 *const vectors[] = {&o->eye, &o->target, &o->up};
     bool seen[3] = {false, false, false};
@@ -77,7 +77,7 @@ static bool set_camera(void *to, const char *value)
     }
 }
 
-static bool set_distance(struct options *o, fx_t *out, const char *value)
+static bool set_distance(struct sim_options *o, fx_t *out, const char *value)
 {
     const char *rest;
     o->projection_set = true;
@@ -86,25 +86,25 @@ static bool set_distance(struct options *o, fx_t *out, const char *value)
 
 static bool set_fov(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     return set_distance(o, &o->fov_deg, value) && o->fov_deg > 0 && o->fov_deg <= FX_INT(240);
 }
 
 static bool set_near(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     return set_distance(o, &o->near_z, value);
 }
 
 static bool set_far(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     return set_distance(o, &o->far_z, value);
 }
 
 static bool set_projection(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     static const char *const names[] = {"perspective", "frustum", "ortho", "fisheye"};
     char kind[16] = "";
     const size_t n = strcspn(value, "=");
@@ -121,33 +121,21 @@ static bool set_projection(void *to, const char *value)
 
 static bool set_convention(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     static const char *const names[] = {[PH_GL] = "gl", [PH_D3D] = "d3d", [PH_LMU] = "lmu", [PH_REVERSED] = "reversed"};
     const int convention = option_text_choice(value, names, 4);
     o->convention = (uint8_t)(convention & 3);
     return convention >= 0;
 }
 
-static const char *const depth_names[PH_DEPTH_FORMATS] = {
-    [PH_DEPTH_AUTO] = "auto",       [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",
-    [PH_DEPTH_FIXED24] = "fixed24", [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w"};
-
-const char *options_depth_name(uint8_t format)
-{
-    return depth_names[format];
-}
-
 static bool set_depth(void *to, const char *value)
 {
-    struct options *o = to;
-    const int format = option_text_choice(value, depth_names, PH_DEPTH_FORMATS);
-    o->depth = (uint8_t)(format >= 0 ? format : 0);
-    return format >= 0;
+    return option_text_depth(value, &((struct sim_options *)to)->depth);
 }
 
 static bool set_list(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     (void)value;
     o->action = OPTION_LIST;
     return true;
@@ -155,7 +143,7 @@ static bool set_list(void *to, const char *value)
 
 static bool set_help(void *to, const char *value)
 {
-    struct options *o = to;
+    struct sim_options *o = to;
     (void)value;
     o->action = OPTION_HELP;
     return true;
@@ -163,18 +151,18 @@ static bool set_help(void *to, const char *value)
 
 static const struct option_row rows[] = {
     {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows",
-     .at = offsetof(struct options, demo)},
+     .at = offsetof(struct sim_options, demo)},
     {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows",
-     .at = offsetof(struct options, view)},
+     .at = offsetof(struct sim_options, view)},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
-     .at = offsetof(struct options, model)},
-    {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct options, board)},
+     .at = offsetof(struct sim_options, model)},
+    {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},
     {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
     {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
      .set = set_frames},
     {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", .set = set_start},
     {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
-     "a directory, a file that ends in .ppm, or -", .at = offsetof(struct options, out)},
+     "a directory, a file that ends in .ppm, or -", .at = offsetof(struct sim_options, out)},
     {"rotate", "0|90|180|270",
      "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
      "        board's own by default. The glass is shown as you would then hold it, the picture upright: 90 and 270\n"
@@ -204,24 +192,24 @@ static const struct option_row rows[] = {
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .set = set_band},
     {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
-     .at = offsetof(struct options, overlay)},
+     .at = offsetof(struct sim_options, overlay)},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
-     .at = offsetof(struct options, crc)},
+     .at = offsetof(struct sim_options, crc)},
     {"keys", "FILE",
      "presses buttons: lines FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
      "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
-     "a file", .at = offsetof(struct options, keys)},
+     "a file", .at = offsetof(struct sim_options, keys)},
     {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
-     .at = offsetof(struct options, show_window)},
+     .at = offsetof(struct sim_options, show_window)},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
-     NULL, .at = offsetof(struct options, matrix)},
+     NULL, .at = offsetof(struct sim_options, matrix)},
     {"stats", NULL,
      "prints what each frame took, on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
      "        outside the view volume or between the pixels; clipped: cut at its border; drawn: listed (what was\n"
      "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
      "        wire, bus: bytes and time of the frame on the SPI bus",
-     NULL, .at = offsetof(struct options, stats)},
+     NULL, .at = offsetof(struct sim_options, stats)},
     {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL,
      .set = set_list},
     {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
@@ -229,7 +217,7 @@ static const struct option_row rows[] = {
 
 static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
-void options_help(void)
+void sim_options_help(void)
 {
     puts("pinhole-sim [options]: draws a scene through a display kit's driver into a model of its display\n"
          "controller, and shows what the glass shows.\n");
@@ -237,7 +225,7 @@ void options_help(void)
     puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
 }
 
-static int check_together(const struct options *o)
+static int check_together(const struct sim_options *o)
 {
     if (o->demo != NULL && o->model != NULL) {
         return complain(EXIT_USAGE, "--demo and --model exclude each other");
@@ -260,9 +248,9 @@ static int check_together(const struct options *o)
     return 0;
 }
 
-int options_read(struct options *o, int argc, char *const argv[])
+int sim_options_read(struct sim_options *o, int argc, char *const argv[])
 {
-    *o = (struct options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
+    *o = (struct sim_options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
         i = option_table_read(&table, o, argc, argv, i);
         if (i == 0) {
@@ -276,7 +264,7 @@ int options_read(struct options *o, int argc, char *const argv[])
 }
 
 /* half = distance tan(fov / 2), exact before its one rounding; saturates. */
-static fx_t half_height(const struct options *o, fx_t distance)
+static fx_t half_height(const struct sim_options *o, fx_t distance)
 {
     int32_t sine, cosine;
     fx_sincos_q30(fx_turn32_from_deg(o->fov_deg != 0 ? o->fov_deg : FOV_DEG) / 2, &sine, &cosine);
@@ -284,7 +272,7 @@ static fx_t half_height(const struct options *o, fx_t distance)
     return half > FX_MAX ? FX_MAX : (fx_t)half;
 }
 
-int options_projection(const struct options *o, uint16_t width, uint16_t height, struct ph_projection *p)
+int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p)
 {
     const fx_t n = o->near_z, f = o->far_z;
     if (o->projection == OPTION_PERSPECTIVE) {

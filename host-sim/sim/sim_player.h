@@ -1,16 +1,16 @@
 /*
- * player: one demo on one simulated kit. The picture has one way out, the one that it has on a real kit:
+ * sim_player: one demo on one simulated kit. The picture has one way out, the one that it has on a real kit:
  * demo -> bands -> panel driver -> HAL backend -> model of the controller -> what is seen on the glass.
  * The kit has the board's memory, not this machine's: what the board would have to leave out is left out here.
  */
-#ifndef PLAYER_H
-#define PLAYER_H
+#ifndef SIM_PLAYER_H
+#define SIM_PLAYER_H
 
 #include "runner.h"
 #include "ppm.h"
 #include "sim.h"
 
-struct player_setup {
+struct sim_player_setup {
     const struct board *board;
     unsigned rotation;    /* enum panel_rotation */
     uint16_t band_height; /* lines; more than the picture has: the whole picture */
@@ -23,8 +23,8 @@ struct player_setup {
 };
 
 /* Owns all its memory. */
-struct player {
-    struct player_setup setup;
+struct sim_player {
+    struct sim_player_setup setup;
     struct runner runner;
     struct hal hal;
     struct sim *sim;
@@ -35,24 +35,24 @@ struct player {
 };
 
 /* Powers the kit on and builds the scene. 0, or EXIT_FAILED when one line has said why. Close it in any case. */
-int player_open(struct player *p, const struct player_setup *setup);
+int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
 
 /* Gives the demo the buttons that the kit says are held, draws and sends frame number `frame`; p->picture is what is
  * seen then. 0, or EXIT_FAILED as above. */
-int player_frame(struct player *p, uint32_t frame);
+int sim_player_frame(struct sim_player *p, uint32_t frame);
 
 /* The camera with which frame number `frame` is drawn; the last one where the demo uses several.
  * 0, or EXIT_FAILED as above. */
-int player_camera(struct player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
+int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
 
 /* Time that the last frame took on the bus. */
-uint64_t player_bus_ns(const struct player *p);
+uint64_t sim_player_bus_ns(const struct sim_player *p);
 
 /* Prints what the last frame took, one line on stderr. */
-void player_print_stats(const struct player *p, uint32_t frame);
+void sim_player_print_stats(const struct sim_player *p, uint32_t frame);
 
 /* Turns the display off, prints the controller's complaints on stderr (one line each) and gives the memory back.
  * 0, or EXIT_FAILED if there were any. */
-int player_close(struct player *p);
+int sim_player_close(struct sim_player *p);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * matrix_print: the matrices of a camera as text, in the convention's way to write them (camera.h):
+ * sim_matrix: the matrices of a camera as text, in the convention's way to write them (camera.h):
  *
  *   view              a line with the matrix's name, then its four rows, numbers with single spaces between them
  *   1 0 0 0           world to camera coordinates
@@ -11,8 +11,8 @@
  *
  * Every number is the exact decimal of its Q16.16 (fx_to_text), so that reading it again gives the same bits.
  */
-#ifndef MATRIX_PRINT_H
-#define MATRIX_PRINT_H
+#ifndef SIM_MATRIX_H
+#define SIM_MATRIX_H
 
 #include "camera.h"
 
@@ -20,7 +20,7 @@
 
 /* 0, PH_ERR_INVAL for a fisheye, which has no matrix, or PH_ERR_RANGE where an element does not fit Q16.16; then
  * nothing is printed. */
-int matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
-                 uint16_t height, enum ph_convention convention);
+int sim_matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
+                     uint16_t height, enum ph_convention convention);
 
 #endif

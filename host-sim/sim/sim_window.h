@@ -1,27 +1,27 @@
 /*
- * window: the panel in a window of the desktop, the keyboard as the board's buttons. sdl/ does it with SDL2, nosdl/
+ * sim_window: the panel in a window of the desktop, the keyboard as the board's buttons. sdl/ does it with SDL2, nosdl/
  * says what to install; the Makefile picks.
  */
-#ifndef WINDOW_H
-#define WINDOW_H
+#ifndef SIM_WINDOW_H
+#define SIM_WINDOW_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-struct window;
+struct sim_window;
 
 /* A window for pictures of width x height, scaled up by the largest whole number at which it takes up to 3/4 of the
  * screen. 0, or EXIT_FAILED when one line has said why. */
-int window_open(struct window **window, const char *title, uint16_t width, uint16_t height);
+int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height);
 
 /* What was pressed since the last call or is held now, enum hal_button: the arrows, Enter or space as select.
  * False: the user has closed the window or pressed Esc. */
-bool window_buttons(const struct window *window, uint32_t *buttons);
+bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons);
 
 /* Shows a picture (RGB888 rows), frame_ns after the one before: a slower machine shows it at once. */
-void window_show(struct window *window, const uint8_t *rgb, uint64_t frame_ns);
+void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns);
 
 /* NULL does nothing. */
-void window_close(struct window *window);
+void sim_window_close(struct sim_window *window);
 
 #endif

@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700
 
-#include "depth_plot_gnuplot.h"
+#include "depth_gnuplot.h"
 
 #include "complain.h"
 
@@ -119,7 +119,7 @@ static int judge(int status, FILE *out, FILE *errors, char **picture, size_t *le
     return blame(errors);
 }
 
-int gnuplot_run(const char *script, char **picture, size_t *length)
+int depth_gnuplot_run(const char *script, char **picture, size_t *length)
 {
     FILE *const out = tmpfile(), *const errors = tmpfile();
     int status = EXIT_FAILED;
@@ -138,7 +138,7 @@ int gnuplot_run(const char *script, char **picture, size_t *length)
     return status;
 }
 
-bool gnuplot_is_here(void)
+bool depth_gnuplot_is_here(void)
 {
     FILE *const out = tmpfile();
     const int status = out != NULL ? run_child("", out, out) : -1;

@@ -1,11 +1,11 @@
 /* No SDL2 where this was built: there is no window to open, and what follows an open one is never called. */
-#include "window.h"
+#include "sim_window.h"
 
 #include "complain.h"
 
 #include <stddef.h>
 
-int window_open(struct window **window, const char *title, uint16_t width, uint16_t height)
+int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height)
 {
     (void)title;
     (void)width;
@@ -14,21 +14,21 @@ int window_open(struct window **window, const char *title, uint16_t width, uint1
     return complain(EXIT_FAILED, "--window: built without SDL2; install libsdl2-dev, then run make again");
 }
 
-bool window_buttons(const struct window *window, uint32_t *buttons)
+bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
 {
     (void)window;
     *buttons = 0;
     return false;
 }
 
-void window_show(struct window *window, const uint8_t *rgb, uint64_t frame_ns)
+void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns)
 {
     (void)window;
     (void)rgb;
     (void)frame_ns;
 }
 
-void window_close(struct window *window)
+void sim_window_close(struct sim_window *window)
 {
     (void)window;
 }

@@ -1,31 +1,31 @@
 /*
- * keys: a script of button presses for pinhole-sim, so that a walk through a scene can be repeated. A line is
+ * key_script: a script of button presses for pinhole-sim, so that a walk through a scene can be repeated. A line is
  *
  *   FRAME BUTTON[+BUTTON...] [COUNT]      # and whatever follows a number sign is a comment
  *
  * The buttons up, down, left, right and select are held from frame number FRAME on, COUNT frames long (1 by default);
  * lines add up, in any order. Spaces or tabs stand between the words.
  */
-#ifndef KEYS_H
-#define KEYS_H
+#ifndef KEY_SCRIPT_H
+#define KEY_SCRIPT_H
 
 #include <stddef.h>
 #include <stdint.h>
 
 struct key_press;
 
-struct keys {
+struct key_script {
     struct key_press *presses;
     size_t count;
 };
 
 /* Reads a script; path NULL: one without presses. 0; EXIT_FAILED: the file cannot be read; EXIT_USAGE: a line is wrong;
  * one line has said why. Free it in any case. */
-int keys_read(struct keys *keys, const char *path);
+int key_script_read(struct key_script *keys, const char *path);
 
 /* enum hal_button that are held during this frame. */
-uint32_t keys_at(const struct keys *keys, uint32_t frame);
+uint32_t key_script_at(const struct key_script *keys, uint32_t frame);
 
-void keys_free(struct keys *keys);
+void key_script_free(struct key_script *keys);
 
 #endif

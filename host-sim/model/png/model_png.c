@@ -1,10 +1,10 @@
-#include "png_in.h"
+#include "model_png.h"
 
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
 
-const char png_in_reason[] = "is a PNG that cannot be read: broken or too large";
+const char model_png_reason[] = "is a PNG that cannot be read: broken or too large";
 
 /* Alpha is dropped: nothing is transparent here. */
 static int finish(png_image *image, struct ppm *picture)
@@ -29,13 +29,13 @@ static int finish(png_image *image, struct ppm *picture)
     return result;
 }
 
-int png_in_file(const char *path, struct ppm *picture)
+int model_png_file(const char *path, struct ppm *picture)
 {
     png_image image = {.version = PNG_IMAGE_VERSION};
     return png_image_begin_read_from_file(&image, path) ? finish(&image, picture) : -1;
 }
 
-int png_in_memory(const void *bytes, size_t n, struct ppm *picture)
+int model_png_memory(const void *bytes, size_t n, struct ppm *picture)
 {
     png_image image = {.version = PNG_IMAGE_VERSION};
     return png_image_begin_read_from_memory(&image, bytes, n) ? finish(&image, picture) : -1;

@@ -1,10 +1,10 @@
 #define _POSIX_C_SOURCE 200809L /* strtok_r */
 
-#include "keys.h"
+#include "key_script.h"
 
 #include "complain.h"
 #include "hal.h"
-#include "line.h"
+#include "text_line.h"
 #include "option_text.h"
 
 #include <errno.h>
@@ -62,7 +62,7 @@ static int read_line(char *line, struct key_press *press)
 }
 
 /* Room for one more at keys->presses[keys->count]; twice as much as often as there is a power of two of them. */
-static bool make_room(struct keys *keys)
+static bool make_room(struct key_script *keys)
 {
     if ((keys->count & (keys->count - 1)) != 0) {
         return true;
@@ -76,7 +76,7 @@ static bool make_room(struct keys *keys)
     return true;
 }
 
-static int add_line(struct keys *keys, const char *path, unsigned number, char *line, size_t length)
+static int add_line(struct key_script *keys, const char *path, unsigned number, char *line, size_t length)
 {
     struct key_press press;
     const int found = strlen(line) == length ? read_line(line, &press) : -1;
@@ -95,9 +95,9 @@ static int add_line(struct keys *keys, const char *path, unsigned number, char *
     return 0;
 }
 
-int keys_read(struct keys *keys, const char *path)
+int key_script_read(struct key_script *keys, const char *path)
 {
-    *keys = (struct keys){NULL, 0};
+    *keys = (struct key_script){NULL, 0};
     if (path == NULL) {
         return 0;
     }
@@ -108,9 +108,9 @@ int keys_read(struct keys *keys, const char *path)
     char *line = NULL;
     size_t size = 0;
     int status = 0;
-    errno = 0; /* line_read says the end and an error alike */
+    errno = 0; /* text_line_read says the end and an error alike */
     for (unsigned number = 1; status == 0; number++) {
-        const ssize_t length = line_read(&line, &size, LINE_LIMIT, file);
+        const ssize_t length = text_line_read(&line, &size, LINE_LIMIT, file);
         if (length < 0) {
             break;
         }
@@ -124,7 +124,7 @@ int keys_read(struct keys *keys, const char *path)
     return status;
 }
 
-uint32_t keys_at(const struct keys *keys, uint32_t frame)
+uint32_t key_script_at(const struct key_script *keys, uint32_t frame)
 {
     uint32_t buttons = 0;
     for (size_t i = 0; i < keys->count; i++) {
@@ -134,8 +134,8 @@ uint32_t keys_at(const struct keys *keys, uint32_t frame)
     return buttons;
 }
 
-void keys_free(struct keys *keys)
+void key_script_free(struct key_script *keys)
 {
     free(keys->presses);
-    *keys = (struct keys){NULL, 0};
+    *keys = (struct key_script){NULL, 0};
 }

@@ -1,9 +1,10 @@
 /*
- * options: the command line of pinhole-sim. Every number is read strictly (no trailing garbage, no nan, no empty text,
- * nothing out of range); fixed-point ones by fx_from_text(), so that a camera means the same bits on every machine.
+ * sim_options: the command line of pinhole-sim. Every number is read strictly (no trailing garbage, no nan, no empty
+ * text, nothing out of range); fixed-point ones by fx_from_text(), so that a camera means the same bits on every
+ * machine.
  */
-#ifndef OPTIONS_H
-#define OPTIONS_H
+#ifndef SIM_OPTIONS_H
+#define SIM_OPTIONS_H
 
 #include "camera.h"
 
@@ -13,7 +14,7 @@
 enum option_action { OPTION_RUN, OPTION_LIST, OPTION_HELP };
 enum option_projection { OPTION_PERSPECTIVE, OPTION_FRUSTUM, OPTION_ORTHO, OPTION_FISHEYE };
 
-struct options {
+struct sim_options {
     enum option_action action;
     const char *demo;       /* NULL: none asked for */
     const char *view;       /* of the demo, or NULL */
@@ -41,19 +42,16 @@ struct options {
 };
 
 /* Reads the command line into *o. 0, or EXIT_USAGE when it was wrong and one line has said so. */
-int options_read(struct options *o, int argc, char *const argv[]);
-
-/* How --depth names a format (enum ph_depth_format). */
-const char *options_depth_name(uint8_t format);
+int sim_options_read(struct sim_options *o, int argc, char *const argv[]);
 
 /* Prints what --help prints. */
-void options_help(void);
+void sim_options_help(void);
 
 /*
  * The projection that was asked for, on a picture of width x height pixels. The volume of an orthographic one without
  * a window is as high as the field of view is at the camera's target (3 units away without --camera).
  * 0, or PH_ERR_INVAL for an impossible one.
  */
-int options_projection(const struct options *o, uint16_t width, uint16_t height, struct ph_projection *p);
+int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p);
 
 #endif

@@ -1,6 +1,6 @@
 #define _XOPEN_SOURCE 700 /* getpid, sigprocmask, SIGXCPU */
 
-#include "save.h"
+#include "file_save.h"
 
 #include "complain.h"
 
@@ -28,7 +28,7 @@ static int write_file(const char *name, int (*write)(FILE *file, const void *con
     return result;
 }
 
-int save_file(const char *path, int (*write)(FILE *file, const void *context), const void *context)
+int file_save(const char *path, int (*write)(FILE *file, const void *context), const void *context)
 {
     struct stat status;
     if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) { /* a pipe or device must stay what it is */
@@ -66,10 +66,10 @@ static int write_bytes(FILE *file, const void *context)
     return fwrite(text->bytes, 1, text->n, file) == text->n ? 0 : -1;
 }
 
-int save_bytes(const char *path, const void *bytes, size_t n)
+int file_save_bytes(const char *path, const void *bytes, size_t n)
 {
     const struct text text = {bytes, n};
-    return save_file(path, write_bytes, &text) == 0
+    return file_save(path, write_bytes, &text) == 0
                ? 0
                : complain(EXIT_FAILED, "%s: cannot be written: %s", path, strerror(errno));
 }

@@ -1,17 +1,17 @@
 #define _XOPEN_SOURCE 700 /* sigaction */
 
-#include "stop.h"
+#include "signal_stop.h"
 
 #include <stddef.h>
 
-volatile sig_atomic_t stop_signal;
+volatile sig_atomic_t signal_stop;
 
 static void note_signal(int number)
 {
-    stop_signal = number;
+    signal_stop = number;
 }
 
-void stop_catch(void)
+void signal_stop_catch(void)
 {
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     struct sigaction action = {.sa_handler = note_signal};
