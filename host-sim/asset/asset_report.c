@@ -1,6 +1,6 @@
 #include "asset.h"
-#include "runner.h"
 #include "model_texture.h"
+#include "runner.h"
 
 /* What lies beside the arrays, in bytes of a 32-bit target. */
 #define MESH_BYTES     44

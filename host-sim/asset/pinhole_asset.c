@@ -5,8 +5,8 @@
 #include "asset.h"
 #include "asset_options.h"
 #include "complain.h"
-#include "runner.h"
 #include "file_save.h"
+#include "runner.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 
 #include "complain.h"
 #include "hal.h"
-#include "text_line.h"
 #include "option_text.h"
+#include "text_line.h"
 
 #include <errno.h>
 #include <stdio.h>

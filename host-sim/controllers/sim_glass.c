@@ -2,8 +2,8 @@
  * See sim_model.h: the glasses, as their modules' data sheets describe them. This table is written on its own and must
  * not be made from hal/panels*.c, or an error there would pass.
  */
-#include "sim_model.h"
 #include "panels.h"
+#include "sim_model.h"
 
 #include <stdio.h>
 #include <string.h>

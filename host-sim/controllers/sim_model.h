@@ -1,5 +1,5 @@
 /*
- * sim_model: what the simulator's parts know of each other; for sim*.c and wire_replay.c only.
+ * sim_model: what the simulator's parts know of each other; for this folder only.
  *
  * A model sees bytes with their D/C line, the reset line and the clock, and answers what a place of the glass shows.
  */

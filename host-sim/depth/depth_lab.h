@@ -47,19 +47,10 @@ int depth_planes(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
 
-/* The perspective of the lab's camera. Its volume is possible: the options were checked. */
-struct ph_projection depth_lab_projection(const struct depth_lab *lab);
+/* The perspective of the lab's camera. 0, or PH_ERR_INVAL: no such volume (the options are checked for that). */
+int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection);
 
 /* Runs a command with its rows into memory: *csv is a string to free(), also after an error. Returns what run does. */
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);
-
-/*
- * Prints CSV as a table with aligned columns, remarks below it. headings: the columns' names for people, with commas
- * between them, as many as the CSV has (all of them say predicted or measured where that is a question), or NULL.
- */
-void depth_table_print(FILE *file, const char *csv, const char *headings);
-
-/* Takes the remarks out: what is left is CSV. */
-void depth_table_drop_remarks(char *csv);
 
 #endif

@@ -206,12 +206,6 @@ void depth_options_help(const struct depth_command *table, uint32_t count)
     puts("\n\nExit status: 0 done; 1 failed; 2 wrong usage.");
 }
 
-static int make_projection(const struct depth_lab *lab, struct ph_projection *projection)
-{
-    return ph_projection_perspective(projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
-                                     lab->near_z, lab->far_z);
-}
-
 static int check_together(const struct depth_lab *lab, const struct depth_command *command)
 {
     char text[FX_TEXT_SIZE];
@@ -225,7 +219,7 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
         }
     }
     struct ph_projection projection;
-    if (make_projection(lab, &projection) != 0) {
+    if (depth_lab_projection(lab, &projection) != 0) {
         return complain(EXIT_USAGE, "--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
@@ -277,11 +271,4 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         }
     }
     return check_together(lab, *command);
-}
-
-struct ph_projection depth_lab_projection(const struct depth_lab *lab)
-{
-    struct ph_projection projection = {.kind = PH_PERSPECTIVE};
-    make_projection(lab, &projection);
-    return projection;
 }

@@ -3,10 +3,10 @@
 
 #include "complain.h"
 #include "depth_budget_terms.h"
+#include "file_save.h"
 #include "option_text.h"
 #include "png_out.h"
 #include "progress.h"
-#include "file_save.h"
 
 #include <errno.h>
 #include <math.h>

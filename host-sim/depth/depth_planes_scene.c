@@ -20,7 +20,8 @@ int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab,
 {
     const size_t area = (size_t)lab->width * lab->height;
     const size_t vertices = 8 * ph_vertex_bytes, triangles = 8 * ph_triangle_bytes;
-    *canvas = (struct planes_canvas){.lab = lab, .view = ph_xform_identity, .projection = depth_lab_projection(lab)};
+    *canvas = (struct planes_canvas){.lab = lab, .view = ph_xform_identity};
+    depth_lab_projection(lab, &canvas->projection);
     char *memory = malloc(vertices + triangles + 8 + area * (4 + sizeof *canvas->pixels + 1));
     canvas->memory = memory;
     if (memory == NULL) {

@@ -1,11 +1,11 @@
-/* pinhole-depth plot: see depth_plot_kinds.h. */
 #define _XOPEN_SOURCE 700 /* open_memstream */
+
+#include "depth_plot.h"
 
 #include "complain.h"
 #include "depth_gnuplot.h"
-#include "depth_plot_kinds.h"
-#include "option_text.h"
 #include "file_save.h"
+#include "option_text.h"
 
 #include <stdlib.h>
 #include <string.h>

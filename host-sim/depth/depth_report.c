@@ -4,9 +4,10 @@
 #include "complain.h"
 #include "depth_budget_terms.h"
 #include "depth_gnuplot.h"
-#include "depth_plot_kinds.h"
-#include "lab_num.h"
+#include "depth_plot.h"
+#include "depth_table.h"
 #include "file_save.h"
+#include "lab_num.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -1,9 +1,5 @@
-#define _XOPEN_SOURCE 700 /* open_memstream */
+#include "depth_table.h"
 
-#include "complain.h"
-#include "depth_lab.h"
-
-#include <stdlib.h>
 #include <string.h>
 
 #define COLUMNS_MAX 24
@@ -72,22 +68,6 @@ void depth_table_print(FILE *file, const char *csv, const char *headings)
             fprintf(file, "%.*s\n", (int)strcspn(text, "\n"), text);
         }
     }
-}
-
-int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)
-{
-    size_t length;
-    struct depth_lab copy = *lab;
-    *csv = NULL;
-    copy.rows = open_memstream(csv, &length);
-    if (copy.rows == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
-    }
-    const int status = run(&copy);
-    if (fclose(copy.rows) != 0 && status == 0) {
-        return complain(EXIT_FAILED, "out of memory");
-    }
-    return status;
 }
 
 void depth_table_drop_remarks(char *csv)

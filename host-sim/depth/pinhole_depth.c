@@ -2,6 +2,7 @@
 
 #include "complain.h"
 #include "depth_options.h"
+#include "depth_table.h"
 #include "file_save.h"
 
 #include <stdlib.h>

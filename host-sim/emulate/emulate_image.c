@@ -1,8 +1,8 @@
-/* See emulate_qemu.h. ELF: System V Application Binary Interface, chapters 4 and 5; of what QEMU would run regardless.
+/* See emulate.h. ELF: System V Application Binary Interface, chapters 4 and 5; of what QEMU would run regardless.
  */
 #define _XOPEN_SOURCE 700
 
-#include "emulate_qemu.h"
+#include "emulate.h"
 
 #include "complain.h"
 
@@ -58,7 +58,7 @@ static int check(const char *path, FILE *in, uint64_t size, uint32_t flash)
     return check_segments(path, in, size, header, flash);
 }
 
-int emulate_check_image(const char *path, uint32_t flash)
+int emulate_image_check(const char *path, uint32_t flash)
 {
     struct stat file;
     if (stat(path, &file) == 0 && !S_ISREG(file.st_mode)) {

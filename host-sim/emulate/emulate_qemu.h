@@ -1,18 +1,6 @@
-/*
- * emulate_qemu: runs a firmware image in QEMU and steps it frame by frame through its log UART (the characters of
- * firmware/app/images/demos.c). Two machines:
- *
- *   lm3s6965evb    the picture is what QEMU's own model of the kit's SSD0323 shows (screendump); its buttons are real
- *   netduinoplus2  an STM32F405 without a display: the picture is what a controller's model (sim.h) makes of the
- *                  stores to SPI and pins, which QEMU's trace tells in order; buttons are pressed through the UART
- *
- * Functions return 0, or EXIT_FAILED when one line has said why.
- */
+/* emulate_qemu: QEMU, halted or running, over its monitor, the log UART and its trace. */
 #ifndef EMULATE_QEMU_H
 #define EMULATE_QEMU_H
-
-#include "board.h"
-#include "ppm.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -48,25 +36,5 @@ int emulate_qemu_check_line(const struct qemu *q);
 
 /* Ends it. EXIT_FAILED if it wrote anything but what every run of these machines writes to stderr. */
 int emulate_qemu_stop(struct qemu *q);
-
-/* ---- the machines ------------------------------------------------------------------------------- */
-
-struct key_script;
-
-struct emulation {
-    const struct board *board;
-    const char *image;
-    uint32_t frames;
-    const struct key_script *keys;
-    FILE *log;
-    void *context; /* frame's */
-    int (*frame)(void *context, uint32_t frame, const struct ppm *picture);
-};
-
-/* The ELF of a whole image that begins in the flash at that address: QEMU runs anything. */
-int emulate_check_image(const char *path, uint32_t flash);
-
-int emulate_screen(const struct emulation *e); /* lm3s6965evb */
-int emulate_trace(const struct emulation *e);  /* netduinoplus2 */
 
 #endif

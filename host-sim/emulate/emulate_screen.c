@@ -1,11 +1,11 @@
-/* QEMU's lm3s6965evb: the picture is its screen, four by four pixels for each of the panel's. See emulate_qemu.h. */
+/* QEMU's lm3s6965evb: the picture is its screen, four by four pixels for each of the panel's. See emulate.h. */
 #define _XOPEN_SOURCE 700
 
-#include "emulate_qemu.h"
+#include "emulate.h"
 
 #include "complain.h"
+#include "emulate_qemu.h"
 #include "hal.h"
-#include "key_script.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,18 +1,18 @@
 /*
- * QEMU's netduinoplus2, an STM32F405: what its trace tells of stores becomes events on wires (wire_events.h), these a
- * picture. See emulate_qemu.h.
+ * QEMU's netduinoplus2, an STM32F405: what its trace tells of stores becomes events on wires (wire_replay.h), these a
+ * picture. See emulate.h.
  *
  * The trace has no times. The image's SysTick interrupts are in it, one a millisecond as the image counts, and the time
  * of an event is how many of them came before.
  */
 #define _XOPEN_SOURCE 700
 
-#include "emulate_qemu.h"
+#include "emulate.h"
 
 #include "complain.h"
+#include "emulate_qemu.h"
 #include "hal.h"
-#include "key_script.h"
-#include "wire_events.h"
+#include "wire_replay.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -62,7 +62,7 @@ static int show(void *context, uint32_t frame, const uint8_t *rgb)
 static void resent(void *context, const char *complaint)
 {
     const struct trace *t = context;
-    if (wire_complaints(t->wire) == 1) {
+    if (wire_replay_complaints(t->wire) == 1) {
         complain(EXIT_FAILED, "%s", complaint);
     }
 }
@@ -83,7 +83,7 @@ static int flush(struct trace *t)
                                      .count = t->run_length};
     const bool any = t->run_length > 0;
     t->run_length = 0;
-    return any ? wire_event(t->wire, &event) : 0;
+    return any ? wire_replay_event(t->wire, &event) : 0;
 }
 
 static int send_byte(struct trace *t, uint8_t byte)
@@ -98,7 +98,7 @@ static int move_pins(struct trace *t, uint32_t port, uint32_t value)
     t->levels &= ~((uint64_t)(value >> 16) << (32 * port));
     t->levels |= (uint64_t)(value & 0xFFFF) << (32 * port);
     const struct wire_event event = {.kind = WIRE_LEVEL, .time_ns = t->ticks * TICK_NS, .levels = t->levels};
-    return status == 0 ? wire_event(t->wire, &event) : status;
+    return status == 0 ? wire_replay_event(t->wire, &event) : status;
 }
 
 /* Asks for the next frame, with the buttons that the script wants during it. */
@@ -192,7 +192,7 @@ static int run(struct trace *t)
         } else {
             status = take_line(t, line);
         }
-        if (status == 0 && wire_complaints(t->wire) > 0) {
+        if (status == 0 && wire_replay_complaints(t->wire) > 0) {
             status = EXIT_FAILED;
         }
     }
@@ -214,9 +214,9 @@ int emulate_trace(const struct emulation *e)
                                        .frame = show,
                                        .resent = resent};
     t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
-    t.wire = wire_open(&config);
+    t.wire = wire_replay_open(&config);
     if (t.picture.rgb == NULL || t.wire == NULL) {
-        wire_close(t.wire);
+        wire_replay_close(t.wire);
         free(t.picture.rgb);
         return complain(EXIT_FAILED, "not enough memory, or no model of the board's controller");
     }
@@ -226,7 +226,7 @@ int emulate_trace(const struct emulation *e)
         status = run(&t);
     }
     const int stopped = emulate_qemu_stop(&t.q);
-    wire_close(t.wire);
+    wire_replay_close(t.wire);
     free(t.picture.rgb);
     return status != 0 ? status : stopped;
 }

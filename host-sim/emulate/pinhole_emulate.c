@@ -1,10 +1,9 @@
-/* pinhole-emulate: runs a firmware image in QEMU and shows what its panel shows. See emulate_qemu.h. */
+/* pinhole-emulate: runs a firmware image in QEMU and shows what its panel shows. See emulate.h. */
 
 #include "complain.h"
 #include "crc32.h"
-#include "emulate_qemu.h"
+#include "emulate.h"
 #include "frame_out.h"
-#include "key_script.h"
 #include "option_table.h"
 #include "option_text.h"
 
@@ -93,7 +92,7 @@ static int run(struct request *r)
                           .log = r->log ? stderr : NULL,
                           .context = r,
                           .frame = show};
-    int status = emulate_check_image(r->image, r->machine == 0 ? 0 : 0x08000000);
+    int status = emulate_image_check(r->image, r->machine == 0 ? 0 : 0x08000000);
     if (status == 0) {
         status = key_script_read(&keys, r->keys);
     }

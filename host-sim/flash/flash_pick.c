@@ -1,6 +1,7 @@
-/* See flash_usb.h. */
+/* See flash_pick.h. */
+#include "flash_pick.h"
+
 #include "flash_image.h"
-#include "flash_usb.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* See flash_image.h. */
-#include "flash_image.h"
+/* See flash_uf2.h. */
+#include "flash_uf2.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

@@ -21,10 +21,6 @@ struct flash_board {
 /* Those that are there: how many, at most FLASH_BOARDS_MAX. */
 int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX]);
 
-/* Index of the board that is meant (serial: its number, or BUS:ADDRESS; NULL: the only one), or -1 with a line in error
- * (FLASH_ERROR_SIZE). */
-int flash_pick(const struct flash_board *boards, int count, const char *serial, char *error);
-
 /* Claims the board's PICOBOOT interface. */
 struct flash_usb;
 int flash_usb_open(struct flash_usb **usb, const struct flash_board *board);

@@ -1,11 +1,12 @@
 /* pinhole-flash: an image into the flash of an RP2040 that is in its USB boot loader. See flash_job.h. */
 
 #include "complain.h"
+#include "flash_file.h"
 #include "flash_job.h"
-#include "flash_usb.h"
+#include "flash_pick.h"
 #include "option_table.h"
-#include "signal_stop.h"
 #include "progress.h"
+#include "signal_stop.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -130,7 +131,7 @@ static int run(const struct request *r)
     struct flash_board boards[FLASH_BOARDS_MAX];
     struct flash_image image = {.sectors = 0};
     char error[FLASH_ERROR_SIZE];
-    if (r->path != NULL && flash_image_read(&image, r->path, error) != 0) {
+    if (r->path != NULL && flash_file_read(&image, r->path, error) != 0) {
         return complain(EXIT_FAILED, "%s: %s", r->path, error);
     }
     const int count = flash_usb_list(boards);

@@ -8,12 +8,12 @@
 #include "crc32.h"
 #include "frame_out.h"
 #include "key_script.h"
-#include "sim_matrix.h"
 #include "model.h"
-#include "sim_options.h"
-#include "sim_player.h"
 #include "progress.h"
 #include "signal_stop.h"
+#include "sim_matrix.h"
+#include "sim_options.h"
+#include "sim_player.h"
 #include "sim_window.h"
 
 #include <signal.h>

@@ -6,8 +6,8 @@
 #ifndef SIM_PLAYER_H
 #define SIM_PLAYER_H
 
-#include "runner.h"
 #include "ppm.h"
+#include "runner.h"
 #include "sim.h"
 
 struct sim_player_setup {

@@ -7,9 +7,9 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
-#include "text_line.h"
 #include "option_table.h"
 #include "option_text.h"
+#include "text_line.h"
 #include "wire_events.h"
 
 #include <errno.h>
@@ -185,7 +185,7 @@ static int replay_line(struct wire *w, char *line, size_t length, const char *na
     if (parsed < 0) {
         return complain(EXIT_FAILED, "%s, line %u: %s", name, number, error);
     }
-    return parsed > 0 ? wire_event(w, &event) : 0;
+    return parsed > 0 ? wire_replay_event(w, &event) : 0;
 }
 
 static int replay(struct wire *w, FILE *in, const char *name)
@@ -205,24 +205,24 @@ static int replay(struct wire *w, FILE *in, const char *name)
     if (status == 0 && !feof(in)) {
         status = complain(EXIT_FAILED, "%s: cannot be read: %s", name, strerror(errno));
     }
-    return status != 0 ? status : wire_end(w);
+    return status != 0 ? status : wire_replay_end(w);
 }
 
 static int run_file(struct request *r, FILE *in, const char *name)
 {
-    struct wire *w = wire_open(&r->wire);
+    struct wire *w = wire_replay_open(&r->wire);
     if (w == NULL) {
         return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", r->board.name);
     }
     int status = replay(w, in, name);
-    const uint32_t complaints = wire_complaints(w);
+    const uint32_t complaints = wire_replay_complaints(w);
     if (status == 0 && complaints != 0) {
         status = complain(EXIT_FAILED, "%s: the panel resents %u thing%s", name, (unsigned)complaints,
                           complaints == 1 ? "" : "s");
-    } else if (status == 0 && wire_frames(w) == 0) {
+    } else if (status == 0 && wire_replay_frames(w) == 0) {
         status = complain(EXIT_FAILED, "%s: no complete picture was seen", name);
     }
-    wire_close(w);
+    wire_replay_close(w);
     return status;
 }
 

@@ -230,8 +230,8 @@ static void leaning_quads_are_off_by_no_more_than_their_corners(void **state)
         const double lean = (i & 2 ? 1 : -1) * exp(ref_uniform(log(1e-4), log(.8))),
                      miss = miss_of(&b, w, lean, ref_uniform(3, 12), &allowed);
         if (miss > allowed) {
-            fail_msg("%s at %g leaning %g: off by %g, allowed %g", option_text_depth_name((uint8_t)format), w * LSB, lean,
-                     miss, allowed);
+            fail_msg("%s at %g leaning %g: off by %g, allowed %g", option_text_depth_name((uint8_t)format), w * LSB,
+                     lean, miss, allowed);
         }
         rig_close(&b.rig);
     }

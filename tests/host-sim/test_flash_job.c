@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "flash_file.h"
 #include "flash_job.h"
 #include "uf2_make.h"
 
@@ -182,7 +183,7 @@ static void make_image(uint32_t n)
     char error[FLASH_ERROR_SIZE];
     flash_image_free(&image);
     uf2_make_bin(bin, n, 7);
-    assert_int_equal(flash_image_parse(&image, bin, n, error), 0);
+    assert_int_equal(flash_file_parse(&image, bin, n, error), 0);
 }
 
 /* Another image's flash, and the board as if it were just plugged in. */
@@ -276,7 +277,7 @@ static void sectors_that_the_image_leaves_out_stay(void **state)
     uf2_make(blocks, bin, IMAGE_BYTES);
     uf2_put(blocks + (IMAGE_BYTES / 256 - 1) * UF2_BLOCK + UF2_ADDRESS, 0x10080100); /* its last page elsewhere */
     flash_image_free(&image);
-    assert_int_equal(flash_image_parse(&image, blocks, sizeof blocks, error), 0);
+    assert_int_equal(flash_file_parse(&image, blocks, sizeof blocks, error), 0);
     assert_int_equal(run(true, true, NULL), 0);
     assert_memory_equal(flash, bin, 3 * 4096);
     assert_memory_equal(flash + 3 * 4096, before + 3 * 4096, 0x80000 - 3 * 4096);

@@ -5,7 +5,7 @@
 #include <cmocka.h>
 
 #include "flash_image.h"
-#include "flash_usb.h"
+#include "flash_pick.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,6 @@
-#include "model_read.h"
+#include "model_camera.h"
+
+#include "model_places.h"
 
 #include <assimp/camera.h>
 
@@ -13,7 +15,7 @@
 static bool find_node(const struct aiNode *node, const char *name, double parent[3][4], double place[3][4])
 {
     double here[3][4];
-    model_place_multiply(here, parent, &node->mTransformation);
+    model_places_multiply(here, parent, &node->mTransformation);
     if (strcmp(node->mName.data, name) == 0) {
         memcpy(place, here, sizeof here);
         return true;
@@ -104,7 +106,7 @@ static bool read_lens(const struct aiCamera *from, const struct model_fit *fit, 
     return lens->scale_y_q20 > 0 && (lens->scale_x_q20 > 0 || !(from->mAspect > 0)) && lens->far_z > lens->near_z;
 }
 
-void model_read_camera(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit)
+void model_camera_read(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit)
 {
     double world[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, place[3][4];
     struct model *model = &shared->model;
@@ -113,16 +115,16 @@ void model_read_camera(struct model_shared *shared, const struct aiScene *scene,
     }
     const struct aiCamera *from = scene->mCameras[0];
     if (scene->mNumCameras > 1) {
-        model_read_note(shared, "of %u cameras the first is used", scene->mNumCameras);
+        model_shared_note(shared, "of %u cameras the first is used", scene->mNumCameras);
     }
     if (!find_node(scene->mRootNode, from->mName.data, world, place)) {
-        model_read_note(shared, "camera %.100s stands in no node and is ignored", from->mName.data);
+        model_shared_note(shared, "camera %.100s stands in no node and is ignored", from->mName.data);
         return;
     }
     model->camera = (struct demo_eye){.lens = {.kind = PH_PERSPECTIVE}};
     model->has_camera = read_view(from, place, fit, &model->camera.view) &&
                         read_lens(from, fit, -model->camera.view.t.z / (double)FX_ONE, &model->camera.lens);
     if (!model->has_camera) {
-        model_read_note(shared, "camera %.100s does not see the model, and is ignored", from->mName.data);
+        model_shared_note(shared, "camera %.100s does not see the model, and is ignored", from->mName.data);
     }
 }

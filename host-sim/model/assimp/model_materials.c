@@ -1,4 +1,4 @@
-#include "model_read.h"
+#include "model_materials.h"
 
 #include "model_png.h"
 #include "model_texture.h"
@@ -57,7 +57,7 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-void model_note_missing_mtl(struct model_shared *shared, const char *model_path)
+void model_materials_note_missing(struct model_shared *shared, const char *model_path)
 {
     static const char keyword[] = "mtllib ";
     char line[1024], path[PATH_BYTES];
@@ -70,7 +70,7 @@ void model_note_missing_mtl(struct model_shared *shared, const char *model_path)
         line[strcspn(line, "\r\n")] = '\0';
         FILE *file = beside(path, model_path, name) ? fopen(path, "r") : NULL;
         if (file == NULL) {
-            model_read_note(shared, "materials %.100s cannot be opened", name);
+            model_shared_note(shared, "materials %.100s cannot be opened", name);
         } else {
             fclose(file);
         }
@@ -140,20 +140,20 @@ static const struct ph_texture *read_texture(struct model_shared *shared, const 
     struct ppm picture;
     const char *why = load_picture(scene, model_path, name.data, &picture);
     if (why != NULL) {
-        model_read_note(shared, "texture %.100s is left out: it %s", name.data, why);
+        model_shared_note(shared, "texture %.100s is left out: it %s", name.data, why);
         return NULL;
     }
     struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
     const int status = texture != NULL ? model_texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
     free(picture.rgb);
     if (status != 0) {
-        model_read_note(shared, "texture %.100s is left out: no memory", name.data);
+        model_shared_note(shared, "texture %.100s is left out: no memory", name.data);
         return NULL;
     }
     const unsigned width = 1u << texture->log2_width, height = 1u << texture->log2_height;
     if (width != picture.width || height != picture.height) {
-        model_read_note(shared, "texture %.100s is resized from %ux%u to %ux%u", name.data, (unsigned)picture.width,
-                        (unsigned)picture.height, width, height);
+        model_shared_note(shared, "texture %.100s is resized from %ux%u to %ux%u", name.data, (unsigned)picture.width,
+                          (unsigned)picture.height, width, height);
     }
     texture->wrap = wrap_of(from, type);
     return texture;
@@ -187,7 +187,7 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
     }
     aiGetMaterialIntegerArray(from, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     if (is_transparent(from)) {
-        model_read_note(shared, "transparency is ignored");
+        model_shared_note(shared, "transparency is ignored");
     }
     const uint8_t r = channel(c.r, is_linear), g = channel(c.g, is_linear), b = channel(c.b, is_linear);
     ph_material_ramp(ramp, r, g, b, GLOSS);
@@ -203,7 +203,7 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
     return true;
 }
 
-struct ph_material *model_read_materials(struct model_shared *shared, const struct aiScene *scene, const char *path,
+struct ph_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path,
                                          bool is_linear)
 {
     struct ph_material *materials = demo_alloc(&shared->arena, sizeof *materials * scene->mNumMaterials);

@@ -1,5 +1,8 @@
 #include "model_read.h"
 
+#include "model_materials.h"
+#include "model_meshes.h"
+
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -7,33 +10,10 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #define CREASE_DEGREES 66 /* edges sharper than this stay sharp when normals are made */
-
-bool model_read_failed(struct model_shared *shared, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(shared->error, sizeof shared->error, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
-void model_read_note(struct model_shared *shared, const char *format, ...)
-{
-    char text[sizeof shared->note];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    const size_t used = strlen(shared->note);
-    if (strstr(shared->note, text) == NULL && used + strlen(text) + 3 <= sizeof shared->note) {
-        snprintf(shared->note + used, sizeof shared->note - used, "%s%s", used > 0 ? "; " : "", text);
-    }
-}
 
 static bool has_suffix(const char *path, const char *suffix)
 {
@@ -181,7 +161,7 @@ static void mend_gltf_cameras(const struct aiScene *scene)
     }
 }
 
-/* glTF asks for flat shading where a file has no normals, and PLY says nothing: model_read_meshes makes those. */
+/* glTF asks for flat shading where a file has no normals, and PLY says nothing: model_meshes_read makes those. */
 static bool is_flat_without_normals(const char *path)
 {
     return has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
@@ -220,21 +200,21 @@ bool model_read(struct model_shared *shared, const char *path)
     const bool is_stl = has_suffix(path, ".stl");
     const bool is_linear = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
     if (is_endless_ply(path)) {
-        return model_read_failed(shared, "is broken: a PLY header without its end");
+        return model_shared_failed(shared, "is broken: a PLY header without its end");
     }
     const struct aiScene *scene = import(path, is_stl);
     if (scene == NULL) {
-        return model_read_failed(shared, "is no model that can be read: %s", aiGetErrorString());
+        return model_shared_failed(shared, "is no model that can be read: %s", aiGetErrorString());
     }
     const uint64_t count = scene->mRootNode != NULL ? count_triangles(scene, scene->mRootNode) : 0;
     if (count == 0) {
-        return model_read_failed(shared, "has no triangles");
+        return model_shared_failed(shared, "has no triangles");
     }
     if (count > MODEL_TRIANGLES_MAX) {
-        return model_read_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
+        return model_shared_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
     }
     if (has_stray_index(scene)) {
-        return model_read_failed(shared, "is broken: a face has a vertex that is not there");
+        return model_shared_failed(shared, "is broken: a face has a vertex that is not there");
     }
     if (is_linear) {
         mend_gltf_cameras(scene);
@@ -242,20 +222,20 @@ bool model_read(struct model_shared *shared, const char *path)
     scale_to_reason(scene);
     scene = aiApplyPostProcessing(scene, steps(scene, is_stl, is_flat_without_normals(path)));
     if (scene == NULL) {
-        return model_read_failed(shared, "is broken: %s", aiGetErrorString());
+        return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
     }
     if (has_suffix(path, ".obj")) {
-        model_note_missing_mtl(shared, path);
+        model_materials_note_missing(shared, path);
     }
     if (scene->mNumLights > 0) {
-        model_read_note(shared, "lights are ignored");
+        model_shared_note(shared, "lights are ignored");
     }
     if (scene->mNumAnimations > 0) {
-        model_read_note(shared, "animations are ignored");
+        model_shared_note(shared, "animations are ignored");
     }
-    const struct ph_material *materials = model_read_materials(shared, scene, path, is_linear);
+    const struct ph_material *materials = model_materials_read(shared, scene, path, is_linear);
     if (materials == NULL) {
-        return model_read_failed(shared, "needs too much memory");
+        return model_shared_failed(shared, "needs too much memory");
     }
-    return model_read_meshes(shared, scene, materials);
+    return model_meshes_read(shared, scene, materials);
 }

@@ -1,5 +1,5 @@
-/* See wire_events.h. */
-#include "wire_events.h"
+/* See wire_replay.h. */
+#include "wire_replay.h"
 
 #include "sim_model.h"
 
@@ -339,7 +339,7 @@ static void transfer(struct wire *w, const struct wire_event *event)
     set_levels(w, event->levels_at_end);
 }
 
-int wire_event(struct wire *w, const struct wire_event *event)
+int wire_replay_event(struct wire *w, const struct wire_event *event)
 {
     if (event->kind != WIRE_NAME && event->kind != WIRE_NOTE) {
         time_passes(w, event->time_ns);
@@ -371,7 +371,7 @@ int wire_event(struct wire *w, const struct wire_event *event)
     return w->status;
 }
 
-int wire_end(struct wire *w)
+int wire_replay_end(struct wire *w)
 {
     const bool rest = w->config.idle_ns != 0 && w->shown_pixels != w->sim->counters.pixels && is_seen(w->sim);
     if (w->pending || rest || (w->config.last && is_seen(w->sim))) {
@@ -384,17 +384,17 @@ int wire_end(struct wire *w)
     return w->status;
 }
 
-uint32_t wire_complaints(const struct wire *w)
+uint32_t wire_replay_complaints(const struct wire *w)
 {
     return w->complaints;
 }
 
-uint32_t wire_frames(const struct wire *w)
+uint32_t wire_replay_frames(const struct wire *w)
 {
     return w->frames;
 }
 
-struct wire *wire_open(const struct wire_config *config)
+struct wire *wire_replay_open(const struct wire_config *config)
 {
     const struct panel *panel = config->board->panel;
     struct wire *w = calloc(1, sizeof *w);
@@ -408,13 +408,13 @@ struct wire *wire_open(const struct wire_config *config)
         w->bit[i] = -1;
     }
     if (w->sim == NULL || w->rgb == NULL) {
-        wire_close(w);
+        wire_replay_close(w);
         return NULL;
     }
     return w;
 }
 
-void wire_close(struct wire *w)
+void wire_replay_close(struct wire *w)
 {
     if (w != NULL) {
         sim_close(w->sim);
