@@ -51,13 +51,13 @@ struct asset {
 /* False: this program was built without meshoptimizer, and nothing is simplified. */
 extern const bool asset_can_simplify;
 
-/* 0, or EXIT_FAILED when one line has said why. Where a model cannot be simplified so far more triangles remain. */
+/* 0, or COMPLAINED when one line has said why. Where a model cannot be simplified so far more triangles remain. */
 int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits);
 void asset_free(struct asset *asset);
 
 /*
  * Draws the scene from many sides, and from as near and as far as the buttons lead, and raises asset->listed to the
- * longest list of triangles, with a sixteenth to spare. 0, or EXIT_FAILED as above.
+ * longest list of triangles, with a sixteenth to spare. 0, or COMPLAINED as above.
  */
 int asset_measure(struct asset *asset, const struct board *board);
 
@@ -86,7 +86,7 @@ uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
 /* The C file: the same bytes for the same asset. Errors are the stream's. */
 void asset_write(FILE *file, const struct asset *asset);
 
-/* What it takes; of one board, or (NULL) of all. 0, or EXIT_FAILED as above. */
+/* What it takes; of one board, or (NULL) of all. 0, or COMPLAINED as above. */
 int asset_report(FILE *file, const struct asset *asset, const struct board *board);
 
 #endif

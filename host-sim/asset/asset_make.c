@@ -162,7 +162,7 @@ int asset_keep_all(const struct model *model, struct asset_rest *rest)
         }
         first += mesh->vertex_count;
     }
-    return rest->indices != NULL ? 0 : complain(EXIT_FAILED, "not enough memory for the model");
+    return rest->indices != NULL ? 0 : complain("not enough memory for the model");
 }
 
 /* ---- textures ------------------------------------------------------------------------------------------- */
@@ -271,8 +271,8 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     return asset->model.meshes != NULL && asset->materials != NULL && make_meshes(asset, &arena, model, rest) &&
                    shrink_textures(asset, &arena, limits->texture_log2)
                ? 0
-               : complain(EXIT_FAILED, "not enough memory for the model, or too many vertices in one mesh; simplify it "
-                                       "(--max-triangles)");
+               : complain("not enough memory for the model, or too many vertices in one mesh; simplify it "
+                          "(--max-triangles)");
 }
 
 int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits)
@@ -290,8 +290,7 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
     int status = model->triangle_count > limits->triangles ? asset_simplify(model, limits->triangles, &rest)
                                                            : asset_keep_all(model, &rest);
     if (status == 0 && rest.index_count == 0) {
-        status =
-            complain(EXIT_FAILED, "no triangle remains of the model; it has none with an area, or too few are allowed");
+        status = complain("no triangle remains of the model; it has none with an area, or too few are allowed");
     }
     if (status == 0) {
         status = make(asset, model, limits, &rest);

@@ -32,10 +32,10 @@ struct asset_rest {
     double error; /* as struct asset */
 };
 
-/* All triangles. 0, or EXIT_FAILED when one line has said why. */
+/* All triangles. 0, or COMPLAINED when one line has said why. */
 int asset_keep_all(const struct model *model, struct asset_rest *rest);
 
-/* At most `triangles` of them; more where that is not to be had. 0, or EXIT_FAILED as above. */
+/* At most `triangles` of them; more where that is not to be had. 0, or COMPLAINED as above. */
 int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest);
 
 /*

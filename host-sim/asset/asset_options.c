@@ -85,16 +85,16 @@ static int check(const struct asset_options *o)
         return 0;
     }
     if (o->model == NULL) {
-        return complain(EXIT_USAGE, "no model named (see --help)");
+        return complain_usage("no model named (see --help)");
     }
     if (o->fit && o->board == NULL) {
-        return complain(EXIT_USAGE, "--max-triangles fit: fit what? name a --board");
+        return complain_usage("--max-triangles fit: fit what? name a --board");
     }
     if (o->out == NULL && !o->report) {
-        return complain(EXIT_USAGE, "nothing to do: give -o FILE.c or --report (see --help)");
+        return complain_usage("nothing to do: give -o FILE.c or --report (see --help)");
     }
     if (o->report && o->out != NULL && strcmp(o->out, "-") == 0) {
-        return complain(EXIT_USAGE, "--report and -o - both want stdout; give -o a file");
+        return complain_usage("--report and -o - both want stdout; give -o a file");
     }
     return 0;
 }
@@ -106,16 +106,16 @@ int asset_options_read(struct asset_options *o, int argc, char *const argv[])
     for (int i = 1; i < argc;) {
         if (strcmp(argv[i], "-o") == 0) {
             if (i + 1 == argc || !set_out(o, argv[i + 1])) {
-                return complain(EXIT_USAGE, "-o needs a value: FILE.c");
+                return complain_usage("-o needs a value: FILE.c");
             }
             i += 2;
         } else if (argv[i][0] == '-') {
             i = option_table_read(&table, o, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
+            if (i < 0) {
+                return i;
             }
         } else if (o->model != NULL) {
-            return complain(EXIT_USAGE, "'%s': one model at a time, and %s is named already", argv[i], o->model);
+            return complain_usage("'%s': one model at a time, and %s is named already", argv[i], o->model);
         } else {
             o->model = argv[i++];
         }

@@ -61,8 +61,7 @@ static int refuse_textures(const struct asset *asset, const struct asset_options
         log2--;
     }
     const uint32_t side = 1u << log2;
-    return complain(EXIT_FAILED,
-                    "%s: its textures take %llu of the %u bytes that the flash has for it; --texture-size %u "
+    return complain("%s: its textures take %llu of the %u bytes that the flash has for it; --texture-size %u "
                     "has room (make: SCENE_TEXTURE=%u)",
                     o->model, (unsigned long long)texture_bytes(asset), (unsigned)o->flash_bytes, (unsigned)side,
                     (unsigned)side);
@@ -124,11 +123,11 @@ static int make_fitting(struct asset *asset, const struct model *model, const st
 static void tell(const struct asset *asset, const struct asset_options *o)
 {
     if (o->fit && asset->way != ASSET_WHOLE) {
-        complain(EXIT_DONE,
-                 "%s: %u of its %u triangles have room on %s%s; it was simplified, its surface moved by about %.2g %% "
-                 "of its radius",
-                 o->model, (unsigned)asset->model.triangle_count, (unsigned)asset->triangles_read, o->board->name,
-                 asset->is_bare ? ", without a platter" : "", 100 * asset->error);
+        complain_note(
+            "%s: %u of its %u triangles have room on %s%s; it was simplified, its surface moved by about %.2g %% "
+            "of its radius",
+            o->model, (unsigned)asset->model.triangle_count, (unsigned)asset->triangles_read, o->board->name,
+            asset->is_bare ? ", without a platter" : "", 100 * asset->error);
     }
 }
 
@@ -151,15 +150,14 @@ static int refuse(const struct asset *asset, const struct model *model, const st
                  (unsigned)runner_budget(o->board));
     }
     struct asset smaller = {.memory = NULL};
-    const int status = o->fit ? EXIT_FAILED : make_fitting(&smaller, model, o);
+    const int status = o->fit ? COMPLAINED : make_fitting(&smaller, model, o);
     const bool is_small = status == 0 && fits(&smaller, o);
     const unsigned fewer = (unsigned)smaller.model.triangle_count;
     asset_free(&smaller);
-    return is_small ? complain(EXIT_FAILED,
-                               "%s: its %u triangles %s; %u fit: --max-triangles fit (make: "
+    return is_small ? complain("%s: its %u triangles %s; %u fit: --max-triangles fit (make: "
                                "SCENE_TRIANGLES=fit)",
                                o->model, triangles, need, fewer)
-                    : complain(EXIT_FAILED, "%s: its %u triangles %s; %s", o->model, triangles, need,
+                    : complain("%s: its %u triangles %s; %s", o->model, triangles, need,
                                asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
 }
 
@@ -169,14 +167,14 @@ static int save(const struct asset *asset, const char *path)
     size_t length = 0;
     FILE *file = open_memstream(&text, &length);
     if (file == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for the C file");
+        return complain("not enough memory for the C file");
     }
     asset_write(file, asset);
     const bool is_whole = ferror(file) == 0;
     const bool is_closed = fclose(file) == 0;
     int status = 0;
     if (!is_whole || !is_closed) {
-        status = complain(EXIT_FAILED, "not enough memory for the C file");
+        status = complain("not enough memory for the C file");
     } else if (strcmp(path, "-") == 0) {
         fwrite(text, 1, length, stdout);
     } else {
@@ -191,9 +189,8 @@ static int run_on(const struct model *model, const struct asset_options *o)
     struct asset asset = {.memory = NULL};
     int status = o->fit ? make_fitting(&asset, model, o) : make(&asset, model, o, o->triangles, false);
     if (status == 0 && asset.model.triangle_count > o->triangles) {
-        status = complain(EXIT_FAILED, "%s: %u of its triangles remain, not %u; %s", o->model,
-                          (unsigned)asset.model.triangle_count, (unsigned)o->triangles,
-                          asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
+        status = complain("%s: %u of its triangles remain, not %u; %s", o->model, (unsigned)asset.model.triangle_count,
+                          (unsigned)o->triangles, asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
     }
     if (status == 0 && !fits(&asset, o)) {
         status = refuse(&asset, model, o);
@@ -219,7 +216,7 @@ static int run(const struct asset_options *o)
         return status;
     }
     if (model->note != NULL) {
-        complain(EXIT_DONE, "%s: %s", o->model, model->note);
+        complain_note("%s: %s", o->model, model->note);
     }
     status = run_on(model, o);
     model_close(model);
@@ -232,14 +229,14 @@ int main(int argc, char *argv[])
     complain_as("pinhole-asset");
     int status = asset_options_read(&options, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (options.help) {
         asset_options_help();
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
-        status = complain(EXIT_USAGE, "-o -: stdout is a terminal; pipe it into a program, or use -o FILE.c");
+        status = complain_usage("-o -: stdout is a terminal; pipe it into a program, or use -o FILE.c");
     } else {
         status = run(&options);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -1,17 +1,28 @@
 /*
  * complain: what the host programs say when something is wrong. Exactly one line on stderr, "program: what, where,
  * what to do"; control characters (from file names, say) become '?', so that it stays one line.
+ *
+ * Functions of the host programs return 0 when done, or a negative errno value as status.h and hal.h name them; a
+ * positive number is a count. Only main() makes an exit status of it, by complain_exit().
  */
 #ifndef COMPLAIN_H
 #define COMPLAIN_H
 
-enum exit_status { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
+#include "status.h"
 
-/* Prints the line and returns status, for `return complain(EXIT_USAGE, ...)`. */
-int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
+#define COMPLAINED (-125) /* ECANCELED: it failed, and a line has said why */
 
-/* Sees to it that what was printed has arrived on stdout: 0, or EXIT_FAILED and one line. */
-int complain_stdout(void);
+/* Prints the line; returns COMPLAINED. */
+int complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* The same where the command line is wrong; returns PH_ERR_INVAL. */
+int complain_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* The same where the program goes on. */
+void complain_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* The exit status: 0 done, 1 failed (also when stdout could not be written; a line says so), 2 for PH_ERR_INVAL. */
+int complain_exit(int status);
 
 /*
  * Before anything else: the name that starts each line (text that stays). From then on a file that may grow no further

@@ -3,6 +3,7 @@
 #include "file_save.h"
 
 #include "complain.h"
+#include "hal.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -13,19 +14,20 @@
 
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGALRM, SIGXCPU};
 
+int file_save_status(void)
+{
+    return errno > 0 ? -errno : HAL_EIO;
+}
+
 /* All of it under this name, closed. */
 static int write_file(const char *name, int (*write)(FILE *file, const void *context), const void *context)
 {
     FILE *file = fopen(name, "wb");
     if (file == NULL) {
-        return -1;
+        return file_save_status();
     }
-    const int result = write(file, context), error = errno;
-    if (fclose(file) != 0 && result == 0) {
-        return -1;
-    }
-    errno = error;
-    return result;
+    const int status = write(file, context);
+    return fclose(file) != 0 && status == 0 ? file_save_status() : status;
 }
 
 int file_save(const char *path, int (*write)(FILE *file, const void *context), const void *context)
@@ -36,8 +38,7 @@ int file_save(const char *path, int (*write)(FILE *file, const void *context), c
     }
     char part[PATH_MAX];
     if (snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof part) {
-        errno = ENAMETOOLONG;
-        return -1;
+        return -ENAMETOOLONG;
     }
     sigset_t ending, before; /* a signal that ends the program waits until nothing half-written is left */
     sigemptyset(&ending);
@@ -45,13 +46,14 @@ int file_save(const char *path, int (*write)(FILE *file, const void *context), c
         sigaddset(&ending, ending_signals[i]);
     }
     sigprocmask(SIG_BLOCK, &ending, &before);
-    const int result = write_file(part, write, context) == 0 && rename(part, path) == 0 ? 0 : -1;
-    const int error = errno;
+    int result = write_file(part, write, context);
+    if (result == 0 && rename(part, path) != 0) {
+        result = file_save_status();
+    }
     if (result != 0) {
         remove(part);
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
-    errno = error;
     return result;
 }
 
@@ -63,13 +65,12 @@ struct text {
 static int write_bytes(FILE *file, const void *context)
 {
     const struct text *text = context;
-    return fwrite(text->bytes, 1, text->n, file) == text->n ? 0 : -1;
+    return fwrite(text->bytes, 1, text->n, file) == text->n ? 0 : file_save_status();
 }
 
 int file_save_bytes(const char *path, const void *bytes, size_t n)
 {
     const struct text text = {bytes, n};
-    return file_save(path, write_bytes, &text) == 0
-               ? 0
-               : complain(EXIT_FAILED, "%s: cannot be written: %s", path, strerror(errno));
+    const int status = file_save(path, write_bytes, &text);
+    return status == 0 ? 0 : complain("%s: cannot be written: %s", path, strerror(-status));
 }

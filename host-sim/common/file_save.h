@@ -8,10 +8,13 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* write: puts all of the file there, 0, or -1 with errno set; so does file_save. */
+/* What errno says as a status; HAL_EIO where it says nothing. */
+int file_save_status(void);
+
+/* write: puts all of the file there. Both return 0 or a negative errno value. */
 int file_save(const char *path, int (*write)(FILE *file, const void *context), const void *context);
 
-/* 0, or EXIT_FAILED when one line has said why. */
+/* 0, or COMPLAINED when one line has said why. */
 int file_save_bytes(const char *path, const void *bytes, size_t n);
 
 #endif

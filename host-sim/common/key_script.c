@@ -41,7 +41,7 @@ static bool read_buttons(char *text, uint32_t *buttons)
     return true;
 }
 
-/* 1: a press; 0: nothing but a comment; -1: wrong. */
+/* 1: a press; 0: nothing but a comment; PH_ERR_INVAL. */
 static int read_line(char *line, struct key_press *press)
 {
     static const char blanks[] = " \t\r\n";
@@ -58,7 +58,7 @@ static int read_line(char *line, struct key_press *press)
     const bool right = (count == 2 || count == 3) && option_text_u32(words[0], 0, FRAME_LIMIT, &press->first) &&
                        read_buttons(words[1], &press->buttons) &&
                        (count == 2 || option_text_u32(words[2], 1, FRAME_LIMIT, &press->count));
-    return right ? 1 : -1;
+    return right ? 1 : PH_ERR_INVAL;
 }
 
 /* Room for one more at keys->presses[keys->count]; twice as much as often as there is a power of two of them. */
@@ -79,16 +79,16 @@ static bool make_room(struct key_script *keys)
 static int add_line(struct key_script *keys, const char *path, unsigned number, char *line, size_t length)
 {
     struct key_press press;
-    const int found = strlen(line) == length ? read_line(line, &press) : -1;
+    const int found = strlen(line) == length ? read_line(line, &press) : PH_ERR_INVAL;
     if (found < 0) {
-        return complain(EXIT_USAGE,
-                        "--keys %s:%u: a line must be FRAME BUTTON[+BUTTON...] [COUNT], buttons up down left right "
-                        "select",
-                        path, number);
+        return complain_usage(
+            "--keys %s:%u: a line must be FRAME BUTTON[+BUTTON...] [COUNT], buttons up down left right "
+            "select",
+            path, number);
     }
     if (found > 0) {
         if (keys->count == PRESS_LIMIT || !make_room(keys)) {
-            return complain(EXIT_USAGE, "--keys %s:%u: more than %u presses", path, number, PRESS_LIMIT);
+            return complain_usage("--keys %s:%u: more than %u presses", path, number, PRESS_LIMIT);
         }
         keys->presses[keys->count++] = press;
     }
@@ -103,21 +103,18 @@ int key_script_read(struct key_script *keys, const char *path)
     }
     FILE *file = fopen(path, "r");
     if (file == NULL) {
-        return complain(EXIT_FAILED, "--keys %s: %s", path, strerror(errno));
+        return complain("--keys %s: %s", path, strerror(errno));
     }
     char *line = NULL;
     size_t size = 0;
     int status = 0;
-    errno = 0; /* text_line_read says the end and an error alike */
     for (unsigned number = 1; status == 0; number++) {
         const ssize_t length = text_line_read(&line, &size, LINE_LIMIT, file);
-        if (length < 0) {
+        if (length <= 0) {
+            status = length == 0 ? 0 : complain("--keys %s: %s", path, strerror((int)-length));
             break;
         }
         status = add_line(keys, path, number, line, (size_t)length);
-    }
-    if (status == 0 && !feof(file)) {
-        status = complain(EXIT_FAILED, "--keys %s: %s", path, strerror(errno));
     }
     free(line);
     fclose(file);

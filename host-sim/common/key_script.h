@@ -19,8 +19,8 @@ struct key_script {
     size_t count;
 };
 
-/* Reads a script; path NULL: one without presses. 0; EXIT_FAILED: the file cannot be read; EXIT_USAGE: a line is wrong;
- * one line has said why. Free it in any case. */
+/* Reads a script; path NULL: one without presses. 0; COMPLAINED: the file cannot be read; PH_ERR_INVAL: a line is
+ * wrong; one line has said why. Free it in any case. */
 int key_script_read(struct key_script *keys, const char *path);
 
 /* enum hal_button that are held during this frame. */

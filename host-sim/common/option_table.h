@@ -26,12 +26,10 @@ struct option_table {
 /* The row of "--name" or "--name=value"; NULL: there is none. */
 const struct option_row *option_table_find(const struct option_table *table, const char *text);
 
-/* Reads argv[i], an option, and its value; returns the index of what follows, or 0 when it was wrong. */
+/* Reads argv[i], an option, and its value; returns the index of what follows, or PH_ERR_INVAL. */
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i);
 
-/* Reads a command line: options, and at most `most` other words, into words[]; returns how many, or -1 when it was
- * wrong.
- */
+/* Reads a command line: options, and at most `most` other words, into words[]; returns how many, or PH_ERR_INVAL. */
 int option_table_words(const struct option_table *table, void *options, int argc, char *const argv[],
                        const char *words[], int most);
 

@@ -72,7 +72,7 @@ int option_text_choice(const char *text, const char *const names[], int count)
             return i;
         }
     }
-    return -1;
+    return PH_ERR_INVAL;
 }
 
 bool option_text_turns(const char *text, uint8_t *out)

@@ -22,7 +22,7 @@ bool option_text_fx(const char *text, fx_t *out, const char **rest);
 /* `count` numbers with commas between them; *rest is what follows them. */
 bool option_text_fx_list(const char *text, fx_t *out, int count, const char **rest);
 
-/* Index of text in names[count], or -1. */
+/* Index of text in names[count], or PH_ERR_INVAL. */
 int option_text_choice(const char *text, const char *const names[], int count);
 
 /* "0", "90", "180" or "270" degrees as quarter turns. */

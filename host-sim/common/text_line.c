@@ -2,6 +2,9 @@
 
 #include "text_line.h"
 
+#include "status.h"
+
+#include <errno.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
@@ -30,10 +33,10 @@ ssize_t text_line_read(char **line, size_t *size, size_t most, FILE *file)
             break;
         }
         if (!make_room(line, size, n)) {
-            return -1;
+            return PH_ERR_NOMEM;
         }
         (*line)[n] = (char)c;
         (*line)[n + 1] = '\0';
     }
-    return n > 0 && !ferror(file) ? (ssize_t)n : -1;
+    return ferror(file) ? -errno : (ssize_t)n;
 }

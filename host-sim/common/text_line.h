@@ -9,7 +9,7 @@
 
 /*
  * The next line with its end, as getline(), to be freed by the caller; of a longer one than `most` bytes that many, and
- * then the rest as another line. Its length; -1: the end, or an error and errno is set.
+ * then the rest as another line. Its length; 0: the end; or a negative errno value.
  */
 ssize_t text_line_read(char **line, size_t *size, size_t most, FILE *file);
 

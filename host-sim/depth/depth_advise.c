@@ -264,21 +264,21 @@ static int answer_all(struct question *q)
     if (q->separate != 0 && asked > 0) {
         conclude(q, best, &best_answer);
     }
-    return asked > 0 ? 0 : complain(EXIT_USAGE, "advise: none of these formats is drawn by the renderer; see --help");
+    return asked > 0 ? 0 : complain_usage("advise: none of these formats is drawn by the renderer; see --help");
 }
 
 int depth_advise(const struct depth_lab *lab)
 {
     if (lab->at_count != 1) {
-        return complain(EXIT_USAGE, "advise needs --at Z, one distance, and --separate S or --near N");
+        return complain_usage("advise needs --at Z, one distance, and --separate S or --near N");
     }
     struct question *q = malloc(sizeof *q);
     if (q == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     if (lab->separate >= lab->at[0]) {
         free(q);
-        return complain(EXIT_USAGE, "--separate must be less than --at");
+        return complain_usage("--separate must be less than --at");
     }
     q->lab = lab;
     q->text = lab->rows;

@@ -251,7 +251,7 @@ int depth_anchors(const struct depth_lab *lab)
 {
     struct run *run = malloc(sizeof *run);
     if (run == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     run->rows = lab->rows;
     run->failed = run->done = 0;
@@ -266,5 +266,5 @@ int depth_anchors(const struct depth_lab *lab)
     progress_show("anchors", 1, 1);
     const uint32_t failed = run->failed;
     free(run);
-    return failed == 0 ? 0 : complain(EXIT_FAILED, "%u anchors are not met: see FAIL", (unsigned)failed);
+    return failed == 0 ? 0 : complain("%u anchors are not met: see FAIL", (unsigned)failed);
 }

@@ -38,7 +38,7 @@ static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format forma
     budget->measured_m[ALL] = measured;
 }
 
-/* S_eff at z of what faces the camera, as `resolve` measures it. 0, or EXIT_FAILED and one line. */
+/* S_eff at z of what faces the camera, as `resolve` measures it. 0, or COMPLAINED and one line. */
 static int measure_store(const struct depth_lab *lab, const struct lab_format *format, fx_t z, double *out)
 {
     struct work {
@@ -47,7 +47,7 @@ static int measure_store(const struct depth_lab *lab, const struct lab_format *f
     } *const work = malloc(sizeof *work);
     if (work == NULL || lab_probe_open(&work->probe, format, lab->near_z, lab->far_z) != PH_OK) {
         free(work);
-        return complain(EXIT_FAILED, "budget: %s cannot be measured here", format->name);
+        return complain("budget: %s cannot be measured here", format->name);
     }
     lab_search_open(&work->search, &work->probe);
     *out = lab_search_at(&work->search, &work->probe, z) / 65536.0;
@@ -122,7 +122,7 @@ int depth_budget(const struct depth_lab *lab)
     const uint32_t count = lab->at_count > 0 ? lab->at_count : default_distances(lab, distances);
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {
-        return complain(EXIT_USAGE, "--format: budget draws with the renderer's own formats; --help lists them");
+        return complain_usage("--format: budget draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
     int status = 0;

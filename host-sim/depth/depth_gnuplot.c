@@ -50,14 +50,15 @@ static int wait_for(pid_t child)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-/* Exit status of gnuplot, or -1 with errno set when it could not even be tried. */
+/* Exit status of gnuplot, or a negative errno value when it could not even be tried. */
 static int run_child(const char *script, FILE *out, FILE *errors)
 {
     int ends[2];
     if (pipe(ends) != 0) {
-        return -1;
+        return -errno;
     }
     const pid_t child = fork();
+    const int refused = child < 0 ? -errno : 0;
     if (child == 0) {
         close(ends[1]);
         become_gnuplot(ends[0], fileno(out), fileno(errors));
@@ -72,7 +73,7 @@ static int run_child(const char *script, FILE *out, FILE *errors)
         sigaction(SIGPIPE, &before, NULL);
     }
     close(ends[1]);
-    return child < 0 ? -1 : wait_for(child);
+    return child < 0 ? refused : wait_for(child);
 }
 
 /* The whole file, with a zero behind it, to be freed; NULL without memory. */
@@ -97,18 +98,18 @@ static int blame(FILE *errors)
     if (line != NULL) {
         line[strcspn(line, "\n")] = '\0';
     }
-    complain(EXIT_FAILED, "gnuplot: %s", line != NULL && *line != '\0' ? line : "wrote no picture");
+    const int status = complain("gnuplot: %s", line != NULL && *line != '\0' ? line : "wrote no picture");
     free(text);
-    return EXIT_FAILED;
+    return status;
 }
 
 static int judge(int status, FILE *out, FILE *errors, char **picture, size_t *length)
 {
     if (status < 0) {
-        return complain(EXIT_FAILED, "gnuplot: cannot be started: %s", strerror(errno));
+        return complain("gnuplot: cannot be started: %s", strerror(-status));
     }
     if (status == NOT_FOUND) {
-        return complain(EXIT_FAILED, "gnuplot is missing, and it draws the plots: apt-get install gnuplot-nox");
+        return complain("gnuplot is missing, and it draws the plots: apt-get install gnuplot-nox");
     }
     *picture = contents(out, length);
     if (status == 0 && *picture != NULL && *length > 0) {
@@ -122,10 +123,10 @@ static int judge(int status, FILE *out, FILE *errors, char **picture, size_t *le
 int depth_gnuplot_run(const char *script, char **picture, size_t *length)
 {
     FILE *const out = tmpfile(), *const errors = tmpfile();
-    int status = EXIT_FAILED;
+    int status = COMPLAINED;
     *picture = NULL;
     if (out == NULL || errors == NULL) {
-        complain(EXIT_FAILED, "gnuplot: no temporary file: %s", strerror(errno));
+        complain("gnuplot: no temporary file: %s", strerror(errno));
     } else {
         status = judge(run_child(script, out, errors), out, errors, picture, length);
     }
@@ -141,7 +142,7 @@ int depth_gnuplot_run(const char *script, char **picture, size_t *length)
 bool depth_gnuplot_is_here(void)
 {
     FILE *const out = tmpfile();
-    const int status = out != NULL ? run_child("", out, out) : -1;
+    const int status = out != NULL ? run_child("", out, out) : -errno;
     if (out != NULL) {
         fclose(out);
     }

@@ -7,7 +7,7 @@
 
 /*
  * Runs gnuplot on the script, without its user's start-up files. *picture: what it wrote, to be freed.
- * 0, or EXIT_FAILED and one line: gnuplot is missing, or what it complained about.
+ * 0, or COMPLAINED and one line: gnuplot is missing, or what it complained about.
  */
 int depth_gnuplot_run(const char *script, char **picture, size_t *length);
 

@@ -90,7 +90,7 @@ int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spaci
     const struct ieee *p = &formats[format];
     float *z = malloc(3 * sizeof *z * ((size_t)count + 1));
     if (z == NULL) {
-        return -1;
+        return PH_ERR_NOMEM;
     }
     float *most = z + count + 1, *least = most + count + 1, scale, bias;
     constants(p, near_z, far_z, &scale, &bias);

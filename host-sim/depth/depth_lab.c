@@ -17,11 +17,11 @@ int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth
     *csv = NULL;
     copy.rows = open_memstream(csv, &length);
     if (copy.rows == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     const int status = run(&copy);
     if (fclose(copy.rows) != 0 && status == 0) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     return status;
 }

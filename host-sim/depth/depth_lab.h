@@ -36,7 +36,7 @@ struct depth_lab {
     FILE *rows;       /* where the command writes; what is there after an error is thrown away */
 };
 
-/* Commands: 0, or EXIT_FAILED or EXIT_USAGE when one line has said why. */
+/* Commands: 0, or COMPLAINED or PH_ERR_INVAL when one line has said why. */
 int depth_pairs(const struct depth_lab *lab);
 int depth_resolve(const struct depth_lab *lab);
 int depth_monotone(const struct depth_lab *lab);

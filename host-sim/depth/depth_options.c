@@ -210,20 +210,20 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
 {
     char text[FX_TEXT_SIZE];
     if (lab->near_z >= lab->far_z) {
-        return complain(EXIT_USAGE, "--near must be less than --far");
+        return complain_usage("--near must be less than --far");
     }
     for (uint32_t i = 0; i < lab->at_count; i++) {
         if (lab->at[i] < lab->near_z || lab->at[i] > lab->far_z) {
             fx_to_text(lab->at[i], text);
-            return complain(EXIT_USAGE, "--at %s: must lie from --near to --far", text);
+            return complain_usage("--at %s: must lie from --near to --far", text);
         }
     }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {
-        return complain(EXIT_USAGE, "--fov, --size: no camera can have both; make the picture less wide or high");
+        return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
-        return complain(EXIT_USAGE, "%s needs a KIND; --help lists them", command->name);
+        return complain_usage("%s needs a KIND; --help lists them", command->name);
     }
     return 0;
 }
@@ -249,11 +249,11 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         return 0;
     }
     if (argc < 2) {
-        return complain(EXIT_USAGE, "which command? --help lists them");
+        return complain_usage("which command? --help lists them");
     }
     *command = find_command(table, count, argv[1]);
     if (*command == NULL) {
-        return complain(EXIT_USAGE, "%s: no such command; --help lists them", argv[1]);
+        return complain_usage("%s: no such command; --help lists them", argv[1]);
     }
     int i = 2;
     if (i < argc && argv[i][0] != '-' && strstr((*command)->options, " kind ") != NULL) {
@@ -262,12 +262,11 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
     while (i < argc) {
         const struct option_row *row = option_table_find(&options, argv[i]);
         if (row != NULL && !takes(*command, row->name)) {
-            return complain(EXIT_USAGE, "--%s: %s does not take it; --help lists what it takes", row->name,
-                            (*command)->name);
+            return complain_usage("--%s: %s does not take it; --help lists what it takes", row->name, (*command)->name);
         }
         i = option_table_read(&options, lab, argc, argv, i);
-        if (i == 0) {
-            return EXIT_USAGE;
+        if (i < 0) {
+            return i;
         }
     }
     return check_together(lab, *command);

@@ -13,7 +13,7 @@ struct depth_command {
 
 /*
  * Reads `COMMAND [KIND] [options]` into *lab and *command, one of table[count]; *command is NULL where help was asked
- * for. 0, or EXIT_USAGE when it was wrong and one line has said so.
+ * for. 0, or PH_ERR_INVAL when it was wrong and one line has said so.
  */
 int depth_options_read(struct depth_lab *lab, const struct depth_command **command, const struct depth_command *table,
                        uint32_t count, int argc, char *const argv[]);

@@ -115,7 +115,7 @@ static int show_bands(struct planes_canvas *canvas, const struct lab_format *for
     const struct depth_lab *lab = canvas->lab;
     uint32_t *const codes = malloc((size_t)lab->width * lab->height * sizeof *codes);
     if (codes == NULL) {
-        return complain(EXIT_FAILED, "planes: no memory for a picture of %ux%u", lab->width, lab->height);
+        return complain("planes: no memory for a picture of %ux%u", lab->width, lab->height);
     }
     depth_planes_draw(canvas, &pair->behind, NULL);
     for (int i = 0; i <= OCTAVES; i++) {
@@ -164,11 +164,11 @@ static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
     const double separation = lab->separation != 0 ? depth_metres(lab->separation) : half_too_small(lab, at, tilt);
     const struct planes_place place = depth_planes_whole(lab, at, tilt, separation);
     if (!depth_planes_make(lab, &place, pair)) {
-        return complain(EXIT_USAGE, "--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at,
-                        tilt, separation);
+        return complain_usage("--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at, tilt,
+                              separation);
     }
     if (!depth_planes_front_is_nearer(pair)) {
-        return complain(EXIT_USAGE, "--separation %g: rounds to nothing in Q16.16; take 0.00002 or more", separation);
+        return complain_usage("--separation %g: rounds to nothing in Q16.16; take 0.00002 or more", separation);
     }
     fprintf(lab->rows, "# Two planes %.6g m apart, tilted by %g degrees, the one behind %g m away in the middle:\n",
             depth_planes_separation_m(pair), tilt, at);
@@ -182,7 +182,7 @@ static int save_png(const char *path, const struct ppm *picture)
     size_t length;
     uint8_t *const bytes = png_out_bytes(picture, &length);
     if (bytes == NULL) {
-        return complain(EXIT_FAILED, "planes: no memory for the error picture");
+        return complain("planes: no memory for the error picture");
     }
     const int status = file_save_bytes(path, bytes, length);
     free(bytes);
@@ -197,10 +197,8 @@ static int save_picture(const struct depth_lab *lab, struct picture *picture)
     if (option_text_ends(lab->out, ".png")) {
         return save_png(lab->out, &picture->ppm);
     }
-    if (ppm_save(lab->out, &picture->ppm) == 0) {
-        return 0;
-    }
-    return complain(EXIT_FAILED, "--out %s: cannot be written: %s", lab->out, strerror(errno));
+    const int status = ppm_save(lab->out, &picture->ppm);
+    return status == 0 ? 0 : complain("--out %s: cannot be written: %s", lab->out, strerror(-status));
 }
 
 static int show_pictures(const struct depth_lab *lab)
@@ -216,7 +214,7 @@ static int show_pictures(const struct depth_lab *lab)
     if (status == 0 && lab->out != NULL) {
         picture.ppm.rgb = calloc((size_t)picture.ppm.width * picture.ppm.height, 3);
         if (picture.ppm.rgb == NULL) {
-            return complain(EXIT_FAILED, "planes: no memory for the error picture");
+            return complain("planes: no memory for the error picture");
         }
     }
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
@@ -258,11 +256,11 @@ static int sweep_format(const struct depth_lab *lab, const struct lab_format *fo
 int depth_planes(const struct depth_lab *lab)
 {
     if (lab->out != NULL && !option_text_ends(lab->out, ".ppm") && !option_text_ends(lab->out, ".png")) {
-        return complain(EXIT_USAGE, "--out %s: the error picture is written as .ppm or .png", lab->out);
+        return complain_usage("--out %s: the error picture is written as .ppm or .png", lab->out);
     }
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {
-        return complain(EXIT_USAGE, "--format: planes draws with the renderer's own formats; --help lists them");
+        return complain_usage("--format: planes draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio\n", lab->rows);
     int status = 0;

@@ -25,7 +25,7 @@ int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab,
     char *memory = malloc(vertices + triangles + 8 + area * (4 + sizeof *canvas->pixels + 1));
     canvas->memory = memory;
     if (memory == NULL) {
-        return complain(EXIT_FAILED, "planes: no memory for a picture of %ux%u", lab->width, lab->height);
+        return complain("planes: no memory for a picture of %ux%u", lab->width, lab->height);
     }
     char *const depth = memory + vertices + triangles + 8;
     canvas->pixels = (uint16_t *)(void *)(depth + area * 4);
@@ -43,7 +43,7 @@ int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab,
                                      .depth = (void *)depth};
     return ph_renderer_init(&canvas->renderer, &config) == PH_OK
                ? 0
-               : complain(EXIT_FAILED, "planes: the renderer does not draw this format");
+               : complain("planes: the renderer does not draw this format");
 }
 
 void depth_planes_close(struct planes_canvas *canvas)

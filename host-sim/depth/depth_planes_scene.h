@@ -51,7 +51,7 @@ struct planes_canvas {
 
 enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
 
-/* 0, or EXIT_FAILED and one line. depth_planes_close() afterwards in any case. */
+/* 0, or COMPLAINED and one line. depth_planes_close() afterwards in any case. */
 int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format);
 void depth_planes_close(struct planes_canvas *canvas);
 

@@ -94,7 +94,7 @@ static int put_curve(FILE *script, int tag, fx_t near_z, fx_t far_z)
     struct ph_mat4 m;
     if (ph_projection_perspective(&projection, FX_INT(60), FX_ONE, near_z, far_z) != 0 ||
         ph_matrix_projection(&m, &projection, PH_GL) != 0) {
-        return complain(EXIT_USAGE, "--near, --far: this camera's matrix does not fit Q16.16; move them apart");
+        return complain_usage("--near, --far: this camera's matrix does not fit Q16.16; move them apart");
     }
     const double n = depth_metres(near_z), f = depth_metres(far_z);
     fprintf(script, "$c%d << EOD\n", tag);
@@ -320,7 +320,7 @@ static int put_pairs(const struct depth_lab *lab, FILE *script, uint32_t row)
     struct lab_probe probe;
     struct bin bins[BINS] = {{0, 0, 0}};
     if (lab_probe_open(&probe, &lab_formats[row], lab->near_z, lab->far_z) != PH_OK) {
-        return complain(EXIT_FAILED, "plot: %s cannot be measured here", lab_formats[row].name);
+        return complain("plot: %s cannot be measured here", lab_formats[row].name);
     }
     fill_bins(lab, &probe, bins);
     const double ratio = (double)lab->far_z / lab->near_z;

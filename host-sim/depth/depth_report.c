@@ -67,11 +67,11 @@ static const struct section sections[] = {
      depth_anchors},
 };
 
-/* A path in the report's directory. 0, or EXIT_FAILED and one line. */
+/* A path in the report's directory. 0, or COMPLAINED and one line. */
 static int name_file(const struct depth_lab *lab, const char *name, const char *suffix, char path[PATH_MAX])
 {
     if (snprintf(path, PATH_MAX, "%s/%s.%s", lab->out, name, suffix) >= PATH_MAX) {
-        return complain(EXIT_FAILED, "--out: this name is too long");
+        return complain("--out: this name is too long");
     }
     return 0;
 }
@@ -261,21 +261,21 @@ int depth_report(const struct depth_lab *lab)
     char path[PATH_MAX], *text = NULL;
     size_t length;
     if (lab->out == NULL) {
-        return complain(EXIT_USAGE, "all needs --out DIR, a directory for the report");
+        return complain_usage("all needs --out DIR, a directory for the report");
     }
     struct stat directory;
     const int error = mkdir(lab->out, 0777) == 0 ? 0 : errno;
     if (error != 0 && (stat(lab->out, &directory) != 0 || !S_ISDIR(directory.st_mode))) {
-        return complain(EXIT_FAILED, "--out %s: cannot be used as a directory: %s", lab->out,
+        return complain("--out %s: cannot be used as a directory: %s", lab->out,
                         strerror(error == EEXIST ? ENOTDIR : error));
     }
     FILE *const report = open_memstream(&text, &length);
     if (report == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     int status = put_report(lab, report);
     if (fclose(report) != 0 && status == 0) {
-        status = complain(EXIT_FAILED, "out of memory");
+        status = complain("out of memory");
     }
     if (status == 0) {
         status = name_file(lab, "report", "md", path);

@@ -66,7 +66,7 @@ int main(int argc, char *argv[])
     complain_as("pinhole-depth");
     int status = depth_options_read(&lab, &command, commands, COMMAND_COUNT, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (command == NULL) {
         depth_options_help(commands, COMMAND_COUNT);
@@ -79,5 +79,5 @@ int main(int argc, char *argv[])
         }
         free(csv);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

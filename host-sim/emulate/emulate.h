@@ -6,7 +6,7 @@
  *   netduinoplus2  an STM32F405 without a display: the picture is what a controller's model (sim.h) makes of the
  *                  stores to SPI and pins, which QEMU's trace tells in order; buttons are pressed through the UART
  *
- * Functions return 0, or EXIT_FAILED when one line has said why.
+ * Functions return 0, or COMPLAINED when one line has said why.
  */
 #ifndef EMULATE_H
 #define EMULATE_H

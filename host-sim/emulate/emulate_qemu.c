@@ -26,7 +26,7 @@
 bool emulate_qemu_interrupted(void)
 {
     if (signal_stop != 0) {
-        complain(EXIT_FAILED, "interrupted");
+        complain("interrupted");
     }
     return signal_stop != 0;
 }
@@ -107,7 +107,7 @@ int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, u
     struct ends e;
     *q = (struct qemu){.pid = -1, .monitor = -1, .uart = -1, .trace = -1, .said = -1};
     if (!open_ends(&e)) {
-        return complain(EXIT_FAILED, "no sockets for QEMU: %s", strerror(errno));
+        return complain("no sockets for QEMU: %s", strerror(errno));
     }
     q->pid = fork();
     if (q->pid == 0) {
@@ -123,8 +123,7 @@ int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, u
     q->said = e.said[0];
     signal_stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
     signal(SIGPIPE, SIG_IGN);
-    return q->pid > 0 ? emulate_qemu_command(q, "qmp_capabilities", NULL)
-                      : complain(EXIT_FAILED, "fork: %s", strerror(errno));
+    return q->pid > 0 ? emulate_qemu_command(q, "qmp_capabilities", NULL) : complain("fork: %s", strerror(errno));
 }
 
 static bool readable(int fd, int wait_ms)
@@ -146,13 +145,13 @@ static int complaints_of(FILE *said)
     while (fgets(line, sizeof line, said) != NULL) {
         line[strcspn(line, "\r\n")] = '\0';
         if (status == 0 && line[0] != '\0' && !usual(line)) {
-            status = complain(EXIT_FAILED, "QEMU says: %s", line);
+            status = complain("QEMU says: %s", line);
         }
     }
     return status;
 }
 
-/* Ends it, if it has not ended. EXIT_FAILED and one line when it had something to say. */
+/* Ends it, if it has not ended. COMPLAINED and one line when it had something to say. */
 static int end(struct qemu *q)
 {
     if (q->pid > 0) {
@@ -165,7 +164,7 @@ static int end(struct qemu *q)
         return 0;
     }
     q->said = -1;
-    const int status = signal_stop != 0 ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
+    const int status = signal_stop != 0 ? COMPLAINED : complaints_of(said); /* QEMU tells of the signal, too */
     fclose(said);
     return status;
 }
@@ -175,14 +174,14 @@ static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;
     if (emulate_qemu_interrupted()) {
-        return EXIT_FAILED;
+        return COMPLAINED;
     }
     while (readable(q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
         if (emulate_qemu_logged(q, byte) && emulate_qemu_check_line(q) != 0) {
-            return EXIT_FAILED;
+            return COMPLAINED;
         }
     }
-    return end(q) != 0 ? EXIT_FAILED : complain(EXIT_FAILED, "QEMU does not %s %s", what, name);
+    return end(q) != 0 ? COMPLAINED : complain("QEMU does not %s %s", what, name);
 }
 
 /* Events come between the answers. */
@@ -201,7 +200,7 @@ static int await_answer(struct qemu *q, const char *name)
             return 0;
         }
         if (strncmp(line, "{\"error\"", 8) == 0) {
-            return complain(EXIT_FAILED, "QEMU refuses %s: %.200s", name, line);
+            return complain("QEMU refuses %s: %.200s", name, line);
         }
     }
     return last_words(q, "answer", name);
@@ -226,7 +225,7 @@ int emulate_qemu_command(struct qemu *q, const char *name, const char *arguments
 int emulate_qemu_send(const struct qemu *q, const char *text)
 {
     const ssize_t n = (ssize_t)strlen(text);
-    return write(q->uart, text, (size_t)n) == n ? 0 : complain(EXIT_FAILED, "QEMU does not take what the UART gets");
+    return write(q->uart, text, (size_t)n) == n ? 0 : complain("QEMU does not take what the UART gets");
 }
 
 bool emulate_qemu_logged(struct qemu *q, char byte)
@@ -250,7 +249,7 @@ bool emulate_qemu_logged(struct qemu *q, char byte)
 int emulate_qemu_check_line(const struct qemu *q)
 {
     const bool bad = strncmp(q->line, "fault", 5) == 0 || strncmp(q->line, "stopped", 7) == 0;
-    return bad ? complain(EXIT_FAILED, "the image says: %s", q->line) : 0;
+    return bad ? complain("the image says: %s", q->line) : 0;
 }
 
 int emulate_qemu_line(struct qemu *q)
@@ -262,9 +261,9 @@ int emulate_qemu_line(struct qemu *q)
         }
     }
     if (emulate_qemu_interrupted() || end(q) != 0) {
-        return EXIT_FAILED;
+        return COMPLAINED;
     }
-    return complain(EXIT_FAILED, "the image logs nothing more");
+    return complain("the image logs nothing more");
 }
 
 int emulate_qemu_stop(struct qemu *q)

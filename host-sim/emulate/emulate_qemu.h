@@ -34,7 +34,7 @@ bool emulate_qemu_logged(struct qemu *q, char byte);
 int emulate_qemu_line(struct qemu *q);
 int emulate_qemu_check_line(const struct qemu *q);
 
-/* Ends it. EXIT_FAILED if it wrote anything but what every run of these machines writes to stderr. */
+/* Ends it. COMPLAINED if it wrote anything but what every run of these machines writes to stderr. */
 int emulate_qemu_stop(struct qemu *q);
 
 #endif

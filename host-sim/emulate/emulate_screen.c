@@ -55,14 +55,13 @@ static bool shrink_pixel(const struct ppm *screen, struct ppm *picture, uint32_t
 static int shrink(const struct ppm *screen, struct ppm *picture)
 {
     if (screen->width != SCALE * picture->width || screen->height != SCALE * picture->height) {
-        return complain(EXIT_FAILED, "QEMU's screen is %ux%u, not four times the panel", (unsigned)screen->width,
+        return complain("QEMU's screen is %ux%u, not four times the panel", (unsigned)screen->width,
                         (unsigned)screen->height);
     }
     for (uint32_t y = 0; y < picture->height; y++) {
         for (uint32_t x = 0; x < picture->width; x++) {
             if (!shrink_pixel(screen, picture, x, y)) {
-                return complain(EXIT_FAILED, "QEMU's screen is not made of blocks at pixel %u,%u", (unsigned)x,
-                                (unsigned)y);
+                return complain("QEMU's screen is not made of blocks at pixel %u,%u", (unsigned)x, (unsigned)y);
             }
         }
     }
@@ -75,12 +74,12 @@ static int look(struct qemu *q, struct ppm *picture)
     struct ppm screen = {.rgb = NULL};
     const int fd = mkstemp(path);
     if (fd < 0) {
-        return complain(EXIT_FAILED, "%s: cannot be made", path);
+        return complain("%s: cannot be made", path);
     }
     close(fd);
     int status = emulate_qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
     if (status == 0 && ppm_load(path, &screen) != 0) {
-        status = complain(EXIT_FAILED, "%s: QEMU's screen cannot be read", path);
+        status = complain("%s: QEMU's screen cannot be read", path);
     }
     unlink(path);
     if (status == 0) {
@@ -115,8 +114,8 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
             status = emulate_qemu_send(q, "H");
         }
         if (status == 0 && frame == 0) { /* the answer says that the UART has it */
-            status = emulate_qemu_command(q, "query-status", NULL) != 0 ? EXIT_FAILED
-                                                                        : emulate_qemu_command(q, "cont", NULL);
+            status =
+                emulate_qemu_command(q, "query-status", NULL) != 0 ? COMPLAINED : emulate_qemu_command(q, "cont", NULL);
         }
         if (status == 0) {
             status = await_frame(q, frame);
@@ -129,7 +128,7 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
         }
         if (status == 0 && frame == 0) { /* QEMU's buttons are down until they have been pressed once, and the port
                                             ignores them until it sees them up */
-            status = press(q, 0, all) != 0 ? EXIT_FAILED : press(q, all, 0);
+            status = press(q, 0, all) != 0 ? COMPLAINED : press(q, all, 0);
         }
     }
     return status;
@@ -142,7 +141,7 @@ int emulate_screen(const struct emulation *e)
     const uint16_t height = panel_height(e->board->panel, e->board->rotation);
     struct ppm picture = {width, height, malloc((size_t)width * height * 3)};
     if (picture.rgb == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for a picture");
+        return complain("not enough memory for a picture");
     }
     int status = emulate_qemu_start(&q, "lm3s6965evb", e->image, 0, false);
     q.log = e->log;

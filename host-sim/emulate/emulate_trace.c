@@ -63,7 +63,7 @@ static void resent(void *context, const char *complaint)
 {
     const struct trace *t = context;
     if (wire_replay_complaints(t->wire) == 1) {
-        complain(EXIT_FAILED, "%s", complaint);
+        complain("%s", complaint);
     }
 }
 
@@ -170,7 +170,7 @@ static int take_line(struct trace *t, const char *line)
     }
     const char *address = strstr(line, " addr 0x"), *value = strstr(line, " value 0x");
     if (strncmp(line, "memory_region_ops_write", 23) != 0 || address == NULL || value == NULL) {
-        return complain(EXIT_FAILED, "QEMU says: %.*s", (int)strcspn(line, "\n"), line);
+        return complain("QEMU says: %.*s", (int)strcspn(line, "\n"), line);
     }
     return store(t, (uint32_t)strtoul(address + 6, NULL, 16), (uint32_t)strtoul(value + 7, NULL, 16));
 }
@@ -179,21 +179,20 @@ static int run(struct trace *t)
 {
     char line[512];
     FILE *in = fdopen(dup(t->q.trace), "r");
-    int status =
-        in != NULL ? emulate_qemu_command(&t->q, "cont", NULL) : complain(EXIT_FAILED, "QEMU's trace cannot be read");
+    int status = in != NULL ? emulate_qemu_command(&t->q, "cont", NULL) : complain("QEMU's trace cannot be read");
     while (status == 0 && t->frames < t->e->frames) {
         const bool more = fgets(line, sizeof line, in) != NULL;
         if (emulate_qemu_interrupted()) {
-            status = EXIT_FAILED;
+            status = COMPLAINED;
         } else if (!more) {
-            status = complain(EXIT_FAILED, "QEMU stopped after %u frames", (unsigned)t->frames);
+            status = complain("QEMU stopped after %u frames", (unsigned)t->frames);
         } else if (t->ticks - t->frame_ticks > TICKS_A_FRAME) {
-            status = complain(EXIT_FAILED, "no frame after frame %u", (unsigned)t->frames);
+            status = complain("no frame after frame %u", (unsigned)t->frames);
         } else {
             status = take_line(t, line);
         }
         if (status == 0 && wire_replay_complaints(t->wire) > 0) {
-            status = EXIT_FAILED;
+            status = COMPLAINED;
         }
     }
     if (in != NULL) {
@@ -218,7 +217,7 @@ int emulate_trace(const struct emulation *e)
     if (t.picture.rgb == NULL || t.wire == NULL) {
         wire_replay_close(t.wire);
         free(t.picture.rgb);
-        return complain(EXIT_FAILED, "not enough memory, or no model of the board's controller");
+        return complain("not enough memory, or no model of the board's controller");
     }
     int status = emulate_qemu_start(&t.q, "netduinoplus2", e->image, UARTS_BEFORE, true);
     t.q.log = e->log;

@@ -63,14 +63,14 @@ static int read_arguments(struct request *r, int argc, char *argv[])
     r->image = words[0];
     r->out = words[1];
     if (count < 0) {
-        return EXIT_USAGE;
+        return count;
     }
     if (count == 3 && !option_text_u32(words[2], 1, FRAMES_MAX, &r->frames)) {
-        return complain(EXIT_USAGE, "'%s': FRAMES must be a whole number, 1 .. %d", words[2], FRAMES_MAX);
+        return complain_usage("'%s': FRAMES must be a whole number, 1 .. %d", words[2], FRAMES_MAX);
     }
     return r->help || (r->machine >= 0 && r->board != NULL && r->image != NULL)
                ? 0
-               : complain(EXIT_USAGE, "--machine, --board and an image are needed; see --help");
+               : complain_usage("--machine, --board and an image are needed; see --help");
 }
 
 static int show(void *context, uint32_t frame, const struct ppm *picture)
@@ -112,12 +112,12 @@ int main(int argc, char *argv[])
     complain_as("pinhole-emulate");
     int status = read_arguments(&request, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (request.help) {
         print_help();
     } else {
         status = run(&request);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -58,7 +58,7 @@ static int attempt(struct flash_boot *boot, const struct request *r)
         return status;
     }
     status = boot->ops->in(boot->context, &nothing, 0);
-    const bool left = r->id == REBOOT && (status == FLASH_GONE || status == FLASH_IO);
+    const bool left = r->id == REBOOT && (status == HAL_ENODEV || status == HAL_EIO);
     return left ? 0 : status;
 }
 

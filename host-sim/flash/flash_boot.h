@@ -3,28 +3,25 @@
  * data on two bulk endpoints. A command that the board refuses is repeated once, after a reset of the interface: what
  * another program left behind, or a disturbance on the wires, is over then.
  *
- * Results: 0 or more, or an enum flash_status. Nothing waits for longer than FLASH_WAIT_MS.
+ * Results: 0 or more, or a negative status. Nothing waits for longer than FLASH_WAIT_MS.
  *
  * Source: RP2040 datasheet, section 2.8.5 (USB PICOBOOT interface).
  */
 #ifndef FLASH_BOOT_H
 #define FLASH_BOOT_H
 
+#include "hal.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
 #define FLASH_WAIT_MS 3000 /* a sector is erased within 400 ms by all flash chips of RP2040 boards */
 
+/* Beside those of hal.h: HAL_ENODEV it was unplugged, HAL_ETIMEDOUT no answer, HAL_EIO anything else on the wire. */
 enum flash_status {
-    FLASH_STALL = -1,   /* refused */
-    FLASH_GONE = -2,    /* unplugged */
-    FLASH_TIMEOUT = -3, /* no answer */
-    FLASH_IO = -4,      /* anything else on the wire */
-    FLASH_STOPPED = -5, /* the user did */
-    FLASH_DIFFERS = -6, /* what was read back, or the flash is too small */
-    FLASH_ACCESS = -7,  /* no permission */
-    FLASH_BUSY = -8,    /* another program has the board */
-    FLASH_NO_USB = -9,  /* built without libusb */
+    FLASH_STOPPED = -4,  /* EINTR: the user stopped it */
+    FLASH_STALL = -32,   /* EPIPE: the board refuses */
+    FLASH_DIFFERS = -84, /* EILSEQ: other bytes were read back, or the flash is too small */
 };
 
 /* The USB side. */

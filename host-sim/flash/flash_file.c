@@ -35,11 +35,11 @@ static int parse_bin(struct flash_image *image, const uint8_t *bytes, size_t n, 
     if (n < FLASH_PAGE) {
         return flash_image_wrong(error, "%zu bytes are no image: not even boot2, its first 256, is whole", n);
     }
-    if (flash_image_make(image, (uint32_t)n, error) != 0) {
-        return -1;
+    const int status = flash_image_make(image, (uint32_t)n, error);
+    if (status == 0) {
+        flash_image_put(image, 0, bytes, (uint32_t)n);
     }
-    flash_image_put(image, 0, bytes, (uint32_t)n);
-    return 0;
+    return status;
 }
 
 int flash_file_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error)
@@ -104,7 +104,7 @@ int flash_file_read(struct flash_image *image, const char *path, char *error)
     uint8_t *bytes = load(file, &n, error);
     fclose(file);
     if (bytes == NULL) {
-        return -1;
+        return PH_ERR_INVAL;
     }
     const int status = flash_file_parse(image, bytes, n, error);
     free(bytes);

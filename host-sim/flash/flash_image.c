@@ -12,7 +12,7 @@ int flash_image_wrong(char *error, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(error, FLASH_ERROR_SIZE, format, arguments);
     va_end(arguments);
-    return -1;
+    return PH_ERR_INVAL;
 }
 
 int flash_image_make(struct flash_image *image, uint32_t end, char *error)

@@ -6,6 +6,8 @@
 #ifndef FLASH_IMAGE_H
 #define FLASH_IMAGE_H
 
+#include "status.h"
+
 #include <stddef.h>
 #include <stdint.h>
 

@@ -14,10 +14,10 @@ static int fail(struct flash_job *job, int status, const char *what, uint32_t of
     char *line = job->error;
     const unsigned address = FLASH_BASE + offset;
     switch (status) {
-    case FLASH_GONE:
+    case HAL_ENODEV:
         snprintf(line, FLASH_ERROR_SIZE, "unplugged while %s 0x%08x; " AGAIN, what, address);
         break;
-    case FLASH_TIMEOUT:
+    case HAL_ETIMEDOUT:
         snprintf(line, FLASH_ERROR_SIZE, "no answer for %d s while %s 0x%08x; pull it out, " AGAIN,
                  FLASH_WAIT_MS / 1000, what, address);
         break;
@@ -212,7 +212,7 @@ int flash_job_run(struct flash_job *job)
     if (status == 0 && job->reboot) {
         return told(job, flash_boot_reboot(job->boot), "rebooting from", 0);
     }
-    if (status != FLASH_GONE && status != FLASH_TIMEOUT) {
+    if (status != HAL_ENODEV && status != HAL_ETIMEDOUT) {
         flash_boot_end(job->boot);
     }
     return status;

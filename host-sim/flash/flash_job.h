@@ -21,7 +21,7 @@ struct flash_job {
     char error[FLASH_ERROR_SIZE];
 };
 
-/* 0, or an enum flash_status with a line in error: what, where, what to do. */
+/* 0, or a status as in flash_boot.h with a line in error: what, where, what to do. */
 int flash_job_run(struct flash_job *job);
 
 #endif

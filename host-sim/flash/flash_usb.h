@@ -1,6 +1,6 @@
 /*
  * flash_usb: RP2040s in their boot loader, on USB. usb/ does it with libusb, nousb/ says that there is none. Results: 0
- * or more, or an enum flash_status.
+ * or more, or a status as in flash_boot.h.
  */
 #ifndef FLASH_USB_H
 #define FLASH_USB_H

@@ -34,7 +34,7 @@ struct model {
     const char *note; /* one line on what could not be used, or NULL */
 };
 
-/* Reads a file. 0, or EXIT_FAILED when one line has said why. */
+/* Reads a file. 0, or COMPLAINED when one line has said why. */
 int model_open(struct model **model, const char *path);
 
 void model_close(struct model *model);

@@ -6,7 +6,8 @@
 
 #include <stddef.h>
 
-/* Both return 0, or -1 where there is no such PNG of at most PPM_SIDE_MAX pixels a side. free(picture->rgb). */
+/* Both return 0, or a negative errno value where there is no such PNG of at most PPM_SIDE_MAX pixels a side.
+ * free(picture->rgb). */
 int model_png_file(const char *path, struct ppm *picture);
 int model_png_memory(const void *bytes, size_t n, struct ppm *picture);
 

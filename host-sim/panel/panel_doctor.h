@@ -8,7 +8,7 @@
 
 /*
  * The displays that were given, else what any display needs here. kit: room for one of them, any content. 0,
- * EXIT_FAILED if a check failed, or EXIT_USAGE.
+ * COMPLAINED if a check failed, or PH_ERR_INVAL.
  */
 int panel_doctor(struct panel_kit *kit, const struct panel_options *o);
 

@@ -18,7 +18,7 @@ struct panel_kit {
 /* Whether pinhole-panel can drive it: its pins are lines of an operating system or of an FT232H. */
 bool panel_kit_has(const struct board *board);
 
-/* 0, or EXIT_USAGE when one line has said what is wrong. */
+/* 0, or PH_ERR_INVAL when one line has said what is wrong. */
 int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *wiring);
 
 /* What the backend says about its last error; "" if nothing. */

@@ -222,22 +222,22 @@ static bool read_command(struct panel_options *o, const char *word)
 static int check_together(const struct panel_options *o)
 {
     if (o->demo != NULL && o->model != NULL) {
-        return complain(EXIT_USAGE, "--demo and --model exclude each other");
+        return complain_usage("--demo and --model exclude each other");
     }
     const bool scene = o->demo != NULL || o->model != NULL || o->view != NULL;
     if (scene && o->command != PANEL_RUN) {
-        return complain(EXIT_USAGE, "--demo, --view and --model are for showing a scene, not for this command");
+        return complain_usage("--demo, --view and --model are for showing a scene, not for this command");
     }
     if (o->refresh != 0 && !o->diff) {
-        return complain(EXIT_USAGE, "--refresh is for --diff on: without it every frame is sent whole");
+        return complain_usage("--refresh is for --diff on: without it every frame is sent whole");
     }
     if (o->command == PANEL_RUN || o->command == PANEL_TESTCARD) {
         return o->kit_count > 0 ? 0
-                                : complain(EXIT_USAGE, "no display: give --board NAME (`pinhole-panel list` shows "
-                                                       "them), or --panel NAME and its wiring (see --help)");
+                                : complain_usage("no display: give --board NAME (`pinhole-panel list` shows "
+                                                 "them), or --panel NAME and its wiring (see --help)");
     }
     if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST) && o->kit_count != 1) {
-        return complain(EXIT_USAGE, "one display at a time: give one --board NAME, or --panel NAME and its wiring");
+        return complain_usage("one display at a time: give one --board NAME, or --panel NAME and its wiring");
     }
     return 0;
 }
@@ -248,15 +248,14 @@ int panel_options_read(struct panel_options *o, int argc, char *const argv[])
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {
-            return complain(EXIT_USAGE, "'%s': no such command; run, list, doctor, probe, testcard or speedtest",
-                            argv[1]);
+            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard or speedtest", argv[1]);
         }
         i = 2;
     }
     while (i < argc) {
         i = option_table_read(&table, o, argc, argv, i);
-        if (i == 0) {
-            return EXIT_USAGE;
+        if (i < 0) {
+            return i;
         }
     }
     return o->command == PANEL_HELP ? 0 : check_together(o);

@@ -47,7 +47,7 @@ struct panel_options {
     bool stats, overlay;
 };
 
-/* 0, or EXIT_USAGE when one line has said what is wrong. */
+/* 0, or PH_ERR_INVAL when one line has said what is wrong. */
 int panel_options_read(struct panel_options *o, int argc, char *const argv[]);
 
 void panel_options_help(void);

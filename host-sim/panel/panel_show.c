@@ -46,14 +46,14 @@ static int open_memory(struct panel_display *d, struct runner_config *config)
         panel_diff_bytes(panel_width(board->panel, board->rotation), panel_height(board->panel, board->rotation));
     d->diff_memory = config->diff != NULL ? malloc(diff_bytes) : NULL;
     if (d->memory == NULL || (config->diff != NULL && d->diff_memory == NULL)) {
-        return complain(EXIT_FAILED, "%s: not enough memory for this scene", board->name);
+        return complain("%s: not enough memory for this scene", board->name);
     }
     return 0;
 }
 
 static int fail(const struct panel_display *d, const char *what, int status)
 {
-    return complain(EXIT_FAILED, "%s: %s%s", d->board->name, what, panel_show_text(d, status));
+    return complain("%s: %s%s", d->board->name, what, panel_show_text(d, status));
 }
 
 static int open_kit(struct panel_display *d, const struct runner_config *config)
@@ -66,8 +66,8 @@ static int open_kit(struct panel_display *d, const struct runner_config *config)
     status = runner_open(&d->runner, &d->hal, config);
     d->runner_open = d->runner.driver.config.panel != NULL; /* also half awake it must go dark */
     if (status == PH_ERR_NOMEM) {
-        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; take a smaller scene or another board",
-                        d->board->name, (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
+        return complain("%s: its %u KB do not hold '%s'; take a smaller scene or another board", d->board->name,
+                        (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
     }
     return status == 0 ? 0 : fail(d, "the panel does not wake up: ", status);
 }
@@ -92,6 +92,7 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
     if (status == 0 && scene->diff) {
         const size_t bytes = panel_diff_bytes(d->runner.driver.width, d->runner.driver.height);
         status = panel_diff_init(&d->diff, &d->runner.driver, scene->refresh, d->diff_memory, bytes);
+        status = status == 0 ? 0 : fail(d, "", status);
     }
     return status;
 }
@@ -120,16 +121,15 @@ static void tell_losses(struct panel_display *d, uint32_t frame)
     const struct ph_stats *s = &d->runner.renderer.stats;
     if (!d->drops_told && (s->triangles_dropped != 0 || s->vertices_dropped != 0)) {
         d->drops_told = true;
-        complain(EXIT_DONE, "%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
-                 d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
-                 d->runner.demo->name, (unsigned)(d->board->ram_bytes / 1024));
+        complain_note("%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
+                      d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
+                      d->runner.demo->name, (unsigned)(d->board->ram_bytes / 1024));
     }
     if (!d->edge_told && d->runner.edges_missed != 0) {
         d->edge_told = true;
-        complain(EXIT_DONE,
-                 "%s: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check "
-                 "its wire, or use --te -",
-                 d->board->name);
+        complain_note("%s: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check "
+                      "its wire, or use --te -",
+                      d->board->name);
     }
 }
 

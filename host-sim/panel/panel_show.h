@@ -10,7 +10,7 @@
 
 #include <signal.h>
 
-#define PANEL_SHOW_OVER (-1)
+#define PANEL_SHOW_OVER 1
 
 /* One display; the caller's, must not move. */
 struct panel_display {
@@ -44,7 +44,7 @@ struct panel_scene {
     void *before_context;
 };
 
-/* 0, or EXIT_FAILED when one line has said why. */
+/* 0, or COMPLAINED when one line has said why. */
 int panel_show_run(struct panel_display *displays, int count, const struct panel_scene *scene);
 
 /* What a status of the backend, the panel or the renderer means, with the backend's own words if it has some. */

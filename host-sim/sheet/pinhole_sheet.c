@@ -7,7 +7,6 @@
 #include "option_text.h"
 #include "ppm.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,7 +62,7 @@ static int make_paper(struct sheet *s)
     const size_t pixels = (size_t)s->paper.width * s->paper.height;
     s->paper.rgb = malloc(pixels * 3);
     if (s->paper.rgb == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for a sheet of %u x %u pixels", (unsigned)s->paper.width,
+        return complain("not enough memory for a sheet of %u x %u pixels", (unsigned)s->paper.width,
                         (unsigned)s->paper.height);
     }
     for (size_t i = 0; i < pixels; i++) {
@@ -126,31 +125,32 @@ static int read_arguments(struct sheet *s, int argc, char *argv[])
     for (int i = 1; i < argc && !s->help;) {
         if (argv[i][0] == '-') {
             i = option_table_read(&table, s, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
+            if (i < 0) {
+                return i;
             }
-        } else if (ppm_load(argv[i], &s->pictures[s->count]) != 0) {
-            return complain(EXIT_FAILED, "%s: cannot be read as a PPM: %s", argv[i], strerror(errno));
         } else {
+            const int status = ppm_load(argv[i], &s->pictures[s->count]);
+            if (status != 0) {
+                return complain("%s: cannot be read as a PPM: %s", argv[i], strerror(-status));
+            }
             s->count++;
             i++;
         }
     }
     return s->help || (s->out != NULL && s->count > 0)
                ? 0
-               : complain(EXIT_USAGE, "--out and at least one FILE.ppm are needed; see --help");
+               : complain_usage("--out and at least one FILE.ppm are needed; see --help");
 }
 
 static int make_sheet(struct sheet *s)
 {
-    const int status = make_paper(s);
+    int status = make_paper(s);
     if (status != 0) {
         return status;
     }
     put_pictures(s);
-    return (s->streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper)) == 0
-               ? 0
-               : complain(EXIT_FAILED, "%s: cannot be written: %s", s->streamed ? "stdout" : s->out, strerror(errno));
+    status = s->streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper);
+    return status == 0 ? 0 : complain("%s: cannot be written: %s", s->streamed ? "stdout" : s->out, strerror(-status));
 }
 
 int main(int argc, char *argv[])
@@ -158,11 +158,9 @@ int main(int argc, char *argv[])
     struct sheet sheet = {.width = 1024, .gap = 12};
     complain_as("pinhole-sheet");
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
-    int status =
-        sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain(EXIT_FAILED, "not enough memory");
+    int status = sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain("not enough memory");
     if (status == 0 && sheet.help) {
         print_help();
-        status = complain_stdout();
     } else if (status == 0) {
         status = make_sheet(&sheet);
     }
@@ -171,5 +169,5 @@ int main(int argc, char *argv[])
     }
     free(sheet.paper.rgb);
     free(sheet.pictures);
-    return status;
+    return complain_exit(status);
 }

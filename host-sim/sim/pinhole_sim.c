@@ -58,7 +58,7 @@ static int choose_board(const struct sim_options *o, struct sim_virtual *virtual
 {
     if (o->board != NULL) {
         *board = board_find(o->board);
-        return *board != NULL ? 0 : complain(EXIT_USAGE, "--board '%s': no such board; --list shows them", o->board);
+        return *board != NULL ? 0 : complain_usage("--board '%s': no such board; --list shows them", o->board);
     }
     const uint16_t width = o->width != 0 ? o->width : DEFAULT_SIDE;
     const uint16_t height = o->width != 0 ? o->height : DEFAULT_SIDE;
@@ -107,13 +107,13 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
     }
     const fx_t off_x = fx_abs_sat(camera->projection.shift_x), off_y = fx_abs_sat(camera->projection.shift_y);
     if (status == 0 && lens_set && (off_x > 2 * FX_ONE || off_y > 2 * FX_ONE)) {
-        return complain(EXIT_USAGE, "--projection: the window lies more than its own size off the middle");
+        return complain_usage("--projection: the window lies more than its own size off the middle");
     }
     if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
         const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
-        return planes ? complain(EXIT_USAGE, "--near, --far: near must be more than 0, and far more than near")
-                      : complain(EXIT_USAGE, "--projection, --fov: no such view volume; left and right, bottom and top "
-                                             "must differ, and near, far and the angle be less extreme");
+        return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near")
+                      : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top "
+                                       "must differ, and near, far and the angle be less extreme");
     }
     return 0;
 }
@@ -133,8 +133,8 @@ static int choose_view(const struct sim_options *o, struct sim_player_setup *set
         return 0;
     }
     view_names(setup->demo, names, sizeof names);
-    return complain(EXIT_USAGE, "--view '%s': %s has %s%s", o->view, setup->demo->name,
-                    names[0] != '\0' ? "the views" : "but one view", names);
+    return complain_usage("--view '%s': %s has %s%s", o->view, setup->demo->name,
+                          names[0] != '\0' ? "the views" : "but one view", names);
 }
 
 static int choose_scene(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
@@ -143,14 +143,14 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
         const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
         setup->demo = demo_find(name);
         return setup->demo != NULL ? choose_view(o, setup)
-                                   : complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
+                                   : complain_usage("--demo '%s': no such demo; --list shows them", name);
     }
     const int status = model_open(&chosen->model, o->model);
     if (status != 0) {
         return status;
     }
     if (chosen->model->note != NULL) {
-        complain(EXIT_DONE, "--model %s: %s", o->model, chosen->model->note);
+        complain_note("--model %s: %s", o->model, chosen->model->note);
     }
     chosen->model_demo = model_demo(chosen->model);
     setup->demo = &chosen->model_demo;
@@ -183,14 +183,14 @@ static int show_matrices(const struct sim_options *o, const struct frame_out *ou
     struct ph_xform view;
     struct ph_projection projection;
     if (sim_player_camera(p, o->start, &view, &projection) != 0) {
-        return EXIT_FAILED;
+        return COMPLAINED;
     }
     const int status = sim_matrix_print(report_file(out), &view, &projection, p->runner.driver.width,
                                         p->runner.driver.height, (enum ph_convention)o->convention);
     if (status == PH_ERR_RANGE) {
-        return complain(EXIT_USAGE, "--matrix: an element does not fit Q16.16; move --near and --far apart");
+        return complain_usage("--matrix: an element does not fit Q16.16; move --near and --far apart");
     }
-    return status == 0 ? 0 : complain(EXIT_USAGE, "--matrix: this demo's camera has no matrix; give a --projection");
+    return status == 0 ? 0 : complain_usage("--matrix: this demo's camera has no matrix; give a --projection");
 }
 
 static int show_frame(const struct sim_options *o, const struct frame_out *out, struct sim_player *p, uint32_t frame)
@@ -302,16 +302,16 @@ int main(int argc, char *argv[])
     complain_as("pinhole-sim");
     int status = sim_options_read(&options, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (options.action == OPTION_HELP) {
         sim_options_help();
     } else if (options.action == OPTION_LIST) {
         print_list();
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
-        status = complain(EXIT_USAGE, "--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
+        status = complain_usage("--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
     } else {
         status = draw(&options);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -228,22 +228,22 @@ void sim_options_help(void)
 static int check_together(const struct sim_options *o)
 {
     if (o->demo != NULL && o->model != NULL) {
-        return complain(EXIT_USAGE, "--demo and --model exclude each other");
+        return complain_usage("--demo and --model exclude each other");
     }
     if (o->board != NULL && o->width != 0) {
-        return complain(EXIT_USAGE, "--board and --size exclude each other");
+        return complain_usage("--board and --size exclude each other");
     }
     if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix && !o->show_window) {
-        return complain(EXIT_USAGE, "nothing to do: give --out, --crc, --stats, --matrix or --window (see --help)");
+        return complain_usage("nothing to do: give --out, --crc, --stats, --matrix or --window (see --help)");
     }
     if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
-        return complain(EXIT_USAGE, "--fov: must be less than 180 degrees; more only with --projection fisheye");
+        return complain_usage("--fov: must be less than 180 degrees; more only with --projection fisheye");
     }
     if (o->projection == OPTION_FISHEYE && o->fov_deg != 0 && o->fov_deg < FX_INT(10)) {
-        return complain(EXIT_USAGE, "--fov: must be 10 .. 240 degrees for a fisheye");
+        return complain_usage("--fov: must be 10 .. 240 degrees for a fisheye");
     }
     if (o->projection == OPTION_FISHEYE && o->matrix) {
-        return complain(EXIT_USAGE, "--matrix: a fisheye has no matrix; choose another --projection");
+        return complain_usage("--matrix: a fisheye has no matrix; choose another --projection");
     }
     return 0;
 }
@@ -253,8 +253,8 @@ int sim_options_read(struct sim_options *o, int argc, char *const argv[])
     *o = (struct sim_options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
     for (int i = 1; i < argc;) {
         i = option_table_read(&table, o, argc, argv, i);
-        if (i == 0) {
-            return EXIT_USAGE;
+        if (i < 0) {
+            return i;
         }
     }
     if (o->frames == 0) {

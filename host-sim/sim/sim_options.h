@@ -41,7 +41,7 @@ struct sim_options {
     fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given */
 };
 
-/* Reads the command line into *o. 0, or EXIT_USAGE when it was wrong and one line has said so. */
+/* Reads the command line into *o. 0, or PH_ERR_INVAL when it was wrong and one line has said so. */
 int sim_options_read(struct sim_options *o, int argc, char *const argv[]);
 
 /* Prints what --help prints. */

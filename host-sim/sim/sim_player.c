@@ -8,12 +8,12 @@
 static int refuse(const struct sim_player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
-        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; %s", setup->board->name,
+        return complain("%s: its %u KB do not hold '%s'; %s", setup->board->name,
                         (unsigned)(setup->board->ram_bytes / 1024), setup->demo->name,
                         setup->state != NULL ? "take another board, or simplify the model: pinhole-asset does"
                                              : "take a smaller scene or another board");
     }
-    return complain(EXIT_FAILED, "%s: the panel does not open (%d)", setup->board->name, status);
+    return complain("%s: the panel does not open (%d)", setup->board->name, status);
 }
 
 int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
@@ -22,7 +22,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
     *p = (struct sim_player){.setup = *setup};
     p->sim = sim_open(board, &p->hal);
     if (p->sim == NULL) {
-        return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", board->name);
+        return complain("%s: no memory, or no model of its display controller", board->name);
     }
     struct runner_config config = {.board = board,
                                    .rotation = (uint8_t)setup->rotation,
@@ -40,7 +40,7 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
     config.memory = p->memory = malloc(config.memory_bytes);
     p->picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
     if (p->memory == NULL || p->picture.rgb == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for this scene");
+        return complain("not enough memory for this scene");
     }
     const int status = runner_open(&p->runner, &p->hal, &config);
     return status == 0 ? 0 : refuse(setup, status);
@@ -50,8 +50,7 @@ static int make_frame(struct sim_player *p, uint32_t frame)
 {
     const int status = runner_scene(&p->runner, frame);
     return status == 0 ? 0
-                       : complain(EXIT_FAILED, "frame %u cannot be drawn with this camera or budget (%d)",
-                                  (unsigned)frame, status);
+                       : complain("frame %u cannot be drawn with this camera or budget (%d)", (unsigned)frame, status);
 }
 
 /* Once: nothing is lost silently. */
@@ -62,16 +61,16 @@ static void tell_drops(struct sim_player *p, uint32_t frame)
         return;
     }
     p->drops_told = true;
-    complain(EXIT_DONE, "frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u KB and are left out%s",
-             (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->runner.demo->name,
-             p->setup.board->name, (unsigned)(p->setup.board->ram_bytes / 1024),
-             p->setup.state != NULL ? "; pinhole-asset simplifies a model" : "");
+    complain_note("frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u KB and are left out%s",
+                  (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->runner.demo->name,
+                  p->setup.board->name, (unsigned)(p->setup.board->ram_bytes / 1024),
+                  p->setup.state != NULL ? "; pinhole-asset simplifies a model" : "");
 }
 
 int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)
 {
     if (make_frame(p, frame) != 0) {
-        return EXIT_FAILED;
+        return COMPLAINED;
     }
     const struct demo_camera *user = &p->runner.context.camera; /* a demo with several cameras makes its own of it */
     *view = p->runner.renderer.view;
@@ -86,14 +85,14 @@ int sim_player_frame(struct sim_player *p, uint32_t frame)
         return refuse(&p->setup, PH_ERR_NOMEM);
     }
     if (make_frame(p, frame) != 0) {
-        return EXIT_FAILED;
+        return COMPLAINED;
     }
     int status = runner_send(&p->runner);
     if (status == 0) {
         status = runner_finish(&p->runner);
     }
     if (status != 0) {
-        return complain(EXIT_FAILED, "frame %u: the panel failed (%d)", (unsigned)frame, status);
+        return complain("frame %u: the panel failed (%d)", (unsigned)frame, status);
     }
     tell_drops(p, frame);
     sim_pixels(p->sim, p->setup.rotation, p->picture.rgb);
@@ -125,10 +124,10 @@ static uint32_t print_complaints(const struct sim *sim)
 {
     const uint32_t count = sim_complaint_count(sim);
     for (uint32_t i = 0; i < count && sim_complaint(sim, i) != NULL; i++) {
-        complain(EXIT_FAILED, "display controller: %s", sim_complaint(sim, i));
+        complain("display controller: %s", sim_complaint(sim, i));
     }
     if (count > SIM_COMPLAINTS_KEPT) {
-        complain(EXIT_FAILED, "display controller: %u complaints in all", (unsigned)count);
+        complain("display controller: %u complaints in all", (unsigned)count);
     }
     return count;
 }
@@ -145,5 +144,5 @@ int sim_player_close(struct sim_player *p)
     }
     free(p->picture.rgb);
     free(p->memory);
-    return complaints == 0 ? 0 : EXIT_FAILED;
+    return complaints == 0 ? 0 : COMPLAINED;
 }

@@ -34,15 +34,15 @@ struct sim_player {
     bool drops_told;
 };
 
-/* Powers the kit on and builds the scene. 0, or EXIT_FAILED when one line has said why. Close it in any case. */
+/* Powers the kit on and builds the scene. 0, or COMPLAINED when one line has said why. Close it in any case. */
 int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
 
 /* Gives the demo the buttons that the kit says are held, draws and sends frame number `frame`; p->picture is what is
- * seen then. 0, or EXIT_FAILED as above. */
+ * seen then. 0, or COMPLAINED as above. */
 int sim_player_frame(struct sim_player *p, uint32_t frame);
 
 /* The camera with which frame number `frame` is drawn; the last one where the demo uses several.
- * 0, or EXIT_FAILED as above. */
+ * 0, or COMPLAINED as above. */
 int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
 
 /* Time that the last frame took on the bus. */
@@ -52,7 +52,7 @@ uint64_t sim_player_bus_ns(const struct sim_player *p);
 void sim_player_print_stats(const struct sim_player *p, uint32_t frame);
 
 /* Turns the display off, prints the controller's complaints on stderr (one line each) and gives the memory back.
- * 0, or EXIT_FAILED if there were any. */
+ * 0, or COMPLAINED if there were any. */
 int sim_player_close(struct sim_player *p);
 
 #endif

@@ -11,7 +11,7 @@
 struct sim_window;
 
 /* A window for pictures of width x height, scaled up by the largest whole number at which it takes up to 3/4 of the
- * screen. 0, or EXIT_FAILED when one line has said why. */
+ * screen. 0, or COMPLAINED when one line has said why. */
 int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height);
 
 /* What was pressed since the last call or is held now, enum hal_button: the arrows, Enter or space as select.

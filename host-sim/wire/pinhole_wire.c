@@ -40,7 +40,7 @@ static int show_frame(void *context, uint32_t frame, const uint8_t *rgb)
     const size_t n = (size_t)r->width * r->height * 3;
     uint8_t *copy = malloc(n);
     if (copy == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for a picture");
+        return complain("not enough memory for a picture");
     }
     memcpy(copy, rgb, n);
     const struct ppm picture = {r->width, r->height, copy};
@@ -60,7 +60,7 @@ static void show_step(void *context, uint64_t time_ns, const char *what)
 static void show_complaint(void *context, const char *complaint)
 {
     (void)context;
-    complain(EXIT_FAILED, "%s", complaint);
+    complain("%s", complaint);
 }
 
 /* ---- the command line --------------------------------------------------------------------------- */
@@ -162,14 +162,15 @@ static void change_board(struct request *r)
 
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    if (option_table_words(&table, r, argc, argv, &r->in, 1) < 0) {
-        return EXIT_USAGE;
+    const int count = option_table_words(&table, r, argc, argv, &r->in, 1);
+    if (count < 0) {
+        return count;
     }
     if (r->help) {
         return 0;
     }
     if (r->named == NULL) {
-        return complain(EXIT_USAGE, "--board NAME is needed; see --help");
+        return complain_usage("--board NAME is needed; see --help");
     }
     change_board(r);
     return 0;
@@ -183,7 +184,7 @@ static int replay_line(struct wire *w, char *line, size_t length, const char *na
     const char *error = "a byte of zero";
     const int parsed = strlen(line) == length ? wire_parse(line, &event, &error) : HAL_EINVAL;
     if (parsed < 0) {
-        return complain(EXIT_FAILED, "%s, line %u: %s", name, number, error);
+        return complain("%s, line %u: %s", name, number, error);
     }
     return parsed > 0 ? wire_replay_event(w, &event) : 0;
 }
@@ -193,18 +194,15 @@ static int replay(struct wire *w, FILE *in, const char *name)
     char *line = NULL;
     size_t size = 0;
     int status = 0;
-    errno = 0;
     for (unsigned number = 1; status == 0; number++) {
         const ssize_t length = text_line_read(&line, &size, LINE_LIMIT, in);
-        if (length < 0) {
+        if (length <= 0) {
+            status = length == 0 ? 0 : complain("%s: cannot be read: %s", name, strerror((int)-length));
             break;
         }
         status = replay_line(w, line, (size_t)length, name, number);
     }
     free(line);
-    if (status == 0 && !feof(in)) {
-        status = complain(EXIT_FAILED, "%s: cannot be read: %s", name, strerror(errno));
-    }
     return status != 0 ? status : wire_replay_end(w);
 }
 
@@ -212,15 +210,14 @@ static int run_file(struct request *r, FILE *in, const char *name)
 {
     struct wire *w = wire_replay_open(&r->wire);
     if (w == NULL) {
-        return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", r->board.name);
+        return complain("%s: no memory, or no model of its display controller", r->board.name);
     }
     int status = replay(w, in, name);
     const uint32_t complaints = wire_replay_complaints(w);
     if (status == 0 && complaints != 0) {
-        status = complain(EXIT_FAILED, "%s: the panel resents %u thing%s", name, (unsigned)complaints,
-                          complaints == 1 ? "" : "s");
+        status = complain("%s: the panel resents %u thing%s", name, (unsigned)complaints, complaints == 1 ? "" : "s");
     } else if (status == 0 && wire_replay_frames(w) == 0) {
-        status = complain(EXIT_FAILED, "%s: no complete picture was seen", name);
+        status = complain("%s: no complete picture was seen", name);
     }
     wire_replay_close(w);
     return status;
@@ -239,7 +236,7 @@ static int run(struct request *r)
     const char *name = r->in != NULL ? r->in : "stdin";
     FILE *in = r->in != NULL ? fopen(r->in, "r") : stdin;
     if (in == NULL) {
-        return complain(EXIT_FAILED, "%s: cannot be opened: %s", name, strerror(errno));
+        return complain("%s: cannot be opened: %s", name, strerror(errno));
     }
     status = run_file(r, in, name);
     if (r->in != NULL) {
@@ -255,12 +252,12 @@ int main(int argc, char *argv[])
     complain_as("pinhole-wire");
     int status = read_arguments(&request, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (request.help) {
         print_help();
     } else {
         status = run(&request);
     }
-    return complain_stdout() == 0 ? status : EXIT_FAILED;
+    return complain_exit(status);
 }

@@ -35,7 +35,7 @@ static void refuses(size_t n, const char *line)
 {
     struct flash_image image;
     char error[FLASH_ERROR_SIZE] = "";
-    assert_int_equal(flash_file_parse(&image, file, n, error), -1);
+    assert_int_equal(flash_file_parse(&image, file, n, error), PH_ERR_INVAL);
     assert_string_equal(error, line);
     assert_null(image.bytes);
     assert_null(image.used);
@@ -261,7 +261,7 @@ static void a_bin_larger_than_the_address_space(void **state)
     assert_int_equal(flash_file_parse(&image, large, FLASH_SPAN, error), 0);
     assert_int_equal(image.sectors, 4096);
     flash_image_free(&image);
-    assert_int_equal(flash_file_parse(&image, large, FLASH_SPAN + 1, error), -1);
+    assert_int_equal(flash_file_parse(&image, large, FLASH_SPAN + 1, error), PH_ERR_INVAL);
     assert_string_equal(error, "16777217 bytes do not fit into the flash: an RP2040 addresses 16777216");
     free(large);
 }
@@ -281,13 +281,13 @@ static void files_are_read_whole(void **state)
     flash_image_free(&image);
     assert_int_equal(ftruncate(fd, 64L << 20), 0); /* a hole: takes no room */
     close(fd);
-    assert_int_equal(flash_file_read(&image, path, error), -1);
+    assert_int_equal(flash_file_read(&image, path, error), PH_ERR_INVAL);
     assert_string_equal(error, "too large for an image: more than 67108864 bytes");
     assert_null(image.bytes);
     unlink(path);
-    assert_int_equal(flash_file_read(&image, path, error), -1);
+    assert_int_equal(flash_file_read(&image, path, error), PH_ERR_INVAL);
     assert_string_equal(error, "cannot be opened: No such file or directory");
-    assert_int_equal(flash_file_read(&image, "/tmp", error), -1);
+    assert_int_equal(flash_file_read(&image, "/tmp", error), PH_ERR_INVAL);
     assert_string_equal(error, "cannot be read: Is a directory");
 }
 

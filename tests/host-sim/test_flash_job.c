@@ -369,19 +369,19 @@ static void every_call_can_fail(int status, const char *line, uint32_t least)
 static void a_board_that_is_pulled_at_any_moment(void **state)
 {
     (void)state;
-    every_call_can_fail(FLASH_GONE, "unplugged while ", 37);
+    every_call_can_fail(HAL_ENODEV, "unplugged while ", 37);
 }
 
 static void a_board_that_does_not_answer_any_more(void **state)
 {
     (void)state;
-    every_call_can_fail(FLASH_TIMEOUT, "no answer for 3 s while ", 37);
+    every_call_can_fail(HAL_ETIMEDOUT, "no answer for 3 s while ", 37);
 }
 
 static void a_bus_that_fails_at_any_moment(void **state)
 {
     (void)state;
-    every_call_can_fail(FLASH_IO, "USB error while ", 37);
+    every_call_can_fail(HAL_EIO, "USB error while ", 37);
 }
 
 static void a_board_that_refuses_from_any_moment_on(void **state)
@@ -394,8 +394,8 @@ static void a_pulled_board_is_one_clear_line(void **state)
 {
     (void)state;
     board.fail_at = 7;
-    board.fail_with = FLASH_GONE;
-    assert_int_equal(run(true, true, NULL), FLASH_GONE);
+    board.fail_with = HAL_ENODEV;
+    assert_int_equal(run(true, true, NULL), HAL_ENODEV);
     assert_string_equal(job.error,
                         "unplugged while erasing 0x10000000; plug it in with BOOTSEL held and run this again");
 }

@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "caught.h"
+#include "complain.h"
 #include "sim_player.h"
 
 #include <string.h>
@@ -48,7 +49,7 @@ static void a_complaint_is_one_line_and_a_failure(void **state)
     caught_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
-    assert_int_equal(closed, 1);
+    assert_int_equal(closed, COMPLAINED);
     assert_non_null(strstr(c.text, "display controller: "));
     assert_int_equal(caught_lines(&c), 1);
 }
@@ -67,7 +68,7 @@ static void a_bus_that_fails_is_one_line_and_a_failure(void **state)
     const int drawn = sim_player_frame(&player, 3);
     caught_end(&c);
     sim_player_close(&player);
-    assert_int_equal(drawn, 1);
+    assert_int_equal(drawn, COMPLAINED);
     assert_non_null(strstr(c.text, "frame 3"));
     assert_int_equal(caught_lines(&c), 1);
 }
@@ -86,7 +87,7 @@ static void a_camera_without_a_volume_is_one_line_and_a_failure(void **state)
     const int drawn = sim_player_frame(&player, 0);
     caught_end(&c);
     sim_player_close(&player);
-    assert_int_equal(drawn, 1);
+    assert_int_equal(drawn, COMPLAINED);
     assert_int_equal(caught_lines(&c), 1);
 }
 

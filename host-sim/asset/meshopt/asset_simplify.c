@@ -222,7 +222,7 @@ int asset_simplify(const struct model *model, uint32_t triangles, struct asset_r
                          (w.index_count <= target ? take_all(&w, rest) : choose(&w, target, rest));
     free_whole(&w);
     if (!is_done) {
-        return complain(EXIT_FAILED, "not enough memory to simplify the model");
+        return complain("not enough memory to simplify the model");
     }
     return 0;
 }

@@ -1,5 +1,7 @@
 #include "model_png.h"
 
+#include "status.h"
+
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +11,7 @@ const char model_png_reason[] = "is a PNG that cannot be read: broken or too lar
 /* Alpha is dropped: nothing is transparent here. */
 static int finish(png_image *image, struct ppm *picture)
 {
-    int result = -1;
+    int result = PH_ERR_INVAL;
     image->format = PNG_FORMAT_RGBA;
     uint8_t *rgba = NULL;
     if (image->width <= PPM_SIDE_MAX && image->height <= PPM_SIDE_MAX) {
@@ -32,11 +34,11 @@ static int finish(png_image *image, struct ppm *picture)
 int model_png_file(const char *path, struct ppm *picture)
 {
     png_image image = {.version = PNG_IMAGE_VERSION};
-    return png_image_begin_read_from_file(&image, path) ? finish(&image, picture) : -1;
+    return png_image_begin_read_from_file(&image, path) ? finish(&image, picture) : PH_ERR_INVAL;
 }
 
 int model_png_memory(const void *bytes, size_t n, struct ppm *picture)
 {
     png_image image = {.version = PNG_IMAGE_VERSION};
-    return png_image_begin_read_from_memory(&image, bytes, n) ? finish(&image, picture) : -1;
+    return png_image_begin_read_from_memory(&image, bytes, n) ? finish(&image, picture) : PH_ERR_INVAL;
 }

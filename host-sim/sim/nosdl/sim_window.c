@@ -11,7 +11,7 @@ int sim_window_open(struct sim_window **window, const char *title, uint16_t widt
     (void)width;
     (void)height;
     *window = NULL;
-    return complain(EXIT_FAILED, "--window: built without SDL2; install libsdl2-dev, then run make again");
+    return complain("--window: built without SDL2; install libsdl2-dev, then run make again");
 }
 
 bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)

@@ -63,14 +63,13 @@ int sim_window_open(struct sim_window **window, const char *title, uint16_t widt
     struct sim_window *w = SDL_calloc(1, sizeof *w);
     *window = NULL;
     if (w == NULL) {
-        return complain(EXIT_FAILED, "--window: not enough memory");
+        return complain("--window: not enough memory");
     }
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* the program has its own */
     choose_screen();
     w->pitch = 3 * width;
     if (SDL_Init(SDL_INIT_VIDEO) != 0 || !open_parts(w, title, width, height)) {
-        const int status =
-            complain(EXIT_FAILED, "--window: no screen (%s); run it on a desktop, or set DISPLAY", SDL_GetError());
+        const int status = complain("--window: no screen (%s); run it on a desktop, or set DISPLAY", SDL_GetError());
         sim_window_close(w);
         return status;
     }

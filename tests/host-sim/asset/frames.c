@@ -37,17 +37,17 @@ static int draw(struct sim_player *p, struct sim_player *other, uint32_t frames,
     for (uint32_t i = 0; i < frames; i++) {
         const uint32_t frame = i * step;
         if (sim_player_frame(p, frame) != 0 || frame_out_put(out, frame, &p->picture) != 0) {
-            return EXIT_FAILED;
+            return COMPLAINED;
         }
         printf("frame %u crc32 %08X\n", (unsigned)frame, (unsigned)crc32_update(0, p->picture.rgb, picture_bytes(p)));
         if (p->runner.renderer.stats.triangles_dropped + p->runner.renderer.stats.vertices_dropped > 0) {
-            return complain(EXIT_FAILED, "frame %u: triangles are left out", (unsigned)frame);
+            return complain("frame %u: triangles are left out", (unsigned)frame);
         }
         if (other == NULL) {
             continue;
         }
         if (sim_player_frame(other, frame) != 0 || memcmp(p->picture.rgb, other->picture.rgb, picture_bytes(p)) != 0) {
-            return complain(EXIT_FAILED, "frame %u differs", (unsigned)frame);
+            return complain("frame %u differs", (unsigned)frame);
         }
     }
     return 0;
@@ -64,7 +64,7 @@ static int compare(struct sim_player *p, struct sim_player *file, uint32_t frame
     unsigned different = 0, outline = 0;
     for (uint32_t i = 0; i < frames; i++) {
         if (sim_player_frame(p, i * step) != 0 || sim_player_frame(file, i * step) != 0) {
-            return EXIT_FAILED;
+            return COMPLAINED;
         }
         const uint8_t *a = p->picture.rgb, *b = file->picture.rgb;
         for (size_t at = 0; at < picture_bytes(p); at += 3) {
@@ -114,5 +114,5 @@ int main(int argc, char *argv[])
     }
     const uint32_t frames = (uint32_t)strtoul(argv[2], NULL, 10), step = (uint32_t)strtoul(argv[3], NULL, 10);
     const int status = draw(&scene, is_compared ? &other : NULL, frames, step, &out);
-    return status == 0 && is_compared ? compare(&scene, &file, frames, step) : status;
+    return complain_exit(status == 0 && is_compared ? compare(&scene, &file, frames, step) : status);
 }
