@@ -45,11 +45,6 @@ static bool set_texture(void *to, const char *value)
     return true;
 }
 
-static bool set_flash(void *to, const char *value)
-{
-    return option_text_u32(value, 1, FLASH_LIMIT, &((struct asset_options *)to)->flash_bytes);
-}
-
 static const struct option_row rows[] = {
     {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", .set = set_out},
     {"max-triangles", "N|all|fit",
@@ -59,7 +54,8 @@ static const struct option_row rows[] = {
      "a power of two, 1 .. 1024", .set = set_texture},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board},
-    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824", .set = set_flash},
+    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824",
+     .at = offsetof(struct asset_options, flash_bytes), .least = 1, .most = FLASH_LIMIT},
     {"turntable", NULL, "on the turntable, also where the file has a camera", NULL,
      .at = offsetof(struct asset_options, turntable)},
     {"report", NULL,

@@ -1,6 +1,7 @@
 #include "option_table.h"
 
 #include "complain.h"
+#include "option_text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -22,6 +23,9 @@ static bool store(const struct option_row *row, void *options, const char *value
     void *at = (char *)options + row->at;
     if (row->set != NULL) {
         return row->set(options, value);
+    }
+    if (row->most != 0) {
+        return option_text_u32(value, row->least, row->most, at);
     }
     if (value == NULL) {
         *(bool *)at = true;

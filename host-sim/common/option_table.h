@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 struct option_row {
     const char *name;     /* without "--" */
@@ -14,8 +15,9 @@ struct option_row {
     const char *help;
     const char *allowed;                           /* its values in words; NULL: takes none */
     bool (*set)(void *options, const char *value); /* value: NULL if it has none; false: the value is wrong */
-    size_t at; /* where `set` is NULL: offset in options of what is set: of a bool where it takes none, else of a
-                  const char *, which may not be left out and not be empty */
+    size_t at; /* where `set` is NULL: offset in options of a bool (it takes no value), of a uint32_t (most is
+                  not 0), or of a const char *, which may not be left out and not be empty */
+    uint32_t least, most; /* of a whole number */
 };
 
 struct option_table {

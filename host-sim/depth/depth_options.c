@@ -74,12 +74,6 @@ static bool set_size(void *to, const char *value)
     return option_text_size(value, 1024, &lab->width, &lab->height);
 }
 
-static bool set_count(void *to, const char *value)
-{
-    struct depth_lab *lab = to;
-    return option_text_u32(value, 1, LAB_COUNT_MAX, &lab->count);
-}
-
 static bool set_spacing(void *to, const char *value)
 {
     struct depth_lab *lab = to;
@@ -143,7 +137,8 @@ static const struct option_row rows[] = {
      .set = set_size},
     {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -",
      .at = offsetof(struct depth_lab, csv)},
-    {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000", .set = set_count},
+    {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000",
+     .at = offsetof(struct depth_lab, count), .least = 1, .most = LAB_COUNT_MAX},
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",

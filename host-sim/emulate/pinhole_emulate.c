@@ -111,12 +111,9 @@ int main(int argc, char *argv[])
     struct request request = {.machine = -1, .frames = 4};
     complain_as("pinhole-emulate");
     int status = read_arguments(&request, argc, argv);
-    if (status != 0) {
-        return complain_exit(status);
-    }
-    if (request.help) {
+    if (status == 0 && request.help) {
         print_help();
-    } else {
+    } else if (status == 0) {
         status = run(&request);
     }
     return complain_exit(status);

@@ -156,15 +156,10 @@ int main(int argc, char *argv[])
     struct request request = {.path = NULL};
     complain_as("pinhole-flash");
     int status = read_arguments(&request, argc, argv);
-    if (status != 0) {
-        return complain_exit(status);
-    }
-    signal_stop_catch(); /* no command is cut off in its middle: the board could be written to no more until it is
-                          * pulled out
-                          */
-    if (request.help) {
+    signal_stop_catch(); /* a command that is cut off would leave a board that takes no other before it is unplugged */
+    if (status == 0 && request.help) {
         print_help();
-    } else {
+    } else if (status == 0) {
         status = run(&request);
     }
     return status == FLASH_STOPPED ? 128 + (int)signal_stop : complain_exit(status);

@@ -92,33 +92,6 @@ static bool set_speed(void *to, const char *value)
     return option_text_u32(value, 1, HZ_LIMIT, &wiring(to)->speed_hz);
 }
 
-static bool set_frames(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
-}
-
-static bool set_start(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
-}
-
-static bool set_fps(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 1, 1000, &o->fps);
-}
-
-static bool set_band(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    uint32_t lines = 0;
-    const bool right = option_text_u32(value, 1, LINES_LIMIT, &lines);
-    o->band = (uint16_t)lines;
-    return right;
-}
-
 static bool set_depth(void *to, const char *value)
 {
     return option_text_depth(value, &((struct panel_options *)to)->depth);
@@ -131,12 +104,6 @@ static bool set_diff(void *to, const char *value)
     const int found = option_text_choice(value, names, 2);
     o->diff = found == 1;
     return found >= 0;
-}
-
-static bool set_refresh(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 1, FRAME_LIMIT, &o->refresh);
 }
 
 static bool set_help(void *to, const char *value)
@@ -176,14 +143,16 @@ static const struct option_row rows[] = {
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct panel_options, model)},
     {"frames", "N", "ends after N frames; else when it is stopped (Ctrl-C)", "a whole number, 1 .. 1000000000",
-     .set = set_frames},
-    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", .set = set_start},
-    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", .set = set_fps},
+     .at = offsetof(struct panel_options, frames), .least = 1, .most = FRAME_LIMIT},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
+     .at = offsetof(struct panel_options, start), .least = 0, .most = FRAME_LIMIT},
+    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", .at = offsetof(struct panel_options, fps),
+     .least = 1, .most = 1000},
     {"diff", "on|off", "sends only what changed; off by default", "on or off", .set = set_diff},
     {"refresh", "N", "with --diff on: all of the picture every N frames", "a whole number, 1 .. 1000000000",
-     .set = set_refresh},
+     .at = offsetof(struct panel_options, refresh), .least = 1, .most = FRAME_LIMIT},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
-     .set = set_band},
+     .at = offsetof(struct panel_options, band), .least = 1, .most = LINES_LIMIT},
     {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim",
      "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
     {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,

@@ -40,7 +40,7 @@ struct panel_options {
     const char *demo, *view, *model; /* NULL: not given */
     uint32_t start, frames;          /* frames 0: until it is stopped */
     uint32_t fps;                    /* 0: as fast as it goes */
-    uint16_t band;                   /* lines, 0: the board's own */
+    uint32_t band;                   /* lines, 0: the board's own */
     uint8_t depth;                   /* enum ph_depth_format */
     bool diff;                       /* send only what changed */
     uint32_t refresh;                /* and all of it every so many frames; 0: never */

@@ -92,21 +92,12 @@ static bool set_out(void *to, const char *value)
     return s->streamed || option_text_ends(value, ".ppm");
 }
 
-static bool set_width(void *to, const char *value)
-{
-    return option_text_u32(value, 1, PPM_SIDE_MAX, &((struct sheet *)to)->width);
-}
-
-static bool set_gap(void *to, const char *value)
-{
-    return option_text_u32(value, 0, 1024, &((struct sheet *)to)->gap);
-}
-
 static const struct option_row rows[] = {
     {"out", "SHEET.ppm", "where the sheet goes, - is stdout", "a file that ends in .ppm, or -", .set = set_out},
     {"width", "PX", "width of the sheet; 1024 by default (wider where a picture is)", "a whole number, 1 .. 16384",
-     .set = set_width},
-    {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024", .set = set_gap},
+     .at = offsetof(struct sheet, width), .least = 1, .most = PPM_SIDE_MAX},
+    {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024",
+     .at = offsetof(struct sheet, gap), .least = 0, .most = 1024},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct sheet, help)},
 };
 

@@ -19,34 +19,11 @@ static bool set_size(void *to, const char *value)
     return option_text_size(value, SIZE_LIMIT, &o->width, &o->height);
 }
 
-static bool set_frames(void *to, const char *value)
-{
-    struct sim_options *o = to;
-    return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
-}
-
-static bool set_start(void *to, const char *value)
-{
-    struct sim_options *o = to;
-    return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
-}
-
 static bool set_rotate(void *to, const char *value)
 {
     struct sim_options *o = to;
     o->rotate_set = true;
     return option_text_turns(value, &o->rotate);
-}
-
-static bool set_band(void *to, const char *value)
-{
-    struct sim_options *o = to;
-    uint32_t lines;
-    if (!option_text_u32(value, 1, SIZE_LIMIT, &lines)) {
-        return false;
-    }
-    o->band = (uint16_t)lines;
-    return true;
 }
 
 /* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
@@ -159,8 +136,9 @@ static const struct option_row rows[] = {
     {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},
     {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
     {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
-     .set = set_frames},
-    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", .set = set_start},
+     .at = offsetof(struct sim_options, frames), .least = 1, .most = FRAME_LIMIT},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
+     .at = offsetof(struct sim_options, start), .least = 0, .most = FRAME_LIMIT},
     {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
      "a directory, a file that ends in .ppm, or -", .at = offsetof(struct sim_options, out)},
     {"rotate", "0|90|180|270",
@@ -190,7 +168,7 @@ static const struct option_row rows[] = {
      "        a reciprocal per pixel",
      "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
-     .set = set_band},
+     .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
      .at = offsetof(struct sim_options, overlay)},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,

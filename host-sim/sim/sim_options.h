@@ -26,7 +26,7 @@ struct sim_options {
     const char *out;        /* directory, FILE.ppm, "-", or NULL */
     bool rotate_set;        /* else as the board is usually held */
     uint8_t rotate;         /* quarter turns, 0 .. 3 */
-    uint16_t band;          /* lines, 0: the board's own */
+    uint32_t band;          /* lines, 0: the board's own */
     uint8_t depth;          /* enum ph_depth_format */
     uint8_t convention;     /* enum ph_convention */
     bool crc, stats, overlay, matrix, show_window;

@@ -251,12 +251,9 @@ int main(int argc, char *argv[])
         .in = NULL, .wire = {.frame = show_frame, .step = show_step, .resent = show_complaint, .context = &request}};
     complain_as("pinhole-wire");
     int status = read_arguments(&request, argc, argv);
-    if (status != 0) {
-        return complain_exit(status);
-    }
-    if (request.help) {
+    if (status == 0 && request.help) {
         print_help();
-    } else {
+    } else if (status == 0) {
         status = run(&request);
     }
     return complain_exit(status);
