@@ -19,7 +19,7 @@ int file_save_status(void)
     return errno > 0 ? -errno : HAL_EIO;
 }
 
-/* All of it under this name, closed. */
+/* Writes the whole file under this name and closes it. */
 static int write_file(const char *name, int (*write)(FILE *file, const void *context), const void *context)
 {
     FILE *file = fopen(name, "wb");
@@ -40,7 +40,7 @@ int file_save(const char *path, int (*write)(FILE *file, const void *context), c
     if (snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid()) >= (int)sizeof part) {
         return -ENAMETOOLONG;
     }
-    sigset_t ending, before; /* a signal that ends the program waits until nothing half-written is left */
+    sigset_t ending, before; /* a signal that ends the program waits until the temporary file is gone */
     sigemptyset(&ending);
     for (size_t i = 0; i < sizeof ending_signals / sizeof ending_signals[0]; i++) {
         sigaddset(&ending, ending_signals[i]);

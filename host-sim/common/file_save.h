@@ -1,6 +1,6 @@
 /*
- * file_save: files that are written whole or not at all: under a name of their own first, then renamed, so that what
- * was there before stays until then, also when a signal ends the program. A pipe or a device is written as it is.
+ * file_save: files that are written whole or not at all. A file is written under a temporary name and then renamed, so
+ * that the old one stays until then, also when a signal ends the program. A pipe or a device is written as it is.
  */
 #ifndef FILE_SAVE_H
 #define FILE_SAVE_H
@@ -8,13 +8,13 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* What errno says as a status; HAL_EIO where it says nothing. */
+/* Returns -errno, or HAL_EIO when errno is 0. */
 int file_save_status(void);
 
-/* write: puts all of the file there. Both return 0 or a negative errno value. */
+/* write puts the whole content there. Both return 0 or a negative errno value. */
 int file_save(const char *path, int (*write)(FILE *file, const void *context), const void *context);
 
-/* 0, or COMPLAINED when one line has said why. */
+/* Saves n bytes. 0 or COMPLAINED. */
 int file_save_bytes(const char *path, const void *bytes, size_t n);
 
 #endif

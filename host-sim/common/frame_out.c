@@ -35,7 +35,7 @@ static int make_directories(const char *path)
     return S_ISDIR(status.st_mode) ? 0 : -ENOTDIR;
 }
 
-/* A name like a picture's, of a format that is not written here; "name.x/" is a directory, and so is what is one. */
+/* Is this the name of a picture in another format? "name.x/" is a directory, and so is an existing one. */
 static bool is_other_picture(const char *target)
 {
     const char *slash = strrchr(target, '/'), *name = slash == NULL ? target : slash + 1;

@@ -14,7 +14,7 @@
 
 #define FRAME_LIMIT 1000000000u
 #define LINE_LIMIT  4096u
-#define PRESS_LIMIT 100000u /* lines; every frame looks at all of them */
+#define PRESS_LIMIT 100000u /* lines; each frame looks at all of them */
 
 struct key_press {
     uint32_t first, count; /* frames */
@@ -41,7 +41,7 @@ static bool read_buttons(char *text, uint32_t *buttons)
     return true;
 }
 
-/* 1: a press; 0: nothing but a comment; PH_ERR_INVAL. */
+/* Returns 1 for a press, 0 for an empty line or a comment, else PH_ERR_INVAL. */
 static int read_line(char *line, struct key_press *press)
 {
     static const char blanks[] = " \t\r\n";
@@ -61,7 +61,7 @@ static int read_line(char *line, struct key_press *press)
     return right ? 1 : PH_ERR_INVAL;
 }
 
-/* Room for one more at keys->presses[keys->count]; twice as much as often as there is a power of two of them. */
+/* Makes room for one more at keys->presses[keys->count]. The room doubles when the count reaches a power of two. */
 static bool make_room(struct key_script *keys)
 {
     if ((keys->count & (keys->count - 1)) != 0) {

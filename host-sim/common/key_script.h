@@ -1,10 +1,10 @@
 /*
  * key_script: a script of button presses for pinhole-sim, so that a walk through a scene can be repeated. A line is
  *
- *   FRAME BUTTON[+BUTTON...] [COUNT]      # and whatever follows a number sign is a comment
+ *   FRAME BUTTON[+BUTTON...] [COUNT]      # a comment
  *
- * The buttons up, down, left, right and select are held from frame number FRAME on, COUNT frames long (1 by default);
- * lines add up, in any order. Spaces or tabs stand between the words.
+ * The buttons up, down, left, right and select are held for COUNT frames (1 by default) from frame number FRAME on.
+ * Lines may stand in any order and add up. Spaces or tabs separate the words.
  */
 #ifndef KEY_SCRIPT_H
 #define KEY_SCRIPT_H
@@ -19,11 +19,13 @@ struct key_script {
     size_t count;
 };
 
-/* Reads a script; path NULL: one without presses. 0; COMPLAINED: the file cannot be read; PH_ERR_INVAL: a line is
- * wrong; one line has said why. Free it in any case. */
+/*
+ * Reads a script; without a path it has no presses. 0; COMPLAINED when the file cannot be read; PH_ERR_INVAL when a
+ * line is wrong. Free it in any case.
+ */
 int key_script_read(struct key_script *keys, const char *path);
 
-/* enum hal_button that are held during this frame. */
+/* Returns the buttons (enum hal_button) that are held during this frame. */
 uint32_t key_script_at(const struct key_script *keys, uint32_t frame);
 
 void key_script_free(struct key_script *keys);

@@ -25,7 +25,7 @@ int ppm_save(const char *path, const struct ppm *picture)
     return file_save(path, write_picture, picture);
 }
 
-/* The next number of a header: white space and comments before it. */
+/* Reads the next number of a header and the white space and comments before it. */
 static int read_number(FILE *file, uint32_t max, uint32_t *out)
 {
     int c = getc(file);

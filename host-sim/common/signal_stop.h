@@ -1,13 +1,13 @@
 /*
- * signal_stop: SIGINT, SIGTERM and SIGHUP ask a program to end; it looks here between two steps, when nothing is
- * half-written. One for the whole process: a signal handler can reach nothing else.
+ * signal_stop: SIGINT, SIGTERM and SIGHUP ask a program to end. The program looks here between two steps, when no work
+ * is half done. There is one variable for the process because a signal handler can reach nothing else.
  */
 #ifndef SIGNAL_STOP_H
 #define SIGNAL_STOP_H
 
 #include <signal.h>
 
-/* The signal that came; 0: none so far. */
+/* The signal that came, or 0. */
 extern volatile sig_atomic_t signal_stop;
 
 /* From now on the signals only set signal_stop. */

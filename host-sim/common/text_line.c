@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-/* Room for one more byte and a zero at (*line)[n]. */
+/* Makes room for one more byte and a zero at (*line)[n]. */
 static bool make_room(char **line, size_t *size, size_t n)
 {
     if (n + 2 <= *size) {

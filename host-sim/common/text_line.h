@@ -1,6 +1,4 @@
-/* text_line: text files line by line, where the file may be anything: getline() takes all memory for a file without
- * lines.
- */
+/* text_line: reads files of any kind line by line. (getline() takes all memory for a file without line ends.) */
 #ifndef TEXT_LINE_H
 #define TEXT_LINE_H
 
@@ -8,8 +6,9 @@
 #include <sys/types.h>
 
 /*
- * The next line with its end, as getline(), to be freed by the caller; of a longer one than `most` bytes that many, and
- * then the rest as another line. Its length; 0: the end; or a negative errno value.
+ * Reads the next line with its line end into *line, as getline() does; the caller frees it. Of a line longer than
+ * `most` bytes it reads that many; the rest comes as the next line. Returns the length, 0 at the end of the file, or a
+ * negative errno value.
  */
 ssize_t text_line_read(char **line, size_t *size, size_t most, FILE *file);
 

@@ -17,7 +17,7 @@ struct wire {
     struct wire_config config;
     struct hal hal;
     struct sim *sim;
-    struct sim before; /* a moment ago: what was seen before the panel went dark (its memory is sim's) */
+    struct sim before; /* the state before, with the picture from before the panel went dark (its memory is sim's) */
     uint8_t *rgb;
 
     char names[64][NAME_MAX_BYTES];
@@ -57,7 +57,7 @@ __attribute__((format(printf, 2, 3))) static void resent_at(struct wire *w, cons
     resent(w, text);
 }
 
-/* What the model has complained about since the last time. */
+/* Passes on the new complaints of the model. */
 static void pass_complaints_on(struct wire *w)
 {
     for (; w->model_complaints < sim_complaint_count(w->sim); w->model_complaints++) {
@@ -97,7 +97,7 @@ static void tell_frame(struct wire *w, const struct sim *sim)
     }
 }
 
-/* The panel goes dark: what was on it may be the last picture, or one that nothing has told yet. */
+/* When the panel goes dark, the picture on it may be the last one, or one that was not told yet. */
 static void look_back(struct wire *w)
 {
     if (!is_seen(&w->before) || is_seen(w->sim)) {
@@ -111,7 +111,7 @@ static void look_back(struct wire *w)
     }
 }
 
-/* After every command and change of a pin. */
+/* Is called after every command and change of a pin. */
 static void look(struct wire *w)
 {
     const bool on = is_on(w->sim),
@@ -201,7 +201,7 @@ static int named(const struct wire *w, const char *name)
     return -1;
 }
 
-/* "GPIO25" and "chip:25" are line 25, unless the stream has called that otherwise. */
+/* "GPIO25" and "chip:25" are line 25, unless the stream gives line 25 another name. */
 static int numbered(const struct wire *w, const struct board_pin *pin)
 {
     uint32_t number = pin->number;
@@ -230,7 +230,6 @@ static void resolve_role(struct wire *w, enum role role, const char *name, const
     }
 }
 
-/* Once, when the names are there. */
 static void resolve(struct wire *w)
 {
     const struct board_pins *pins = &w->config.board->pins;
@@ -273,7 +272,7 @@ static void set_levels(struct wire *w, uint64_t levels)
 
 /* ---- events ------------------------------------------------------------------------------------- */
 
-/* The model's clock runs while the wire rests. */
+/* Lets the model's clock run while the wire rests. */
 static void time_passes(struct wire *w, uint64_t until_ns)
 {
     if (until_ns < w->last_ns) {

@@ -1,6 +1,6 @@
 /*
- * wire_replay: what happened on a display kit's wires, event by event, into the model of its controller (sim.h): the
- * pictures that were seen, the order of power-on, and what a real panel would have resented.
+ * wire_replay: feeds the events on the wires of a display kit into the model of its controller (sim.h). It tells the
+ * pictures that were seen, the order of power-on, and what a real panel would not accept.
  */
 #ifndef WIRE_REPLAY_H
 #define WIRE_REPLAY_H
@@ -13,7 +13,7 @@ enum wire_mode { WIRE_CPHA = 1, WIRE_CPOL = 2, WIRE_CS_HIGH = 4, WIRE_LSB_FIRST 
 
 #define WIRE_NO_SELECT UINT32_MAX
 
-/* An event; what its kind has not is 0. */
+/* An event. Fields that its kind does not have are 0. */
 struct wire_event {
     enum wire_kind kind;
     uint64_t time_ns, end_ns;
@@ -32,8 +32,8 @@ struct wire_config {
     const struct board *board;
     uint32_t select;   /* chip select of this panel */
     unsigned rotation; /* enum panel_rotation */
-    uint64_t idle_ns;  /* 0: a frame ends when every pixel was written; else when the bus rests so long */
-    bool notes;        /* a frame ends at each note `frame`, whatever was written */
+    uint64_t idle_ns;  /* 0: a frame ends when every pixel was written; else when the bus rests that long */
+    bool notes;        /* a frame ends at each note `frame` */
     bool order;        /* tell the steps of power-on and power-off */
     bool last;         /* tell only the last picture seen */
     void *context;     /* of the following */
@@ -54,7 +54,7 @@ int wire_replay_event(struct wire *w, const struct wire_event *event);
 /* The stream is over. 0, or what config->frame returned. */
 int wire_replay_end(struct wire *w);
 
-/* How many complaints there were (resent was called for the first of them only). */
+/* Returns how many complaints there were (resent was called for the first of them only). */
 uint32_t wire_replay_complaints(const struct wire *w);
 
 /* Frames that were told. */

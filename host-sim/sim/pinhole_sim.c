@@ -68,8 +68,8 @@ static int choose_board(const struct sim_options *o, struct sim_virtual *virtual
 }
 
 /*
- * Writes the camera down as the convention does, in its handedness and with its near and far plane, and takes it back
- * from there: what is drawn has gone through the convention. 0 or PH_ERR_INVAL.
+ * Writes the camera down in the convention, with its handedness and its near and far plane, and reads it back from
+ * there: the camera that is drawn has gone through the convention. 0 or PH_ERR_INVAL.
  */
 static int through_convention(enum ph_convention convention, struct demo_camera *camera)
 {
@@ -118,7 +118,7 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
     return 0;
 }
 
-/* What is chosen lives as long as the run: the setup points into it. */
+/* The setup points into this, so that it lives as long as the run. */
 struct chosen {
     struct sim_virtual virtual_board;
     struct model *model;
@@ -172,7 +172,7 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     return status != 0 ? status : choose_scene(o, chosen, setup);
 }
 
-/* Where lines about the frames go: not between the frames. */
+/* Lines about the frames go to stderr if the frames go to stdout. */
 static FILE *report_file(const struct frame_out *out)
 {
     return out->kind == FRAME_OUT_STREAM ? stderr : stdout;
@@ -210,14 +210,14 @@ static int show_frame(const struct sim_options *o, const struct frame_out *out, 
     return status;
 }
 
-/* What the frames of a run go to and come from, beside the player. */
+/* Where the frames go, and where the buttons come from. */
 struct stage {
     struct frame_out out;
     struct key_script keys;
     struct sim_window *window; /* NULL: none asked for */
 };
 
-/* Sets the kit's buttons as script and keyboard say. False: the window was closed. */
+/* Sets the kit's buttons from script and keyboard. False: the window was closed. */
 static bool press(struct stage *stage, struct sim_player *p, uint32_t frame)
 {
     uint32_t buttons = 0;
@@ -278,7 +278,6 @@ static int run(const struct sim_options *o, const struct sim_player_setup *setup
     return status != 0 ? status : closed;
 }
 
-/* Chooses, runs, and gives back. */
 static int draw(const struct sim_options *o)
 {
     struct chosen chosen = {.model = NULL};
@@ -289,7 +288,7 @@ static int draw(const struct sim_options *o)
         status = run(o, &setup);
     }
     model_close(chosen.model);
-    if (signal_stop != 0) { /* end as the signal would have ended it, so that a shell's loop ends too */
+    if (signal_stop != 0) { /* end by the signal, so that a loop of a shell ends, too */
         signal(signal_stop, SIG_DFL);
         raise(signal_stop);
     }

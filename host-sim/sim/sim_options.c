@@ -241,7 +241,7 @@ int sim_options_read(struct sim_options *o, int argc, char *const argv[])
     return check_together(o);
 }
 
-/* half = distance tan(fov / 2), exact before its one rounding; saturates. */
+/* half = distance tan(fov / 2), rounded once; it saturates. */
 static fx_t half_height(const struct sim_options *o, fx_t distance)
 {
     int32_t sine, cosine;

@@ -1,7 +1,6 @@
 /*
- * sim_options: the command line of pinhole-sim. Every number is read strictly (no trailing garbage, no nan, no empty
- * text, nothing out of range); fixed-point ones by fx_from_text(), so that a camera means the same bits on every
- * machine.
+ * sim_options: the command line of pinhole-sim. Every number is read strictly. Fixed-point numbers are read by
+ * fx_from_text(), so that a camera means the same bits on every machine.
  */
 #ifndef SIM_OPTIONS_H
 #define SIM_OPTIONS_H
@@ -21,7 +20,7 @@ struct sim_options {
     const char *model;      /* path of a model file, or NULL */
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
-    uint32_t start, frames; /* frames: UINT32_MAX with a window that nothing but its user closes */
+    uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */
     const char *keys;       /* path of a script of presses, or NULL */
     const char *out;        /* directory, FILE.ppm, "-", or NULL */
     bool rotate_set;        /* else as the board is usually held */
@@ -41,7 +40,7 @@ struct sim_options {
     fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given */
 };
 
-/* Reads the command line into *o. 0, or PH_ERR_INVAL when it was wrong and one line has said so. */
+/* Reads the command line into *o. 0 or PH_ERR_INVAL. */
 int sim_options_read(struct sim_options *o, int argc, char *const argv[]);
 
 /* Prints what --help prints. */

@@ -53,7 +53,7 @@ static int make_frame(struct sim_player *p, uint32_t frame)
                        : complain("frame %u cannot be drawn with this camera or budget (%d)", (unsigned)frame, status);
 }
 
-/* Once: nothing is lost silently. */
+/* Says once that something is left out. */
 static void tell_drops(struct sim_player *p, uint32_t frame)
 {
     const struct ph_stats *s = &p->runner.renderer.stats;

@@ -1,4 +1,4 @@
-/* No SDL2 where this was built: there is no window to open, and what follows an open one is never called. */
+/* Without SDL2 there is no window to open; the other functions are never called with one. */
 #include "sim_window.h"
 
 #include "complain.h"

@@ -49,8 +49,8 @@ static bool open_parts(struct sim_window *w, const char *title, int width, int h
 }
 
 /*
- * SDL falls back to a screen that nobody sees; a person's choice in SDL_VIDEODRIVER goes before ours. Wayland's library
- * complains on its own where this variable is missing, and does not work.
+ * SDL would fall back to a screen that nobody sees, so the drivers are named; SDL_VIDEODRIVER of the user has priority.
+ * Without XDG_RUNTIME_DIR the library of Wayland does not work, and prints lines of its own.
  */
 static void choose_screen(void)
 {
@@ -94,7 +94,7 @@ bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
     for (SDL_Event event; SDL_PollEvent(&event);) {
         if (event.type == SDL_QUIT || (event.type == SDL_KEYDOWN && event.key.keysym.scancode == SDL_SCANCODE_ESCAPE)) {
             open = false;
-        } else if (event.type == SDL_KEYDOWN) { /* one that is already up again counts too */
+        } else if (event.type == SDL_KEYDOWN) { /* a key that is up again counts, too */
             *buttons |= button_of(event.key.keysym.scancode);
         }
     }
@@ -105,7 +105,7 @@ bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
     return open;
 }
 
-/* Sleeps until the picture is due; one that is late already starts the count again. */
+/* Sleeps until the picture is due. If it is late, the time of the next one counts from now. */
 static void wait_until_due(struct sim_window *w, uint64_t frame_ns)
 {
     const uint64_t hz = SDL_GetPerformanceFrequency();
