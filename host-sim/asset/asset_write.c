@@ -2,7 +2,7 @@
 
 #include <inttypes.h>
 
-/* Several values a line, none of them longer than the line of a C file ought to be. */
+/* Several values a line, and no line longer than usual in a C file. */
 static void separate(FILE *file, uint32_t i, uint32_t per_line)
 {
     fputs(i % per_line == 0 ? "\n    " : " ", file);

@@ -1,5 +1,4 @@
-/* pinhole-asset: models as const data for the flash of a display kit. See asset.h; the options are in asset_options.c.
- */
+/* pinhole-asset: models as const data for the flash of a display kit. See asset.h. */
 #define _XOPEN_SOURCE 700 /* open_memstream, isatty */
 
 #include "asset.h"
@@ -12,11 +11,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#define TRIES           12  /* to fit; each comes nearer */
-#define TRIANGLES_LEAST 16  /* less is no picture of anything */
-#define TRIANGLES_FEW   400 /* the turntable's platter then takes more from the model than it gives to the picture */
+#define TRIES           12  /* attempts to fit; each comes nearer */
+#define TRIANGLES_LEAST 16  /* fewer give no picture */
+#define TRIANGLES_FEW   400 /* below this the platter of the turntable costs more triangles than it is worth */
 
-/* The list of triangles is as long as the board needs, or as the most demanding of all boards does. */
+/* Measures the list of triangles on the board, or on every board to find the longest list. */
 static int measure(struct asset *asset, const struct board *board)
 {
     for (uint32_t i = 0; i < board_count; i++) {
@@ -33,7 +32,7 @@ static uint64_t texture_bytes(const struct asset *asset)
     return asset_sizes(asset).textures;
 }
 
-/* The share of its triangles that the board and the flash have room for; 1 or more: it fits. 0: not one does. */
+/* Returns the share of the triangles that board and flash have room for: 1 or more if all fit, 0 if none does. */
 static double room(const struct asset *asset, const struct asset_options *o)
 {
     const double flash = (double)(asset_flash_bytes(asset) - texture_bytes(asset));
@@ -53,7 +52,7 @@ static bool fits(const struct asset *asset, const struct asset_options *o)
            (o->board == NULL || asset_frame_bytes(asset, o->board) <= runner_budget(o->board));
 }
 
-/* What to do about textures that alone are too large for the flash. */
+/* Tells which texture size fits when the textures alone are too large for the flash. */
 static int refuse_textures(const struct asset *asset, const struct asset_options *o)
 {
     uint8_t log2 = o->texture_log2;
@@ -67,7 +66,7 @@ static int refuse_textures(const struct asset *asset, const struct asset_options
                     (unsigned)side);
 }
 
-/* Once, with at most that many triangles. */
+/* Makes the asset once, with at most that many triangles. */
 static int make(struct asset *asset, const struct model *model, const struct asset_options *o, uint32_t triangles,
                 bool is_bare)
 {
@@ -76,14 +75,16 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     return status == 0 ? measure(asset, o->board) : status;
 }
 
-/* Between `fitting` triangles and `too_many`: what the asset's need lets hope for, else the middle. */
+/*
+ * Returns the next number to try between `fitting` and `too_many`: the estimate from the asset's need, else the middle.
+ */
 static uint32_t guess(const struct asset *asset, const struct asset_options *o, uint32_t fitting, uint32_t too_many)
 {
     const double hope = asset->model.triangle_count * room(asset, o) * .98;
     return hope > fitting && hope < too_many ? (uint32_t)hope : fitting + (too_many - fitting) / 2;
 }
 
-/* As many triangles as the board has room for, to one in 32. */
+/* Finds the largest number of triangles that fits, to one in 32. */
 static int make_less(struct asset *asset, const struct model *model, const struct asset_options *o, bool is_bare)
 {
     uint32_t fitting = 0, too_many = model->triangle_count;
@@ -119,7 +120,7 @@ static int make_fitting(struct asset *asset, const struct model *model, const st
     return make_less(asset, model, o, true);
 }
 
-/* Nothing is simplified silently. */
+/* Says that the model was simplified. */
 static void tell(const struct asset *asset, const struct asset_options *o)
 {
     if (o->fit && asset->way != ASSET_WHOLE) {
@@ -133,7 +134,7 @@ static void tell(const struct asset *asset, const struct asset_options *o)
 
 static const char no_meshopt[] = "simplifying takes meshoptimizer: install libmeshoptimizer-dev (Debian), make again";
 
-/* `asset` does not fit: what of it would. */
+/* Says why `asset` does not fit, and how many triangles would. */
 static int refuse(const struct asset *asset, const struct model *model, const struct asset_options *o)
 {
     const unsigned triangles = (unsigned)asset->model.triangle_count;

@@ -21,16 +21,12 @@ int complain_usage(const char *format, ...) __attribute__((format(printf, 1, 2))
 /* Prints the line when the program goes on. */
 void complain_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/*
- * Returns the exit status: 0 done, 1 failed, 2 for PH_ERR_INVAL. It is also 1, with a line, if stdout cannot be
- * written.
- */
+/* Returns the exit status: 0 done, 1 failed, 2 for PH_ERR_INVAL. It is also 1, with a line, if stdout cannot be
+ * written. */
 int complain_exit(int status);
 
-/*
- * Call this first: it sets the name that starts each line (the text must stay). From then on a write to a file that may
- * not grow further (SIGXFSZ) fails and does not end the program.
- */
+/* Call this first: it sets the name that starts each line (the text must stay). From then on a write to a file that may
+ * not grow further (SIGXFSZ) fails and does not end the program. */
 void complain_as(const char *program);
 
 /* Replaces control characters of text by '?'. */

@@ -13,10 +13,8 @@ struct frame_out {
     const char *path;
 };
 
-/*
- * target is NULL (nowhere), "-" (stdout), a name that ends in ".ppm", or a directory, which is made when it is missing.
- * Several frames turn FILE.ppm into FILE-NNNN.ppm. 0, COMPLAINED, or PH_ERR_INVAL for another extension.
- */
+/* target is NULL (nowhere), "-" (stdout), a name that ends in ".ppm", or a directory, which is made when it is missing.
+ * Several frames turn FILE.ppm into FILE-NNNN.ppm. 0, COMPLAINED, or PH_ERR_INVAL for another extension. */
 int frame_out_open(struct frame_out *out, const char *target, bool several);
 
 /* Writes one frame; a file is written whole or not at all. 0 or COMPLAINED. */

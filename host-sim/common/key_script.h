@@ -19,10 +19,8 @@ struct key_script {
     size_t count;
 };
 
-/*
- * Reads a script; without a path it has no presses. 0; COMPLAINED when the file cannot be read; PH_ERR_INVAL when a
- * line is wrong. Free it in any case.
- */
+/* Reads a script; without a path it has no presses. 0; COMPLAINED when the file cannot be read; PH_ERR_INVAL when a
+ * line is wrong. Free it in any case. */
 int key_script_read(struct key_script *keys, const char *path);
 
 /* Returns the buttons (enum hal_button) that are held during this frame. */

@@ -452,10 +452,8 @@ static bool written(const struct sim *sim, uint32_t x, uint32_t y)
     return cell(sim, x, y)->written != 0;
 }
 
-/*
- * The reset pulse takes 10 us, then 5 ms pass (the "reset timing" of the datasheets). The write limits are from their
- * tables of the serial timing.
- */
+/* The reset pulse takes 10 us, then 5 ms pass (the "reset timing" of the datasheets). The write limits are from their
+ * tables of the serial timing. */
 #define DBI_MODEL(text, hz)                                                                                            \
     {                                                                                                                  \
         .controller = (text), .write_hz = (hz), .reset_pulse_ns = 10000, .reset_wait_ns = 5000000, .reset = reset,     \

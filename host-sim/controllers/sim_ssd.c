@@ -355,10 +355,8 @@ static void ssd0323_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 
 /* ---- the glass ---------------------------------------------------------------------------------- */
 
-/*
- * On SSD1351 modules the picture is upright when COM lines run from the last one (A0h bit 4). Even lines are bonded at
- * one side, odd ones at the other.
- */
+/* On SSD1351 modules the picture is upright when COM lines run from the last one (A0h bit 4). Even lines are bonded at
+ * one side, odd ones at the other. */
 static const struct sim_cell *ssd1351_cell(const struct sim *sim, uint32_t x, uint32_t y)
 {
     const struct sim_ssd *s = &sim->u.ssd;
@@ -370,10 +368,8 @@ static const struct sim_cell *ssd1351_cell(const struct sim *sim, uint32_t x, ui
     return &sim->memory[row * 128 + (s->remap & 2 ? 127 - x : x)];
 }
 
-/*
- * On the Stellaris kits' glass the picture is upright when COM lines run from the last one with an offset of 76 lines.
- * Even and odd lines are bonded at different sides (A0h bit 6).
- */
+/* On the Stellaris kits' glass the picture is upright when COM lines run from the last one with an offset of 76 lines.
+ * Even and odd lines are bonded at different sides (A0h bit 6). */
 static const struct sim_cell *ssd0323_cell(const struct sim *sim, uint32_t x, uint32_t y)
 {
     const struct sim_ssd *s = &sim->u.ssd;

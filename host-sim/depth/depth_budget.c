@@ -10,7 +10,7 @@
 
 #define ALL DEPTH_SHARES
 
-/* Predicted and measured, the parts and then all of them together. */
+/* Predicted and measured: each part, then all parts together. */
 struct budget {
     double predicted_m[DEPTH_SHARES + 1], measured_m[DEPTH_SHARES + 1];
 };
@@ -22,7 +22,7 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
     }
 }
 
-/* All parts together, on planes whose farthest row is at z: what the row that needs most needs. */
+/* Predicts all parts together on planes whose farthest row is at z, for the row that needs most. */
 static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
 {
     static const double tilts[] = {0, 40, 75};
@@ -38,7 +38,7 @@ static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format forma
     budget->measured_m[ALL] = measured;
 }
 
-/* S_eff at z of what faces the camera, as `resolve` measures it. 0, or COMPLAINED and one line. */
+/* Measures S_eff at z of planes that face the camera, as `resolve` does. 0 or COMPLAINED. */
 static int measure_store(const struct depth_lab *lab, const struct lab_format *format, fx_t z, double *out)
 {
     struct work {

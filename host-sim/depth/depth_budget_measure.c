@@ -10,7 +10,7 @@
 #define ROLLS       8
 #define ROLL_TURN32 0x14f1bbcdu /* 29.5 degrees: no multiple of anything on the screen */
 
-/* How far values lie apart. */
+/* The range of a set of values. */
 struct spread {
     double least, most;
 };
@@ -23,7 +23,7 @@ static void widen(struct spread *spread, double value)
 
 static const struct spread nothing = {HUGE_VAL, -HUGE_VAL};
 
-/* The same numbers on every run and machine. */
+/* Gives the same numbers on every run and machine. */
 static uint32_t next_random(uint32_t *state)
 {
     *state ^= *state << 13;
@@ -160,7 +160,7 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
     }
 }
 
-/* Every pixel of the quad that was drawn: its distance, and its code. Corners 0, 2 are the diagonal. */
+/* Takes distance and code of every pixel of the quad. Corners 0 and 2 are the diagonal. */
 static uint32_t take_samples(const struct planes_canvas *canvas, const struct corner c[4], struct sample *samples)
 {
     const uint32_t width = canvas->lab->width, height = canvas->lab->height;
@@ -185,7 +185,7 @@ static int compare_samples(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The largest distance from a sample to one behind it that has a larger code, hence looks nearer. */
+/* Returns the largest distance from a sample to one behind it that has a larger code, and so looks nearer. */
 static double largest_inversion(struct sample *samples, uint32_t n)
 {
     double largest = 0;
@@ -213,7 +213,7 @@ static double largest_inversion(struct sample *samples, uint32_t n)
     return is_done ? largest : NAN;
 }
 
-/* Rolls the camera a little further each time; what the triangles of all turns say must agree. */
+/* Rolls the camera a little further each time; the samples of all turns must agree. */
 static uint32_t roll_and_sample(struct planes_canvas *canvas, const struct planes_quad *quad, struct sample *samples)
 {
     uint32_t n = 0;

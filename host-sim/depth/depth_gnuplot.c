@@ -14,7 +14,7 @@
 
 #define NOT_FOUND 127 /* exit status of a child that found no gnuplot */
 
-/* Never returns. -d: nobody's ~/.gnuplot changes the picture. */
+/* Never returns. -d: the ~/.gnuplot of the user does not change the picture. */
 static void become_gnuplot(int in, int out, int errors)
 {
     char name[] = "gnuplot", no_defaults[] = "-d", from_stdin[] = "-";
@@ -25,7 +25,7 @@ static void become_gnuplot(int in, int out, int errors)
     _exit(errno == ENOENT || errno == EACCES ? NOT_FOUND : 1);
 }
 
-/* Writes all of text into the pipe; a reader that has gone is no error here: its exit status tells. */
+/* Writes the whole text into the pipe. If the reader has gone its exit status tells, so that is no error here. */
 static void feed(int pipe_end, const char *text)
 {
     size_t left = strlen(text);
@@ -50,7 +50,7 @@ static int wait_for(pid_t child)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-/* Exit status of gnuplot, or a negative errno value when it could not even be tried. */
+/* Returns the exit status of gnuplot, or a negative errno value when it could not be started. */
 static int run_child(const char *script, FILE *out, FILE *errors)
 {
     int ends[2];
@@ -76,7 +76,7 @@ static int run_child(const char *script, FILE *out, FILE *errors)
     return child < 0 ? refused : wait_for(child);
 }
 
-/* The whole file, with a zero behind it, to be freed; NULL without memory. */
+/* Returns the whole file with a zero behind it, to be freed; NULL without memory. */
 static char *contents(FILE *file, size_t *length)
 {
     const long size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
@@ -89,7 +89,7 @@ static char *contents(FILE *file, size_t *length)
     return bytes;
 }
 
-/* What gnuplot complained about: its first line that says something. */
+/* Tells the first line of what gnuplot complained about. */
 static int blame(FILE *errors)
 {
     size_t length;

@@ -5,10 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/*
- * Runs gnuplot on the script, without its user's start-up files. *picture: what it wrote, to be freed.
- * 0, or COMPLAINED and one line: gnuplot is missing, or what it complained about.
- */
+/* Runs gnuplot on the script, without the start-up files of the user. The caller frees *picture. 0 or COMPLAINED. */
 int depth_gnuplot_run(const char *script, char **picture, size_t *length);
 
 /* Whether gnuplot can be run. */

@@ -38,7 +38,7 @@ static void constants(const struct ieee *p, double n, double f, float *scale, fl
     *bias = (float)b;
 }
 
-/* Through memory after each operation: whatever the machine computes with, the value is a float32. */
+/* Goes through memory after each operation, so that the value is a float32 on any machine. */
 static float rounded(float value)
 {
     volatile float stored = value;

@@ -65,7 +65,7 @@ int depth_monotone(const struct depth_lab *lab)
         }
         const struct counts found = count_codes(probe, lab);
         put_row(lab, format, found);
-        failed += lab_is_monotone(format) && found.rises > 0; /* what others do may fail, and does */
+        failed += lab_is_monotone(format) && found.rises > 0; /* a format of others may fail, and does */
     }
     free(probe);
     return status != 0 || failed == 0 ? status : complain("a format of the renderer is not monotone: see `fail`");

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-/* Near and far as they are printed, so that 0.1 means 0.1 here and not the nearest number of Q16.16. */
+/* Near and far as they are printed, so that 0.1 means 0.1 and not the nearest number of Q16.16. */
 static int ieee_row(const struct depth_lab *lab, uint32_t format)
 {
     struct depth_ieee_count found;
@@ -22,7 +22,7 @@ static int ieee_row(const struct depth_lab *lab, uint32_t format)
     return 0;
 }
 
-/* Where the lab's text goes; without its first piece, the header, once that is there. */
+/* The lab's text goes here; its first piece, the header, is left out after the first time. */
 struct sink {
     FILE *file;
     bool skip;

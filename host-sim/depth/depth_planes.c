@@ -35,7 +35,7 @@ struct picture {
     uint32_t column; /* where the next format's picture begins */
 };
 
-/* Black where nothing is counted, blue where right, orange where wrong: three greys even to the colour-blind. */
+/* Black: not counted, blue: right, orange: wrong. The colour-blind see them as three greys. */
 static void paint(struct picture *picture, const struct depth_lab *lab, const uint8_t *verdicts)
 {
     static const uint8_t colours[][3] = {
@@ -71,7 +71,7 @@ static int octave_of(double distance_m)
     return octave < 0 ? 0 : octave >= OCTAVES ? OCTAVES - 1 : octave;
 }
 
-/* Adds what a row holds; all of it is at one distance. */
+/* Adds the codes of a row, which lies at one distance. */
 static void add_row(struct band *band, const struct planes_canvas *canvas, uint32_t y, uint32_t *codes)
 {
     const uint32_t width = canvas->lab->width;
@@ -83,7 +83,7 @@ static void add_row(struct band *band, const struct planes_canvas *canvas, uint3
     }
 }
 
-/* One octave of distance, or all of them (-1), in what was drawn last: the plane behind, alone. */
+/* Prints one octave of distance, or all (-1), of the plane behind, which was drawn last and alone. */
 static struct band count_band(const struct planes_canvas *canvas, const struct planes_quad *behind, int octave,
                               uint32_t *codes)
 {
@@ -145,7 +145,7 @@ static int show_format(const struct depth_lab *lab, const struct lab_format *for
     return status;
 }
 
-/* Half of what the coarsest of the formats needs: there is something to see, and where a finer one does without. */
+/* Half of the separation that the coarsest format needs: a coarse format then shows errors, and a fine one does not. */
 static double half_too_small(const struct depth_lab *lab, double at, double tilt)
 {
     const uint32_t rows = depth_drawn_formats(lab);

@@ -47,10 +47,8 @@ static double spread(int i, double by)
     return i * by - floor(i * by);
 }
 
-/*
- * Place number i of the sweep; its upper edge, or its lower one where the planes lean towards us, is at at_m. Three of
- * four have the plane in front moved within itself, towards us.
- */
+/* Place number i of the sweep. Its upper edge is at at_m, or its lower one where the planes lean towards us. In three
+ * of four places the plane in front is moved within itself, towards us. */
 static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
                                     double tilt_deg, int i)
 {
@@ -83,10 +81,8 @@ static bool is_wrong(struct planes_canvas *canvas, const struct planes_pair *pai
     return false;
 }
 
-/*
- * Whether any pixel of any place is wrong at this separation. IMPOSSIBLE: it rounds to nothing, or finds no room.
- * *real_m: the largest separation that a place had after rounding.
- */
+/* Is any pixel of any place wrong at this separation? IMPOSSIBLE: the separation rounds to 0, or has no room. *real_m:
+ * the largest separation of a place after rounding. */
 static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_format format, double at_m, double tilt_deg,
                                double separation_m, double *real_m)
 {
@@ -106,7 +102,8 @@ static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_forma
     return ALL_RIGHT;
 }
 
-/* The largest tangent of a ray to the axis that meets the planes of the sweep: at a corner of the picture. */
+/* Returns the largest tangent between the axis and a ray that meets the planes of the sweep, at a corner of the
+ * picture. */
 static double tan_phi_max(const struct depth_lab *lab)
 {
     const double half = depth_pixel_slope(lab) / 2;
@@ -121,7 +118,7 @@ double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_forma
            depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) / sqrt(2) * fabs(sin(angle));
 }
 
-/* The most that any row of the sweep needs: the steps of a float get coarser at the near end of each octave. */
+/* Predicts for the row that needs most: the steps of a float get coarser at the near end of each octave. */
 static void predict(const struct depth_lab *lab, enum ph_depth_format format, double at_m, double tilt_deg,
                     struct planes_sweep *sweep)
 {

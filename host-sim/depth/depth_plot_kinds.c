@@ -38,7 +38,7 @@ static struct style style_of(const struct lab_format *format)
     return others[format->kind];
 }
 
-/* Whether another row of lab_formats bears the same name, so that the name alone does not tell. */
+/* Has another row of lab_formats the same name? Then the name alone is ambiguous. */
 static bool has_twin(uint32_t row)
 {
     for (uint32_t i = 0; i < lab_format_count; i++) {
@@ -49,7 +49,7 @@ static bool has_twin(uint32_t row)
     return false;
 }
 
-/* What others do: dashes for 16 bits, dashes and dots for 24. */
+/* Formats that the renderer does not have: dashes for 16 bits, dashes and dots for 24. */
 static void put_style(FILE *script, const struct lab_format *format, bool marks)
 {
     const struct style style = style_of(format);
@@ -63,7 +63,7 @@ static void put_style(FILE *script, const struct lab_format *format, bool marks)
     fprintf(script, " lc '%s' ", style.colour);
 }
 
-/* The names, in the order of the tables whatever lies on top of what. */
+/* The names in the order of the tables; the order of drawing does not matter. */
 static void put_legend(const struct depth_lab *lab, FILE *script, bool marks)
 {
     for (uint32_t i = 0; i < lab_format_count; i++) {
@@ -87,7 +87,7 @@ static void put_camera(const struct depth_lab *lab, FILE *script)
 
 /* ---- the documents' curves ---------------------------------------------------------------------------- */
 
-/* The curve of the matrix that the camera really has, GL convention, its elements in Q16.16, as data block $c<tag>. */
+/* Writes the curve of the real matrix of the camera (GL convention, elements in Q16.16) as data block $c<tag>. */
 static int put_curve(FILE *script, int tag, fx_t near_z, fx_t far_z)
 {
     struct ph_projection projection = {.kind = PH_PERSPECTIVE};
@@ -212,7 +212,7 @@ static void put_resolve(FILE *script, char *csv)
     fputs(open != lab_format_count ? "EOD\n" : "", script);
 }
 
-/* Curves of column y over z; the renderer's own on top of the others. */
+/* Curves of column y over z; the renderer's formats are on top. */
 static void put_resolve_curves(const struct depth_lab *lab, FILE *script, int y)
 {
     for (uint32_t i = 0; i < 2 * lab_format_count; i++) {
@@ -226,7 +226,7 @@ static void put_resolve_curves(const struct depth_lab *lab, FILE *script, int y)
     }
 }
 
-/* T. Ulrich's bands: above 1/1000 of the distance ripe for z-fighting, below 1/1000000 very good. */
+/* T. Ulrich's bands: a step above 1/1000 of the distance leads to z-fighting; below 1/1000000 is very good. */
 static void put_bands(const struct depth_lab *lab, FILE *script)
 {
     const double n = depth_metres(lab->near_z);

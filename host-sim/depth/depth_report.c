@@ -67,7 +67,7 @@ static const struct section sections[] = {
      depth_anchors},
 };
 
-/* A path in the report's directory. 0, or COMPLAINED and one line. */
+/* Makes a path in the directory of the report. 0 or COMPLAINED. */
 static int name_file(const struct depth_lab *lab, const char *name, const char *suffix, char path[PATH_MAX])
 {
     if (snprintf(path, PATH_MAX, "%s/%s.%s", lab->out, name, suffix) >= PATH_MAX) {
@@ -134,7 +134,7 @@ static void put_table(FILE *report, const char *csv, const char *headings)
     }
 }
 
-/* The plot beside the report, and its place in it; without gnuplot a line that says so. */
+/* Writes the plot beside the report and its link; without gnuplot a line says so. */
 static int put_plot(const struct depth_lab *lab, FILE *report, const char *name, const char *options, bool can_plot)
 {
     const struct depth_plot_kind *const kind = depth_plot_find(name);

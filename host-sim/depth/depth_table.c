@@ -4,7 +4,7 @@
 
 #define COLUMNS_MAX 24
 
-/* Widens the columns to what a line needs; a cell ends at a comma or at the end of the line. */
+/* Widens the columns to fit a line. A cell ends at a comma or at the end of the line. */
 static void measure(const char *line, size_t width[COLUMNS_MAX])
 {
     for (int column = 0; column < COLUMNS_MAX; column++) {
@@ -17,7 +17,7 @@ static void measure(const char *line, size_t width[COLUMNS_MAX])
     }
 }
 
-/* The first column is text, and on the left. */
+/* Prints a line; the first column is text and stands on the left. */
 static void print_line(FILE *file, const char *line, const size_t width[COLUMNS_MAX])
 {
     for (int column = 0; column < COLUMNS_MAX; column++) {

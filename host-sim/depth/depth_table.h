@@ -5,12 +5,13 @@
 #include <stdio.h>
 
 /*
- * Prints CSV as a table with aligned columns, remarks below it. headings: the columns' names for people, with commas
- * between them, as many as the CSV has (all of them say predicted or measured where that is a question), or NULL.
+ * Prints CSV as a table with aligned columns, and the remarks below it. headings: names of the columns for people, with
+ * commas between them, as many as the CSV has, or NULL. A heading says `predicted` or `measured` where that is a
+ * question.
  */
 void depth_table_print(FILE *file, const char *csv, const char *headings);
 
-/* Takes the remarks out: what is left is CSV. */
+/* Removes the remarks; CSV remains. */
 void depth_table_drop_remarks(char *csv);
 
 #endif

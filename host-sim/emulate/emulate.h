@@ -1,12 +1,12 @@
 /*
  * emulate: runs a firmware image in QEMU and steps it frame by frame through its log UART (the characters of
- * firmware/app/images/demos.c). Two machines:
+ * firmware/app/images/demos.c). There are two machines:
  *
- *   lm3s6965evb    the picture is what QEMU's own model of the kit's SSD0323 shows (screendump); its buttons are real
- *   netduinoplus2  an STM32F405 without a display: the picture is what a controller's model (sim.h) makes of the
- *                  stores to SPI and pins, which QEMU's trace tells in order; buttons are pressed through the UART
+ *   lm3s6965evb    the picture is the screen of QEMU's own model of the SSD0323; the buttons are those of the kit
+ *   netduinoplus2  an STM32F405 without a display. QEMU's trace tells the stores to SPI and pins in order, and the
+ * model of the controller (sim.h) makes the picture of them; buttons are pressed through the UART
  *
- * Functions return 0, or COMPLAINED when one line has said why.
+ * Functions return 0 or COMPLAINED.
  */
 #ifndef EMULATE_H
 #define EMULATE_H
@@ -25,7 +25,7 @@ struct emulation {
     int (*frame)(void *context, uint32_t frame, const struct ppm *picture);
 };
 
-/* The ELF of a whole image that begins in the flash at that address: QEMU runs anything. */
+/* Checks that this is the ELF of a whole image that begins in the flash at that address. (QEMU runs any file.) */
 int emulate_image_check(const char *path, uint32_t flash);
 
 int emulate_screen(const struct emulation *e); /* lm3s6965evb */

@@ -1,5 +1,4 @@
-/* See emulate.h. ELF: System V Application Binary Interface, chapters 4 and 5; of what QEMU would run regardless.
- */
+/* See emulate.h. Source: System V Application Binary Interface, chapters 4 and 5 (ELF). */
 #define _XOPEN_SOURCE 700
 
 #include "emulate.h"
@@ -26,7 +25,7 @@ static bool read_at(FILE *in, uint64_t at, uint8_t *bytes, size_t n)
     return fseeko(in, (off_t)at, SEEK_SET) == 0 && fread(bytes, 1, n, in) == n;
 }
 
-/* All segments are in the file, and one of them is what the chip starts with. */
+/* Checks that all segments are in the file and that one of them begins where the chip starts. */
 static int check_segments(const char *path, FILE *in, uint64_t size, const uint8_t *header, uint32_t flash)
 {
     const uint64_t table = get(header + 28, 4);

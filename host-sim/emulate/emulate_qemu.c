@@ -19,7 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define CPU_SECONDS 1800  /* one that lost its parent does not spin for ever */
+#define CPU_SECONDS 1800  /* a QEMU without its parent does not run for ever */
 #define WAIT_MS     30000 /* for a line or an answer */
 #define LAST_MS     200
 
@@ -46,7 +46,7 @@ static bool open_ends(struct ends *e)
     return all;
 }
 
-/* The words of a command line, as they come; two at a time make an option. */
+/* The words of a command line. */
 struct words {
     const char *list[48];
     size_t count;
@@ -121,7 +121,7 @@ int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, u
     q->uart = e.uart[0];
     q->trace = e.trace[0];
     q->said = e.said[0];
-    signal_stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
+    signal_stop_catch(); /* a signal ends the waiting, so that QEMU is stopped and half-written files are removed */
     signal(SIGPIPE, SIG_IGN);
     return q->pid > 0 ? emulate_qemu_command(q, "qmp_capabilities", NULL) : complain("fork: %s", strerror(errno));
 }
@@ -132,7 +132,7 @@ static bool readable(int fd, int wait_ms)
     return signal_stop == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
 }
 
-/* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
+/* These lines come in every run: the machines have a network chip without a network, and timers that stand still. */
 static bool usual(const char *line)
 {
     return strstr(line, "has no peer") != NULL || strcmp(line, "Timer with period zero, disabling") == 0;
@@ -151,7 +151,7 @@ static int complaints_of(FILE *said)
     return status;
 }
 
-/* Ends it, if it has not ended. COMPLAINED and one line when it had something to say. */
+/* Ends QEMU if it still runs. COMPLAINED when it had something to say. */
 static int end(struct qemu *q)
 {
     if (q->pid > 0) {
@@ -169,7 +169,7 @@ static int end(struct qemu *q)
     return status;
 }
 
-/* QEMU is gone or mute: the image's own words say why, if there are any. */
+/* QEMU ended or does not answer. If the image logged a reason, that is told. */
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;
@@ -184,7 +184,7 @@ static int last_words(struct qemu *q, const char *what, const char *name)
     return end(q) != 0 ? COMPLAINED : complain("QEMU does not %s %s", what, name);
 }
 
-/* Events come between the answers. */
+/* Waits for the answer; events may come before it. */
 static int await_answer(struct qemu *q, const char *name)
 {
     char line[4096];

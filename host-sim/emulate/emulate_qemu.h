@@ -14,17 +14,17 @@ struct qemu {
     FILE *log; /* what the image logs goes here, too; or NULL */
 };
 
-/* Starts the machine, halted. uart: which of the machine's serial lines is the log, 0 for the first. */
+/* Starts the machine, halted; serial line number `uart` is the log. */
 int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced);
 
-/* A QMP command, with arguments (JSON, a format) or NULL. Waits for its answer. */
+/* Sends a QMP command with arguments (a format of JSON, or NULL) and waits for its answer. */
 int emulate_qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* A signal asks this program to end; one line has said so. */
+/* Returns whether a signal asks this program to end, and says so. */
 bool emulate_qemu_interrupted(void);
 
-/* Characters to the UART. */
+/* Sends characters to the UART. */
 int emulate_qemu_send(const struct qemu *q, const char *text);
 
 /* Takes a byte that the image logged; true when a line is complete: q->line. */
@@ -34,7 +34,7 @@ bool emulate_qemu_logged(struct qemu *q, char byte);
 int emulate_qemu_line(struct qemu *q);
 int emulate_qemu_check_line(const struct qemu *q);
 
-/* Ends it. COMPLAINED if it wrote anything but what every run of these machines writes to stderr. */
+/* Ends QEMU. COMPLAINED if it wrote to stderr anything that it does not write in every run. */
 int emulate_qemu_stop(struct qemu *q);
 
 #endif

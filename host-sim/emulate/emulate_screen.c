@@ -39,7 +39,7 @@ static int press(struct qemu *q, uint32_t was, uint32_t is)
     return status;
 }
 
-/* One pixel of the panel: all of its block is one colour. */
+/* Copies one pixel of the panel. False: its block on the screen is not of one colour. */
 static bool shrink_pixel(const struct ppm *screen, struct ppm *picture, uint32_t x, uint32_t y)
 {
     const uint8_t *first = screen->rgb + 3 * ((size_t)SCALE * y * screen->width + (size_t)SCALE * x);
@@ -89,7 +89,7 @@ static int look(struct qemu *q, struct ppm *picture)
     return status;
 }
 
-/* Until the line about frame number `frame`. */
+/* Waits for the line about frame number `frame`. */
 static int await_frame(struct qemu *q, uint32_t frame)
 {
     char text[32];
@@ -126,8 +126,8 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
         if (status == 0) {
             status = e->frame(e->context, frame, picture);
         }
-        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they have been pressed once, and the port
-                                            ignores them until it sees them up */
+        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they were pressed once, and the port ignores
+                                            them until it sees them up */
             status = press(q, 0, all) != 0 ? COMPLAINED : press(q, all, 0);
         }
     }

@@ -1,9 +1,9 @@
 /*
- * QEMU's netduinoplus2, an STM32F405: what its trace tells of stores becomes events on wires (wire_replay.h), these a
- * picture. See emulate.h.
+ * QEMU's netduinoplus2, an STM32F405. Its trace tells of stores; they become events on wires (wire_replay.h), and those
+ * a picture. See emulate.h.
  *
- * The trace has no times. The image's SysTick interrupts are in it, one a millisecond as the image counts, and the time
- * of an event is how many of them came before.
+ * The trace has no times. It has the SysTick interrupts of the image, one each millisecond; the time of an event is the
+ * number of interrupts before it.
  */
 #define _XOPEN_SOURCE 700
 
@@ -58,7 +58,7 @@ static int show(void *context, uint32_t frame, const uint8_t *rgb)
     return t->e->frame(t->e->context, frame, &t->picture);
 }
 
-/* The first one ends it. */
+/* Tells the first complaint, which ends the run. */
 static void resent(void *context, const char *complaint)
 {
     const struct trace *t = context;
@@ -67,7 +67,7 @@ static void resent(void *context, const char *complaint)
     }
 }
 
-/* The bytes since the last event that was not one. */
+/* Passes on the bytes since the last event of another kind. */
 static int flush(struct trace *t)
 {
     const struct wire_event event = {.kind = WIRE_SPI,
@@ -126,7 +126,7 @@ static int step(struct trace *t)
     return emulate_qemu_send(&t->q, text);
 }
 
-/* A line of the log. The image is told to hold as early as it can hear it, which is during its first frame. */
+/* Takes a line of the log. The image is told to hold during its first frame, the first time that it listens. */
 static int logged(struct trace *t)
 {
     int status = emulate_qemu_check_line(&t->q);

@@ -41,7 +41,7 @@ static void make_command(uint8_t command[COMMAND_BYTES], const struct request *r
     }
 }
 
-/* Command, data, and an empty packet against the data's direction. */
+/* Sends the command and its data, then an empty packet against the direction of the data. */
 static int attempt(struct flash_boot *boot, const struct request *r)
 {
     uint8_t command[COMMAND_BYTES], nothing = 0;
@@ -64,7 +64,8 @@ static int attempt(struct flash_boot *boot, const struct request *r)
 
 static const struct request exclusive = {.id = EXCLUSIVE_ACCESS, .argument_bytes = 1, .arguments = {1}};
 
-/* Why it was refused, and the board ready for the next command: the reset also gives the board back to its drive. */
+/* Reads why a command was refused and makes the board ready for the next one. The reset gives the board back to its
+ * drive, so it is taken again. */
 static int recover(struct flash_boot *boot)
 {
     uint8_t answer[STATUS_BYTES] = {0};

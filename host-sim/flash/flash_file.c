@@ -11,7 +11,8 @@
 #define FILE_MOST   (64u << 20) /* larger files are not even read */
 #define BOOT2_BYTES 252u        /* its checksum follows */
 
-/* CRC-32, highest bit first, from FFFFFFFFh, nothing inverted; stored little-endian. */
+/* Has the image a boot2 with the right checksum? CRC-32, highest bit first, from FFFFFFFFh, nothing inverted; stored
+ * little-endian. */
 static int has_boot2(const uint8_t *bytes)
 {
     uint32_t crc = 0xFFFFFFFF, stored = 0;
@@ -63,7 +64,7 @@ int flash_file_parse(struct flash_image *image, const uint8_t *bytes, size_t n, 
     return status;
 }
 
-/* All of the file; NULL with a line in error. */
+/* Reads the whole file; NULL with a line in error. */
 static uint8_t *load(FILE *file, size_t *n, char *error)
 {
     size_t room = 1u << 20;

@@ -1,7 +1,7 @@
 /*
- * flash_file: images from UF2 or BIN files. Nothing of a file is believed: every block of a UF2 is there once, whole,
- * for this chip, inside of the flash, and on bytes of its own; and an image that reaches the flash's first page has a
- * boot2 there with the right checksum, without which the chip would not start it.
+ * flash_file: images from UF2 or BIN files. Nothing in a file is trusted: every block of a UF2 must be there once,
+ * whole, for this chip, inside the flash, and without overlap. An image with bytes in the first page of the flash must
+ * have a boot2 there with the right checksum, or the chip would not start it.
  *
  * Source: RP2040 datasheet, sections 2.8.1.3.1 (checksum of boot2), 2.8.4.2 (UF2 blocks of 256 bytes).
  */
@@ -10,7 +10,7 @@
 
 #include "flash_image.h"
 
-/* Reads the file. 0, or a status: error (FLASH_ERROR_SIZE bytes) says what is wrong with it, and the image is empty. */
+/* Reads the file. 0, or a status with a line in error (FLASH_ERROR_SIZE bytes); the image is empty then. */
 int flash_file_read(struct flash_image *image, const char *path, char *error);
 
 /* The same from memory. */

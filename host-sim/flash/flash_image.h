@@ -1,7 +1,6 @@
 /*
- * flash_image: what an RP2040's flash shall hold.
- *
- * Source: RP2040 datasheet, section 2.6.3 (flash at 10000000h, 16 MB).
+ * flash_image: the content of the flash of an RP2040. Source: RP2040 datasheet, section 2.6.3 (flash at 10000000h, 16
+ * MB).
  */
 #ifndef FLASH_IMAGE_H
 #define FLASH_IMAGE_H
@@ -24,7 +23,7 @@ struct flash_image {
     uint32_t size;    /* bytes of the image itself */
 };
 
-/* Memory for `end` bytes from FLASH_BASE, erased. 0, or a status with a line in error: there is not so much. */
+/* Makes an erased image of `end` bytes from FLASH_BASE. 0, or a status with a line in error. */
 int flash_image_make(struct flash_image *image, uint32_t end, char *error);
 
 /* Puts n bytes at an offset from FLASH_BASE. */

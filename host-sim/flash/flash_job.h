@@ -1,6 +1,6 @@
 /*
- * flash_job: puts an image into the flash of a board. The first sector is erased first and written last: a board that
- * is left in between has no boot2, so that it starts in its boot loader again, without a button held, and a second run
+ * flash_job: writes an image into the flash of a board. The first sector is erased first and written last: without
+ * boot2 a board that was left halfway starts in its boot loader again, without a button held, and a second run
  * completes.
  */
 #ifndef FLASH_JOB_H

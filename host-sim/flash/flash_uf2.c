@@ -20,7 +20,7 @@ struct block {
     const uint8_t *payload;
 };
 
-/* What has been seen of the file. */
+/* What was seen of the file so far. */
 struct uf2 {
     uint32_t blocks;
     uint8_t *numbers; /* by block number */
@@ -72,7 +72,7 @@ static bool has_magic(const uint8_t *at)
     return u32(at) == MAGIC_0 && u32(at + 4) == MAGIC_1 && u32(at + MAGIC_END_AT) == MAGIC_END;
 }
 
-/* Is it the only block of its number, and are there as many as it says? */
+/* Checks that the block is the only one of its number, and that there are as many as it says. */
 static int check_number(struct uf2 *uf2, const struct block *b, char *error)
 {
     if (b->total > uf2->blocks) {

@@ -4,7 +4,7 @@
 
 #include "flash_image.h"
 
-/* Are these n bytes more likely blocks of UF2 than anything else? */
+/* Do these n bytes look like blocks of UF2? */
 int flash_uf2_is(const uint8_t *bytes, size_t n);
 
 /* 0, or a status with a line in error. */

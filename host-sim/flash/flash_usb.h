@@ -1,6 +1,6 @@
 /*
- * flash_usb: RP2040s in their boot loader, on USB. usb/ does it with libusb, nousb/ says that there is none. Results: 0
- * or more, or a status as in flash_boot.h.
+ * flash_usb: RP2040s in their boot loader, on USB. usb/ uses libusb; nousb/ refuses. Results are 0 or more, or a status
+ * as in flash_boot.h.
  */
 #ifndef FLASH_USB_H
 #define FLASH_USB_H
@@ -18,7 +18,7 @@ struct flash_board {
     char serial[64];      /* without control characters */
 };
 
-/* Those that are there: how many, at most FLASH_BOARDS_MAX. */
+/* Lists the boards; returns how many, at most FLASH_BOARDS_MAX. */
 int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX]);
 
 /* Claims the board's PICOBOOT interface. */

@@ -1,4 +1,4 @@
-/* model_png: PNG pictures as RGB888. png/ does it with libpng, nopng/ has none; the Makefile picks. */
+/* model_png: PNG pictures as RGB888. png/ reads them with libpng; nopng/ refuses them. */
 #ifndef MODEL_PNG_H
 #define MODEL_PNG_H
 
@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-/* Both return 0, or a negative errno value where there is no such PNG of at most PPM_SIDE_MAX pixels a side.
- * free(picture->rgb). */
+/* Both return 0, or a negative status if there is no such PNG of at most PPM_SIDE_MAX pixels a side. The caller frees
+ * picture->rgb. */
 int model_png_file(const char *path, struct ppm *picture);
 int model_png_memory(const void *bytes, size_t n, struct ppm *picture);
 

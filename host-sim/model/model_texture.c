@@ -9,7 +9,7 @@ static uint8_t log2_of_side(uint32_t side)
     return log2;
 }
 
-/* The pixels first .. last - 1 of a side of n pixels that texel i of 2^log2 covers; at least one. */
+/* The pixels first .. last - 1, at least one, that texel i of 2^log2 covers on a side of n pixels. */
 struct span {
     uint32_t first, last;
 };

@@ -7,10 +7,8 @@
 
 #define TEXTURE_LOG2_MAX 10
 
-/*
- * Resamples picture (by the mean of the pixels that a texel covers) to the next power of two of each side, at most
- * 1024. Repeats. PH_ERR_NOMEM: the arena is full.
- */
+/* Resamples the picture, by the mean of the pixels under each texel, to the next power of two of each side, at most
+ * 1024. The texture repeats. 0, or PH_ERR_NOMEM when the arena is full. */
 int model_texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* The boards whose wiring stands in where there is but a panel. */
+/* The boards that lend their wiring when only a panel is named. */
 #define PLAIN_SPI "sbc-generic"
 #define PLAIN_USB "ft232h-st7789"
 
@@ -39,7 +39,7 @@ static int choose_board(const struct panel_wiring *w, const struct board **board
     return 0;
 }
 
-/* Another glass on this board: in the first format it has, no faster than its datasheet allows. */
+/* Puts another glass on this board, in its first format and no faster than its datasheet allows. */
 static int change_panel(struct board *board, const char *name)
 {
     const struct panel *panel = panel_find(name);
@@ -93,7 +93,7 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
     kit->usb = is_usb_line(board->pins.dc.line);
     if (w->panel != NULL) {
         status = change_panel(&kit->board, w->panel);
-        if (status == 0 && w->board == NULL) { /* what is told is about the panel, not about the stand-in */
+        if (status == 0 && w->board == NULL) { /* messages name the panel, not the board that lent its wiring */
             kit->board.name = kit->board.panel->name;
         }
     }

@@ -12,7 +12,7 @@
 #define LINES_LIMIT 1024
 #define HZ_LIMIT    200000000u
 
-/* The display that the options now speak of: that of the last --board. */
+/* Returns the display that the options now describe: that of the last --board. */
 static struct panel_wiring *wiring(struct panel_options *o)
 {
     o->kit_count = o->kit_count == 0 ? 1 : o->kit_count;

@@ -18,7 +18,7 @@ enum panel_command {
 
 enum panel_line { PANEL_DC, PANEL_RESET, PANEL_BACKLIGHT, PANEL_TE, PANEL_LINES };
 
-/* One display: a board, or a panel with its wiring; NULL and 0: as the board has it. */
+/* One display: a board, or a panel with its wiring. NULL or 0: as the board has it. */
 struct panel_wiring {
     const char *board;
     const char *panel;
@@ -47,7 +47,7 @@ struct panel_options {
     bool stats, overlay;
 };
 
-/* 0, or PH_ERR_INVAL when one line has said what is wrong. */
+/* 0 or PH_ERR_INVAL. */
 int panel_options_read(struct panel_options *o, int argc, char *const argv[]);
 
 void panel_options_help(void);

@@ -64,7 +64,7 @@ static int open_kit(struct panel_display *d, const struct runner_config *config)
     }
     d->hal_open = true;
     status = runner_open(&d->runner, &d->hal, config);
-    d->runner_open = d->runner.driver.config.panel != NULL; /* also half awake it must go dark */
+    d->runner_open = d->runner.driver.config.panel != NULL; /* even a half-opened panel must go dark */
     if (status == PH_ERR_NOMEM) {
         return complain("%s: its %u KB do not hold '%s'; take a smaller scene or another board", d->board->name,
                         (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
@@ -97,7 +97,7 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
     return status;
 }
 
-/* Dark and released, whatever happened before: what fails here has been told already, or concerns nobody any more. */
+/* Makes the display dark and releases the kit. Errors here were told before, or do not matter any more. */
 static void close_display(struct panel_display *d)
 {
     if (d->runner_open) {
@@ -115,7 +115,7 @@ static void close_display(struct panel_display *d)
 
 /* ---- frames ------------------------------------------------------------------------------------- */
 
-/* Once each: nothing is lost silently. */
+/* Says once what is left out, and once that the TE line is silent. */
 static void tell_losses(struct panel_display *d, uint32_t frame)
 {
     const struct ph_stats *s = &d->runner.renderer.stats;
@@ -155,7 +155,7 @@ struct report {
     uint32_t frames;
 };
 
-/* fps, bytes and the share of the time in which the bus was busy, by its clock. */
+/* Prints the rate, the bytes and the share of the time in which the bus was busy, computed from its clock. */
 static void print_stats(const struct panel_display *d, uint32_t frames, double seconds)
 {
     const double bits = 8.0 * (double)d->bytes;
@@ -179,7 +179,7 @@ static void report_stats(struct panel_display *displays, int count, struct repor
     *report = (struct report){time_ns, 0};
 }
 
-/* Sleeps until the next frame is due; a signal ends it. A frame that is late already moves those after it. */
+/* Sleeps until the next frame is due, or a signal comes. A late frame delays those after it. */
 static void pace(uint64_t *due_ns, uint32_t fps)
 {
     if (fps == 0) {

@@ -1,7 +1,4 @@
-/*
- * pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. The options are in
- * panel_options.c (--help).
- */
+/* pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. */
 
 #include "complain.h"
 #include "model.h"
@@ -138,7 +135,7 @@ static void print_step(const struct speedtest *t, const struct panel_display *d)
     }
 }
 
-/* Before a frame: time for the next clock? */
+/* Before a frame: switches to the next clock when it is time. */
 static int next_clock(void *context, struct panel_display *d, uint32_t frame)
 {
     struct speedtest *t = context;
@@ -294,7 +291,7 @@ int main(int argc, char *argv[])
         return complain_exit(complain("not enough memory"));
     }
     signal_stop_catch();
-    signal(SIGPIPE, SIG_IGN); /* a pipe that nobody reads is an error of the write */
+    signal(SIGPIPE, SIG_IGN); /* a write to a closed pipe must fail, not end the program */
     status = obey(stage, &options);
     free(stage);
     if (signal_stop != 0) {

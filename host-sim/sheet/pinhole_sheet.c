@@ -1,6 +1,6 @@
 /*
  * pinhole-sheet: puts PPM pictures of any sizes on one sheet, in rows of at most a given width, with the same gap
- * everywhere between them. A row is as high as its highest picture; pictures stand in its middle.
+ * everywhere. A row is as high as its highest picture; the pictures stand in its middle.
  */
 #include "complain.h"
 #include "option_table.h"
@@ -26,7 +26,7 @@ struct row {
 
 static const uint8_t paper_colour[3] = {40, 44, 52};
 
-/* The pictures from `first` on that fit into one row; at least one. */
+/* Returns the row of as many pictures from `first` on as fit, at least one. */
 static struct row next_row(const struct sheet *s, uint32_t first)
 {
     struct row row = {.first = first, .end = first, .width = s->gap, .height = 0};

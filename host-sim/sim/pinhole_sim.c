@@ -67,10 +67,8 @@ static int choose_board(const struct sim_options *o, struct sim_virtual *virtual
     return 0;
 }
 
-/*
- * Writes the camera down in the convention, with its handedness and its near and far plane, and reads it back from
- * there: the camera that is drawn has gone through the convention. 0 or PH_ERR_INVAL.
- */
+/* Writes the camera down in the convention, with its handedness and its near and far plane, and reads it back from
+ * there: the camera that is drawn has gone through the convention. 0 or PH_ERR_INVAL. */
 static int through_convention(enum ph_convention convention, struct demo_camera *camera)
 {
     fx_t near_z = camera->projection_set ? camera->projection.near_z : FX_ONE;

@@ -18,10 +18,8 @@
 
 #include <stdio.h>
 
-/*
- * 0, PH_ERR_INVAL for a fisheye, which has no matrix, or PH_ERR_RANGE if an element does not fit Q16.16. After an error
- * nothing was printed.
- */
+/* 0, PH_ERR_INVAL for a fisheye, which has no matrix, or PH_ERR_RANGE if an element does not fit Q16.16. After an error
+ * nothing was printed. */
 int sim_matrix_print(FILE *file, const struct ph_xform *view, const struct ph_projection *projection, uint16_t width,
                      uint16_t height, enum ph_convention convention);
 

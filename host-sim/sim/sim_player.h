@@ -36,10 +36,8 @@ struct sim_player {
 /* Powers the kit on and builds the scene. 0 or COMPLAINED. Close it in any case. */
 int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
 
-/*
- * Gives the demo the kit's buttons, draws frame number `frame` and sends it to the panel; then p->picture is what the
- * glass shows. 0 or COMPLAINED.
- */
+/* Gives the demo the kit's buttons, draws frame number `frame` and sends it to the panel; then p->picture is what the
+ * glass shows. 0 or COMPLAINED. */
 int sim_player_frame(struct sim_player *p, uint32_t frame);
 
 /* Gets the camera of frame number `frame`, or the last one if the demo uses several. 0 or COMPLAINED. */
@@ -51,10 +49,8 @@ uint64_t sim_player_bus_ns(const struct sim_player *p);
 /* Prints the cost of the last frame in one line on stderr. */
 void sim_player_print_stats(const struct sim_player *p, uint32_t frame);
 
-/*
- * Turns the display off, prints each of the controller's complaints on stderr and frees the memory. 0, or COMPLAINED if
- * there were any.
- */
+/* Turns the display off, prints each of the controller's complaints on stderr and frees the memory. 0, or COMPLAINED if
+ * there were any. */
 int sim_player_close(struct sim_player *p);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * pinhole-wire: shows what a panel makes of the events on its wires (wire_events.h has their format): a line a frame,
- * pictures, and whatever a real panel would have resented.
+ * pinhole-wire: feeds the events on wires (wire_events.h) to the model of a panel. It prints a line for each frame,
+ * writes pictures, and complains about what a real panel would not accept.
  */
 #define _XOPEN_SOURCE 700 /* ssize_t */
 
@@ -148,7 +148,7 @@ static void change_line(struct board_pin *pin, const char *line)
     }
 }
 
-/* The board with what the other options change of it. */
+/* Applies the other options to the board. */
 static void change_board(struct request *r)
 {
     r->board = *r->named;

@@ -26,10 +26,8 @@
 
 #include "wire_replay.h"
 
-/*
- * Reads one line (it is changed; the event points into it). 1: an event, 0: nothing in it, HAL_EINVAL: *error says what
- * is wrong with it.
- */
+/* Reads one line; it changes the line, and the event points into it. Returns 1 for an event, 0 for none, or HAL_EINVAL
+ * with the reason in *error. */
 int wire_parse(char *line, struct wire_event *event, const char **error);
 
 #endif

@@ -92,7 +92,7 @@ int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX])
 
 /* ---- opening ------------------------------------------------------------------------------------ */
 
-/* The interface and its endpoints: by class and direction, not by number. */
+/* Finds the interface and its endpoints by class and direction, not by number. */
 static bool find_endpoints(struct flash_usb *u, const struct libusb_config_descriptor *config)
 {
     for (int i = 0; i < config->bNumInterfaces; i++) {
@@ -171,7 +171,7 @@ void flash_usb_close(struct flash_usb *usb)
         return;
     }
     if (usb->handle != NULL) {
-        libusb_close(usb->handle); /* and what was claimed is released */
+        libusb_close(usb->handle); /* this releases the interface, too */
     }
     if (usb->usb != NULL) {
         libusb_exit(usb->usb);
@@ -181,7 +181,7 @@ void flash_usb_close(struct flash_usb *usb)
 
 /* ---- transfers ---------------------------------------------------------------------------------- */
 
-/* A board that was pulled fails with errors of all kinds until the kernel has seen that it is gone. */
+/* A board that was unplugged gives errors of all kinds until the kernel notices. */
 static int fail(struct flash_usb *u, int error)
 {
     uint8_t halted[2];

@@ -11,7 +11,7 @@
 #define CLEAR    1.001   /* a little more than the sphere that holds the model */
 #define NEAR_MIN (1 / 1024.0)
 
-/* The node that carries the camera, and its place in the world. */
+/* Finds the node of the camera and its place in the world. */
 static bool find_node(const struct aiNode *node, const char *name, double parent[3][4], double place[3][4])
 {
     double here[3][4];
@@ -54,7 +54,7 @@ static bool across(double to[3], const double a[3], const double b[3])
     return length > 1e-9 * sqrt(dot(a, a) * dot(b, b)) && isfinite(length);
 }
 
-/* World to view: right, up and backwards as rows. False: the camera looks nowhere, or from too far away. */
+/* World to view, with right, up and backwards as rows. False: the camera has no direction, or is too far away. */
 static bool read_view(const struct aiCamera *from, double place[3][4], const struct model_fit *fit,
                       struct ph_xform *view)
 {
@@ -87,7 +87,7 @@ static int32_t q20(double value)
     return value > 0 && value < 2047 ? (int32_t)lround(value * (1 << 20)) : 0;
 }
 
-/* The scales of the picture that the file speaks of, and planes no further from the model than need be. */
+/* Reads the scales of the picture, and puts near and far plane as close to the model as possible. */
 static bool read_lens(const struct aiCamera *from, const struct model_fit *fit, double centre,
                       struct ph_projection *lens)
 {

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How a material takes the turntable's light; of files only the colour can be relied on. */
+/* How a material takes the light of the turntable; files give reliable colours only. */
 #define AMBIENT        (FX_ONE / 6)
 #define DIFFUSE        (FX_ONE * 3 / 4)
 #define GLOSS          (FX_ONE / 4)
@@ -18,10 +18,10 @@
 
 #define PATH_BYTES 4096
 
-/* Of a model without materials. */
+/* The colour of a model without materials. */
 static const struct aiColor4D plain = {.86f, .80f, .70f, 1};
 
-/* One channel, 0 .. 1, as the display takes it. */
+/* Turns one channel, 0 .. 1, into a value of the display. */
 static uint8_t channel(float value, bool is_linear)
 {
     const float v = value > 0 ? (value < 1 ? value : 1) : 0; /* NaN gives 0 */
@@ -31,7 +31,7 @@ static uint8_t channel(float value, bool is_linear)
     return (uint8_t)lroundf(255 * (v <= .0031308f ? 12.92f * v : 1.055f * powf(v, 1 / 2.4f) - .055f));
 }
 
-/* The file that a material names, beside the model. */
+/* Makes the path of the file that a material names, which stands beside the model. */
 static bool beside(char out[PATH_BYTES], const char *model_path, const char *name)
 {
     const char *slash = strrchr(model_path, '/');
@@ -127,7 +127,7 @@ static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
     return mode == aiTextureMapMode_Clamp ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
 }
 
-/* The texture of a material, or NULL where it has none or one that cannot be used, which is noted. */
+/* Returns the texture of a material. NULL: it has none, or one that cannot be used; a note says so. */
 static const struct ph_texture *read_texture(struct model_shared *shared, const struct aiScene *scene,
                                              const struct aiMaterial *from, const char *model_path)
 {
@@ -159,7 +159,7 @@ static const struct ph_texture *read_texture(struct model_shared *shared, const 
     return texture;
 }
 
-/* glTF says by a mode whether alpha counts; OBJ and others give the opacity itself. */
+/* In glTF a mode says whether alpha counts; OBJ and others give the opacity itself. */
 static bool is_transparent(const struct aiMaterial *from)
 {
     struct aiString mode;

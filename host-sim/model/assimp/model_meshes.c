@@ -55,7 +55,7 @@ static void set_normal(int16_t normal[3], double x, double y, double z)
     normal[2] = has_direction ? (int16_t)lround(z / length * 16384) : 0;
 }
 
-/* What becomes one mesh: all of a place, or where it has no normals some of its faces, with vertices of their own. */
+/* A piece becomes one mesh: a whole place, or some faces with vertices of their own where there are no normals. */
 struct piece {
     const struct model_place *place;
     unsigned first, count; /* faces */
@@ -99,7 +99,7 @@ static void copy_vertices(const struct piece *from, const struct model_fit *fit,
     }
 }
 
-/* Normals of a flat piece, of points that are not rounded: small triangles have one too. */
+/* Makes the normals of a flat piece from unrounded points, so that small triangles have normals, too. */
 static void make_normals(const struct ph_mesh *mesh, double (*points)[3], int16_t (*normals)[3])
 {
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
@@ -116,7 +116,7 @@ static void make_normals(const struct ph_mesh *mesh, double (*points)[3], int16_
     }
 }
 
-/* Faces that are no triangle of this mesh's vertices are left out; what is mirrored is turned over. */
+/* Leaves out faces that are not triangles of this mesh's vertices; turns mirrored ones over. */
 static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
 {
     uint32_t count = 0;
@@ -133,7 +133,7 @@ static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
     return count;
 }
 
-/* The mesh's own copy of its material: with texture only where there are coordinates for it. */
+/* Copies the material for the mesh; it keeps its texture only if there are texture coordinates. */
 static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *materials,
                           struct ph_mesh *to)
 {

@@ -16,9 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Address space, not memory: pages come into being when they are written. */
+/* This is address space, not memory: a page takes memory when it is written. */
 #define SHARED_BYTES (sizeof(void *) > 4 ? (size_t)2 << 30 : (size_t)1 << 29)
-/* A reader that takes longer hangs: seconds of processor time, and more for each MiB. */
+/* A reader that takes longer hangs: seconds of processor time, plus some for each MiB. */
 #define CPU_SECONDS         20
 #define CPU_SECONDS_PER_MIB 4
 
@@ -46,7 +46,7 @@ static int check_file(const char *path)
     return 0;
 }
 
-/* Readers print: what they say is in shared->error or not worth a line. */
+/* Readers print lines of their own; what matters is in shared->error. */
 static void silence(void)
 {
     const int nowhere = open("/dev/null", O_RDWR);
@@ -67,7 +67,7 @@ static void child(struct model_shared *shared, const char *path)
     setrlimit(RLIMIT_CPU, &seconds);
     signal(SIGALRM, SIG_DFL);
     alarm((unsigned)(3 * most));      /* it may also wait, which costs no CPU */
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for it then */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* a child without its parent is of no use */
     setrlimit(RLIMIT_CORE, &no_core);
     silence();
     for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {

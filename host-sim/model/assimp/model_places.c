@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-/* Meshes of a node and of those below it; assimp's own readers walk nodes the same way. */
+/* Counts the meshes of a node and of those below it. It is recursive, as the readers of assimp are. */
 static size_t count_places(const struct aiNode *node)
 {
     size_t count = node->mNumMeshes;
@@ -28,7 +28,7 @@ void model_places_multiply(double to[3][4], double parent[3][4], const struct ai
     }
 }
 
-/* The cofactors of m turn normals as m turns surfaces, also where m scales or shears; they keep what m mirrors. */
+/* The cofactors of m turn normals as m turns surfaces, also where m scales or shears; they keep its mirroring. */
 static void find_cofactors(struct model_place *place)
 {
     for (int row = 0; row < 3; row++) {

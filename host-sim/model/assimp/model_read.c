@@ -29,7 +29,7 @@ static bool has_suffix(const char *path, const char *suffix)
     return true;
 }
 
-/* Triangles once every node has its own copy of its meshes; counting stops above the limit. */
+/* Counts triangles after every node has its own copy of its meshes, up to the limit. */
 static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode *node)
 {
     uint64_t count = 0;
@@ -77,7 +77,7 @@ static bool is_endless_ply(const char *path)
     return strncmp(head, "ply", 3) == 0 && strstr(head, "end_header") == NULL;
 }
 
-/* The steps that change what the triangles are; the settings stay with the scene for them. */
+/* Imports the file; the settings stay with the scene for the later steps. */
 static const struct aiScene *import(const char *path, bool is_stl)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
@@ -114,10 +114,8 @@ static void scale_nodes(struct aiNode *node, float scale)
     }
 }
 
-/*
- * assimp joins vertices that are 1e-5 apart, whatever the size of the model, and squares lengths in float: what is
- * smaller than 1 or larger than 2^24 is scaled to there by a power of two. The model is fitted later anyway.
- */
+/* assimp joins vertices that are 1e-5 apart whatever the size of the model, and squares lengths in float. A model
+ * smaller than 1 or larger than 2^24 is scaled into that range by a power of two. It is fitted later anyway. */
 static void scale_to_reason(const struct aiScene *scene)
 {
     const float extent = find_extent(scene);
@@ -144,10 +142,8 @@ static void scale_to_reason(const struct aiScene *scene)
     scale_nodes(scene->mRootNode, ldexpf(1, shift));
 }
 
-/*
- * A camera of glTF gets the translation of its node, which the node has as well. Its horizontal angle of view was the
- * vertical one times the aspect ratio up to assimp 5.2 (assimp's issue 4435).
- */
+/* assimp gives a glTF camera the translation of its node a second time. Up to assimp 5.2 its horizontal angle of view
+ * was the vertical one times the aspect ratio (issue 4435 of assimp). */
 static void mend_gltf_cameras(const struct aiScene *scene)
 {
     const bool is_linear = aiGetVersionMajor() * 100 + aiGetVersionMinor() < 503;
@@ -161,16 +157,14 @@ static void mend_gltf_cameras(const struct aiScene *scene)
     }
 }
 
-/* glTF asks for flat shading where a file has no normals, and PLY says nothing: model_meshes_read makes those. */
+/* glTF asks for flat shading where a file has no normals, and PLY does not say: model_meshes_read makes those. */
 static bool is_flat_without_normals(const char *path)
 {
     return has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
 }
 
-/*
- * assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Of faces that share vertices
- * it would keep the last one's normal: those are flat, too.
- */
+/* assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Where faces share vertices it
+ * would keep the normal of the last face; those are made flat, too. */
 static bool shares_vertices(const struct aiScene *scene)
 {
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
@@ -186,7 +180,7 @@ static bool shares_vertices(const struct aiScene *scene)
     return false;
 }
 
-/* An STL file has the normals of its facets only, which say nothing that the facets do not. */
+/* An STL file has only the normals of its facets; they are dropped because they add nothing. */
 static unsigned steps(const struct aiScene *scene, bool is_stl, bool is_flat)
 {
     return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices |

@@ -14,7 +14,7 @@ struct model_shared {
 /* Writes shared->error and returns false. */
 bool model_shared_failed(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Adds to shared->note what is not said there yet; what has no room is left out. */
+/* Adds a text to shared->note unless it is there already or has no room. */
 void model_shared_note(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

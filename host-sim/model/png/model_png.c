@@ -8,7 +8,7 @@
 
 const char model_png_reason[] = "is a PNG that cannot be read: broken or too large";
 
-/* Alpha is dropped: nothing is transparent here. */
+/* Drops alpha: the renderer has no transparency. */
 static int finish(png_image *image, struct ppm *picture)
 {
     int result = PH_ERR_INVAL;
