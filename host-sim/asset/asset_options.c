@@ -54,12 +54,12 @@ static const struct option_row rows[] = {
      "a power of two, 1 .. 1024", .set = set_texture},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board},
-    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824",
+    {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",
      .at = offsetof(struct asset_options, flash_bytes), .least = 1, .most = FLASH_LIMIT},
-    {"turntable", NULL, "on the turntable, also where the file has a camera", NULL,
+    {"turntable", NULL, "shows the model on the turntable even if the file has a camera", NULL,
      .at = offsetof(struct asset_options, turntable)},
     {"report", NULL,
-     "prints what the scene takes of flash, and of memory on each board: bands of the picture, and the scene's\n"
+     "prints how much flash the scene needs, and how much memory on each board: bands of the picture, and the scene's\n"
      "        vertices and triangles in the frame that lists most of them",
      NULL, .at = offsetof(struct asset_options, report)},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct asset_options, help)},

@@ -130,11 +130,11 @@ static const struct option_row rows[] = {
     {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
      .set = set_format},
     {"fov", "DEG",
-     "vertical field of view; 60 by default. Planes that face the camera, which pairs, resolve, monotone and\n"
-     "        advise measure, resolve the same with any",
+     "vertical field of view; 60 by default. It does not matter for planes that face the camera, as pairs, resolve,\n"
+     "        monotone and advise measure them",
      "degrees, 1 .. 170", .set = set_fov},
-    {"size", "WxH", "size of the picture; 240x240 by default; likewise", "like 320x240, each 1 .. 1024",
-     .set = set_size},
+    {"size", "WxH", "size of the picture; 240x240 by default; it matters as little for them",
+     "like 320x240, each 1 .. 1024", .set = set_size},
     {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -",
      .at = offsetof(struct depth_lab, csv)},
     {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000",

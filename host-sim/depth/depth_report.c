@@ -27,8 +27,8 @@ static const struct section sections[] = {
     {"advise", "In short", NULL, "",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured)",
-     "What the renderer's formats separate with this camera, up to the far plane; and the near plane from which on "
-     "they separate a thousandth of that distance, beyond which two surfaces are ripe for z-fighting. Formats of 16 "
+     "The separation that the renderer's formats keep with this camera up to the far plane, and the near plane from "
+     "which on they separate a thousandth of that distance. Coarser steps lead to z-fighting. Formats of 16 "
      "bits take two bytes a pixel, formats of 24 bits four; linear-w takes a division a pixel, too.",
      depth_advise},
     {"resolve", "Smallest separation", "resolve", "",
@@ -36,7 +36,8 @@ static const struct section sections[] = {
      "The smallest separation of two surfaces facing the camera that is ordered right at a distance, and its worst "
      "over all distances. fixed16, float16, fixed24, float24 and linear-w with 16 bits are the renderer's. The others "
      "are for comparison: what is done elsewhere in Q16.16 (ndc-q16, recip-q16, clip-q16), linear-w with 24 bits, n/w "
-     "as a float (over-w), and the logarithm. What is finer than Q16.16 is measured as one of its steps, 0.0000153 m.",
+     "as a float (over-w), and the logarithm. A step finer than that of Q16.16 is measured as one step of Q16.16, "
+     "0.0000153 m.",
      depth_resolve},
     {"pairs", "Adjacent pairs", "pairs", "",
      "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
@@ -44,9 +45,9 @@ static const struct section sections[] = {
      depth_pairs},
     {"budget", "Who limits it", "budget", "fov size",
      "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
-     "What each part of the pipeline alone keeps apart, and all of them together. That of a part is its worst case; "
-     "all together are drawn, as planes tilted by 0, 40 and 75 degrees, where the worst cases seldom meet: so they "
-     "may measure less than a part alone.",
+     "The separation that each part of the pipeline alone keeps, and all of them together. A part is measured in its "
+     "worst case. All together are measured on drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases "
+     "seldom meet: so they may measure less than a part alone.",
      depth_budget},
     {"planes", "Two planes", NULL, "fov size",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
@@ -57,13 +58,14 @@ static const struct section sections[] = {
     {"monotone", "Monotonicity", NULL, "",
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
-     "The code at every distance that Q16.16 has: it must never rise. The renderer's formats pass; that a Q16.16 "
-     "reciprocal (recip-q16) fails is why they have none.",
+     "The code at every distance that Q16.16 has: it must never rise. The renderer's formats pass. They have no Q16.16 "
+     "reciprocal because it fails (recip-q16).",
      depth_monotone},
     {"anchors", "Published numbers", NULL, NULL, "anchor,published,here,how,verdict",
-     "What others have published about depth, computed again, whatever this camera is. It passes with the digits that "
-     "were published; of what Q16.16 reaches (from a quarter of far on for recip-q16), the renderer's formats with at "
-     "most 5 % more, the others within 5 %.",
+     "Numbers that others have published about depth, computed again; this camera does not matter. One passes if it "
+     "has the published digits. Of what Q16.16 reaches (from a quarter of far on for recip-q16), the renderer's "
+     "formats "
+     "pass with at most 5 % more, the others within 5 %.",
      depth_anchors},
 };
 

@@ -21,12 +21,12 @@ static const struct depth_command commands[] = {
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      depth_monotone},
-    {"advise", "which near plane, format and bits separate S at Z; and what separates at Z with this near plane",
+    {"advise", "which near plane, format and bits separate S at Z; and the separation at Z with this near plane",
      " near far format fov size at separate bits csv ",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured)",
      depth_advise},
-    {"anchors", "every published number that this lab rests on, computed again", " csv ",
+    {"anchors", "every published number that the depth lab is based on, computed again", " csv ",
      "anchor,published,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
      " near far format fov size at tilt separation out csv ",

@@ -37,11 +37,11 @@ static bool set_board(void *to, const char *name)
 }
 
 static const struct option_row rows[] = {
-    {"machine", "lm3s6965evb|netduinoplus2", "QEMU's", "lm3s6965evb or netduinoplus2", .set = set_machine},
+    {"machine", "lm3s6965evb|netduinoplus2", "the machine of QEMU", "lm3s6965evb or netduinoplus2", .set = set_machine},
     {"board", "NAME", "the image's kit", "a name that pinhole-sim --list shows", .set = set_board},
-    {"keys", "FILE", "a script of button presses, as pinhole-sim's (not before frame 2)", "a file",
+    {"keys", "FILE", "a script of button presses, as for pinhole-sim (not before frame 2)", "a file",
      .at = offsetof(struct request, keys)},
-    {"log", NULL, "what the image writes to its UART, on stderr", NULL, .at = offsetof(struct request, log)},
+    {"log", NULL, "shows on stderr what the image writes to its UART", NULL, .at = offsetof(struct request, log)},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct request, help)},
 };
 
@@ -53,7 +53,7 @@ static void print_help(void)
          "Runs an image of all demos (make firmware) in QEMU and prints `frame N crc32 XXXXXXXX` for each frame that\n"
          "its panel shows, as pinhole-sim --crc does. DIR gets pictures, FRAMES is 4 by default.\n");
     option_table_help(&table);
-    puts("\nExit status: 0 done; 1 failed, the image stopped, or QEMU or the panel resents something; 2 wrong usage.");
+    puts("\nExit status: 0 done; 1 failed, the image stopped, or QEMU or the panel complained; 2 wrong usage.");
 }
 
 static int read_arguments(struct request *r, int argc, char *argv[])

@@ -101,7 +101,7 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
         status = change_line(kit, (enum panel_line)i, w->lines[i]);
     }
     if (status == 0 && w->spi != NULL && kit->usb) {
-        status = complain_usage("--spi %s: '%s' hangs on USB", w->spi, board->name);
+        status = complain_usage("--spi %s: '%s' is on USB", w->spi, board->name);
     }
     kit->board.rotation = w->rotate_set ? w->rotate : kit->board.rotation;
     kit->board.spi_hz = w->speed_hz != 0 ? w->speed_hz : kit->board.spi_hz;

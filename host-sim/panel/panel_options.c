@@ -117,12 +117,12 @@ static bool set_help(void *to, const char *value)
 #define LINE_ALLOWED "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H; - for not wired"
 
 static const struct option_row rows[] = {
-    {"board", "NAME", "a kit; given twice: two displays, in step. What follows it speaks of this display",
+    {"board", "NAME", "a kit; given twice: two displays, in step. The options after it are for this display",
      "a name that `pinhole-panel list` shows, at most 4 times", .set = set_board},
     {"panel", "NAME", "the glass of a home-wired display, with or without --board",
      "a name that `pinhole-panel list` shows", .set = set_panel},
     {"spi", "PATH", "the SPI device", "a path like /dev/spidev0.0", .set = set_spi},
-    {"usb", "[SERIAL]", "the display hangs on an FT232H; with several the one of this serial number",
+    {"usb", "[SERIAL]", "the display is on an FT232H; of several the one with this serial number",
      "nothing or a serial number", .set = set_usb},
     {"dc", "LINE", "the display's D/C line",
      "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H", .set = set_dc},
@@ -133,10 +133,10 @@ static const struct option_row rows[] = {
     {"speed", "HZ", "the bus clock asked for; the board's own by default", "a whole number, 1 .. 200000000",
      .set = set_speed},
     {"rotate", "0|90|180|270",
-     "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
+     "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
      "        board's own by default",
      "0, 90, 180 or 270 degrees", .set = set_rotate},
-    {"demo", "NAME", "a scene of ours; turntable by default", "a name that `pinhole-sim --list` shows",
+    {"demo", "NAME", "a built-in scene; turntable by default", "a name that `pinhole-sim --list` shows",
      .at = offsetof(struct panel_options, demo)},
     {"view", "NAME", "one of the demo's views; the first by default", "a name that `pinhole-sim --list` shows",
      .at = offsetof(struct panel_options, view)},
@@ -155,7 +155,7 @@ static const struct option_row rows[] = {
      .at = offsetof(struct panel_options, band), .least = 1, .most = LINES_LIMIT},
     {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim",
      "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
-    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
+    {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct panel_options, overlay)},
     {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL,
      .at = offsetof(struct panel_options, stats)},
@@ -170,8 +170,8 @@ void panel_options_help(void)
          "\n"
          "Commands (none: shows the scene until it is stopped):\n"
          "  list       the boards and the panels\n"
-         "  doctor     checks what a display needs here, a line each, with what to do about a failure\n"
-         "  probe      asks the display which controller it has, where its data line back is wired\n"
+         "  doctor     checks what a display needs here: a line for each check, and what to do about a failure\n"
+         "  probe      asks the display which controller it has, if its data line back is wired\n"
          "  testcard   corner dots, ring, arrow up, colour bars: what is wrong with a panel\n"
          "  speedtest  shows the test card at one bus clock after the other\n"
          "\n"

@@ -127,7 +127,7 @@ static bool set_help(void *to, const char *value)
 }
 
 static const struct option_row rows[] = {
-    {"demo", "NAME", "a scene of ours; turntable without --demo and --model", "a name that --list shows",
+    {"demo", "NAME", "a built-in scene; turntable without --demo and --model", "a name that --list shows",
      .at = offsetof(struct sim_options, demo)},
     {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows",
      .at = offsetof(struct sim_options, view)},
@@ -142,24 +142,25 @@ static const struct option_row rows[] = {
     {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
      "a directory, a file that ends in .ppm, or -", .at = offsetof(struct sim_options, out)},
     {"rotate", "0|90|180|270",
-     "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
-     "        board's own by default. The glass is shown as you would then hold it, the picture upright: 90 and 270\n"
-     "        swap width and height of 0 and 180; else only the bytes on the wire differ",
+     "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
+     "        board's own by default. The glass is shown with the picture upright, as you would hold it: 90 and 270\n"
+     "        swap width and height; else only the bytes on the wire differ",
      "0, 90, 180 or 270 degrees", .set = set_rotate},
     {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
-     "looks at the origin, y up, when not told. The demo's own view without it, and the demo's own lens\n"
-     "        where none of --camera, --fov, --near, --far, --projection is given",
-     "eye=X,Y,Z and, if wanted, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99", .set = set_camera},
+     "target is the origin and up is the y axis by default. Without this option the demo has its own view; it has\n"
+     "        its own lens if none of --camera, --fov, --near, --far, --projection is given",
+     "eye=X,Y,Z and, optionally, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99",
+     .set = set_camera},
     {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
      "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
     {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
     {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
     {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]|fisheye",
-     "window at the near plane; a fisheye is equidistant; perspective by default",
+     "L,R,B,T is the window at the near plane; a fisheye is equidistant; perspective by default",
      "perspective, ortho, ortho=L,R,B,T, frustum, frustum=L,R,B,T or fisheye", .set = set_projection},
     {"convention", "gl|d3d|lmu|reversed",
-     "how the camera is written down; the picture is the same in all. gl by default: right-handed, along -z",
+     "how the camera is written down; the picture is the same in all of them. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", .set = set_convention},
     {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
@@ -169,12 +170,12 @@ static const struct option_row rows[] = {
      "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
-    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
+    {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct sim_options, overlay)},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
      .at = offsetof(struct sim_options, crc)},
     {"keys", "FILE",
-     "presses buttons: lines FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
+     "presses buttons; a line is FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
      "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
      "a file", .at = offsetof(struct sim_options, keys)},
     {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
@@ -183,7 +184,7 @@ static const struct option_row rows[] = {
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
      NULL, .at = offsetof(struct sim_options, matrix)},
     {"stats", NULL,
-     "prints what each frame took, on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
+     "prints the cost of each frame on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
      "        outside the view volume or between the pixels; clipped: cut at its border; drawn: listed (what was\n"
      "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
      "        wire, bus: bytes and time of the frame on the SPI bus",

@@ -106,13 +106,13 @@ static bool set_select(void *to, const char *text)
 
 static const struct option_row rows[] = {
     {"board", "NAME", "the kit", "a name that pinhole-sim --list shows", .set = set_board},
-    {"rotate", "0|90|180|270", "as the picture was drawn; the board's own by default", "0, 90, 180 or 270 degrees",
+    {"rotate", "0|90|180|270", "the rotation of the picture; the board's own by default", "0, 90, 180 or 270 degrees",
      .set = set_rotate},
     {"out", "DIR|FILE.ppm", "pictures as DIR/frame-NNNN.ppm, or one FILE.ppm",
      "a directory or a file that ends in .ppm", .at = offsetof(struct request, out)},
     {"last", NULL, "only the last picture that was seen: for streams that send only what changed", NULL,
      .at = offsetof(struct request, wire.last)},
-    {"notes", NULL, "a frame ends at each note `frame`, whatever was written", NULL,
+    {"notes", NULL, "a frame ends at each note `frame`, also if not all of it was written", NULL,
      .at = offsetof(struct request, wire.notes)},
     {"idle", "US", "a frame ends when the wires rest for US microseconds, not when all of it was written",
      "a whole number, 1 .. 1000000000", .set = set_idle},
@@ -134,10 +134,10 @@ static void print_help(void)
     puts("pinhole-wire --board NAME [options] [FILE]\n"
          "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire/wire_events.h has their "
          "format),\n"
-         "prints `frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a panel would have\n"
-         "resented anything: each complaint is a line on stderr.\n");
+         "prints `frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a real panel\n"
+         "would not accept something: each complaint is a line on stderr.\n");
     option_table_help(&table);
-    puts("\nExit status: 0 done; 1 failed, or the panel resents something; 2 wrong usage.");
+    puts("\nExit status: 0 done; 1 failed, or a panel would not accept something; 2 wrong usage.");
 }
 
 static void change_line(struct board_pin *pin, const char *line)
@@ -215,7 +215,8 @@ static int run_file(struct request *r, FILE *in, const char *name)
     int status = replay(w, in, name);
     const uint32_t complaints = wire_replay_complaints(w);
     if (status == 0 && complaints != 0) {
-        status = complain("%s: the panel resents %u thing%s", name, (unsigned)complaints, complaints == 1 ? "" : "s");
+        status =
+            complain("%s: a panel would not accept %u thing%s", name, (unsigned)complaints, complaints == 1 ? "" : "s");
     } else if (status == 0 && wire_replay_frames(w) == 0) {
         status = complain("%s: no complete picture was seen", name);
     }
