@@ -113,9 +113,10 @@ $(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers m
 $(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
-$(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render)
+$(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
+$(B)/host-sim/depth/depth_budget_measure.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render)
 $(B)/host-sim/flash/%.o: INC = $(INC_HOST) $(call rooms,host-sim,flash)
-$(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,wire)
+$(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)

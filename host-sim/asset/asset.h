@@ -30,8 +30,8 @@ struct asset_limits {
 enum asset_way {
     ASSET_WHOLE,  /* not at all */
     ASSET_KEPT,   /* vertices with the normals of the file */
-    ASSET_JOINED, /* vertices of one place became one, and normals were made again: creases had been in the way */
-    ASSET_SLOPPY, /* without regard to what hangs together */
+    ASSET_JOINED, /* vertices in one place became one, and normals were made anew: creases had been in the way */
+    ASSET_SLOPPY, /* without keeping triangles connected */
 };
 
 struct asset {
@@ -48,23 +48,21 @@ struct asset {
     uint32_t listed;              /* triangles of a frame at most, of what asset_measure() looked at */
 };
 
-/* False: this program was built without meshoptimizer, and nothing is simplified. */
+/* False: built without meshoptimizer, nothing can be simplified. */
 extern const bool asset_can_simplify;
 
-/* 0, or EXIT_FAILED when one line has said why. Where a model cannot be simplified so far more triangles remain. */
+/* 0 or COMPLAINED. More triangles than asked for remain where a model cannot be simplified that far. */
 int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits);
 void asset_free(struct asset *asset);
 
-/*
- * Draws the scene from many sides, and from as near and as far as the buttons lead, and raises asset->listed to the
- * longest list of triangles, with a sixteenth to spare. 0, or EXIT_FAILED as above.
- */
+/* Draws the scene from many sides, and from as near and as far as the buttons lead. asset->listed becomes the length of
+ * the longest list of triangles, plus a sixteenth. 0 or COMPLAINED. */
 int asset_measure(struct asset *asset, const struct board *board);
 
 /* Its context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 
-/* Memory that the board needs to draw it whole, and what its bands alone need; see runner_whole_bytes(). */
+/* The memory that the board needs to draw the whole scene, and for its bands alone; see runner_whole_bytes(). */
 uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board);
 uint64_t asset_band_bytes(const struct board *board);
 
@@ -76,17 +74,17 @@ struct asset_sizes {
 struct asset_sizes asset_sizes(const struct asset *asset);
 uint64_t asset_flash_bytes(const struct asset *asset);
 
-/* What its textures would take if none had a side of more than 2^log2_max. */
+/* Bytes of its textures if no side were longer than 2^log2_max. */
 uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max);
 
-/* Meshes share ramps and textures: the first mesh that has the same. */
+/* Returns the first mesh that has the same ramp or texture. */
 uint32_t asset_first_ramp(const struct model *model, uint32_t mesh);
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
 
-/* The C file: the same bytes for the same asset. Errors are the stream's. */
+/* Writes the C file; the same asset gives the same bytes. Errors stay in the stream. */
 void asset_write(FILE *file, const struct asset *asset);
 
-/* What it takes; of one board, or (NULL) of all. 0, or EXIT_FAILED as above. */
+/* Prints the need of flash, and of memory on one board or (NULL) on all. 0 or COMPLAINED. */
 int asset_report(FILE *file, const struct asset *asset, const struct board *board);
 
 #endif

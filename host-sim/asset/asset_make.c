@@ -23,7 +23,7 @@ static void make_name(char name[ASSET_NAME_BYTES], const char *file)
 
 /* ---- meshes --------------------------------------------------------------------------------------------- */
 
-/* Each triangle with one normal for all its corners. */
+/* Does each triangle have one normal for all its corners? */
 static bool is_flat(const struct ph_mesh *mesh)
 {
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
@@ -36,7 +36,7 @@ static bool is_flat(const struct ph_mesh *mesh)
     return true;
 }
 
-/* Material and part of the mesh; the rest is there. */
+/* Adds material and part to a mesh that has the rest. */
 static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, struct ph_material *material,
                         struct ph_mesh *to)
 {
@@ -59,7 +59,7 @@ static bool order_mesh(struct demo_arena *arena, const struct ph_mesh *from, con
     return asset_order(arena, &shape, to) && finish_mesh(arena, from, material, to);
 }
 
-/* Corners of their own, with new normals. */
+/* Triangles whose corners share no vertices, with new normals. */
 struct loose {
     struct fx_vec3 *positions;
     int16_t (*normals)[3];
@@ -102,7 +102,7 @@ static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, co
     return is_done;
 }
 
-/* The mesh's share of what remains, with its own numbers; `first` is its first vertex. */
+/* Takes the remaining triangles of the mesh, numbered from its first vertex `first`. */
 static size_t take(const struct asset_rest *rest, uint32_t first, uint32_t vertex_count, unsigned *indices)
 {
     size_t n = 0;
@@ -162,7 +162,7 @@ int asset_keep_all(const struct model *model, struct asset_rest *rest)
         }
         first += mesh->vertex_count;
     }
-    return rest->indices != NULL ? 0 : complain(EXIT_FAILED, "not enough memory for the model");
+    return rest->indices != NULL ? 0 : complain("not enough memory for the model");
 }
 
 /* ---- textures ------------------------------------------------------------------------------------------- */
@@ -223,7 +223,7 @@ static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph
     return to;
 }
 
-/* What shared a texture goes on to share it. */
+/* Meshes that shared a texture share the new one. */
 static bool shrink_textures(struct asset *asset, struct demo_arena *arena, uint8_t log2_max)
 {
     const uint32_t count = asset->model.mesh_count;
@@ -271,8 +271,8 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     return asset->model.meshes != NULL && asset->materials != NULL && make_meshes(asset, &arena, model, rest) &&
                    shrink_textures(asset, &arena, limits->texture_log2)
                ? 0
-               : complain(EXIT_FAILED, "not enough memory for the model, or too many vertices in one mesh; simplify it "
-                                       "(--max-triangles)");
+               : complain("not enough memory for the model, or too many vertices in one mesh; simplify it "
+                          "(--max-triangles)");
 }
 
 int asset_make(struct asset *asset, const struct model *model, const struct asset_limits *limits)
@@ -290,8 +290,7 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
     int status = model->triangle_count > limits->triangles ? asset_simplify(model, limits->triangles, &rest)
                                                            : asset_keep_all(model, &rest);
     if (status == 0 && rest.index_count == 0) {
-        status =
-            complain(EXIT_FAILED, "no triangle remains of the model; it has none with an area, or too few are allowed");
+        status = complain("no triangle remains of the model; it has none with an area, or too few are allowed");
     }
     if (status == 0) {
         status = make(asset, model, limits, &rest);

@@ -91,7 +91,7 @@ int asset_measure(struct asset *asset, const struct board *board)
     free(s.memory);
     const uint32_t listed = most + most / 16 + 8;
     asset->listed = listed > asset->listed ? listed : asset->listed;
-    return status == 0 ? 0 : complain(EXIT_FAILED, "%s: the scene cannot be drawn there (%d)", board->name, status);
+    return status == 0 ? 0 : complain("%s: the scene cannot be drawn there (%d)", board->name, status);
 }
 
 struct demo asset_demo(const struct asset *asset)

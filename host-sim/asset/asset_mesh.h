@@ -1,4 +1,4 @@
-/* asset_mesh: what meshoptimizer does for asset.h; meshopt/ has it, nomeshopt/ copies and refuses. */
+/* asset_mesh: the work of meshoptimizer for asset.h. meshopt/ does it; nomeshopt/ copies, and refuses to simplify. */
 #ifndef ASSET_MESH_H
 #define ASSET_MESH_H
 
@@ -15,16 +15,16 @@ struct asset_shape {
 };
 
 /*
- * Gives to->positions, normals, uvs, triangles and their counts: equal vertices once, triangles in an order in which
- * vertices are used again soon, vertices in the order of their first use. False: the arena is full, or more than
+ * Sets positions, normals, uvs, triangles and their counts in *to. Equal vertices become one; triangles are ordered so
+ * that vertices are used again soon, and vertices by their first use. False: the arena is full, or more than
  * MODEL_VERTICES_MAX vertices remain.
  */
 bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, struct ph_mesh *to);
 
-/* Vertices that are fetched for all triangles of the mesh, with the 16 used last at hand. */
+/* Returns how many vertices are fetched for all triangles if the 16 used last are kept. */
 double asset_fetches(const struct ph_mesh *mesh);
 
-/* Triangles that remain of a model. Vertices are counted through all meshes; meshes follow each other. */
+/* The triangles that remain of a model. Vertices are numbered through all meshes in order. */
 struct asset_rest {
     unsigned *indices; /* free() it */
     size_t index_count;
@@ -32,16 +32,14 @@ struct asset_rest {
     double error; /* as struct asset */
 };
 
-/* All triangles. 0, or EXIT_FAILED when one line has said why. */
+/* Keeps all triangles. 0 or COMPLAINED. */
 int asset_keep_all(const struct model *model, struct asset_rest *rest);
 
-/* At most `triangles` of them; more where that is not to be had. 0, or EXIT_FAILED as above. */
+/* Keeps at most `triangles` of them, or more where the model cannot be simplified that far. 0 or COMPLAINED. */
 int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest);
 
-/*
- * Normals for corners without any: corner i is at places[i], three make a triangle. Flat, or smooth but where faces
- * meet at more than 66 degrees. False: no memory.
- */
+/* Makes normals for corners that have none. Corner i is at places[i], and three corners make a triangle. They are flat,
+ * or smooth but where faces meet at more than 66 degrees. False: no memory. */
 bool asset_normals(const struct fx_vec3 *places, size_t count, bool is_flat, int16_t (*normals)[3]);
 
 #endif

@@ -22,7 +22,7 @@ static int by_place(const void *a, const void *b)
     return p->index < q->index ? -1 : p->index > q->index;
 }
 
-/* Of length twice the area. */
+/* The length of the normal is twice the area. */
 static void face_normal(const struct fx_vec3 *corners, double normal[3])
 {
     const struct fx_vec3 *a = &corners[0], *b = &corners[1], *c = &corners[2];
@@ -47,7 +47,7 @@ static void set_normal(int16_t normal[3], const double sum[3])
     }
 }
 
-/* The faces around this corner that go on smoothly from its own. */
+/* Sums the faces around this corner that its own face joins smoothly. */
 static void add_neighbours(const struct corner *group, size_t count, const double (*faces)[3], const double own[3],
                            double sum[3])
 {

@@ -45,11 +45,6 @@ static bool set_texture(void *to, const char *value)
     return true;
 }
 
-static bool set_flash(void *to, const char *value)
-{
-    return option_text_u32(value, 1, FLASH_LIMIT, &((struct asset_options *)to)->flash_bytes);
-}
-
 static const struct option_row rows[] = {
     {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", .set = set_out},
     {"max-triangles", "N|all|fit",
@@ -59,11 +54,12 @@ static const struct option_row rows[] = {
      "a power of two, 1 .. 1024", .set = set_texture},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board},
-    {"flash", "BYTES", "the data must fit these", "a whole number, 1 .. 1073741824", .set = set_flash},
-    {"turntable", NULL, "on the turntable, also where the file has a camera", NULL,
+    {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",
+     .at = offsetof(struct asset_options, flash_bytes), .least = 1, .most = FLASH_LIMIT},
+    {"turntable", NULL, "shows the model on the turntable even if the file has a camera", NULL,
      .at = offsetof(struct asset_options, turntable)},
     {"report", NULL,
-     "prints what the scene takes of flash, and of memory on each board: bands of the picture, and the scene's\n"
+     "prints how much flash the scene needs, and how much memory on each board: bands of the picture, and the scene's\n"
      "        vertices and triangles in the frame that lists most of them",
      NULL, .at = offsetof(struct asset_options, report)},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct asset_options, help)},
@@ -85,16 +81,16 @@ static int check(const struct asset_options *o)
         return 0;
     }
     if (o->model == NULL) {
-        return complain(EXIT_USAGE, "no model named (see --help)");
+        return complain_usage("no model named (see --help)");
     }
     if (o->fit && o->board == NULL) {
-        return complain(EXIT_USAGE, "--max-triangles fit: fit what? name a --board");
+        return complain_usage("--max-triangles fit: fit what? name a --board");
     }
     if (o->out == NULL && !o->report) {
-        return complain(EXIT_USAGE, "nothing to do: give -o FILE.c or --report (see --help)");
+        return complain_usage("nothing to do: give -o FILE.c or --report (see --help)");
     }
     if (o->report && o->out != NULL && strcmp(o->out, "-") == 0) {
-        return complain(EXIT_USAGE, "--report and -o - both want stdout; give -o a file");
+        return complain_usage("--report and -o - both want stdout; give -o a file");
     }
     return 0;
 }
@@ -106,16 +102,16 @@ int asset_options_read(struct asset_options *o, int argc, char *const argv[])
     for (int i = 1; i < argc;) {
         if (strcmp(argv[i], "-o") == 0) {
             if (i + 1 == argc || !set_out(o, argv[i + 1])) {
-                return complain(EXIT_USAGE, "-o needs a value: FILE.c");
+                return complain_usage("-o needs a value: FILE.c");
             }
             i += 2;
         } else if (argv[i][0] == '-') {
             i = option_table_read(&table, o, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
+            if (i < 0) {
+                return i;
             }
         } else if (o->model != NULL) {
-            return complain(EXIT_USAGE, "'%s': one model at a time, and %s is named already", argv[i], o->model);
+            return complain_usage("'%s': one model at a time, and %s is named already", argv[i], o->model);
         } else {
             o->model = argv[i++];
         }

@@ -14,7 +14,7 @@ struct asset_options {
     bool report, turntable, help;
 };
 
-/* 0, or EXIT_USAGE when one line has said why. */
+/* 0 or PH_ERR_INVAL. */
 int asset_options_read(struct asset_options *o, int argc, char *const argv[]);
 
 void asset_options_help(void);

@@ -1,8 +1,8 @@
 #include "asset.h"
+#include "model_texture.h"
 #include "runner.h"
-#include "texture_make.h"
 
-/* What lies beside the arrays, in bytes of a 32-bit target. */
+/* Bytes beside the arrays, on a 32-bit target. */
 #define MESH_BYTES     44
 #define MATERIAL_BYTES 28
 #define PART_BYTES     12

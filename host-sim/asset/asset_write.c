@@ -2,7 +2,7 @@
 
 #include <inttypes.h>
 
-/* Several values a line, none of them longer than the line of a C file ought to be. */
+/* Several values a line, and no line longer than usual in a C file. */
 static void separate(FILE *file, uint32_t i, uint32_t per_line)
 {
     fputs(i % per_line == 0 ? "\n    " : " ", file);
@@ -199,7 +199,7 @@ void asset_write(FILE *file, const struct asset *asset)
     fprintf(file,
             "/*\n * %s: %u triangles in %u meshes, made by pinhole-asset. Positions Q16.16, normals Q1.14, colours in "
             "wire\n"
-            " * order. What shows it is demo_scene (demo.h).\n */\n#include \"demo.h\"\n\n"
+            " * order. The demo demo_scene (demo.h) shows it.\n */\n#include \"demo.h\"\n\n"
             "#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__\n#define W(colour) (colour)\n#else\n"
             "#define W(colour) (((colour)&0xFF) << 8 | (colour) >> 8)\n#endif\n",
             asset->name, (unsigned)model->triangle_count, (unsigned)model->mesh_count);

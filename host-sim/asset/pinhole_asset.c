@@ -1,22 +1,21 @@
-/* pinhole-asset: models as const data for the flash of a display kit. See asset.h; the options are in asset_options.c.
- */
+/* pinhole-asset: models as const data for the flash of a display kit. See asset.h. */
 #define _XOPEN_SOURCE 700 /* open_memstream, isatty */
 
 #include "asset.h"
 #include "asset_options.h"
 #include "complain.h"
+#include "file_save.h"
 #include "runner.h"
-#include "save.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#define TRIES           12  /* to fit; each comes nearer */
-#define TRIANGLES_LEAST 16  /* less is no picture of anything */
-#define TRIANGLES_FEW   400 /* the turntable's platter then takes more from the model than it gives to the picture */
+#define TRIES           12  /* attempts to fit; each comes nearer */
+#define TRIANGLES_LEAST 16  /* fewer give no picture */
+#define TRIANGLES_FEW   400 /* below this the platter of the turntable costs more triangles than it is worth */
 
-/* The list of triangles is as long as the board needs, or as the most demanding of all boards does. */
+/* Measures the list of triangles on the board, or on every board to find the longest list. */
 static int measure(struct asset *asset, const struct board *board)
 {
     for (uint32_t i = 0; i < board_count; i++) {
@@ -33,7 +32,7 @@ static uint64_t texture_bytes(const struct asset *asset)
     return asset_sizes(asset).textures;
 }
 
-/* The share of its triangles that the board and the flash have room for; 1 or more: it fits. 0: not one does. */
+/* Returns the share of the triangles that board and flash have room for: 1 or more if all fit, 0 if none does. */
 static double room(const struct asset *asset, const struct asset_options *o)
 {
     const double flash = (double)(asset_flash_bytes(asset) - texture_bytes(asset));
@@ -53,7 +52,7 @@ static bool fits(const struct asset *asset, const struct asset_options *o)
            (o->board == NULL || asset_frame_bytes(asset, o->board) <= runner_budget(o->board));
 }
 
-/* What to do about textures that alone are too large for the flash. */
+/* Tells which texture size fits when the textures alone are too large for the flash. */
 static int refuse_textures(const struct asset *asset, const struct asset_options *o)
 {
     uint8_t log2 = o->texture_log2;
@@ -61,14 +60,13 @@ static int refuse_textures(const struct asset *asset, const struct asset_options
         log2--;
     }
     const uint32_t side = 1u << log2;
-    return complain(EXIT_FAILED,
-                    "%s: its textures take %llu of the %u bytes that the flash has for it; --texture-size %u "
+    return complain("%s: its textures take %llu of the %u bytes that the flash has for it; --texture-size %u "
                     "has room (make: SCENE_TEXTURE=%u)",
                     o->model, (unsigned long long)texture_bytes(asset), (unsigned)o->flash_bytes, (unsigned)side,
                     (unsigned)side);
 }
 
-/* Once, with at most that many triangles. */
+/* Makes the asset once, with at most that many triangles. */
 static int make(struct asset *asset, const struct model *model, const struct asset_options *o, uint32_t triangles,
                 bool is_bare)
 {
@@ -77,14 +75,16 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     return status == 0 ? measure(asset, o->board) : status;
 }
 
-/* Between `fitting` triangles and `too_many`: what the asset's need lets hope for, else the middle. */
+/*
+ * Returns the next number to try between `fitting` and `too_many`: the estimate from the asset's need, else the middle.
+ */
 static uint32_t guess(const struct asset *asset, const struct asset_options *o, uint32_t fitting, uint32_t too_many)
 {
     const double hope = asset->model.triangle_count * room(asset, o) * .98;
     return hope > fitting && hope < too_many ? (uint32_t)hope : fitting + (too_many - fitting) / 2;
 }
 
-/* As many triangles as the board has room for, to one in 32. */
+/* Finds the largest number of triangles that fits, to one in 32. */
 static int make_less(struct asset *asset, const struct model *model, const struct asset_options *o, bool is_bare)
 {
     uint32_t fitting = 0, too_many = model->triangle_count;
@@ -120,21 +120,21 @@ static int make_fitting(struct asset *asset, const struct model *model, const st
     return make_less(asset, model, o, true);
 }
 
-/* Nothing is simplified silently. */
+/* Says that the model was simplified. */
 static void tell(const struct asset *asset, const struct asset_options *o)
 {
     if (o->fit && asset->way != ASSET_WHOLE) {
-        complain(EXIT_DONE,
-                 "%s: %u of its %u triangles have room on %s%s; it was simplified, its surface moved by about %.2g %% "
-                 "of its radius",
-                 o->model, (unsigned)asset->model.triangle_count, (unsigned)asset->triangles_read, o->board->name,
-                 asset->is_bare ? ", without a platter" : "", 100 * asset->error);
+        complain_note(
+            "%s: %u of its %u triangles have room on %s%s; it was simplified, its surface moved by about %.2g %% "
+            "of its radius",
+            o->model, (unsigned)asset->model.triangle_count, (unsigned)asset->triangles_read, o->board->name,
+            asset->is_bare ? ", without a platter" : "", 100 * asset->error);
     }
 }
 
 static const char no_meshopt[] = "simplifying takes meshoptimizer: install libmeshoptimizer-dev (Debian), make again";
 
-/* `asset` does not fit: what of it would. */
+/* Says why `asset` does not fit, and how many triangles would. */
 static int refuse(const struct asset *asset, const struct model *model, const struct asset_options *o)
 {
     const unsigned triangles = (unsigned)asset->model.triangle_count;
@@ -151,15 +151,14 @@ static int refuse(const struct asset *asset, const struct model *model, const st
                  (unsigned)runner_budget(o->board));
     }
     struct asset smaller = {.memory = NULL};
-    const int status = o->fit ? EXIT_FAILED : make_fitting(&smaller, model, o);
+    const int status = o->fit ? COMPLAINED : make_fitting(&smaller, model, o);
     const bool is_small = status == 0 && fits(&smaller, o);
     const unsigned fewer = (unsigned)smaller.model.triangle_count;
     asset_free(&smaller);
-    return is_small ? complain(EXIT_FAILED,
-                               "%s: its %u triangles %s; %u fit: --max-triangles fit (make: "
+    return is_small ? complain("%s: its %u triangles %s; %u fit: --max-triangles fit (make: "
                                "SCENE_TRIANGLES=fit)",
                                o->model, triangles, need, fewer)
-                    : complain(EXIT_FAILED, "%s: its %u triangles %s; %s", o->model, triangles, need,
+                    : complain("%s: its %u triangles %s; %s", o->model, triangles, need,
                                asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
 }
 
@@ -169,18 +168,18 @@ static int save(const struct asset *asset, const char *path)
     size_t length = 0;
     FILE *file = open_memstream(&text, &length);
     if (file == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for the C file");
+        return complain("not enough memory for the C file");
     }
     asset_write(file, asset);
     const bool is_whole = ferror(file) == 0;
     const bool is_closed = fclose(file) == 0;
     int status = 0;
     if (!is_whole || !is_closed) {
-        status = complain(EXIT_FAILED, "not enough memory for the C file");
+        status = complain("not enough memory for the C file");
     } else if (strcmp(path, "-") == 0) {
         fwrite(text, 1, length, stdout);
     } else {
-        status = save_bytes(path, text, length);
+        status = file_save_bytes(path, text, length);
     }
     free(text);
     return status;
@@ -191,9 +190,8 @@ static int run_on(const struct model *model, const struct asset_options *o)
     struct asset asset = {.memory = NULL};
     int status = o->fit ? make_fitting(&asset, model, o) : make(&asset, model, o, o->triangles, false);
     if (status == 0 && asset.model.triangle_count > o->triangles) {
-        status = complain(EXIT_FAILED, "%s: %u of its triangles remain, not %u; %s", o->model,
-                          (unsigned)asset.model.triangle_count, (unsigned)o->triangles,
-                          asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
+        status = complain("%s: %u of its triangles remain, not %u; %s", o->model, (unsigned)asset.model.triangle_count,
+                          (unsigned)o->triangles, asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
     }
     if (status == 0 && !fits(&asset, o)) {
         status = refuse(&asset, model, o);
@@ -219,7 +217,7 @@ static int run(const struct asset_options *o)
         return status;
     }
     if (model->note != NULL) {
-        complain(EXIT_DONE, "%s: %s", o->model, model->note);
+        complain_note("%s: %s", o->model, model->note);
     }
     status = run_on(model, o);
     model_close(model);
@@ -232,14 +230,14 @@ int main(int argc, char *argv[])
     complain_as("pinhole-asset");
     int status = asset_options_read(&options, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (options.help) {
         asset_options_help();
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
-        status = complain(EXIT_USAGE, "-o -: stdout is a terminal; pipe it into a program, or use -o FILE.c");
+        status = complain_usage("-o -: stdout is a terminal; pipe it into a program, or use -o FILE.c");
     } else {
         status = run(&options);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -25,22 +25,44 @@ void complain_clean(char *text)
     }
 }
 
-int complain(int status, const char *format, ...)
+static void print_line(const char *format, va_list arguments)
 {
     char line[1024];
-    va_list arguments;
-    va_start(arguments, format);
     vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
     complain_clean(line);
     fprintf(stderr, "%s: %s\n", program_name, line);
-    return status;
 }
 
-int complain_stdout(void)
+int complain(const char *format, ...)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout)) {
-        return 0;
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(format, arguments);
+    va_end(arguments);
+    return COMPLAINED;
+}
+
+int complain_usage(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(format, arguments);
+    va_end(arguments);
+    return PH_ERR_INVAL;
+}
+
+void complain_note(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_line(format, arguments);
+    va_end(arguments);
+}
+
+int complain_exit(int status)
+{
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout))) {
+        status = complain("stdout cannot be written: %s", strerror(errno));
     }
-    return complain(EXIT_FAILED, "stdout cannot be written: %s", strerror(errno));
+    return status == 0 ? 0 : status == PH_ERR_INVAL ? 2 : 1;
 }

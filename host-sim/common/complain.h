@@ -1,22 +1,32 @@
 /*
- * complain: what the host programs say when something is wrong. Exactly one line on stderr, "program: what, where,
- * what to do"; control characters (from file names, say) become '?', so that it stays one line.
+ * complain: messages of the host programs. A message is one line on stderr, "program: what, where, what to do". Control
+ * characters (from file names, say) become '?', so that it stays one line.
+ *
+ * Functions of the host programs return 0 when done, or a negative errno value as status.h and hal.h name them; a
+ * positive number is a count. Only main() turns it into an exit status, by complain_exit().
  */
 #ifndef COMPLAIN_H
 #define COMPLAIN_H
 
-enum exit_status { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_USAGE = 2 };
+#include "status.h"
 
-/* Prints the line and returns status, for `return complain(EXIT_USAGE, ...)`. */
-int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
+#define COMPLAINED (-125) /* ECANCELED: it failed, and a line has said why */
 
-/* Sees to it that what was printed has arrived on stdout: 0, or EXIT_FAILED and one line. */
-int complain_stdout(void);
+/* Prints the line; returns COMPLAINED. */
+int complain(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/*
- * Before anything else: the name that starts each line (text that stays). From then on a file that may grow no further
- * (SIGXFSZ) is an error of the write, not the end of the program.
- */
+/* Prints the line about a wrong command line; returns PH_ERR_INVAL. */
+int complain_usage(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Prints the line when the program goes on. */
+void complain_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* Returns the exit status: 0 done, 1 failed, 2 for PH_ERR_INVAL. It is also 1, with a line, if stdout cannot be
+ * written. */
+int complain_exit(int status);
+
+/* Call this first: it sets the name that starts each line (the text must stay). From then on a write to a file that may
+ * not grow further (SIGXFSZ) fails and does not end the program. */
 void complain_as(const char *program);
 
 /* Replaces control characters of text by '?'. */

@@ -10,14 +10,13 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Makes every directory of path that is missing. 0, or -1 with errno set. */
+/* Makes every directory of path that is missing. 0 or a negative errno value. */
 static int make_directories(const char *path)
 {
     char part[PATH_MAX];
     const size_t n = strlen(path);
     if (n >= sizeof part) {
-        errno = ENAMETOOLONG;
-        return -1;
+        return -ENAMETOOLONG;
     }
     for (size_t i = 1; i <= n; i++) {
         if (path[i] != '/' && path[i] != '\0') {
@@ -26,18 +25,17 @@ static int make_directories(const char *path)
         memcpy(part, path, i);
         part[i] = '\0';
         if (mkdir(part, 0777) != 0 && errno != EEXIST) {
-            return -1;
+            return -errno;
         }
     }
     struct stat status;
     if (stat(path, &status) != 0) {
-        return -1;
+        return -errno;
     }
-    errno = ENOTDIR;
-    return S_ISDIR(status.st_mode) ? 0 : -1;
+    return S_ISDIR(status.st_mode) ? 0 : -ENOTDIR;
 }
 
-/* A name like a picture's, of a format that is not written here; "name.x/" is a directory, and so is what is one. */
+/* Is this the name of a picture in another format? "name.x/" is a directory, and so is an existing one. */
 static bool is_other_picture(const char *target)
 {
     const char *slash = strrchr(target, '/'), *name = slash == NULL ? target : slash + 1;
@@ -56,13 +54,13 @@ int frame_out_open(struct frame_out *out, const char *target, bool several)
     } else if (option_text_ends(target, ".ppm")) {
         out->kind = several ? FRAME_OUT_FILES : FRAME_OUT_FILE;
     } else if (is_other_picture(target)) {
-        return complain(EXIT_USAGE,
-                        "--out %s: only .ppm pictures are written; a new directory with a dot needs a / behind",
-                        target);
+        return complain_usage("--out %s: only .ppm pictures are written; a new directory with a dot needs a / behind",
+                              target);
     } else {
         out->kind = FRAME_OUT_DIRECTORY;
-        if (make_directories(target) != 0) {
-            return complain(EXIT_FAILED, "%s: cannot be used as a directory for frames: %s", target, strerror(errno));
+        const int status = make_directories(target);
+        if (status != 0) {
+            return complain("%s: cannot be used as a directory for frames: %s", target, strerror(-status));
         }
     }
     return 0;
@@ -82,8 +80,7 @@ static int name_file(const struct frame_out *out, uint32_t frame, char name[PATH
         n = snprintf(name, PATH_MAX, "%s", out->path);
         break;
     }
-    errno = ENAMETOOLONG;
-    return n < PATH_MAX ? 0 : -1;
+    return n < PATH_MAX ? 0 : -ENAMETOOLONG;
 }
 
 int frame_out_put(const struct frame_out *out, uint32_t frame, const struct ppm *picture)
@@ -92,11 +89,13 @@ int frame_out_put(const struct frame_out *out, uint32_t frame, const struct ppm 
         return 0;
     }
     if (out->kind == FRAME_OUT_STREAM) {
-        return ppm_write(stdout, picture) == 0 ? 0 : complain(EXIT_FAILED, "stdout: %s", strerror(errno));
+        const int written = ppm_write(stdout, picture);
+        return written == 0 ? 0 : complain("stdout: %s", strerror(-written));
     }
     char name[PATH_MAX];
-    if (name_file(out, frame, name) != 0 || ppm_save(name, picture) != 0) {
-        return complain(EXIT_FAILED, "%s: cannot be written: %s", out->path, strerror(errno));
+    int status = name_file(out, frame, name);
+    if (status == 0) {
+        status = ppm_save(name, picture);
     }
-    return 0;
+    return status == 0 ? 0 : complain("%s: cannot be written: %s", out->path, strerror(-status));
 }

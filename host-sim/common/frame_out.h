@@ -13,14 +13,11 @@ struct frame_out {
     const char *path;
 };
 
-/*
- * target: NULL (nowhere), "-", a name that ends in ".ppm", or a directory (made when missing, with those above it).
- * Several frames and FILE.ppm become FILE-NNNN.ppm. 0, or when one line has said why EXIT_FAILED, or EXIT_USAGE for
- * another extension.
- */
+/* target is NULL (nowhere), "-" (stdout), a name that ends in ".ppm", or a directory, which is made when it is missing.
+ * Several frames turn FILE.ppm into FILE-NNNN.ppm. 0, COMPLAINED, or PH_ERR_INVAL for another extension. */
 int frame_out_open(struct frame_out *out, const char *target, bool several);
 
-/* Puts one frame there; a file is complete or not there. 0, or EXIT_FAILED when one line has said why. */
+/* Writes one frame; a file is written whole or not at all. 0 or COMPLAINED. */
 int frame_out_put(const struct frame_out *out, uint32_t frame, const struct ppm *picture);
 
 #endif

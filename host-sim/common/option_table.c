@@ -1,6 +1,7 @@
 #include "option_table.h"
 
 #include "complain.h"
+#include "option_text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -23,6 +24,9 @@ static bool store(const struct option_row *row, void *options, const char *value
     if (row->set != NULL) {
         return row->set(options, value);
     }
+    if (row->most != 0) {
+        return option_text_u32(value, row->least, row->most, at);
+    }
     if (value == NULL) {
         *(bool *)at = true;
         return true;
@@ -36,13 +40,11 @@ int option_table_read(const struct option_table *table, void *options, int argc,
     const char *text = strcmp(argv[i], "-h") == 0 ? "--help" : argv[i];
     const struct option_row *row = option_table_find(table, text);
     if (row == NULL) {
-        complain(EXIT_USAGE, "%s: no such option; --help lists them", text);
-        return 0;
+        return complain_usage("%s: no such option; --help lists them", text);
     }
     const char *equals = strchr(text, '='), *value = equals != NULL ? equals + 1 : NULL;
     if (row->argument == NULL && value != NULL) {
-        complain(EXIT_USAGE, "--%s takes no value", row->name);
-        return 0;
+        return complain_usage("--%s takes no value", row->name);
     }
     const bool optional = row->argument != NULL && row->argument[0] == '[';
     if (optional && value == NULL && i + 1 < argc && argv[i + 1][0] != '-') {
@@ -50,13 +52,11 @@ int option_table_read(const struct option_table *table, void *options, int argc,
     } else if (row->argument != NULL && !optional && value == NULL) {
         value = ++i < argc ? argv[i] : NULL;
         if (value == NULL) {
-            complain(EXIT_USAGE, "--%s needs a value: %s", row->name, row->argument);
-            return 0;
+            return complain_usage("--%s needs a value: %s", row->name, row->argument);
         }
     }
     if (!store(row, options, value)) {
-        complain(EXIT_USAGE, "--%s '%s': must be %s", row->name, value, row->allowed);
-        return 0;
+        return complain_usage("--%s '%s': must be %s", row->name, value, row->allowed);
     }
     return i + 1;
 }
@@ -68,12 +68,11 @@ int option_table_words(const struct option_table *table, void *options, int argc
     for (int i = 1; i < argc;) {
         if (argv[i][0] == '-') {
             i = option_table_read(table, options, argc, argv, i);
-            if (i == 0) {
-                return -1;
+            if (i < 0) {
+                return i;
             }
         } else if (count == most) {
-            complain(EXIT_USAGE, "'%s': a word too many; see --help", argv[i]);
-            return -1;
+            return complain_usage("'%s': a word too many; see --help", argv[i]);
         } else {
             words[count++] = argv[i++];
         }

@@ -1,21 +1,23 @@
 /*
- * option_table: command lines as tables. Options are `--name value`, `--name=value` or `--name`; what is wrong with one
- * is told in one line (complain.h).
+ * option_table: command lines as tables. An option is `--name value`, `--name=value` or `--name`. A wrong one gives one
+ * line on stderr and PH_ERR_INVAL.
  */
 #ifndef OPTION_TABLE_H
 #define OPTION_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 struct option_row {
     const char *name;     /* without "--" */
-    const char *argument; /* as --help shows it; "[X]": may be left out; NULL: takes none */
+    const char *argument; /* as --help shows it; "[X]" is optional; NULL: it takes none */
     const char *help;
-    const char *allowed;                           /* its values in words; NULL: takes none */
-    bool (*set)(void *options, const char *value); /* value: NULL if it has none; false: the value is wrong */
-    size_t at; /* where `set` is NULL: offset in options of what is set: of a bool where it takes none, else of a
-                  const char *, which may not be left out and not be empty */
+    const char *allowed;                           /* its values in words; NULL: it takes none */
+    bool (*set)(void *options, const char *value); /* value is NULL if there is none; false: it is wrong */
+    size_t at; /* where `set` is NULL: offset in options of a bool (it takes no value), of a uint32_t (most is
+                  not 0), or of a const char *, which may not be left out and not be empty */
+    uint32_t least, most; /* of a whole number */
 };
 
 struct option_table {
@@ -23,15 +25,13 @@ struct option_table {
     size_t count;
 };
 
-/* The row of "--name" or "--name=value"; NULL: there is none. */
+/* Returns the row of "--name" or "--name=value", or NULL. */
 const struct option_row *option_table_find(const struct option_table *table, const char *text);
 
-/* Reads argv[i], an option, and its value; returns the index of what follows, or 0 when it was wrong. */
+/* Reads the option argv[i] and its value; returns the index of the next word. */
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i);
 
-/* Reads a command line: options, and at most `most` other words, into words[]; returns how many, or -1 when it was
- * wrong.
- */
+/* Reads options, and at most `most` other words into words[]; returns how many words. */
 int option_table_words(const struct option_table *table, void *options, int argc, char *const argv[],
                        const char *words[], int most);
 

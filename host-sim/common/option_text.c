@@ -1,5 +1,7 @@
 #include "option_text.h"
 
+#include "render.h"
+
 #include <string.h>
 
 static const char *read_digits(const char *text, uint32_t max, uint32_t *out)
@@ -70,7 +72,7 @@ int option_text_choice(const char *text, const char *const names[], int count)
             return i;
         }
     }
-    return -1;
+    return PH_ERR_INVAL;
 }
 
 bool option_text_turns(const char *text, uint8_t *out)
@@ -79,6 +81,22 @@ bool option_text_turns(const char *text, uint8_t *out)
     const int turns = option_text_choice(text, degrees, 4);
     *out = turns >= 0 ? (uint8_t)turns : *out;
     return turns >= 0;
+}
+
+static const char *const depth_names[PH_DEPTH_FORMATS] = {
+    [PH_DEPTH_AUTO] = "auto",       [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",
+    [PH_DEPTH_FIXED24] = "fixed24", [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w"};
+
+bool option_text_depth(const char *text, uint8_t *out)
+{
+    const int format = option_text_choice(text, depth_names, PH_DEPTH_FORMATS);
+    *out = format >= 0 ? (uint8_t)format : *out;
+    return format >= 0;
+}
+
+const char *option_text_depth_name(uint8_t format)
+{
+    return depth_names[format];
 }
 
 bool option_text_ends(const char *name, const char *ending)

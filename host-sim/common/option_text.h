@@ -1,7 +1,4 @@
-/*
- * option_text: strict readers for the texts of command-line options. With `out` they return true, or false and leave
- * *out alone.
- */
+/* option_text: strict readers for the values of options. A reader returns true, or false and leaves *out alone. */
 #ifndef OPTION_TEXT_H
 #define OPTION_TEXT_H
 
@@ -16,19 +13,23 @@ bool option_text_u32(const char *text, uint32_t min, uint32_t max, uint32_t *out
 /* "WxH", each 1 .. max. */
 bool option_text_size(const char *text, uint16_t max, uint16_t *width, uint16_t *height);
 
-/* One decimal number that fits Q16.16; *rest is what follows it. Not even a space before it. */
+/* One decimal number that fits Q16.16, without a space before it; *rest is the text behind it. */
 bool option_text_fx(const char *text, fx_t *out, const char **rest);
 
-/* `count` numbers with commas between them; *rest is what follows them. */
+/* `count` numbers with commas between them; *rest is the text behind them. */
 bool option_text_fx_list(const char *text, fx_t *out, int count, const char **rest);
 
-/* Index of text in names[count], or -1. */
+/* Returns the index of text in names[count], or PH_ERR_INVAL. */
 int option_text_choice(const char *text, const char *const names[], int count);
 
 /* "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
-/* Whether a file's name has this ending, and something before it. */
+/* A value of --depth as enum ph_depth_format, and the name of such a format. */
+bool option_text_depth(const char *text, uint8_t *out);
+const char *option_text_depth_name(uint8_t format);
+
+/* Returns whether the name of a file has this ending and something before it. */
 bool option_text_ends(const char *name, const char *ending);
 
 #endif

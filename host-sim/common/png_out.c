@@ -19,7 +19,7 @@ static void put_u32(struct out *out, uint32_t v)
     }
 }
 
-/* Length and name in front of a chunk; returns where its name stands, from which on the CRC counts. */
+/* Puts length and name of a chunk; returns the place of the name, where its CRC begins. */
 static uint8_t *begin_chunk(struct out *out, size_t length, const char *name)
 {
     put_u32(out, (uint32_t)length);
@@ -34,7 +34,7 @@ static void end_chunk(struct out *out, const uint8_t *start)
     put_u32(out, crc32_update(0, start, (size_t)(out->at - start)));
 }
 
-/* One byte of the picture as deflate stores it: a block's header in front of every 65535th. */
+/* Puts one byte of the picture; each stored block of deflate (65535 bytes) begins with a header. */
 static void store(struct out *out, uint8_t byte, size_t index, size_t total)
 {
     if (index % STORED_MAX == 0) {

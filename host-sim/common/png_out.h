@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-/* The file's bytes, to be freed, and how many; NULL without memory. Sources: PNG (ISO/IEC 15948), RFC 1950, RFC 1951.
- */
+/* Returns the file's bytes, which the caller frees, or NULL without memory. Sources: PNG (ISO/IEC 15948), RFC 1950, RFC
+ * 1951. */
 uint8_t *png_out_bytes(const struct ppm *picture, size_t *length);
 
 #endif

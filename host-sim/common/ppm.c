@@ -1,8 +1,8 @@
 #include "ppm.h"
 
-#include "save.h"
+#include "file_save.h"
+#include "status.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,9 +10,9 @@ int ppm_write(FILE *file, const struct ppm *picture)
 {
     const size_t n = (size_t)picture->width * picture->height * 3;
     if (fprintf(file, "P6\n%u %u\n255\n", (unsigned)picture->width, (unsigned)picture->height) < 0) {
-        return -1;
+        return file_save_status();
     }
-    return fwrite(picture->rgb, 1, n, file) == n && fflush(file) == 0 ? 0 : -1;
+    return fwrite(picture->rgb, 1, n, file) == n && fflush(file) == 0 ? 0 : file_save_status();
 }
 
 static int write_picture(FILE *file, const void *context)
@@ -22,10 +22,10 @@ static int write_picture(FILE *file, const void *context)
 
 int ppm_save(const char *path, const struct ppm *picture)
 {
-    return save_file(path, write_picture, picture);
+    return file_save(path, write_picture, picture);
 }
 
-/* The next number of a header: white space and comments before it. */
+/* Reads the next number of a header and the white space and comments before it. */
 static int read_number(FILE *file, uint32_t max, uint32_t *out)
 {
     int c = getc(file);
@@ -41,7 +41,8 @@ static int read_number(FILE *file, uint32_t max, uint32_t *out)
         value = value * 10 + (uint32_t)(c - '0');
     }
     *out = value;
-    return digits > 0 && value > 0 && value <= max && (c == ' ' || c == '\n' || c == '\r' || c == '\t') ? 0 : -1;
+    return digits > 0 && value > 0 && value <= max && (c == ' ' || c == '\n' || c == '\r' || c == '\t') ? 0
+                                                                                                        : PH_ERR_INVAL;
 }
 
 static int read_picture(FILE *file, struct ppm *picture)
@@ -52,18 +53,16 @@ static int read_picture(FILE *file, struct ppm *picture)
         read_number(file, PPM_SIDE_MAX, &picture->width) != 0 ||
         read_number(file, PPM_SIDE_MAX, &picture->height) != 0 || read_number(file, 255, &maximum) != 0 ||
         maximum != 255) {
-        errno = EINVAL;
-        return -1;
+        return PH_ERR_INVAL;
     }
     const size_t n = (size_t)picture->width * picture->height * 3;
     picture->rgb = malloc(n);
     if (picture->rgb == NULL) {
-        return -1;
+        return PH_ERR_NOMEM;
     }
     if (fread(picture->rgb, 1, n, file) != n) {
         free(picture->rgb);
-        errno = EINVAL;
-        return -1;
+        return PH_ERR_INVAL;
     }
     return 0;
 }
@@ -72,11 +71,9 @@ int ppm_load(const char *path, struct ppm *picture)
 {
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
-        return -1;
+        return file_save_status();
     }
     const int result = read_picture(file, picture);
-    const int error = errno;
     fclose(file);
-    errno = error;
     return result;
 }

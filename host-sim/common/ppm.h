@@ -10,15 +10,16 @@ struct ppm {
     uint8_t *rgb; /* rows from the top, 3 bytes a pixel */
 };
 
-/* Appends one picture and flushes. 0, or -1 with errno set. */
+/* Appends one picture and flushes. 0 or a negative errno value. */
 int ppm_write(FILE *file, const struct ppm *picture);
 
-/* Writes path as save_file() does. 0, or -1 with errno set. */
+/* Writes path as file_save() does. 0 or a negative errno value. */
 int ppm_save(const char *path, const struct ppm *picture);
 
 #define PPM_SIDE_MAX 16384
 
-/* Reads the first picture of path; free(picture->rgb) afterwards. 0, or -1 with errno set (EINVAL: no such PPM). */
+/* Reads the first picture of the file; free picture->rgb afterwards. 0 or a negative errno value (PH_ERR_INVAL: not a
+ * PPM). */
 int ppm_load(const char *path, struct ppm *picture);
 
 #endif

@@ -1,10 +1,10 @@
-/* progress: how far long work has come, for who waits at a terminal. */
+/* progress: a bar on the terminal for long work. */
 #ifndef PROGRESS_H
 #define PROGRESS_H
 
 #include <stdint.h>
 
-/* A bar on stderr where that is a terminal; done >= total takes it away. */
+/* Shows a bar on stderr if that is a terminal; done >= total removes it. */
 void progress_show(const char *what, uint64_t done, uint64_t total);
 
 #endif

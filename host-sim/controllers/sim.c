@@ -124,7 +124,7 @@ static void send_bytes(struct sim *sim, enum hal_dc dc, const uint8_t *bytes, si
 
 /* ---- operations --------------------------------------------------------------------------------- */
 
-/* Is this the call that the fault waits for? */
+/* Does the fault strike in this call? */
 static bool fault_strikes(struct sim *sim, enum sim_fault fault)
 {
     if (sim->fault != fault || --sim->fault_n > 0) {
@@ -256,7 +256,7 @@ const struct hal_ops sim_ops = {
 
 /* ---- the simulator's own functions -------------------------------------------------------------- */
 
-/* What a memory holds after power-on: bright noise, the same every time. */
+/* After power-on the memory holds bright noise, the same every time. */
 static void fill_with_noise(struct sim *sim)
 {
     uint32_t count = (uint32_t)sim->glass.ram_width * sim->glass.ram_height;

@@ -57,7 +57,7 @@ static const struct dbi_command st7789_commands[] = {
     {0xE1, 14, 14}, {0xE2, 64, 64}, {0xE3, 64, 64}, {0xE4, 3, 3}, {0xE8, 2, 2}, {0xE9, 3, 3}, {0xEC, 1, 1},
 };
 
-/* What the datasheet names, then what the maker's sample code sends. */
+/* The commands of the datasheet come first, then those that the sample code of the maker sends. */
 static const struct dbi_command gc9a01_commands[] = {
     {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {DISCTRL, 2, 2}, {0xBA, 1, 1}, {0xC3, 1, 1},
     {0xC4, 1, 1}, {0xC9, 1, 1}, {0xE8, 1, 1}, {0xF0, 6, 6}, {0xF1, 6, 6}, {0xF2, 6, 6}, {0xF3, 6, 6}, {0xFE, 0, 0},
@@ -88,7 +88,7 @@ static const struct dbi_command st7735s_commands[] = {
 };
 /* clang-format on */
 
-/* What distinguishes one controller from the other. */
+/* What differs between the controllers. */
 struct dbi_kind {
     const struct sim_model *model;
     const struct dbi_command *commands;
@@ -134,7 +134,7 @@ static void reset(struct sim *sim)
 
 /* ---- pixels ------------------------------------------------------------------------------------- */
 
-/* The addresses as the host sees them: MV swaps the axes. */
+/* MV swaps the axes: these are the addresses as the host sees them. */
 static uint32_t host_width(const struct sim *sim)
 {
     return sim->u.dbi.madctl & 0x20 ? sim->glass.ram_height : sim->glass.ram_width;
@@ -173,7 +173,7 @@ static void store(struct sim *sim, uint8_t r, uint8_t g, uint8_t b)
     }
 }
 
-/* n bits (3 to 6), the highest first, repeated until there are eight. */
+/* Widens n bits (3 to 6) to eight by repeating them, highest first. */
 static uint8_t widen(uint32_t value, unsigned n)
 {
     uint32_t v = value & ((1U << n) - 1);
@@ -257,7 +257,7 @@ static void software_reset(struct sim *sim)
     sim->u.dbi.ready_ns = sim->time_ns + 5 * MS;
 }
 
-/* Commands that act as soon as their code is there. */
+/* Executes commands that act when their code arrives. */
 static void start(struct sim *sim, uint8_t code)
 {
     struct sim_dbi *d = &sim->u.dbi;
@@ -302,7 +302,7 @@ static void set_format(struct sim *sim, uint8_t value)
     sim->u.dbi.format = format;
 }
 
-/* Commands whose parameters are complete. */
+/* Executes commands when their parameters are complete. */
 static void finish(struct sim *sim)
 {
     struct sim_dbi *d = &sim->u.dbi;
@@ -343,7 +343,7 @@ static const struct dbi_command *find(const struct dbi_command *list, size_t cou
     return NULL;
 }
 
-/* The command before this one: was all of it there? */
+/* Checks that the previous command is complete. */
 static void check_last(struct sim *sim)
 {
     const struct sim_dbi *d = &sim->u.dbi;
@@ -452,7 +452,8 @@ static bool written(const struct sim *sim, uint32_t x, uint32_t y)
     return cell(sim, x, y)->written != 0;
 }
 
-/* Reset: pulse of 10 us, then 5 ms (the datasheets' "reset timing"). Write limits: their serial timing tables. */
+/* The reset pulse takes 10 us, then 5 ms pass (the "reset timing" of the datasheets). The write limits are from their
+ * tables of the serial timing. */
 #define DBI_MODEL(text, hz)                                                                                            \
     {                                                                                                                  \
         .controller = (text), .write_hz = (hz), .reset_pulse_ns = 10000, .reset_wait_ns = 5000000, .reset = reset,     \

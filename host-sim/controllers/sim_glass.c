@@ -1,9 +1,9 @@
 /*
- * See sim_model.h: the glasses, as their modules' data sheets describe them. This table is written on its own and must
- * not be made from hal/panels*.c, or an error there would pass.
+ * See sim_model.h. The glasses as the data sheets of their modules describe them. This table must not be made from
+ * hal/panel/panels*.c: an error there would pass unseen.
  */
-#include "sim_model.h"
 #include "panels.h"
+#include "sim_model.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /*
- * sim_model: what the simulator's parts know of each other; for sim*.c and wire_replay.c only.
- *
- * A model sees bytes with their D/C line, the reset line and the clock, and answers what a place of the glass shows.
+ * sim_model: the inside of the simulator, for this folder only. A model takes bytes with their D/C line, the reset line
+ * and the clock, and says what a place of the glass shows.
  */
 #ifndef SIM_MODEL_H
 #define SIM_MODEL_H

@@ -62,7 +62,7 @@ static void reset(struct sim *sim)
 
 /* ---- pixels ------------------------------------------------------------------------------------- */
 
-/* Where the next column goes, and on. false: the window is full and starts again. */
+/* Moves to the next column. At the end of the window it starts again. */
 static void advance(struct sim_ssd *s, bool vertical)
 {
     if (vertical) {
@@ -132,7 +132,7 @@ static void ssd1351_data(struct sim *sim, uint8_t byte)
     }
 }
 
-/* One byte is two pixels side by side; which of its halves is at the left is up to A0h bit 1. */
+/* One byte is two pixels side by side; A0h bit 1 says which half is the left one. */
 static void ssd0323_data(struct sim *sim, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;
@@ -355,8 +355,8 @@ static void ssd0323_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 
 /* ---- the glass ---------------------------------------------------------------------------------- */
 
-/* SSD1351 modules: upright with COM lines from the last (A0h bit 4), even lines at the one and odd at the other side.
- */
+/* On SSD1351 modules the picture is upright when COM lines run from the last one (A0h bit 4). Even lines are bonded at
+ * one side, odd ones at the other. */
 static const struct sim_cell *ssd1351_cell(const struct sim *sim, uint32_t x, uint32_t y)
 {
     const struct sim_ssd *s = &sim->u.ssd;
@@ -368,10 +368,8 @@ static const struct sim_cell *ssd1351_cell(const struct sim *sim, uint32_t x, ui
     return &sim->memory[row * 128 + (s->remap & 2 ? 127 - x : x)];
 }
 
-/*
- * The Stellaris kits' glass: upright with COM lines from the last and an offset of 76 lines, even and odd COM lines at
- * different sides (A0h bit 6).
- */
+/* On the Stellaris kits' glass the picture is upright when COM lines run from the last one with an offset of 76 lines.
+ * Even and odd lines are bonded at different sides (A0h bit 6). */
 static const struct sim_cell *ssd0323_cell(const struct sim *sim, uint32_t x, uint32_t y)
 {
     const struct sim_ssd *s = &sim->u.ssd;

@@ -1,6 +1,6 @@
 /*
- * advise: which near plane, format and bits separate two planes, and what a near plane separates. Solved from the
- * steps of the formats (see lab.h), then drawn: what is promised has been measured.
+ * advise: which near plane, format and bits separate two planes, and what a near plane separates. A solution comes from
+ * the formula of the format (see lab.h); then it is drawn and measured.
  */
 #include "complain.h"
 #include "depth_lab.h"
@@ -22,20 +22,20 @@ struct question {
     struct lab_search search;
 };
 
-/* What a near plane separates, in LSBs; 0: the renderer refuses this camera. */
+/* The separation that a near plane gives, in LSBs; 0: the renderer refuses this camera. */
 struct reach {
     uint32_t at_z;
     uint32_t to_z; /* at every distance from the near plane to z */
 };
 
-/* What is known for one format; 0: no such near plane, or not asked. */
+/* The answer for one format; 0: there is no such near plane, or it was not asked for. */
 struct answer {
     fx_t least, safe;
     struct reach separates;
 };
 
-/* The smallest separation that is ordered right on the plateau of z and its two neighbours: no scene lies just on one.
- */
+/* Returns the smallest separation that is ordered right at z and one separation before and behind it: no scene has only
+ * one distance. */
 static uint32_t around(struct question *q, fx_t z)
 {
     const uint32_t here = lab_search_at(&q->search, &q->probe, z);
@@ -55,10 +55,8 @@ static bool is_float(const struct lab_format *format)
     return format->format == PH_DEPTH_FLOAT16 || format->format == PH_DEPTH_FLOAT24;
 }
 
-/*
- * Measured. The step of a fixed format grows up to z, that of linear-w is the same everywhere; that of a float grows
- * inside each octave of its d = N/z - N/f, N = n (1 - 2^-9), so that the far ends of the octaves count as well.
- */
+/* Measures. The step of a fixed format grows up to z, and that of linear-w is the same everywhere. The step of a float
+ * grows inside each octave of its d = N/z - N/f, N = n (1 - 2^-9), so the far end of each octave is measured, too. */
 static struct reach measured(struct question *q, const struct lab_format *format, fx_t near_z)
 {
     struct reach reach = {0, 0};
@@ -78,7 +76,7 @@ static struct reach measured(struct question *q, const struct lab_format *format
     return reach;
 }
 
-/* The smallest near plane whose step is at most s up to z by formula, in metres; INFINITY: none. */
+/* Returns the smallest near plane, in metres, whose step is at most s up to z by formula; INFINITY: there is none. */
 static double solve(const struct lab_format *format, double z, double s, double far_z)
 {
     const double head = 511 / 512.0, far_step = z * z / head,
@@ -89,14 +87,14 @@ static double solve(const struct lab_format *format, double z, double s, double 
         return fmax(far_z - s * 65536 * head, LSB);
     case PH_DEPTH_FLOAT16:
     case PH_DEPTH_FLOAT24:
-        /* At most z (1 - z / f) 2^-mantissa whatever n is, which is most at f / 2, but for the lowest octave. */
+        /* The step is at most z (1 - z / f) 2^-mantissa for any n but in the lowest octave; it is largest at f / 2. */
         return middle * (1 - middle / far_z) * exp2(-mantissa) > s ? INFINITY : far_step / (s * exp2(mantissa + 15));
     default:
         return far_step / (s * exp2(format->bits));
     }
 }
 
-/* The smallest near plane that separates s at every distance up to z, drawn; 0: none below z does. */
+/* Returns the smallest near plane that separates s at every distance up to z, as drawn; 0: none below z does. */
 static fx_t least_near(struct question *q, const struct lab_format *format, fx_t s)
 {
     const double n = solve(format, (q->z + (double)s) * LSB, fmax(s - 1, 0.5) * LSB, q->lab->far_z * LSB);
@@ -104,7 +102,7 @@ static fx_t least_near(struct question *q, const struct lab_format *format, fx_t
         return 0;
     }
     double near_lsb = ceil(n * 65536);
-    for (int tries = 0; tries < 200 && near_lsb < q->z; tries++) { /* the planes' own rounding: a little more */
+    for (int tries = 0; tries < 200 && near_lsb < q->z; tries++) { /* a little more, for the rounding of the planes */
         const uint32_t separates = measured(q, format, (fx_t)near_lsb).to_z;
         if (separates != 0 && separates <= (uint32_t)s) {
             return (fx_t)near_lsb;
@@ -188,13 +186,13 @@ static void say_backward(const struct question *q, const struct lab_format *form
     }
 }
 
-/* What a format costs: memory for 24 bits, a divide for each pixel of linear-w. */
+/* Ranks a format by its cost: 24 bits take memory, linear-w takes a division a pixel. */
 static int cost_of(const struct lab_format *format)
 {
     return format->format == PH_DEPTH_LINEAR_W ? 2 : format->bits == 24;
 }
 
-/* Whether a is the better advice: a near plane that shows something, a cheap format, then the smaller near plane. */
+/* Is a the better advice? A near plane that shows something wins, then a cheap format, then the smaller near plane. */
 static bool better(const struct question *q, const struct lab_format *f, const struct answer *a,
                    const struct lab_format *g, const struct answer *b)
 {
@@ -264,21 +262,21 @@ static int answer_all(struct question *q)
     if (q->separate != 0 && asked > 0) {
         conclude(q, best, &best_answer);
     }
-    return asked > 0 ? 0 : complain(EXIT_USAGE, "advise: none of these formats is drawn by the renderer; see --help");
+    return asked > 0 ? 0 : complain_usage("advise: none of these formats is drawn by the renderer; see --help");
 }
 
 int depth_advise(const struct depth_lab *lab)
 {
     if (lab->at_count != 1) {
-        return complain(EXIT_USAGE, "advise needs --at Z, one distance, and --separate S or --near N");
+        return complain_usage("advise needs --at Z, one distance, and --separate S or --near N");
     }
     struct question *q = malloc(sizeof *q);
     if (q == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     if (lab->separate >= lab->at[0]) {
         free(q);
-        return complain(EXIT_USAGE, "--separate must be less than --at");
+        return complain_usage("--separate must be less than --at");
     }
     q->lab = lab;
     q->text = lab->rows;

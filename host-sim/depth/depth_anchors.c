@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A run over all anchors: where the lines go, what failed, and the memory of the searches. */
+/* A run over all anchors: where the lines go, how many failed, and the memory of the searches. */
 struct run {
     FILE *rows;
     uint32_t failed, done;
@@ -98,7 +98,7 @@ static const struct lab_format *find_format(const char *name, int bits)
     return NULL;
 }
 
-/* False where there is no such format, or the renderer refuses it. */
+/* False: there is no such format, or the renderer refuses it. */
 static bool open_probe(struct run *run, const char *name, int bits, double n, double f)
 {
     const struct lab_format *format = find_format(name, bits);
@@ -121,10 +121,8 @@ static void golubev(struct run *run)
 
 /* ---- Lapidous & Jiao, Akeley & Su ------------------------------------------------------------------------- */
 
-/*
- * Mean step over all distances, of complementary z in an unsigned float of 16 bits whose exponent has just the bits
- * that far / near needs, over the step of linear w.
- */
+/* Mean step over all distances, of complementary z in an unsigned float of 16 bits whose exponent has just the bits
+ * that far / near needs, over the step of linear w. */
 static double complementary_over_linear(double ratio)
 {
     const int octaves = (int)ceil(log2(ratio)) + 1, exponent = (int)ceil(log2(octaves)), mantissa = 16 - exponent;
@@ -217,7 +215,7 @@ static bool reaches(const struct reach *row, int column, double here)
 
 /*
  * In metres. The table looked at distances from a quarter of far on: the 750 m of the Q16.16 reciprocal are those from
- * 250 to 1000 m, to the last step of Q16.16. From the near plane on it is wrong over 988 m, as `resolve` says; all
+ * 250 to 1000 m, to the last step of Q16.16. From the near plane on it is wrong over 988 m, as `resolve` says. All
  * other worst cases lie behind that quarter. (Its 22.8 m are 23.3 m when no distance is left out.)
  */
 static double worst(struct run *run)
@@ -251,7 +249,7 @@ int depth_anchors(const struct depth_lab *lab)
 {
     struct run *run = malloc(sizeof *run);
     if (run == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     run->rows = lab->rows;
     run->failed = run->done = 0;
@@ -266,5 +264,5 @@ int depth_anchors(const struct depth_lab *lab)
     progress_show("anchors", 1, 1);
     const uint32_t failed = run->failed;
     free(run);
-    return failed == 0 ? 0 : complain(EXIT_FAILED, "%u anchors are not met: see FAIL", (unsigned)failed);
+    return failed == 0 ? 0 : complain("%u anchors are not met: see FAIL", (unsigned)failed);
 }

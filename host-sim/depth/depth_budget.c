@@ -10,7 +10,7 @@
 
 #define ALL DEPTH_SHARES
 
-/* Predicted and measured, the parts and then all of them together. */
+/* Predicted and measured: each part, then all parts together. */
 struct budget {
     double predicted_m[DEPTH_SHARES + 1], measured_m[DEPTH_SHARES + 1];
 };
@@ -22,13 +22,13 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
     }
 }
 
-/* All parts together, on planes whose farthest row is at z: what the row that needs most needs. */
+/* Predicts all parts together on planes whose farthest row is at z, for the row that needs most. */
 static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
 {
     static const double tilts[] = {0, 40, 75};
     double s_min = 0, measured = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-        const struct planes_sweep sweep = planes_sweep(canvas, format, z, tilts[i]);
+        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, z, tilts[i]);
         s_min = fmax(s_min, sweep.s_min_m);
         measured = fmax(measured, sweep.measured_m);
     }
@@ -38,7 +38,7 @@ static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format forma
     budget->measured_m[ALL] = measured;
 }
 
-/* S_eff at z of what faces the camera, as `resolve` measures it. 0, or EXIT_FAILED and one line. */
+/* Measures S_eff at z of planes that face the camera, as `resolve` does. 0 or COMPLAINED. */
 static int measure_store(const struct depth_lab *lab, const struct lab_format *format, fx_t z, double *out)
 {
     struct work {
@@ -47,7 +47,7 @@ static int measure_store(const struct depth_lab *lab, const struct lab_format *f
     } *const work = malloc(sizeof *work);
     if (work == NULL || lab_probe_open(&work->probe, format, lab->near_z, lab->far_z) != PH_OK) {
         free(work);
-        return complain(EXIT_FAILED, "budget: %s cannot be measured here", format->name);
+        return complain("budget: %s cannot be measured here", format->name);
     }
     lab_search_open(&work->search, &work->probe);
     *out = lab_search_at(&work->search, &work->probe, z) / 65536.0;
@@ -58,11 +58,11 @@ static int measure_store(const struct depth_lab *lab, const struct lab_format *f
 static void measure(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
 {
     double *const measured = budget->measured_m;
-    measured[DEPTH_SHARE_INPUT] = budget_input_m(canvas, z);
-    measured[DEPTH_SHARE_MATRIX] = budget_matrix_m(canvas, z);
-    measured[DEPTH_SHARE_DIVIDE] = budget_divide_m(canvas, z);
-    measured[DEPTH_SHARE_INTERPOLATION] = budget_interpolation_m(canvas, z);
-    measured[DEPTH_SHARE_SUBPIXEL] = budget_subpixel_m(canvas, z);
+    measured[DEPTH_SHARE_INPUT] = depth_budget_input_m(canvas, z);
+    measured[DEPTH_SHARE_MATRIX] = depth_budget_matrix_m(canvas, z);
+    measured[DEPTH_SHARE_DIVIDE] = depth_budget_divide_m(canvas, z);
+    measured[DEPTH_SHARE_INTERPOLATION] = depth_budget_interpolation_m(canvas, z);
+    measured[DEPTH_SHARE_SUBPIXEL] = depth_budget_subpixel_m(canvas, z);
     sweep_tilts(canvas, format, z, budget);
 }
 
@@ -91,7 +91,7 @@ static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *
     const struct lab_format *format = &lab_formats[row];
     struct planes_canvas canvas;
     struct budget budget;
-    int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     for (uint32_t i = 0; i < count && status == 0; i++) {
         const double z = depth_metres(at[i]);
         status = measure_store(lab, format, at[i], &budget.measured_m[DEPTH_SHARE_STORE]);
@@ -101,7 +101,7 @@ static int budget_format(const struct depth_lab *lab, uint32_t row, const fx_t *
             print_budget(lab, format, z, &budget);
         }
     }
-    planes_close(&canvas);
+    depth_planes_close(&canvas);
     return status;
 }
 
@@ -122,7 +122,7 @@ int depth_budget(const struct depth_lab *lab)
     const uint32_t count = lab->at_count > 0 ? lab->at_count : default_distances(lab, distances);
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {
-        return complain(EXIT_USAGE, "--format: budget draws with the renderer's own formats; --help lists them");
+        return complain_usage("--format: budget draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
     int status = 0;

@@ -10,7 +10,7 @@
 #define ROLLS       8
 #define ROLL_TURN32 0x14f1bbcdu /* 29.5 degrees: no multiple of anything on the screen */
 
-/* How far values lie apart. */
+/* The range of a set of values. */
 struct spread {
     double least, most;
 };
@@ -23,7 +23,7 @@ static void widen(struct spread *spread, double value)
 
 static const struct spread nothing = {HUGE_VAL, -HUGE_VAL};
 
-/* The same numbers on every run and machine. */
+/* Gives the same numbers on every run and machine. */
 static uint32_t next_random(uint32_t *state)
 {
     *state ^= *state << 13;
@@ -48,7 +48,7 @@ static void begin(struct planes_canvas *canvas, const struct ph_xform *view)
     ph_frame_begin(&canvas->renderer, view, &canvas->projection, NULL, 0);
 }
 
-double budget_input_m(struct planes_canvas *canvas, double z)
+double depth_budget_input_m(struct planes_canvas *canvas, double z)
 {
     begin(canvas, &ph_xform_identity);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&canvas->renderer.lens, &ph_xform_identity);
@@ -66,7 +66,7 @@ static void third_row(uint32_t a, uint32_t b, double row[3])
     row[2] = cos(ya) * cos(xb);
 }
 
-double budget_matrix_m(struct planes_canvas *canvas, double z)
+double depth_budget_matrix_m(struct planes_canvas *canvas, double z)
 {
     struct spread spread = nothing;
     uint32_t random = 1;
@@ -87,7 +87,7 @@ double budget_matrix_m(struct planes_canvas *canvas, double z)
     return (spread.most - spread.least) / 65536;
 }
 
-double budget_divide_m(struct planes_canvas *canvas, double z)
+double depth_budget_divide_m(struct planes_canvas *canvas, double z)
 {
     struct spread spread = nothing;
     begin(canvas, &ph_xform_identity);
@@ -103,7 +103,7 @@ double budget_divide_m(struct planes_canvas *canvas, double z)
     return (spread.most - spread.least) * z;
 }
 
-double budget_subpixel_m(struct planes_canvas *canvas, double z)
+double depth_budget_subpixel_m(struct planes_canvas *canvas, double z)
 {
     const struct depth_lab *lab = canvas->lab;
     struct spread x = nothing, y = nothing;
@@ -160,7 +160,7 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
     }
 }
 
-/* Every pixel of the quad that was drawn: its distance, and its code. Corners 0, 2 are the diagonal. */
+/* Takes distance and code of every pixel of the quad. Corners 0 and 2 are the diagonal. */
 static uint32_t take_samples(const struct planes_canvas *canvas, const struct corner c[4], struct sample *samples)
 {
     const uint32_t width = canvas->lab->width, height = canvas->lab->height;
@@ -174,7 +174,7 @@ static uint32_t take_samples(const struct planes_canvas *canvas, const struct co
         const double other = (c[2].x - c[0].x) * (c[1].y - c[0].y) - (c[1].x - c[0].x) * (c[2].y - c[0].y);
         const struct corner *const third = side * other > 0 ? &c[1] : &c[3];
         samples[n].distance = 1 / plane_at(&c[0], &c[2], third, x, y);
-        samples[n++].code = planes_code(canvas, i);
+        samples[n++].code = depth_planes_code(canvas, i);
     }
     return n;
 }
@@ -185,7 +185,7 @@ static int compare_samples(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The largest distance from a sample to one behind it that has a larger code, hence looks nearer. */
+/* Returns the largest distance from a sample to one behind it that has a larger code, and so looks nearer. */
 static double largest_inversion(struct sample *samples, uint32_t n)
 {
     double largest = 0;
@@ -213,14 +213,14 @@ static double largest_inversion(struct sample *samples, uint32_t n)
     return is_done ? largest : NAN;
 }
 
-/* Rolls the camera a little further each time; what the triangles of all turns say must agree. */
+/* Rolls the camera a little further each time; the samples of all turns must agree. */
 static uint32_t roll_and_sample(struct planes_canvas *canvas, const struct planes_quad *quad, struct sample *samples)
 {
     uint32_t n = 0;
     for (uint32_t i = 1; i <= ROLLS; i++) {
         struct corner corners[4];
         canvas->view = ph_xform_rotate_z(i * ROLL_TURN32);
-        planes_draw(canvas, quad, NULL);
+        depth_planes_draw(canvas, quad, NULL);
         snapped_corners(canvas, quad, corners);
         n += take_samples(canvas, corners, samples + n);
     }
@@ -228,14 +228,14 @@ static uint32_t roll_and_sample(struct planes_canvas *canvas, const struct plane
     return n;
 }
 
-double budget_interpolation_m(struct planes_canvas *canvas, double z)
+double depth_budget_interpolation_m(struct planes_canvas *canvas, double z)
 {
     const struct depth_lab *lab = canvas->lab;
-    struct planes_place place = planes_whole(lab, z, TILT_DEG, 1.0 / 65536);
+    struct planes_place place = depth_planes_whole(lab, z, TILT_DEG, 1.0 / 65536);
     struct planes_pair pair;
     place.slope_high = 0;
     struct sample *const samples = malloc((size_t)lab->width * lab->height * ROLLS * sizeof *samples);
-    if (samples == NULL || !planes_make(lab, &place, &pair)) {
+    if (samples == NULL || !depth_planes_make(lab, &place, &pair)) {
         free(samples);
         return NAN;
     }

@@ -1,14 +1,15 @@
 /*
- * depth_budget_measure: what each part of the depth pipeline really costs, by running that part of the renderer and
- * comparing with double precision. The predictions, and what the parts are, stand in depth_budget_terms.h.
+ * depth_budget_measure: the real error of each part of the depth pipeline. It runs that part of the renderer and
+ * compares with double precision. depth_budget_terms.h has the parts and their predictions.
  *
  *   input          how far w moves for the next vertex position
- *   matrix         the same distance from many objects and cameras, turned and moved: spread of w about the exact one
- *   divide         spread of N/w about the exact quotient, for many w from z on
- *   interpolation  one tilted plane, rolled so that no two pixels are equally far: the largest distance between two
- *                  pixels of it whose codes are in the wrong order (given the corners as they were snapped)
- *   sub-pixel      many vertices at z: spread of the snapped position about the exact one
- * `store` is what `pinhole-depth resolve` measures, all of them together what `pinhole-depth planes` does.
+ *   matrix         w of the same distance for many objects and cameras, turned and moved: its spread about the exact w
+ *   divide         N/w for many w from z on: its spread about the exact quotient
+ *   interpolation  one tilted plane, rolled so that no two pixels are equally far: the largest distance between two of
+ *                  its pixels whose codes are in the wrong order (given the corners as they were snapped)
+ *   sub-pixel      the snapped position of many vertices at z: its spread about the exact one
+ *
+ * `pinhole-depth resolve` measures `store`, and `pinhole-depth planes` all parts together.
  */
 #ifndef DEPTH_BUDGET_MEASURE_H
 #define DEPTH_BUDGET_MEASURE_H
@@ -16,11 +17,11 @@
 #include "depth_budget_terms.h"
 #include "depth_planes_scene.h"
 
-/* In metres; NAN without memory. canvas: open, in the format that is measured. */
-double budget_input_m(struct planes_canvas *canvas, double z);
-double budget_matrix_m(struct planes_canvas *canvas, double z);
-double budget_divide_m(struct planes_canvas *canvas, double z);
-double budget_interpolation_m(struct planes_canvas *canvas, double z);
-double budget_subpixel_m(struct planes_canvas *canvas, double z);
+/* In metres; NAN without memory. The canvas is open in the format that is measured. */
+double depth_budget_input_m(struct planes_canvas *canvas, double z);
+double depth_budget_matrix_m(struct planes_canvas *canvas, double z);
+double depth_budget_divide_m(struct planes_canvas *canvas, double z);
+double depth_budget_interpolation_m(struct planes_canvas *canvas, double z);
+double depth_budget_subpixel_m(struct planes_canvas *canvas, double z);
 
 #endif

@@ -51,7 +51,7 @@ double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, d
     }
 }
 
-/* Of a float, the step of the octave in which z lies. */
+/* For a float this is the step of the octave of z. */
 static double float_step(const struct depth_lab *lab, double z, int mantissa)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
@@ -83,7 +83,9 @@ double depth_subpixel_m(const struct depth_lab *lab, int bits, double z)
     return sqrt(2) * ldexp(depth_pixel_slope(lab), -bits) * z;
 }
 
-/* Two gradients, each half a unit of the last guard bit off, stepped from one corner of the picture to the other. */
+/*
+ * Two gradients, each wrong by half a unit of the last guard bit, stepped from one corner of the picture to the other.
+ */
 static double interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
     const int guard_bits = format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24 ? 8 : 16;

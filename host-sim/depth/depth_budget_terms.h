@@ -44,13 +44,13 @@ static inline double depth_radians(double degrees)
 /* The rows of lab_formats that were asked for and that the renderer draws, as bits. */
 uint32_t depth_drawn_formats(const struct depth_lab *lab);
 
-/* Slope of a pixel: how far apart the rays of two rows are at a distance of 1 m. */
+/* Slope of a pixel: the distance between the rays of two rows at a distance of 1 m. */
 double depth_pixel_slope(const struct depth_lab *lab);
 
 /* The depth step at distance z that the format's definition gives. */
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
-/* The code at distance z by the format's definition, before it is cut to a whole number; larger is nearer. */
+/* The code at distance z by the definition of the format, before it becomes a whole number; a larger code is nearer. */
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
 /* sqrt(2) 2^-bits p z. */

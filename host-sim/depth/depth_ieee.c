@@ -38,7 +38,7 @@ static void constants(const struct ieee *p, double n, double f, float *scale, fl
     *bias = (float)b;
 }
 
-/* Through memory after each operation: whatever the machine computes with, the value is a float32. */
+/* Goes through memory after each operation, so that the value is a float32 on any machine. */
 static float rounded(float value)
 {
     volatile float stored = value;
@@ -90,7 +90,7 @@ int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spaci
     const struct ieee *p = &formats[format];
     float *z = malloc(3 * sizeof *z * ((size_t)count + 1));
     if (z == NULL) {
-        return -1;
+        return PH_ERR_NOMEM;
     }
     float *most = z + count + 1, *least = most + count + 1, scale, bias;
     constants(p, near_z, far_z, &scale, &bias);

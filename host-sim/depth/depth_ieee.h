@@ -18,7 +18,7 @@ struct depth_ieee_count {
     double max_wrong; /* largest distance that is ordered wrongly */
 };
 
-/* 0, or -1 without memory. near and far in metres. */
+/* 0 or PH_ERR_NOMEM. near and far are in metres. */
 int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spacing, uint32_t count,
                      struct depth_ieee_count *out);
 

@@ -1,7 +1,7 @@
 /*
- * depth_lab: what the commands of pinhole-depth share. A command writes CSV, its first line the names of the columns,
- * to lab->rows; the program then shows it as a table, or hands it on as it is (--csv). Lines that start with '#' are
- * remarks: they stand below the table and are no part of the CSV.
+ * depth_lab: what the commands of pinhole-depth share. A command writes CSV to lab->rows; its first line is the names
+ * of the columns. The program shows it as a table, or passes it on (--csv). Lines that start with '#' are remarks: they
+ * stand below the table and are no part of the CSV.
  */
 #ifndef DEPTH_LAB_H
 #define DEPTH_LAB_H
@@ -33,10 +33,10 @@ struct depth_lab {
     uint32_t bits;    /* --bits, 0: not given */
     const char *out;  /* --out: a file or directory, or NULL */
     const char *kind; /* plot's KIND, or NULL */
-    FILE *rows;       /* where the command writes; what is there after an error is thrown away */
+    FILE *rows;       /* where the command writes; it is thrown away after an error */
 };
 
-/* Commands: 0, or EXIT_FAILED or EXIT_USAGE when one line has said why. */
+/* The commands return 0, COMPLAINED or PH_ERR_INVAL. */
 int depth_pairs(const struct depth_lab *lab);
 int depth_resolve(const struct depth_lab *lab);
 int depth_monotone(const struct depth_lab *lab);
@@ -47,19 +47,11 @@ int depth_planes(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
 
-/* The perspective of the lab's camera. Its volume is possible: the options were checked. */
-struct ph_projection depth_lab_projection(const struct depth_lab *lab);
+/* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for
+ * that). */
+int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection);
 
-/* Runs a command with its rows into memory: *csv is a string to free(), also after an error. Returns what run does. */
+/* Runs a command with its rows into memory and returns its status. *csv is a string to free(), also after an error. */
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);
-
-/*
- * Prints CSV as a table with aligned columns, remarks below it. headings: the columns' names for people, with commas
- * between them, as many as the CSV has (all of them say predicted or measured where that is a question), or NULL.
- */
-void depth_table_print(FILE *file, const char *csv, const char *headings);
-
-/* Takes the remarks out: what is left is CSV. */
-void depth_table_drop_remarks(char *csv);
 
 #endif

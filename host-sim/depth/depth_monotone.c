@@ -48,7 +48,7 @@ int depth_monotone(const struct depth_lab *lab)
 {
     struct lab_probe *probe = malloc(sizeof *probe);
     if (probe == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     uint32_t failed = 0;
     int status = 0;
@@ -60,14 +60,13 @@ int depth_monotone(const struct depth_lab *lab)
         }
         status = lab_probe_open(probe, format, lab->near_z, lab->far_z);
         if (status != 0) {
-            status = complain(EXIT_FAILED, "%s: the renderer refuses this camera (error %d)", format->name, status);
+            status = complain("%s: the renderer refuses this camera (error %d)", format->name, status);
             break;
         }
         const struct counts found = count_codes(probe, lab);
         put_row(lab, format, found);
-        failed += lab_is_monotone(format) && found.rises > 0; /* what others do may fail, and does */
+        failed += lab_is_monotone(format) && found.rises > 0; /* a format of others may fail, and does */
     }
     free(probe);
-    return status != 0 || failed == 0 ? status
-                                      : complain(EXIT_FAILED, "a format of the renderer is not monotone: see `fail`");
+    return status != 0 || failed == 0 ? status : complain("a format of the renderer is not monotone: see `fail`");
 }

@@ -74,12 +74,6 @@ static bool set_size(void *to, const char *value)
     return option_text_size(value, 1024, &lab->width, &lab->height);
 }
 
-static bool set_count(void *to, const char *value)
-{
-    struct depth_lab *lab = to;
-    return option_text_u32(value, 1, LAB_COUNT_MAX, &lab->count);
-}
-
 static bool set_spacing(void *to, const char *value)
 {
     struct depth_lab *lab = to;
@@ -136,14 +130,15 @@ static const struct option_row rows[] = {
     {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
      .set = set_format},
     {"fov", "DEG",
-     "vertical field of view; 60 by default. Planes that face the camera, which pairs, resolve, monotone and\n"
-     "        advise measure, resolve the same with any",
+     "vertical field of view; 60 by default. It does not matter for planes that face the camera, as pairs, resolve,\n"
+     "        monotone and advise measure them",
      "degrees, 1 .. 170", .set = set_fov},
-    {"size", "WxH", "size of the picture; 240x240 by default; likewise", "like 320x240, each 1 .. 1024",
-     .set = set_size},
+    {"size", "WxH", "size of the picture; 240x240 by default; it matters as little for them",
+     "like 320x240, each 1 .. 1024", .set = set_size},
     {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -",
      .at = offsetof(struct depth_lab, csv)},
-    {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000", .set = set_count},
+    {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000",
+     .at = offsetof(struct depth_lab, count), .least = 1, .most = LAB_COUNT_MAX},
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
@@ -206,30 +201,24 @@ void depth_options_help(const struct depth_command *table, uint32_t count)
     puts("\n\nExit status: 0 done; 1 failed; 2 wrong usage.");
 }
 
-static int make_projection(const struct depth_lab *lab, struct ph_projection *projection)
-{
-    return ph_projection_perspective(projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
-                                     lab->near_z, lab->far_z);
-}
-
 static int check_together(const struct depth_lab *lab, const struct depth_command *command)
 {
     char text[FX_TEXT_SIZE];
     if (lab->near_z >= lab->far_z) {
-        return complain(EXIT_USAGE, "--near must be less than --far");
+        return complain_usage("--near must be less than --far");
     }
     for (uint32_t i = 0; i < lab->at_count; i++) {
         if (lab->at[i] < lab->near_z || lab->at[i] > lab->far_z) {
             fx_to_text(lab->at[i], text);
-            return complain(EXIT_USAGE, "--at %s: must lie from --near to --far", text);
+            return complain_usage("--at %s: must lie from --near to --far", text);
         }
     }
     struct ph_projection projection;
-    if (make_projection(lab, &projection) != 0) {
-        return complain(EXIT_USAGE, "--fov, --size: no camera can have both; make the picture less wide or high");
+    if (depth_lab_projection(lab, &projection) != 0) {
+        return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
-        return complain(EXIT_USAGE, "%s needs a KIND; --help lists them", command->name);
+        return complain_usage("%s needs a KIND; --help lists them", command->name);
     }
     return 0;
 }
@@ -255,11 +244,11 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         return 0;
     }
     if (argc < 2) {
-        return complain(EXIT_USAGE, "which command? --help lists them");
+        return complain_usage("which command? --help lists them");
     }
     *command = find_command(table, count, argv[1]);
     if (*command == NULL) {
-        return complain(EXIT_USAGE, "%s: no such command; --help lists them", argv[1]);
+        return complain_usage("%s: no such command; --help lists them", argv[1]);
     }
     int i = 2;
     if (i < argc && argv[i][0] != '-' && strstr((*command)->options, " kind ") != NULL) {
@@ -268,20 +257,12 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
     while (i < argc) {
         const struct option_row *row = option_table_find(&options, argv[i]);
         if (row != NULL && !takes(*command, row->name)) {
-            return complain(EXIT_USAGE, "--%s: %s does not take it; --help lists what it takes", row->name,
-                            (*command)->name);
+            return complain_usage("--%s: %s does not take it; --help lists what it takes", row->name, (*command)->name);
         }
         i = option_table_read(&options, lab, argc, argv, i);
-        if (i == 0) {
-            return EXIT_USAGE;
+        if (i < 0) {
+            return i;
         }
     }
     return check_together(lab, *command);
-}
-
-struct ph_projection depth_lab_projection(const struct depth_lab *lab)
-{
-    struct ph_projection projection = {.kind = PH_PERSPECTIVE};
-    make_projection(lab, &projection);
-    return projection;
 }

@@ -1,4 +1,4 @@
-/* depth_options: the command line of pinhole-depth. Every number is read strictly, as by options.h. */
+/* depth_options: the command line of pinhole-depth. Every number is read strictly. */
 #ifndef DEPTH_OPTIONS_H
 #define DEPTH_OPTIONS_H
 
@@ -11,14 +11,11 @@ struct depth_command {
     int (*run)(const struct depth_lab *lab);
 };
 
-/*
- * Reads `COMMAND [KIND] [options]` into *lab and *command, one of table[count]; *command is NULL where help was asked
- * for. 0, or EXIT_USAGE when it was wrong and one line has said so.
- */
+/* Reads `COMMAND [KIND] [options]` into *lab and *command, one of table[count], or NULL where help was asked for. 0 or
+ * PH_ERR_INVAL. */
 int depth_options_read(struct depth_lab *lab, const struct depth_command **command, const struct depth_command *table,
                        uint32_t count, int argc, char *const argv[]);
 
-/* Prints what --help prints. */
 void depth_options_help(const struct depth_command *table, uint32_t count);
 
 #endif

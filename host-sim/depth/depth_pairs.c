@@ -5,16 +5,16 @@
 
 #include <stdlib.h>
 
-/* Near and far as they are printed, so that 0.1 means 0.1 here and not the nearest number of Q16.16. */
+/* Near and far as they are printed, so that 0.1 means 0.1 and not the nearest number of Q16.16. */
 static int ieee_row(const struct depth_lab *lab, uint32_t format)
 {
     struct depth_ieee_count found;
     char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE];
     lab_fx_text(lab->near_z, near_text);
     lab_fx_text(lab->far_z, far_text);
-    if (depth_ieee_pairs(format, strtod(near_text, NULL), strtod(far_text, NULL), lab->spacing, lab->count, &found) !=
-        0) {
-        return complain(EXIT_FAILED, "out of memory; make --count smaller");
+    const double near_z = strtod(near_text, NULL), far_z = strtod(far_text, NULL);
+    if (depth_ieee_pairs(format, near_z, far_z, lab->spacing, lab->count, &found) != 0) {
+        return complain("out of memory; make --count smaller");
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%u,%u,%u,%.6g\n", depth_ieee_name(format), format < 6 ? 32 : 24, near_text,
             far_text, lab->spacing == LAB_LINEAR_SPACED ? "linear" : "log", (unsigned)lab->count, (unsigned)found.equal,
@@ -22,7 +22,7 @@ static int ieee_row(const struct depth_lab *lab, uint32_t format)
     return 0;
 }
 
-/* Where the lab's text goes; without its first piece, the header, once that is there. */
+/* The lab's text goes here; its first piece, the header, is left out after the first time. */
 struct sink {
     FILE *file;
     bool skip;
@@ -42,8 +42,7 @@ static int measure_format(struct lab *mine, int (*run)(const struct lab *), uint
     mine->formats = (uint32_t)1 << format;
     const int status = run(mine);
     return status == 0 ? 0
-                       : complain(EXIT_FAILED, "%s: the renderer refuses this camera (error %d)",
-                                  lab_formats[format].name, status);
+                       : complain("%s: the renderer refuses this camera (error %d)", lab_formats[format].name, status);
 }
 
 /* Runs a measurement of lab.h into lab->rows, format by format. */
@@ -61,7 +60,7 @@ static int measure(const struct depth_lab *lab, int (*run)(const struct lab *))
     mine.memory_bytes = lab_bytes(&mine);
     mine.memory = malloc(mine.memory_bytes);
     if (mine.memory == NULL) {
-        return complain(EXIT_FAILED, "out of memory; make --count smaller");
+        return complain("out of memory; make --count smaller");
     }
     int status = run(&mine); /* of no format: the header */
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {

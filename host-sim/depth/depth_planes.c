@@ -3,10 +3,10 @@
 
 #include "complain.h"
 #include "depth_budget_terms.h"
+#include "file_save.h"
 #include "option_text.h"
 #include "png_out.h"
 #include "progress.h"
-#include "save.h"
 
 #include <errno.h>
 #include <math.h>
@@ -35,7 +35,7 @@ struct picture {
     uint32_t column; /* where the next format's picture begins */
 };
 
-/* Black where nothing is counted, blue where right, orange where wrong: three greys even to the colour-blind. */
+/* Black: not counted, blue: right, orange: wrong. The colour-blind see them as three greys. */
 static void paint(struct picture *picture, const struct depth_lab *lab, const uint8_t *verdicts)
 {
     static const uint8_t colours[][3] = {
@@ -71,19 +71,19 @@ static int octave_of(double distance_m)
     return octave < 0 ? 0 : octave >= OCTAVES ? OCTAVES - 1 : octave;
 }
 
-/* Adds what a row holds; all of it is at one distance. */
+/* Adds the codes of a row, which lies at one distance. */
 static void add_row(struct band *band, const struct planes_canvas *canvas, uint32_t y, uint32_t *codes)
 {
     const uint32_t width = canvas->lab->width;
     for (uint32_t i = y * width; i < (y + 1) * width; i++) {
         if (canvas->verdicts[i] != PLANES_UNCOUNTED) {
-            codes[band->samples++] = planes_code(canvas, i);
+            codes[band->samples++] = depth_planes_code(canvas, i);
             band->wrong += canvas->verdicts[i] == PLANES_WRONG;
         }
     }
 }
 
-/* One octave of distance, or all of them (-1), in what was drawn last: the plane behind, alone. */
+/* Prints one octave of distance, or all (-1), of the plane behind, which was drawn last and alone. */
 static struct band count_band(const struct planes_canvas *canvas, const struct planes_quad *behind, int octave,
                               uint32_t *codes)
 {
@@ -92,7 +92,7 @@ static struct band count_band(const struct planes_canvas *canvas, const struct p
     double last = -1;
     for (uint32_t y = 0; y < lab->height; y++) {
         const uint32_t before = band.samples;
-        const double distance = planes_distance_m(canvas, behind, y);
+        const double distance = depth_planes_distance_m(canvas, behind, y);
         if (!(distance > 0) || (octave >= 0 && octave_of(distance) != octave)) {
             continue;
         }
@@ -115,9 +115,9 @@ static int show_bands(struct planes_canvas *canvas, const struct lab_format *for
     const struct depth_lab *lab = canvas->lab;
     uint32_t *const codes = malloc((size_t)lab->width * lab->height * sizeof *codes);
     if (codes == NULL) {
-        return complain(EXIT_FAILED, "planes: no memory for a picture of %ux%u", lab->width, lab->height);
+        return complain("planes: no memory for a picture of %ux%u", lab->width, lab->height);
     }
-    planes_draw(canvas, &pair->behind, NULL);
+    depth_planes_draw(canvas, &pair->behind, NULL);
     for (int i = 0; i <= OCTAVES; i++) {
         const int octave = i < OCTAVES ? i : -1;
         const struct band band = count_band(canvas, &pair->behind, octave, codes);
@@ -135,24 +135,24 @@ static int show_format(const struct depth_lab *lab, const struct lab_format *for
                        struct picture *picture)
 {
     struct planes_canvas canvas;
-    int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     if (status == 0) {
-        planes_count(&canvas, pair, canvas.verdicts);
+        depth_planes_count(&canvas, pair, canvas.verdicts);
         paint(picture, lab, canvas.verdicts);
         status = show_bands(&canvas, format, pair);
     }
-    planes_close(&canvas);
+    depth_planes_close(&canvas);
     return status;
 }
 
-/* Half of what the coarsest of the formats needs: there is something to see, and where a finer one does without. */
+/* Half of the separation that the coarsest format needs: a coarse format then shows errors, and a fine one does not. */
 static double half_too_small(const struct depth_lab *lab, double at, double tilt)
 {
     const uint32_t rows = depth_drawn_formats(lab);
     double most = 0;
     for (uint32_t i = 0; i < lab_format_count; i++) {
         if ((rows >> i & 1) != 0) {
-            most = fmax(most, planes_predicted_m(lab, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
+            most = fmax(most, depth_planes_predicted_m(lab, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
         }
     }
     return fmax(most / 2, 2.0 / 65536);
@@ -162,16 +162,16 @@ static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
 {
     const double at = at_default(lab, 0), tilt = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEFAULT;
     const double separation = lab->separation != 0 ? depth_metres(lab->separation) : half_too_small(lab, at, tilt);
-    const struct planes_place place = planes_whole(lab, at, tilt, separation);
-    if (!planes_make(lab, &place, pair)) {
-        return complain(EXIT_USAGE, "--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at,
-                        tilt, separation);
+    const struct planes_place place = depth_planes_whole(lab, at, tilt, separation);
+    if (!depth_planes_make(lab, &place, pair)) {
+        return complain_usage("--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at, tilt,
+                              separation);
     }
-    if (!planes_front_is_nearer(pair)) {
-        return complain(EXIT_USAGE, "--separation %g: rounds to nothing in Q16.16; take 0.00002 or more", separation);
+    if (!depth_planes_front_is_nearer(pair)) {
+        return complain_usage("--separation %g: rounds to nothing in Q16.16; take 0.00002 or more", separation);
     }
     fprintf(lab->rows, "# Two planes %.6g m apart, tilted by %g degrees, the one behind %g m away in the middle:\n",
-            planes_separation_m(pair), tilt, at);
+            depth_planes_separation_m(pair), tilt, at);
     fputs("# format    octave   from [m]     to [m]   samples  wrong (measured)  codes (measured)  codes (predicted)\n",
           lab->rows);
     return 0;
@@ -182,9 +182,9 @@ static int save_png(const char *path, const struct ppm *picture)
     size_t length;
     uint8_t *const bytes = png_out_bytes(picture, &length);
     if (bytes == NULL) {
-        return complain(EXIT_FAILED, "planes: no memory for the error picture");
+        return complain("planes: no memory for the error picture");
     }
-    const int status = save_bytes(path, bytes, length);
+    const int status = file_save_bytes(path, bytes, length);
     free(bytes);
     return status;
 }
@@ -197,10 +197,8 @@ static int save_picture(const struct depth_lab *lab, struct picture *picture)
     if (option_text_ends(lab->out, ".png")) {
         return save_png(lab->out, &picture->ppm);
     }
-    if (ppm_save(lab->out, &picture->ppm) == 0) {
-        return 0;
-    }
-    return complain(EXIT_FAILED, "--out %s: cannot be written: %s", lab->out, strerror(errno));
+    const int status = ppm_save(lab->out, &picture->ppm);
+    return status == 0 ? 0 : complain("--out %s: cannot be written: %s", lab->out, strerror(-status));
 }
 
 static int show_pictures(const struct depth_lab *lab)
@@ -216,7 +214,7 @@ static int show_pictures(const struct depth_lab *lab)
     if (status == 0 && lab->out != NULL) {
         picture.ppm.rgb = calloc((size_t)picture.ppm.width * picture.ppm.height, 3);
         if (picture.ppm.rgb == NULL) {
-            return complain(EXIT_FAILED, "planes: no memory for the error picture");
+            return complain("planes: no memory for the error picture");
         }
     }
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
@@ -234,7 +232,7 @@ static int show_pictures(const struct depth_lab *lab)
 static void sweep_row(const struct depth_lab *lab, const struct lab_format *format, struct planes_canvas *canvas,
                       double at, double tilt)
 {
-    const struct planes_sweep sweep = planes_sweep(canvas, (enum ph_depth_format)format->format, at, tilt);
+    const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, at, tilt);
     fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%g,%.4g,%.4g,%.4g,%.3f\n", format->name, format->bits,
             depth_metres(lab->near_z), depth_metres(lab->far_z), at, tilt, sweep.s_min_m, sweep.at_tilt_m,
             sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
@@ -245,24 +243,24 @@ static int sweep_format(const struct depth_lab *lab, const struct lab_format *fo
     static const double tilts[] = {0, 15, 30, 45, 60, 75};
     const uint32_t tilt_count = lab->tilt_set ? 1 : sizeof tilts / sizeof tilts[0];
     struct planes_canvas canvas;
-    const int status = planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     for (uint32_t i = 0; status == 0 && (i < lab->at_count || i == 0); i++) {
         for (uint32_t k = 0; k < tilt_count; k++) {
             sweep_row(lab, format, &canvas, at_default(lab, i), lab->tilt_set ? depth_metres(lab->tilt_deg) : tilts[k]);
         }
     }
-    planes_close(&canvas);
+    depth_planes_close(&canvas);
     return status;
 }
 
 int depth_planes(const struct depth_lab *lab)
 {
     if (lab->out != NULL && !option_text_ends(lab->out, ".ppm") && !option_text_ends(lab->out, ".png")) {
-        return complain(EXIT_USAGE, "--out %s: the error picture is written as .ppm or .png", lab->out);
+        return complain_usage("--out %s: the error picture is written as .ppm or .png", lab->out);
     }
     const uint32_t rows = depth_drawn_formats(lab);
     if (rows == 0) {
-        return complain(EXIT_USAGE, "--format: planes draws with the renderer's own formats; --help lists them");
+        return complain_usage("--format: planes draws with the renderer's own formats; --help lists them");
     }
     fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio\n", lab->rows);
     int status = 0;

@@ -17,21 +17,21 @@ static uint32_t area_of(const struct planes_canvas *canvas)
     return (uint32_t)canvas->lab->width * canvas->lab->height;
 }
 
-struct planes_count planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts)
+struct planes_count depth_planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts)
 {
     const uint32_t area = area_of(canvas);
-    const bool nearer = planes_front_is_nearer(pair);
+    const bool nearer = depth_planes_front_is_nearer(pair);
     struct planes_count count = {0, 0};
-    planes_draw(canvas, &pair->behind, NULL);
+    depth_planes_draw(canvas, &pair->behind, NULL);
     for (uint32_t i = 0; i < area; i++) {
         verdicts[i] = canvas->pixels[i] != PLANES_NONE;
     }
-    planes_draw(canvas, NULL, &pair->front);
+    depth_planes_draw(canvas, NULL, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         verdicts[i] = verdicts[i] != 0 && canvas->pixels[i] != PLANES_NONE ? PLANES_RIGHT : PLANES_UNCOUNTED;
         count.samples += verdicts[i] == PLANES_RIGHT;
     }
-    planes_draw(canvas, &pair->behind, &pair->front);
+    depth_planes_draw(canvas, &pair->behind, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         if (verdicts[i] == PLANES_RIGHT && nearer != (canvas->pixels[i] == PLANES_FRONT)) {
             verdicts[i] = PLANES_WRONG;
@@ -47,17 +47,15 @@ static double spread(int i, double by)
     return i * by - floor(i * by);
 }
 
-/*
- * Place number i of the sweep; its upper edge, or its lower one where the planes lean towards us, is at at_m. Three of
- * four have the plane in front moved within itself, towards us.
- */
+/* Place number i of the sweep. Its upper edge is at at_m, or its lower one where the planes lean towards us. In three
+ * of four places the plane in front is moved within itself, towards us. */
 static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
                                     double tilt_deg, int i)
 {
     const struct depth_lab *lab = canvas->lab;
     const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, at_m), at_m / 16);
     const double most = SIDE_PX * pixel;
-    struct planes_place place = planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
+    struct planes_place place = depth_planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
     const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
     const double low = i % 2 == 0 ? fmax(-most, place.slope_low / MARGIN) : place.slope_low / MARGIN;
     const double high = i % 2 == 0 ? fmin(most, place.slope_high / MARGIN) : place.slope_high / MARGIN;
@@ -74,19 +72,17 @@ enum verdict { ALL_RIGHT, SOME_WRONG, IMPOSSIBLE };
 static bool is_wrong(struct planes_canvas *canvas, const struct planes_pair *pair)
 {
     const uint32_t area = area_of(canvas);
-    planes_draw(canvas, &pair->behind, &pair->front);
+    depth_planes_draw(canvas, &pair->behind, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         if (canvas->pixels[i] == PLANES_BEHIND) {
-            return planes_count(canvas, pair, canvas->verdicts).wrong > 0;
+            return depth_planes_count(canvas, pair, canvas->verdicts).wrong > 0;
         }
     }
     return false;
 }
 
-/*
- * Whether any pixel of any place is wrong at this separation. IMPOSSIBLE: it rounds to nothing, or finds no room.
- * *real_m: the largest separation that a place had after rounding.
- */
+/* Is any pixel of any place wrong at this separation? IMPOSSIBLE: the separation rounds to 0, or has no room. *real_m:
+ * the largest separation of a place after rounding. */
 static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_format format, double at_m, double tilt_deg,
                                double separation_m, double *real_m)
 {
@@ -95,10 +91,10 @@ static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_forma
         struct planes_pair pair;
         struct planes_place place = place_of(canvas, format, at_m, tilt_deg, i);
         place.separation_m = separation_m;
-        if (!planes_make(canvas->lab, &place, &pair) || !planes_front_is_nearer(&pair)) {
+        if (!depth_planes_make(canvas->lab, &place, &pair) || !depth_planes_front_is_nearer(&pair)) {
             return IMPOSSIBLE;
         }
-        *real_m = fmax(*real_m, planes_separation_m(&pair));
+        *real_m = fmax(*real_m, depth_planes_separation_m(&pair));
         if (is_wrong(canvas, &pair)) {
             return SOME_WRONG;
         }
@@ -106,38 +102,39 @@ static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_forma
     return ALL_RIGHT;
 }
 
-/* The largest tangent of a ray to the axis that meets the planes of the sweep: at a corner of the picture. */
+/* Returns the largest tangent between the axis and a ray that meets the planes of the sweep, at a corner of the
+ * picture. */
 static double tan_phi_max(const struct depth_lab *lab)
 {
     const double half = depth_pixel_slope(lab) / 2;
     return hypot(half * lab->width, half * lab->height);
 }
 
-double planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
-                          double tilt_deg)
+double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
+                                double tilt_deg)
 {
     const double angle = depth_radians(tilt_deg);
     return depth_step_m(format, lab, z) * fabs(cos(angle) - slope * sin(angle)) +
            depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) / sqrt(2) * fabs(sin(angle));
 }
 
-/* The most that any row of the sweep needs: the steps of a float get coarser at the near end of each octave. */
+/* Predicts for the row that needs most: the steps of a float get coarser at the near end of each octave. */
 static void predict(const struct depth_lab *lab, enum ph_depth_format format, double at_m, double tilt_deg,
                     struct planes_sweep *sweep)
 {
     const double lean = tan(depth_radians(fabs(tilt_deg))), tan_phi = tan_phi_max(lab);
-    const struct planes_place whole = planes_whole(lab, at_m, fabs(tilt_deg), 0);
+    const struct planes_place whole = depth_planes_whole(lab, at_m, fabs(tilt_deg), 0);
     const double pixel = depth_pixel_slope(lab);
     for (int row = 0; row * pixel <= -whole.slope_low / MARGIN; row++) {
         const double slope = -row * pixel;
         const double z = at_m / (1 - slope * lean), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
-        sweep->at_tilt_m = fmax(sweep->at_tilt_m, planes_predicted_m(lab, format, z, slope, fabs(tilt_deg)));
+        sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, fabs(tilt_deg)));
     }
 }
 
-struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
-                                 double tilt_deg)
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
+                                       double tilt_deg)
 {
     struct planes_sweep sweep = {0, 0, HUGE_VAL};
     predict(canvas->lab, format, at_m, tilt_deg, &sweep);

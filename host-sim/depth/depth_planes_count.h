@@ -11,17 +11,17 @@ struct planes_count {
     uint32_t wrong;   /* of these: showed the plane that is exactly behind */
 };
 
-/* Draws each plane alone, then both. verdicts: one byte a pixel, enum planes_verdict. */
-struct planes_count planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts);
+/* Draws each plane alone, then both. verdicts has one byte a pixel (enum planes_verdict). */
+struct planes_count depth_planes_count(struct planes_canvas *canvas, const struct planes_pair *pair, uint8_t *verdicts);
 
 /*
- * Predicted at distance z for planes of this tilt, on the ray of this slope y / z: a depth step along the ray, seen
- * along the planes' normal, and a sub-pixel step up: s_z (cos(tilt) - slope sin(tilt)) + 2^-8 p z |sin(tilt)|.
+ * The prediction at distance z for planes of this tilt, on the ray with slope y / z: a depth step along the ray, seen
+ * along the normal of the planes, plus a sub-pixel step up: s_z (cos(tilt) - slope sin(tilt)) + 2^-8 p z |sin(tilt)|.
  */
-double planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
-                          double tilt_deg);
+double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_format format, double z, double slope,
+                                double tilt_deg);
 
-/* One row of the sweep. The predictions are those of the row of the picture that needs most. */
+/* One row of the sweep. The predictions are for the row of the picture that needs most. */
 struct planes_sweep {
     double s_min_m;    /* predicted: S_min, whatever the tilt */
     double at_tilt_m;  /* predicted at this tilt */
@@ -29,11 +29,11 @@ struct planes_sweep {
 };
 
 /*
- * Smallest separation of planes tilt_deg to the screen of which at_m is the furthest distance drawn: from well above
- * S_min down in steps of 2^(1/16), each tried in 24 places that differ by parts of a pixel and of a depth step, half of
- * them small in the middle of the picture, half as wide as the picture.
+ * Finds the smallest separation of planes that lean tilt_deg to the screen and whose farthest row is at at_m. It goes
+ * from well above S_min down in steps of 2^(1/16). Each separation is tried in 24 places that differ by parts of a
+ * pixel and of a depth step; half of them are small in the middle of the picture, half as wide as the picture.
  */
-struct planes_sweep planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
-                                 double tilt_deg);
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
+                                       double tilt_deg);
 
 #endif

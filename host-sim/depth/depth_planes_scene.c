@@ -16,15 +16,16 @@ static const struct ph_material materials[] = {
     {.shading = PH_SHADE_UNLIT, .two_sided = 1, .colour = PLANES_BEHIND},
 };
 
-int planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format)
+int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format)
 {
     const size_t area = (size_t)lab->width * lab->height;
     const size_t vertices = 8 * ph_vertex_bytes, triangles = 8 * ph_triangle_bytes;
-    *canvas = (struct planes_canvas){.lab = lab, .view = ph_xform_identity, .projection = depth_lab_projection(lab)};
+    *canvas = (struct planes_canvas){.lab = lab, .view = ph_xform_identity};
+    depth_lab_projection(lab, &canvas->projection);
     char *memory = malloc(vertices + triangles + 8 + area * (4 + sizeof *canvas->pixels + 1));
     canvas->memory = memory;
     if (memory == NULL) {
-        return complain(EXIT_FAILED, "planes: no memory for a picture of %ux%u", lab->width, lab->height);
+        return complain("planes: no memory for a picture of %ux%u", lab->width, lab->height);
     }
     char *const depth = memory + vertices + triangles + 8;
     canvas->pixels = (uint16_t *)(void *)(depth + area * 4);
@@ -42,10 +43,10 @@ int planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum 
                                      .depth = (void *)depth};
     return ph_renderer_init(&canvas->renderer, &config) == PH_OK
                ? 0
-               : complain(EXIT_FAILED, "planes: the renderer does not draw this format");
+               : complain("planes: the renderer does not draw this format");
 }
 
-void planes_close(struct planes_canvas *canvas)
+void depth_planes_close(struct planes_canvas *canvas)
 {
     free(canvas->memory);
     canvas->memory = NULL;
@@ -56,7 +57,7 @@ static double clamp(double v, double least, double most)
     return v < least ? least : v > most ? most : v;
 }
 
-struct planes_place planes_whole(const struct depth_lab *lab, double at_m, double tilt_deg, double separation_m)
+struct planes_place depth_planes_whole(const struct depth_lab *lab, double at_m, double tilt_deg, double separation_m)
 {
     const double lean = tan(depth_radians(tilt_deg)), half = depth_pixel_slope(lab) * lab->height / 2;
     const double nearest = depth_metres(lab->near_z) + separation_m + 2.0 / 65536, farthest = depth_metres(lab->far_z);
@@ -85,7 +86,7 @@ static bool is_inside(const struct depth_lab *lab, const struct planes_quad *qua
     return d0 >= lab->near_z && d0 <= lab->far_z && d1 >= lab->near_z && d1 <= lab->far_z;
 }
 
-bool planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair)
+bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair)
 {
     const double angle = depth_radians(place->tilt_deg), lean = tan(angle);
     const double d0 = place->at_m / (1 - place->slope_low * lean), d1 = place->at_m / (1 - place->slope_high * lean);
@@ -127,7 +128,7 @@ static void draw_quad(struct ph_renderer *r, const struct planes_quad *quad, uin
     ph_draw_mesh(r, &mesh, &ph_xform_identity);
 }
 
-void planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front)
+void depth_planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front)
 {
     struct ph_renderer *const r = &canvas->renderer;
     ph_frame_begin(r, &canvas->view, &canvas->projection, NULL, PLANES_NONE);
@@ -141,7 +142,7 @@ void planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind,
     ph_draw_band(r, 0, canvas->pixels);
 }
 
-uint32_t planes_code(const struct planes_canvas *canvas, uint32_t pixel)
+uint32_t depth_planes_code(const struct planes_canvas *canvas, uint32_t pixel)
 {
     const struct ph_config *const config = &canvas->renderer.config;
     return ph_depth_bytes(config->depth_format) == 4 ? ((const uint32_t *)config->depth)[pixel]
@@ -153,20 +154,20 @@ static int64_t numerator(const struct planes_quad *quad)
     return (int64_t)quad->vz * quad->a.y - (int64_t)quad->a.z * quad->vy;
 }
 
-double planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t row)
+double depth_planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t row)
 {
     const double height = canvas->lab->height;
     const double slope = (height - 1 - 2.0 * row) * 1048576 / (canvas->projection.scale_y_q20 * height);
     return (double)numerator(quad) / (quad->vy + slope * quad->vz) / 65536;
 }
 
-bool planes_front_is_nearer(const struct planes_pair *pair)
+bool depth_planes_front_is_nearer(const struct planes_pair *pair)
 {
     const int64_t front = numerator(&pair->front), behind = numerator(&pair->behind);
     return front >= 0 ? front < behind : front > behind;
 }
 
-double planes_separation_m(const struct planes_pair *pair)
+double depth_planes_separation_m(const struct planes_pair *pair)
 {
     const double apart = (double)(numerator(&pair->behind) - numerator(&pair->front));
     return apart / hypot(pair->behind.vy, pair->behind.vz) / 65536;

@@ -51,29 +51,29 @@ struct planes_canvas {
 
 enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
 
-/* 0, or EXIT_FAILED and one line. planes_close() afterwards in any case. */
-int planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format);
-void planes_close(struct planes_canvas *canvas);
+/* 0 or COMPLAINED. Call depth_planes_close() in any case. */
+int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format);
+void depth_planes_close(struct planes_canvas *canvas);
 
-/* The widest place that the picture, near and far plane allow for planes at this distance and tilt. */
-struct planes_place planes_whole(const struct depth_lab *lab, double at_m, double tilt_deg, double separation_m);
+/* Returns the widest place that picture, near and far plane allow for planes at this distance and tilt. */
+struct planes_place depth_planes_whole(const struct depth_lab *lab, double at_m, double tilt_deg, double separation_m);
 
-/* Rounds to Q16.16. False where a plane would be a line, or its corners lie outside near .. far. */
-bool planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair);
+/* Rounds to Q16.16. False: a plane would be a line, or its corners lie outside near .. far. */
+bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair);
 
 /* Draws the quads in order (the last two arguments may be NULL) into canvas->pixels and the depth buffer. */
-void planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front);
+void depth_planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front);
 
-/* Depth code of a pixel of what was drawn last; 0: nothing there. */
-uint32_t planes_code(const struct planes_canvas *canvas, uint32_t pixel);
+/* Returns the depth code of a pixel that was drawn last; 0: nothing is there. */
+uint32_t depth_planes_code(const struct planes_canvas *canvas, uint32_t pixel);
 
-/* Distance along the view at which the ray of a row meets the plane, in metres. */
-double planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t row);
+/* Returns the distance along the view, in metres, at which the ray of a row meets the plane. */
+double depth_planes_distance_m(const struct planes_canvas *canvas, const struct planes_quad *quad, uint32_t row);
 
-/* Whether the plane called front is exactly nearer than the other one, at every pixel. */
-bool planes_front_is_nearer(const struct planes_pair *pair);
+/* Is the plane called front exactly nearer than the other one at every pixel? */
+bool depth_planes_front_is_nearer(const struct planes_pair *pair);
 
-/* The distance between the planes as they are after rounding, along their normal, in metres. */
-double planes_separation_m(const struct planes_pair *pair);
+/* Returns the distance between the rounded planes along their normal, in metres. */
+double depth_planes_separation_m(const struct planes_pair *pair);
 
 #endif

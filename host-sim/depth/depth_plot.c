@@ -1,11 +1,11 @@
-/* pinhole-depth plot: see depth_plot_kinds.h. */
 #define _XOPEN_SOURCE 700 /* open_memstream */
 
+#include "depth_plot.h"
+
 #include "complain.h"
-#include "depth_plot_gnuplot.h"
-#include "depth_plot_kinds.h"
+#include "depth_gnuplot.h"
+#include "file_save.h"
 #include "option_text.h"
-#include "save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -42,15 +42,15 @@ int depth_plot_picture(const struct depth_lab *lab, const struct depth_plot_kind
     FILE *const script = open_memstream(&text, &size);
     *picture = NULL;
     if (script == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     begin(script, kind, png);
     int status = kind->write(lab, script);
     if (fclose(script) != 0 && status == 0) {
-        status = complain(EXIT_FAILED, "out of memory");
+        status = complain("out of memory");
     }
     if (status == 0) {
-        status = gnuplot_run(text, picture, length);
+        status = depth_gnuplot_run(text, picture, length);
     }
     free(text);
     return status;
@@ -63,7 +63,7 @@ static int no_such_kind(const char *name)
     for (uint32_t i = 0; i < depth_plot_kind_count && n < sizeof names; i++) {
         n += (size_t)snprintf(names + n, sizeof names - n, " %s", depth_plot_kinds[i].name);
     }
-    return complain(EXIT_USAGE, "plot '%s': no such kind; there are%s", name, names);
+    return complain_usage("plot '%s': no such kind; there are%s", name, names);
 }
 
 int depth_plot(const struct depth_lab *lab)
@@ -73,17 +73,17 @@ int depth_plot(const struct depth_lab *lab)
         return no_such_kind(lab->kind);
     }
     if (lab->out == NULL) {
-        return complain(EXIT_USAGE, "plot needs --out FILE.svg or FILE.png");
+        return complain_usage("plot needs --out FILE.svg or FILE.png");
     }
     const bool png = option_text_ends(lab->out, ".png");
     if (!png && !option_text_ends(lab->out, ".svg")) {
-        return complain(EXIT_USAGE, "--out %s: plots are written as .svg or .png", lab->out);
+        return complain_usage("--out %s: plots are written as .svg or .png", lab->out);
     }
     char *picture;
     size_t length = 0;
     int status = depth_plot_picture(lab, kind, png, &picture, &length);
     if (status == 0) {
-        status = save_bytes(lab->out, picture, length);
+        status = file_save_bytes(lab->out, picture, length);
     }
     free(picture);
     return status;

@@ -38,7 +38,7 @@ static struct style style_of(const struct lab_format *format)
     return others[format->kind];
 }
 
-/* Whether another row of lab_formats bears the same name, so that the name alone does not tell. */
+/* Has another row of lab_formats the same name? Then the name alone is ambiguous. */
 static bool has_twin(uint32_t row)
 {
     for (uint32_t i = 0; i < lab_format_count; i++) {
@@ -49,7 +49,7 @@ static bool has_twin(uint32_t row)
     return false;
 }
 
-/* What others do: dashes for 16 bits, dashes and dots for 24. */
+/* Formats that the renderer does not have: dashes for 16 bits, dashes and dots for 24. */
 static void put_style(FILE *script, const struct lab_format *format, bool marks)
 {
     const struct style style = style_of(format);
@@ -63,7 +63,7 @@ static void put_style(FILE *script, const struct lab_format *format, bool marks)
     fprintf(script, " lc '%s' ", style.colour);
 }
 
-/* The names, in the order of the tables whatever lies on top of what. */
+/* The names in the order of the tables; the order of drawing does not matter. */
 static void put_legend(const struct depth_lab *lab, FILE *script, bool marks)
 {
     for (uint32_t i = 0; i < lab_format_count; i++) {
@@ -87,14 +87,14 @@ static void put_camera(const struct depth_lab *lab, FILE *script)
 
 /* ---- the documents' curves ---------------------------------------------------------------------------- */
 
-/* The curve of the matrix that the camera really has, GL convention, its elements in Q16.16, as data block $c<tag>. */
+/* Writes the curve of the real matrix of the camera (GL convention, elements in Q16.16) as data block $c<tag>. */
 static int put_curve(FILE *script, int tag, fx_t near_z, fx_t far_z)
 {
     struct ph_projection projection = {.kind = PH_PERSPECTIVE};
     struct ph_mat4 m;
     if (ph_projection_perspective(&projection, FX_INT(60), FX_ONE, near_z, far_z) != 0 ||
         ph_matrix_projection(&m, &projection, PH_GL) != 0) {
-        return complain(EXIT_USAGE, "--near, --far: this camera's matrix does not fit Q16.16; move them apart");
+        return complain_usage("--near, --far: this camera's matrix does not fit Q16.16; move them apart");
     }
     const double n = depth_metres(near_z), f = depth_metres(far_z);
     fprintf(script, "$c%d << EOD\n", tag);
@@ -212,7 +212,7 @@ static void put_resolve(FILE *script, char *csv)
     fputs(open != lab_format_count ? "EOD\n" : "", script);
 }
 
-/* Curves of column y over z; the renderer's own on top of the others. */
+/* Curves of column y over z; the renderer's formats are on top. */
 static void put_resolve_curves(const struct depth_lab *lab, FILE *script, int y)
 {
     for (uint32_t i = 0; i < 2 * lab_format_count; i++) {
@@ -226,7 +226,7 @@ static void put_resolve_curves(const struct depth_lab *lab, FILE *script, int y)
     }
 }
 
-/* T. Ulrich's bands: above 1/1000 of the distance ripe for z-fighting, below 1/1000000 very good. */
+/* T. Ulrich's bands: a step above 1/1000 of the distance leads to z-fighting; below 1/1000000 is very good. */
 static void put_bands(const struct depth_lab *lab, FILE *script)
 {
     const double n = depth_metres(lab->near_z);
@@ -320,7 +320,7 @@ static int put_pairs(const struct depth_lab *lab, FILE *script, uint32_t row)
     struct lab_probe probe;
     struct bin bins[BINS] = {{0, 0, 0}};
     if (lab_probe_open(&probe, &lab_formats[row], lab->near_z, lab->far_z) != PH_OK) {
-        return complain(EXIT_FAILED, "plot: %s cannot be measured here", lab_formats[row].name);
+        return complain("plot: %s cannot be measured here", lab_formats[row].name);
     }
     fill_bins(lab, &probe, bins);
     const double ratio = (double)lab->far_z / lab->near_z;

@@ -16,11 +16,4 @@ struct depth_plot_kind {
 extern const struct depth_plot_kind depth_plot_kinds[];
 extern const uint32_t depth_plot_kind_count;
 
-/* NULL: no kind has this name. */
-const struct depth_plot_kind *depth_plot_find(const char *name);
-
-/* The picture as bytes to be freed; png: else SVG. 0, or a status when one line has said why. */
-int depth_plot_picture(const struct depth_lab *lab, const struct depth_plot_kind *kind, bool png, char **picture,
-                       size_t *length);
-
 #endif

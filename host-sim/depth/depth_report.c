@@ -3,10 +3,11 @@
 
 #include "complain.h"
 #include "depth_budget_terms.h"
-#include "depth_plot_gnuplot.h"
-#include "depth_plot_kinds.h"
+#include "depth_gnuplot.h"
+#include "depth_plot.h"
+#include "depth_table.h"
+#include "file_save.h"
 #include "lab_num.h"
-#include "save.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -26,8 +27,8 @@ static const struct section sections[] = {
     {"advise", "In short", NULL, "",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured)",
-     "What the renderer's formats separate with this camera, up to the far plane; and the near plane from which on "
-     "they separate a thousandth of that distance, beyond which two surfaces are ripe for z-fighting. Formats of 16 "
+     "The separation that the renderer's formats keep with this camera up to the far plane, and the near plane from "
+     "which on they separate a thousandth of that distance. Coarser steps lead to z-fighting. Formats of 16 "
      "bits take two bytes a pixel, formats of 24 bits four; linear-w takes a division a pixel, too.",
      depth_advise},
     {"resolve", "Smallest separation", "resolve", "",
@@ -35,7 +36,8 @@ static const struct section sections[] = {
      "The smallest separation of two surfaces facing the camera that is ordered right at a distance, and its worst "
      "over all distances. fixed16, float16, fixed24, float24 and linear-w with 16 bits are the renderer's. The others "
      "are for comparison: what is done elsewhere in Q16.16 (ndc-q16, recip-q16, clip-q16), linear-w with 24 bits, n/w "
-     "as a float (over-w), and the logarithm. What is finer than Q16.16 is measured as one of its steps, 0.0000153 m.",
+     "as a float (over-w), and the logarithm. A step finer than that of Q16.16 is measured as one step of Q16.16, "
+     "0.0000153 m.",
      depth_resolve},
     {"pairs", "Adjacent pairs", "pairs", "",
      "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
@@ -43,9 +45,9 @@ static const struct section sections[] = {
      depth_pairs},
     {"budget", "Who limits it", "budget", "fov size",
      "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
-     "What each part of the pipeline alone keeps apart, and all of them together. That of a part is its worst case; "
-     "all together are drawn, as planes tilted by 0, 40 and 75 degrees, where the worst cases seldom meet: so they "
-     "may measure less than a part alone.",
+     "The separation that each part of the pipeline alone keeps, and all of them together. A part is measured in its "
+     "worst case. All together are measured on drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases "
+     "seldom meet: so they may measure less than a part alone.",
      depth_budget},
     {"planes", "Two planes", NULL, "fov size",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
@@ -56,21 +58,22 @@ static const struct section sections[] = {
     {"monotone", "Monotonicity", NULL, "",
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
-     "The code at every distance that Q16.16 has: it must never rise. The renderer's formats pass; that a Q16.16 "
-     "reciprocal (recip-q16) fails is why they have none.",
+     "The code at every distance that Q16.16 has: it must never rise. The renderer's formats pass. They have no Q16.16 "
+     "reciprocal because it fails (recip-q16).",
      depth_monotone},
     {"anchors", "Published numbers", NULL, NULL, "anchor,published,here,how,verdict",
-     "What others have published about depth, computed again, whatever this camera is. It passes with the digits that "
-     "were published; of what Q16.16 reaches (from a quarter of far on for recip-q16), the renderer's formats with at "
-     "most 5 % more, the others within 5 %.",
+     "Numbers that others have published about depth, computed again; this camera does not matter. One passes if it "
+     "has the published digits. Of what Q16.16 reaches (from a quarter of far on for recip-q16), the renderer's "
+     "formats "
+     "pass with at most 5 % more, the others within 5 %.",
      depth_anchors},
 };
 
-/* A path in the report's directory. 0, or EXIT_FAILED and one line. */
+/* Makes a path in the directory of the report. 0 or COMPLAINED. */
 static int name_file(const struct depth_lab *lab, const char *name, const char *suffix, char path[PATH_MAX])
 {
     if (snprintf(path, PATH_MAX, "%s/%s.%s", lab->out, name, suffix) >= PATH_MAX) {
-        return complain(EXIT_FAILED, "--out: this name is too long");
+        return complain("--out: this name is too long");
     }
     return 0;
 }
@@ -133,7 +136,7 @@ static void put_table(FILE *report, const char *csv, const char *headings)
     }
 }
 
-/* The plot beside the report, and its place in it; without gnuplot a line that says so. */
+/* Writes the plot beside the report and its link; without gnuplot a line says so. */
 static int put_plot(const struct depth_lab *lab, FILE *report, const char *name, const char *options, bool can_plot)
 {
     const struct depth_plot_kind *const kind = depth_plot_find(name);
@@ -148,7 +151,7 @@ static int put_plot(const struct depth_lab *lab, FILE *report, const char *name,
         status = depth_plot_picture(lab, kind, false, &picture, &length);
     }
     if (status == 0) {
-        status = save_bytes(path, picture, length);
+        status = file_save_bytes(path, picture, length);
     }
     free(picture);
     fprintf(report, "\n![%s](%s.svg)\n\n`pinhole-depth plot %s", kind->title, name, name);
@@ -162,7 +165,7 @@ static int save_rows(const struct depth_lab *lab, const char *name, char *csv)
     char path[PATH_MAX];
     depth_table_drop_remarks(csv);
     const int status = name_file(lab, name, "csv", path);
-    return status != 0 ? status : save_bytes(path, csv, strlen(csv));
+    return status != 0 ? status : file_save_bytes(path, csv, strlen(csv));
 }
 
 /* The distance and the separation that advise is asked about. */
@@ -237,7 +240,7 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
 
 static int put_report(const struct depth_lab *lab, FILE *report)
 {
-    const bool can_plot = gnuplot_is_here();
+    const bool can_plot = depth_gnuplot_is_here();
     struct depth_lab documents = *lab; /* with the near and far planes that the documents have */
     int status = 0;
     documents.near_set = documents.far_set = false;
@@ -260,27 +263,27 @@ int depth_report(const struct depth_lab *lab)
     char path[PATH_MAX], *text = NULL;
     size_t length;
     if (lab->out == NULL) {
-        return complain(EXIT_USAGE, "all needs --out DIR, a directory for the report");
+        return complain_usage("all needs --out DIR, a directory for the report");
     }
     struct stat directory;
     const int error = mkdir(lab->out, 0777) == 0 ? 0 : errno;
     if (error != 0 && (stat(lab->out, &directory) != 0 || !S_ISDIR(directory.st_mode))) {
-        return complain(EXIT_FAILED, "--out %s: cannot be used as a directory: %s", lab->out,
+        return complain("--out %s: cannot be used as a directory: %s", lab->out,
                         strerror(error == EEXIST ? ENOTDIR : error));
     }
     FILE *const report = open_memstream(&text, &length);
     if (report == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
+        return complain("out of memory");
     }
     int status = put_report(lab, report);
     if (fclose(report) != 0 && status == 0) {
-        status = complain(EXIT_FAILED, "out of memory");
+        status = complain("out of memory");
     }
     if (status == 0) {
         status = name_file(lab, "report", "md", path);
     }
     if (status == 0) {
-        status = save_bytes(path, text, length);
+        status = file_save_bytes(path, text, length);
     }
     free(text);
     return status;

@@ -1,14 +1,10 @@
-#define _XOPEN_SOURCE 700 /* open_memstream */
+#include "depth_table.h"
 
-#include "complain.h"
-#include "depth_lab.h"
-
-#include <stdlib.h>
 #include <string.h>
 
 #define COLUMNS_MAX 24
 
-/* Widens the columns to what a line needs; a cell ends at a comma or at the end of the line. */
+/* Widens the columns to fit a line. A cell ends at a comma or at the end of the line. */
 static void measure(const char *line, size_t width[COLUMNS_MAX])
 {
     for (int column = 0; column < COLUMNS_MAX; column++) {
@@ -21,7 +17,7 @@ static void measure(const char *line, size_t width[COLUMNS_MAX])
     }
 }
 
-/* The first column is text, and on the left. */
+/* Prints a line; the first column is text and stands on the left. */
 static void print_line(FILE *file, const char *line, const size_t width[COLUMNS_MAX])
 {
     for (int column = 0; column < COLUMNS_MAX; column++) {
@@ -72,22 +68,6 @@ void depth_table_print(FILE *file, const char *csv, const char *headings)
             fprintf(file, "%.*s\n", (int)strcspn(text, "\n"), text);
         }
     }
-}
-
-int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)
-{
-    size_t length;
-    struct depth_lab copy = *lab;
-    *csv = NULL;
-    copy.rows = open_memstream(csv, &length);
-    if (copy.rows == NULL) {
-        return complain(EXIT_FAILED, "out of memory");
-    }
-    const int status = run(&copy);
-    if (fclose(copy.rows) != 0 && status == 0) {
-        return complain(EXIT_FAILED, "out of memory");
-    }
-    return status;
 }
 
 void depth_table_drop_remarks(char *csv)

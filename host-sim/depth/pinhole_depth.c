@@ -2,7 +2,8 @@
 
 #include "complain.h"
 #include "depth_options.h"
-#include "save.h"
+#include "depth_table.h"
+#include "file_save.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -20,12 +21,12 @@ static const struct depth_command commands[] = {
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      depth_monotone},
-    {"advise", "which near plane, format and bits separate S at Z; and what separates at Z with this near plane",
+    {"advise", "which near plane, format and bits separate S at Z; and the separation at Z with this near plane",
      " near far format fov size at separate bits csv ",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured)",
      depth_advise},
-    {"anchors", "every published number that this lab rests on, computed again", " csv ",
+    {"anchors", "every published number that the depth lab is based on, computed again", " csv ",
      "anchor,published,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
      " near far format fov size at tilt separation out csv ",
@@ -52,7 +53,7 @@ static int show(const struct depth_command *command, const struct depth_lab *lab
     }
     depth_table_drop_remarks(csv);
     if (strcmp(lab->csv, "-") != 0) {
-        return save_bytes(lab->csv, csv, strlen(csv));
+        return file_save_bytes(lab->csv, csv, strlen(csv));
     }
     fputs(csv, stdout);
     return 0;
@@ -65,7 +66,7 @@ int main(int argc, char *argv[])
     complain_as("pinhole-depth");
     int status = depth_options_read(&lab, &command, commands, COMMAND_COUNT, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (command == NULL) {
         depth_options_help(commands, COMMAND_COUNT);
@@ -78,5 +79,5 @@ int main(int argc, char *argv[])
         }
         free(csv);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -4,13 +4,14 @@
 #include "emulate_qemu.h"
 
 #include "complain.h"
-#include "stop.h"
+#include "signal_stop.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -18,16 +19,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define CPU_SECONDS 1800  /* one that lost its parent does not spin for ever */
+#define CPU_SECONDS 1800  /* a QEMU without its parent does not run for ever */
 #define WAIT_MS     30000 /* for a line or an answer */
 #define LAST_MS     200
 
-bool qemu_interrupted(void)
+bool emulate_qemu_interrupted(void)
 {
-    if (stop_signal != 0) {
-        complain(EXIT_FAILED, "interrupted");
+    if (signal_stop != 0) {
+        complain("interrupted");
     }
-    return stop_signal != 0;
+    return signal_stop != 0;
 }
 
 struct ends {
@@ -45,7 +46,7 @@ static bool open_ends(struct ends *e)
     return all;
 }
 
-/* The words of a command line, as they come; two at a time make an option. */
+/* The words of a command line. */
 struct words {
     const char *list[48];
     size_t count;
@@ -101,12 +102,12 @@ static void execute(const struct ends *e, const char *machine, const char *image
     _exit(127);
 }
 
-int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
+int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced)
 {
     struct ends e;
     *q = (struct qemu){.pid = -1, .monitor = -1, .uart = -1, .trace = -1, .said = -1};
     if (!open_ends(&e)) {
-        return complain(EXIT_FAILED, "no sockets for QEMU: %s", strerror(errno));
+        return complain("no sockets for QEMU: %s", strerror(errno));
     }
     q->pid = fork();
     if (q->pid == 0) {
@@ -120,18 +121,18 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
     q->uart = e.uart[0];
     q->trace = e.trace[0];
     q->said = e.said[0];
-    stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
+    signal_stop_catch(); /* a signal ends the waiting, so that QEMU is stopped and half-written files are removed */
     signal(SIGPIPE, SIG_IGN);
-    return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
+    return q->pid > 0 ? emulate_qemu_command(q, "qmp_capabilities", NULL) : complain("fork: %s", strerror(errno));
 }
 
 static bool readable(int fd, int wait_ms)
 {
     struct pollfd p = {.fd = fd, .events = POLLIN};
-    return stop_signal == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
+    return signal_stop == 0 && poll(&p, 1, wait_ms) > 0 && (p.revents & POLLIN) != 0;
 }
 
-/* What these machines write in every run: they have a network chip without a network, and timers that stand still. */
+/* These lines come in every run: the machines have a network chip without a network, and timers that stand still. */
 static bool usual(const char *line)
 {
     return strstr(line, "has no peer") != NULL || strcmp(line, "Timer with period zero, disabling") == 0;
@@ -144,13 +145,13 @@ static int complaints_of(FILE *said)
     while (fgets(line, sizeof line, said) != NULL) {
         line[strcspn(line, "\r\n")] = '\0';
         if (status == 0 && line[0] != '\0' && !usual(line)) {
-            status = complain(EXIT_FAILED, "QEMU says: %s", line);
+            status = complain("QEMU says: %s", line);
         }
     }
     return status;
 }
 
-/* Ends it, if it has not ended. EXIT_FAILED and one line when it had something to say. */
+/* Ends QEMU if it still runs. COMPLAINED when it had something to say. */
 static int end(struct qemu *q)
 {
     if (q->pid > 0) {
@@ -163,27 +164,27 @@ static int end(struct qemu *q)
         return 0;
     }
     q->said = -1;
-    const int status = stop_signal != 0 ? EXIT_FAILED : complaints_of(said); /* QEMU tells of the signal, too */
+    const int status = signal_stop != 0 ? COMPLAINED : complaints_of(said); /* QEMU tells of the signal, too */
     fclose(said);
     return status;
 }
 
-/* QEMU is gone or mute: the image's own words say why, if there are any. */
+/* QEMU ended or does not answer. If the image logged a reason, that is told. */
 static int last_words(struct qemu *q, const char *what, const char *name)
 {
     char byte;
-    if (qemu_interrupted()) {
-        return EXIT_FAILED;
+    if (emulate_qemu_interrupted()) {
+        return COMPLAINED;
     }
     while (readable(q->uart, LAST_MS) && read(q->uart, &byte, 1) == 1) {
-        if (qemu_logged(q, byte) && qemu_check_line(q) != 0) {
-            return EXIT_FAILED;
+        if (emulate_qemu_logged(q, byte) && emulate_qemu_check_line(q) != 0) {
+            return COMPLAINED;
         }
     }
-    return end(q) != 0 ? EXIT_FAILED : complain(EXIT_FAILED, "QEMU does not %s %s", what, name);
+    return end(q) != 0 ? COMPLAINED : complain("QEMU does not %s %s", what, name);
 }
 
-/* Events come between the answers. */
+/* Waits for the answer; events may come before it. */
 static int await_answer(struct qemu *q, const char *name)
 {
     char line[4096];
@@ -199,13 +200,13 @@ static int await_answer(struct qemu *q, const char *name)
             return 0;
         }
         if (strncmp(line, "{\"error\"", 8) == 0) {
-            return complain(EXIT_FAILED, "QEMU refuses %s: %.200s", name, line);
+            return complain("QEMU refuses %s: %.200s", name, line);
         }
     }
     return last_words(q, "answer", name);
 }
 
-int qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
+int emulate_qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
 {
     char text[1024], values[768] = "";
     va_list list;
@@ -221,13 +222,13 @@ int qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
     return await_answer(q, name);
 }
 
-int qemu_send(const struct qemu *q, const char *text)
+int emulate_qemu_send(const struct qemu *q, const char *text)
 {
     const ssize_t n = (ssize_t)strlen(text);
-    return write(q->uart, text, (size_t)n) == n ? 0 : complain(EXIT_FAILED, "QEMU does not take what the UART gets");
+    return write(q->uart, text, (size_t)n) == n ? 0 : complain("QEMU does not take what the UART gets");
 }
 
-bool qemu_logged(struct qemu *q, char byte)
+bool emulate_qemu_logged(struct qemu *q, char byte)
 {
     if (byte == '\r') {
         return false;
@@ -245,27 +246,27 @@ bool qemu_logged(struct qemu *q, char byte)
     return true;
 }
 
-int qemu_check_line(const struct qemu *q)
+int emulate_qemu_check_line(const struct qemu *q)
 {
     const bool bad = strncmp(q->line, "fault", 5) == 0 || strncmp(q->line, "stopped", 7) == 0;
-    return bad ? complain(EXIT_FAILED, "the image says: %s", q->line) : 0;
+    return bad ? complain("the image says: %s", q->line) : 0;
 }
 
-int qemu_line(struct qemu *q)
+int emulate_qemu_line(struct qemu *q)
 {
     char byte;
     while (readable(q->uart, WAIT_MS) && read(q->uart, &byte, 1) == 1) {
-        if (qemu_logged(q, byte)) {
-            return qemu_check_line(q);
+        if (emulate_qemu_logged(q, byte)) {
+            return emulate_qemu_check_line(q);
         }
     }
-    if (qemu_interrupted() || end(q) != 0) {
-        return EXIT_FAILED;
+    if (emulate_qemu_interrupted() || end(q) != 0) {
+        return COMPLAINED;
     }
-    return complain(EXIT_FAILED, "the image logs nothing more");
+    return complain("the image logs nothing more");
 }
 
-int qemu_stop(struct qemu *q)
+int emulate_qemu_stop(struct qemu *q)
 {
     const int status = end(q);
     const int others[] = {q->monitor, q->uart, q->trace};

@@ -1,18 +1,6 @@
-/*
- * emulate_qemu: runs a firmware image in QEMU and steps it frame by frame through its log UART (the characters of
- * firmware/app/images/demos.c). Two machines:
- *
- *   lm3s6965evb    the picture is what QEMU's own model of the kit's SSD0323 shows (screendump); its buttons are real
- *   netduinoplus2  an STM32F405 without a display: the picture is what a controller's model (sim.h) makes of the
- *                  stores to SPI and pins, which QEMU's trace tells in order; buttons are pressed through the UART
- *
- * Functions return 0, or EXIT_FAILED when one line has said why.
- */
+/* emulate_qemu: QEMU, halted or running, over its monitor, the log UART and its trace. */
 #ifndef EMULATE_QEMU_H
 #define EMULATE_QEMU_H
-
-#include "board.h"
-#include "ppm.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -26,46 +14,27 @@ struct qemu {
     FILE *log; /* what the image logs goes here, too; or NULL */
 };
 
-/* Starts the machine, halted. uart: which of the machine's serial lines is the log, 0 for the first. */
-int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced);
+/* Starts the machine, halted; serial line number `uart` is the log. */
+int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, unsigned uart, bool traced);
 
-/* A QMP command, with arguments (JSON, a format) or NULL. Waits for its answer. */
-int qemu_command(struct qemu *q, const char *name, const char *arguments, ...) __attribute__((format(printf, 3, 4)));
+/* Sends a QMP command with arguments (a format of JSON, or NULL) and waits for its answer. */
+int emulate_qemu_command(struct qemu *q, const char *name, const char *arguments, ...)
+    __attribute__((format(printf, 3, 4)));
 
-/* A signal asks this program to end; one line has said so. */
-bool qemu_interrupted(void);
+/* Returns whether a signal asks this program to end, and says so. */
+bool emulate_qemu_interrupted(void);
 
-/* Characters to the UART. */
-int qemu_send(const struct qemu *q, const char *text);
+/* Sends characters to the UART. */
+int emulate_qemu_send(const struct qemu *q, const char *text);
 
 /* Takes a byte that the image logged; true when a line is complete: q->line. */
-bool qemu_logged(struct qemu *q, char byte);
+bool emulate_qemu_logged(struct qemu *q, char byte);
 
 /* Waits for the next line of the log on the UART. A line "fault..." or "stopped..." is a failure. */
-int qemu_line(struct qemu *q);
-int qemu_check_line(const struct qemu *q);
+int emulate_qemu_line(struct qemu *q);
+int emulate_qemu_check_line(const struct qemu *q);
 
-/* Ends it. EXIT_FAILED if it wrote anything but what every run of these machines writes to stderr. */
-int qemu_stop(struct qemu *q);
-
-/* ---- the machines ------------------------------------------------------------------------------- */
-
-struct keys;
-
-struct emulation {
-    const struct board *board;
-    const char *image;
-    uint32_t frames;
-    const struct keys *keys;
-    FILE *log;
-    void *context; /* frame's */
-    int (*frame)(void *context, uint32_t frame, const struct ppm *picture);
-};
-
-/* The ELF of a whole image that begins in the flash at that address: QEMU runs anything. */
-int emulate_check_image(const char *path, uint32_t flash);
-
-int emulate_screen(const struct emulation *e); /* lm3s6965evb */
-int emulate_trace(const struct emulation *e);  /* netduinoplus2 */
+/* Ends QEMU. COMPLAINED if it wrote to stderr anything that it does not write in every run. */
+int emulate_qemu_stop(struct qemu *q);
 
 #endif

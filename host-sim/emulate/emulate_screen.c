@@ -1,11 +1,11 @@
-/* QEMU's lm3s6965evb: the picture is its screen, four by four pixels for each of the panel's. See emulate_qemu.h. */
+/* QEMU's lm3s6965evb: the picture is its screen, four by four pixels for each of the panel's. See emulate.h. */
 #define _XOPEN_SOURCE 700
 
-#include "emulate_qemu.h"
+#include "emulate.h"
 
 #include "complain.h"
+#include "emulate_qemu.h"
 #include "hal.h"
-#include "keys.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -29,16 +29,17 @@ static int press(struct qemu *q, uint32_t was, uint32_t is)
     int status = 0;
     for (size_t i = 0; i < BUTTONS && status == 0; i++) {
         if (((was ^ is) & wiring[i].button) != 0) {
-            status = qemu_command(q, "input-send-event",
-                                  "\"events\": [{\"type\": \"key\", \"data\": {\"down\": %s, \"key\": {\"type\": "
-                                  "\"qcode\", \"data\": \"%s\"}}}]",
-                                  is & wiring[i].button ? "true" : "false", wiring[i].key);
+            status =
+                emulate_qemu_command(q, "input-send-event",
+                                     "\"events\": [{\"type\": \"key\", \"data\": {\"down\": %s, \"key\": {\"type\": "
+                                     "\"qcode\", \"data\": \"%s\"}}}]",
+                                     is & wiring[i].button ? "true" : "false", wiring[i].key);
         }
     }
     return status;
 }
 
-/* One pixel of the panel: all of its block is one colour. */
+/* Copies one pixel of the panel. False: its block on the screen is not of one colour. */
 static bool shrink_pixel(const struct ppm *screen, struct ppm *picture, uint32_t x, uint32_t y)
 {
     const uint8_t *first = screen->rgb + 3 * ((size_t)SCALE * y * screen->width + (size_t)SCALE * x);
@@ -54,14 +55,13 @@ static bool shrink_pixel(const struct ppm *screen, struct ppm *picture, uint32_t
 static int shrink(const struct ppm *screen, struct ppm *picture)
 {
     if (screen->width != SCALE * picture->width || screen->height != SCALE * picture->height) {
-        return complain(EXIT_FAILED, "QEMU's screen is %ux%u, not four times the panel", (unsigned)screen->width,
+        return complain("QEMU's screen is %ux%u, not four times the panel", (unsigned)screen->width,
                         (unsigned)screen->height);
     }
     for (uint32_t y = 0; y < picture->height; y++) {
         for (uint32_t x = 0; x < picture->width; x++) {
             if (!shrink_pixel(screen, picture, x, y)) {
-                return complain(EXIT_FAILED, "QEMU's screen is not made of blocks at pixel %u,%u", (unsigned)x,
-                                (unsigned)y);
+                return complain("QEMU's screen is not made of blocks at pixel %u,%u", (unsigned)x, (unsigned)y);
             }
         }
     }
@@ -74,12 +74,12 @@ static int look(struct qemu *q, struct ppm *picture)
     struct ppm screen = {.rgb = NULL};
     const int fd = mkstemp(path);
     if (fd < 0) {
-        return complain(EXIT_FAILED, "%s: cannot be made", path);
+        return complain("%s: cannot be made", path);
     }
     close(fd);
-    int status = qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
+    int status = emulate_qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
     if (status == 0 && ppm_load(path, &screen) != 0) {
-        status = complain(EXIT_FAILED, "%s: QEMU's screen cannot be read", path);
+        status = complain("%s: QEMU's screen cannot be read", path);
     }
     unlink(path);
     if (status == 0) {
@@ -89,14 +89,14 @@ static int look(struct qemu *q, struct ppm *picture)
     return status;
 }
 
-/* Until the line about frame number `frame`. */
+/* Waits for the line about frame number `frame`. */
 static int await_frame(struct qemu *q, uint32_t frame)
 {
     char text[32];
     int status;
     snprintf(text, sizeof text, "frame %u,", (unsigned)frame);
     do {
-        status = qemu_line(q);
+        status = emulate_qemu_line(q);
     } while (status == 0 && strncmp(q->line, text, strlen(text)) != 0);
     return status;
 }
@@ -107,14 +107,15 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
     uint32_t held = 0;
     int status = 0;
     for (uint32_t frame = 0; frame < e->frames && status == 0; frame++) {
-        const uint32_t now = frame > 0 ? keys_at(e->keys, frame) : 0;
+        const uint32_t now = frame > 0 ? key_script_at(e->keys, frame) : 0;
         status = press(q, held, now);
         held = now;
         if (status == 0) {
-            status = qemu_send(q, "H");
+            status = emulate_qemu_send(q, "H");
         }
         if (status == 0 && frame == 0) { /* the answer says that the UART has it */
-            status = qemu_command(q, "query-status", NULL) != 0 ? EXIT_FAILED : qemu_command(q, "cont", NULL);
+            status =
+                emulate_qemu_command(q, "query-status", NULL) != 0 ? COMPLAINED : emulate_qemu_command(q, "cont", NULL);
         }
         if (status == 0) {
             status = await_frame(q, frame);
@@ -125,9 +126,9 @@ static int run(const struct emulation *e, struct qemu *q, struct ppm *picture)
         if (status == 0) {
             status = e->frame(e->context, frame, picture);
         }
-        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they have been pressed once, and the port
-                                            ignores them until it sees them up */
-            status = press(q, 0, all) != 0 ? EXIT_FAILED : press(q, all, 0);
+        if (status == 0 && frame == 0) { /* QEMU's buttons are down until they were pressed once, and the port ignores
+                                            them until it sees them up */
+            status = press(q, 0, all) != 0 ? COMPLAINED : press(q, all, 0);
         }
     }
     return status;
@@ -140,14 +141,14 @@ int emulate_screen(const struct emulation *e)
     const uint16_t height = panel_height(e->board->panel, e->board->rotation);
     struct ppm picture = {width, height, malloc((size_t)width * height * 3)};
     if (picture.rgb == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for a picture");
+        return complain("not enough memory for a picture");
     }
-    int status = qemu_start(&q, "lm3s6965evb", e->image, 0, false);
+    int status = emulate_qemu_start(&q, "lm3s6965evb", e->image, 0, false);
     q.log = e->log;
     if (status == 0) {
         status = run(e, &q, &picture);
     }
     free(picture.rgb);
-    const int stopped = qemu_stop(&q);
+    const int stopped = emulate_qemu_stop(&q);
     return status != 0 ? status : stopped;
 }

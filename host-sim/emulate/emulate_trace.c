@@ -1,18 +1,18 @@
 /*
- * QEMU's netduinoplus2, an STM32F405: what its trace tells of stores becomes events on wires (wire_events.h), these a
- * picture. See emulate_qemu.h.
+ * QEMU's netduinoplus2, an STM32F405. Its trace tells of stores; they become events on wires (wire_replay.h), and those
+ * a picture. See emulate.h.
  *
- * The trace has no times. The image's SysTick interrupts are in it, one a millisecond as the image counts, and the time
- * of an event is how many of them came before.
+ * The trace has no times. It has the SysTick interrupts of the image, one each millisecond; the time of an event is the
+ * number of interrupts before it.
  */
 #define _XOPEN_SOURCE 700
 
-#include "emulate_qemu.h"
+#include "emulate.h"
 
 #include "complain.h"
+#include "emulate_qemu.h"
 #include "hal.h"
-#include "keys.h"
-#include "wire_events.h"
+#include "wire_replay.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -58,16 +58,16 @@ static int show(void *context, uint32_t frame, const uint8_t *rgb)
     return t->e->frame(t->e->context, frame, &t->picture);
 }
 
-/* The first one ends it. */
+/* Tells the first complaint, which ends the run. */
 static void resent(void *context, const char *complaint)
 {
     const struct trace *t = context;
-    if (wire_complaints(t->wire) == 1) {
-        complain(EXIT_FAILED, "%s", complaint);
+    if (wire_replay_complaints(t->wire) == 1) {
+        complain("%s", complaint);
     }
 }
 
-/* The bytes since the last event that was not one. */
+/* Passes on the bytes since the last event of another kind. */
 static int flush(struct trace *t)
 {
     const struct wire_event event = {.kind = WIRE_SPI,
@@ -83,7 +83,7 @@ static int flush(struct trace *t)
                                      .count = t->run_length};
     const bool any = t->run_length > 0;
     t->run_length = 0;
-    return any ? wire_event(t->wire, &event) : 0;
+    return any ? wire_replay_event(t->wire, &event) : 0;
 }
 
 static int send_byte(struct trace *t, uint8_t byte)
@@ -98,7 +98,7 @@ static int move_pins(struct trace *t, uint32_t port, uint32_t value)
     t->levels &= ~((uint64_t)(value >> 16) << (32 * port));
     t->levels |= (uint64_t)(value & 0xFFFF) << (32 * port);
     const struct wire_event event = {.kind = WIRE_LEVEL, .time_ns = t->ticks * TICK_NS, .levels = t->levels};
-    return status == 0 ? wire_event(t->wire, &event) : status;
+    return status == 0 ? wire_replay_event(t->wire, &event) : status;
 }
 
 /* Asks for the next frame, with the buttons that the script wants during it. */
@@ -114,7 +114,7 @@ static int step(struct trace *t)
                    {HAL_BUTTON_SELECT, 's'}};
     char text[8], waste[4096];
     size_t n = 0;
-    const uint32_t held = keys_at(t->e->keys, t->frames);
+    const uint32_t held = key_script_at(t->e->keys, t->frames);
     for (size_t i = 0; i < sizeof letters / sizeof letters[0]; i++) {
         text[n] = letters[i].letter;
         n += (held & letters[i].button) != 0;
@@ -123,16 +123,16 @@ static int step(struct trace *t)
     text[n + 1] = '\0';
     while (recv(t->q.uart, waste, sizeof waste, MSG_DONTWAIT) > 0) { /* the log is read from the trace */
     }
-    return qemu_send(&t->q, text);
+    return emulate_qemu_send(&t->q, text);
 }
 
-/* A line of the log. The image is told to hold as early as it can hear it, which is during its first frame. */
+/* Takes a line of the log. The image is told to hold during its first frame, the first time that it listens. */
 static int logged(struct trace *t)
 {
-    int status = qemu_check_line(&t->q);
+    int status = emulate_qemu_check_line(&t->q);
     if (status == 0 && !t->started && strncmp(t->q.line, "demo ", 5) == 0) {
         t->started = true;
-        return qemu_send(&t->q, "H");
+        return emulate_qemu_send(&t->q, "H");
     }
     if (status == 0 && t->started && strncmp(t->q.line, "frame ", 6) == 0) {
         status = flush(t);
@@ -153,7 +153,7 @@ static int store(struct trace *t, uint32_t address, uint32_t value)
         return status;
     }
     if (address == USART_DR) {
-        return qemu_logged(&t->q, (char)value) ? logged(t) : 0;
+        return emulate_qemu_logged(&t->q, (char)value) ? logged(t) : 0;
     }
     if (address >= GPIO_A && port < GPIO_ALL && (address - GPIO_A) % GPIO_STEP == GPIO_BSRR) {
         return move_pins(t, port, value);
@@ -170,7 +170,7 @@ static int take_line(struct trace *t, const char *line)
     }
     const char *address = strstr(line, " addr 0x"), *value = strstr(line, " value 0x");
     if (strncmp(line, "memory_region_ops_write", 23) != 0 || address == NULL || value == NULL) {
-        return complain(EXIT_FAILED, "QEMU says: %.*s", (int)strcspn(line, "\n"), line);
+        return complain("QEMU says: %.*s", (int)strcspn(line, "\n"), line);
     }
     return store(t, (uint32_t)strtoul(address + 6, NULL, 16), (uint32_t)strtoul(value + 7, NULL, 16));
 }
@@ -179,20 +179,20 @@ static int run(struct trace *t)
 {
     char line[512];
     FILE *in = fdopen(dup(t->q.trace), "r");
-    int status = in != NULL ? qemu_command(&t->q, "cont", NULL) : complain(EXIT_FAILED, "QEMU's trace cannot be read");
+    int status = in != NULL ? emulate_qemu_command(&t->q, "cont", NULL) : complain("QEMU's trace cannot be read");
     while (status == 0 && t->frames < t->e->frames) {
         const bool more = fgets(line, sizeof line, in) != NULL;
-        if (qemu_interrupted()) {
-            status = EXIT_FAILED;
+        if (emulate_qemu_interrupted()) {
+            status = COMPLAINED;
         } else if (!more) {
-            status = complain(EXIT_FAILED, "QEMU stopped after %u frames", (unsigned)t->frames);
+            status = complain("QEMU stopped after %u frames", (unsigned)t->frames);
         } else if (t->ticks - t->frame_ticks > TICKS_A_FRAME) {
-            status = complain(EXIT_FAILED, "no frame after frame %u", (unsigned)t->frames);
+            status = complain("no frame after frame %u", (unsigned)t->frames);
         } else {
             status = take_line(t, line);
         }
-        if (status == 0 && wire_complaints(t->wire) > 0) {
-            status = EXIT_FAILED;
+        if (status == 0 && wire_replay_complaints(t->wire) > 0) {
+            status = COMPLAINED;
         }
     }
     if (in != NULL) {
@@ -213,19 +213,19 @@ int emulate_trace(const struct emulation *e)
                                        .frame = show,
                                        .resent = resent};
     t.picture = (struct ppm){width, height, malloc((size_t)width * height * 3)};
-    t.wire = wire_open(&config);
+    t.wire = wire_replay_open(&config);
     if (t.picture.rgb == NULL || t.wire == NULL) {
-        wire_close(t.wire);
+        wire_replay_close(t.wire);
         free(t.picture.rgb);
-        return complain(EXIT_FAILED, "not enough memory, or no model of the board's controller");
+        return complain("not enough memory, or no model of the board's controller");
     }
-    int status = qemu_start(&t.q, "netduinoplus2", e->image, UARTS_BEFORE, true);
+    int status = emulate_qemu_start(&t.q, "netduinoplus2", e->image, UARTS_BEFORE, true);
     t.q.log = e->log;
     if (status == 0) {
         status = run(&t);
     }
-    const int stopped = qemu_stop(&t.q);
-    wire_close(t.wire);
+    const int stopped = emulate_qemu_stop(&t.q);
+    wire_replay_close(t.wire);
     free(t.picture.rgb);
     return status != 0 ? status : stopped;
 }

@@ -1,10 +1,9 @@
-/* pinhole-emulate: runs a firmware image in QEMU and shows what its panel shows. See emulate_qemu.h. */
+/* pinhole-emulate: runs a firmware image in QEMU and shows what its panel shows. See emulate.h. */
 
 #include "complain.h"
 #include "crc32.h"
-#include "emulate_qemu.h"
+#include "emulate.h"
 #include "frame_out.h"
-#include "keys.h"
 #include "option_table.h"
 #include "option_text.h"
 
@@ -38,11 +37,11 @@ static bool set_board(void *to, const char *name)
 }
 
 static const struct option_row rows[] = {
-    {"machine", "lm3s6965evb|netduinoplus2", "QEMU's", "lm3s6965evb or netduinoplus2", .set = set_machine},
+    {"machine", "lm3s6965evb|netduinoplus2", "the machine of QEMU", "lm3s6965evb or netduinoplus2", .set = set_machine},
     {"board", "NAME", "the image's kit", "a name that pinhole-sim --list shows", .set = set_board},
-    {"keys", "FILE", "a script of button presses, as pinhole-sim's (not before frame 2)", "a file",
+    {"keys", "FILE", "a script of button presses, as for pinhole-sim (not before frame 2)", "a file",
      .at = offsetof(struct request, keys)},
-    {"log", NULL, "what the image writes to its UART, on stderr", NULL, .at = offsetof(struct request, log)},
+    {"log", NULL, "shows on stderr what the image writes to its UART", NULL, .at = offsetof(struct request, log)},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct request, help)},
 };
 
@@ -54,7 +53,7 @@ static void print_help(void)
          "Runs an image of all demos (make firmware) in QEMU and prints `frame N crc32 XXXXXXXX` for each frame that\n"
          "its panel shows, as pinhole-sim --crc does. DIR gets pictures, FRAMES is 4 by default.\n");
     option_table_help(&table);
-    puts("\nExit status: 0 done; 1 failed, the image stopped, or QEMU or the panel resents something; 2 wrong usage.");
+    puts("\nExit status: 0 done; 1 failed, the image stopped, or QEMU or the panel complained; 2 wrong usage.");
 }
 
 static int read_arguments(struct request *r, int argc, char *argv[])
@@ -64,14 +63,14 @@ static int read_arguments(struct request *r, int argc, char *argv[])
     r->image = words[0];
     r->out = words[1];
     if (count < 0) {
-        return EXIT_USAGE;
+        return count;
     }
     if (count == 3 && !option_text_u32(words[2], 1, FRAMES_MAX, &r->frames)) {
-        return complain(EXIT_USAGE, "'%s': FRAMES must be a whole number, 1 .. %d", words[2], FRAMES_MAX);
+        return complain_usage("'%s': FRAMES must be a whole number, 1 .. %d", words[2], FRAMES_MAX);
     }
     return r->help || (r->machine >= 0 && r->board != NULL && r->image != NULL)
                ? 0
-               : complain(EXIT_USAGE, "--machine, --board and an image are needed; see --help");
+               : complain_usage("--machine, --board and an image are needed; see --help");
 }
 
 static int show(void *context, uint32_t frame, const struct ppm *picture)
@@ -85,7 +84,7 @@ static int show(void *context, uint32_t frame, const struct ppm *picture)
 
 static int run(struct request *r)
 {
-    struct keys keys = {.count = 0};
+    struct key_script keys = {.count = 0};
     struct emulation e = {.board = r->board,
                           .image = r->image,
                           .frames = r->frames,
@@ -93,9 +92,9 @@ static int run(struct request *r)
                           .log = r->log ? stderr : NULL,
                           .context = r,
                           .frame = show};
-    int status = emulate_check_image(r->image, r->machine == 0 ? 0 : 0x08000000);
+    int status = emulate_image_check(r->image, r->machine == 0 ? 0 : 0x08000000);
     if (status == 0) {
-        status = keys_read(&keys, r->keys);
+        status = key_script_read(&keys, r->keys);
     }
     if (status == 0) {
         status = frame_out_open(&r->frames_out, r->out, true);
@@ -103,7 +102,7 @@ static int run(struct request *r)
     if (status == 0) {
         status = r->machine == 0 ? emulate_screen(&e) : emulate_trace(&e);
     }
-    keys_free(&keys);
+    key_script_free(&keys);
     return status;
 }
 
@@ -112,13 +111,10 @@ int main(int argc, char *argv[])
     struct request request = {.machine = -1, .frames = 4};
     complain_as("pinhole-emulate");
     int status = read_arguments(&request, argc, argv);
-    if (status != 0) {
-        return status;
-    }
-    if (request.help) {
+    if (status == 0 && request.help) {
         print_help();
-    } else {
+    } else if (status == 0) {
         status = run(&request);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

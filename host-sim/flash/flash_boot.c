@@ -41,7 +41,7 @@ static void make_command(uint8_t command[COMMAND_BYTES], const struct request *r
     }
 }
 
-/* Command, data, and an empty packet against the data's direction. */
+/* Sends the command and its data, then an empty packet against the direction of the data. */
 static int attempt(struct flash_boot *boot, const struct request *r)
 {
     uint8_t command[COMMAND_BYTES], nothing = 0;
@@ -58,13 +58,14 @@ static int attempt(struct flash_boot *boot, const struct request *r)
         return status;
     }
     status = boot->ops->in(boot->context, &nothing, 0);
-    const bool left = r->id == REBOOT && (status == FLASH_GONE || status == FLASH_IO);
+    const bool left = r->id == REBOOT && (status == HAL_ENODEV || status == HAL_EIO);
     return left ? 0 : status;
 }
 
 static const struct request exclusive = {.id = EXCLUSIVE_ACCESS, .argument_bytes = 1, .arguments = {1}};
 
-/* Why it was refused, and the board ready for the next command: the reset also gives the board back to its drive. */
+/* Reads why a command was refused and makes the board ready for the next one. The reset gives the board back to its
+ * drive, so it is taken again. */
 static int recover(struct flash_boot *boot)
 {
     uint8_t answer[STATUS_BYTES] = {0};

@@ -1,30 +1,27 @@
 /*
  * flash_boot: an RP2040 in its USB boot loader (BOOTSEL), over the PICOBOOT interface: commands of 32 bytes and their
- * data on two bulk endpoints. A command that the board refuses is repeated once, after a reset of the interface: what
- * another program left behind, or a disturbance on the wires, is over then.
+ * data on two bulk endpoints. A command that the board refuses is repeated once after a reset of the interface, which
+ * clears what another program or a disturbance left behind.
  *
- * Results: 0 or more, or an enum flash_status. Nothing waits for longer than FLASH_WAIT_MS.
+ * Results are 0 or more, or a negative status. Nothing waits for longer than FLASH_WAIT_MS.
  *
  * Source: RP2040 datasheet, section 2.8.5 (USB PICOBOOT interface).
  */
 #ifndef FLASH_BOOT_H
 #define FLASH_BOOT_H
 
+#include "hal.h"
+
 #include <stddef.h>
 #include <stdint.h>
 
 #define FLASH_WAIT_MS 3000 /* a sector is erased within 400 ms by all flash chips of RP2040 boards */
 
+/* Beside those of hal.h: HAL_ENODEV unplugged, HAL_ETIMEDOUT no answer, HAL_EIO any other error on the wire. */
 enum flash_status {
-    FLASH_STALL = -1,   /* refused */
-    FLASH_GONE = -2,    /* unplugged */
-    FLASH_TIMEOUT = -3, /* no answer */
-    FLASH_IO = -4,      /* anything else on the wire */
-    FLASH_STOPPED = -5, /* the user did */
-    FLASH_DIFFERS = -6, /* what was read back, or the flash is too small */
-    FLASH_ACCESS = -7,  /* no permission */
-    FLASH_BUSY = -8,    /* another program has the board */
-    FLASH_NO_USB = -9,  /* built without libusb */
+    FLASH_STOPPED = -4,  /* EINTR: the user stopped it */
+    FLASH_STALL = -32,   /* EPIPE: the board refuses */
+    FLASH_DIFFERS = -84, /* EILSEQ: other bytes were read back, or the flash is too small */
 };
 
 /* The USB side. */
@@ -45,12 +42,13 @@ struct flash_boot {
 /* Takes the board from its own disk drive and makes the flash ready for commands. */
 int flash_boot_begin(struct flash_boot *boot);
 
-/* Addresses are the chip's. Erases one FLASH_SECTOR; writes n bytes (multiples of FLASH_PAGE, both); reads n bytes. */
+/* Addresses are those of the chip. Erase one FLASH_SECTOR; write n bytes (n and address are multiples of FLASH_PAGE);
+ * read n bytes. */
 int flash_boot_erase(struct flash_boot *boot, uint32_t address);
 int flash_boot_write(struct flash_boot *boot, uint32_t address, const uint8_t *bytes, uint32_t n);
 int flash_boot_read(struct flash_boot *boot, uint32_t address, uint8_t *bytes, uint32_t n);
 
-/* Starts what is in the flash; the board leaves. */
+/* Starts the program in the flash; the board leaves the bus. */
 int flash_boot_reboot(struct flash_boot *boot);
 
 /* Gives the board back to its drive; it stays in its boot loader. */
@@ -58,7 +56,7 @@ void flash_boot_end(struct flash_boot *boot);
 
 #define FLASH_REFUSED_ADDRESS 4
 
-/* The datasheet's name for what the board said. */
+/* Returns the datasheet's name for the refusal. */
 const char *flash_boot_refusal(const struct flash_boot *boot);
 
 #endif

@@ -8,16 +8,16 @@
 #define SMALLEST (256u << 10) /* flash of a board */
 #define SAMPLES  8            /* sectors that tell whether flash repeats itself */
 
-/* What was under way, at an offset from FLASH_BASE. */
+/* Writes the line about a failure at an offset from FLASH_BASE. */
 static int fail(struct flash_job *job, int status, const char *what, uint32_t offset)
 {
     char *line = job->error;
     const unsigned address = FLASH_BASE + offset;
     switch (status) {
-    case FLASH_GONE:
+    case HAL_ENODEV:
         snprintf(line, FLASH_ERROR_SIZE, "unplugged while %s 0x%08x; " AGAIN, what, address);
         break;
-    case FLASH_TIMEOUT:
+    case HAL_ETIMEDOUT:
         snprintf(line, FLASH_ERROR_SIZE, "no answer for %d s while %s 0x%08x; pull it out, " AGAIN,
                  FLASH_WAIT_MS / 1000, what, address);
         break;
@@ -48,10 +48,8 @@ static bool is_stopped(const struct flash_job *job)
 
 /* ---- does it fit? ------------------------------------------------------------------------------- */
 
-/*
- * Flash chips ignore the address bits that they do not have, so that a small one repeats itself: 1 if the `size` bytes
- * from `size` on are the first ones again, 0 if not, or if these are erased and cannot tell.
- */
+/* Flash chips ignore the address bits that they do not have, so that a small flash repeats itself. Returns 1 if the
+ * `size` bytes from `size` on are the first ones again, 0 if not, or if all are erased and cannot tell. */
 static int repeats(struct flash_job *job, uint32_t size)
 {
     uint8_t near[FLASH_SECTOR], far[FLASH_SECTOR];
@@ -78,7 +76,7 @@ static int repeats(struct flash_job *job, uint32_t size)
     return !erased;
 }
 
-/* An erased flash shows its size only when it is read back. */
+/* Checks the size of the flash. That of an erased flash shows only when the image is read back. */
 static int check_size(struct flash_job *job)
 {
     const uint32_t end = job->image->sectors * FLASH_SECTOR;
@@ -212,7 +210,7 @@ int flash_job_run(struct flash_job *job)
     if (status == 0 && job->reboot) {
         return told(job, flash_boot_reboot(job->boot), "rebooting from", 0);
     }
-    if (status != FLASH_GONE && status != FLASH_TIMEOUT) {
+    if (status != HAL_ENODEV && status != HAL_ETIMEDOUT) {
         flash_boot_end(job->boot);
     }
     return status;

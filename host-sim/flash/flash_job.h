@@ -1,6 +1,6 @@
 /*
- * flash_job: puts an image into the flash of a board. The first sector is erased first and written last: a board that
- * is left in between has no boot2, so that it starts in its boot loader again, without a button held, and a second run
+ * flash_job: writes an image into the flash of a board. The first sector is erased first and written last: without
+ * boot2 a board that was left halfway starts in its boot loader again, without a button held, and a second run
  * completes.
  */
 #ifndef FLASH_JOB_H
@@ -21,7 +21,7 @@ struct flash_job {
     char error[FLASH_ERROR_SIZE];
 };
 
-/* 0, or an enum flash_status with a line in error: what, where, what to do. */
+/* 0, or a status as in flash_boot.h with a line in error: what, where, what to do. */
 int flash_job_run(struct flash_job *job);
 
 #endif

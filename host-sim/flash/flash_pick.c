@@ -1,6 +1,7 @@
-/* See flash_usb.h. */
+/* See flash_pick.h. */
+#include "flash_pick.h"
+
 #include "flash_image.h"
-#include "flash_usb.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -48,7 +49,7 @@ static int none(int count, char *error)
                              count > 0 ? " (an RP2350 is, which needs another image)" : "");
 }
 
-/* Nothing has that serial number; but the number of a board that cannot be opened is not known. */
+/* No board has that serial number, but it may be that of a board that cannot be opened. */
 static int unknown(const struct flash_board *boards, int count, const char *serial, const char *names, char *error)
 {
     for (int i = 0; i < count; i++) {
@@ -59,7 +60,7 @@ static int unknown(const struct flash_board *boards, int count, const char *seri
     return flash_image_wrong(error, "no RP2040 in its boot loader is '%.64s'; on USB: %s", serial, names);
 }
 
-/* Every RP2040's boot loader has the same number; a successor's has not. */
+/* Have all boards the same serial number? The boot loader of every RP2040 has. */
 static bool are_alike(const struct flash_board *boards, int count)
 {
     const struct flash_board *first = NULL;
@@ -75,7 +76,7 @@ static bool are_alike(const struct flash_board *boards, int count)
     return true;
 }
 
-int flash_usb_pick(const struct flash_board *boards, int count, const char *serial, char *error)
+int flash_pick(const struct flash_board *boards, int count, const char *serial, char *error)
 {
     char names[NAMES_SIZE];
     int picked = -1, matching = 0;

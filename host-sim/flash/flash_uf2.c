@@ -1,5 +1,5 @@
-/* See flash_image.h. */
-#include "flash_image.h"
+/* See flash_uf2.h. */
+#include "flash_uf2.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ struct block {
     const uint8_t *payload;
 };
 
-/* What has been seen of the file. */
+/* What was seen of the file so far. */
 struct uf2 {
     uint32_t blocks;
     uint8_t *numbers; /* by block number */
@@ -72,7 +72,7 @@ static bool has_magic(const uint8_t *at)
     return u32(at) == MAGIC_0 && u32(at + 4) == MAGIC_1 && u32(at + MAGIC_END_AT) == MAGIC_END;
 }
 
-/* Is it the only block of its number, and are there as many as it says? */
+/* Checks that the block is the only one of its number, and that there are as many as it says. */
 static int check_number(struct uf2 *uf2, const struct block *b, char *error)
 {
     if (b->total > uf2->blocks) {
@@ -120,11 +120,9 @@ static int check_place(struct uf2 *uf2, const struct block *b, char *error)
 
 static int check_block(struct uf2 *uf2, const struct block *b, char *error)
 {
-    if (check_number(uf2, b, error) != 0) {
-        return -1;
-    }
-    if ((b->flags & NOT_FOR_FLASH) != 0) {
-        return 0;
+    const int status = check_number(uf2, b, error);
+    if (status != 0 || (b->flags & NOT_FOR_FLASH) != 0) {
+        return status;
     }
     if ((b->flags & FILE_CONTAINER) != 0) {
         return flash_image_wrong(error, "block %u is of a file container, not of a flash image", b->index);
@@ -151,8 +149,9 @@ static int check_blocks(struct uf2 *uf2, const uint8_t *bytes, size_t n, char *e
             return flash_image_wrong(error, "damaged: block %u has wrong magic numbers", i);
         }
         const struct block b = read_block(at, i);
-        if (check_block(uf2, &b, error) != 0) {
-            return -1;
+        const int status = check_block(uf2, &b, error);
+        if (status != 0) {
+            return status;
         }
     }
     return uf2->end > 0 ? 0 : flash_image_wrong(error, "no block is for the flash");
@@ -160,27 +159,28 @@ static int check_blocks(struct uf2 *uf2, const uint8_t *bytes, size_t n, char *e
 
 static int take_blocks(struct flash_image *image, const struct uf2 *uf2, const uint8_t *bytes, char *error)
 {
-    if (flash_image_make(image, uf2->end, error) != 0) {
-        return -1;
-    }
-    for (uint32_t i = 0; i < uf2->blocks; i++) {
+    const int status = flash_image_make(image, uf2->end, error);
+    for (uint32_t i = 0; i < uf2->blocks && status == 0; i++) {
         const struct block b = read_block(bytes + (size_t)i * BLOCK, i);
         if ((b.flags & NOT_FOR_FLASH) == 0) {
             flash_image_put(image, b.address - FLASH_BASE, b.payload, FLASH_PAGE);
         }
     }
-    return 0;
+    return status;
 }
 
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error)
 {
     struct uf2 uf2 = {.blocks = (uint32_t)(n / BLOCK)};
-    int status = -1;
+    int status = 0;
     uf2.numbers = calloc((size_t)uf2.blocks + 1, 1);
     uf2.pages = calloc(PAGES, 1);
     if (uf2.numbers == NULL || uf2.pages == NULL) {
-        flash_image_wrong(error, "not enough memory");
-    } else if (check_blocks(&uf2, bytes, n, error) == 0) {
+        status = flash_image_wrong(error, "not enough memory");
+    } else {
+        status = check_blocks(&uf2, bytes, n, error);
+    }
+    if (status == 0) {
         status = take_blocks(image, &uf2, bytes, error);
     }
     free(uf2.numbers);

@@ -1,6 +1,6 @@
 /*
- * flash_usb: RP2040s in their boot loader, on USB. usb/ does it with libusb, nousb/ says that there is none. Results: 0
- * or more, or an enum flash_status.
+ * flash_usb: RP2040s in their boot loader, on USB. usb/ uses libusb; nousb/ refuses. Results are 0 or more, or a status
+ * as in flash_boot.h.
  */
 #ifndef FLASH_USB_H
 #define FLASH_USB_H
@@ -18,12 +18,8 @@ struct flash_board {
     char serial[64];      /* without control characters */
 };
 
-/* Those that are there: how many, at most FLASH_BOARDS_MAX. */
+/* Lists the boards; returns how many, at most FLASH_BOARDS_MAX. */
 int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX]);
-
-/* Index of the board that is meant (serial: its number, or BUS:ADDRESS; NULL: the only one), or -1 with a line in error
- * (FLASH_ERROR_SIZE). */
-int flash_usb_pick(const struct flash_board *boards, int count, const char *serial, char *error);
 
 /* Claims the board's PICOBOOT interface. */
 struct flash_usb;

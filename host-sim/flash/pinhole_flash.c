@@ -1,11 +1,12 @@
 /* pinhole-flash: an image into the flash of an RP2040 that is in its USB boot loader. See flash_job.h. */
 
 #include "complain.h"
+#include "flash_file.h"
 #include "flash_job.h"
-#include "flash_usb.h"
+#include "flash_pick.h"
 #include "option_table.h"
-#include "stop.h"
 #include "progress.h"
+#include "signal_stop.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -42,38 +43,39 @@ static void print_help(void)
 
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    if (option_table_words(&table, r, argc, argv, &r->path, 1) < 0) {
-        return EXIT_USAGE;
+    const int count = option_table_words(&table, r, argc, argv, &r->path, 1);
+    if (count < 0) {
+        return count;
     }
     if (r->help || r->list) {
-        return r->list && r->path != NULL ? complain(EXIT_USAGE, "--list takes no image; see --help") : 0;
+        return r->list && r->path != NULL ? complain_usage("--list takes no image; see --help") : 0;
     }
-    return r->path != NULL ? 0 : complain(EXIT_USAGE, "an image is missing: a UF2 or BIN file; see --help");
+    return r->path != NULL ? 0 : complain_usage("an image is missing: a UF2 or BIN file; see --help");
 }
 
 /* ---- boards ------------------------------------------------------------------------------------- */
 
 static int complain_usb(int status)
 {
-    if (status == FLASH_NO_USB) {
-        return complain(EXIT_FAILED, "built without libusb; install libusb-1.0-0-dev and run make again");
+    if (status == HAL_ENOSYS) {
+        return complain("built without libusb; install libusb-1.0-0-dev and run make again");
     }
-    return complain(EXIT_FAILED, "USB devices cannot be listed");
+    return complain("USB devices cannot be listed");
 }
 
 static int complain_board(const struct flash_board *board, int status)
 {
     const char *why = "cannot be opened; plug it in again with BOOTSEL held";
-    if (status == FLASH_ACCESS) {
+    if (status == HAL_EACCES) {
         why =
             "no permission; copy boards/udev/60-pinhole.rules to /etc/udev/rules.d, run udevadm control --reload, and "
             "plug it in again";
-    } else if (status == FLASH_BUSY) {
+    } else if (status == HAL_EBUSY) {
         why = "in use by another program; end that one";
-    } else if (status == FLASH_GONE) {
+    } else if (status == HAL_ENODEV) {
         why = "unplugged; plug it in again with BOOTSEL held";
     }
-    return complain(EXIT_FAILED, "RP2040 %u:%u: %s", board->bus, board->address, why);
+    return complain("RP2040 %u:%u: %s", board->bus, board->address, why);
 }
 
 static int list(const struct flash_board *boards, int count)
@@ -90,7 +92,7 @@ static int list(const struct flash_board *boards, int count)
         }
     }
     char error[FLASH_ERROR_SIZE];
-    return shown == 0 && flash_usb_pick(boards, count, NULL, error) < 0 ? complain(EXIT_FAILED, "%s", error) : 0;
+    return shown == 0 && flash_pick(boards, count, NULL, error) < 0 ? complain("%s", error) : 0;
 }
 
 /* ---- the job ------------------------------------------------------------------------------------ */
@@ -112,17 +114,17 @@ static int write_image(const struct request *r, const struct flash_image *image,
                             .image = image,
                             .verify = !r->no_verify,
                             .reboot = !r->no_reboot,
-                            .stop = &stop_signal,
+                            .stop = &signal_stop,
                             .progress = show_progress};
     status = flash_job_run(&job);
     flash_usb_close(usb);
     if (status < 0) {
-        return complain(status == FLASH_STOPPED ? 128 + (int)stop_signal : EXIT_FAILED, "RP2040 %u:%u: %s", board->bus,
-                        board->address, job.error);
+        complain("RP2040 %u:%u: %s", board->bus, board->address, job.error);
+        return status == FLASH_STOPPED ? status : COMPLAINED;
     }
     printf("RP2040 %u:%u: %u bytes written%s%s\n", board->bus, board->address, (unsigned)image->size,
            r->no_verify ? "" : ", read back and equal", r->no_reboot ? "" : ", started");
-    return EXIT_DONE;
+    return 0;
 }
 
 static int run(const struct request *r)
@@ -130,18 +132,18 @@ static int run(const struct request *r)
     struct flash_board boards[FLASH_BOARDS_MAX];
     struct flash_image image = {.sectors = 0};
     char error[FLASH_ERROR_SIZE];
-    if (r->path != NULL && flash_image_read(&image, r->path, error) != 0) {
-        return complain(EXIT_FAILED, "%s: %s", r->path, error);
+    if (r->path != NULL && flash_file_read(&image, r->path, error) != 0) {
+        return complain("%s: %s", r->path, error);
     }
     const int count = flash_usb_list(boards);
-    const int picked = count < 0 || r->list ? -1 : flash_usb_pick(boards, count, r->serial, error);
+    const int picked = count < 0 || r->list ? -1 : flash_pick(boards, count, r->serial, error);
     int status;
     if (count < 0) {
         status = complain_usb(count);
     } else if (r->list) {
         status = list(boards, count);
     } else if (picked < 0) {
-        status = complain(EXIT_FAILED, "%s", error);
+        status = complain("%s", error);
     } else {
         status = write_image(r, &image, &boards[picked]);
     }
@@ -154,15 +156,11 @@ int main(int argc, char *argv[])
     struct request request = {.path = NULL};
     complain_as("pinhole-flash");
     int status = read_arguments(&request, argc, argv);
-    if (status != 0) {
-        return status;
-    }
-    stop_catch(); /* no command is cut off in its middle: the board could be written to no more until it is pulled out
-                   */
-    if (request.help) {
+    signal_stop_catch(); /* a command that is cut off would leave a board that takes no other before it is unplugged */
+    if (status == 0 && request.help) {
         print_help();
-    } else {
+    } else if (status == 0) {
         status = run(&request);
     }
-    return status == 0 ? complain_stdout() : status;
+    return status == FLASH_STOPPED ? 128 + (int)signal_stop : complain_exit(status);
 }

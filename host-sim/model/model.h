@@ -1,19 +1,18 @@
 /*
- * model: a model file (OBJ, STL, PLY, glTF, GLB, and what else assimp reads) as meshes for the renderer, and as a demo.
+ * model: a model file (OBJ, STL, PLY, glTF, GLB, and whatever assimp reads) as meshes for the renderer, and as a demo.
  *
- * The model is triangulated (n-gons by ears), its node transforms are applied, points and lines are left out, normals
- * are made where there are none (OBJ, STL: smooth, but creases above 66 degrees stay sharp; PLY, glTF and what else
- * shares vertices: flat, as glTF asks), meshes are split at 65535 vertices. It is moved and scaled so that it touches a
- * sphere of radius 1 around the origin from inside. The diffuse colour of a material becomes its ramp; a PNG texture is
- * resampled to a power of two of at most 1024. A texture that cannot be used (JPEG, missing, broken) leaves the colour.
- * A note says so, and what else was changed or ignored: missing material files, sizes of textures, vertex colours,
- * transparency, lights, animations.
+ * The model is triangulated, the transforms of its nodes are applied, and points and lines are left out. Missing
+ * normals are made: smooth for OBJ and STL, with creases above 66 degrees; flat for PLY, glTF and other formats that
+ * share vertices, as glTF asks. Meshes are split at 65535 vertices. The model is moved and scaled into the sphere of
+ * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A PNG texture is
+ * resampled to a power of two of at most 1024; one that cannot be used (JPEG, missing, broken) leaves the colour. A
+ * note tells what was changed or ignored.
  *
- * A file's first camera (glTF) becomes the model's, moved and scaled with it; its near and far plane come as close to
- * the model as they can. The shape of its picture is kept: what it shows is seen on a panel of any shape.
+ * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
+ * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
  *
- * assimp/ does it with libassimp, noassimp/ says what to install; the Makefile picks. Reading happens in a child
- * process, into memory shared with it: a file that makes the reader crash or hang costs one line, not the program.
+ * assimp/ does it with libassimp; noassimp/ says what to install. A child process reads the file into shared memory: a
+ * file that crashes or hangs the reader costs one line, not the program.
  */
 #ifndef MODEL_H
 #define MODEL_H
@@ -34,15 +33,13 @@ struct model {
     const char *note; /* one line on what could not be used, or NULL */
 };
 
-/* Reads a file. 0, or EXIT_FAILED when one line has said why. */
+/* Reads a file. 0 or COMPLAINED. */
 int model_open(struct model **model, const char *path);
 
 void model_close(struct model *model);
 
-/*
- * A demo that shows the model as its camera does, with the views `camera` and `turntable`; a model without one on the
- * turntable. Its context->state must be the model.
- */
+/* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else the turntable alone. Its
+ * context->state must be the model. */
 struct demo model_demo(const struct model *model);
 
 #endif

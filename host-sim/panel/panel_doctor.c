@@ -212,7 +212,7 @@ int panel_doctor(struct panel_kit *kit, const struct panel_options *o)
     const bool any = o->kit_count == 0;
     for (int i = 0; i < (any ? 1 : o->kit_count); i++) {
         if (panel_kit_choose(kit, &o->kits[i]) != 0) {
-            return EXIT_USAGE;
+            return PH_ERR_INVAL;
         }
         if (kit->usb) {
             check_usb(&doctor, kit->ft232h.serial, true);
@@ -223,5 +223,5 @@ int panel_doctor(struct panel_kit *kit, const struct panel_options *o)
     if (any) {
         check_usb(&doctor, NULL, false);
     }
-    return doctor.failures == 0 ? EXIT_DONE : EXIT_FAILED;
+    return doctor.failures == 0 ? 0 : COMPLAINED;
 }

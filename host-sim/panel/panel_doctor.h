@@ -6,10 +6,8 @@
 
 #include "panel_kit.h"
 
-/*
- * The displays that were given, else what any display needs here. kit: room for one of them, any content. 0,
- * EXIT_FAILED if a check failed, or EXIT_USAGE.
- */
+/* Checks the displays that were given, or what any display needs here. kit is room for one of them. 0, COMPLAINED if a
+ * check failed, or PH_ERR_INVAL. */
 int panel_doctor(struct panel_kit *kit, const struct panel_options *o);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* The boards whose wiring stands in where there is but a panel. */
+/* The boards that lend their wiring when only a panel is named. */
 #define PLAIN_SPI "sbc-generic"
 #define PLAIN_USB "ft232h-st7789"
 
@@ -26,26 +26,25 @@ static int choose_board(const struct panel_wiring *w, const struct board **board
     const char *name = w->board != NULL ? w->board : plain;
     *board = board_find(name);
     if (*board == NULL) {
-        return complain(EXIT_USAGE, "--board '%s': no such board; `pinhole-panel list` shows them", name);
+        return complain_usage("--board '%s': no such board; `pinhole-panel list` shows them", name);
     }
     if (!panel_kit_has(*board)) {
-        return complain(EXIT_USAGE,
-                        "--board '%s': no kit for this machine's SPI bus or USB; `pinhole-panel list` "
-                        "shows those",
-                        name);
+        return complain_usage("--board '%s': no kit for this machine's SPI bus or USB; `pinhole-panel list` "
+                              "shows those",
+                              name);
     }
     if (w->usb && !is_usb_line((*board)->pins.dc.line)) {
-        return complain(EXIT_USAGE, "--usb: '%s' is no kit for an FT232H", name);
+        return complain_usage("--usb: '%s' is no kit for an FT232H", name);
     }
     return 0;
 }
 
-/* Another glass on this board: in the first format it has, no faster than its datasheet allows. */
+/* Puts another glass on this board, in its first format and no faster than its datasheet allows. */
 static int change_panel(struct board *board, const char *name)
 {
     const struct panel *panel = panel_find(name);
     if (panel == NULL) {
-        return complain(EXIT_USAGE, "--panel '%s': no such panel; `pinhole-panel list` shows them", name);
+        return complain_usage("--panel '%s': no such panel; `pinhole-panel list` shows them", name);
     }
     uint8_t format = PANEL_RGB565;
     while ((panel->formats & PANEL_FORMAT_BIT(format)) == 0) {
@@ -73,10 +72,10 @@ static int change_line(struct panel_kit *kit, enum panel_line which, const char 
         return 0;
     }
     if (kit->usb && !is_usb_line(line)) {
-        return complain(EXIT_USAGE, "--%s '%s': a pin of the FT232H is AD0 .. AD7 or AC0 .. AC7", names[which], line);
+        return complain_usage("--%s '%s': a pin of the FT232H is AD0 .. AD7 or AC0 .. AC7", names[which], line);
     }
     if (kit->usb && which == PANEL_TE) {
-        return complain(EXIT_USAGE, "--te: an FT232H has no line that waits for an edge");
+        return complain_usage("--te: an FT232H has no line that waits for an edge");
     }
     *pin[which] = (struct board_pin){.wired = true, .line = line};
     return 0;
@@ -94,7 +93,7 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
     kit->usb = is_usb_line(board->pins.dc.line);
     if (w->panel != NULL) {
         status = change_panel(&kit->board, w->panel);
-        if (status == 0 && w->board == NULL) { /* what is told is about the panel, not about the stand-in */
+        if (status == 0 && w->board == NULL) { /* messages name the panel, not the board that lent its wiring */
             kit->board.name = kit->board.panel->name;
         }
     }
@@ -102,7 +101,7 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
         status = change_line(kit, (enum panel_line)i, w->lines[i]);
     }
     if (status == 0 && w->spi != NULL && kit->usb) {
-        status = complain(EXIT_USAGE, "--spi %s: '%s' hangs on USB", w->spi, board->name);
+        status = complain_usage("--spi %s: '%s' is on USB", w->spi, board->name);
     }
     kit->board.rotation = w->rotate_set ? w->rotate : kit->board.rotation;
     kit->board.spi_hz = w->speed_hz != 0 ? w->speed_hz : kit->board.spi_hz;

@@ -6,7 +6,7 @@
 #include "linux/linux.h"
 #include "panel_options.h"
 
-/* Stays where it is once it is chosen: the board points into it, the backend at it. */
+/* Must not move once it is chosen: the board points into it, and the backend to it. */
 struct panel_kit {
     struct board board; /* with what the command line changes */
     struct hal hal;     /* not open */
@@ -15,13 +15,13 @@ struct panel_kit {
     struct ft232h ft232h;
 };
 
-/* Whether pinhole-panel can drive it: its pins are lines of an operating system or of an FT232H. */
+/* Can pinhole-panel drive it? Its pins must be lines of an operating system or of an FT232H. */
 bool panel_kit_has(const struct board *board);
 
-/* 0, or EXIT_USAGE when one line has said what is wrong. */
+/* 0 or PH_ERR_INVAL. */
 int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *wiring);
 
-/* What the backend says about its last error; "" if nothing. */
+/* Returns the last error in the words of the backend, or "". */
 const char *panel_kit_error(const struct panel_kit *kit);
 
 #endif

@@ -3,7 +3,6 @@
 #include "complain.h"
 #include "option_table.h"
 #include "option_text.h"
-#include "options.h"
 #include "render.h"
 
 #include <stdio.h>
@@ -13,7 +12,7 @@
 #define LINES_LIMIT 1024
 #define HZ_LIMIT    200000000u
 
-/* The display that the options now speak of: that of the last --board. */
+/* Returns the display that the options now describe: that of the last --board. */
 static struct panel_wiring *wiring(struct panel_options *o)
 {
     o->kit_count = o->kit_count == 0 ? 1 : o->kit_count;
@@ -93,43 +92,9 @@ static bool set_speed(void *to, const char *value)
     return option_text_u32(value, 1, HZ_LIMIT, &wiring(to)->speed_hz);
 }
 
-static bool set_frames(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 1, FRAME_LIMIT, &o->frames);
-}
-
-static bool set_start(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 0, FRAME_LIMIT, &o->start);
-}
-
-static bool set_fps(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 1, 1000, &o->fps);
-}
-
-static bool set_band(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    uint32_t lines = 0;
-    const bool right = option_text_u32(value, 1, LINES_LIMIT, &lines);
-    o->band = (uint16_t)lines;
-    return right;
-}
-
 static bool set_depth(void *to, const char *value)
 {
-    struct panel_options *o = to;
-    for (uint8_t format = 0; format < PH_DEPTH_FORMATS; format++) {
-        if (strcmp(value, options_depth_name(format)) == 0) {
-            o->depth = format;
-            return true;
-        }
-    }
-    return false;
+    return option_text_depth(value, &((struct panel_options *)to)->depth);
 }
 
 static bool set_diff(void *to, const char *value)
@@ -139,12 +104,6 @@ static bool set_diff(void *to, const char *value)
     const int found = option_text_choice(value, names, 2);
     o->diff = found == 1;
     return found >= 0;
-}
-
-static bool set_refresh(void *to, const char *value)
-{
-    struct panel_options *o = to;
-    return option_text_u32(value, 1, FRAME_LIMIT, &o->refresh);
 }
 
 static bool set_help(void *to, const char *value)
@@ -158,12 +117,12 @@ static bool set_help(void *to, const char *value)
 #define LINE_ALLOWED "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H; - for not wired"
 
 static const struct option_row rows[] = {
-    {"board", "NAME", "a kit; given twice: two displays, in step. What follows it speaks of this display",
+    {"board", "NAME", "a kit; given twice: two displays, in step. The options after it are for this display",
      "a name that `pinhole-panel list` shows, at most 4 times", .set = set_board},
     {"panel", "NAME", "the glass of a home-wired display, with or without --board",
      "a name that `pinhole-panel list` shows", .set = set_panel},
     {"spi", "PATH", "the SPI device", "a path like /dev/spidev0.0", .set = set_spi},
-    {"usb", "[SERIAL]", "the display hangs on an FT232H; with several the one of this serial number",
+    {"usb", "[SERIAL]", "the display is on an FT232H; of several the one with this serial number",
      "nothing or a serial number", .set = set_usb},
     {"dc", "LINE", "the display's D/C line",
      "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H", .set = set_dc},
@@ -174,27 +133,29 @@ static const struct option_row rows[] = {
     {"speed", "HZ", "the bus clock asked for; the board's own by default", "a whole number, 1 .. 200000000",
      .set = set_speed},
     {"rotate", "0|90|180|270",
-     "how far the picture is turned clockwise in the controller's memory, 0 being the controller's own top; the\n"
+     "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
      "        board's own by default",
      "0, 90, 180 or 270 degrees", .set = set_rotate},
-    {"demo", "NAME", "a scene of ours; turntable by default", "a name that `pinhole-sim --list` shows",
+    {"demo", "NAME", "a built-in scene; turntable by default", "a name that `pinhole-sim --list` shows",
      .at = offsetof(struct panel_options, demo)},
     {"view", "NAME", "one of the demo's views; the first by default", "a name that `pinhole-sim --list` shows",
      .at = offsetof(struct panel_options, view)},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct panel_options, model)},
     {"frames", "N", "ends after N frames; else when it is stopped (Ctrl-C)", "a whole number, 1 .. 1000000000",
-     .set = set_frames},
-    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000", .set = set_start},
-    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", .set = set_fps},
+     .at = offsetof(struct panel_options, frames), .least = 1, .most = FRAME_LIMIT},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
+     .at = offsetof(struct panel_options, start), .least = 0, .most = FRAME_LIMIT},
+    {"fps", "N", "at most N frames a second", "a whole number, 1 .. 1000", .at = offsetof(struct panel_options, fps),
+     .least = 1, .most = 1000},
     {"diff", "on|off", "sends only what changed; off by default", "on or off", .set = set_diff},
     {"refresh", "N", "with --diff on: all of the picture every N frames", "a whole number, 1 .. 1000000000",
-     .set = set_refresh},
+     .at = offsetof(struct panel_options, refresh), .least = 1, .most = FRAME_LIMIT},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
-     .set = set_band},
+     .at = offsetof(struct panel_options, band), .least = 1, .most = LINES_LIMIT},
     {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim",
      "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
-    {"overlay", NULL, "frame time of the bus and triangles drawn, as text over the picture", NULL,
+    {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct panel_options, overlay)},
     {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL,
      .at = offsetof(struct panel_options, stats)},
@@ -209,8 +170,8 @@ void panel_options_help(void)
          "\n"
          "Commands (none: shows the scene until it is stopped):\n"
          "  list       the boards and the panels\n"
-         "  doctor     checks what a display needs here, a line each, with what to do about a failure\n"
-         "  probe      asks the display which controller it has, where its data line back is wired\n"
+         "  doctor     checks what a display needs here: a line for each check, and what to do about a failure\n"
+         "  probe      asks the display which controller it has, if its data line back is wired\n"
          "  testcard   corner dots, ring, arrow up, colour bars: what is wrong with a panel\n"
          "  speedtest  shows the test card at one bus clock after the other\n"
          "\n"
@@ -230,22 +191,22 @@ static bool read_command(struct panel_options *o, const char *word)
 static int check_together(const struct panel_options *o)
 {
     if (o->demo != NULL && o->model != NULL) {
-        return complain(EXIT_USAGE, "--demo and --model exclude each other");
+        return complain_usage("--demo and --model exclude each other");
     }
     const bool scene = o->demo != NULL || o->model != NULL || o->view != NULL;
     if (scene && o->command != PANEL_RUN) {
-        return complain(EXIT_USAGE, "--demo, --view and --model are for showing a scene, not for this command");
+        return complain_usage("--demo, --view and --model are for showing a scene, not for this command");
     }
     if (o->refresh != 0 && !o->diff) {
-        return complain(EXIT_USAGE, "--refresh is for --diff on: without it every frame is sent whole");
+        return complain_usage("--refresh is for --diff on: without it every frame is sent whole");
     }
     if (o->command == PANEL_RUN || o->command == PANEL_TESTCARD) {
         return o->kit_count > 0 ? 0
-                                : complain(EXIT_USAGE, "no display: give --board NAME (`pinhole-panel list` shows "
-                                                       "them), or --panel NAME and its wiring (see --help)");
+                                : complain_usage("no display: give --board NAME (`pinhole-panel list` shows "
+                                                 "them), or --panel NAME and its wiring (see --help)");
     }
     if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST) && o->kit_count != 1) {
-        return complain(EXIT_USAGE, "one display at a time: give one --board NAME, or --panel NAME and its wiring");
+        return complain_usage("one display at a time: give one --board NAME, or --panel NAME and its wiring");
     }
     return 0;
 }
@@ -256,15 +217,14 @@ int panel_options_read(struct panel_options *o, int argc, char *const argv[])
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {
-            return complain(EXIT_USAGE, "'%s': no such command; run, list, doctor, probe, testcard or speedtest",
-                            argv[1]);
+            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard or speedtest", argv[1]);
         }
         i = 2;
     }
     while (i < argc) {
         i = option_table_read(&table, o, argc, argv, i);
-        if (i == 0) {
-            return EXIT_USAGE;
+        if (i < 0) {
+            return i;
         }
     }
     return o->command == PANEL_HELP ? 0 : check_together(o);

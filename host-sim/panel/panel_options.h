@@ -18,7 +18,7 @@ enum panel_command {
 
 enum panel_line { PANEL_DC, PANEL_RESET, PANEL_BACKLIGHT, PANEL_TE, PANEL_LINES };
 
-/* One display: a board, or a panel with its wiring; NULL and 0: as the board has it. */
+/* One display: a board, or a panel with its wiring. NULL or 0: as the board has it. */
 struct panel_wiring {
     const char *board;
     const char *panel;
@@ -40,14 +40,14 @@ struct panel_options {
     const char *demo, *view, *model; /* NULL: not given */
     uint32_t start, frames;          /* frames 0: until it is stopped */
     uint32_t fps;                    /* 0: as fast as it goes */
-    uint16_t band;                   /* lines, 0: the board's own */
+    uint32_t band;                   /* lines, 0: the board's own */
     uint8_t depth;                   /* enum ph_depth_format */
     bool diff;                       /* send only what changed */
     uint32_t refresh;                /* and all of it every so many frames; 0: never */
     bool stats, overlay;
 };
 
-/* 0, or EXIT_USAGE when one line has said what is wrong. */
+/* 0 or PH_ERR_INVAL. */
 int panel_options_read(struct panel_options *o, int argc, char *const argv[]);
 
 void panel_options_help(void);

@@ -1,6 +1,6 @@
 #include "panel_probe.h"
 
-/* Datasheets, RDDID and RDID4; of the ID bytes those that makers of glasses do not change. */
+/* RDDID and RDID4 from the datasheets; of the ID bytes those that makers of glasses do not change. */
 static const struct known {
     const char *name;
     bool id4;

@@ -1,6 +1,6 @@
 /*
- * panel_probe: which controller is this? By its identification bytes, read slowly after a reset: RDDID (04h) and, on
- * Ilitek's, RDID4 (D3h).
+ * panel_probe: finds out which controller a panel has, by its identification bytes: RDDID (04h) and, on controllers of
+ * Ilitek, RDID4 (D3h). They are read slowly after a reset.
  */
 #ifndef PANEL_PROBE_H
 #define PANEL_PROBE_H
@@ -11,22 +11,20 @@
 
 #define PROBE_BYTES 5
 
-/* What was read: after each command PROBE_BYTES bytes, as they come off the wire. */
+/* The PROBE_BYTES bytes after each command, as they come off the wire. */
 struct panel_answers {
     uint8_t id[PROBE_BYTES];  /* 04h */
     uint8_t id4[PROBE_BYTES]; /* D3h */
 };
 
-/*
- * Resets the panel of an open kit and asks it. 0, or HAL_E..; HAL_ENOSYS: the kit has no data line back. The panel is
- * asleep then.
- */
+/* Resets the panel of an open kit and asks it; the panel is asleep then. 0, or a status of hal.h (HAL_ENOSYS: the kit
+ * has no data line back). */
 int panel_probe_read(const struct hal *hal, const struct board *board, struct panel_answers *answers);
 
-/* The controller's name; NULL: it is none that we know, or nothing answered. */
+/* Returns the controller's name; NULL: nothing answered, or an unknown one. */
 const char *panel_probe_name(const struct panel_answers *answers);
 
-/* Whether anything answered: not all bits are the same. */
+/* Did anything answer? Then not all bits are the same. */
 bool panel_probe_answered(const struct panel_answers *answers);
 
 #endif

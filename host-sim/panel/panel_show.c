@@ -46,14 +46,14 @@ static int open_memory(struct panel_display *d, struct runner_config *config)
         panel_diff_bytes(panel_width(board->panel, board->rotation), panel_height(board->panel, board->rotation));
     d->diff_memory = config->sender.ops != NULL ? malloc(diff_bytes) : NULL;
     if (d->memory == NULL || (config->sender.ops != NULL && d->diff_memory == NULL)) {
-        return complain(EXIT_FAILED, "%s: not enough memory for this scene", board->name);
+        return complain("%s: not enough memory for this scene", board->name);
     }
     return 0;
 }
 
 static int fail(const struct panel_display *d, const char *what, int status)
 {
-    return complain(EXIT_FAILED, "%s: %s%s", d->board->name, what, panel_show_text(d, status));
+    return complain("%s: %s%s", d->board->name, what, panel_show_text(d, status));
 }
 
 static int open_kit(struct panel_display *d, const struct runner_config *config)
@@ -64,10 +64,10 @@ static int open_kit(struct panel_display *d, const struct runner_config *config)
     }
     d->hal_open = true;
     status = runner_open(&d->runner, &d->hal, config);
-    d->runner_open = d->runner.driver.config.panel != NULL; /* also half awake it must go dark */
+    d->runner_open = d->runner.driver.config.panel != NULL; /* even a half-opened panel must go dark */
     if (status == PH_ERR_NOMEM) {
-        return complain(EXIT_FAILED, "%s: its %u KB do not hold '%s'; take a smaller scene or another board",
-                        d->board->name, (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
+        return complain("%s: its %u KB do not hold '%s'; take a smaller scene or another board", d->board->name,
+                        (unsigned)(d->board->ram_bytes / 1024), config->demo->name);
     }
     return status == 0 ? 0 : fail(d, "the panel does not wake up: ", status);
 }
@@ -94,11 +94,12 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
     if (status == 0 && scene->diff) {
         const size_t bytes = panel_diff_bytes(d->runner.driver.width, d->runner.driver.height);
         status = panel_diff_init(&d->diff, &d->runner.driver, scene->refresh, d->diff_memory, bytes);
+        status = status == 0 ? 0 : fail(d, "", status);
     }
     return status;
 }
 
-/* Dark and released, whatever happened before: what fails here has been told already, or concerns nobody any more. */
+/* Makes the display dark and releases the kit. Errors here were told before, or do not matter any more. */
 static void close_display(struct panel_display *d)
 {
     if (d->runner_open) {
@@ -116,22 +117,21 @@ static void close_display(struct panel_display *d)
 
 /* ---- frames ------------------------------------------------------------------------------------- */
 
-/* Once each: nothing is lost silently. */
+/* Says once what is left out, and once that the TE line is silent. */
 static void tell_losses(struct panel_display *d, uint32_t frame)
 {
     const struct ph_stats *s = &d->runner.renderer.stats;
     if (!d->drops_told && (s->triangles_dropped != 0 || s->vertices_dropped != 0)) {
         d->drops_told = true;
-        complain(EXIT_DONE, "%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
-                 d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
-                 d->runner.demo->name, (unsigned)(d->board->ram_bytes / 1024));
+        complain_note("%s: frame %u: %u triangles and %u vertices of '%s' do not fit %u KB and are left out",
+                      d->board->name, (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped,
+                      d->runner.demo->name, (unsigned)(d->board->ram_bytes / 1024));
     }
     if (!d->edge_told && d->runner.edges_missed != 0) {
         d->edge_told = true;
-        complain(EXIT_DONE,
-                 "%s: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check "
-                 "its wire, or use --te -",
-                 d->board->name);
+        complain_note("%s: the TE line gave no edge for 50 ms: frames are sent without waiting for it; check "
+                      "its wire, or use --te -",
+                      d->board->name);
     }
 }
 
@@ -157,7 +157,7 @@ struct report {
     uint32_t frames;
 };
 
-/* fps, bytes and the share of the time in which the bus was busy, by its clock. */
+/* Prints the rate, the bytes and the share of the time in which the bus was busy, computed from its clock. */
 static void print_stats(const struct panel_display *d, uint32_t frames, double seconds)
 {
     const double bits = 8.0 * (double)d->bytes;
@@ -181,7 +181,7 @@ static void report_stats(struct panel_display *displays, int count, struct repor
     *report = (struct report){time_ns, 0};
 }
 
-/* Sleeps until the next frame is due; a signal ends it. A frame that is late already moves those after it. */
+/* Sleeps until the next frame is due, or a signal comes. A late frame delays those after it. */
 static void pace(uint64_t *due_ns, uint32_t fps)
 {
     if (fps == 0) {

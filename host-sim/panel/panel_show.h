@@ -1,7 +1,6 @@
 /*
- * panel_show: a scene on one or several open-able displays until it is over or stopped. Displays go in step: each frame
- * is sent to the first, then the next. Whatever happens, a display that was opened is dark again and its kit released
- * when panel_show_run returns.
+ * panel_show: shows a scene on one or several displays until it is over or stopped. Each frame goes to the first
+ * display, then to the next. When panel_show_run returns, every display is dark and its kit released.
  */
 #ifndef PANEL_SHOW_H
 #define PANEL_SHOW_H
@@ -10,9 +9,9 @@
 
 #include <signal.h>
 
-#define PANEL_SHOW_OVER (-1)
+#define PANEL_SHOW_OVER 1
 
-/* One display; the caller's, must not move. */
+/* One display. It belongs to the caller and must not move. */
 struct panel_display {
     const struct board *board;
     struct hal hal;                          /* not open */
@@ -39,15 +38,15 @@ struct panel_scene {
     uint32_t refresh;
     const volatile sig_atomic_t *stop; /* not 0: stop after this frame */
 
-    /* Called before each frame if not NULL: 0; PANEL_SHOW_OVER: the run is over; else it fails with that status. */
+    /* NULL, or called before each frame: 0 goes on, PANEL_SHOW_OVER ends the run, a negative status fails. */
     int (*before)(void *context, struct panel_display *display, uint32_t frame);
     void *before_context;
 };
 
-/* 0, or EXIT_FAILED when one line has said why. */
+/* 0 or COMPLAINED. */
 int panel_show_run(struct panel_display *displays, int count, const struct panel_scene *scene);
 
-/* What a status of the backend, the panel or the renderer means, with the backend's own words if it has some. */
+/* Says what a status means, in the words of the backend if it has some. */
 const char *panel_show_text(const struct panel_display *display, int status);
 
 /* Monotonic time, ns. */

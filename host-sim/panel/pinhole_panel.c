@@ -1,7 +1,4 @@
-/*
- * pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. The options are in
- * panel_options.c (--help).
- */
+/* pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. */
 
 #include "complain.h"
 #include "model.h"
@@ -9,7 +6,7 @@
 #include "panel_kit.h"
 #include "panel_probe.h"
 #include "panel_show.h"
-#include "stop.h"
+#include "signal_stop.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,15 +46,15 @@ static int choose_view(const struct panel_options *o, struct panel_scene *scene)
     scene->view = o->view;
     return o->view == NULL || demo_has_view(scene->demo, o->view)
                ? 0
-               : complain(EXIT_USAGE, "--view '%s': %s has no such view; `pinhole-sim --list` shows them", o->view,
-                          scene->demo->name);
+               : complain_usage("--view '%s': %s has no such view; `pinhole-sim --list` shows them", o->view,
+                                scene->demo->name);
 }
 
 static int choose_demo(const struct panel_options *o, const char *name, struct panel_scene *scene)
 {
     scene->demo = demo_find(name);
     if (scene->demo == NULL) {
-        return complain(EXIT_USAGE, "--demo '%s': no such demo; `pinhole-sim --list` shows them", name);
+        return complain_usage("--demo '%s': no such demo; `pinhole-sim --list` shows them", name);
     }
     return choose_view(o, scene);
 }
@@ -75,7 +72,7 @@ static int choose_scene(struct stage *stage, const struct panel_options *o, stru
         return status;
     }
     if (stage->model->note != NULL) {
-        complain(EXIT_DONE, "--model %s: %s", o->model, stage->model->note);
+        complain_note("--model %s: %s", o->model, stage->model->note);
     }
     stage->model_demo = model_demo(stage->model);
     scene->demo = &stage->model_demo;
@@ -94,7 +91,7 @@ static struct panel_scene plain_scene(const struct panel_options *o)
                                 .refresh = o->refresh,
                                 .overlay = o->overlay,
                                 .stats = o->stats,
-                                .stop = &stop_signal};
+                                .stop = &signal_stop};
 }
 
 static int show(struct stage *stage, const struct panel_options *o)
@@ -138,7 +135,7 @@ static void print_step(const struct speedtest *t, const struct panel_display *d)
     }
 }
 
-/* Before a frame: time for the next clock? */
+/* Before a frame: switches to the next clock when it is time. */
 static int next_clock(void *context, struct panel_display *d, uint32_t frame)
 {
     struct speedtest *t = context;
@@ -162,7 +159,7 @@ static int next_clock(void *context, struct panel_display *d, uint32_t frame)
         t->got_hz = d->runner.driver.clock_hz;
     }
     if (status < 0) {
-        return complain(EXIT_FAILED, "%s: %s", d->board->name, panel_show_text(d, status));
+        return complain("%s: %s", d->board->name, panel_show_text(d, status));
     }
     t->frames = 1;
     t->since_ns = panel_show_now_ns();
@@ -207,14 +204,12 @@ static int tell_controller(const struct board *board, const struct panel_answers
     if (name != NULL) {
         const bool same = strcmp(name, board->panel->controller->name) == 0;
         printf("controller: %s%s\n", name, same ? "" : ", but the board says otherwise: give --panel");
-        return same ? EXIT_DONE : EXIT_FAILED;
+        return same ? 0 : COMPLAINED;
     }
     if (panel_probe_answered(answers)) {
-        return complain(EXIT_FAILED, "%s: a controller that is not known answers; its datasheet has these bytes",
-                        board->name);
+        return complain("%s: a controller that is not known answers; its datasheet has these bytes", board->name);
     }
-    return complain(EXIT_FAILED,
-                    "%s: nothing answers: check power, chip select and the data line back (MISO); many "
+    return complain("%s: nothing answers: check power, chip select and the data line back (MISO); many "
                     "displays do not have it",
                     board->name);
 }
@@ -229,8 +224,7 @@ static int probe(struct stage *stage, const struct panel_options *o)
     const struct board *board = &stage->kits[0].board;
     const struct hal *hal = &stage->kits[0].hal;
     if (!board->pins.data_in.wired) {
-        return complain(EXIT_FAILED,
-                        "%s: this kit has no data line back (MISO): its display cannot be asked; try "
+        return complain("%s: this kit has no data line back (MISO): its display cannot be asked; try "
                         "`pinhole-panel testcard`",
                         board->name);
     }
@@ -239,12 +233,12 @@ static int probe(struct stage *stage, const struct panel_options *o)
     if (status == 0) {
         status = panel_probe_read(hal, board, &answers);
         if (status < 0) {
-            complain(EXIT_FAILED, "%s: %s", board->name, panel_show_text(d, status));
+            complain("%s: %s", board->name, panel_show_text(d, status));
         }
         hal->ops->close(hal->context);
-        return status < 0 ? EXIT_FAILED : tell_controller(board, &answers);
+        return status < 0 ? COMPLAINED : tell_controller(board, &answers);
     }
-    return complain(EXIT_FAILED, "%s: %s", board->name, panel_show_text(d, status));
+    return complain("%s: %s", board->name, panel_show_text(d, status));
 }
 
 static int list(void)
@@ -260,7 +254,7 @@ static int list(void)
         printf("panel  %-22s %-20s at most %.1f MHz\n", panel->name, panel->controller->name,
                panel->controller->write_hz / 1e6);
     }
-    return EXIT_DONE;
+    return 0;
 }
 
 /* ---- commands ----------------------------------------------------------------------------------- */
@@ -270,7 +264,7 @@ static int obey(struct stage *stage, const struct panel_options *o)
     switch (o->command) {
     case PANEL_HELP:
         panel_options_help();
-        return EXIT_DONE;
+        return 0;
     case PANEL_LIST:
         return list();
     case PANEL_DOCTOR:
@@ -290,18 +284,18 @@ int main(int argc, char *argv[])
     complain_as("pinhole-panel");
     int status = panel_options_read(&options, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     struct stage *stage = calloc(1, sizeof *stage);
     if (stage == NULL) {
-        return complain(EXIT_FAILED, "not enough memory");
+        return complain_exit(complain("not enough memory"));
     }
-    stop_catch();
-    signal(SIGPIPE, SIG_IGN); /* a pipe that nobody reads is an error of the write */
+    signal_stop_catch();
+    signal(SIGPIPE, SIG_IGN); /* a write to a closed pipe must fail, not end the program */
     status = obey(stage, &options);
     free(stage);
-    if (stop_signal != 0) {
-        return 128 + stop_signal;
+    if (signal_stop != 0) {
+        return 128 + signal_stop;
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -1,13 +1,12 @@
 /*
  * pinhole-sheet: puts PPM pictures of any sizes on one sheet, in rows of at most a given width, with the same gap
- * everywhere between them. A row is as high as its highest picture; pictures stand in its middle.
+ * everywhere. A row is as high as its highest picture; the pictures stand in its middle.
  */
 #include "complain.h"
 #include "option_table.h"
 #include "option_text.h"
 #include "ppm.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +26,7 @@ struct row {
 
 static const uint8_t paper_colour[3] = {40, 44, 52};
 
-/* The pictures from `first` on that fit into one row; at least one. */
+/* Returns the row of as many pictures from `first` on as fit, at least one. */
 static struct row next_row(const struct sheet *s, uint32_t first)
 {
     struct row row = {.first = first, .end = first, .width = s->gap, .height = 0};
@@ -63,7 +62,7 @@ static int make_paper(struct sheet *s)
     const size_t pixels = (size_t)s->paper.width * s->paper.height;
     s->paper.rgb = malloc(pixels * 3);
     if (s->paper.rgb == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for a sheet of %u x %u pixels", (unsigned)s->paper.width,
+        return complain("not enough memory for a sheet of %u x %u pixels", (unsigned)s->paper.width,
                         (unsigned)s->paper.height);
     }
     for (size_t i = 0; i < pixels; i++) {
@@ -93,21 +92,12 @@ static bool set_out(void *to, const char *value)
     return s->streamed || option_text_ends(value, ".ppm");
 }
 
-static bool set_width(void *to, const char *value)
-{
-    return option_text_u32(value, 1, PPM_SIDE_MAX, &((struct sheet *)to)->width);
-}
-
-static bool set_gap(void *to, const char *value)
-{
-    return option_text_u32(value, 0, 1024, &((struct sheet *)to)->gap);
-}
-
 static const struct option_row rows[] = {
     {"out", "SHEET.ppm", "where the sheet goes, - is stdout", "a file that ends in .ppm, or -", .set = set_out},
     {"width", "PX", "width of the sheet; 1024 by default (wider where a picture is)", "a whole number, 1 .. 16384",
-     .set = set_width},
-    {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024", .set = set_gap},
+     .at = offsetof(struct sheet, width), .least = 1, .most = PPM_SIDE_MAX},
+    {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024",
+     .at = offsetof(struct sheet, gap), .least = 0, .most = 1024},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct sheet, help)},
 };
 
@@ -126,31 +116,32 @@ static int read_arguments(struct sheet *s, int argc, char *argv[])
     for (int i = 1; i < argc && !s->help;) {
         if (argv[i][0] == '-') {
             i = option_table_read(&table, s, argc, argv, i);
-            if (i == 0) {
-                return EXIT_USAGE;
+            if (i < 0) {
+                return i;
             }
-        } else if (ppm_load(argv[i], &s->pictures[s->count]) != 0) {
-            return complain(EXIT_FAILED, "%s: cannot be read as a PPM: %s", argv[i], strerror(errno));
         } else {
+            const int status = ppm_load(argv[i], &s->pictures[s->count]);
+            if (status != 0) {
+                return complain("%s: cannot be read as a PPM: %s", argv[i], strerror(-status));
+            }
             s->count++;
             i++;
         }
     }
     return s->help || (s->out != NULL && s->count > 0)
                ? 0
-               : complain(EXIT_USAGE, "--out and at least one FILE.ppm are needed; see --help");
+               : complain_usage("--out and at least one FILE.ppm are needed; see --help");
 }
 
 static int make_sheet(struct sheet *s)
 {
-    const int status = make_paper(s);
+    int status = make_paper(s);
     if (status != 0) {
         return status;
     }
     put_pictures(s);
-    return (s->streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper)) == 0
-               ? 0
-               : complain(EXIT_FAILED, "%s: cannot be written: %s", s->streamed ? "stdout" : s->out, strerror(errno));
+    status = s->streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper);
+    return status == 0 ? 0 : complain("%s: cannot be written: %s", s->streamed ? "stdout" : s->out, strerror(-status));
 }
 
 int main(int argc, char *argv[])
@@ -158,11 +149,9 @@ int main(int argc, char *argv[])
     struct sheet sheet = {.width = 1024, .gap = 12};
     complain_as("pinhole-sheet");
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
-    int status =
-        sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain(EXIT_FAILED, "not enough memory");
+    int status = sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain("not enough memory");
     if (status == 0 && sheet.help) {
         print_help();
-        status = complain_stdout();
     } else if (status == 0) {
         status = make_sheet(&sheet);
     }
@@ -171,5 +160,5 @@ int main(int argc, char *argv[])
     }
     free(sheet.paper.rgb);
     free(sheet.pictures);
-    return status;
+    return complain_exit(status);
 }

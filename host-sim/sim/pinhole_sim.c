@@ -1,20 +1,20 @@
 /*
  * pinhole-sim: draws demos and models on a simulated display kit and shows what its glass shows.
- * The options are in options.c (--help).
+ * The options are in sim_options.c (--help).
  */
 #define _XOPEN_SOURCE 700 /* isatty */
 
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
-#include "keys.h"
-#include "matrix_print.h"
+#include "key_script.h"
 #include "model.h"
-#include "options.h"
-#include "player.h"
 #include "progress.h"
-#include "stop.h"
-#include "window.h"
+#include "signal_stop.h"
+#include "sim_matrix.h"
+#include "sim_options.h"
+#include "sim_player.h"
+#include "sim_window.h"
 
 #include <signal.h>
 #include <string.h>
@@ -54,11 +54,11 @@ static void print_list(void)
     }
 }
 
-static int choose_board(const struct options *o, struct sim_virtual *virtual_board, const struct board **board)
+static int choose_board(const struct sim_options *o, struct sim_virtual *virtual_board, const struct board **board)
 {
     if (o->board != NULL) {
         *board = board_find(o->board);
-        return *board != NULL ? 0 : complain(EXIT_USAGE, "--board '%s': no such board; --list shows them", o->board);
+        return *board != NULL ? 0 : complain_usage("--board '%s': no such board; --list shows them", o->board);
     }
     const uint16_t width = o->width != 0 ? o->width : DEFAULT_SIDE;
     const uint16_t height = o->width != 0 ? o->height : DEFAULT_SIDE;
@@ -67,10 +67,8 @@ static int choose_board(const struct options *o, struct sim_virtual *virtual_boa
     return 0;
 }
 
-/*
- * Writes the camera down as the convention does, in its handedness and with its near and far plane, and takes it back
- * from there: what is drawn has gone through the convention. 0 or PH_ERR_INVAL.
- */
+/* Writes the camera down in the convention, with its handedness and its near and far plane, and reads it back from
+ * there: the camera that is drawn has gone through the convention. 0 or PH_ERR_INVAL. */
 static int through_convention(enum ph_convention convention, struct demo_camera *camera)
 {
     fx_t near_z = camera->projection_set ? camera->projection.near_z : FX_ONE;
@@ -91,7 +89,7 @@ static int through_convention(enum ph_convention convention, struct demo_camera 
     return status;
 }
 
-static int choose_camera(const struct options *o, const struct player_setup *setup, struct demo_camera *camera)
+static int choose_camera(const struct sim_options *o, const struct sim_player_setup *setup, struct demo_camera *camera)
 {
     const struct panel *panel = setup->board->panel;
     /* A demo's own near and far planes fit its own view only. */
@@ -102,30 +100,30 @@ static int choose_camera(const struct options *o, const struct player_setup *set
     }
     int status = 0;
     if (lens_set) {
-        status = options_projection(o, panel_width(panel, setup->rotation), panel_height(panel, setup->rotation),
-                                    &camera->projection);
+        status = sim_options_projection(o, panel_width(panel, setup->rotation), panel_height(panel, setup->rotation),
+                                        &camera->projection);
     }
     const fx_t off_x = fx_abs_sat(camera->projection.shift_x), off_y = fx_abs_sat(camera->projection.shift_y);
     if (status == 0 && lens_set && (off_x > 2 * FX_ONE || off_y > 2 * FX_ONE)) {
-        return complain(EXIT_USAGE, "--projection: the window lies more than its own size off the middle");
+        return complain_usage("--projection: the window lies more than its own size off the middle");
     }
     if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
         const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
-        return planes ? complain(EXIT_USAGE, "--near, --far: near must be more than 0, and far more than near")
-                      : complain(EXIT_USAGE, "--projection, --fov: no such view volume; left and right, bottom and top "
-                                             "must differ, and near, far and the angle be less extreme");
+        return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near")
+                      : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top "
+                                       "must differ, and near, far and the angle be less extreme");
     }
     return 0;
 }
 
-/* What is chosen lives as long as the run: the setup points into it. */
+/* The setup points into this, so that it lives as long as the run. */
 struct chosen {
     struct sim_virtual virtual_board;
     struct model *model;
     struct demo model_demo;
 };
 
-static int choose_view(const struct options *o, struct player_setup *setup)
+static int choose_view(const struct sim_options *o, struct sim_player_setup *setup)
 {
     char names[200];
     setup->view = o->view;
@@ -133,24 +131,24 @@ static int choose_view(const struct options *o, struct player_setup *setup)
         return 0;
     }
     view_names(setup->demo, names, sizeof names);
-    return complain(EXIT_USAGE, "--view '%s': %s has %s%s", o->view, setup->demo->name,
-                    names[0] != '\0' ? "the views" : "but one view", names);
+    return complain_usage("--view '%s': %s has %s%s", o->view, setup->demo->name,
+                          names[0] != '\0' ? "the views" : "but one view", names);
 }
 
-static int choose_scene(const struct options *o, struct chosen *chosen, struct player_setup *setup)
+static int choose_scene(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     if (o->model == NULL) {
         const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
         setup->demo = demo_find(name);
         return setup->demo != NULL ? choose_view(o, setup)
-                                   : complain(EXIT_USAGE, "--demo '%s': no such demo; --list shows them", name);
+                                   : complain_usage("--demo '%s': no such demo; --list shows them", name);
     }
     const int status = model_open(&chosen->model, o->model);
     if (status != 0) {
         return status;
     }
     if (chosen->model->note != NULL) {
-        complain(EXIT_DONE, "--model %s: %s", o->model, chosen->model->note);
+        complain_note("--model %s: %s", o->model, chosen->model->note);
     }
     chosen->model_demo = model_demo(chosen->model);
     setup->demo = &chosen->model_demo;
@@ -158,7 +156,7 @@ static int choose_scene(const struct options *o, struct chosen *chosen, struct p
     return choose_view(o, setup);
 }
 
-static int choose(const struct options *o, struct chosen *chosen, struct player_setup *setup)
+static int choose(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     int status = choose_board(o, &chosen->virtual_board, &setup->board);
     if (status != 0) {
@@ -172,30 +170,30 @@ static int choose(const struct options *o, struct chosen *chosen, struct player_
     return status != 0 ? status : choose_scene(o, chosen, setup);
 }
 
-/* Where lines about the frames go: not between the frames. */
+/* Lines about the frames go to stderr if the frames go to stdout. */
 static FILE *report_file(const struct frame_out *out)
 {
     return out->kind == FRAME_OUT_STREAM ? stderr : stdout;
 }
 
-static int show_matrices(const struct options *o, const struct frame_out *out, struct player *p)
+static int show_matrices(const struct sim_options *o, const struct frame_out *out, struct sim_player *p)
 {
     struct ph_xform view;
     struct ph_projection projection;
-    if (player_camera(p, o->start, &view, &projection) != 0) {
-        return EXIT_FAILED;
+    if (sim_player_camera(p, o->start, &view, &projection) != 0) {
+        return COMPLAINED;
     }
-    const int status = matrix_print(report_file(out), &view, &projection, p->runner.driver.width,
-                                    p->runner.driver.height, (enum ph_convention)o->convention);
+    const int status = sim_matrix_print(report_file(out), &view, &projection, p->runner.driver.width,
+                                        p->runner.driver.height, (enum ph_convention)o->convention);
     if (status == PH_ERR_RANGE) {
-        return complain(EXIT_USAGE, "--matrix: an element does not fit Q16.16; move --near and --far apart");
+        return complain_usage("--matrix: an element does not fit Q16.16; move --near and --far apart");
     }
-    return status == 0 ? 0 : complain(EXIT_USAGE, "--matrix: this demo's camera has no matrix; give a --projection");
+    return status == 0 ? 0 : complain_usage("--matrix: this demo's camera has no matrix; give a --projection");
 }
 
-static int show_frame(const struct options *o, const struct frame_out *out, struct player *p, uint32_t frame)
+static int show_frame(const struct sim_options *o, const struct frame_out *out, struct sim_player *p, uint32_t frame)
 {
-    int status = player_frame(p, frame);
+    int status = sim_player_frame(p, frame);
     if (status == 0) {
         status = frame_out_put(out, frame, &p->picture);
     }
@@ -205,33 +203,33 @@ static int show_frame(const struct options *o, const struct frame_out *out, stru
                 (unsigned)crc32_update(0, p->picture.rgb, n));
     }
     if (status == 0 && o->stats) {
-        player_print_stats(p, frame);
+        sim_player_print_stats(p, frame);
     }
     return status;
 }
 
-/* What the frames of a run go to and come from, beside the player. */
+/* Where the frames go, and where the buttons come from. */
 struct stage {
     struct frame_out out;
-    struct keys keys;
-    struct window *window; /* NULL: none asked for */
+    struct key_script keys;
+    struct sim_window *window; /* NULL: none asked for */
 };
 
-/* Sets the kit's buttons as script and keyboard say. False: the window was closed. */
-static bool press(struct stage *stage, struct player *p, uint32_t frame)
+/* Sets the kit's buttons from script and keyboard. False: the window was closed. */
+static bool press(struct stage *stage, struct sim_player *p, uint32_t frame)
 {
     uint32_t buttons = 0;
-    const bool go_on = stage->window == NULL || window_buttons(stage->window, &buttons);
-    sim_buttons_set(p->sim, buttons | keys_at(&stage->keys, frame));
+    const bool go_on = stage->window == NULL || sim_window_buttons(stage->window, &buttons);
+    sim_buttons_set(p->sim, buttons | key_script_at(&stage->keys, frame));
     return go_on;
 }
 
-static int run_frames(const struct options *o, struct stage *stage, struct player *p)
+static int run_frames(const struct sim_options *o, struct stage *stage, struct sim_player *p)
 {
     const bool drawn = o->out != NULL || o->crc || o->stats || o->show_window; /* --matrix alone draws none */
     const bool bar = o->out != NULL && !o->crc && !o->stats && stage->out.kind != FRAME_OUT_STREAM;
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
-    for (uint32_t i = 0; drawn && i < o->frames && status == 0 && stop_signal == 0; i++) {
+    for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         if (!press(stage, p, o->start + i)) {
             break;
         }
@@ -240,8 +238,8 @@ static int run_frames(const struct options *o, struct stage *stage, struct playe
             progress_show("frames", i + 1, o->frames);
         }
         if (status == 0 && stage->window != NULL) {
-            const uint64_t ns = player_bus_ns(p);
-            window_show(stage->window, p->picture.rgb, ns > SHORTEST_NS ? ns : SHORTEST_NS);
+            const uint64_t ns = sim_player_bus_ns(p);
+            sim_window_show(stage->window, p->picture.rgb, ns > SHORTEST_NS ? ns : SHORTEST_NS);
         }
     }
     if (bar) {
@@ -250,68 +248,67 @@ static int run_frames(const struct options *o, struct stage *stage, struct playe
     return status;
 }
 
-static int run(const struct options *o, const struct player_setup *setup)
+static int run(const struct sim_options *o, const struct sim_player_setup *setup)
 {
     struct stage stage = {.window = NULL};
-    struct player player;
-    int status = keys_read(&stage.keys, o->keys);
+    struct sim_player player;
+    int status = key_script_read(&stage.keys, o->keys);
     if (status == 0) {
         status = frame_out_open(&stage.out, o->out, o->frames > 1);
     }
     if (status != 0) {
-        keys_free(&stage.keys);
+        key_script_free(&stage.keys);
         return status;
     }
-    status = player_open(&player, setup);
+    status = sim_player_open(&player, setup);
     if (status == 0 && o->stats && sim_note(player.sim) != NULL) {
         fprintf(stderr, "note: %s\n", sim_note(player.sim));
     }
     if (status == 0 && o->show_window) {
-        status = window_open(&stage.window, setup->board->title, player.picture.width, player.picture.height);
+        status = sim_window_open(&stage.window, setup->board->title, player.picture.width, player.picture.height);
     }
     if (status == 0) {
         status = run_frames(o, &stage, &player);
     }
-    window_close(stage.window);
-    keys_free(&stage.keys);
-    const int closed = player_close(&player);
+    sim_window_close(stage.window);
+    key_script_free(&stage.keys);
+    const int closed = sim_player_close(&player);
     return status != 0 ? status : closed;
 }
 
-/* Chooses, runs, and gives back. */
-static int draw(const struct options *o)
+static int draw(const struct sim_options *o)
 {
     struct chosen chosen = {.model = NULL};
-    struct player_setup setup = {.board = NULL};
+    struct sim_player_setup setup = {.board = NULL};
     int status = choose(o, &chosen, &setup);
     if (status == 0) {
-        stop_catch();
+        signal_stop_catch();
         status = run(o, &setup);
     }
     model_close(chosen.model);
-    if (stop_signal != 0) { /* end as the signal would have ended it, so that a shell's loop ends too */
-        signal(stop_signal, SIG_DFL);
-        raise(stop_signal);
+    if (signal_stop != 0) { /* end by the signal, so that a loop of a shell ends, too */
+        signal(signal_stop, SIG_DFL);
+        raise(signal_stop);
     }
     return status;
 }
 
 int main(int argc, char *argv[])
 {
-    struct options options;
+    struct sim_options options;
     complain_as("pinhole-sim");
-    int status = options_read(&options, argc, argv);
+    int status = sim_options_read(&options, argc, argv);
     if (status != 0) {
-        return status;
+        return complain_exit(status);
     }
     if (options.action == OPTION_HELP) {
-        options_help();
+        sim_options_help();
     } else if (options.action == OPTION_LIST) {
         print_list();
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
-        status = complain(EXIT_USAGE, "--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
+        status = complain_usage("--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
     } else {
         status = draw(&options);
     }
-    return status == 0 ? complain_stdout() : status;
+    return complain_exit(status);
 }

@@ -1,15 +1,15 @@
 /*
- * pinhole-wire: shows what a panel makes of the events on its wires (wire_events.h has their format): a line a frame,
- * pictures, and whatever a real panel would have resented.
+ * pinhole-wire: feeds the events on wires (wire_events.h) to the model of a panel. It prints a line for each frame,
+ * writes pictures, and complains about what a real panel would not accept.
  */
 #define _XOPEN_SOURCE 700 /* ssize_t */
 
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
-#include "line.h"
 #include "option_table.h"
 #include "option_text.h"
+#include "text_line.h"
 #include "wire_events.h"
 
 #include <errno.h>
@@ -40,7 +40,7 @@ static int show_frame(void *context, uint32_t frame, const uint8_t *rgb)
     const size_t n = (size_t)r->width * r->height * 3;
     uint8_t *copy = malloc(n);
     if (copy == NULL) {
-        return complain(EXIT_FAILED, "not enough memory for a picture");
+        return complain("not enough memory for a picture");
     }
     memcpy(copy, rgb, n);
     const struct ppm picture = {r->width, r->height, copy};
@@ -60,7 +60,7 @@ static void show_step(void *context, uint64_t time_ns, const char *what)
 static void show_complaint(void *context, const char *complaint)
 {
     (void)context;
-    complain(EXIT_FAILED, "%s", complaint);
+    complain("%s", complaint);
 }
 
 /* ---- the command line --------------------------------------------------------------------------- */
@@ -106,13 +106,13 @@ static bool set_select(void *to, const char *text)
 
 static const struct option_row rows[] = {
     {"board", "NAME", "the kit", "a name that pinhole-sim --list shows", .set = set_board},
-    {"rotate", "0|90|180|270", "as the picture was drawn; the board's own by default", "0, 90, 180 or 270 degrees",
+    {"rotate", "0|90|180|270", "the rotation of the picture; the board's own by default", "0, 90, 180 or 270 degrees",
      .set = set_rotate},
     {"out", "DIR|FILE.ppm", "pictures as DIR/frame-NNNN.ppm, or one FILE.ppm",
      "a directory or a file that ends in .ppm", .at = offsetof(struct request, out)},
     {"last", NULL, "only the last picture that was seen: for streams that send only what changed", NULL,
      .at = offsetof(struct request, wire.last)},
-    {"notes", NULL, "a frame ends at each note `frame`, whatever was written", NULL,
+    {"notes", NULL, "a frame ends at each note `frame`, also if not all of it was written", NULL,
      .at = offsetof(struct request, wire.notes)},
     {"idle", "US", "a frame ends when the wires rest for US microseconds, not when all of it was written",
      "a whole number, 1 .. 1000000000", .set = set_idle},
@@ -134,10 +134,10 @@ static void print_help(void)
     puts("pinhole-wire --board NAME [options] [FILE]\n"
          "Reads the events on a display kit's wires (stdin without FILE; host-sim/wire/wire_events.h has their "
          "format),\n"
-         "prints `frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a panel would have\n"
-         "resented anything: each complaint is a line on stderr.\n");
+         "prints `frame N crc32 XXXXXXXX` for each complete picture that was seen, and exits 1 if a real panel\n"
+         "would not accept something: each complaint is a line on stderr.\n");
     option_table_help(&table);
-    puts("\nExit status: 0 done; 1 failed, or the panel resents something; 2 wrong usage.");
+    puts("\nExit status: 0 done; 1 failed, or a panel would not accept something; 2 wrong usage.");
 }
 
 static void change_line(struct board_pin *pin, const char *line)
@@ -148,7 +148,7 @@ static void change_line(struct board_pin *pin, const char *line)
     }
 }
 
-/* The board with what the other options change of it. */
+/* Applies the other options to the board. */
 static void change_board(struct request *r)
 {
     r->board = *r->named;
@@ -162,14 +162,15 @@ static void change_board(struct request *r)
 
 static int read_arguments(struct request *r, int argc, char *argv[])
 {
-    if (option_table_words(&table, r, argc, argv, &r->in, 1) < 0) {
-        return EXIT_USAGE;
+    const int count = option_table_words(&table, r, argc, argv, &r->in, 1);
+    if (count < 0) {
+        return count;
     }
     if (r->help) {
         return 0;
     }
     if (r->named == NULL) {
-        return complain(EXIT_USAGE, "--board NAME is needed; see --help");
+        return complain_usage("--board NAME is needed; see --help");
     }
     change_board(r);
     return 0;
@@ -183,9 +184,9 @@ static int replay_line(struct wire *w, char *line, size_t length, const char *na
     const char *error = "a byte of zero";
     const int parsed = strlen(line) == length ? wire_parse(line, &event, &error) : HAL_EINVAL;
     if (parsed < 0) {
-        return complain(EXIT_FAILED, "%s, line %u: %s", name, number, error);
+        return complain("%s, line %u: %s", name, number, error);
     }
-    return parsed > 0 ? wire_event(w, &event) : 0;
+    return parsed > 0 ? wire_replay_event(w, &event) : 0;
 }
 
 static int replay(struct wire *w, FILE *in, const char *name)
@@ -193,36 +194,33 @@ static int replay(struct wire *w, FILE *in, const char *name)
     char *line = NULL;
     size_t size = 0;
     int status = 0;
-    errno = 0;
     for (unsigned number = 1; status == 0; number++) {
-        const ssize_t length = line_read(&line, &size, LINE_LIMIT, in);
-        if (length < 0) {
+        const ssize_t length = text_line_read(&line, &size, LINE_LIMIT, in);
+        if (length <= 0) {
+            status = length == 0 ? 0 : complain("%s: cannot be read: %s", name, strerror((int)-length));
             break;
         }
         status = replay_line(w, line, (size_t)length, name, number);
     }
     free(line);
-    if (status == 0 && !feof(in)) {
-        status = complain(EXIT_FAILED, "%s: cannot be read: %s", name, strerror(errno));
-    }
-    return status != 0 ? status : wire_end(w);
+    return status != 0 ? status : wire_replay_end(w);
 }
 
 static int run_file(struct request *r, FILE *in, const char *name)
 {
-    struct wire *w = wire_open(&r->wire);
+    struct wire *w = wire_replay_open(&r->wire);
     if (w == NULL) {
-        return complain(EXIT_FAILED, "%s: no memory, or no model of its display controller", r->board.name);
+        return complain("%s: no memory, or no model of its display controller", r->board.name);
     }
     int status = replay(w, in, name);
-    const uint32_t complaints = wire_complaints(w);
+    const uint32_t complaints = wire_replay_complaints(w);
     if (status == 0 && complaints != 0) {
-        status = complain(EXIT_FAILED, "%s: the panel resents %u thing%s", name, (unsigned)complaints,
-                          complaints == 1 ? "" : "s");
-    } else if (status == 0 && wire_frames(w) == 0) {
-        status = complain(EXIT_FAILED, "%s: no complete picture was seen", name);
+        status =
+            complain("%s: a panel would not accept %u thing%s", name, (unsigned)complaints, complaints == 1 ? "" : "s");
+    } else if (status == 0 && wire_replay_frames(w) == 0) {
+        status = complain("%s: no complete picture was seen", name);
     }
-    wire_close(w);
+    wire_replay_close(w);
     return status;
 }
 
@@ -239,7 +237,7 @@ static int run(struct request *r)
     const char *name = r->in != NULL ? r->in : "stdin";
     FILE *in = r->in != NULL ? fopen(r->in, "r") : stdin;
     if (in == NULL) {
-        return complain(EXIT_FAILED, "%s: cannot be opened: %s", name, strerror(errno));
+        return complain("%s: cannot be opened: %s", name, strerror(errno));
     }
     status = run_file(r, in, name);
     if (r->in != NULL) {
@@ -254,13 +252,10 @@ int main(int argc, char *argv[])
         .in = NULL, .wire = {.frame = show_frame, .step = show_step, .resent = show_complaint, .context = &request}};
     complain_as("pinhole-wire");
     int status = read_arguments(&request, argc, argv);
-    if (status != 0) {
-        return status;
-    }
-    if (request.help) {
+    if (status == 0 && request.help) {
         print_help();
-    } else {
+    } else if (status == 0) {
         status = run(&request);
     }
-    return complain_stdout() == 0 ? status : EXIT_FAILED;
+    return complain_exit(status);
 }

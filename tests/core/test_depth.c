@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "depth_chain.h"
-#include "options.h"
+#include "option_text.h"
 #include "ref_random.h"
 #include "ref_rig.h"
 
@@ -141,7 +141,7 @@ static void formats_resolve_what_the_table_says(void **state)
         bench_open(&b, table[i].format, table[i].near_z, table[i].far_z);
         const double worst = worst_plateau(&b);
         print_message("    %-8s n %.1f f %4.0f: S_worst %.3g m, table %.3g m, ratio %.3f\n",
-                      options_depth_name((uint8_t)table[i].format), table[i].near_z, table[i].far_z, worst,
+                      option_text_depth_name((uint8_t)table[i].format), table[i].near_z, table[i].far_z, worst,
                       table[i].worst, worst / table[i].worst);
         assert_true(worst <= table[i].worst * 1.05);
         assert_true(worst >= table[i].worst * .8);
@@ -231,8 +231,8 @@ static void leaning_quads_are_off_by_no_more_than_their_corners(void **state)
         const double lean = (i & 2 ? 1 : -1) * exp(ref_uniform(log(1e-4), log(.8))),
                      miss = miss_of(&b, w, lean, ref_uniform(3, 12), &allowed);
         if (miss > allowed) {
-            fail_msg("%s at %g leaning %g: off by %g, allowed %g", options_depth_name((uint8_t)format), w * LSB, lean,
-                     miss, allowed);
+            fail_msg("%s at %g leaning %g: off by %g, allowed %g", option_text_depth_name((uint8_t)format), w * LSB,
+                     lean, miss, allowed);
         }
         rig_close(&b.rig);
     }

@@ -19,7 +19,7 @@
 #include <cmocka.h>
 
 #include "demo.h"
-#include "options.h"
+#include "option_text.h"
 #include "ref_rig.h"
 
 #include <math.h>
@@ -293,7 +293,7 @@ static int print_table(void **state)
         int scene = i / (SOURCES * FORMATS), source = i / FORMATS % SOURCES, format = 1 + i % FORMATS;
         const struct quality *q = &table[source][scene][format];
         printf("%-10s %-5s %-8s %8.4f %% %6.0f %6.0f %10.2e %10.2e %6.3f %% %7.2f\n", names[scene],
-               source == DEMO ? "demo" : "own", options_depth_name((uint8_t)format), coverage_percent(q), q->twice,
+               source == DEMO ? "demo" : "own", option_text_depth_name((uint8_t)format), coverage_percent(q), q->twice,
                q->holes, depth_rms(q), distance_rms(q), q->texels > 0 ? wrong_percent(q) : 0,
                scene == REF_CUBE || scene == REF_FILL ? 0 : sqrt(q->colour_square / q->smooth));
     }

@@ -11,7 +11,7 @@
 #include "panel_diff.h"
 #include "panel_picture.h"
 #include "panels.h"
-#include "player.h"
+#include "sim_player.h"
 #include "spy_hal.h"
 
 #include <stdio.h>
@@ -316,7 +316,7 @@ static void wrong_use_is_refused(void **state)
 
 #define SIDE 40
 
-static void take_picture(const struct player *p)
+static void take_picture(const struct sim_player *p)
 {
     for (uint32_t i = 0; i < SIDE * SIDE; i++) {
         const uint8_t *rgb = p->picture.rgb + 3 * i;
@@ -340,12 +340,12 @@ static void compare_with_search(const char *name, uint32_t step, bool slow, uint
     struct hal_ops slow_ops;
     static struct rig rig;
     struct sim_virtual small;
-    struct player player;
+    struct sim_player player;
     uint16_t before[SIDE * SIDE];
     uint8_t changed[SIDE * SIDE];
     assert_int_equal(sim_virtual(&small, SIDE, SIDE), 0);
-    const struct player_setup setup = {.board = &small.board, .band_height = SIDE, .demo = demo_find(name)};
-    assert_int_equal(player_open(&player, &setup), 0);
+    const struct sim_player_setup setup = {.board = &small.board, .band_height = SIDE, .demo = demo_find(name)};
+    assert_int_equal(sim_player_open(&player, &setup), 0);
     rig_open(&rig, &small.panel, PANEL_R0, PANEL_RGB565, false);
     if (slow) {
         assert_int_equal(rig.d.clock_hz, 62500000);
@@ -356,7 +356,7 @@ static void compare_with_search(const char *name, uint32_t step, bool slow, uint
     bytes[0] = bytes[1] = 0;
     for (uint32_t frame = 0; frame < 9; frame++) {
         memcpy(before, picture, sizeof before);
-        assert_int_equal(player_frame(&player, frame * step), 0);
+        assert_int_equal(sim_player_frame(&player, frame * step), 0);
         take_picture(&player);
         const struct sim_counters start = sim_counters(rig.sim);
         assert_int_equal(show(&rig, SIDE), 0);
@@ -369,7 +369,7 @@ static void compare_with_search(const char *name, uint32_t step, bool slow, uint
         }
     }
     rig_close(&rig, name);
-    player_close(&player);
+    sim_player_close(&player);
 }
 
 static void expect_near_the_search(bool slow)

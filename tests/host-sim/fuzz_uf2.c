@@ -9,7 +9,7 @@
  * With libFuzzer, which has the same checks: clang -fsanitize=fuzzer,address,undefined -DLIBFUZZER
  * (tests/guest/long_kit_flash.sh).
  */
-#include "flash_image.h"
+#include "flash_file.h"
 #include "uf2_make.h"
 
 #include <inttypes.h>
@@ -73,7 +73,7 @@ static bool parse(const uint8_t *file, size_t n)
 {
     struct flash_image image;
     char error[FLASH_ERROR_SIZE] = "";
-    if (flash_image_parse(&image, file, n, error) != 0) {
+    if (flash_file_parse(&image, file, n, error) != 0) {
         if (error[0] == '\0' || strchr(error, '\n') != NULL || image.bytes != NULL || image.used != NULL) {
             fail("refused without a line, or with an image");
         }

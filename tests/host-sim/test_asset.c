@@ -5,7 +5,7 @@
 #include "asset.h"
 #include "runner.h"
 #include "model_files.h"
-#include "player.h"
+#include "sim_player.h"
 
 #include <assimp/cimport.h> /* tests/run.sh skips this program where these are not installed */
 #include <meshoptimizer.h>
@@ -120,20 +120,20 @@ static void assert_framed(struct model *model, uint16_t width, uint16_t height)
 {
     const struct ph_projection *lens = &model->camera.lens;
     struct sim_virtual v;
-    struct player p;
+    struct sim_player p;
     struct ph_xform view;
     struct ph_projection shown;
     assert_int_equal(sim_virtual(&v, width, height), 0);
     const struct demo demo = model_demo(model);
-    const struct player_setup setup = {.board = &v.board, .band_height = 16, .demo = &demo, .state = model};
-    assert_int_equal(player_open(&p, &setup), 0);
-    assert_int_equal(player_camera(&p, 0, &view, &shown), 0);
+    const struct sim_player_setup setup = {.board = &v.board, .band_height = 16, .demo = &demo, .state = model};
+    assert_int_equal(sim_player_open(&p, &setup), 0);
+    assert_int_equal(sim_player_camera(&p, 0, &view, &shown), 0);
     assert_memory_equal(&view, &model->camera.view, sizeof view);
     assert_true(fabs((double)shown.scale_x_q20 * width - (double)shown.scale_y_q20 * height) < 4 * (width + height));
     assert_true(lens->scale_x_q20 == 0 || shown.scale_x_q20 <= lens->scale_x_q20 + 4);
     assert_true(shown.scale_y_q20 <= lens->scale_y_q20);
     assert_true(shown.scale_y_q20 == lens->scale_y_q20 || abs(shown.scale_x_q20 - lens->scale_x_q20) <= 4);
-    assert_int_equal(player_close(&p), 0);
+    assert_int_equal(sim_player_close(&p), 0);
 }
 
 static void frame_of_a_camera_is_seen_whole_on_a_panel_of_any_shape(void **state)
@@ -497,14 +497,14 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
 static uint32_t longest_list(struct asset *asset, const struct board *board)
 {
     const struct demo demo = asset_demo(asset);
-    const struct player_setup setup = {.board = board,
-                                       .rotation = board->rotation,
-                                       .band_height = board->band_height,
-                                       .demo = &demo,
-                                       .state = &asset->model};
-    struct player p;
+    const struct sim_player_setup setup = {.board = board,
+                                           .rotation = board->rotation,
+                                           .band_height = board->band_height,
+                                           .demo = &demo,
+                                           .state = &asset->model};
+    struct sim_player p;
     uint32_t most = 0;
-    assert_int_equal(player_open(&p, &setup), 0);
+    assert_int_equal(sim_player_open(&p, &setup), 0);
     for (uint32_t frame = 0; frame < 320; frame++) {
         demo_input(&p.runner.context, frame < 64 ? HAL_BUTTON_UP : frame < 256 ? HAL_BUTTON_DOWN : HAL_BUTTON_LEFT);
         assert_int_equal(runner_scene(&p.runner, frame), 0);
@@ -512,7 +512,7 @@ static uint32_t longest_list(struct asset *asset, const struct board *board)
         assert_int_equal(p.runner.renderer.stats.vertices_dropped, 0);
         most = p.runner.renderer.stats.triangles_drawn > most ? p.runner.renderer.stats.triangles_drawn : most;
     }
-    player_close(&p);
+    sim_player_close(&p);
     return most;
 }
 
@@ -546,15 +546,15 @@ static void what_a_frame_needs_is_what_the_kit_takes(void **state)
     assert_true(need > asset_band_bytes(&board) + 50000);
     for (uint32_t less = 0; less <= 8; less += 8) {
         board.ram_bytes = (uint32_t)need + RUNNER_OTHER_BYTES - less;
-        const struct player_setup setup = {.board = &board,
-                                           .rotation = board.rotation,
-                                           .band_height = board.band_height,
-                                           .demo = &demo,
-                                           .state = &asset.model};
-        struct player p;
-        assert_int_equal(player_open(&p, &setup), 0);
+        const struct sim_player_setup setup = {.board = &board,
+                                               .rotation = board.rotation,
+                                               .band_height = board.band_height,
+                                               .demo = &demo,
+                                               .state = &asset.model};
+        struct sim_player p;
+        assert_int_equal(sim_player_open(&p, &setup), 0);
         assert_int_equal(p.runner.renderer.config.triangle_max == demo.triangle_max, less == 0);
-        player_close(&p);
+        sim_player_close(&p);
     }
     asset_free(&asset);
     model_close(model);

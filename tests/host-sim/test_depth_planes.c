@@ -122,16 +122,16 @@ static void recount(struct planes_canvas *canvas, const struct planes_pair *pair
     const uint32_t area = (uint32_t)canvas->lab->width * canvas->lab->height;
     static uint8_t verdicts[64 * 48], front[64 * 48], behind[64 * 48];
     assert_true(area <= sizeof verdicts);
-    const struct planes_count count = planes_count(canvas, pair, verdicts);
-    planes_draw(canvas, NULL, &pair->front);
+    const struct planes_count count = depth_planes_count(canvas, pair, verdicts);
+    depth_planes_draw(canvas, NULL, &pair->front);
     for (uint32_t i = 0; i < area; i++) {
         front[i] = canvas->pixels[i] == PLANES_FRONT;
     }
-    planes_draw(canvas, &pair->behind, NULL);
+    depth_planes_draw(canvas, &pair->behind, NULL);
     for (uint32_t i = 0; i < area; i++) {
         behind[i] = canvas->pixels[i] == PLANES_BEHIND;
     }
-    planes_draw(canvas, &pair->behind, &pair->front);
+    depth_planes_draw(canvas, &pair->behind, &pair->front);
     uint32_t samples = 0, wrong = 0;
     for (uint32_t i = 0; i < area; i++) {
         double distance;
@@ -141,7 +141,7 @@ static void recount(struct planes_canvas *canvas, const struct planes_pair *pair
         }
         const bool right = front_is_nearer_exactly(canvas, pair, i, &distance) == (canvas->pixels[i] == PLANES_FRONT);
         assert_int_equal(verdicts[i], right ? PLANES_RIGHT : PLANES_WRONG);
-        assert_near(distance, planes_distance_m(canvas, &pair->behind, i / canvas->lab->width), 1e-9 * distance);
+        assert_near(distance, depth_planes_distance_m(canvas, &pair->behind, i / canvas->lab->width), 1e-9 * distance);
         samples++;
         wrong += !right;
     }
@@ -158,16 +158,16 @@ static void wrong_winners_are_those_of_rational_numbers(void **state)
     uint32_t wrong = 0;
     for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         struct planes_canvas canvas;
-        assert_int_equal(planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
             struct planes_pair pair;
-            const struct planes_place place =
-                planes_whole(&lab, 40, tilts[i], depth_step_m((enum ph_depth_format)format, &lab, 40) / 2 + 0.00005);
-            assert_true(planes_make(&lab, &place, &pair));
-            assert_true(planes_front_is_nearer(&pair));
+            const struct planes_place place = depth_planes_whole(
+                &lab, 40, tilts[i], depth_step_m((enum ph_depth_format)format, &lab, 40) / 2 + 0.00005);
+            assert_true(depth_planes_make(&lab, &place, &pair));
+            assert_true(depth_planes_front_is_nearer(&pair));
             recount(&canvas, &pair, &wrong);
         }
-        planes_close(&canvas);
+        depth_planes_close(&canvas);
     }
     assert_in_range(wrong, 1000, 70000); /* there was something to find */
 }
@@ -179,18 +179,18 @@ static void planes_turned_round_are_told(void **state)
     const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
     struct planes_canvas canvas;
     struct planes_pair pair, turned;
-    assert_int_equal(planes_open(&canvas, &lab, PH_DEPTH_FLOAT16), 0);
-    const struct planes_place place = planes_whole(&lab, 20, 30, 1);
-    assert_true(planes_make(&lab, &place, &pair));
+    assert_int_equal(depth_planes_open(&canvas, &lab, PH_DEPTH_FLOAT16), 0);
+    const struct planes_place place = depth_planes_whole(&lab, 20, 30, 1);
+    assert_true(depth_planes_make(&lab, &place, &pair));
     turned = (struct planes_pair){pair.front, pair.behind};
-    assert_true(planes_front_is_nearer(&pair));
-    assert_false(planes_front_is_nearer(&turned));
+    assert_true(depth_planes_front_is_nearer(&pair));
+    assert_false(depth_planes_front_is_nearer(&turned));
     uint32_t wrong = 0;
     recount(&canvas, &pair, &wrong);
     recount(&canvas, &turned, &wrong);
     assert_int_equal(wrong, 0);
-    assert_near(planes_separation_m(&pair), 1, 0.0001);
-    planes_close(&canvas);
+    assert_near(depth_planes_separation_m(&pair), 1, 0.0001);
+    depth_planes_close(&canvas);
 }
 
 static void large_separations_are_right_and_small_ones_are_not(void **state)
@@ -199,21 +199,21 @@ static void large_separations_are_right_and_small_ones_are_not(void **state)
     const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
     for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         struct planes_canvas canvas;
-        assert_int_equal(planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
         uint32_t before = UINT32_MAX;
         for (int i = 0; i < 4; i++) {
             const double times = 0.01 * pow(10, i);
             struct planes_pair pair;
             const double separation =
-                times * planes_predicted_m(&lab, (enum ph_depth_format)format, 50, 0, 0) + 0.00002;
-            const struct planes_place place = planes_whole(&lab, 50, 0, separation);
-            assert_true(planes_make(&lab, &place, &pair));
-            const struct planes_count count = planes_count(&canvas, &pair, canvas.verdicts);
+                times * depth_planes_predicted_m(&lab, (enum ph_depth_format)format, 50, 0, 0) + 0.00002;
+            const struct planes_place place = depth_planes_whole(&lab, 50, 0, separation);
+            assert_true(depth_planes_make(&lab, &place, &pair));
+            const struct planes_count count = depth_planes_count(&canvas, &pair, canvas.verdicts);
             assert_true(count.wrong <= before);
             before = count.wrong;
         }
         assert_int_equal(before, 0);
-        planes_close(&canvas);
+        depth_planes_close(&canvas);
     }
 }
 
@@ -226,14 +226,14 @@ static void sweeps_lie_where_s_min_says(void **state)
     const double grid = 2.0 / 65536;
     for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
         struct planes_canvas canvas;
-        assert_int_equal(planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
+        assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-            const struct planes_sweep sweep = planes_sweep(&canvas, (enum ph_depth_format)format, 50, tilts[i]);
+            const struct planes_sweep sweep = depth_planes_sweep(&canvas, (enum ph_depth_format)format, 50, tilts[i]);
             assert_true(sweep.measured_m <= 1.12 * sweep.at_tilt_m + grid);
             assert_true(sweep.measured_m <= 1.05 * sweep.s_min_m + grid);
             assert_true(sweep.measured_m >= 0.3 * sweep.at_tilt_m);
         }
-        planes_close(&canvas);
+        depth_planes_close(&canvas);
     }
 }
 
@@ -246,12 +246,12 @@ static void a_rays_slope_changes_what_a_tilted_plane_needs(void **state)
     (void)state;
     const struct depth_lab lab = lab_of(0.5, 100, 240, 240);
     const double z = 50, s_z = depth_step_m(PH_DEPTH_FIXED16, &lab, z), s_y = depth_subpixel_m(&lab, 8, z) / sqrt(2);
-    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, 0), s_z, s_z * 1e-9);
-    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, 30), s_z * (sqrt(0.75) - 0.25) + s_y / 2,
+    assert_near(depth_planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, 0), s_z, s_z * 1e-9);
+    assert_near(depth_planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, 30), s_z * (sqrt(0.75) - 0.25) + s_y / 2,
                 s_z * 1e-9);
-    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, -0.5, 30), s_z * (sqrt(0.75) + 0.25) + s_y / 2,
+    assert_near(depth_planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, -0.5, 30), s_z * (sqrt(0.75) + 0.25) + s_y / 2,
                 s_z * 1e-9);
-    assert_near(planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, -30), s_z * (sqrt(0.75) + 0.25) + s_y / 2,
+    assert_near(depth_planes_predicted_m(&lab, PH_DEPTH_FIXED16, z, 0.5, -30), s_z * (sqrt(0.75) + 0.25) + s_y / 2,
                 s_z * 1e-9);
 }
 
@@ -274,20 +274,21 @@ static void parts_of_the_budget_are_as_predicted(void **state)
     (void)state;
     const struct depth_lab lab = lab_of(0.5, 100, 120, 90);
     struct planes_canvas canvas;
-    assert_int_equal(planes_open(&canvas, &lab, PH_DEPTH_FIXED16), 0);
+    assert_int_equal(depth_planes_open(&canvas, &lab, PH_DEPTH_FIXED16), 0);
     for (int i = 0; i <= 2; i++) {
         const double z = pow(10, i);
         const double grid = 1.0 / 65536;
-        assert_near(budget_input_m(&canvas, z), grid, 0);
-        const double matrix = budget_matrix_m(&canvas, z), divide = budget_divide_m(&canvas, z);
+        assert_near(depth_budget_input_m(&canvas, z), grid, 0);
+        const double matrix = depth_budget_matrix_m(&canvas, z), divide = depth_budget_divide_m(&canvas, z);
         assert_true(matrix > 0.9 * grid && matrix < 1.1 * depth_share_m(DEPTH_SHARE_MATRIX, PH_DEPTH_FIXED16, &lab, z));
         assert_true(divide > 0 && divide < depth_share_m(DEPTH_SHARE_DIVIDE, PH_DEPTH_FIXED16, &lab, z));
-        const double snapped = budget_subpixel_m(&canvas, z), ideal = depth_subpixel_m(&lab, DEPTH_SUBPIXEL_BITS, z);
+        const double snapped = depth_budget_subpixel_m(&canvas, z),
+                     ideal = depth_subpixel_m(&lab, DEPTH_SUBPIXEL_BITS, z);
         assert_true(snapped > 0.9 * ideal && snapped < 1.1 * ideal + 2 * grid);
-        assert_true(budget_interpolation_m(&canvas, z) <
+        assert_true(depth_budget_interpolation_m(&canvas, z) <
                     2 * depth_share_m(DEPTH_SHARE_INTERPOLATION, PH_DEPTH_FIXED16, &lab, z) + grid);
     }
-    planes_close(&canvas);
+    depth_planes_close(&canvas);
 }
 
 int main(void)

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "flash_image.h"
+#include "flash_file.h"
 #include "uf2_make.h"
 
 #include <stdbool.h>
@@ -35,7 +35,7 @@ static void refuses(size_t n, const char *line)
 {
     struct flash_image image;
     char error[FLASH_ERROR_SIZE] = "";
-    assert_int_equal(flash_image_parse(&image, file, n, error), -1);
+    assert_int_equal(flash_file_parse(&image, file, n, error), PH_ERR_INVAL);
     assert_string_equal(error, line);
     assert_null(image.bytes);
     assert_null(image.used);
@@ -53,7 +53,7 @@ static void refuses_field(uint32_t index, int field, uint32_t value, const char 
 static void accepts(const uint8_t *bytes, size_t n, struct flash_image *image)
 {
     char error[FLASH_ERROR_SIZE] = "";
-    if (flash_image_parse(image, bytes, n, error) != 0) {
+    if (flash_file_parse(image, bytes, n, error) != 0) {
         fail_msg("%s", error);
     }
 }
@@ -258,10 +258,10 @@ static void a_bin_larger_than_the_address_space(void **state)
     uint8_t *large = calloc(FLASH_SPAN + 1, 1);
     assert_non_null(large);
     memcpy(large, bin, 256);
-    assert_int_equal(flash_image_parse(&image, large, FLASH_SPAN, error), 0);
+    assert_int_equal(flash_file_parse(&image, large, FLASH_SPAN, error), 0);
     assert_int_equal(image.sectors, 4096);
     flash_image_free(&image);
-    assert_int_equal(flash_image_parse(&image, large, FLASH_SPAN + 1, error), -1);
+    assert_int_equal(flash_file_parse(&image, large, FLASH_SPAN + 1, error), PH_ERR_INVAL);
     assert_string_equal(error, "16777217 bytes do not fit into the flash: an RP2040 addresses 16777216");
     free(large);
 }
@@ -276,18 +276,18 @@ static void files_are_read_whole(void **state)
     const int fd = mkstemp(path);
     assert_true(fd >= 0);
     assert_int_equal(write(fd, file, FILE_BYTES), FILE_BYTES);
-    assert_int_equal(flash_image_read(&image, path, error), 0);
+    assert_int_equal(flash_file_read(&image, path, error), 0);
     assert_is_bin(&image);
     flash_image_free(&image);
     assert_int_equal(ftruncate(fd, 64L << 20), 0); /* a hole: takes no room */
     close(fd);
-    assert_int_equal(flash_image_read(&image, path, error), -1);
+    assert_int_equal(flash_file_read(&image, path, error), PH_ERR_INVAL);
     assert_string_equal(error, "too large for an image: more than 67108864 bytes");
     assert_null(image.bytes);
     unlink(path);
-    assert_int_equal(flash_image_read(&image, path, error), -1);
+    assert_int_equal(flash_file_read(&image, path, error), PH_ERR_INVAL);
     assert_string_equal(error, "cannot be opened: No such file or directory");
-    assert_int_equal(flash_image_read(&image, "/tmp", error), -1);
+    assert_int_equal(flash_file_read(&image, "/tmp", error), PH_ERR_INVAL);
     assert_string_equal(error, "cannot be read: Is a directory");
 }
 

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "flash_file.h"
 #include "flash_job.h"
 #include "uf2_make.h"
 
@@ -182,7 +183,7 @@ static void make_image(uint32_t n)
     char error[FLASH_ERROR_SIZE];
     flash_image_free(&image);
     uf2_make_bin(bin, n, 7);
-    assert_int_equal(flash_image_parse(&image, bin, n, error), 0);
+    assert_int_equal(flash_file_parse(&image, bin, n, error), 0);
 }
 
 /* Another image's flash, and the board as if it were just plugged in. */
@@ -276,7 +277,7 @@ static void sectors_that_the_image_leaves_out_stay(void **state)
     uf2_make(blocks, bin, IMAGE_BYTES);
     uf2_put(blocks + (IMAGE_BYTES / 256 - 1) * UF2_BLOCK + UF2_ADDRESS, 0x10080100); /* its last page elsewhere */
     flash_image_free(&image);
-    assert_int_equal(flash_image_parse(&image, blocks, sizeof blocks, error), 0);
+    assert_int_equal(flash_file_parse(&image, blocks, sizeof blocks, error), 0);
     assert_int_equal(run(true, true, NULL), 0);
     assert_memory_equal(flash, bin, 3 * 4096);
     assert_memory_equal(flash + 3 * 4096, before + 3 * 4096, 0x80000 - 3 * 4096);
@@ -368,19 +369,19 @@ static void every_call_can_fail(int status, const char *line, uint32_t least)
 static void a_board_that_is_pulled_at_any_moment(void **state)
 {
     (void)state;
-    every_call_can_fail(FLASH_GONE, "unplugged while ", 37);
+    every_call_can_fail(HAL_ENODEV, "unplugged while ", 37);
 }
 
 static void a_board_that_does_not_answer_any_more(void **state)
 {
     (void)state;
-    every_call_can_fail(FLASH_TIMEOUT, "no answer for 3 s while ", 37);
+    every_call_can_fail(HAL_ETIMEDOUT, "no answer for 3 s while ", 37);
 }
 
 static void a_bus_that_fails_at_any_moment(void **state)
 {
     (void)state;
-    every_call_can_fail(FLASH_IO, "USB error while ", 37);
+    every_call_can_fail(HAL_EIO, "USB error while ", 37);
 }
 
 static void a_board_that_refuses_from_any_moment_on(void **state)
@@ -393,8 +394,8 @@ static void a_pulled_board_is_one_clear_line(void **state)
 {
     (void)state;
     board.fail_at = 7;
-    board.fail_with = FLASH_GONE;
-    assert_int_equal(run(true, true, NULL), FLASH_GONE);
+    board.fail_with = HAL_ENODEV;
+    assert_int_equal(run(true, true, NULL), HAL_ENODEV);
     assert_string_equal(job.error,
                         "unplugged while erasing 0x10000000; plug it in with BOOTSEL held and run this again");
 }

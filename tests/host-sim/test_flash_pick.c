@@ -5,7 +5,7 @@
 #include <cmocka.h>
 
 #include "flash_image.h"
-#include "flash_usb.h"
+#include "flash_pick.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -17,19 +17,19 @@ static const struct flash_board mixed[] = {{.bus = 1, .address = 2, .rp2350 = 1,
                                            {.bus = 1, .address = 4, .serial = "CCCC"},
                                            {.bus = 1, .address = 5, .serial = ""}};
 static const struct flash_board closed[] = {{.bus = 2, .address = 9, .serial = "BBBB"},
-                                            {.bus = 2, .address = 10, .status = FLASH_ACCESS}};
+                                            {.bus = 2, .address = 10, .status = HAL_EACCES}};
 
 static void picks(const struct flash_board *boards, int count, const char *serial, int index)
 {
     char error[FLASH_ERROR_SIZE] = "";
-    assert_int_equal(flash_usb_pick(boards, count, serial, error), index);
+    assert_int_equal(flash_pick(boards, count, serial, error), index);
     assert_string_equal(error, "");
 }
 
 static void refuses(const struct flash_board *boards, int count, const char *serial, const char *line)
 {
     char error[FLASH_ERROR_SIZE] = "";
-    assert_int_equal(flash_usb_pick(boards, count, serial, error), -1);
+    assert_int_equal(flash_pick(boards, count, serial, error), PH_ERR_INVAL);
     assert_string_equal(error, line);
 }
 
@@ -102,9 +102,9 @@ static void many_with_long_numbers(void **state)
         many[i] = (struct flash_board){.bus = 255, .address = (uint8_t)(200 + i)};
         memset(many[i].serial, 'S', sizeof many[i].serial - 1);
     }
-    assert_int_equal(flash_usb_pick(many, FLASH_BOARDS_MAX, NULL, error), -1);
+    assert_int_equal(flash_pick(many, FLASH_BOARDS_MAX, NULL, error), PH_ERR_INVAL);
     assert_non_null(strstr(error, "choose one with --serial BUS:ADDRESS (their serial numbers are alike)"));
-    assert_int_equal(flash_usb_pick(many, FLASH_BOARDS_MAX, "255:231", error), 31);
+    assert_int_equal(flash_pick(many, FLASH_BOARDS_MAX, "255:231", error), 31);
 }
 
 int main(void)

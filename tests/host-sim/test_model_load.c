@@ -1,6 +1,7 @@
 /* --model: each format, what is odd but right, and what is wrong. The files are made here, byte by byte. */
 #define _XOPEN_SOURCE 700 /* mkfifo, truncate */
 
+#include "complain.h"
 #include "model_files.h"
 
 #include <assimp/cimport.h> /* tests/run.sh skips this program where assimp or libpng are not installed */
@@ -451,7 +452,7 @@ static void assert_refused(const char *path, const char *reason)
 {
     struct model *model;
     char said[1024];
-    assert_int_equal(open_caught(&model, path, said), 1);
+    assert_int_equal(open_caught(&model, path, said), COMPLAINED);
     assert_null(model);
     assert_non_null(strstr(said, path));
     if (strstr(said, reason) == NULL) {
@@ -568,7 +569,7 @@ static void open_faulty(const char *name, const uint8_t *bytes, size_t n)
         model_close(model);
         return;
     }
-    assert_int_equal(status, 1);
+    assert_int_equal(status, COMPLAINED);
     assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
 }
 

@@ -72,7 +72,7 @@ what_does_not_fit_together_is_refused() {
         wrong_usage "'sbc-generic' is no kit for an FT232H" --board sbc-generic --usb &&
         wrong_usage "a pin of the FT232H is AD0" --usb --dc GPIO25 &&
         wrong_usage "--te: an FT232H has no line" --board ft232h-st7789 --te AC3 &&
-        wrong_usage "hangs on USB" --board ft232h-st7789 --spi /dev/spidev0.0 &&
+        wrong_usage "is on USB" --board ft232h-st7789 --spi /dev/spidev0.0 &&
         wrong_usage "--demo 'none': no such demo" --board sbc-generic --demo none &&
         wrong_usage "--view 'none': turntable has no such view" --board sbc-generic --view none
 }

@@ -6,6 +6,7 @@
 
 #include "boards.h"
 #include "caught.h"
+#include "complain.h"
 #include "panel_probe.h"
 #include "panel_show.h"
 #include "sim.h"
@@ -109,7 +110,7 @@ static void an_error_ends_it_dark(void **state)
         caught_begin(&c);
         const int status = panel_show_run(&d, 1, &scene);
         caught_end(&c);
-        assert_int_equal(status, 1);
+        assert_int_equal(status, COMPLAINED);
         assert_int_equal(caught_lines(&c), 1);
         assert_true(is_dark(sim, d.board));
         sim_close(sim);

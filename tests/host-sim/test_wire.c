@@ -231,7 +231,7 @@ static void replay(struct heard *h, struct recorder *r)
     h->config.step = hear_step;
     h->config.resent = hear_complaint;
     h->config.context = h;
-    struct wire *w = wire_open(&h->config);
+    struct wire *w = wire_replay_open(&h->config);
     assert_non_null(w);
     char *rest = NULL;
     for (char *line = strtok_r(r->stream, "\n", &rest); line != NULL; line = strtok_r(NULL, "\n", &rest)) {
@@ -239,11 +239,11 @@ static void replay(struct heard *h, struct recorder *r)
         const char *error = NULL;
         const int n = wire_parse(line, &event, &error);
         assert_true(n >= 0);
-        assert_true(n == 0 || wire_event(w, &event) == 0);
+        assert_true(n == 0 || wire_replay_event(w, &event) == 0);
     }
-    assert_int_equal(wire_end(w), 0);
-    assert_int_equal(wire_frames(w), h->frames);
-    wire_close(w);
+    assert_int_equal(wire_replay_end(w), 0);
+    assert_int_equal(wire_replay_frames(w), h->frames);
+    wire_replay_close(w);
     free(r->stream);
 }
 
@@ -428,18 +428,18 @@ static void lost_events_and_time_going_back_are_resented(void **state)
     h.config.resent = hear_complaint;
     h.config.context = &h;
     h.config.order = false;
-    struct wire *w = wire_open(&h.config);
+    struct wire *w = wire_replay_open(&h.config);
     struct wire_event e;
     assert_string_equal(parsed("0 name 3 a line's name", &e), "event");
-    wire_event(w, &e);
+    wire_replay_event(w, &e);
     for (int i = 0; i < 2; i++) {
         assert_string_equal(parsed(lines[i], &e), "event");
         h.complaint[0] = '\0';
-        wire_event(w, &e);
+        wire_replay_event(w, &e);
         assert_non_null(strstr(h.complaint, i == 0 ? "3 events were lost" : "time goes back"));
     }
-    assert_int_equal(wire_complaints(w), 2);
-    wire_close(w);
+    assert_int_equal(wire_replay_complaints(w), 2);
+    wire_replay_close(w);
 }
 
 int main(void)

@@ -69,7 +69,7 @@ frame 0 crc32 $red" '' "$wire" --board $board --order "$dir/red"
     sed 's/ 3 3 \([0-9]*\) f800/ 2 3 \1 f800/' "$dir/red" >"$dir/race"
     check "a D/C race is told, and is an error" says 1 "frame 0 crc32 $red" \
         "pinhole-wire: 241.000 ms: D/C moved during a transfer of 115200 bytes
-pinhole-wire: $dir/race: the panel resents 1 thing" "$wire" --board $board --dc dc "$dir/race"
+pinhole-wire: $dir/race: a panel would not accept 1 thing" "$wire" --board $board --dc dc "$dir/race"
     check "no picture is an error" says 1 '' "pinhole-wire: $dir/none: no complete picture was seen" \
         sh -c "head -n 8 '$dir/red' >'$dir/none'; '$wire' --board $board '$dir/none'"
     sed '5s/level/leve/' "$dir/red" >"$dir/broken"

@@ -15,13 +15,13 @@ static size_t list_streams(const struct asset_shape *shape, struct meshopt_Strea
     return shape->uvs != NULL ? 3 : 2;
 }
 
-/* Old vertex to new one, and the triangles of new ones. */
+/* The new number of each old vertex, and the triangles in new numbers. */
 struct order {
     unsigned *remap, *indices, *scratch;
     size_t vertex_count;
 };
 
-/* Equal vertices become one; those that no triangle has are left out. */
+/* Makes equal vertices one and leaves out unused ones. */
 static void join(struct order *order, const struct asset_shape *shape)
 {
     struct meshopt_Stream streams[3];
@@ -36,7 +36,7 @@ static unsigned count_fetches(const unsigned *indices, size_t count, size_t vert
     return meshopt_analyzeVertexCache(indices, count, vertex_count, CACHE, 0, 0).vertices_transformed;
 }
 
-/* Takes the order of the triangles in scratch where it is better. */
+/* Takes the order of the triangles in scratch if it is better. */
 static void take_if_better(struct order *order, size_t count)
 {
     if (count_fetches(order->scratch, count, order->vertex_count) <
@@ -45,7 +45,7 @@ static void take_if_better(struct order *order, size_t count)
     }
 }
 
-/* Which of its two ways is better depends on the mesh; a file may have a good order already. */
+/* It depends on the mesh which of the two ways is better; a file may have a good order already. */
 static void arrange(struct order *order, size_t count)
 {
     meshopt_optimizeVertexCacheFifo(order->scratch, order->indices, count, order->vertex_count, CACHE);

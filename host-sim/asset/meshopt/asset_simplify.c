@@ -7,23 +7,22 @@
 #include <string.h>
 
 #define ANY_ERROR 1e9f
-#define MUCH_LESS 0.5 /* joining gives the file's normals up, and creases take vertices */
+#define MUCH_LESS 0.5 /* joining loses the normals of the file, and creases need vertices */
 
-/* A vertex but for its normal. */
+/* A vertex without its normal. */
 struct key {
     uint32_t mesh;
     fx_t place[3], uv[2];
 };
 
-/* Vertices that triangles use, without the others: meshoptimizer moves no vertex that shares its place with unused
- * ones. */
+/* The vertices that triangles use. (meshoptimizer does not move a vertex that shares its place with an unused one.) */
 struct used {
     float (*places)[3];
     unsigned *numbers, *indices; /* of the used vertices; the triangles by them */
     size_t count;
 };
 
-/* All meshes as one, so that what they share is simplified alike and no gap opens between them. */
+/* All meshes as one, so that shared edges are simplified alike and no gap opens between meshes. */
 struct whole {
     float (*places)[3];
     struct key *keys;
@@ -44,7 +43,7 @@ static bool same_place(const struct fx_vec3 *a, const struct fx_vec3 *b)
     return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-/* Two corners in one place: nothing is ever seen of it. */
+/* Are two corners in one place? Such a triangle is never seen. */
 static bool is_point_or_line(const struct ph_mesh *mesh, const uint16_t corners[3])
 {
     const struct fx_vec3 *p = mesh->positions;
@@ -138,7 +137,7 @@ static bool simplify(const struct whole *w, const unsigned *indices, size_t targ
     return is_done;
 }
 
-/* Mesh by mesh, each its share: this way triangles know nothing of what hangs together. */
+/* Simplifies each mesh by its share, without keeping triangles connected. */
 static void simplify_sloppily(const struct whole *w, size_t target, struct asset_rest *rest)
 {
     size_t first = 0;
@@ -176,7 +175,7 @@ static void take_numbers(struct asset_rest *to, const struct asset_rest *from)
     to->way = from->way;
 }
 
-/* meshoptimizer asserts that it is given more than it shall leave. */
+/* meshoptimizer asserts that it gets more triangles than it is to leave. */
 static bool take_all(const struct whole *w, struct asset_rest *rest)
 {
     memcpy(rest->indices, w->indices, sizeof *w->indices * w->index_count);
@@ -185,7 +184,7 @@ static bool take_all(const struct whole *w, struct asset_rest *rest)
     return true;
 }
 
-/* The better of two ways that get there, else the one that always does. */
+/* Takes the better of two ways that reach the number, else the way that always does. */
 static bool choose(struct whole *w, size_t target, struct asset_rest *rest)
 {
     struct asset_rest joined = {.indices = malloc(sizeof *joined.indices * (w->index_count + 1)), .way = ASSET_JOINED};
@@ -222,7 +221,7 @@ int asset_simplify(const struct model *model, uint32_t triangles, struct asset_r
                          (w.index_count <= target ? take_all(&w, rest) : choose(&w, target, rest));
     free_whole(&w);
     if (!is_done) {
-        return complain(EXIT_FAILED, "not enough memory to simplify the model");
+        return complain("not enough memory to simplify the model");
     }
     return 0;
 }

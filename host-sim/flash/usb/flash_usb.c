@@ -28,15 +28,15 @@ static int status_of(int error)
         return FLASH_STALL;
     case LIBUSB_ERROR_NO_DEVICE:
     case LIBUSB_ERROR_NOT_FOUND:
-        return FLASH_GONE;
+        return HAL_ENODEV;
     case LIBUSB_ERROR_TIMEOUT:
-        return FLASH_TIMEOUT;
+        return HAL_ETIMEDOUT;
     case LIBUSB_ERROR_ACCESS:
-        return FLASH_ACCESS;
+        return HAL_EACCES;
     case LIBUSB_ERROR_BUSY:
-        return FLASH_BUSY;
+        return HAL_EBUSY;
     default:
-        return FLASH_IO;
+        return HAL_EIO;
     }
 }
 
@@ -77,7 +77,7 @@ int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX])
     libusb_device **devices = NULL;
     int count = 0;
     if (libusb_init(&usb) < 0) {
-        return FLASH_IO;
+        return HAL_EIO;
     }
     const ssize_t n = libusb_get_device_list(usb, &devices);
     for (ssize_t i = 0; i < n && count < FLASH_BOARDS_MAX; i++) {
@@ -87,12 +87,12 @@ int flash_usb_list(struct flash_board boards[FLASH_BOARDS_MAX])
         libusb_free_device_list(devices, 1);
     }
     libusb_exit(usb);
-    return n < 0 ? FLASH_IO : count;
+    return n < 0 ? HAL_EIO : count;
 }
 
 /* ---- opening ------------------------------------------------------------------------------------ */
 
-/* The interface and its endpoints: by class and direction, not by number. */
+/* Finds the interface and its endpoints by class and direction, not by number. */
 static bool find_endpoints(struct flash_usb *u, const struct libusb_config_descriptor *config)
 {
     for (int i = 0; i < config->bNumInterfaces; i++) {
@@ -124,7 +124,7 @@ static int claim(struct flash_usb *u, libusb_device *device)
     const bool found = find_endpoints(u, config);
     libusb_free_config_descriptor(config);
     if (!found) {
-        return FLASH_IO;
+        return HAL_EIO;
     }
     error = libusb_claim_interface(u->handle, u->interface);
     return error < 0 ? status_of(error) : 0;
@@ -133,10 +133,10 @@ static int claim(struct flash_usb *u, libusb_device *device)
 static int open_board(struct flash_usb *u, const struct flash_board *board)
 {
     libusb_device **devices = NULL;
-    int status = FLASH_GONE;
+    int status = HAL_ENODEV;
     if (libusb_init(&u->usb) < 0) {
         u->usb = NULL;
-        return FLASH_IO;
+        return HAL_EIO;
     }
     const ssize_t n = libusb_get_device_list(u->usb, &devices);
     for (ssize_t i = 0; i < n; i++) {
@@ -155,7 +155,7 @@ int flash_usb_open(struct flash_usb **usb, const struct flash_board *board)
 {
     *usb = calloc(1, sizeof **usb);
     if (*usb == NULL) {
-        return FLASH_IO;
+        return HAL_EIO;
     }
     const int status = open_board(*usb, board);
     if (status < 0) {
@@ -171,7 +171,7 @@ void flash_usb_close(struct flash_usb *usb)
         return;
     }
     if (usb->handle != NULL) {
-        libusb_close(usb->handle); /* and what was claimed is released */
+        libusb_close(usb->handle); /* this releases the interface, too */
     }
     if (usb->usb != NULL) {
         libusb_exit(usb->usb);
@@ -181,7 +181,7 @@ void flash_usb_close(struct flash_usb *usb)
 
 /* ---- transfers ---------------------------------------------------------------------------------- */
 
-/* A board that was pulled fails with errors of all kinds until the kernel has seen that it is gone. */
+/* A board that was unplugged gives errors of all kinds until the kernel notices. */
 static int fail(struct flash_usb *u, int error)
 {
     uint8_t halted[2];
@@ -193,11 +193,11 @@ static int fail(struct flash_usb *u, int error)
         if (libusb_control_transfer(u->handle, LIBUSB_ENDPOINT_IN | LIBUSB_RECIPIENT_ENDPOINT,
                                     LIBUSB_REQUEST_GET_STATUS, 0, u->out, halted, sizeof halted,
                                     TICK_MS) == LIBUSB_ERROR_NO_DEVICE) {
-            return FLASH_GONE;
+            return HAL_ENODEV;
         }
         nanosleep(&tick, NULL);
     }
-    return FLASH_IO;
+    return HAL_EIO;
 }
 
 static int bulk(struct flash_usb *u, uint8_t endpoint, void *bytes, size_t n)
@@ -212,12 +212,12 @@ static int send_bytes(void *context, const void *bytes, size_t n)
     struct flash_usb *u = context;
     uint8_t *copy = malloc(n + 1); /* libusb's buffers are not const */
     if (copy == NULL) {
-        return FLASH_IO;
+        return HAL_EIO;
     }
     memcpy(copy, bytes, n);
     const int done = bulk(u, u->out, copy, n);
     free(copy);
-    return done < 0 || (size_t)done == n ? done : FLASH_IO;
+    return done < 0 || (size_t)done == n ? done : HAL_EIO;
 }
 
 static int receive_bytes(void *context, void *bytes, size_t n)
@@ -225,7 +225,7 @@ static int receive_bytes(void *context, void *bytes, size_t n)
     struct flash_usb *u = context;
     uint8_t packet[PACKET];
     const int done = n > 0 ? bulk(u, u->in, bytes, n) : bulk(u, u->in, packet, sizeof packet);
-    return done < 0 || (size_t)done == n ? done : FLASH_IO;
+    return done < 0 || (size_t)done == n ? done : HAL_EIO;
 }
 
 static int command_status(void *context, uint8_t answer[STATUS_BYTES])

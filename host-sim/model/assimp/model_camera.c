@@ -1,4 +1,6 @@
-#include "model_read.h"
+#include "model_camera.h"
+
+#include "model_places.h"
 
 #include <assimp/camera.h>
 
@@ -9,11 +11,11 @@
 #define CLEAR    1.001   /* a little more than the sphere that holds the model */
 #define NEAR_MIN (1 / 1024.0)
 
-/* The node that carries the camera, and its place in the world. */
+/* Finds the node of the camera and its place in the world. */
 static bool find_node(const struct aiNode *node, const char *name, double parent[3][4], double place[3][4])
 {
     double here[3][4];
-    model_place_multiply(here, parent, &node->mTransformation);
+    model_places_multiply(here, parent, &node->mTransformation);
     if (strcmp(node->mName.data, name) == 0) {
         memcpy(place, here, sizeof here);
         return true;
@@ -52,7 +54,7 @@ static bool across(double to[3], const double a[3], const double b[3])
     return length > 1e-9 * sqrt(dot(a, a) * dot(b, b)) && isfinite(length);
 }
 
-/* World to view: right, up and backwards as rows. False: the camera looks nowhere, or from too far away. */
+/* World to view, with right, up and backwards as rows. False: the camera has no direction, or is too far away. */
 static bool read_view(const struct aiCamera *from, double place[3][4], const struct model_fit *fit,
                       struct ph_xform *view)
 {
@@ -85,7 +87,7 @@ static int32_t q20(double value)
     return value > 0 && value < 2047 ? (int32_t)lround(value * (1 << 20)) : 0;
 }
 
-/* The scales of the picture that the file speaks of, and planes no further from the model than need be. */
+/* Reads the scales of the picture, and puts near and far plane as close to the model as possible. */
 static bool read_lens(const struct aiCamera *from, const struct model_fit *fit, double centre,
                       struct ph_projection *lens)
 {
@@ -104,7 +106,7 @@ static bool read_lens(const struct aiCamera *from, const struct model_fit *fit, 
     return lens->scale_y_q20 > 0 && (lens->scale_x_q20 > 0 || !(from->mAspect > 0)) && lens->far_z > lens->near_z;
 }
 
-void model_read_camera(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit)
+void model_camera_read(struct model_shared *shared, const struct aiScene *scene, const struct model_fit *fit)
 {
     double world[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, place[3][4];
     struct model *model = &shared->model;
@@ -113,16 +115,16 @@ void model_read_camera(struct model_shared *shared, const struct aiScene *scene,
     }
     const struct aiCamera *from = scene->mCameras[0];
     if (scene->mNumCameras > 1) {
-        model_read_note(shared, "of %u cameras the first is used", scene->mNumCameras);
+        model_shared_note(shared, "of %u cameras the first is used", scene->mNumCameras);
     }
     if (!find_node(scene->mRootNode, from->mName.data, world, place)) {
-        model_read_note(shared, "camera %.100s stands in no node and is ignored", from->mName.data);
+        model_shared_note(shared, "camera %.100s stands in no node and is ignored", from->mName.data);
         return;
     }
     model->camera = (struct demo_eye){.lens = {.kind = PH_PERSPECTIVE}};
     model->has_camera = read_view(from, place, fit, &model->camera.view) &&
                         read_lens(from, fit, -model->camera.view.t.z / (double)FX_ONE, &model->camera.lens);
     if (!model->has_camera) {
-        model_read_note(shared, "camera %.100s does not see the model, and is ignored", from->mName.data);
+        model_shared_note(shared, "camera %.100s does not see the model, and is ignored", from->mName.data);
     }
 }

@@ -1,7 +1,7 @@
-#include "model_read.h"
+#include "model_materials.h"
 
-#include "png_in.h"
-#include "texture_make.h"
+#include "model_png.h"
+#include "model_texture.h"
 
 #include <assimp/material.h>
 
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How a material takes the turntable's light; of files only the colour can be relied on. */
+/* How a material takes the light of the turntable; files give reliable colours only. */
 #define AMBIENT        (FX_ONE / 6)
 #define DIFFUSE        (FX_ONE * 3 / 4)
 #define GLOSS          (FX_ONE / 4)
@@ -18,10 +18,10 @@
 
 #define PATH_BYTES 4096
 
-/* Of a model without materials. */
+/* The colour of a model without materials. */
 static const struct aiColor4D plain = {.86f, .80f, .70f, 1};
 
-/* One channel, 0 .. 1, as the display takes it. */
+/* Turns one channel, 0 .. 1, into a value of the display. */
 static uint8_t channel(float value, bool is_linear)
 {
     const float v = value > 0 ? (value < 1 ? value : 1) : 0; /* NaN gives 0 */
@@ -31,7 +31,7 @@ static uint8_t channel(float value, bool is_linear)
     return (uint8_t)lroundf(255 * (v <= .0031308f ? 12.92f * v : 1.055f * powf(v, 1 / 2.4f) - .055f));
 }
 
-/* The file that a material names, beside the model. */
+/* Makes the path of the file that a material names, which stands beside the model. */
 static bool beside(char out[PATH_BYTES], const char *model_path, const char *name)
 {
     const char *slash = strrchr(model_path, '/');
@@ -57,7 +57,7 @@ static const struct aiTexture *find_embedded(const struct aiScene *scene, const 
     return NULL;
 }
 
-void model_note_missing_mtl(struct model_shared *shared, const char *model_path)
+void model_materials_note_missing(struct model_shared *shared, const char *model_path)
 {
     static const char keyword[] = "mtllib ";
     char line[1024], path[PATH_BYTES];
@@ -70,7 +70,7 @@ void model_note_missing_mtl(struct model_shared *shared, const char *model_path)
         line[strcspn(line, "\r\n")] = '\0';
         FILE *file = beside(path, model_path, name) ? fopen(path, "r") : NULL;
         if (file == NULL) {
-            model_read_note(shared, "materials %.100s cannot be opened", name);
+            model_shared_note(shared, "materials %.100s cannot be opened", name);
         } else {
             fclose(file);
         }
@@ -86,7 +86,7 @@ static const char *why_unread(const uint8_t *bytes, size_t n)
     if (n >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
         return "is JPEG: only PNG is read";
     }
-    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? png_in_reason : "is no PNG: only PNG is read";
+    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? model_png_reason : "is no PNG: only PNG is read";
 }
 
 static const char *why_file_unread(const char *path)
@@ -110,14 +110,14 @@ static const char *load_picture(const struct aiScene *scene, const char *model_p
         if (embedded->mHeight != 0) {
             return "is raw: only PNG is read";
         }
-        const int status = png_in_memory(embedded->pcData, embedded->mWidth, picture);
+        const int status = model_png_memory(embedded->pcData, embedded->mWidth, picture);
         return status == 0 ? NULL : why_unread((const uint8_t *)embedded->pcData, embedded->mWidth);
     }
     char path[PATH_BYTES];
     if (!beside(path, model_path, name)) {
         return "has too long a name";
     }
-    return png_in_file(path, picture) == 0 ? NULL : why_file_unread(path);
+    return model_png_file(path, picture) == 0 ? NULL : why_file_unread(path);
 }
 
 static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
@@ -127,7 +127,7 @@ static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
     return mode == aiTextureMapMode_Clamp ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
 }
 
-/* The texture of a material, or NULL where it has none or one that cannot be used, which is noted. */
+/* Returns the texture of a material. NULL: it has none, or one that cannot be used; a note says so. */
 static const struct ph_texture *read_texture(struct model_shared *shared, const struct aiScene *scene,
                                              const struct aiMaterial *from, const char *model_path)
 {
@@ -140,26 +140,26 @@ static const struct ph_texture *read_texture(struct model_shared *shared, const 
     struct ppm picture;
     const char *why = load_picture(scene, model_path, name.data, &picture);
     if (why != NULL) {
-        model_read_note(shared, "texture %.100s is left out: it %s", name.data, why);
+        model_shared_note(shared, "texture %.100s is left out: it %s", name.data, why);
         return NULL;
     }
     struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
-    const int status = texture != NULL ? texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
+    const int status = texture != NULL ? model_texture_make(&shared->arena, &picture, texture) : PH_ERR_NOMEM;
     free(picture.rgb);
     if (status != 0) {
-        model_read_note(shared, "texture %.100s is left out: no memory", name.data);
+        model_shared_note(shared, "texture %.100s is left out: no memory", name.data);
         return NULL;
     }
     const unsigned width = 1u << texture->log2_width, height = 1u << texture->log2_height;
     if (width != picture.width || height != picture.height) {
-        model_read_note(shared, "texture %.100s is resized from %ux%u to %ux%u", name.data, (unsigned)picture.width,
-                        (unsigned)picture.height, width, height);
+        model_shared_note(shared, "texture %.100s is resized from %ux%u to %ux%u", name.data, (unsigned)picture.width,
+                          (unsigned)picture.height, width, height);
     }
     texture->wrap = wrap_of(from, type);
     return texture;
 }
 
-/* glTF says by a mode whether alpha counts; OBJ and others give the opacity itself. */
+/* In glTF a mode says whether alpha counts; OBJ and others give the opacity itself. */
 static bool is_transparent(const struct aiMaterial *from)
 {
     struct aiString mode;
@@ -187,7 +187,7 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
     }
     aiGetMaterialIntegerArray(from, AI_MATKEY_TWOSIDED, &two_sided, NULL);
     if (is_transparent(from)) {
-        model_read_note(shared, "transparency is ignored");
+        model_shared_note(shared, "transparency is ignored");
     }
     const uint8_t r = channel(c.r, is_linear), g = channel(c.g, is_linear), b = channel(c.b, is_linear);
     ph_material_ramp(ramp, r, g, b, GLOSS);
@@ -203,7 +203,7 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
     return true;
 }
 
-struct ph_material *model_read_materials(struct model_shared *shared, const struct aiScene *scene, const char *path,
+struct ph_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path,
                                          bool is_linear)
 {
     struct ph_material *materials = demo_alloc(&shared->arena, sizeof *materials * scene->mNumMaterials);

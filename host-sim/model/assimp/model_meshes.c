@@ -1,4 +1,7 @@
-#include "model_read.h"
+#include "model_meshes.h"
+
+#include "model_camera.h"
+#include "model_places.h"
 
 #include <assimp/mesh.h>
 
@@ -20,7 +23,7 @@ static bool find_fit(const struct model_places *places, struct model_fit *fit)
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, point[3];
     for (size_t k = 0; k < places->count; k++) {
         for (unsigned i = 0; i < places->list[k].mesh->mNumVertices; i++) {
-            model_place_point(&places->list[k], i, point);
+            model_places_point(&places->list[k], i, point);
             for (int axis = 0; axis < 3; axis++) {
                 low[axis] = point[axis] < low[axis] || !isfinite(point[axis]) ? point[axis] : low[axis];
                 high[axis] = point[axis] > high[axis] || !isfinite(point[axis]) ? point[axis] : high[axis];
@@ -34,7 +37,7 @@ static bool find_fit(const struct model_places *places, struct model_fit *fit)
     }
     for (size_t k = 0; k < places->count; k++) {
         for (unsigned i = 0; i < places->list[k].mesh->mNumVertices; i++) {
-            model_place_point(&places->list[k], i, point);
+            model_places_point(&places->list[k], i, point);
             const double x = point[0] - fit->centre[0], y = point[1] - fit->centre[1], z = point[2] - fit->centre[2];
             most = fmax(most, x * x + y * y + z * z);
         }
@@ -52,7 +55,7 @@ static void set_normal(int16_t normal[3], double x, double y, double z)
     normal[2] = has_direction ? (int16_t)lround(z / length * 16384) : 0;
 }
 
-/* What becomes one mesh: all of a place, or where it has no normals some of its faces, with vertices of their own. */
+/* A piece becomes one mesh: a whole place, or some faces with vertices of their own where there are no normals. */
 struct piece {
     const struct model_place *place;
     unsigned first, count; /* faces */
@@ -85,18 +88,18 @@ static void copy_vertices(const struct piece *from, const struct model_fit *fit,
 {
     for (unsigned i = 0; i < from->vertex_count; i++) {
         double *p = points[i], n[3];
-        model_place_point(from->place, vertex_of(from, i), p);
+        model_places_point(from->place, vertex_of(from, i), p);
         positions[i].x = fixed((p[0] - fit->centre[0]) * fit->scale);
         positions[i].y = fixed((p[1] - fit->centre[1]) * fit->scale);
         positions[i].z = fixed((p[2] - fit->centre[2]) * fit->scale);
         if (!from->is_flat) {
-            model_place_normal(from->place, i, n);
+            model_places_normal(from->place, i, n);
             set_normal(normals[i], n[0], n[1], n[2]);
         }
     }
 }
 
-/* Normals of a flat piece, of points that are not rounded: small triangles have one too. */
+/* Makes the normals of a flat piece from unrounded points, so that small triangles have normals, too. */
 static void make_normals(const struct ph_mesh *mesh, double (*points)[3], int16_t (*normals)[3])
 {
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
@@ -113,7 +116,7 @@ static void make_normals(const struct ph_mesh *mesh, double (*points)[3], int16_
     }
 }
 
-/* Faces that are no triangle of this mesh's vertices are left out; what is mirrored is turned over. */
+/* Leaves out faces that are not triangles of this mesh's vertices; turns mirrored ones over. */
 static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
 {
     uint32_t count = 0;
@@ -130,7 +133,7 @@ static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
     return count;
 }
 
-/* The mesh's own copy of its material: with texture only where there are coordinates for it. */
+/* Copies the material for the mesh; it keeps its texture only if there are texture coordinates. */
 static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *materials,
                           struct ph_mesh *to)
 {
@@ -181,13 +184,13 @@ static bool copy_mesh(struct model_shared *shared, const struct piece *from, con
 {
     const uint32_t n = from->vertex_count;
     if (n == 0 || n > MODEL_VERTICES_MAX) {
-        return model_read_failed(shared, "is broken: a mesh of %u vertices", n);
+        return model_shared_failed(shared, "is broken: a mesh of %u vertices", n);
     }
     struct fx_vec3 *positions = demo_alloc(&shared->arena, sizeof *positions * n);
     int16_t(*normals)[3] = demo_alloc(&shared->arena, sizeof *normals * n);
     uint16_t(*triangles)[3] = demo_alloc(&shared->arena, sizeof *triangles * from->count);
     if (positions == NULL || normals == NULL || triangles == NULL) {
-        return model_read_failed(shared, "needs too much memory");
+        return model_shared_failed(shared, "needs too much memory");
     }
     *to = (struct ph_mesh){.positions = positions,
                            .normals = (const int16_t(*)[3])normals,
@@ -195,7 +198,7 @@ static bool copy_mesh(struct model_shared *shared, const struct piece *from, con
                            .vertex_count = n,
                            .triangle_count = copy_triangles(from, triangles)};
     return (copy_shape(from, fit, positions, normals, to) && copy_material(shared, from, materials, to)) ||
-           model_read_failed(shared, "needs too much memory");
+           model_shared_failed(shared, "needs too much memory");
 }
 
 /* The piece of a place that starts with face `first`. */
@@ -235,7 +238,7 @@ static bool copy_place(struct model_shared *shared, const struct model_place *pl
         first += piece.count;
     }
     if (place->mesh->mColors[0] != NULL) {
-        model_read_note(shared, "vertex colours are ignored");
+        model_shared_note(shared, "vertex colours are ignored");
     }
     return true;
 }
@@ -246,26 +249,26 @@ static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene
     struct model *model = &shared->model;
     struct model_fit fit;
     if (!find_fit(places, &fit)) {
-        return model_read_failed(shared, "has coordinates that are no numbers, or all points in one place");
+        return model_shared_failed(shared, "has coordinates that are no numbers, or all points in one place");
     }
     model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * count_pieces(places));
     if (model->meshes == NULL) {
-        return model_read_failed(shared, "needs too much memory");
+        return model_shared_failed(shared, "needs too much memory");
     }
     for (size_t i = 0; i < places->count; i++) {
         if (!copy_place(shared, &places->list[i], &fit, materials)) {
             return false;
         }
     }
-    model_read_camera(shared, scene, &fit);
-    return model->triangle_count > 0 || model_read_failed(shared, "has no triangles");
+    model_camera_read(shared, scene, &fit);
+    return model->triangle_count > 0 || model_shared_failed(shared, "has no triangles");
 }
 
-bool model_read_meshes(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials)
+bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials)
 {
     struct model_places places;
     if (!model_places_find(scene, &places)) {
-        return model_read_failed(shared, "needs too much memory");
+        return model_shared_failed(shared, "needs too much memory");
     }
     const bool done = copy_meshes(shared, scene, &places, materials);
     free(places.list);

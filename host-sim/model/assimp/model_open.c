@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -15,9 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Address space, not memory: pages come into being when they are written. */
+/* This is address space, not memory: a page takes memory when it is written. */
 #define SHARED_BYTES (sizeof(void *) > 4 ? (size_t)2 << 30 : (size_t)1 << 29)
-/* A reader that takes longer hangs: seconds of processor time, and more for each MiB. */
+/* A reader that takes longer hangs: seconds of processor time, plus some for each MiB. */
 #define CPU_SECONDS         20
 #define CPU_SECONDS_PER_MIB 4
 
@@ -25,27 +26,27 @@ static int check_file(const char *path)
 {
     struct stat status;
     if (stat(path, &status) != 0) {
-        return complain(EXIT_FAILED, "model %s: %s", path, strerror(errno));
+        return complain("model %s: %s", path, strerror(errno));
     }
     if (S_ISDIR(status.st_mode)) {
-        return complain(EXIT_FAILED, "model %s: is a directory; name a model file in it", path);
+        return complain("model %s: is a directory; name a model file in it", path);
     }
     if (!S_ISREG(status.st_mode)) {
-        return complain(EXIT_FAILED, "model %s: is no regular file", path);
+        return complain("model %s: is no regular file", path);
     }
     if (status.st_size == 0) {
-        return complain(EXIT_FAILED, "model %s: is empty", path);
+        return complain("model %s: is empty", path);
     }
     if (status.st_size > (off_t)MODEL_FILE_MAX) {
-        return complain(EXIT_FAILED, "model %s: has more than %u bytes, the limit", path, MODEL_FILE_MAX);
+        return complain("model %s: has more than %u bytes, the limit", path, MODEL_FILE_MAX);
     }
     if (access(path, R_OK) != 0) {
-        return complain(EXIT_FAILED, "model %s: cannot be read: %s", path, strerror(errno));
+        return complain("model %s: cannot be read: %s", path, strerror(errno));
     }
     return 0;
 }
 
-/* Readers print: what they say is in shared->error or not worth a line. */
+/* Readers print lines of their own; what matters is in shared->error. */
 static void silence(void)
 {
     const int nowhere = open("/dev/null", O_RDWR);
@@ -66,20 +67,20 @@ static void child(struct model_shared *shared, const char *path)
     setrlimit(RLIMIT_CPU, &seconds);
     signal(SIGALRM, SIG_DFL);
     alarm((unsigned)(3 * most));      /* it may also wait, which costs no CPU */
-    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for it then */
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* a child without its parent is of no use */
     setrlimit(RLIMIT_CORE, &no_core);
     silence();
     for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {
         signal(crashes[i], SIG_DFL); /* the caller's handlers are not for this process */
     }
-    _exit(model_read(shared, path) ? EXIT_DONE : EXIT_FAILED);
+    _exit(model_read(shared, path) ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
 static int read_in_child(struct model_shared *shared, const char *path)
 {
     const pid_t pid = fork();
     if (pid < 0) {
-        return complain(EXIT_FAILED, "model %s: no process to read it in: %s", path, strerror(errno));
+        return complain("model %s: no process to read it in: %s", path, strerror(errno));
     }
     if (pid == 0) {
         child(shared, path);
@@ -87,14 +88,13 @@ static int read_in_child(struct model_shared *shared, const char *path)
     int status = 0;
     while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
     }
-    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_DONE) {
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) {
         return 0;
     }
     if (WIFEXITED(status) && shared->error[0] != '\0') {
-        return complain(EXIT_FAILED, "model %s: %s", path, shared->error);
+        return complain("model %s: %s", path, shared->error);
     }
-    return complain(EXIT_FAILED, "model %s: is broken, or too large for this machine: the reader crashed or hung on it",
-                    path);
+    return complain("model %s: is broken, or too large for this machine: the reader crashed or hung on it", path);
 }
 
 int model_open(struct model **model, const char *path)
@@ -106,7 +106,7 @@ int model_open(struct model **model, const char *path)
     }
     void *memory = mmap(NULL, SHARED_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) {
-        return complain(EXIT_FAILED, "model %s: not enough memory", path);
+        return complain("model %s: not enough memory", path);
     }
     struct model_shared *shared = memory;
     const size_t head = (sizeof *shared + 15) & ~(size_t)15;

@@ -1,8 +1,8 @@
-#include "model_read.h"
+#include "model_places.h"
 
 #include <stdlib.h>
 
-/* Meshes of a node and of those below it; assimp's own readers walk nodes the same way. */
+/* Counts the meshes of a node and of those below it. It is recursive, as the readers of assimp are. */
 static size_t count_places(const struct aiNode *node)
 {
     size_t count = node->mNumMeshes;
@@ -12,7 +12,7 @@ static size_t count_places(const struct aiNode *node)
     return count;
 }
 
-void model_place_multiply(double to[3][4], double parent[3][4], const struct aiMatrix4x4 *local)
+void model_places_multiply(double to[3][4], double parent[3][4], const struct aiMatrix4x4 *local)
 {
     const double l[4][4] = {{local->a1, local->a2, local->a3, local->a4},
                             {local->b1, local->b2, local->b3, local->b4},
@@ -28,7 +28,7 @@ void model_place_multiply(double to[3][4], double parent[3][4], const struct aiM
     }
 }
 
-/* The cofactors of m turn normals as m turns surfaces, also where m scales or shears; they keep what m mirrors. */
+/* The cofactors of m turn normals as m turns surfaces, also where m scales or shears; they keep its mirroring. */
 static void find_cofactors(struct model_place *place)
 {
     for (int row = 0; row < 3; row++) {
@@ -48,7 +48,7 @@ static void add_places(const struct aiScene *scene, const struct aiNode *node, d
                        struct model_places *places)
 {
     struct model_place place;
-    model_place_multiply(place.m, parent, &node->mTransformation);
+    model_places_multiply(place.m, parent, &node->mTransformation);
     find_cofactors(&place);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {
         place.mesh = scene->mMeshes[node->mMeshes[i]];
@@ -73,7 +73,7 @@ bool model_places_find(const struct aiScene *scene, struct model_places *places)
     return true;
 }
 
-void model_place_point(const struct model_place *place, unsigned i, double point[3])
+void model_places_point(const struct model_place *place, unsigned i, double point[3])
 {
     const struct aiVector3D *p = &place->mesh->mVertices[i];
     for (int axis = 0; axis < 3; axis++) {
@@ -82,7 +82,7 @@ void model_place_point(const struct model_place *place, unsigned i, double point
     }
 }
 
-void model_place_normal(const struct model_place *place, unsigned i, double normal[3])
+void model_places_normal(const struct model_place *place, unsigned i, double normal[3])
 {
     const struct aiVector3D *n = &place->mesh->mNormals[i];
     const double sign = place->mirrors ? -1 : 1;

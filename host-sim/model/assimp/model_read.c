@@ -1,5 +1,8 @@
 #include "model_read.h"
 
+#include "model_materials.h"
+#include "model_meshes.h"
+
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -7,33 +10,10 @@
 
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #define CREASE_DEGREES 66 /* edges sharper than this stay sharp when normals are made */
-
-bool model_read_failed(struct model_shared *shared, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(shared->error, sizeof shared->error, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
-void model_read_note(struct model_shared *shared, const char *format, ...)
-{
-    char text[sizeof shared->note];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    const size_t used = strlen(shared->note);
-    if (strstr(shared->note, text) == NULL && used + strlen(text) + 3 <= sizeof shared->note) {
-        snprintf(shared->note + used, sizeof shared->note - used, "%s%s", used > 0 ? "; " : "", text);
-    }
-}
 
 static bool has_suffix(const char *path, const char *suffix)
 {
@@ -49,7 +29,7 @@ static bool has_suffix(const char *path, const char *suffix)
     return true;
 }
 
-/* Triangles once every node has its own copy of its meshes; counting stops above the limit. */
+/* Counts triangles after every node has its own copy of its meshes, up to the limit. */
 static uint64_t count_triangles(const struct aiScene *scene, const struct aiNode *node)
 {
     uint64_t count = 0;
@@ -97,7 +77,7 @@ static bool is_endless_ply(const char *path)
     return strncmp(head, "ply", 3) == 0 && strstr(head, "end_header") == NULL;
 }
 
-/* The steps that change what the triangles are; the settings stay with the scene for them. */
+/* Imports the file; the settings stay with the scene for the later steps. */
 static const struct aiScene *import(const char *path, bool is_stl)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
@@ -134,10 +114,8 @@ static void scale_nodes(struct aiNode *node, float scale)
     }
 }
 
-/*
- * assimp joins vertices that are 1e-5 apart, whatever the size of the model, and squares lengths in float: what is
- * smaller than 1 or larger than 2^24 is scaled to there by a power of two. The model is fitted later anyway.
- */
+/* assimp joins vertices that are 1e-5 apart whatever the size of the model, and squares lengths in float. A model
+ * smaller than 1 or larger than 2^24 is scaled into that range by a power of two. It is fitted later anyway. */
 static void scale_to_reason(const struct aiScene *scene)
 {
     const float extent = find_extent(scene);
@@ -164,10 +142,8 @@ static void scale_to_reason(const struct aiScene *scene)
     scale_nodes(scene->mRootNode, ldexpf(1, shift));
 }
 
-/*
- * A camera of glTF gets the translation of its node, which the node has as well. Its horizontal angle of view was the
- * vertical one times the aspect ratio up to assimp 5.2 (assimp's issue 4435).
- */
+/* assimp gives a glTF camera the translation of its node a second time. Up to assimp 5.2 its horizontal angle of view
+ * was the vertical one times the aspect ratio (issue 4435 of assimp). */
 static void mend_gltf_cameras(const struct aiScene *scene)
 {
     const bool is_linear = aiGetVersionMajor() * 100 + aiGetVersionMinor() < 503;
@@ -181,16 +157,14 @@ static void mend_gltf_cameras(const struct aiScene *scene)
     }
 }
 
-/* glTF asks for flat shading where a file has no normals, and PLY says nothing: model_read_meshes makes those. */
+/* glTF asks for flat shading where a file has no normals, and PLY does not say: model_meshes_read makes those. */
 static bool is_flat_without_normals(const char *path)
 {
     return has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
 }
 
-/*
- * assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Of faces that share vertices
- * it would keep the last one's normal: those are flat, too.
- */
+/* assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Where faces share vertices it
+ * would keep the normal of the last face; those are made flat, too. */
 static bool shares_vertices(const struct aiScene *scene)
 {
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
@@ -206,7 +180,7 @@ static bool shares_vertices(const struct aiScene *scene)
     return false;
 }
 
-/* An STL file has the normals of its facets only, which say nothing that the facets do not. */
+/* An STL file has only the normals of its facets; they are dropped because they add nothing. */
 static unsigned steps(const struct aiScene *scene, bool is_stl, bool is_flat)
 {
     return aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices |
@@ -220,21 +194,21 @@ bool model_read(struct model_shared *shared, const char *path)
     const bool is_stl = has_suffix(path, ".stl");
     const bool is_linear = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
     if (is_endless_ply(path)) {
-        return model_read_failed(shared, "is broken: a PLY header without its end");
+        return model_shared_failed(shared, "is broken: a PLY header without its end");
     }
     const struct aiScene *scene = import(path, is_stl);
     if (scene == NULL) {
-        return model_read_failed(shared, "is no model that can be read: %s", aiGetErrorString());
+        return model_shared_failed(shared, "is no model that can be read: %s", aiGetErrorString());
     }
     const uint64_t count = scene->mRootNode != NULL ? count_triangles(scene, scene->mRootNode) : 0;
     if (count == 0) {
-        return model_read_failed(shared, "has no triangles");
+        return model_shared_failed(shared, "has no triangles");
     }
     if (count > MODEL_TRIANGLES_MAX) {
-        return model_read_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
+        return model_shared_failed(shared, "has more than %u triangles, the limit", MODEL_TRIANGLES_MAX);
     }
     if (has_stray_index(scene)) {
-        return model_read_failed(shared, "is broken: a face has a vertex that is not there");
+        return model_shared_failed(shared, "is broken: a face has a vertex that is not there");
     }
     if (is_linear) {
         mend_gltf_cameras(scene);
@@ -242,20 +216,20 @@ bool model_read(struct model_shared *shared, const char *path)
     scale_to_reason(scene);
     scene = aiApplyPostProcessing(scene, steps(scene, is_stl, is_flat_without_normals(path)));
     if (scene == NULL) {
-        return model_read_failed(shared, "is broken: %s", aiGetErrorString());
+        return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
     }
     if (has_suffix(path, ".obj")) {
-        model_note_missing_mtl(shared, path);
+        model_materials_note_missing(shared, path);
     }
     if (scene->mNumLights > 0) {
-        model_read_note(shared, "lights are ignored");
+        model_shared_note(shared, "lights are ignored");
     }
     if (scene->mNumAnimations > 0) {
-        model_read_note(shared, "animations are ignored");
+        model_shared_note(shared, "animations are ignored");
     }
-    const struct ph_material *materials = model_read_materials(shared, scene, path, is_linear);
+    const struct ph_material *materials = model_materials_read(shared, scene, path, is_linear);
     if (materials == NULL) {
-        return model_read_failed(shared, "needs too much memory");
+        return model_shared_failed(shared, "needs too much memory");
     }
-    return model_read_meshes(shared, scene, materials);
+    return model_meshes_read(shared, scene, materials);
 }

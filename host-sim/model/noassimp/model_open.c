@@ -5,8 +5,7 @@
 int model_open(struct model **model, const char *path)
 {
     *model = NULL;
-    return complain(EXIT_FAILED,
-                    "model %s: this program was built without assimp; install libassimp-dev (Debian) and make again",
+    return complain("model %s: this program was built without assimp; install libassimp-dev (Debian) and make again",
                     path);
 }
 

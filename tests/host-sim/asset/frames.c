@@ -9,44 +9,45 @@
 #include "complain.h"
 #include "crc32.h"
 #include "frame_out.h"
-#include "player.h"
+#include "sim_player.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static int open_player(struct player *p, const struct board *board, const struct demo *demo, void *state)
+static int open_player(struct sim_player *p, const struct board *board, const struct demo *demo, void *state)
 {
-    const struct player_setup setup = {.board = board,
-                                       .rotation = board->rotation,
-                                       .band_height = board->band_height,
-                                       .depth_format = PH_DEPTH_AUTO,
-                                       .demo = demo,
-                                       .state = state};
-    return player_open(p, &setup);
+    const struct sim_player_setup setup = {.board = board,
+                                           .rotation = board->rotation,
+                                           .band_height = board->band_height,
+                                           .depth_format = PH_DEPTH_AUTO,
+                                           .demo = demo,
+                                           .state = state};
+    return sim_player_open(p, &setup);
 }
 
-static size_t picture_bytes(const struct player *p)
+static size_t picture_bytes(const struct sim_player *p)
 {
     return (size_t)p->picture.width * p->picture.height * 3;
 }
 
 /* other: NULL, or a player whose frames must be the same. */
-static int draw(struct player *p, struct player *other, uint32_t frames, uint32_t step, const struct frame_out *out)
+static int draw(struct sim_player *p, struct sim_player *other, uint32_t frames, uint32_t step,
+                const struct frame_out *out)
 {
     for (uint32_t i = 0; i < frames; i++) {
         const uint32_t frame = i * step;
-        if (player_frame(p, frame) != 0 || frame_out_put(out, frame, &p->picture) != 0) {
-            return EXIT_FAILED;
+        if (sim_player_frame(p, frame) != 0 || frame_out_put(out, frame, &p->picture) != 0) {
+            return COMPLAINED;
         }
         printf("frame %u crc32 %08X\n", (unsigned)frame, (unsigned)crc32_update(0, p->picture.rgb, picture_bytes(p)));
         if (p->runner.renderer.stats.triangles_dropped + p->runner.renderer.stats.vertices_dropped > 0) {
-            return complain(EXIT_FAILED, "frame %u: triangles are left out", (unsigned)frame);
+            return complain("frame %u: triangles are left out", (unsigned)frame);
         }
         if (other == NULL) {
             continue;
         }
-        if (player_frame(other, frame) != 0 || memcmp(p->picture.rgb, other->picture.rgb, picture_bytes(p)) != 0) {
-            return complain(EXIT_FAILED, "frame %u differs", (unsigned)frame);
+        if (sim_player_frame(other, frame) != 0 || memcmp(p->picture.rgb, other->picture.rgb, picture_bytes(p)) != 0) {
+            return complain("frame %u differs", (unsigned)frame);
         }
     }
     return 0;
@@ -58,12 +59,12 @@ static bool same_pixel(const uint8_t *a, const uint8_t *b)
 }
 
 /* The first pixel of a picture is background. */
-static int compare(struct player *p, struct player *file, uint32_t frames, uint32_t step)
+static int compare(struct sim_player *p, struct sim_player *file, uint32_t frames, uint32_t step)
 {
     unsigned different = 0, outline = 0;
     for (uint32_t i = 0; i < frames; i++) {
-        if (player_frame(p, i * step) != 0 || player_frame(file, i * step) != 0) {
-            return EXIT_FAILED;
+        if (sim_player_frame(p, i * step) != 0 || sim_player_frame(file, i * step) != 0) {
+            return COMPLAINED;
         }
         const uint8_t *a = p->picture.rgb, *b = file->picture.rgb;
         for (size_t at = 0; at < picture_bytes(p); at += 3) {
@@ -89,7 +90,7 @@ static int make(struct asset *asset, struct model **model, const struct board *b
 
 int main(int argc, char *argv[])
 {
-    struct player scene, other, file;
+    struct sim_player scene, other, file;
     struct frame_out out = {.kind = FRAME_OUT_NONE};
     struct asset asset;
     struct model *model;
@@ -113,5 +114,5 @@ int main(int argc, char *argv[])
     }
     const uint32_t frames = (uint32_t)strtoul(argv[2], NULL, 10), step = (uint32_t)strtoul(argv[3], NULL, 10);
     const int status = draw(&scene, is_compared ? &other : NULL, frames, step, &out);
-    return status == 0 && is_compared ? compare(&scene, &file, frames, step) : status;
+    return complain_exit(status == 0 && is_compared ? compare(&scene, &file, frames, step) : status);
 }

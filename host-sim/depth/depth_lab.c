@@ -1,0 +1,27 @@
+#define _XOPEN_SOURCE 700 /* open_memstream */
+
+#include "depth_lab.h"
+
+#include "complain.h"
+
+int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection)
+{
+    return ph_projection_perspective(projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
+                                     lab->near_z, lab->far_z);
+}
+
+int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)
+{
+    size_t length;
+    struct depth_lab copy = *lab;
+    *csv = NULL;
+    copy.rows = open_memstream(csv, &length);
+    if (copy.rows == NULL) {
+        return complain("out of memory");
+    }
+    const int status = run(&copy);
+    if (fclose(copy.rows) != 0 && status == 0) {
+        return complain("out of memory");
+    }
+    return status;
+}

@@ -1,0 +1,13 @@
+/* flash_uf2: UF2 files. Source: the UF2 specification (https://github.com/microsoft/uf2). */
+#ifndef FLASH_UF2_H
+#define FLASH_UF2_H
+
+#include "flash_image.h"
+
+/* Do these n bytes look like blocks of UF2? */
+int flash_uf2_is(const uint8_t *bytes, size_t n);
+
+/* 0, or a status with a line in error. */
+int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error);
+
+#endif

@@ -1,0 +1,27 @@
+#include "model_shared.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+bool model_shared_failed(struct model_shared *shared, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(shared->error, sizeof shared->error, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+void model_shared_note(struct model_shared *shared, const char *format, ...)
+{
+    char text[sizeof shared->note];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    const size_t used = strlen(shared->note);
+    if (strstr(shared->note, text) == NULL && used + strlen(text) + 3 <= sizeof shared->note) {
+        snprintf(shared->note + used, sizeof shared->note - used, "%s%s", used > 0 ? "; " : "", text);
+    }
+}

@@ -1,0 +1,20 @@
+/* model_shared: what the child process that reads a model shares with its parent. */
+#ifndef MODEL_SHARED_H
+#define MODEL_SHARED_H
+
+#include "model.h"
+
+struct model_shared {
+    struct model model;
+    struct demo_arena arena; /* behind this struct */
+    char error[256];         /* why it failed, one line */
+    char note[512];          /* what was left out or changed; see model_shared_note */
+};
+
+/* Writes shared->error and returns false. */
+bool model_shared_failed(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Adds a text to shared->note unless it is there already or has no room. */
+void model_shared_note(struct model_shared *shared, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

@@ -1,0 +1,56 @@
+#include "model_texture.h"
+
+static uint8_t log2_of_side(uint32_t side)
+{
+    uint8_t log2 = 0;
+    while (log2 < TEXTURE_LOG2_MAX && (1u << log2) < side) {
+        log2++;
+    }
+    return log2;
+}
+
+/* The pixels first .. last - 1, at least one, that texel i of 2^log2 covers on a side of n pixels. */
+struct span {
+    uint32_t first, last;
+};
+
+static struct span covered(uint32_t i, uint32_t n, uint8_t log2)
+{
+    struct span s = {(uint32_t)((uint64_t)i * n >> log2), (uint32_t)((uint64_t)(i + 1) * n >> log2)};
+    if (s.last == s.first) {
+        s.last++;
+    }
+    return s;
+}
+
+static uint16_t mean_colour(const struct ppm *picture, struct span x, struct span y)
+{
+    uint64_t sum[3] = {0, 0, 0};
+    for (uint32_t j = y.first; j < y.last; j++) {
+        for (uint32_t i = x.first; i < x.last; i++) {
+            const uint8_t *pixel = picture->rgb + ((size_t)j * picture->width + i) * 3;
+            sum[0] += pixel[0];
+            sum[1] += pixel[1];
+            sum[2] += pixel[2];
+        }
+    }
+    const uint64_t n = (uint64_t)(x.last - x.first) * (y.last - y.first);
+    return ph_rgb565((uint8_t)(sum[0] / n), (uint8_t)(sum[1] / n), (uint8_t)(sum[2] / n));
+}
+
+int model_texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture)
+{
+    const uint8_t log2_width = log2_of_side(picture->width), log2_height = log2_of_side(picture->height);
+    uint16_t *texels = demo_alloc(arena, sizeof *texels << (log2_width + log2_height));
+    if (texels == NULL) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t y = 0; y < 1u << log2_height; y++) {
+        for (uint32_t x = 0; x < 1u << log2_width; x++) {
+            texels[(y << log2_width) + x] =
+                mean_colour(picture, covered(x, picture->width, log2_width), covered(y, picture->height, log2_height));
+        }
+    }
+    *texture = (struct ph_texture){texels, log2_width, log2_height, PH_WRAP_REPEAT};
+    return 0;
+}

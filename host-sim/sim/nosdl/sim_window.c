@@ -1,0 +1,34 @@
+/* Without SDL2 there is no window to open; the other functions are never called with one. */
+#include "sim_window.h"
+
+#include "complain.h"
+
+#include <stddef.h>
+
+int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height)
+{
+    (void)title;
+    (void)width;
+    (void)height;
+    *window = NULL;
+    return complain("--window: built without SDL2; install libsdl2-dev, then run make again");
+}
+
+bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
+{
+    (void)window;
+    *buttons = 0;
+    return false;
+}
+
+void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns)
+{
+    (void)window;
+    (void)rgb;
+    (void)frame_ns;
+}
+
+void sim_window_close(struct sim_window *window)
+{
+    (void)window;
+}

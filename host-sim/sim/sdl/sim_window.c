@@ -1,0 +1,137 @@
+#include "sim_window.h"
+
+#include "complain.h"
+#include "hal.h"
+
+#include <SDL2/SDL.h>
+
+struct sim_window {
+    SDL_Window *window;
+    SDL_Renderer *renderer;
+    SDL_Texture *texture;
+    int pitch;    /* bytes of a row */
+    uint64_t due; /* when the next picture is shown, in ticks of SDL's performance counter */
+};
+
+static const struct {
+    SDL_Scancode key;
+    uint32_t button; /* enum hal_button */
+} keyboard[] = {
+    {SDL_SCANCODE_UP, HAL_BUTTON_UP},           {SDL_SCANCODE_DOWN, HAL_BUTTON_DOWN},
+    {SDL_SCANCODE_LEFT, HAL_BUTTON_LEFT},       {SDL_SCANCODE_RIGHT, HAL_BUTTON_RIGHT},
+    {SDL_SCANCODE_RETURN, HAL_BUTTON_SELECT},   {SDL_SCANCODE_SPACE, HAL_BUTTON_SELECT},
+    {SDL_SCANCODE_KP_ENTER, HAL_BUTTON_SELECT},
+};
+
+#define KEYS (sizeof keyboard / sizeof keyboard[0])
+
+static int scale_for(int width, int height)
+{
+    SDL_Rect screen = {0, 0, 1024, 768};
+    SDL_GetDisplayUsableBounds(0, &screen);
+    const int across = screen.w * 3 / 4 / width, down = screen.h * 3 / 4 / height;
+    const int scale = across < down ? across : down;
+    return scale > 1 ? scale : 1;
+}
+
+static bool open_parts(struct sim_window *w, const char *title, int width, int height)
+{
+    const int scale = scale_for(width, height), place = (int)SDL_WINDOWPOS_CENTERED;
+    w->window = SDL_CreateWindow(title, place, place, width * scale, height * scale, SDL_WINDOW_RESIZABLE);
+    w->renderer = w->window != NULL ? SDL_CreateRenderer(w->window, -1, 0) : NULL;
+    if (w->renderer == NULL) {
+        return false;
+    }
+    SDL_RenderSetLogicalSize(w->renderer, width, height);
+    SDL_RenderSetIntegerScale(w->renderer, SDL_TRUE);
+    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING, width, height);
+    return w->texture != NULL;
+}
+
+/* SDL would fall back to a screen that nobody sees, so the drivers are named; SDL_VIDEODRIVER of the user has priority.
+ * Without XDG_RUNTIME_DIR the library of Wayland does not work, and prints lines of its own. */
+static void choose_screen(void)
+{
+    const bool wayland = SDL_getenv("XDG_RUNTIME_DIR") != NULL;
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "x11,wayland,cocoa,KMSDRM" : "x11,cocoa,KMSDRM");
+}
+
+int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height)
+{
+    struct sim_window *w = SDL_calloc(1, sizeof *w);
+    *window = NULL;
+    if (w == NULL) {
+        return complain("--window: not enough memory");
+    }
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* the program has its own */
+    choose_screen();
+    w->pitch = 3 * width;
+    if (SDL_Init(SDL_INIT_VIDEO) != 0 || !open_parts(w, title, width, height)) {
+        const int status = complain("--window: no screen (%s); run it on a desktop, or set DISPLAY", SDL_GetError());
+        sim_window_close(w);
+        return status;
+    }
+    w->due = SDL_GetPerformanceCounter();
+    *window = w;
+    return 0;
+}
+
+static uint32_t button_of(SDL_Scancode key)
+{
+    uint32_t button = 0;
+    for (size_t i = 0; i < KEYS; i++) {
+        button |= keyboard[i].key == key ? keyboard[i].button : 0;
+    }
+    return button;
+}
+
+bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
+{
+    bool open = window != NULL;
+    *buttons = 0;
+    for (SDL_Event event; SDL_PollEvent(&event);) {
+        if (event.type == SDL_QUIT || (event.type == SDL_KEYDOWN && event.key.keysym.scancode == SDL_SCANCODE_ESCAPE)) {
+            open = false;
+        } else if (event.type == SDL_KEYDOWN) { /* a key that is up again counts, too */
+            *buttons |= button_of(event.key.keysym.scancode);
+        }
+    }
+    const uint8_t *down = SDL_GetKeyboardState(NULL);
+    for (size_t i = 0; i < KEYS; i++) {
+        *buttons |= down[keyboard[i].key] ? keyboard[i].button : 0;
+    }
+    return open;
+}
+
+/* Sleeps until the picture is due. If it is late, the time of the next one counts from now. */
+static void wait_until_due(struct sim_window *w, uint64_t frame_ns)
+{
+    const uint64_t hz = SDL_GetPerformanceFrequency();
+    w->due += frame_ns * (hz / 1000) / 1000000;
+    const uint64_t now = SDL_GetPerformanceCounter();
+    if (now < w->due) {
+        SDL_Delay((uint32_t)((w->due - now) * 1000 / hz));
+    } else {
+        w->due = now;
+    }
+}
+
+void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns)
+{
+    SDL_UpdateTexture(window->texture, NULL, rgb, window->pitch);
+    SDL_RenderClear(window->renderer);
+    SDL_RenderCopy(window->renderer, window->texture, NULL, NULL);
+    wait_until_due(window, frame_ns);
+    SDL_RenderPresent(window->renderer);
+}
+
+void sim_window_close(struct sim_window *window)
+{
+    if (window != NULL) {
+        SDL_DestroyTexture(window->texture);
+        SDL_DestroyRenderer(window->renderer);
+        SDL_DestroyWindow(window->window);
+        SDL_free(window);
+        SDL_Quit();
+    }
+}

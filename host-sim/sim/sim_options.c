@@ -1,0 +1,274 @@
+#include "sim_options.h"
+
+#include "complain.h"
+#include "option_table.h"
+#include "option_text.h"
+#include "render.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define FRAME_LIMIT 1000000000u
+#define SIZE_LIMIT  1024 /* struct ph_config */
+#define FOV_DEG     FX_INT(60)
+#define FISHEYE_DEG FX_INT(180)
+
+static bool set_size(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    return option_text_size(value, SIZE_LIMIT, &o->width, &o->height);
+}
+
+static bool set_rotate(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->rotate_set = true;
+    return option_text_turns(value, &o->rotate);
+}
+
+/* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
+static bool set_camera(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    static const char *const keys[] = {"eye=", "target=", "up="};
+    struct fx_vec3 *const vectors[] = {&o->eye, &o->target, &o->up};
+    bool seen[3] = {false, false, false};
+    for (;;) {
+        int key = 0;
+        while (key < 3 && (seen[key] || strncmp(value, keys[key], strlen(keys[key])) != 0)) {
+            key++;
+        }
+        fx_t xyz[3];
+        if (key == 3 || !option_text_fx_list(value + strlen(keys[key]), xyz, 3, &value)) {
+            return false;
+        }
+        *vectors[key] = (struct fx_vec3){xyz[0], xyz[1], xyz[2]};
+        seen[key] = true;
+        if (*value == '\0') {
+            o->camera_set = seen[0];
+            return seen[0];
+        }
+        if (*value++ != ',') {
+            return false;
+        }
+    }
+}
+
+static bool set_distance(struct sim_options *o, fx_t *out, const char *value)
+{
+    const char *rest;
+    o->projection_set = true;
+    return option_text_fx(value, out, &rest) && *rest == '\0';
+}
+
+static bool set_fov(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    return set_distance(o, &o->fov_deg, value) && o->fov_deg > 0 && o->fov_deg <= FX_INT(240);
+}
+
+static bool set_near(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    return set_distance(o, &o->near_z, value);
+}
+
+static bool set_far(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    return set_distance(o, &o->far_z, value);
+}
+
+static bool set_projection(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    static const char *const names[] = {"perspective", "frustum", "ortho", "fisheye"};
+    char kind[16] = "";
+    const size_t n = strcspn(value, "=");
+    o->projection_set = true;
+    o->window_set = value[n] == '=';
+    memcpy(kind, value, n < sizeof kind ? n : sizeof kind - 1);
+    const int found = option_text_choice(kind, names, 4);
+    if (found < 0 || (o->window_set && found != OPTION_FRUSTUM && found != OPTION_ORTHO)) {
+        return false;
+    }
+    o->projection = (enum option_projection)found;
+    return !o->window_set || (option_text_fx_list(value + n + 1, o->window, 4, &value) && *value == '\0');
+}
+
+static bool set_convention(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    static const char *const names[] = {[PH_GL] = "gl", [PH_D3D] = "d3d", [PH_LMU] = "lmu", [PH_REVERSED] = "reversed"};
+    const int convention = option_text_choice(value, names, 4);
+    o->convention = (uint8_t)(convention & 3);
+    return convention >= 0;
+}
+
+static bool set_depth(void *to, const char *value)
+{
+    return option_text_depth(value, &((struct sim_options *)to)->depth);
+}
+
+static bool set_list(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    (void)value;
+    o->action = OPTION_LIST;
+    return true;
+}
+
+static bool set_help(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    (void)value;
+    o->action = OPTION_HELP;
+    return true;
+}
+
+static const struct option_row rows[] = {
+    {"demo", "NAME", "a built-in scene; turntable without --demo and --model", "a name that --list shows",
+     .at = offsetof(struct sim_options, demo)},
+    {"view", "NAME", "one of the demo's views; the first by default", "a name that --list shows",
+     .at = offsetof(struct sim_options, view)},
+    {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
+     .at = offsetof(struct sim_options, model)},
+    {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},
+    {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
+    {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
+     .at = offsetof(struct sim_options, frames), .least = 1, .most = FRAME_LIMIT},
+    {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
+     .at = offsetof(struct sim_options, start), .least = 0, .most = FRAME_LIMIT},
+    {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
+     "a directory, a file that ends in .ppm, or -", .at = offsetof(struct sim_options, out)},
+    {"rotate", "0|90|180|270",
+     "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
+     "        board's own by default. The glass is shown with the picture upright, as you would hold it: 90 and 270\n"
+     "        swap width and height; else only the bytes on the wire differ",
+     "0, 90, 180 or 270 degrees", .set = set_rotate},
+    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
+     "target is the origin and up is the y axis by default. Without this option the demo has its own view; it has\n"
+     "        its own lens if none of --camera, --fov, --near, --far, --projection is given",
+     "eye=X,Y,Z and, optionally, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99",
+     .set = set_camera},
+    {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
+     "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
+    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
+     .set = set_far},
+    {"projection", "perspective|ortho[=L,R,B,T]|frustum[=L,R,B,T]|fisheye",
+     "L,R,B,T is the window at the near plane; a fisheye is equidistant; perspective by default",
+     "perspective, ortho, ortho=L,R,B,T, frustum, frustum=L,R,B,T or fisheye", .set = set_projection},
+    {"convention", "gl|d3d|lmu|reversed",
+     "how the camera is written down; the picture is the same in all of them. gl by default: right-handed, along -z",
+     "gl, d3d, lmu or reversed", .set = set_convention},
+    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
+     "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
+     "        projection is parallel, else float16 (--stats names it). The 24-bit formats take twice the memory, "
+     "linear-w\n"
+     "        a reciprocal per pixel",
+     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+    {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
+     .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
+    {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
+     .at = offsetof(struct sim_options, overlay)},
+    {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,
+     .at = offsetof(struct sim_options, crc)},
+    {"keys", "FILE",
+     "presses buttons; a line is FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
+     "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
+     "a file", .at = offsetof(struct sim_options, keys)},
+    {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
+     .at = offsetof(struct sim_options, show_window)},
+    {"matrix", NULL,
+     "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
+     NULL, .at = offsetof(struct sim_options, matrix)},
+    {"stats", NULL,
+     "prints the cost of each frame on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
+     "        outside the view volume or between the pixels; clipped: cut at its border; drawn: listed (what was\n"
+     "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
+     "        wire, bus: bytes and time of the frame on the SPI bus",
+     NULL, .at = offsetof(struct sim_options, stats)},
+    {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL,
+     .set = set_list},
+    {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
+};
+
+static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
+
+void sim_options_help(void)
+{
+    puts("pinhole-sim [options]: draws a scene through a display kit's driver into a model of its display\n"
+         "controller, and shows what the glass shows.\n");
+    option_table_help(&table);
+    puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
+}
+
+static int check_together(const struct sim_options *o)
+{
+    if (o->demo != NULL && o->model != NULL) {
+        return complain_usage("--demo and --model exclude each other");
+    }
+    if (o->board != NULL && o->width != 0) {
+        return complain_usage("--board and --size exclude each other");
+    }
+    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix && !o->show_window) {
+        return complain_usage("nothing to do: give --out, --crc, --stats, --matrix or --window (see --help)");
+    }
+    if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
+        return complain_usage("--fov: must be less than 180 degrees; more only with --projection fisheye");
+    }
+    if (o->projection == OPTION_FISHEYE && o->fov_deg != 0 && o->fov_deg < FX_INT(10)) {
+        return complain_usage("--fov: must be 10 .. 240 degrees for a fisheye");
+    }
+    if (o->projection == OPTION_FISHEYE && o->matrix) {
+        return complain_usage("--matrix: a fisheye has no matrix; choose another --projection");
+    }
+    return 0;
+}
+
+int sim_options_read(struct sim_options *o, int argc, char *const argv[])
+{
+    *o = (struct sim_options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
+    for (int i = 1; i < argc;) {
+        i = option_table_read(&table, o, argc, argv, i);
+        if (i < 0) {
+            return i;
+        }
+    }
+    if (o->frames == 0) {
+        o->frames = o->show_window ? UINT32_MAX : 1;
+    }
+    return check_together(o);
+}
+
+/* half = distance tan(fov / 2), rounded once; it saturates. */
+static fx_t half_height(const struct sim_options *o, fx_t distance)
+{
+    int32_t sine, cosine;
+    fx_sincos_q30(fx_turn32_from_deg(o->fov_deg != 0 ? o->fov_deg : FOV_DEG) / 2, &sine, &cosine);
+    const int64_t half = ((int64_t)distance * sine + cosine / 2) / (cosine > 0 ? cosine : 1);
+    return half > FX_MAX ? FX_MAX : (fx_t)half;
+}
+
+int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p)
+{
+    const fx_t n = o->near_z, f = o->far_z;
+    if (o->projection == OPTION_PERSPECTIVE) {
+        const fx_t fov = o->fov_deg != 0 ? o->fov_deg : FOV_DEG;
+        return ph_projection_perspective(p, fov, (fx_t)(((uint32_t)width << 16) / height), n, f);
+    }
+    if (o->projection == OPTION_FISHEYE) {
+        return ph_projection_fisheye(p, o->fov_deg != 0 ? o->fov_deg : FISHEYE_DEG, n, f);
+    }
+    fx_t distance = n;
+    if (o->projection == OPTION_ORTHO) {
+        distance = o->camera_set ? fx_vec3_length_sat(fx_vec3_sub_sat(o->eye, o->target)) : FX_INT(3);
+    }
+    const fx_t top = half_height(o, distance);
+    const fx_t right = (fx_t)((int64_t)top * width / height > FX_MAX ? FX_MAX : (int64_t)top * width / height);
+    const fx_t fitted[4] = {-right, right, -top, top};
+    const fx_t *w = o->window_set ? o->window : fitted;
+    return (o->projection == OPTION_ORTHO ? ph_projection_ortho : ph_projection_frustum)(p, w[0], w[1], w[2], w[3], n,
+                                                                                         f);
+}

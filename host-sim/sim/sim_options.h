@@ -1,0 +1,56 @@
+/*
+ * sim_options: the command line of pinhole-sim. Every number is read strictly. Fixed-point numbers are read by
+ * fx_from_text(), so that a camera means the same bits on every machine.
+ */
+#ifndef SIM_OPTIONS_H
+#define SIM_OPTIONS_H
+
+#include "camera.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum option_action { OPTION_RUN, OPTION_LIST, OPTION_HELP };
+enum option_projection { OPTION_PERSPECTIVE, OPTION_FRUSTUM, OPTION_ORTHO, OPTION_FISHEYE };
+
+struct sim_options {
+    enum option_action action;
+    const char *demo;       /* NULL: none asked for */
+    const char *view;       /* of the demo, or NULL */
+    const char *model;      /* path of a model file, or NULL */
+    const char *board;      /* NULL: none asked for */
+    uint16_t width, height; /* --size, 0: not given */
+    uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */
+    const char *keys;       /* path of a script of presses, or NULL */
+    const char *out;        /* directory, FILE.ppm, "-", or NULL */
+    bool rotate_set;        /* else as the board is usually held */
+    uint8_t rotate;         /* quarter turns, 0 .. 3 */
+    uint32_t band;          /* lines, 0: the board's own */
+    uint8_t depth;          /* enum ph_depth_format */
+    uint8_t convention;     /* enum ph_convention */
+    bool crc, stats, overlay, matrix, show_window;
+
+    bool camera_set;
+    struct fx_vec3 eye, target, up;
+
+    bool projection_set; /* any of the following was given */
+    enum option_projection projection;
+    bool window_set;
+    fx_t window[4];              /* left, right, bottom, top: at the near plane (frustum), of the volume (ortho) */
+    fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given */
+};
+
+/* Reads the command line into *o. 0 or PH_ERR_INVAL. */
+int sim_options_read(struct sim_options *o, int argc, char *const argv[]);
+
+/* Prints what --help prints. */
+void sim_options_help(void);
+
+/*
+ * The projection that was asked for, on a picture of width x height pixels. The volume of an orthographic one without
+ * a window is as high as the field of view is at the camera's target (3 units away without --camera).
+ * 0, or PH_ERR_INVAL for an impossible one.
+ */
+int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p);
+
+#endif

@@ -1,0 +1,56 @@
+/*
+ * sim_player: one demo on one simulated kit. The picture takes the same way as on a real kit: demo -> bands -> panel
+ * driver -> HAL backend -> model of the controller -> glass. The kit has the memory of the board: a triangle that the
+ * board has no room for is left out here as well.
+ */
+#ifndef SIM_PLAYER_H
+#define SIM_PLAYER_H
+
+#include "ppm.h"
+#include "runner.h"
+#include "sim.h"
+
+struct sim_player_setup {
+    const struct board *board;
+    unsigned rotation;    /* enum panel_rotation */
+    uint16_t band_height; /* lines; at most the whole picture is taken */
+    uint8_t depth_format; /* enum ph_depth_format */
+    const struct demo *demo;
+    void *state;      /* what the demo finds in context->state, or NULL */
+    const char *view; /* one of the demo's views, or NULL: the first */
+    struct demo_camera camera;
+    bool overlay; /* frame time (of the bus) and triangles over the picture */
+};
+
+struct sim_player {
+    struct sim_player_setup setup;
+    struct runner runner;
+    struct hal hal;
+    struct sim *sim;
+    void *memory;                 /* the kit's */
+    struct ppm picture;           /* the last frame as it is seen */
+    struct sim_counters counters; /* before the last frame */
+    bool drops_told;
+};
+
+/* Powers the kit on and builds the scene. 0 or COMPLAINED. Close it in any case. */
+int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
+
+/* Gives the demo the kit's buttons, draws frame number `frame` and sends it to the panel; then p->picture is what the
+ * glass shows. 0 or COMPLAINED. */
+int sim_player_frame(struct sim_player *p, uint32_t frame);
+
+/* Gets the camera of frame number `frame`, or the last one if the demo uses several. 0 or COMPLAINED. */
+int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection);
+
+/* Returns how long the last frame took on the bus. */
+uint64_t sim_player_bus_ns(const struct sim_player *p);
+
+/* Prints the cost of the last frame in one line on stderr. */
+void sim_player_print_stats(const struct sim_player *p, uint32_t frame);
+
+/* Turns the display off, prints each of the controller's complaints on stderr and frees the memory. 0, or COMPLAINED if
+ * there were any. */
+int sim_player_close(struct sim_player *p);
+
+#endif
