@@ -122,7 +122,14 @@ int qemu_start(struct qemu *q, const char *machine, const char *image, unsigned 
     q->said = e.said[0];
     stop_catch(); /* waits end then, QEMU is stopped, and files that are half written go away */
     signal(SIGPIPE, SIG_IGN);
-    return q->pid > 0 ? qemu_command(q, "qmp_capabilities", NULL) : complain(EXIT_FAILED, "fork: %s", strerror(errno));
+    if (q->pid < 0) {
+        return complain(EXIT_FAILED, "fork: %s", strerror(errno));
+    }
+    /* Since QEMU 10 guest_errors has no accesses to nowhere; to an older one invalid_mem is a wrong word without
+     * effect. */
+    const int status = qemu_command(q, "qmp_capabilities", NULL);
+    return status != 0 ? status
+                       : qemu_command(q, "human-monitor-command", "\"command-line\": \"log guest_errors,invalid_mem\"");
 }
 
 static bool readable(int fd, int wait_ms)
