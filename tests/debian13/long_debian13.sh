@@ -15,8 +15,11 @@ timed() {
     echo "# $((SECONDS - start)) s"
 }
 
+# All with the same flags: what one builds the next finds built.
+strict() { debian13 env CFLAGS='-O2 -g -Werror' "$@"; }
+
 build() { # build directory, compiler
-    debian13 make -k -s -j"$(nproc)" B="$1" CC="$2" CFLAGS='-O2 -g -Werror' all test-programs long-programs
+    strict make -k -s -j"$(nproc)" B="$1" CC="$2" all test-programs long-programs
 }
 
 frames_are_ours() { # build directory
@@ -26,7 +29,7 @@ frames_are_ours() { # build directory
 # A test script of the tree; it is skipped here when it skips all that it has.
 script() { # name, file
     local start=$SECONDS said status
-    said=$(debian13 "$2" 2>&1)
+    said=$(strict "$2" 2>&1)
     status=$?
     ended() { echo "$said" && [ "$status" = 0 ]; }
     if [ $status = 0 ] && ! grep '^ok ' <<<"$said" | grep -qv '# SKIP '; then
@@ -72,7 +75,7 @@ debian13_copy || exit 1
 
 timed "gcc 14 builds everything without a warning" build build gcc
 timed "clang 19 builds everything without a warning" build build/clang clang
-timed "make check passes" debian13 make check CFLAGS='-O2 -g -Werror'
+timed "make check passes" strict make check
 timed "gcc's frames are the golden ones" frames_are_ours build
 timed "clang's frames are the golden ones" frames_are_ours build/clang
 timed "gcc 14 builds the firmware without a warning" images_build
