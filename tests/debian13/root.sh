@@ -40,7 +40,7 @@ debian13_bootstrap() {
         --aptopt='APT::Install-Recommends "false"' --aptopt='Acquire::http::Timeout "20"' --aptopt='Acquire::Retries "2"' \
         trixie "$new/root" "$new"/sources/* >"$debian13_log" 2>&1 </dev/null &&
         echo "$debian13_packages" >"$new/root/etc/pinhole-packages" &&
-        rm -rf "$debian13_root" && mv -T "$new/root" "$debian13_root" || status=1
+        { [ ! -e "$debian13_root" ] || mv -T "$debian13_root" "$new/old"; } && mv -T "$new/root" "$debian13_root" || status=1
     rm -rf "$new"
     return $status
 }
