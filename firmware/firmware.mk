@@ -134,7 +134,7 @@ $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_APP) -Ifirmware/app/depthlab -Iboards \
 	    -MMD -MP -c $< -o $@
-	$(Q)sed 's#$(APP_FILE)##' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a user's file may move
+	$(Q)sed 's:$(subst #,\\#,$(APP_FILE))::' $(@:.o=.d) >$(@:.o=.d.part) && mv $(@:.o=.d.part) $(@:.o=.d) # a user's file may move
 
 $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	@mkdir -p $(@D)

@@ -8,14 +8,18 @@ awk '
     /^\.[a-z]/ { section = $1 }
     /^ [.*]/ && NF == 1 { name = $1; getline; $0 = " " name " " $0 }
     /^ \.?[A-Za-z*_.]/ && $2 ~ /^0x/ && $3 ~ /^0x/ && $4 != "" {
-        bytes = hex($3)
-        if (bytes == 0 || section ~ /^\.(debug|comment|ARM\.attributes|stab)/) { next }
-        module = $4
+        count(hex($2))
+        at = hex($2); bytes = hex($3); module = $4; part = section
+    }
+    # The section before this address. Merged strings may stand with their size before: they end where the next begins.
+    function count(end) {
+        if (end >= at && end < at + bytes) { bytes = end - at }
+        if (bytes == 0 || part ~ /^\.(debug|comment|ARM\.attributes|stab)/) { return }
         sub(/.*-objects\//, "", module)
         sub(/\.o$/, "", module)
         if (module ~ /\.a\(/) { sub(/.*\//, "", module) }
-        if (section ~ /^\.(bss|stack|noinit|scratch)/) { ram[module] += bytes } else { flash[module] += bytes }
-        if (section ~ /^\.(data|ram_?text)/) { ram[module] += bytes }
+        if (part ~ /^\.(bss|stack|noinit|scratch)/) { ram[module] += bytes } else { flash[module] += bytes }
+        if (part ~ /^\.(data|ram_?text)/) { ram[module] += bytes }
         all[module]
     }
     function hex(text,    i, n) {
@@ -24,6 +28,7 @@ awk '
         return n
     }
     END {
+        count(0)
         for (m in all) { printf "%-32s %8d %8d\n", m, flash[m], ram[m]; f += flash[m]; r += ram[m] }
         printf "%-32s %8d %8d\n", "all", f, r
     }' "$1" | sort -k2,2n -k3,3n | { printf '%-32s %8s %8s\n' module flash RAM; cat; }

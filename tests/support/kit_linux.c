@@ -254,6 +254,8 @@ static void what_cannot_be_opened_is_told(void **state)
     check_refused(&board, NULL, HAL_ENODEV, "line GPIO99: no chip has it");
     board.pins.dc = (struct board_pin)BOARD_LINE("gpiochip7:3");
     check_refused(&board, NULL, HAL_ENODEV, "line gpiochip7:3: there is no such /dev/gpiochip");
+    board.pins.dc = (struct board_pin)BOARD_LINE("gpiochip0:54"); /* it has 54 */
+    check_refused(&board, NULL, HAL_ENODEV, "line gpiochip0:54: no chip has it");
     board = board_rpi_waveshare_1in3;
     open_kit(&other, &board);
     check_refused(&board, NULL, HAL_EBUSY, "is taken by \"pinhole\"");

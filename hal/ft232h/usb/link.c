@@ -222,7 +222,7 @@ int ft232h_link_get(struct ft232h_usb *link, uint8_t *bytes, size_t n)
 
 static int request(struct ft232h_usb *link, uint8_t number, uint16_t value)
 {
-    const uint8_t type = LIBUSB_REQUEST_TYPE_VENDOR | LIBUSB_RECIPIENT_DEVICE | LIBUSB_ENDPOINT_OUT;
+    const uint8_t type = (int)LIBUSB_REQUEST_TYPE_VENDOR | (int)LIBUSB_RECIPIENT_DEVICE | (int)LIBUSB_ENDPOINT_OUT;
     const int error = libusb_control_transfer(link->handle, type, number, value, PORT_A, NULL, 0, FT232H_WAIT_MS);
     return error < 0 ? fail(link, error, "setting it up") : HAL_OK;
 }
