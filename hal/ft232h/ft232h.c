@@ -27,7 +27,7 @@ int ft232h_fail(char *error, int status, const char *format, ...)
 static uint16_t bit_of(const struct board_pin *pin)
 {
     const int number = pin->wired && pin->line != NULL ? ft232h_mpsse_pin(pin->line) : -1;
-    return number < 0 ? 0 : (uint16_t)(1U << number);
+    return (uint16_t)(number < 0 ? 0U : 1U << number);
 }
 
 /* Sets a pin's level, in the sense of hal.h; a change goes into the stream. */
