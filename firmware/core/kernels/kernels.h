@@ -45,10 +45,7 @@ bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], c
  */
 bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
-/*
- * small_gouraud.c: draws all rows of a small triangle. depth and pixels point at column 0 of its first row. Returns the
- * number of its pixels.
- */
+/* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. */
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 

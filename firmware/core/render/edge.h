@@ -24,10 +24,7 @@ struct ph_outline {
     bool long_left;
 };
 
-/*
- * The corners of v run counter-clockwise. If two of them have the same first row, either may count as the upper one:
- * the edge between them has no row.
- */
+/* The corners run counter-clockwise. Of two with one first row either may be the upper: their edge has no row. */
 static inline struct ph_outline ph_outline(const struct ph_vertex *const v[3])
 {
     const struct ph_vertex *top = v[0], *left = v[1], *right = v[2];
@@ -59,10 +56,19 @@ static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx
 {
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */
     const int shift = fx_clz32((uint32_t)dy);
-    /* 2^(47 - shift) dx / dy, never above the exact value: a centre that lies on the edge is on its right, as the
-     * top-left rule wants it */
+    /* 2^(47 - shift) dx / dy, never above it: a centre on the edge is on its right (top-left rule) */
     const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
     return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
+}
+
+static inline int32_t ph_min(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t ph_max(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
 }
 
 /* v or -1 - v, whichever is not negative. It has as many bits as v needs beside its sign. */

@@ -56,10 +56,7 @@ static int32_t max_i32(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/*
- * Focal lengths as fractions of 2^focal_log2 pixels. That power of two also makes the guard band reach over the
- * picture.
- */
+/* Focal lengths as fractions of 2^focal_log2 px. That power also makes the guard band reach over the picture. */
 static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
 {
     const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */

@@ -150,9 +150,7 @@ static void step_rows(struct ph_small_triangle *r, uint32_t n)
     }
 }
 
-/*
- * How many of the next upper rows lie wholly in the octave. d, gd and d_dy are in units of the triangle's plane.
- */
+/* How many of the next upper rows lie wholly in the octave. d, gd and d_dy are in units of the triangle's plane. */
 static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct ph_octave *octave)
 {
     uint32_t left = r->left, right = r->right, d = r->d, n = 0;
@@ -410,8 +408,9 @@ struct share {
     struct ph_band rows;
 };
 
-static void draw_share(struct share *s)
+static void draw_share(void *argument)
 {
+    struct share *const s = argument;
     s->fragments = 0;
     clear(&s->rows, s->background);
     for (uint32_t i = s->first; i != PH_NONE; i = s->triangles[i].next) {
@@ -420,11 +419,6 @@ static void draw_share(struct share *s)
             s->fragments += draw(t, &s->rows);
         }
     }
-}
-
-static void draw_other_share(void *argument)
-{
-    draw_share(argument);
 }
 
 /* Merges two lists in drawing order into one. */
@@ -465,7 +459,7 @@ static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct 
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
     lower.rows.pixels += above;
     lower.rows.depth = (uint8_t *)rows->depth + above * (rows->depth24 ? sizeof(uint32_t) : sizeof(uint16_t));
-    const bool both = r->config.other_core(draw_other_share, &lower);
+    const bool both = r->config.other_core(draw_share, &lower);
     draw_share(&upper);
     if (both) {
         r->config.other_core_join();

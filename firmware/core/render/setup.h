@@ -16,10 +16,7 @@ static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct p
     return (struct ph_sides){dx1, dy1, dx2, dy2, area, is_short};
 }
 
-/*
- * Before the triangles of a part: prepares what its small triangles have in common. Triangles of other materials may
- * come in between.
- */
+/* Before the triangles of a part: prepares its small ones. Triangles of other materials may come in between. */
 void ph_setup_part(struct ph_renderer *r, const struct ph_material *material);
 
 /*

@@ -145,10 +145,7 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
                              wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
 }
 
-/*
- * An octave of a triangle's d, bottom .. bottom + size - 1, and the numbers that make codes of it. It is kept, because
- * the next row mostly lies in it, too.
- */
+/* An octave of a triangle's d, bottom .. bottom + size - 1. It is kept: the next row mostly lies in it, too. */
 struct ph_octave {
     uint32_t bottom, size, offset, slope;
     int octave;

@@ -48,6 +48,12 @@ static inline void ph_small_lower(struct ph_small_triangle *small)
     small->lower_rows = 0;
 }
 
+/* A row of pixels or of depths, so many bytes further down. */
+static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
+{
+    return (uint16_t *)(void *)((uint8_t *)row + bytes);
+}
+
 enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };
 
 struct ph_triangle {

@@ -17,11 +17,9 @@ struct ph_row_run {
 /* False if the row has no pixel. */
 static inline bool ph_next_row(const struct ph_texel_rows *r, struct ph_row_run *row)
 {
-    const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16, columns = (int32_t)r->columns;
-    const int32_t from = left > 0 ? left : 0, to = right < columns ? right : columns;
-    const uint32_t n = (uint32_t)(to - from);
-    *row = (struct ph_row_run){(uint32_t)from, n, 2 * ((uint32_t)from + 1 - (n & 1))};
-    return from < to;
+    const bool any = ph_tile_columns(r->left, r->right, r->columns, &row->first, &row->n);
+    row->pair = 2 * (row->first + 1 - (row->n & 1));
+    return any;
 }
 
 static inline void ph_row_down(struct ph_texel_rows *r)
