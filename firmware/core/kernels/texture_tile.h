@@ -39,10 +39,8 @@ struct ph_texel_rows {
     struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
 };
 
-/*
- * Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
- * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels.
- */
+/* Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
+ * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels. */
 void ph_texture_tile(struct ph_texel_rows *r);
 
 /* Coefficients of the next row. */

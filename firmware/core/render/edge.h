@@ -48,10 +48,8 @@ static inline struct ph_edge ph_edge_at_row(int32_t x, int32_t dx, int32_t row, 
     return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
 }
 
-/*
- * The edge at row y0 that begins at a and goes on by dx, dy, each below 64 px (PH_SIDE_SHORT); `row` is the first row
- * of a. It has a row. In 32 bits; at its far end it is 2^-9 px off at most.
- */
+/* The edge at row y0 that begins at a and goes on by dx, dy, each below 64 px (PH_SIDE_SHORT); `row` is the first row
+ * of a. It has a row. In 32 bits; at its far end it is 2^-9 px off at most. */
 static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t row, int32_t y0)
 {
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */

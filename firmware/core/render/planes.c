@@ -67,10 +67,8 @@ struct pixel_gradient {
     int32_t x, y; /* per pixel */
 };
 
-/*
- * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first:
- * x = (d2 dy1 - d1 dy2) / area, y = (d1 dx2 - d2 dx1) / area. For limit see plane_through below.
- */
+/* Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first: x = (d2 dy1 - d1
+ * dy2) / area, y = (d1 dx2 - d2 dx1) / area. For limit see plane_through below. */
 static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int limit)
 {
     struct plane_base base = *any, *const s = &base;
@@ -129,10 +127,8 @@ static inline void scaled_plane(struct ph_plane *out, const struct plane_base *s
     short_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop, limit);
 }
 
-/*
- * The plane through three unsigned values. Gradients beyond 2^limit per pixel are halved until they fit: so slivers,
- * and faces seen edge-on, become flat instead of wrapping.
- */
+/* The plane through three unsigned values. Gradients beyond 2^limit per pixel are halved until they fit: so slivers,
+ * and faces seen edge-on, become flat instead of wrapping. */
 static void plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3], int limit)
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */

@@ -132,11 +132,6 @@ struct place {
     uint32_t stride; /* pixels */
 };
 
-static uint32_t draw_at(const struct ph_small_triangle *r, const struct place *at)
-{
-    return ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
-}
-
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
 static void step_rows(struct ph_small_triangle *r, uint32_t n)
 {
@@ -180,7 +175,7 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
            ph_depth_float16_slope(above, octave->octave) - from * r->gd;
     r->upper_rows = (uint16_t)rows;
     r->lower_rows = 0;
-    const uint32_t count = draw_at(r, at);
+    const uint32_t count = ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
     r->d = d;
     r->gd = gd;
     r->d_dy = d_dy;
@@ -250,10 +245,8 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
     return count;
 }
 
-/*
- * Rounds the depth plane to multiples of 8: in the nearest octave a code is d without its last 3 bits. This starts from
- * the triangle's first pixel, which does not depend on the bands.
- */
+/* Rounds the depth plane to multiples of 8: in the nearest octave a code is d without its last 3 bits. This starts from
+ * the triangle's first pixel, which does not depend on the bands. */
 static void round_depth(struct ph_small_triangle *r)
 {
     const uint32_t x = (r->lower_is_right ? r->left : r->right) >> 16;
@@ -312,7 +305,7 @@ static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_b
 {
     struct ph_small_triangle r = t->small;
     const struct place at = cut_rows(t, band, &r);
-    return draw_at(&r, &at);
+    return ph_small_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
 /* Draws a small triangle that crosses octaves. */
@@ -365,10 +358,8 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
-/*
- * Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
- * octaves stays as it is, since its depth is rounded at its first row.
- */
+/* Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
+ * octaves stays as it is, since its depth is rounded at its first row. */
 static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
 {
     if (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE) {
@@ -377,10 +368,8 @@ static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
     }
 }
 
-/*
- * Draws a band with one core. In one pass the triangles that were carried over are merged with the fresh ones of this
- * band, drawn, and carried over if they go on below.
- */
+/* Draws a band with one core. In one pass the triangles that were carried over are merged with the fresh ones of this
+ * band, drawn, and carried over if they go on below. */
 static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
 {
     struct ph_triangle *triangles = ph_triangles(r);

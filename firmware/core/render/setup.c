@@ -202,10 +202,8 @@ bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material,
     return ph_setup_triangle(r, material, v, uv);
 }
 
-/*
- * A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
- * the longer axis) or row, and needs no raster code of its own.
- */
+/* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
+ * the longer axis) or row, and needs no raster code of its own. */
 void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                    const struct ph_corner *b)
 {

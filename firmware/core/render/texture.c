@@ -39,10 +39,8 @@ struct corners {
     int32_t left[2], right[2];
 };
 
-/*
- * u and v over a tile. A side's number is the part of the change of u or v along it by which the parabola through its
- * ends and its middle bends: the change of 1/w over the mean of 1/w, in 2^-16.
- */
+/* u and v over a tile. A side's number is the part of the change of u or v along it by which the parabola through its
+ * ends and its middle bends: the change of 1/w over the mean of 1/w, in 2^-16. */
 struct surface {
     struct corners u, v;
     int32_t top, bottom, left, right;

@@ -4,10 +4,8 @@
 
 #include "render.h"
 
-/*
- * An edge that is walked from row to row. x is its 16.16 column at its first row; half a pixel is subtracted from it
- * and it is rounded up, so that the first pixel on its right has the column x >> 16.
- */
+/* An edge that is walked from row to row. x is its 16.16 column at its first row; half a pixel is subtracted from it
+ * and it is rounded up, so that the first pixel on its right has the column x >> 16. */
 struct ph_edge {
     int32_t x, dx;
 };

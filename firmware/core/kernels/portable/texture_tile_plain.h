@@ -39,10 +39,8 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/*
- * Draws a row. Steps change behind every second pixel, counted from the last one: see texture_tile.h. The step of a
- * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4.
- */
+/* Draws a row. Steps change behind every second pixel, counted from the last one: see texture_tile.h. The step of a
+ * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4. */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     uint32_t u = ph_texel_at(&r->u, row->first), du = r->u.step + row->pair * r->u.bend;
