@@ -4,7 +4,9 @@
 
 #include <stdint.h>
 
-#define FX_DIVIDES_64 0                                     /* 1: a 64-bit division is one instruction */
+#ifndef FX_DIVIDES_64 /* 1: a 64-bit division is one instruction */
+#define FX_DIVIDES_64 0
+#endif
 #define FX_DIVIDES_32 1                                     /* 1: a 32-bit division is */
 #define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
 

@@ -42,7 +42,7 @@ triangles not carried by two cores       | render/raster.c  | s/y_bottom > y1)/y
 triangles drawn in reverse               | render/frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
 depth not cleared                        | render/raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
-no clamp of texels at the left border    | kernels/portable/texture_tile_plain.h | s/left > 0 ? left : 0/left/                | test_texture
+no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
 dropped triangles not counted            | render/setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | render/planes.c  | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame

@@ -53,7 +53,7 @@ same_loops() { assembled "$1" "$kernels/$1" "$1" && diff "$B/c.lines" "$B/$1.lin
 
 # One change in the assembly of one loop is seen, and in no other loop.
 change_is_seen() { # CPU, loop, sed command
-    rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r "$kernels/armv6m" "$kernels/armv7m" "$kernels/offsets.inc" "$B/changed/" || return 1
+    rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r "$kernels/armv6m" "$kernels/armv7m" "$kernels"/*.inc "$B/changed/" || return 1
     sed -i "$3" "$B/changed/$1/$2.S"
     ! cmp -s "$B/changed/$1/$2.S" "$kernels/$1/$2.S" || { echo "nothing changed" && return 1; }
     assembled "$1" "$B/changed/$1" changed-lines || return 1

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "matvec_wide.h"
+#include "portable/matvec.h"
 
 #undef PH_MATVEC_H
 #undef PH_MATVEC_REACH

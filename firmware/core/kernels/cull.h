@@ -4,10 +4,8 @@
 
 #include "sides.h"
 
-/*
- * ph_cull finds the next triangle that may be seen: its corners have no clip codes and run counter-clockwise, or some
- * have codes, but they do not share one. Corners without codes are at most 2^18 apart each way.
- */
+/* ph_cull finds the next triangle that may be seen: its corners have no clip codes and run counter-clockwise, or some
+ * have codes, but they do not share one. Corners without codes are at most 2^18 apart each way. */
 struct ph_cull_run {
     const struct ph_vertex *vertices;
     const uint16_t (*index)[3], (*end)[3]; /* the triangles that are left */

@@ -23,10 +23,8 @@ struct ph_vertex;
 /* fill.c: stores a value n times. */
 void ph_fill(uint16_t *to, uint16_t value, uint32_t n);
 
-/*
- * span_flat.c, span_gouraud.c: n >= 1 pixels in one colour, or along a ramp of 128 colours. d is the depth at the first
- * pixel, a 16.16 code, and gd its step per pixel. The top 7 bits of light are the entry of the ramp.
- */
+/* span_flat.c, span_gouraud.c: n >= 1 pixels in one colour, or along a ramp of 128 colours. d is the depth at the first
+ * pixel, a 16.16 code, and gd its step per pixel. The top 7 bits of light are the entry of the ramp. */
 void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint16_t colour);
 void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t light,
                      uint32_t glight, const uint16_t *ramp);
@@ -39,16 +37,11 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
 bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                     const uint32_t d[3]);
 
-/*
- * float_depths.c: 16.16 codes of float16 of a triangle's corners, plus `bias`, if all three lie in one octave that is
- * not the lowest: there a float is a fixed number with another slope. Else false. No corner is behind the far plane.
- */
+/* float_depths.c: 16.16 codes of float16 of a triangle's corners, plus `bias`, if all three lie in one octave that is
+ * not the lowest: there a float is a fixed number with another slope. Else false. No corner is behind the far plane. */
 bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
-/*
- * small_gouraud.c: draws all rows of a small triangle. depth and pixels point at column 0 of its first row. Returns the
- * number of its pixels.
- */
+/* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. */
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 

@@ -13,6 +13,7 @@
 #ifndef PH_TEXTURE_TILE_H
 #define PH_TEXTURE_TILE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define PH_TILE 32
@@ -38,10 +39,8 @@ struct ph_texel_rows {
     struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
 };
 
-/*
- * Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
- * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels.
- */
+/* Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything
+ * stands at the next row, `rows` is the number of rows left, and `count` has grown by the pixels. */
 void ph_texture_tile(struct ph_texel_rows *r);
 
 /* Coefficients of the next row. */
@@ -52,6 +51,17 @@ static inline void ph_texel_way_down(struct ph_texel_way *w)
     w->bend += w->bend_dy;
     w->at_dy += w->at_ddy;
     w->step_dy += w->step_ddy;
+}
+
+/* The n columns from `from` on of a tile's row between two edges; false if there are none. */
+static inline bool ph_tile_columns(uint32_t left_edge, uint32_t right_edge, uint32_t columns, uint32_t *from,
+                                   uint32_t *n)
+{
+    const int32_t left = (int32_t)left_edge >> 16, right = (int32_t)right_edge >> 16;
+    const int32_t first = left > 0 ? left : 0, end = right < (int32_t)columns ? right : (int32_t)columns;
+    *from = (uint32_t)first;
+    *n = (uint32_t)(end - first);
+    return first < end;
 }
 
 static inline uint32_t ph_texel_at(const struct ph_texel_way *w, uint32_t i)

@@ -2,8 +2,9 @@
 #ifndef PH_VERTICES_H
 #define PH_VERTICES_H
 
-#include "matvec.h"
 #include "vertex.h"
+
+#include <matvec.h> /* the one of the CPU, whose folder -I names before portable */
 
 /*
  * ph_vertices does what ph_transform does, and gives each vertex full light. It goes from `from` to `end`, or stops at

@@ -18,10 +18,8 @@ static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
     return depth24 ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
 }
 
-/*
- * The rows y .. y_end - 1 of the upper (0) or lower (1) half of a triangle that lie in the band, and its edges at row
- * y. False if there are none.
- */
+/* The rows y .. y_end - 1 of the upper (0) or lower (1) half of a triangle that lie in the band, and its edges at row
+ * y. False if there are none. */
 static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_band *band, int half, int32_t *y,
                                 int32_t *y_end, struct ph_edge *left, struct ph_edge *right)
 {

@@ -13,10 +13,7 @@ uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue)
     return ph_wire16((uint16_t)(quantise(red, 31) << 11 | quantise(green, 63) << 5 | quantise(blue, 31)));
 }
 
-/*
- * One channel, 0 .. top, at an intensity in Q16.16. Up to 1 the colour fades in from black; beyond, it fades to white.
- * Rounded once.
- */
+/* One channel, 0 .. top. With the intensity, Q16.16, it fades from black to its colour at 1, then to white. */
 static uint32_t ramp_channel(uint32_t channel, uint32_t intensity, uint32_t top)
 {
     const uint32_t white = intensity <= FX_ONE ? 0 : intensity - FX_ONE;

@@ -1,5 +1,4 @@
-/* colour: wire order, 16-bit pixels in memory with their high byte first, on every machine. Private to firmware/core.
- */
+/* colour: wire order: 16-bit pixels in memory with their high byte first, on every machine. */
 #ifndef PH_COLOUR_H
 #define PH_COLOUR_H
 

@@ -82,10 +82,8 @@ static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far
 /* Both steps in one. */
 uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block);
 
-/*
- * Octave of a d in units of 2^-(32 + block): its leading zeros. All octaves below 2^-15 count as one with
- * 2^-15 .. 2^-14. The result is negative if the whole block lies below 2^-15.
- */
+/* Octave of a d in units of 2^-(32 + block): its leading zeros. All octaves below 2^-15 count as one with 2^-15 ..
+ * 2^-14. The result is negative if the whole block lies below 2^-15. */
 static inline int ph_depth_octave(uint32_t d, int block)
 {
     const int zeros = fx_clz32(d);

@@ -24,10 +24,7 @@ struct ph_outline {
     bool long_left;
 };
 
-/*
- * The corners of v run counter-clockwise. If two of them have the same first row, either may count as the upper one:
- * the edge between them has no row.
- */
+/* The corners run counter-clockwise. Of two with one first row either may be the upper: their edge has no row. */
 static inline struct ph_outline ph_outline(const struct ph_vertex *const v[3])
 {
     const struct ph_vertex *top = v[0], *left = v[1], *right = v[2];
@@ -51,18 +48,25 @@ static inline struct ph_edge ph_edge_at_row(int32_t x, int32_t dx, int32_t row, 
     return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
 }
 
-/*
- * The edge at row y0 that begins at a and goes on by dx, dy, each below 64 px (PH_SIDE_SHORT); `row` is the first row
- * of a. It has a row. In 32 bits; at its far end it is 2^-9 px off at most.
- */
+/* The edge at row y0 that begins at a and goes on by dx, dy, each below 64 px (PH_SIDE_SHORT); `row` is the first row
+ * of a. It has a row. In 32 bits; at its far end it is 2^-9 px off at most. */
 static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t row, int32_t y0)
 {
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */
     const int shift = fx_clz32((uint32_t)dy);
-    /* 2^(47 - shift) dx / dy, never above the exact value: a centre that lies on the edge is on its right, as the
-     * top-left rule wants it */
+    /* 2^(47 - shift) dx / dy, never above it: a centre on the edge is on its right (top-left rule) */
     const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
     return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
+}
+
+static inline int32_t ph_min(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t ph_max(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
 }
 
 /* v or -1 - v, whichever is not negative. It has as many bits as v needs beside its sign. */

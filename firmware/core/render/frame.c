@@ -1,7 +1,6 @@
 /* Renderer and frame set-up: see render.h. */
+#include "edge.h"
 #include "fisheye.h"
-#include "sides.h"
-#include "triangle.h"
 
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
 const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
@@ -15,10 +14,8 @@ static bool depth_is_usable(const struct ph_config *config)
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
-/*
- * Length of the inner part of a side of the picture, 1/256 px: a point is inner if it stays further from both borders
- * than a small triangle can reach, plus one pixel.
- */
+/* Length of the inner part of a side of the picture, 1/256 px: a point is inner if it stays further from both borders
+ * than a small triangle can reach, plus one pixel. */
 static uint32_t inner(uint32_t size)
 {
     const uint32_t margins = 2 * (PH_SIDE_SMALL + 256);
@@ -51,20 +48,11 @@ static int32_t centre_of(int32_t size, fx_t shift)
     return (int32_t)((fx_mul_wide(size, FX_ONE + shift) + 256) >> 9);
 }
 
-static int32_t max_i32(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
-/*
- * Focal lengths as fractions of 2^focal_log2 pixels. That power of two also makes the guard band reach over the
- * picture.
- */
+/* Focal lengths as fractions of 2^focal_log2 px. That power also makes the guard band reach over the picture. */
 static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32_t width, int32_t height)
 {
     const int64_t fx = fx_mul_wide(p->scale_x_q20, width), fy = fx_mul_wide(p->scale_y_q20, height); /* px, Q21 */
-    const int32_t reach =
-        2 * max_i32(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
+    const int32_t reach = 2 * ph_max(width, height); /* px; with |shift| <= 2 no pixel is further away than 1.5 sizes */
     const int64_t longest = fx > fy ? fx : fy;
     int log2 = 0;
     while (log2 <= 18 && (((int64_t)1 << (21 + log2)) < longest || (4 << log2) < reach)) {

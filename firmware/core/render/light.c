@@ -128,8 +128,7 @@ static int32_t attenuation(fx_t distance, fx_t reach)
     return fx_rcp_sat(fx_add_sat(FX_ONE, fx_mul_sat(ratio, ratio))) >> 2;
 }
 
-/* n.l and n.h of a point light, for the normal n, the direction l to the light and the half vector h. Returns its
- * attenuation. */
+/* n.l and n.h of a point light (normal, direction to the light, half vector). Returns its attenuation. */
 static NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
                                     const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
 {

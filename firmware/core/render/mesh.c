@@ -111,10 +111,7 @@ static FX_APART bool draw_whole(const struct part_context *c, const uint16_t ind
                            : ph_setup_triangle(c->r, c->material, v, uv);
 }
 
-/*
- * Draws a triangle that may have clip codes, may face away, or is seen through a fisheye. False if it cannot be seen;
- * the caller counts it.
- */
+/* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
 static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
 {
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;

@@ -10,8 +10,6 @@
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
-/* ---- one plane -------------------------------------------------------------------------------------------------- */
-
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
 struct plane_base {
     const struct ph_sides *sides;
@@ -29,16 +27,11 @@ static int bits_of(int64_t v)
     return high != 0 ? 64 - fx_clz32(high) : 32 - fx_clz32((uint32_t)m);
 }
 
-static int max_int(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 /* The reciprocal for products of 64 bits. */
 static void wide_base(struct plane_base *s)
 {
     const int64_t area = ph_wide_area(s->sides);
-    const int excess = max_int(bits_of(area) - 32, 0);
+    const int excess = ph_max(bits_of(area) - 32, 0);
     s->reciprocal = ph_wide_reciprocal((uint32_t)(area >> excess), &s->shift);
     s->shift -= excess;
 }
@@ -74,10 +67,8 @@ struct pixel_gradient {
     int32_t x, y; /* per pixel */
 };
 
-/*
- * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first:
- * x = (d2 dy1 - d1 dy2) / area, y = (d1 dx2 - d2 dx1) / area. For limit see plane_through below.
- */
+/* Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first: x = (d2 dy1 - d1
+ * dy2) / area, y = (d1 dx2 - d2 dx1) / area. For limit see plane_through below. */
 static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int limit)
 {
     struct plane_base base = *any, *const s = &base;
@@ -86,10 +77,10 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
     }
     const struct ph_sides *t = s->sides;
     const int64_t nx = d2 * t->dy1 - d1 * t->dy2, ny = d1 * t->dx2 - d2 * t->dx1;
-    const int excess = max_int(max_int(bits_of(nx), bits_of(ny)) - 31, 0);
+    const int excess = ph_max(ph_max(bits_of(nx), bits_of(ny)) - 31, 0);
     const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
-    const int down = max_int(max_int(53 - s->shift - excess, max_int(bits_of(px), bits_of(py)) - limit), 1);
+    const int down = ph_max(ph_max(53 - s->shift - excess, ph_max(bits_of(px), bits_of(py)) - limit), 1);
     const int64_t half = (int64_t)1 << (down - 1); /* down is 22 or more without excess, else 29 or more */
     return (struct pixel_gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
 }
@@ -108,10 +99,7 @@ static inline int32_t times_q16(int32_t n, int32_t r)
     return (n >> 16) * r + (int32_t)(((uint32_t)n & 0xffff) * (uint32_t)r >> 16);
 }
 
-/*
- * The same for short sides, in 32 bits. d1, d2 (below 2^15) are the differences over 2^drop. On entry out->base is the
- * value at the first corner.
- */
+/* The same for short sides in 32 bits: d1, d2 < 2^15 are the differences over 2^drop, out->base the first value. */
 static FX_APART void short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop,
                                  int limit)
 {
@@ -121,7 +109,7 @@ static FX_APART void short_plane(struct ph_plane *out, const struct plane_base *
     int down = 23 - s->shift - drop; /* the gradient is g 2^-down, with |g| < 2^30 */
     const int room = down + limit;   /* so many bits may g have */
     if (room < 30 && ((uint32_t)((gx >> room) + 1) | (uint32_t)((gy >> room) + 1)) > 1) {
-        down = max_int(down, 32 - fx_clz32(ph_without_sign(gx) | ph_without_sign(gy)) - limit);
+        down = ph_max(down, 32 - fx_clz32(ph_without_sign(gx) | ph_without_sign(gy)) - limit);
     }
     gx = down >= 0 ? gx >> down : gx * (1 << -down);
     gy = down >= 0 ? gy >> down : gy * (1 << -down);
@@ -139,10 +127,8 @@ static inline void scaled_plane(struct ph_plane *out, const struct plane_base *s
     short_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop, limit);
 }
 
-/*
- * The plane through three unsigned values. Gradients beyond 2^limit per pixel are halved until they fit: so slivers,
- * and faces seen edge-on, become flat instead of wrapping.
- */
+/* The plane through three unsigned values. Gradients beyond 2^limit per pixel are halved until they fit: so slivers,
+ * and faces seen edge-on, become flat instead of wrapping. */
 static void plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3], int limit)
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */
@@ -175,8 +161,6 @@ static struct ph_plane plane_exact(const struct plane_base *s, const uint32_t v[
     const uint32_t right = (uint32_t)(fx_mul_wide(g.x, x) >> 8), down = (uint32_t)(fx_mul_wide(g.y, y) >> 8);
     return (struct ph_plane){v[0] + right + down, (uint32_t)g.x, (uint32_t)g.y};
 }
-
-/* ---- depth ------------------------------------------------------------------------------------------------------ */
 
 /* The exponent of the nearest corner. */
 static int least_exponent(const struct ph_vertex *const v[3])
@@ -264,12 +248,7 @@ static void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
     }
 }
 
-/* ---- texture ---------------------------------------------------------------------------------------------------- */
-
-/*
- * u or v of the corners, Q16.16. If the texture repeats, a whole number of repeats is subtracted so that none is
- * negative. Returns the log2 of their range.
- */
+/* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
 static int texture_range(const struct ph_texture *texture, const fx_t *const uv[3], int axis, uint32_t out[3])
 {
     const bool repeats = texture->wrap == PH_WRAP_REPEAT;
@@ -318,8 +297,6 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
     }
     t->range_log2 = (uint8_t)range;
 }
-
-/* ---- all planes ------------------------------------------------------------------------------------------------- */
 
 /* The colour of a light. */
 static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)

@@ -22,16 +22,12 @@ static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
     return (struct ph_quotient){v->q, v->s};
 }
 
-/*
- * Depth of the corners in a float format. If all lie in one octave they become 16.16 codes, and PH_BLOCK_NONE is
- * returned; else the block exponent of the triangle.
- */
+/* Depth of the corners in a float format. If all lie in one octave they become 16.16 codes, and PH_BLOCK_NONE is
+ * returned; else the block exponent of the triangle. */
 uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
-/*
- * Sets what the pixels of a triangle take: kind, colour, depth, block, attribute, range_log2; material is set already.
- * uv: those of each corner; NULL if the material has no texture.
- */
+/* Sets what the pixels of a triangle take: kind, colour, depth, block, attribute, range_log2; material is set already.
+ * uv: those of each corner; NULL if the material has no texture. */
 void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides);
 

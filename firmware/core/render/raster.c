@@ -132,11 +132,6 @@ struct place {
     uint32_t stride; /* pixels */
 };
 
-static uint32_t draw_at(const struct ph_small_triangle *r, const struct place *at)
-{
-    return ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
-}
-
 /* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
 static void step_rows(struct ph_small_triangle *r, uint32_t n)
 {
@@ -150,9 +145,7 @@ static void step_rows(struct ph_small_triangle *r, uint32_t n)
     }
 }
 
-/*
- * How many of the next upper rows lie wholly in the octave. d, gd and d_dy are in units of the triangle's plane.
- */
+/* How many of the next upper rows lie wholly in the octave. d, gd and d_dy are in units of the triangle's plane. */
 static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct ph_octave *octave)
 {
     uint32_t left = r->left, right = r->right, d = r->d, n = 0;
@@ -182,7 +175,7 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
            ph_depth_float16_slope(above, octave->octave) - from * r->gd;
     r->upper_rows = (uint16_t)rows;
     r->lower_rows = 0;
-    const uint32_t count = draw_at(r, at);
+    const uint32_t count = ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
     r->d = d;
     r->gd = gd;
     r->d_dy = d_dy;
@@ -252,10 +245,8 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
     return count;
 }
 
-/*
- * Rounds the depth plane to multiples of 8: in the nearest octave a code is d without its last 3 bits. This starts from
- * the triangle's first pixel, which does not depend on the bands.
- */
+/* Rounds the depth plane to multiples of 8: in the nearest octave a code is d without its last 3 bits. This starts from
+ * the triangle's first pixel, which does not depend on the bands. */
 static void round_depth(struct ph_small_triangle *r)
 {
     const uint32_t x = (r->lower_is_right ? r->left : r->right) >> 16;
@@ -314,7 +305,7 @@ static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_b
 {
     struct ph_small_triangle r = t->small;
     const struct place at = cut_rows(t, band, &r);
-    return draw_at(&r, &at);
+    return ph_small_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
 }
 
 /* Draws a small triangle that crosses octaves. */
@@ -367,10 +358,8 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
-/*
- * Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
- * octaves stays as it is, since its depth is rounded at its first row.
- */
+/* Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
+ * octaves stays as it is, since its depth is rounded at its first row. */
 static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
 {
     if (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE) {
@@ -379,10 +368,8 @@ static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
     }
 }
 
-/*
- * Draws a band with one core. In one pass the triangles that were carried over are merged with the fresh ones of this
- * band, drawn, and carried over if they go on below.
- */
+/* Draws a band with one core. In one pass the triangles that were carried over are merged with the fresh ones of this
+ * band, drawn, and carried over if they go on below. */
 static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
 {
     struct ph_triangle *triangles = ph_triangles(r);
@@ -410,8 +397,9 @@ struct share {
     struct ph_band rows;
 };
 
-static void draw_share(struct share *s)
+static void draw_share(void *argument)
 {
+    struct share *const s = argument;
     s->fragments = 0;
     clear(&s->rows, s->background);
     for (uint32_t i = s->first; i != PH_NONE; i = s->triangles[i].next) {
@@ -420,11 +408,6 @@ static void draw_share(struct share *s)
             s->fragments += draw(t, &s->rows);
         }
     }
-}
-
-static void draw_other_share(void *argument)
-{
-    draw_share(argument);
 }
 
 /* Merges two lists in drawing order into one. */
@@ -465,7 +448,7 @@ static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct 
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
     lower.rows.pixels += above;
     lower.rows.depth = (uint8_t *)rows->depth + above * (rows->depth24 ? sizeof(uint32_t) : sizeof(uint16_t));
-    const bool both = r->config.other_core(draw_other_share, &lower);
+    const bool both = r->config.other_core(draw_share, &lower);
     draw_share(&upper);
     if (both) {
         r->config.other_core_join();

@@ -33,21 +33,11 @@ static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_verte
     }
 }
 
-static inline int32_t min_int(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static inline int32_t max_int(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
 /* No column of pixel centres lies within the triangle, or none of these lies in the picture. */
 static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3])
 {
     const int32_t a = v[0]->x, b = v[1]->x, c = v[2]->x;
-    const int32_t from = ph_first_row(min_int(min_int(a, b), c)), to = ph_first_row(max_int(max_int(a, b), c));
+    const int32_t from = ph_first_row(ph_min(ph_min(a, b), c)), to = ph_first_row(ph_max(ph_max(a, b), c));
     return from >= to || to <= 0 || from >= width;
 }
 
@@ -61,8 +51,8 @@ int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
 static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const struct ph_outline o = ph_outline(v);
-    const int32_t y_top = max_int(o.row_top, 0), y_bottom = min_int(o.row_low, height);
-    const int32_t y_mid = max_int(min_int(o.row_mid, height), 0);
+    const int32_t y_top = ph_max(o.row_top, 0), y_bottom = ph_min(o.row_low, height);
+    const int32_t y_mid = ph_max(ph_min(o.row_mid, height), 0);
     t->long_left = o.long_left;
     if (y_top >= y_bottom) {
         return false;
@@ -96,13 +86,10 @@ static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *
 /* Whether all three coordinates keep a pixel away from the borders. */
 static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
 {
-    return min_int(min_int(a, b), c) >= 256 && max_int(max_int(a, b), c) <= (size - 1) * 256;
+    return ph_min(ph_min(a, b), c) >= 256 && ph_max(ph_max(a, b), c) <= (size - 1) * 256;
 }
 
-/*
- * Whether a small triangle keeps a pixel away from the borders. Its first corner alone tells it of most triangles: see
- * inner() in frame.c.
- */
+/* Whether a small triangle keeps a pixel off the borders. Mostly its first corner tells: see inner() in frame.c. */
 static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const uint32_t margin = PH_SIDE_SMALL + 256;
@@ -215,10 +202,8 @@ bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material,
     return ph_setup_triangle(r, material, v, uv);
 }
 
-/*
- * A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
- * the longer axis) or row, and needs no raster code of its own.
- */
+/* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
+ * the longer axis) or row, and needs no raster code of its own. */
 void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
                    const struct ph_corner *b)
 {

@@ -16,16 +16,11 @@ static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct p
     return (struct ph_sides){dx1, dy1, dx2, dy2, area, is_short};
 }
 
-/*
- * Before the triangles of a part: prepares what its small triangles have in common. Triangles of other materials may
- * come in between.
- */
+/* Before the triangles of a part: prepares its small ones. Triangles of other materials may come in between. */
 void ph_setup_part(struct ph_renderer *r, const struct ph_material *material);
 
-/*
- * Sets up a triangle and lists it. False if it faces away (and is not two-sided) or covers no pixel centre. uv: those
- * of each corner; NULL if the material has no texture.
- */
+/* Sets up a triangle and lists it. False if it faces away (and is not two-sided) or covers no pixel centre. uv: those
+ * of each corner; NULL if the material has no texture. */
 bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
                        const fx_t *const uv[3]);
 

@@ -1,5 +1,4 @@
-/* sides: two sides and the area of a projected triangle. Culling and set-up start from them. Private to firmware/core.
- */
+/* sides: two sides and the area of a projected triangle. Private to firmware/core. */
 #ifndef PH_SIDES_H
 #define PH_SIDES_H
 

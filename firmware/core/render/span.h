@@ -13,10 +13,8 @@
 
 #define PH_DEPTH_WRAPPED 0xffc00000u /* d from here on has fallen below 0: the nearest d and its head room are less */
 
-/*
- * Keeps the branch round the two stores of a pixel. Compilers for Thumb-2 would make the stores conditional instead,
- * and a hidden pixel would pay for instructions that do nothing.
- */
+/* Keeps the branch round the two stores of a pixel. Compilers for Thumb-2 would make the stores conditional instead,
+ * and a hidden pixel would pay for instructions that do nothing. */
 #define PH_KEEP_BRANCH() __asm__ volatile("")
 
 static inline void ph_pixel_flat(uint16_t *pixel, uint16_t *depth, uint32_t d, uint16_t colour)
@@ -100,10 +98,8 @@ static inline void ph_span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uin
     }
 }
 
-/*
- * How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)); at least 1. A d just below 0
- * wraps to the top of the range; it belongs to the lowest octave until it comes back.
- */
+/* How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)); at least 1. A d just below 0
+ * wraps to the top of the range; it belongs to the lowest octave until it comes back. */
 static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int block, uint32_t left)
 {
     const bool lowest = octave >= 14 - block, wrapped = d >= PH_DEPTH_WRAPPED;
@@ -123,10 +119,8 @@ struct ph_piece {
     uint32_t d, gd;
 };
 
-/*
- * The run of *n pixels that begins with depth d, in units of the triangle's plane. If the depth is a float and crosses
- * octaves, *n is cut down to the pixels in the first one.
- */
+/* The run of *n pixels that begins with depth d, in units of the triangle's plane. If the depth is a float and crosses
+ * octaves, *n is cut down to the pixels in the first one. */
 static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32_t d, uint32_t *n)
 {
     if (t->block >= PH_BLOCK_LINEAR) {
@@ -145,10 +139,7 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
                              wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
 }
 
-/*
- * An octave of a triangle's d, bottom .. bottom + size - 1, and the numbers that make codes of it. It is kept, because
- * the next row mostly lies in it, too.
- */
+/* An octave of a triangle's d, bottom .. bottom + size - 1. It is kept: the next row mostly lies in it, too. */
 struct ph_octave {
     uint32_t bottom, size, offset, slope;
     int octave;

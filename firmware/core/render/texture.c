@@ -39,10 +39,8 @@ struct corners {
     int32_t left[2], right[2];
 };
 
-/*
- * u and v over a tile. A side's number is the part of the change of u or v along it by which the parabola through its
- * ends and its middle bends: the change of 1/w over the mean of 1/w, in 2^-16.
- */
+/* u and v over a tile. A side's number is the part of the change of u or v along it by which the parabola through its
+ * ends and its middle bends: the change of 1/w over the mean of 1/w, in 2^-16. */
 struct surface {
     struct corners u, v;
     int32_t top, bottom, left, right;
@@ -90,10 +88,7 @@ static inline struct over_w divide(const struct ph_triangle *t, uint32_t x, uint
     return at;
 }
 
-/*
- * The part (see struct surface) of a side that ends here. With q, the change over 1/w, it is q (1 + q / 2); 1/w changes
- * by a quarter at most.
- */
+/* The part of a side that ends here: q (1 + q / 2). q is the change over 1/w, 1/4 at most. See struct surface. */
 static inline int32_t part_of(const struct over_w *end, uint32_t change)
 {
     const int32_t q = ((int32_t)(change << end->shift) >> 16) * (end->reciprocal >> 15) >> 14;
@@ -126,10 +121,7 @@ static void divide_tile(const struct ph_triangle *t, const struct tile *tile, st
     s->bottom = part_of(&ends[1], change);
 }
 
-/*
- * A change along a side: linear s + square s^2, with s from 0 to 1. In the middle it lies -square / 4 beside the
- * straight line.
- */
+/* A change along a side: linear s + square s^2, s = 0 .. 1. Its middle is -square / 4 beside the straight line. */
 struct curve {
     uint32_t linear, square;
 };
@@ -232,16 +224,6 @@ static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r,
     }
 }
 
-/* The columns of the tile between two edges; false if there are none. */
-static bool row_columns(uint32_t left_edge, uint32_t right_edge, uint32_t columns, uint32_t *from, uint32_t *n)
-{
-    const int32_t left = (int32_t)left_edge >> 16, right = (int32_t)right_edge >> 16;
-    const int32_t first = left > 0 ? left : 0, end = right < (int32_t)columns ? right : (int32_t)columns;
-    *from = (uint32_t)first;
-    *n = (uint32_t)(end - first);
-    return first < end;
-}
-
 /* Steps to the next row. */
 static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
 {
@@ -260,7 +242,7 @@ static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows 
 {
     for (; r->rows > 0; row_down(k, r)) {
         uint32_t i, left, n;
-        if (!row_columns(r->left, r->right, r->columns, &i, &left)) {
+        if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
             continue;
         }
         r->count += left;
@@ -272,10 +254,7 @@ static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows 
     }
 }
 
-/*
- * Draws rows with depth in codes. ph_texture_tile stops before a row that leaves a clamped texture;
- * draw_other draws that one.
- */
+/* Draws rows with depth in codes. ph_texture_tile stops before a row that leaves a clamped texture. */
 static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
 {
     for (;;) {
@@ -284,7 +263,7 @@ static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
         if (r->rows == 0) {
             return;
         }
-        if (row_columns(r->left, r->right, r->columns, &i, &n)) {
+        if (ph_tile_columns(r->left, r->right, r->columns, &i, &n)) {
             draw_other(k, r, i, n, (struct ph_piece){r->d + i * r->gd, r->gd});
             r->count += n;
         }
@@ -317,16 +296,13 @@ static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows 
     r->d_dy = depth->d_dy;
 }
 
-/*
- * How many of the next rows begin on the same side of the octaves' border as the first row, and also end on the same
- * side as it. A row without pixels counts as far.
- */
+/* How many next rows begin and end on the same sides of the octaves' border as the first. Without pixels: far. */
 static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool near[2])
 {
     uint32_t left = r->left, right = r->right, d = r->d, n = 0;
     for (; n < r->rows; n++) {
         uint32_t i, pixels;
-        const bool any = row_columns(left, right, r->columns, &i, &pixels);
+        const bool any = ph_tile_columns(left, right, r->columns, &i, &pixels);
         const bool first = any && d + i * r->gd >= border, last = any && d + (i + pixels - 1) * r->gd >= border;
         if (n > 0 && (first != near[0] || last != near[1])) {
             break;

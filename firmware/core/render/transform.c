@@ -67,10 +67,8 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
     v->y = lens->centre_y + screen_q8(lens, y * 512);
 }
 
-/*
- * Clip codes left and right, or top and bottom, of a vertex that cannot be projected. Its place on the screen,
- * 256 (x 2^focal_log2 / w) + centre, is compared with 0 and with size; both sides are multiplied by w.
- */
+/* Clip codes left and right, or top and bottom, of a vertex that cannot be projected. Its place on the screen, 256 (x
+ * 2^focal_log2 / w) + centre, is compared with 0 and with size; both sides are multiplied by w. */
 static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
 {
     const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + (int64_t)centre * w;

@@ -5,10 +5,8 @@
 #include "clip.h"
 #include "vertex.h"
 
-/*
- * Object to clip coordinates. Elements are Q4.28. The translation is Q20.44 and contains half an LSB of Q16.16, which
- * rounds the result. Row 2 gives the distance along the view.
- */
+/* Object to clip coordinates. Elements are Q4.28. The translation is Q20.44 and contains half an LSB of Q16.16, which
+ * rounds the result. Row 2 gives the distance along the view. */
 struct ph_clip_matrix {
     int32_t m[3][3];
     int64_t t[3];

@@ -4,10 +4,8 @@
 
 #include "render.h"
 
-/*
- * An edge that is walked from row to row. x is its 16.16 column at its first row; half a pixel is subtracted from it
- * and it is rounded up, so that the first pixel on its right has the column x >> 16.
- */
+/* An edge that is walked from row to row. x is its 16.16 column at its first row; half a pixel is subtracted from it
+ * and it is rounded up, so that the first pixel on its right has the column x >> 16. */
 struct ph_edge {
     int32_t x, dx;
 };
@@ -46,6 +44,12 @@ static inline void ph_small_lower(struct ph_small_triangle *small)
     *dx = (uint32_t)small->lower.dx;
     small->upper_rows = small->lower_rows;
     small->lower_rows = 0;
+}
+
+/* A row of pixels or of depths, so many bytes further down. */
+static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
+{
+    return (uint16_t *)(void *)((uint8_t *)row + bytes);
 }
 
 enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };

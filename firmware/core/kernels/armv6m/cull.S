@@ -3,8 +3,7 @@
 @
 @ Registers: r0 vertices, r1 index; r3 r4 r5 the corners a, b, c; then their x, y: a in r3 r6, b in r4 r7, c in r2 r5;
 @ r8 end, r9 2^12, r10 the struct ph_cull_run.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     @ Loads the corners of the next triangle.
@@ -61,12 +60,7 @@
     cmp r1, r8
     .endm
 
-    .section .text.ph_cull, "ax", %progbits
-    .p2align 2
-    .global ph_cull
-    .type ph_cull, %function
-    .thumb_func
-ph_cull: @ r0: struct ph_cull_run
+    function ph_cull @ r0: struct ph_cull_run
     push {r4-r7, lr}
     mov r4, r8
     mov r5, r9

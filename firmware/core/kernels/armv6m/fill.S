@@ -1,12 +1,6 @@
 @ ph_fill of kernels.h for ARMv6-M (and ARMv7-M). Each stmia stores 24 bytes.
-    .syntax unified
-    .thumb
-    .section .text.ph_fill, "ax", %progbits
-    .p2align 2
-    .global ph_fill
-    .type ph_fill, %function
-    .thumb_func
-ph_fill: @ r0: to, r1: value, r2: pixels left
+#include "../thumb.inc"
+    function ph_fill @ r0: to, r1: value, r2: pixels left
     push {r4-r7, lr}
     cmp r2, #0
     beq 9f

@@ -1,8 +1,7 @@
 @ ph_float_depths of kernels.h for ARMv6-M. A triangle takes some 80 instructions.
 @
 @ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s; r12 corners, lr octave + 2.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     @ Puts d of the vertex at r0 into r6, its s into r7. Changes r0, r1.
@@ -35,12 +34,7 @@
     str r6, [r3, #4 * \at]
     .endm
 
-    .section .text.ph_float_depths, "ax", %progbits
-    .p2align 2
-    .global ph_float_depths
-    .type ph_float_depths, %function
-    .thumb_func
-ph_float_depths: @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
+    function ph_float_depths @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
     push {r4-r7, lr}
     mov r12, r1
     ldr r4, [r0, #lens_far_q]

@@ -1,7 +1,7 @@
 /*
  * matvec for ARMv6-M, where a product of 64 bits takes 17 instructions. Elements are split into three digits of 10
  * bits, so that products with positions below 16.0, and sums of three of them, fit 32 bits. For positions within a cube
- * of 1.0 each way two digits of 14 bits do. Both are exact. See matvec_wide.h.
+ * of 1.0 each way two digits of 14 bits do. Both are exact. See portable/matvec.h.
  */
 #ifndef PH_MATVEC_H
 #define PH_MATVEC_H
@@ -11,9 +11,7 @@
 #define PH_MATVEC_REACH ((uint32_t)1 << 20)
 
 struct ph_row {
-    /* An element is low + 2^10 middle + 2^20 high, with low, middle: -512 .. 511. The translation is whole + 2^-28
-     * part.
-     */
+    /* An element is low + 2^10 middle + 2^20 high; low, middle: -512 .. 511. The translation is whole + 2^-28 part. */
     int32_t low[3], part, middle[3], high[3], whole;
 };
 
@@ -23,17 +21,13 @@ struct ph_short_row {
 };
 
 struct ph_matvec {
-    const struct ph_clip_matrix *matrix;
     uint32_t reach;       /* three digits serve -reach .. reach: 2^20, or 0 if the translation is near its range */
     uint32_t short_reach; /* the same of two digits: 2^16, or 0 if the elements of a row are too large */
     struct ph_short_row short_row[3];
     struct ph_row row[3];
 };
 
-/*
- * Splits a row into two digits. Sums stay below 3 2^29 + 2^28, then below 2^31. Returns the sum of the magnitudes of
- * its elements.
- */
+/* Splits a row into two digits: sums below 3 2^29 + 2^28, then below 2^31. Returns the sum of its magnitudes. */
 static inline uint32_t ph_short_row_of(struct ph_short_row *row, const int32_t m[3], int64_t t)
 {
     uint32_t together = 0;
@@ -49,7 +43,6 @@ static inline uint32_t ph_short_row_of(struct ph_short_row *row, const int32_t m
 
 static inline void ph_matvec_prepare(struct ph_matvec *matvec, const struct ph_clip_matrix *matrix)
 {
-    matvec->matrix = matrix;
     matvec->reach = PH_MATVEC_REACH;
     matvec->short_reach = (uint32_t)1 << 16;
     for (int i = 0; i < 3; i++) {

@@ -1,6 +1,5 @@
 @ ph_setup_small of kernels.h for ARMv6-M. A triangle takes some 370 instructions.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
 
@@ -128,11 +127,7 @@ flat_top: @ part of ph_setup_small: the first edge is the lower one
     long_edge
     b planes
 
-    .p2align 2
-    .global ph_setup_small
-    .type ph_setup_small, %function
-    .thumb_func
-ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
+    function ph_setup_small @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
     save_registers
     push {r0-r3}
     ldmia r1!, {r4-r6}

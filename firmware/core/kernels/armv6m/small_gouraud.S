@@ -3,8 +3,7 @@
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
 @ r10 left, r11 right, r12 d at column 0, lr light at column 0. r0 stands at gd when the struct is read.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
 
@@ -35,12 +34,7 @@
     .endm
     .equ pixel_bytes, 22
 
-    .section .text.ph_small_gouraud, "ax", %progbits
-    .p2align 2
-    .global ph_small_gouraud
-    .type ph_small_gouraud, %function
-    .thumb_func
-ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_small_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
     ldmia r0!, {r4-r7}
     subs r2, r2, r1

@@ -1,8 +1,7 @@
 @ ph_span_flat of kernels.h for ARMv6-M. A pixel that is drawn takes 7 instructions, a hidden one 5.
 @
 @ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r6 r7 scratch
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 
     .macro pixel at
     ldrh.n r6, [r1, #2 * \at]
@@ -15,12 +14,7 @@
     .endm
     .equ pixel_bytes, 14
 
-    .section .text.ph_span_flat, "ax", %progbits
-    .p2align 2
-    .global ph_span_flat
-    .type ph_span_flat, %function
-    .thumb_func
-ph_span_flat: @ r2: n; stack: gd, colour
+    function ph_span_flat @ r2: n; stack: gd, colour
     push {r4-r7, lr}
     ldr r4, [sp, #20]
     ldr r5, [sp, #24]

@@ -1,8 +1,7 @@
 @ ph_span_gouraud of kernels.h for ARMv6-M. A pixel that is drawn takes 11 instructions, a hidden one 6.
 @
 @ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 light, r5 ramp; r8 gd, r9 glight; r6 r7 scratch
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 
     .macro pixel at
     ldrh.n r6, [r1, #2 * \at]
@@ -19,12 +18,7 @@
     .endm
     .equ pixel_bytes, 22
 
-    .section .text.ph_span_gouraud, "ax", %progbits
-    .p2align 2
-    .global ph_span_gouraud
-    .type ph_span_gouraud, %function
-    .thumb_func
-ph_span_gouraud: @ r2: n; stack: gd, light, glight, ramp
+    function ph_span_gouraud @ r2: n; stack: gd, light, glight, ramp
     push {r4-r7, lr}
     mov r6, r8
     mov r7, r9

@@ -3,8 +3,7 @@
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 u, r4 v, r5 r6 scratch, r7 u_mask times 2, r8 gd, r9 du, r10 dv, r11 texels,
 @ r12 the step of dv, lr the step of du.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
 
@@ -67,12 +66,7 @@ pixel_\at:
     adds r0, #way - 20
     .endm
 
-    .section .text.ph_texture_tile, "ax", %progbits
-    .p2align 2
-    .global ph_texture_tile
-    .type ph_texture_tile, %function
-    .thumb_func
-ph_texture_tile: @ r0: struct ph_texel_rows
+    function ph_texture_tile @ r0: struct ph_texel_rows
     save_registers
     sub sp, #frame
     movs r7, r0

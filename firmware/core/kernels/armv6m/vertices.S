@@ -2,8 +2,7 @@
 @
 @ Registers: r7 and r10 the struct ph_vertex_run, r8 from, r9 to, r11 r12 x, y before the divide, lr full light at its
 @ place in the word.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 #include "matvec_offsets.inc"
 #include "registers.inc"
@@ -80,12 +79,7 @@
     adds \v, \l
     .endm
 
-    .section .text.ph_vertices, "ax", %progbits
-    .p2align 2
-    .global ph_vertices
-    .type ph_vertices, %function
-    .thumb_func
-ph_vertices: @ r0: struct ph_vertex_run
+    function ph_vertices @ r0: struct ph_vertex_run
     save_registers
     mov r10, r0
     movs r7, r0

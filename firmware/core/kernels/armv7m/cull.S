@@ -2,8 +2,7 @@
 @ call some 35.
 @
 @ Registers: r0 vertices, r1 index, r2 end, lr the struct ph_cull_run; r3 r4 r5 the corners a, b, c; r6 r7 r12 scratch.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     @ Loads the corners of the next triangle.
@@ -31,12 +30,7 @@
     cmp r7, #0
     .endm
 
-    .section .text.ph_cull, "ax", %progbits
-    .p2align 2
-    .global ph_cull
-    .type ph_cull, %function
-    .thumb_func
-ph_cull: @ r0: struct ph_cull_run
+    function ph_cull @ r0: struct ph_cull_run
     push {r4-r11, lr}
     mov lr, r0
     ldmia r0, {r0-r3}

@@ -2,8 +2,7 @@
 @
 @ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s, r6 d and r7 s of a corner, r8
 @ octave + 2.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     @ Puts d of the vertex at r0 into r6, its s into r7. Changes r0.
@@ -30,12 +29,7 @@
     str r6, [r3, #4 * \at]
     .endm
 
-    .section .text.ph_float_depths, "ax", %progbits
-    .p2align 2
-    .global ph_float_depths
-    .type ph_float_depths, %function
-    .thumb_func
-ph_float_depths: @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
+    function ph_float_depths @ r0: struct ph_lens, r1: corners, r2: bias, r3: results
     push {r4-r8, lr}
     ldr r4, [r0, #lens_far_q]
     ldrb r5, [r0, #lens_far_s]

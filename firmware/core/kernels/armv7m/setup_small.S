@@ -1,6 +1,5 @@
 @ ph_setup_small of kernels.h for ARMv7-M. A triangle takes some 185 instructions.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     .equ corners, 4 @ on the stack
@@ -43,12 +42,7 @@
     cmp \down, #0
     .endm
 
-    .section .text.ph_setup_small, "ax", %progbits
-    .p2align 2
-    .global ph_setup_small
-    .type ph_setup_small, %function
-    .thumb_func
-ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
+    function ph_setup_small @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
     push {r0-r11, lr}
     ldmia r1, {r4-r6}
     ldr r7, [r4, #vertex_y]

@@ -4,8 +4,7 @@
 @ Registers: r0 r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels, r9 left, r10 right, r11 d at
 @ column 0, r12 light at column 0, lr: rows that are left << 16 | number of pixels so far. The pointer `triangle` on the
 @ stack stands at gd.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     .equ left_dx, 0 @ on the stack
@@ -30,12 +29,7 @@ pixel_\at:
     add r3, r5
     .endm
 
-    .section .text.ph_small_gouraud, "ax", %progbits
-    .p2align 2
-    .global ph_small_gouraud
-    .type ph_small_gouraud, %function
-    .thumb_func
-ph_small_gouraud: @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_small_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1

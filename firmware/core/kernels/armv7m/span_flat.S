@@ -1,8 +1,7 @@
 @ ph_span_flat of kernels.h for ARMv7-M. A pixel that is drawn takes 7 instructions, a hidden one 4.
 @
 @ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 colour; r12 lr scratch
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 
     .macro pixel at
 pixel_\at:
@@ -15,12 +14,7 @@ pixel_\at:
 1:  add r3, r4
     .endm
 
-    .section .text.ph_span_flat, "ax", %progbits
-    .p2align 2
-    .global ph_span_flat
-    .type ph_span_flat, %function
-    .thumb_func
-ph_span_flat: @ r2: n; stack: gd, colour
+    function ph_span_flat @ r2: n; stack: gd, colour
     push {r4, r5, lr}
     ldrd r4, r5, [sp, #12]
     @ Of the 16 unrolled pixels only the last k = 1 .. 16 are run at first, so that whole sixteens are left.

@@ -1,8 +1,7 @@
 @ ph_span_gouraud of kernels.h for ARMv7-M. A pixel that is drawn takes 10 instructions, a hidden one 6.
 @
 @ Registers: r0 pixels, r1 depth, r2 runs of 16 left, r3 d, r4 gd, r5 light, r6 glight, r7 ramp; r8 r12 scratch
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 
     .macro pixel at
 pixel_\at:
@@ -18,12 +17,7 @@ pixel_\at:
     add r5, r6
     .endm
 
-    .section .text.ph_span_gouraud, "ax", %progbits
-    .p2align 2
-    .global ph_span_gouraud
-    .type ph_span_gouraud, %function
-    .thumb_func
-ph_span_gouraud: @ r2: n; stack: gd, light, glight, ramp
+    function ph_span_gouraud @ r2: n; stack: gd, light, glight, ramp
     push {r4-r8, lr}
     ldrd r4, r5, [sp, #24]
     ldrd r6, r7, [sp, #32]

@@ -3,8 +3,7 @@
 @
 @ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_rows, r10 v_mask, r11 texels,
 @ r12 depth, lr pixels; r0 r1 scratch. The stack has the steps of du and dv.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 
     .macro pixel at
@@ -40,12 +39,7 @@ pixel_\at:
     stm lr, {r0, r1, r2, r4, r5}
     .endm
 
-    .section .text.ph_texture_tile, "ax", %progbits
-    .p2align 2
-    .global ph_texture_tile
-    .type ph_texture_tile, %function
-    .thumb_func
-ph_texture_tile: @ r0: struct ph_texel_rows
+    function ph_texture_tile @ r0: struct ph_texel_rows
     push {r4-r11, lr}
     sub sp, #12
     mov r9, r0

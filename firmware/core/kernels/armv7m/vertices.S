@@ -1,17 +1,11 @@
 @ ph_vertices (see vertices.h) for ARMv7-M. A vertex takes 82 instructions.
 @
 @ Registers: r0 the struct ph_vertex_run, r1 from, r2 to; r7 r8 r9: x, y, w before the divide.
-    .syntax unified
-    .thumb
+#include "../thumb.inc"
 #include "../offsets.inc"
 #include "matvec_offsets.inc"
 
-    .section .text.ph_vertices, "ax", %progbits
-    .p2align 2
-    .global ph_vertices
-    .type ph_vertices, %function
-    .thumb_func
-ph_vertices: @ r0: struct ph_vertex_run
+    function ph_vertices @ r0: struct ph_vertex_run
     push {r4-r11, lr}
     ldr r1, [r0, #run_from]
     ldr r2, [r0, #run_to]

@@ -3,8 +3,7 @@
 
 #include "vertex.h"
 
-/* The far plane in units of 2^-(30 + s), s being the exponent of a vertex. No exponent is above that of the far plane.
- */
+/* The far plane in units of 2^-(30 + s), s being the exponent of a vertex. That of the far plane is the largest. */
 static inline uint32_t far_at(const struct ph_lens *lens, int s)
 {
     return lens->far_q >> ((lens->far_s - s) & 31);

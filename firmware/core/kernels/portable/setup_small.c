@@ -63,8 +63,7 @@ static struct subpixel_gradient depth_gradient(const struct slopes *s, const uin
     return gradient_of(s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
-/* The plane of light is in 2^-16. Of the 16 bits of a difference FRACTION are kept: 17 bits of the plane are dropped.
- */
+/* The plane of light is in 2^-16. Of 16 bits of a difference FRACTION are kept: 17 bits of the plane are dropped. */
 static struct subpixel_gradient light_gradient(const struct slopes *s, const struct ph_vertex *const v[3])
 {
     return gradient_of(s, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17, STEEP_LIGHT);

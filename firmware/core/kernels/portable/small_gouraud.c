@@ -3,11 +3,6 @@
 #include "span.h"
 #include "triangle.h"
 
-static uint16_t *row_below(uint16_t *row, uint32_t bytes)
-{
-    return (uint16_t *)(void *)((uint8_t *)row + bytes);
-}
-
 /* Draws as many rows between the edges of r, which then stand at the row below. */
 static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes)
@@ -35,8 +30,8 @@ static uint32_t draw_rows(struct ph_small_triangle *r, uint32_t rows, uint16_t *
         r->right += r->right_dx;
         r->d += r->d_dy;
         r->light += r->light_dy;
-        depth = row_below(depth, stride_bytes);
-        pixels = row_below(pixels, stride_bytes);
+        depth = ph_row_below(depth, stride_bytes);
+        pixels = ph_row_below(pixels, stride_bytes);
     }
     return count;
 }
@@ -51,5 +46,5 @@ uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth
         return count;
     }
     ph_small_lower(&r);
-    return count + draw_rows(&r, r.upper_rows, row_below(depth, above), row_below(pixels, above), stride_bytes);
+    return count + draw_rows(&r, r.upper_rows, ph_row_below(depth, above), ph_row_below(pixels, above), stride_bytes);
 }

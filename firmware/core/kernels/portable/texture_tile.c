@@ -1,4 +1,6 @@
 /* See texture_tile.h. */
+#include "texture_tile.h"
+
 #include "texture_tile_plain.h"
 
 void ph_texture_tile(struct ph_texel_rows *r)

@@ -17,11 +17,9 @@ struct ph_row_run {
 /* False if the row has no pixel. */
 static inline bool ph_next_row(const struct ph_texel_rows *r, struct ph_row_run *row)
 {
-    const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16, columns = (int32_t)r->columns;
-    const int32_t from = left > 0 ? left : 0, to = right < columns ? right : columns;
-    const uint32_t n = (uint32_t)(to - from);
-    *row = (struct ph_row_run){(uint32_t)from, n, 2 * ((uint32_t)from + 1 - (n & 1))};
-    return from < to;
+    const bool any = ph_tile_columns(r->left, r->right, r->columns, &row->first, &row->n);
+    row->pair = 2 * (row->first + 1 - (row->n & 1));
+    return any;
 }
 
 static inline void ph_row_down(struct ph_texel_rows *r)
@@ -41,10 +39,8 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/*
- * Draws a row. Steps change behind every second pixel, counted from the last one: see texture_tile.h. The step of a
- * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4.
- */
+/* Draws a row. Steps change behind every second pixel, counted from the last one: see texture_tile.h. The step of a
+ * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4. */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     uint32_t u = ph_texel_at(&r->u, row->first), du = r->u.step + row->pair * r->u.bend;

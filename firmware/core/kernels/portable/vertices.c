@@ -13,10 +13,8 @@ static inline uint8_t side_code(int32_t at, uint32_t most, unsigned below)
     return (uint8_t)(at < 0 ? below : (uint32_t)at > most ? 2 * below : 0);
 }
 
-/*
- * Projects a vertex. at.z has 4 leading zeros or more, and x and y are within 8 z, so that no shift up loses a bit. q
- * is shifted up by one if its upper bit is not at 30, as struct ph_quotient wants it.
- */
+/* Projects a vertex. at.z has 4 leading zeros or more, and x and y are within 8 z, so that no shift up loses a bit. q
+ * is shifted up by one if its upper bit is not at 30, as struct ph_quotient wants it. */
 static inline void project(const struct ph_vertex_run *run, struct fx_vec3 at, struct ph_vertex *v)
 {
     int shift;

@@ -1,36 +1,3 @@
-/* fx_cpu: the words of a CPU for fx.h, x86-64. See fx.h for what each one gives. */
-#ifndef FX_CPU_H
-#define FX_CPU_H
-
-#include <stdint.h>
-
-#define FX_DIVIDES_64 1                                     /* whether a 64-bit division is one instruction */
-#define FX_DIVIDES_32 1                                     /* whether a 32-bit one is */
-#define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
-
-static inline int fx_clz32(uint32_t v)
-{
-    return v != 0 ? __builtin_clz(v) : 32;
-}
-
-static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
-{
-    return (uint32_t)((uint64_t)a * b >> 32);
-}
-
-static inline int64_t fx_mul_wide(int32_t a, int32_t b)
-{
-    return (int64_t)a * b;
-}
-
-static inline uint64_t fx_mul_wide_u(uint32_t a, uint32_t b)
-{
-    return (uint64_t)a * b;
-}
-
-static inline uint32_t fx_rcp16(uint32_t d)
-{
-    return 0x7fffffffu / d; /* NOLINT(clang-analyzer-core.DivideZero): d > 0, see fx.h */
-}
-
-#endif
+/* fx_cpu for x86-64: the portable form, but a 64-bit division is one instruction. */
+#define FX_DIVIDES_64 1
+#include "../../fx_cpu.h"

@@ -23,11 +23,6 @@ static inline void draw_row(uint16_t *pixels, uint16_t *depth, intptr_t n, __m12
     }
 }
 
-static uint16_t *row_below(uint16_t *row, uint32_t bytes)
-{
-    return (uint16_t *)(void *)((uint8_t *)row + bytes);
-}
-
 /* Draws the upper rows of r, which then stands below them. */
 static inline uint32_t draw_upper(struct ph_small_triangle *r, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
@@ -45,8 +40,8 @@ static inline uint32_t draw_upper(struct ph_small_triangle *r, uint16_t *depth, 
             count += to - from;
         }
         row = _mm_add_epi32(row, down);
-        depth = row_below(depth, stride_bytes);
-        pixels = row_below(pixels, stride_bytes);
+        depth = ph_row_below(depth, stride_bytes);
+        pixels = ph_row_below(pixels, stride_bytes);
     }
     _mm_storeu_si128((__m128i *)&r->left, row);
     return count;
@@ -62,5 +57,5 @@ uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth
         return count;
     }
     ph_small_lower(&r);
-    return count + draw_upper(&r, row_below(depth, above), row_below(pixels, above), stride_bytes);
+    return count + draw_upper(&r, ph_row_below(depth, above), ph_row_below(pixels, above), stride_bytes);
 }

@@ -1,2 +1,0 @@
-/* See matvec_wide.h. */
-#include "matvec_wide.h"
