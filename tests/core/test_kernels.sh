@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The kernels of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
-# tests/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
+# tests/tools/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 . tests/tools/frames.sh
 unset MAKEFLAGS
-B=${B:-build}/hot
+B=${B:-build}/kernels
 cross=arm-linux-gnueabihf-gcc core=-mcpu=cortex-a15 # one that divides, as a Cortex-M3 does
 mkdir -p "$B"
 for tool in $cross qemu-arm; do
@@ -45,7 +45,7 @@ same_vector_loops() { vector_loops "$kernels/x86_64" x86_64 && diff "$B/c.lines"
 
 vector_change_is_seen() { # file, sed command
     rm -rf "${B:?}/changed" && cp -r "$kernels/x86_64" "$B/changed" && sed -i "$2" "$B/changed/$1" || return 1
-    ! cmp -s "$B/changed/$1" "firmware/core/x86_64/$1" || { echo "nothing changed" && return 1; }
+    ! cmp -s "$B/changed/$1" "$kernels/x86_64/$1" || { echo "nothing changed" && return 1; }
     vector_loops "$B/changed" changed-lines && ! diff -q "$B/c.lines" "$B/changed-lines.lines"
 }
 

@@ -147,7 +147,7 @@ kit_counts_the_targets_sizes() {
     local vertex triangle
     vertex=$(sed -n 's/^#define PH_VERTEX_BYTES_32 *//p' firmware/core/render.h) triangle=$(sed -n 's/^#define PH_TRIANGLE_BYTES_32 *//p' firmware/core/render.h)
     size() { printf '#include "pipeline.h"\n_Static_assert(sizeof(struct ph_vertex) == %s && sizeof(struct ph_triangle) == %s, "");\n' "$1" "$2" |
-        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -Ifirmware/core/kernels/armv7m -Ifirmware/core -x c -fsyntax-only -; }
+        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -Ifirmware/core/kernels/armv7m -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/core/render -x c -fsyntax-only -; }
     size "$vertex" "$triangle" && ! size "$((vertex + 4))" "$triangle"
 }
 

@@ -257,7 +257,7 @@ static uint8_t any_code(void)
 }
 
 /* Triangles large and small, many without area, of vertices with and without clip codes. */
-static uint32_t try_visit(uint32_t h)
+static uint32_t try_cull(uint32_t h)
 {
     enum { VERTICES = 12, TRIANGLES = 40 };
     struct ph_vertex vertices[VERTICES];
@@ -282,7 +282,7 @@ static uint32_t try_visit(uint32_t h)
         if (((visit.v[0]->code | visit.v[1]->code | visit.v[2]->code) & (PH_REJECT | PH_GUARD)) != 0) {
             continue;
         }
-        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->small);
+        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->is_short);
     }
     return word(h, (uint32_t)(visit.index - triangles));
 }
@@ -300,7 +300,7 @@ int main(void)
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
                  {"vertices", try_vertices},
-                 {"visit", try_visit}};
+                 {"cull", try_cull}};
     randomise(texels, TEXELS);
     randomise(ramp, 128);
     for (size_t i = 0; i < sizeof loops / sizeof loops[0]; i++) {
