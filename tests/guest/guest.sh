@@ -6,10 +6,10 @@
 # --why prints why no guest can run here (exit 1), or nothing (exit 0): a test then says `skip`. --kernel
 # prints the version of the kernel that is taken.
 #
-# The guest's root is this machine's, read-only; what COMMAND writes is forgotten, but for $KIT (/run/kit in the guest):
+# The guest's root is this machine's, read-only; what COMMAND writes is forgotten, but for $GUEST (/run/guest in the guest):
 # that directory is DIR of --out (its files remain, with stdout, stderr, kernel.log and console.log), else a temporary
 # one. COMMAND starts in the current directory, with PATH and B of the caller. --bufsiz is spidev's, on the kernel's
-# command line as --append's TEXT is. The kernel is unpacked once, below $B/kit.
+# command line as --append's TEXT is. The kernel is unpacked once, below $B/guest.
 # Environment: B (build directory).
 set -u
 B=$(realpath -m "${B:-build}") # a guest also works elsewhere
@@ -75,7 +75,7 @@ make_initrd() { # version, directory
 make_kernel() { # version, directory
     local new
     [ "$2/initrd.cpio" -nt "$tests/guest_init.c" ] && [ "$2/vmlinux" -nt "/boot/vmlinuz-$1" ] && return
-    new=$(mktemp -d "$B/kit/new.XXXXXX") || return 1
+    new=$(mktemp -d "$B/guest/new.XXXXXX") || return 1
     if ! unpack_kernel "/boot/vmlinuz-$1" "$new/vmlinux" || ! make_initrd "$1" "$new"; then
         rm -rf "$new"
         return 1
@@ -87,13 +87,13 @@ make_kernel() { # version, directory
 find_kernel() {
     local version
     version=$(kernel_version)
-    kernel=$B/kit/kernel-$version
-    mkdir -p "$B/kit" && (flock 9 && make_kernel "$version" "$kernel") 9>"$B/kit/lock"
+    kernel=$B/guest/kernel-$version
+    mkdir -p "$B/guest" && (flock 9 && make_kernel "$version" "$kernel") 9>"$B/guest/lock"
 }
 
 write_command() { # word...
     {
-        printf 'cd %q && export KIT=/run/kit HOME=/root PATH=%q B=%q\n' "$PWD" "$PATH" "$B"
+        printf 'cd %q && export GUEST=/run/guest HOME=/root PATH=%q B=%q\n' "$PWD" "$PATH" "$B"
         printf '%q ' "$@"
         echo
     } >"$out/command"
@@ -107,7 +107,7 @@ start_qemu() {
         -append "console=ttyS0 quiet loglevel=4 panic=-1 no_timer_check tsc=reliable mitigations=off nokaslr $append" \
         -fsdev local,id=host,path=/,security_model=none,readonly=on,multidevs=remap \
         -device virtio-9p-pci,fsdev=host,mount_tag=host \
-        -fsdev "local,id=kit,path=$out,security_model=none" -device virtio-9p-pci,fsdev=kit,mount_tag=kit \
+        -fsdev "local,id=guest,path=$out,security_model=none" -device virtio-9p-pci,fsdev=guest,mount_tag=guest \
         </dev/null >"$out/qemu.log" 2>&1 &
     qemu=$!
     wait "$qemu"
@@ -136,7 +136,7 @@ arguments "$@"
 [ ${#command[@]} -gt 0 ] || fail 125 "-- COMMAND is missing"
 reason=$(why_not)
 [ -z "$reason" ] || fail 125 "no guest can run here: $reason"
-find_kernel || fail 125 "the kernel cannot be unpacked below $B/kit"
+find_kernel || fail 125 "the kernel cannot be unpacked below $B/guest"
 if [ -n "$out" ]; then
     mkdir -p "$out" || exit 125
 else

@@ -1,7 +1,7 @@
 /*
  * hal/linux without hardware: how writes are divided, which line a name means, what is said when something is missing,
  * and which of a contact's edges are presses. libgpiod is played by the chips below; the rest, with the real kernel, is
- * in test_kit_hal.sh.
+ * in test_guest_hal.sh.
  */
 #include <setjmp.h>
 #include <stdarg.h>

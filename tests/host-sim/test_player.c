@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "caught.h"
+#include "stderr_capture.h"
 #include "player.h"
 
 #include <string.h>
@@ -18,13 +18,13 @@ static void a_kit_that_is_used_well_is_silent(void **state)
 {
     struct sim_virtual v;
     struct player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     const struct player_setup setup = setup_of(&v.board);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int opened = player_open(&player, &setup), drawn = player_frame(&player, 0), closed = player_close(&player);
-    caught_end(&c);
+    stderr_capture_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
     assert_int_equal(closed, 0);
@@ -35,57 +35,57 @@ static void a_complaint_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
     struct player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     v.board.spi_hz = 200000000; /* far above what an ST7789 takes */
     v.board.over_limit = false;
     const struct player_setup setup = setup_of(&v.board);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int opened = player_open(&player, &setup), drawn = player_frame(&player, 0), closed = player_close(&player);
-    caught_end(&c);
+    stderr_capture_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
     assert_int_equal(closed, 1);
     assert_non_null(strstr(c.text, "display controller: "));
-    assert_int_equal(caught_lines(&c), 1);
+    assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
 static void a_bus_that_fails_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
     struct player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     const struct player_setup setup = setup_of(&v.board);
     assert_int_equal(player_open(&player, &setup), 0);
     sim_fault(player.sim, SIM_FAULT_WRITE, 5);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int drawn = player_frame(&player, 3);
-    caught_end(&c);
+    stderr_capture_end(&c);
     player_close(&player);
     assert_int_equal(drawn, 1);
     assert_non_null(strstr(c.text, "frame 3"));
-    assert_int_equal(caught_lines(&c), 1);
+    assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
 static void a_camera_without_a_volume_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
     struct player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     struct player_setup setup = setup_of(&v.board);
     setup.camera.projection_set = true; /* and all zeros */
     assert_int_equal(player_open(&player, &setup), 0);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int drawn = player_frame(&player, 0);
-    caught_end(&c);
+    stderr_capture_end(&c);
     player_close(&player);
     assert_int_equal(drawn, 1);
-    assert_int_equal(caught_lines(&c), 1);
+    assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
 int main(void)

@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2154
-# For the tests of RP2040 images; needs B, dir (a folder for what comes out) and tests/tap.sh.
+# For the tests of RP2040 images; needs B, dir (a folder for what comes out) and tests/tools/tap.sh.
 #   rp2040_here                              exits 77 where something is missing
 #   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
 #                                            runs the image of all demos; KEYS is a file as of pinhole-sim --keys, or -
