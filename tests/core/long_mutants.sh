@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The raster tests are tested: each line breaks one thing in a copy of the core on purpose; the test named beside it must
 # fail. A line that changes nothing any more fails too: the code has moved on, the line should follow.
-# (The portable core: what a CPU has of its own is held to it by tests/test_hot.sh.)
+# (The portable core: what a CPU has of its own is held to it by test_kernels.sh.)
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1

@@ -25,7 +25,7 @@ make_images() { # directory, then name and bytes of each
 
 run() { # name, argument...
     # shellcheck disable=SC2086 # words of guest_wrap
-    timeout "${guest_limit:-60}" $guest_wrap "$B/pinhole-flash" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
+    timeout "${guest_limit:-1000}" $guest_wrap "$B/pinhole-flash" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
     echo $? >"$GUEST/$1.status"
 }
 
@@ -50,8 +50,8 @@ run_signalled() { # name, flash, signal, argument...
     cp "$GUEST/$2" "$GUEST/before"
     "$B/pinhole-flash" "${@:4}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" &
     pid=$!
-    for ((i = 0; i < 2000; i++)); do
-        cmp -s "$GUEST/$2" "$GUEST/before" || break
+    for ((i = 0; i < 100000; i++)); do
+        { cmp -s "$GUEST/$2" "$GUEST/before" && kill -0 $pid; } || break
     done
     kill "-$3" $pid
     wait $pid

@@ -20,7 +20,7 @@ in_guest() { # name, script
     guest_out=$dir/$1
     mkdir -p "$guest_out"
     printf 'images=%q\nRANDOM=%q\n. tests/guest/flash_in_guest.sh\ncd $GUEST\n%s\n' "$dir" "$seed" "$2" >"$guest_out/in_guest"
-    tests/guest/guest.sh --timeout 600 "${@:3}" --out "$guest_out" -- bash "$guest_out/in_guest" >"$guest_out/log" 2>&1 || cat "$guest_out/log"
+    tests/guest/guest.sh --icount --timeout 4000 "${@:3}" --out "$guest_out" -- bash "$guest_out/in_guest" >"$guest_out/log" 2>&1 || cat "$guest_out/log"
 }
 
 # So many first runs, all of which ended as they may; not too many of them came through; every second one was right.
@@ -67,7 +67,7 @@ by_signal='
 '
 checked='
     guest_wrap="valgrind --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=all --track-fds=yes"
-    guest_limit=200
+    guest_limit=3000
     run none $images/a.uf2
     run_on good flash "" $images/a.uf2
     run_on pulled flash "--unplug-after 9000" $images/a.uf2

@@ -10,7 +10,7 @@ guest_begin "the backends keep hal.h's contract in the virtual board" libusb-1.0
 make -s -j2 B="$B" "$B/tests/hal/test_hal" && guest_build || exit 1
 
 in_the_guest() { # shell text, guest.sh's option...
-    guest_run --timeout 400 --memory 1024 --cpus 2 "${@:2}" -- bash -c "
+    guest_run --timeout 4000 --memory 1024 --cpus 2 "${@:2}" -- bash -c "
         . tests/guest/virtual_board.sh
         memcheck='valgrind -q --leak-check=full --track-fds=yes --suppressions=tests/tools/valgrind.suppress --error-exitcode=9'
         $1"

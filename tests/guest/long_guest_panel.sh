@@ -13,7 +13,7 @@ seed=${SEED:-$RANDOM}
 in_guest() { # name, script, guest.sh's option...
     guest_out=$dir/$1
     mkdir -p "$guest_out"
-    tests/guest/guest.sh --timeout 500 "${@:3}" --out "$guest_out" -- bash -c ". tests/guest/panel_in_guest.sh; $2" >"$guest_out/log" 2>&1 ||
+    tests/guest/guest.sh --timeout 4000 "${@:3}" --out "$guest_out" -- bash -c ". tests/guest/panel_in_guest.sh; $2" >"$guest_out/log" 2>&1 ||
         cat "$guest_out/log"
 }
 
@@ -23,7 +23,7 @@ for bufsiz in 64 4096 65536; do
         check "on $board the wire carries what pinhole-sim draws, bufsiz $bufsiz" rotations_are_as_simulated "$board" "0 90 180 270"
     done
 done
-in_guest usb 'guest_usb_rotations 2 "0 90 180 270" $usb_boards'
+in_guest usb 'guest_usb_rotations 2 "0 90 180 270" $usb_boards' --icount
 for board in $usb_boards; do
     check "on $board the wire carries what pinhole-sim draws" rotations_are_as_simulated "$board" "0 90 180 270"
 done
@@ -31,9 +31,9 @@ done
 unplugs='
     RANDOM='$seed'
     for i in {1..50}; do
-        guest_limit=20 run_usb "usb-$i" "--unplug-after $((RANDOM * 20))" --board ft232h-st7789 --frames 20
+        guest_limit=3000 run_usb "usb-$i" "--unplug-after $((RANDOM * 20))" --board ft232h-st7789 --frames 20
         fresh && board_do spi-unplug $((RANDOM % 600 + 1))
-        guest_limit=20 run "spi-$i" --board rpi-waveshare-1in44 --frames 20
+        guest_limit=3000 run "spi-$i" --board rpi-waveshare-1in44 --frames 20
     done
 '
 # Wherever it came: one line and exit 1; or it was over before.
@@ -48,18 +48,18 @@ unplugged() { # kind
     done
     [ "$late" -lt 20 ] || { echo "$late of 50 came too late" && return 1; }
 }
-in_guest unplugs "$unplugs"
+in_guest unplugs "$unplugs" --icount
 check "50 unplugs of an FT232H at random moments (SEED=$seed) end in one line each" unplugged usb
 check "50 unplugs of a board at random moments (SEED=$seed) end in one line each" unplugged spi
 
 checked='
-    fresh && guest_wrap="valgrind -q --error-exitcode=99 --leak-check=full --suppressions=tests/tools/valgrind.suppress" guest_limit=300 \
+    fresh && guest_wrap="valgrind -q --error-exitcode=99 --leak-check=full --suppressions=tests/tools/valgrind.suppress" guest_limit=3000 \
         run valgrind --board rpi-waveshare-1in44 --frames 3 --diff on
-    fresh && B=$B/tsan guest_limit=200 run threads --board rpi-waveshare-1in44 --frames 30
-    fresh && B=$B/tsan guest_limit=200 run threads-diff --board rpi-waveshare-1in44 --frames 30 --diff on
-    usb_plug ft232h && B=$B/tsan guest_limit=200 run threads-usb --board ft232h-st7789 --frames 10 --diff on
+    fresh && B=$B/tsan guest_limit=3000 run threads --board rpi-waveshare-1in44 --frames 30
+    fresh && B=$B/tsan guest_limit=3000 run threads-diff --board rpi-waveshare-1in44 --frames 30 --diff on
+    usb_plug ft232h && B=$B/tsan guest_limit=3000 run threads-usb --board ft232h-st7789 --frames 10 --diff on
     kill $usb_device
-    fresh && board_do spi-error 150 5 && B=$B/tsan guest_limit=200 run threads-eio --board rpi-waveshare-1in44 --frames 30
+    fresh && board_do spi-error 150 5 && B=$B/tsan guest_limit=3000 run threads-eio --board rpi-waveshare-1in44 --frames 30
 '
 make -s B="$B/tsan" CFLAGS='-O1 -g -fsanitize=thread' "$B/tsan/pinhole-panel" >"$dir/make" 2>&1 || cat "$dir/make"
 in_guest checked "$checked" --memory 1500 --cpus 2

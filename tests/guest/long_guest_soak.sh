@@ -70,7 +70,7 @@ stays_flat() { # name
         }' "$guest_out/$1.memory" || { cat "$guest_out/$1.memory" && return 1; }
 }
 
-tests/guest/guest.sh --timeout 1400 --cpus 2 --bufsiz 65536 --out "$guest_out" -- bash -c "$watch" >"$guest_out/log" 2>&1 ||
+tests/guest/guest.sh --timeout 4000 --cpus 2 --bufsiz 65536 --out "$guest_out" -- bash -c "$watch" >"$guest_out/log" 2>&1 ||
     cat "$guest_out/log"
 check "each of $FRAMES frames on the wire is the simulator's" shows_every_frame
 check "memory and descriptors stay as they are" stays_flat spi

@@ -16,13 +16,13 @@ guest_wrap=${guest_wrap-} # valgrind, say
 fresh() { # parameter=value...
     rmmod virtual_board 2>/dev/null
     board_plug "$@" && udevadm settle 2>/dev/null
-    [ -e /dev/virtual-board ] || sleep 0.2
+    until [ -e /dev/virtual-board ]; do sleep 0.1; done
 }
 
 # One run; the board must be there.
 run() { # name, argument...
     # shellcheck disable=SC2086 # words of guest_wrap
-    timeout "${guest_limit:-60}" $guest_wrap "$B/pinhole-panel" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
+    timeout "${guest_limit:-1000}" $guest_wrap "$B/pinhole-panel" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
     echo $? >"$GUEST/$1.status"
 }
 
@@ -32,7 +32,7 @@ run_fresh() { # name, argument...
 
 # The conformance test of the backends. Unplugged boards stay half there, so only a guest's last one may be.
 run_hal() { # name, stays|unplugged, the board's parameter=value...
-    fresh "${@:3}" && timeout 150 "$B/tests/hal/test_hal" "$2" >"$GUEST/$1.hal" 2>&1
+    fresh "${@:3}" && timeout 1000 "$B/tests/hal/test_hal" "$2" >"$GUEST/$1.hal" 2>&1
     echo $? >"$GUEST/$1.status"
 }
 
@@ -41,8 +41,8 @@ run_signalled() { # name, signal, argument...
     local pid i
     "$B/pinhole-panel" --stats "${@:3}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" &
     pid=$!
-    for ((i = 0; i < 300; i++)); do
-        grep -q frames/s "$GUEST/$1.err" && break
+    for ((i = 0; i < 10000; i++)); do
+        { ! grep -q frames/s "$GUEST/$1.err" && kill -0 $pid; } || break
         sleep 0.1
     done
     kill "-$2" $pid

@@ -66,7 +66,7 @@ plug --flash uf2
 script -qec "stty rows 24 cols 80; $B/pinhole-flash $images/a.uf2" /dev/null >terminal
 pull
 EOT
-guest_run --timeout 200 --out "$dir/guest" -- bash "$dir/in_guest" >"$dir/log" 2>&1
+guest_run --icount --timeout 2500 --out "$dir/guest" -- bash "$dir/in_guest" >"$dir/log" 2>&1
 guest_out=$dir/guest
 
 again='plug it in with BOOTSEL held and run this again'

@@ -24,7 +24,7 @@ in_guest='
             status=$?
             [ "$status" = "$1" ] && [ "$said" = "$2" ] || { echo "$3: $status: $said" && failed=1; }
         }
-        send() { timeout 20 "$B/tests/hal/test_hal" usb-send "$@"; }
+        send() { timeout 1000 "$B/tests/hal/test_hal" usb-send "$@"; }
         fault() { # option, status, line
             usb_plug ft232h --serial PH001 $1 || failed=1
             expect "$2" "$3" "$1" send
@@ -59,7 +59,7 @@ in_guest='
     echo $? >$GUEST/usb.status
 '
 guest_out=$dir
-guest_run --timeout 300 --bufsiz 64 --out "$guest_out" -- bash -c "$in_guest" >"$guest_out/log" 2>&1 || cat "$guest_out/log"
+guest_run --icount --timeout 2500 --bufsiz 64 --out "$guest_out" -- bash -c "$in_guest" >"$guest_out/log" 2>&1 || cat "$guest_out/log"
 
 check "hal_linux_with_a_bufsiz_of_64" hal_passed names
 check "hal_linux_where_lines_have_no_names_on_a_pi_5" hal_passed pi-5

@@ -70,9 +70,9 @@ faults='
     run unplugged --board rpi-waveshare-1in44 --frames 90
 '
 
-tests/guest/guest.sh --bufsiz 65536 --timeout 240 --out "$dir/boards" -- bash -c "$all_boards" >"$dir/boards.log" 2>&1 ||
+tests/guest/guest.sh --bufsiz 65536 --timeout 2500 --out "$dir/boards" -- bash -c "$all_boards" >"$dir/boards.log" 2>&1 ||
     { cat "$dir/boards.log"; exit 1; }
-tests/guest/guest.sh --timeout 240 --out "$dir/faults" -- bash -c "$faults" >"$dir/faults.log" 2>&1 ||
+tests/guest/guest.sh --timeout 2500 --out "$dir/faults" -- bash -c "$faults" >"$dir/faults.log" 2>&1 ||
     cat "$dir/faults.log"
 
 # ---- what came out -------------------------------------------------------------------------------

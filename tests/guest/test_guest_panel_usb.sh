@@ -36,7 +36,7 @@ usb='
     kill $usb_device
 '
 
-tests/guest/guest.sh --timeout 120 --out "$dir/usb" -- bash -c "$usb" >"$dir/usb.log" 2>&1 ||
+tests/guest/guest.sh --icount --timeout 2500 --out "$dir/usb" -- bash -c "$usb" >"$dir/usb.log" 2>&1 ||
     { cat "$dir/usb.log"; exit 1; }
 
 guest_out=$dir/usb

@@ -72,7 +72,7 @@ usb_try 2e8a:0003 list >after_reboot
 usb_plug bootsel --serial BOOT --flash flash --unplug-after 100
 boot out:3:$(picoboot 3 8 0 0x10000000 4096) in:0x84:64 out:3:$(picoboot 5 8 256 0x10000000 256) fill:3:256 >pulled
 EOT
-guest_run --timeout 150 --out "$dir/guest" -- bash "$dir/in_guest" >"$dir/log" 2>&1
+guest_run --icount --timeout 2500 --out "$dir/guest" -- bash "$dir/in_guest" >"$dir/log" 2>&1
 cd "$dir/guest" || exit 1
 
 # The file has these lines.

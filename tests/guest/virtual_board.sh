@@ -105,7 +105,7 @@ usb_plug() {
     "${B:-build}/guest/usb" "$@" --ready "$ready" &
     # shellcheck disable=SC2034 # the caller's
     usb_device=$!
-    for ((i = 0; i < 600; i++)); do
+    for ((i = 0; i < 12000; i++)); do
         # The kernel makes the device's node right after.
         [ -e "$ready" ] && rm "$ready" && sleep 0.1 && return
         sleep 0.05
