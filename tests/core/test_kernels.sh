@@ -62,8 +62,7 @@ change_is_seen() { # CPU, loop, sed command
 }
 
 same_frames() { # CPU
-    make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
-        USB=nousb all || return 1
+    frames_program "$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" || return 1
     [ -e "$B/sim-$1/$kernels/$1/small_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
     frames qemu-arm "$B/sim-$1/pinhole-sim" >"$B/$1.frames" && diff tests/golden/frames.txt "$B/$1.frames"
 }

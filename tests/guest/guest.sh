@@ -119,7 +119,7 @@ arguments() {
         case $1 in
         --) shift && command=("$@") && return ;;
         --why) why_not | grep . && exit 1 || exit 0 ;;
-        --icount) icount=(-icount shift=2,sleep=on) && shift && continue ;;
+        --icount) icount=(-icount "shift=2,sleep=on") && shift && continue ;;
         --kernel) kernel_version && exit 0 || exit 1 ;;
         --bufsiz) append="$append spidev.bufsiz=${2:?}" ;;
         --timeout) seconds=${2:?} ;;
