@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Rows P1, P2, P3, V1, V3, V5, V9: cameras and nodes against three.js (npm), 10,000 seeded cases, within 2 LSB of
+# Cameras and nodes against three.js (npm), 10,000 seeded cases, within 2 LSB of
 # Q16.16. three.js is installed into the build directory; without node, npm or the registry this is skipped.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
