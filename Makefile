@@ -122,7 +122,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo test test-exhaustive lint bench size depth gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs FORCE
+.PHONY: all demo check test test-exhaustive lint bench size depth gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -183,16 +183,20 @@ core-objects: $(call objects,$(CORE))
 firmware-objects: core-objects $(call objects,$(APP_SRC) $(wildcard hal/panel/*.c))
 test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
+fuzz-programs: $(FUZZ)
 
 -include firmware/firmware.mk
 
 demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
 	$(Q)B='$(B)' sh host-sim/demo.sh
 
-test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
-	$(Q)B='$(B)' tests/run.sh quick $(MAKEOVERRIDES)
+check: ## the unit tests and the quick scripts, for every edit; installs nothing (under 90 seconds on 2 cores)
+	$(Q)B='$(B)' tests/run.sh check $(MAKEOVERRIDES)
 
-test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing
+test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
+	$(Q)B='$(B)' tests/run.sh test $(MAKEOVERRIDES)
+
+test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/3: a third
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
 
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors

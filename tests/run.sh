@@ -1,25 +1,41 @@
 #!/usr/bin/env bash
-# Usage: tests/run.sh quick|long [VARIABLE=value for make...]
-# Builds and runs the tests, each with a time limit, as many at a time as there are processors; ends with the one line
-# `N passed, N failed, N skipped` and exits 1 when a test failed.
-#   quick  tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
-#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`
+# Usage: tests/run.sh check|test|long [VARIABLE=value for make...]
+# Builds and runs the tests, one more at a time than there are processors, those that take longest first; ends with the
+# one line `N passed, N failed, N skipped` and exits 1 when a test failed.
+#   check  for every edit: the unit tests tests/*/test_*.c and the scripts that take seconds; installs nothing
+#   test   tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
+#   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`;
+#          SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know SHARE take every N-th of what they
+#          look at, the others run in one of the N
 # A test speaks TAP (cmocka does; tests/tools/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
-# What it says goes to $B/log/ and is shown when it fails.
+# TEST_TIMEOUT seconds end a test that hangs. What a test says goes to $B/log/ and is shown when it fails.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 mode=${1-}
 case "$mode" in
-quick) limit_s=400 ;;
-long) limit_s=1500 ;;
-*) echo "usage: $0 quick|long [VARIABLE=value...]" >&2 && exit 2 ;;
+check | test) limit_s=3000 ;;
+long) limit_s=6000 ;;
+*) echo "usage: $0 check|test|long [VARIABLE=value...]" >&2 && exit 2 ;;
 esac
 shift
+export SHARE=${SHARE:-1/1}
+if ! [[ $SHARE =~ ^[1-9][0-9]*/[1-9][0-9]*$ ]] || [ "${SHARE%/*}" -gt "${SHARE#*/}" ]; then
+    echo "$0: SHARE=$SHARE: K/N with K from 1 to N" >&2 && exit 2
+fi
+
+# Too slow for `check`, by the processor time that they took.
+slow_units='test_panel_diff test_ft232h test_runner'
+quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
+# What takes longest, or has steps that only one processor can take, comes first.
+first='test_targets test_guest_panel test_make test_firmware_rp2040 test_firmware_lm3s test_firmware test_guest_flash
+test_guest_hal test_firmware_wires test_kernels test_panel_diff.asan test_firmware_stm32f4 test_firmware_uart
+test_firmware_boot test_guest_panel_usb test_readme test_bench test_quality.asan test_asset test_guest_usb test_run
+long_firmware_rp2040 exhaustive_fx long_guest_soak long_guest_panel long_mutants long_debian13 long_guest_flash'
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
 export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressions=0
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results
-sanitize='-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
+sanitize='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
 processors=$(nproc)
 make_args= # as one word, for the jobs
 [ $# = 0 ] || printf -v make_args '%q ' "$@"
@@ -53,11 +69,12 @@ prepare() { # build directory, source: status 77 when it cannot be built here, 1
     what=$(lacks "$2")
     [ -z "$what" ] || { echo "not here: $what" && return 77; }
     what=$1/${2%.c}
+    [[ " $built " != *" $1 "* ]] || return 0 # everything was
     eval "make -s V=1 $make_args B=$1 ${CFLAGS_JOB:+CFLAGS='$CFLAGS_JOB'} $what" 2>&1 || { echo "does not build" && return 1; }
 }
 
 job() { # name, build directory (- for a script), source, [argument]
-    local name=$1 log=$B/log/$1.log status=0 start=$SECONDS word=ok program passed failed skipped
+    local name=$1 log=$B/log/$1.log status=0 start=$SECONDS word=ok program passed failed skipped cpu_s
     case "$2" in
     -) program=$3 ;;
     *) program=$2/${3%.c} ;;
@@ -72,13 +89,16 @@ job() { # name, build directory (- for a script), source, [argument]
     [ "$passed$failed" != 00 ] || word=skip
     [ "$failed" = 0 ] || word=FAIL
     echo "$passed $failed $skipped" >>"$results"
+    times >"$log.times"
+    cpu_s=$(awk 'NR == 2 { gsub(/[ms]/, " "); printf "%.0f", 60 * $1 + $2 + 60 * $3 + $4 }' "$log.times")
     {
-        printf '%-4s %-32s %d passed, %d failed, %d skipped (%d s)\n' $word "$name" "$passed" "$failed" "$skipped" $((SECONDS - start))
+        printf '%-4s %-32s %d passed, %d failed, %d skipped (%d s, processor %d s)\n' $word "$name" "$passed" "$failed" "$skipped" \
+            $((SECONDS - start)) "$cpu_s"
         [ $word != ok ] || grep '# SKIP' "$log" | sed 's/^/     | /'
         [ $word = ok ] || { grep '^not ok' "$log" | head -n 20 && echo ... && tail -n 40 "$log"; } | sed 's/^/     | /'
     } >"$log.short"
     cat "$log.short"
-    rm -f "$log.short"
+    rm -f "$log.short" "$log.times"
 }
 export -f job prepare count lacks
 export sanitize
@@ -86,26 +106,60 @@ export sanitize
 # One line a job, the words of job()'s arguments.
 list() {
     local f
-    if [ "$mode" = quick ]; then
+    case $mode in
+    check)
+        for f in $quick_scripts; do f=$(echo tests/*/"$f".sh) && [ ! -e "$f" ] || echo "$(basename "$f" .sh) - $f"; done
+        for f in tests/*/test_*.c; do [[ " $slow_units " = *" $(basename "$f" .c) "* ]] || echo "$(basename "$f" .c) $B $f"; done
+        ;;
+    test)
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
         for f in tests/*/test_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/test_*.c; do echo "$(basename "$f" .c) $B $f"; done
         for f in tests/*/test_*.c; do echo "$(basename "$f" .c).asan $B/asan $f"; done
-    else
+        ;;
+    long)
         for f in tests/*/long_*.sh; do echo "$(basename "$f" .sh) - $f"; done
         for f in tests/*/exhaustive_*.c; do echo "$(basename "$f" .c) $B $f"; done
         for f in tests/*/fuzz_*.c; do echo "$(basename "$f" .c).long.asan $B/asan $f long"; done
-    fi
+        ;;
+    esac
 }
 
-tests/tools/packages.sh test
+# Of the jobs those of this share.
+shared() {
+    local line i=0 source
+    while read -r line; do
+        read -r _ _ source _ <<<"$line"
+        if grep -q 'SHARE\|in_share' "$source"; then
+            echo "$line"
+        else
+            [ $((i++ % ${SHARE#*/})) != $((${SHARE%/*} - 1)) ] || echo "$line"
+        fi
+    done
+}
+
+# Those in $first in its order, then the others as they come.
+longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/); for (i = 1; i <= n; i++) { rank[name[i]] = i } }
+    { print ($1 in rank ? rank[$1] : n + 1), NR, $0 }' | sort -n -k1,1 -k2,2 | cut -d' ' -f3-; }
+
+[ "$mode" = check ] || tests/tools/packages.sh test
 shopt -s nullglob
 mkdir -p "$B/log"
 : >"$results"
-[ "$mode" = quick ] && goal=test-programs || goal=long-programs
+begin=$SECONDS
+case "$mode" in
+check) goals="$(list | awk '$2 != "-" { sub(/\.c$/, "", $3); print $2 "/" $3 }')" ;;
+test) goals=test-programs asan_goal=test-programs ;;
+long) goals=long-programs asan_goal=fuzz-programs && echo "share $SHARE of the long tests" ;;
+esac
 echo "building"
-make -k -s -j"$processors" "$@" B="$B" all "$goal" >"$B/log/build.log" 2>&1
-make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" test-programs >"$B/log/build-asan.log" 2>&1
-list | xargs -P "$processors" -I{} bash -c 'job {}'
+export built= # build directories in which everything was built; what lacks a library is tried again alone
+# shellcheck disable=SC2086 # words
+make -k -s -j"$processors" "$@" B="$B" all $goals >"$B/log/build.log" 2>&1 && built=$B
+if [ "$mode" != check ]; then
+    make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" "$asan_goal" >"$B/log/build-asan.log" 2>&1 && built="$built $B/asan"
+fi
+list | shared | longest_first | xargs -P "$((processors + 1))" -I{} bash -c 'job {}'
 
+echo "$((SECONDS - begin)) s"
 awk '{ p += $1; f += $2; s += $3 } END { printf "%d passed, %d failed, %d skipped\n", p, f, s; exit f > 0 || p + f + s == 0 }' "$results"

@@ -1,5 +1,5 @@
 /*
- * wire_events: what happened on a display kit's wires, as text, so that virtual kits and emulators can tell and
+ * wire_events: what happened on a display kit's wires, as text, so that virtual boards and emulators can tell and
  * pinhole-wire can show it.
  *
  * One event a line, words separated by one space, times in ns from any start, never falling but in names and notes:

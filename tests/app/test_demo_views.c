@@ -6,7 +6,7 @@
 
 #include "demo.h"
 #include "hal.h"
-#include "show.h"
+#include "demo_stage.h"
 
 #include <stdlib.h>
 
@@ -14,18 +14,18 @@ static void views_have_names_and_differ(void **state)
 {
     (void)state;
     for (uint32_t d = 0; d < demo_count; d++) {
-        struct show s = show_open(demo_list[d], 120, 100);
-        const uint32_t first = show_frame(&s, 9);
+        struct demo_stage s = demo_stage_open(demo_list[d], 120, 100);
+        const uint32_t first = demo_stage_frame(&s, 9);
         uint32_t before = 0;
         for (size_t v = 0; s.demo->views && s.demo->views[v]; v++) {
             assert_true(demo_has_view(s.demo, s.demo->views[v]));
             s.context.view = s.demo->views[v];
-            const uint32_t now = show_frame(&s, 9);
+            const uint32_t now = demo_stage_frame(&s, 9);
             assert_true(v == 0 ? now == first : now != before);
             before = now;
         }
         assert_false(demo_has_view(s.demo, "none"));
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -34,23 +34,23 @@ static void buttons_walk_around_and_come_back(void **state)
     (void)state;
     static const char *const names[] = {"turntable", "wireframe", "solar", "ball", "shadow"};
     for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); i++) {
-        struct show s = show_open(demo_find(names[i]), 120, 100);
-        const uint32_t own = show_frame(&s, 5);
+        struct demo_stage s = demo_stage_open(demo_find(names[i]), 120, 100);
+        const uint32_t own = demo_stage_frame(&s, 5);
         demo_input(&s.context, HAL_BUTTON_LEFT);
-        const uint32_t left = show_frame(&s, 5);
+        const uint32_t left = demo_stage_frame(&s, 5);
         demo_input(&s.context, HAL_BUTTON_RIGHT);
-        assert_int_equal(show_frame(&s, 5), own);
+        assert_int_equal(demo_stage_frame(&s, 5), own);
         demo_input(&s.context, HAL_BUTTON_RIGHT);
-        assert_true(left != own && show_frame(&s, 5) != own && show_frame(&s, 5) != left);
+        assert_true(left != own && demo_stage_frame(&s, 5) != own && demo_stage_frame(&s, 5) != left);
         for (int k = 1; k < 256; k++) { /* a whole turn */
             demo_input(&s.context, HAL_BUTTON_RIGHT);
         }
-        assert_int_equal(show_frame(&s, 5), own);
+        assert_int_equal(demo_stage_frame(&s, 5), own);
         demo_input(&s.context, HAL_BUTTON_UP);
-        assert_true(show_frame(&s, 5) != own);
+        assert_true(demo_stage_frame(&s, 5) != own);
         demo_input(&s.context, HAL_BUTTON_DOWN);
-        assert_int_equal(show_frame(&s, 5), own);
-        show_close(&s);
+        assert_int_equal(demo_stage_frame(&s, 5), own);
+        demo_stage_close(&s);
     }
 }
 
@@ -58,17 +58,17 @@ static void buttons_walk_around_and_come_back(void **state)
 static void without_scratch_memory_the_focus_is_sharp(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("focus"), 240, 240);
-    const uint32_t blurred = show_frame(&s, 7);
+    struct demo_stage s = demo_stage_open(demo_find("focus"), 240, 240);
+    const uint32_t blurred = demo_stage_frame(&s, 7);
     const size_t bytes = s.context.scratch_bytes;
     assert_true(bytes > 0);
     s.context.scratch_bytes = bytes - 1;
-    const uint32_t sharp = show_frame(&s, 7);
+    const uint32_t sharp = demo_stage_frame(&s, 7);
     assert_true(sharp != blurred);
-    assert_int_equal(show_frame(&s, 7), sharp);
+    assert_int_equal(demo_stage_frame(&s, 7), sharp);
     s.context.scratch_bytes = bytes;
-    assert_int_equal(show_frame(&s, 7), blurred);
-    show_close(&s);
+    assert_int_equal(demo_stage_frame(&s, 7), blurred);
+    demo_stage_close(&s);
 }
 
 static void the_four_conventions_draw_the_same_quarter(void **state)
@@ -77,10 +77,10 @@ static void the_four_conventions_draw_the_same_quarter(void **state)
     const struct demo *const demo = demo_find("conventions");
     struct demo plain = *demo; /* without the labels */
     plain.band = NULL;
-    struct show s = show_open(demo, 240, 200);
+    struct demo_stage s = demo_stage_open(demo, 240, 200);
     s.demo = &plain;
     int drawn = 0;
-    show_frame(&s, 33);
+    demo_stage_frame(&s, 33);
     for (int y = 0; y < 100; y++) {
         for (int x = 0; x < 120; x++) {
             const uint16_t gl = pixel(&s, x, y);
@@ -91,32 +91,32 @@ static void the_four_conventions_draw_the_same_quarter(void **state)
         }
     }
     assert_true(drawn > 1500);
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 /* Up comes nearer: the pot grows. Down makes it smaller than at first. At both ends of the way it stops. */
 static void up_and_down_change_the_pot_s_size_within_limits(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("wireframe"), 240, 240);
+    struct demo_stage s = demo_stage_open(demo_find("wireframe"), 240, 240);
     int height, near_height, far_height;
-    show_frame(&s, 0);
+    demo_stage_frame(&s, 0);
     const int own = drawn_width(&s, &height);
     for (int k = 0; k < 1000; k++) {
         demo_input(&s.context, HAL_BUTTON_DOWN);
     }
-    show_frame(&s, 0);
+    demo_stage_frame(&s, 0);
     assert_true(drawn_width(&s, &far_height) < own * 3 / 4 && drawn_width(&s, &far_height) > own / 2);
     for (int k = 0; k < 32; k++) {
         demo_input(&s.context, HAL_BUTTON_UP);
     }
-    show_frame(&s, 0);
+    demo_stage_frame(&s, 0);
     assert_int_equal(drawn_width(&s, &near_height), own);
     demo_input(&s.context, HAL_BUTTON_UP);
-    show_frame(&s, 0);
+    demo_stage_frame(&s, 0);
     drawn_width(&s, &near_height);
     assert_true(near_height >= height && far_height < height);
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 /* Text and blur too. */
@@ -125,22 +125,22 @@ static void no_picture_depends_on_the_height_of_bands(void **state)
     (void)state;
     for (uint32_t d = 0; d < demo_count; d++) {
         const struct demo *const demo = demo_list[d];
-        struct show s = show_open(demo, 121, 99);
-        const uint32_t whole = show_frame(&s, 40);
+        struct demo_stage s = demo_stage_open(demo, 121, 99);
+        const uint32_t whole = demo_stage_frame(&s, 40);
         rig_close(&s.rig);
         rig_open(&s.rig, 121, 99, 7, PH_DEPTH_FIXED16, (int)demo->vertex_max, (int)demo->triangle_max);
-        assert_int_equal(show_frame(&s, 40), whole);
-        show_close(&s);
+        assert_int_equal(demo_stage_frame(&s, 40), whole);
+        demo_stage_close(&s);
     }
 }
 
 /* ---- the snake's buttons --------------------------------------------------------------------------------------- */
 
-static uint32_t press(struct show *s, uint32_t frame, uint32_t buttons)
+static uint32_t press(struct demo_stage *s, uint32_t frame, uint32_t buttons)
 {
     s->context.buttons = 0;
     demo_input(&s->context, buttons);
-    return show_frame(s, frame);
+    return demo_stage_frame(s, frame);
 }
 
 /* What the camera is set to: its place in the world and its direction, from the renderer's view. */
@@ -148,7 +148,7 @@ struct eye {
     fx_t x, z, forward_x, forward_z;
 };
 
-static struct eye eye_of(const struct show *s)
+static struct eye eye_of(const struct demo_stage *s)
 {
     const struct ph_xform camera = ph_xform_inverse_rigid(&s->rig.r.view);
     return (struct eye){camera.t.x, camera.t.z, -(camera.r[0][2] >> 14), -(camera.r[2][2] >> 14)};
@@ -157,10 +157,10 @@ static struct eye eye_of(const struct show *s)
 static void the_snake_plays_itself_until_left_or_right(void **state)
 {
     (void)state;
-    struct show own = show_open(demo_find("snake"), 80, 60);
-    struct show other = show_open(demo_find("snake"), 80, 60);
+    struct demo_stage own = demo_stage_open(demo_find("snake"), 80, 60);
+    struct demo_stage other = demo_stage_open(demo_find("snake"), 80, 60);
     for (uint32_t frame = 0; frame < 600; frame += 3) {
-        const uint32_t crc = show_frame(&own, frame);
+        const uint32_t crc = demo_stage_frame(&own, frame);
         assert_int_equal(press(&other, frame, frame % 2 ? HAL_BUTTON_UP : HAL_BUTTON_DOWN), crc);
     }
     other.context.view = "outside";
@@ -168,9 +168,9 @@ static void the_snake_plays_itself_until_left_or_right(void **state)
     own.context.view = "outside";
     press(&other, 601, HAL_BUTTON_LEFT); /* orbits, does not steer */
     other.context.orbit = 0;
-    assert_int_equal(show_frame(&other, 640), show_frame(&own, 640));
-    show_close(&own);
-    show_close(&other);
+    assert_int_equal(demo_stage_frame(&other, 640), demo_stage_frame(&own, 640));
+    demo_stage_close(&own);
+    demo_stage_close(&other);
 }
 
 /* A cell takes 16 frames, the first one from the first press on. A held button counts once. */
@@ -179,15 +179,15 @@ static void left_and_right_turn_the_snake_by_a_quarter(void **state)
     (void)state;
     for (int side = 0; side < 2; side++) {
         const uint32_t button = side ? HAL_BUTTON_RIGHT : HAL_BUTTON_LEFT;
-        struct show own = show_open(demo_find("snake"), 80, 60);
-        struct show s = show_open(demo_find("snake"), 80, 60);
+        struct demo_stage own = demo_stage_open(demo_find("snake"), 80, 60);
+        struct demo_stage s = demo_stage_open(demo_find("snake"), 80, 60);
         for (uint32_t frame = 0; frame < 20; frame++) {
-            assert_int_equal(press(&s, frame, 0), show_frame(&own, frame));
+            assert_int_equal(press(&s, frame, 0), demo_stage_frame(&own, frame));
         }
         const struct eye path = eye_of(&s);
         for (uint32_t frame = 20; frame <= 36; frame++) {
             const uint32_t crc = press(&s, frame, button);
-            assert_true(frame == 20 || crc != show_frame(&own, frame));
+            assert_true(frame == 20 || crc != demo_stage_frame(&own, frame));
         }
         const struct eye first = eye_of(&s);
         const int sign = side ? -1 : 1;
@@ -204,8 +204,8 @@ static void left_and_right_turn_the_snake_by_a_quarter(void **state)
         assert_true(abs(second.forward_x - sign * first.forward_z) < 200);
         assert_true(abs(second.forward_z + sign * first.forward_x) < 200);
         assert_true(abs(first.forward_x) < 200 || abs(first.forward_z) < 200);
-        show_close(&own);
-        show_close(&s);
+        demo_stage_close(&own);
+        demo_stage_close(&s);
     }
 }
 
@@ -213,24 +213,24 @@ static void left_and_right_turn_the_snake_by_a_quarter(void **state)
 static void a_snake_that_bites_itself_plays_by_itself_again(void **state)
 {
     (void)state;
-    struct show own = show_open(demo_find("snake"), 80, 60);
-    struct show s = show_open(demo_find("snake"), 80, 60);
+    struct demo_stage own = demo_stage_open(demo_find("snake"), 80, 60);
+    struct demo_stage s = demo_stage_open(demo_find("snake"), 80, 60);
     uint32_t back = 0;
     for (uint32_t frame = 40; frame < 200; frame++) {
         const bool down = frame == 40 || (frame < 104 && frame % 16 == 0);
-        const bool same = press(&s, frame, down ? HAL_BUTTON_LEFT : 0) == show_frame(&own, frame);
+        const bool same = press(&s, frame, down ? HAL_BUTTON_LEFT : 0) == demo_stage_frame(&own, frame);
         back = back == 0 && same && frame > 40 ? frame : back;
         assert_true(back == 0 || same);
     }
     assert_int_equal(back, 40 + 4 * 16);
-    show_close(&own);
-    show_close(&s);
+    demo_stage_close(&own);
+    demo_stage_close(&s);
 }
 
 static void a_steered_snake_stays_in_its_field_and_its_budget_and_repeats_itself(void **state)
 {
     (void)state;
-    struct show s[2] = {show_open(demo_find("snake"), 96, 96), show_open(demo_find("snake"), 96, 96)};
+    struct demo_stage s[2] = {demo_stage_open(demo_find("snake"), 96, 96), demo_stage_open(demo_find("snake"), 96, 96)};
     const size_t used = s[0].context.arena.used;
     const fx_t border_x = FX_ONE * 45 / 8;
     const fx_t border_z = FX_ONE * 35 / 8;
@@ -248,16 +248,16 @@ static void a_steered_snake_stays_in_its_field_and_its_budget_and_repeats_itself
         const struct eye e = eye_of(&s[0]);
         assert_true(e.x < border_x && e.x > -border_x && e.z < border_z && e.z > -border_z);
         s[0].context.buttons ^= HAL_BUTTON_LEFT; /* drawn again: nothing counts */
-        assert_int_equal(show_frame(&s[0], frame), crc);
+        assert_int_equal(demo_stage_frame(&s[0], frame), crc);
         s[0].context.view = "outside";
-        show_frame(&s[0], frame);
+        demo_stage_frame(&s[0], frame);
         assert_int_equal(stats->triangles_dropped, 0);
         s[0].context.view = NULL;
     }
     assert_int_equal(s[0].context.arena.used, used);
     assert_true(most > 200);
-    show_close(&s[0]);
-    show_close(&s[1]);
+    demo_stage_close(&s[0]);
+    demo_stage_close(&s[1]);
 }
 
 int main(void)

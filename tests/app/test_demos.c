@@ -9,7 +9,7 @@
 
 #include "demo.h"
 #include "models.h"
-#include "show.h"
+#include "demo_stage.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +43,7 @@ static void demos_stand_in_the_stated_order_and_are_found_by_name(void **state)
 static void measure(const struct demo *demo, const char *view, const uint16_t size[2], uint32_t step,
                     uint32_t *vertices, uint32_t *triangles)
 {
-    struct show s = show_open(demo, size[0], size[1]);
+    struct demo_stage s = demo_stage_open(demo, size[0], size[1]);
     s.context.view = view;
     for (uint32_t frame = 0; frame < demo->loop_frames; frame += step) {
         assert_int_equal(demo->frame(&s.context, &s.rig.r, frame), PH_OK);
@@ -54,7 +54,7 @@ static void measure(const struct demo *demo, const char *view, const uint16_t si
         *triangles = stats->triangles_drawn > *triangles ? stats->triangles_drawn : *triangles;
         *vertices = stats->vertices > *vertices ? stats->vertices : *vertices;
     }
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 static void nothing_is_dropped_on_any_picture_and_budgets_are_not_wasteful(void **state)
@@ -105,16 +105,16 @@ static void the_stated_arena_is_not_wasteful(void **state)
 {
     (void)state;
     for (uint32_t d = 0; d < demo_count; d++) {
-        struct show s = show_open(demo_list[d], 240, 240);
-        show_frame(&s, 0);
+        struct demo_stage s = demo_stage_open(demo_list[d], 240, 240);
+        demo_stage_frame(&s, 0);
         const uint32_t vertices = s.rig.r.stats.vertices;
         s.context.arena.used = 0;
         s.context.arena.size = s.demo->arena_bytes * 2 / 3;
         if (s.demo->init(&s.context) == PH_OK) {
-            show_frame(&s, 0);
+            demo_stage_frame(&s, 0);
             assert_true(s.rig.r.stats.vertices < vertices);
         }
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -166,16 +166,16 @@ static void a_loop_ends_where_it_began(void **state)
 {
     (void)state;
     for (uint32_t d = 0; d < demo_count; d++) {
-        struct show s = show_open(demo_list[d], 120, 100);
-        const uint32_t first = show_frame(&s, 0);
-        const uint32_t middle = show_frame(&s, s.demo->loop_frames / 2);
-        const uint32_t last = show_frame(&s, s.demo->loop_frames - 1);
+        struct demo_stage s = demo_stage_open(demo_list[d], 120, 100);
+        const uint32_t first = demo_stage_frame(&s, 0);
+        const uint32_t middle = demo_stage_frame(&s, s.demo->loop_frames / 2);
+        const uint32_t last = demo_stage_frame(&s, s.demo->loop_frames - 1);
         assert_true((first != middle && first != last) || s.demo->loop_frames == 1);
-        assert_int_equal(show_frame(&s, s.demo->loop_frames), first);
-        assert_int_equal(show_frame(&s, 2 * s.demo->loop_frames - 1), last);
-        assert_int_equal(show_frame(&s, 0u - s.demo->loop_frames), first);
-        assert_int_equal(show_frame(&s, 0), first); /* whatever was drawn before */
-        show_close(&s);
+        assert_int_equal(demo_stage_frame(&s, s.demo->loop_frames), first);
+        assert_int_equal(demo_stage_frame(&s, 2 * s.demo->loop_frames - 1), last);
+        assert_int_equal(demo_stage_frame(&s, 0u - s.demo->loop_frames), first);
+        assert_int_equal(demo_stage_frame(&s, 0), first); /* whatever was drawn before */
+        demo_stage_close(&s);
     }
 }
 
@@ -188,14 +188,14 @@ static int green(uint16_t wire)
 }
 
 /* By how much the green of all pixels changes from one frame to the next, summed up. */
-static uint32_t change(struct show *s, uint32_t from)
+static uint32_t change(struct demo_stage *s, uint32_t from)
 {
     const size_t pixels = (size_t)s->rig.width * (size_t)s->rig.height;
     uint16_t *const before = malloc(2 * pixels);
     assert_non_null(before);
-    show_frame(s, from);
+    demo_stage_frame(s, from);
     memcpy(before, s->rig.pixels, 2 * pixels);
-    show_frame(s, from + 1);
+    demo_stage_frame(s, from + 1);
     uint32_t changed = 0;
     for (size_t i = 0; i < pixels; i++) {
         changed += (uint32_t)abs(green(before[i]) - green(s->rig.pixels[i]));
@@ -208,7 +208,7 @@ static void a_loop_has_no_jump(void **state)
 {
     (void)state;
     for (uint32_t d = 0; d < demo_count; d++) {
-        struct show s = show_open(demo_list[d], 120, 100);
+        struct demo_stage s = demo_stage_open(demo_list[d], 120, 100);
         const uint32_t loop = s.demo->loop_frames;
         uint32_t usual = 0;
         for (uint32_t frame = 0; frame + 1 < loop; frame += 8) {
@@ -217,7 +217,7 @@ static void a_loop_has_no_jump(void **state)
         }
         assert_true(change(&s, loop - 1) <= usual * 5 / 4);
         assert_true(change(&s, loop / 2 - (loop > 1)) <= usual * 5 / 4);
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -229,26 +229,26 @@ static void a_given_camera_replaces_the_demo_s_own(void **state)
     const struct fx_vec3 eye = {FX_INT(3), FX_INT(4), FX_INT(5)};
     const struct fx_vec3 target = {0, 0, -FX_ONE};
     for (uint32_t d = 0; d < demo_count; d++) {
-        struct show s = show_open(demo_list[d], 160, 120);
-        const uint32_t own = show_frame(&s, 3);
+        struct demo_stage s = demo_stage_open(demo_list[d], 160, 120);
+        const uint32_t own = demo_stage_frame(&s, 3);
         s.context.camera.view = ph_view_look_at(eye, target, (struct fx_vec3){0, FX_ONE, 0});
         assert_int_equal(
             ph_projection_perspective(&s.context.camera.projection, FX_INT(35), 4 * FX_ONE / 3, FX_ONE / 8, FX_INT(50)),
             PH_OK);
-        assert_int_equal(show_frame(&s, 3), own);
+        assert_int_equal(demo_stage_frame(&s, 3), own);
         s.context.camera.view_set = true;
-        const uint32_t moved = show_frame(&s, 3);
+        const uint32_t moved = demo_stage_frame(&s, 3);
         s.context.camera.view_set = false;
         s.context.camera.projection_set = true;
-        const uint32_t zoomed = show_frame(&s, 3);
+        const uint32_t zoomed = demo_stage_frame(&s, 3);
         assert_true(moved != own);
         assert_true(strcmp(s.demo->name, "fill") == 0 || zoomed != own); /* it fills a smaller view as well */
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
 /* The outermost pixels show the background; those below only if asked for. */
-static void assert_inside(const struct show *s, bool below_too)
+static void assert_inside(const struct demo_stage *s, bool below_too)
 {
     const int w = s->rig.width;
     const int h = s->rig.height;
@@ -269,12 +269,12 @@ static void the_subject_fits_into_upright_and_square_pictures(void **state)
     static const char *const names[] = {"turntable", "torus", "icosphere", "wireframe"};
     static const uint16_t upright[][2] = {{240, 240}, {135, 240}, {80, 160}, {170, 320}};
     for (size_t i = 0; i < 16; i++) {
-        struct show s = show_open(demo_find(names[i / 4]), upright[i % 4][0], upright[i % 4][1]);
+        struct demo_stage s = demo_stage_open(demo_find(names[i / 4]), upright[i % 4][0], upright[i % 4][1]);
         for (uint32_t frame = 0; frame < s.demo->loop_frames; frame += 16) {
-            show_frame(&s, frame);
+            demo_stage_frame(&s, frame);
             assert_inside(&s, true);
         }
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -283,12 +283,13 @@ static void the_teapot_stays_whole_in_wide_pictures(void **state)
     (void)state;
     static const uint16_t wide[][2] = {{128, 64}, {240, 135}, {320, 240}, {320, 170}};
     for (size_t i = 0; i < 8; i++) {
-        struct show s = show_open(demo_find(i < 4 ? "turntable" : "wireframe"), wide[i % 4][0], wide[i % 4][1]);
+        struct demo_stage s =
+            demo_stage_open(demo_find(i < 4 ? "turntable" : "wireframe"), wide[i % 4][0], wide[i % 4][1]);
         for (uint32_t frame = 0; frame < 256; frame += 8) {
-            show_frame(&s, frame);
+            demo_stage_frame(&s, frame);
             assert_inside(&s, i >= 4); /* the platter may be cut below */
         }
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -297,7 +298,7 @@ static void assert_box_fits(uint16_t width, uint16_t height, fx_t x, fx_t y, fx_
 {
     uint8_t memory[MODEL_CUBE_BYTES + DEMO_TURNTABLE_BYTES + 64];
     struct fx_vec3 corners[24];
-    struct show s = {.context = {.width = width, .height = height, .arena = {memory, sizeof(memory), 0}}};
+    struct demo_stage s = {.context = {.width = width, .height = height, .arena = {memory, sizeof(memory), 0}}};
     const struct demo box = {.frame = demo_turntable_frame};
     const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xFFFF};
     struct ph_mesh mesh;
@@ -316,7 +317,7 @@ static void assert_box_fits(uint16_t width, uint16_t height, fx_t x, fx_t y, fx_
     int widest = 0, highest = 0;
     for (uint32_t frame = 0; frame < 256; frame += 8) {
         int h;
-        show_frame(&s, frame);
+        demo_stage_frame(&s, frame);
         assert_inside(&s, false);
         for (int column = 0; column < width; column++) { /* the platter may be cut here, the box not */
             assert_true(pixel(&s, column, height - 1) != material.colour);
@@ -348,12 +349,12 @@ static void any_model_fills_the_turntable_s_picture_and_fits(void **state)
 }
 
 /* Empty rows above and below in the middle column over a whole turn. */
-static void margins(struct show *s, int *above, int *below)
+static void margins(struct demo_stage *s, int *above, int *below)
 {
     *above = *below = s->rig.height;
     for (uint32_t frame = 0; frame < 256; frame += 8) {
         int y = 0;
-        show_frame(s, frame);
+        demo_stage_frame(s, frame);
         while (y < *above && pixel(s, s->rig.width / 2, y) == s->rig.r.background) {
             y++;
         }
@@ -372,12 +373,12 @@ static void pot_and_platter_stand_in_the_middle_of_a_tall_picture(void **state)
     static const uint16_t tall[][2] = {{240, 240}, {135, 240}, {128, 160}};
     for (size_t i = 0; i < 3; i++) {
         int above, below;
-        struct show s = show_open(demo_find("turntable"), tall[i][0], tall[i][1]);
+        struct demo_stage s = demo_stage_open(demo_find("turntable"), tall[i][0], tall[i][1]);
         margins(&s, &above, &below);
         if (abs(above - below) > tall[i][1] / 12) {
             fail_msg("%d rows above, %d below at %ux%u", above, below, tall[i][0], tall[i][1]);
         }
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -390,8 +391,8 @@ static void the_frame_line_covers_exactly_the_outermost_pixels(void **state)
 {
     (void)state;
     for (size_t i = 0; i < SIZES; i++) {
-        struct show s = show_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
-        show_frame(&s, 0);
+        struct demo_stage s = demo_stage_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
+        demo_stage_frame(&s, 0);
         const int w = s.rig.width;
         const int h = s.rig.height;
         for (int x = 0; x < w; x++) {
@@ -402,12 +403,12 @@ static void the_frame_line_covers_exactly_the_outermost_pixels(void **state)
             assert_true(pixel(&s, 0, y) == WHITE && pixel(&s, w - 1, y) == WHITE);
             assert_true(pixel(&s, 1, y) == 0 && pixel(&s, w - 2, y) == 0);
         }
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
 /* White runs along row y from x0 to x1. */
-static int runs(const struct show *s, int y, int x0, int x1)
+static int runs(const struct demo_stage *s, int y, int x0, int x1)
 {
     int count = 0;
     for (int x = x0; x < x1; x++) {
@@ -417,7 +418,7 @@ static int runs(const struct show *s, int y, int x0, int x1)
 }
 
 /* Dots towards a corner: the most runs of any row in the outer seventh. Above, the ring begins in the middle third. */
-static int dots(const struct show *s, bool right, bool low)
+static int dots(const struct demo_stage *s, bool right, bool low)
 {
     const int w = s->rig.width;
     const int h = s->rig.height;
@@ -435,13 +436,13 @@ static void the_corners_count_clockwise_from_the_top_left(void **state)
 {
     (void)state;
     for (size_t i = 0; i < SIZES; i++) {
-        struct show s = show_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
-        show_frame(&s, 0);
+        struct demo_stage s = demo_stage_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
+        demo_stage_frame(&s, 0);
         assert_int_equal(dots(&s, false, false), 1);
         assert_int_equal(dots(&s, true, false), 2);
         assert_int_equal(dots(&s, true, true), 3);
         assert_int_equal(dots(&s, false, true), 4);
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
@@ -451,8 +452,8 @@ static void the_bars_are_red_green_blue_white_grey_from_the_left(void **state)
     const uint16_t want[7] = {
         0, ph_rgb565(255, 0, 0), ph_rgb565(0, 255, 0), ph_rgb565(0, 0, 255), WHITE, ph_rgb565(128, 128, 128), 0};
     for (size_t i = 0; i < SIZES; i++) {
-        struct show s = show_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
-        show_frame(&s, 0);
+        struct demo_stage s = demo_stage_open(demo_find("testcard"), sizes[i][0], sizes[i][1]);
+        demo_stage_frame(&s, 0);
         const int y = s.rig.height * 75 / 100;
         int bar = 0;
         for (int x = 1; x < s.rig.width - 1; x++) {
@@ -461,26 +462,26 @@ static void the_bars_are_red_green_blue_white_grey_from_the_left(void **state)
             assert_int_equal(pixel(&s, x, y), want[bar]);
         }
         assert_int_equal(bar, 6);
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
 static void a_round_glass_hides_no_dot_and_no_bar(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("testcard"), 240, 240);
-    show_frame(&s, 0);
+    struct demo_stage s = demo_stage_open(demo_find("testcard"), 240, 240);
+    demo_stage_frame(&s, 0);
     for (int i = 0; i < 240 * 240; i++) {
         const int x = 2 * (i % 240) - 239;
         const int y = 2 * (i / 240) - 239;
         const bool framed = abs(x) < 239 && abs(y) < 239;
         assert_true(!framed || s.rig.pixels[i] == 0 || x * x + y * y < 240 * 240);
     }
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 /* The length from the first to the last white one of n pixels to the right or down; *middle is half way. */
-static int white_extent(const struct show *s, int x, int y, bool across, int n, int *middle)
+static int white_extent(const struct demo_stage *s, int x, int y, bool across, int n, int *middle)
 {
     int first = -1, last = -1;
     for (int i = 0; i < n; i++) {
@@ -498,9 +499,9 @@ static void the_ring_is_round_and_the_arrow_points_up(void **state)
     (void)state;
     static const uint16_t big[][2] = {{240, 240}, {320, 240}, {135, 240}, {320, 480}};
     for (size_t i = 0; i < 4; i++) {
-        struct show s = show_open(demo_find("testcard"), big[i][0], big[i][1]);
+        struct demo_stage s = demo_stage_open(demo_find("testcard"), big[i][0], big[i][1]);
         int x, y;
-        show_frame(&s, 0);
+        demo_stage_frame(&s, 0);
         const int centre = s.rig.height * 36 / 100;
         const int across = white_extent(&s, 2, centre, true, s.rig.width - 4, &x);
         const int down = white_extent(&s, s.rig.width / 2, 2, false, s.rig.height * 65 / 100 - 2, &y);
@@ -510,7 +511,7 @@ static void the_ring_is_round_and_the_arrow_points_up(void **state)
         assert_int_equal(pixel(&s, s.rig.width / 2 - radius / 3, centre - 3), WHITE);
         assert_int_equal(pixel(&s, s.rig.width / 2 - radius / 3, centre + 3), 0);
         assert_int_equal(pixel(&s, s.rig.width / 2, centre + radius / 3), WHITE);
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "demo_scene.h"
-#include "show.h"
+#include "demo_stage.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -54,15 +54,15 @@ static void the_subject_keeps_its_height_within_a_pixel_over_the_whole_path(void
 {
     (void)state;
     const struct demo *const demo = demo_find("hitchcock");
-    struct show s = show_open(demo, 240, 240);
+    struct demo_stage s = demo_stage_open(demo, 240, 240);
     uint16_t *const other = malloc(sizeof(*other) * 240 * 240);
     assert_non_null(other);
     int low = 1000, high = 0, tops = 1000, bottoms = 0;
     for (uint32_t frame = 3; frame < demo->loop_frames / 2; frame += 2) {
         int first;
-        show_frame(&s, demo->loop_frames - frame);
+        demo_stage_frame(&s, demo->loop_frames - frame);
         memcpy(other, s.rig.pixels, sizeof(*other) * 240 * 240);
-        show_frame(&s, frame);
+        demo_stage_frame(&s, frame);
         const int last = rows_that_differ(s.rig.pixels, other, 240, 240, &first);
         const int height = last - first + 1;
         low = height < low ? height : low;
@@ -75,13 +75,13 @@ static void the_subject_keeps_its_height_within_a_pixel_over_the_whole_path(void
     }
     assert_in_range(low, 240 * 24 / 35 - 3, 240 * 24 / 35 + 1); /* 2.4 of the 3.5 units that are seen */
     free(other);
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
-static int sky_pixels(struct show *s, uint32_t frame)
+static int sky_pixels(struct demo_stage *s, uint32_t frame)
 {
     int count = 0;
-    show_frame(s, frame);
+    demo_stage_frame(s, frame);
     for (int i = 0; i < s->rig.width * s->rig.height; i++) {
         count += s->rig.pixels[i] == s->rig.r.background;
     }
@@ -92,9 +92,9 @@ static int sky_pixels(struct show *s, uint32_t frame)
 static void the_background_does_not_keep_its_size(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("hitchcock"), 240, 240);
+    struct demo_stage s = demo_stage_open(demo_find("hitchcock"), 240, 240);
     assert_true(sky_pixels(&s, 256) < sky_pixels(&s, 0) * 3 / 4);
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 /* ---- the ball ---------------------------------------------------------------------------------------------------- */
@@ -233,7 +233,7 @@ static double fit_at(const struct fit *f, double y)
 }
 
 /* The left and the right rail in columns from .. to of the picture. */
-static void fit_rails(const struct show *s, int from, int to, struct fit rails[2])
+static void fit_rails(const struct demo_stage *s, int from, int to, struct fit rails[2])
 {
     memset(rails, 0, 2 * sizeof(*rails));
     for (int y = 0; y < s->rig.height; y++) {
@@ -246,7 +246,7 @@ static void fit_rails(const struct show *s, int from, int to, struct fit rails[2
     assert_true(rails[0].n > 20 && rails[1].n > 20);
 }
 
-static void find_cross(const struct show *s, double *x, double *y)
+static void find_cross(const struct demo_stage *s, double *x, double *y)
 {
     int x0 = 1000, x1 = 0, y0 = 1000, y1 = 0;
     for (int i = 0; i < s->rig.width * s->rig.height; i++) {
@@ -268,10 +268,10 @@ static void the_rails_meet_in_the_marked_point_within_a_pixel(void **state)
     (void)state;
     static const uint16_t sizes[][2] = {{240, 240}, {320, 240}, {480, 320}};
     for (size_t i = 0; i < 3; i++) {
-        struct show s = show_open(demo_find("parallel"), sizes[i][0], sizes[i][1]);
+        struct demo_stage s = demo_stage_open(demo_find("parallel"), sizes[i][0], sizes[i][1]);
         struct fit rails[2];
         double x, y;
-        show_frame(&s, 96); /* the car is far away */
+        demo_stage_frame(&s, 96); /* the car is far away */
         find_cross(&s, &x, &y);
         fit_rails(&s, s.rig.width / 2, s.rig.width, rails);
         const double slopes = fit_slope(&rails[1]) - fit_slope(&rails[0]);
@@ -280,27 +280,27 @@ static void the_rails_meet_in_the_marked_point_within_a_pixel(void **state)
         if (fabs(meet_x - x) > 1 || fabs(meet_y - y) > 1) {
             fail_msg("the rails meet in %.2f, %.2f, the cross is at %.2f, %.2f", meet_x, meet_y, x, y);
         }
-        show_close(&s);
+        demo_stage_close(&s);
     }
 }
 
 static void the_rails_are_parallel_in_the_orthographic_half(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("parallel"), 240, 240);
+    struct demo_stage s = demo_stage_open(demo_find("parallel"), 240, 240);
     struct fit rails[2];
-    show_frame(&s, 96);
+    demo_stage_frame(&s, 96);
     fit_rails(&s, 0, s.rig.width / 2, rails);
     const double apart = fit_at(&rails[1], 0) - fit_at(&rails[0], 0);
     assert_true(fabs(fit_at(&rails[1], 240) - fit_at(&rails[0], 240) - apart) < .5 && apart > 20);
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 /* Only the orthographic projection shows the far car as large as the near one. */
-static int orange_pixels(struct show *s, uint32_t frame, int from, int to)
+static int orange_pixels(struct demo_stage *s, uint32_t frame, int from, int to)
 {
     int count = 0;
-    show_frame(s, frame);
+    demo_stage_frame(s, frame);
     for (int y = 0; y < s->rig.height; y++) {
         for (int x = from; x < to; x++) {
             const uint16_t p = pixel(s, x, y);
@@ -313,14 +313,14 @@ static int orange_pixels(struct show *s, uint32_t frame, int from, int to)
 static void distance_changes_sizes_under_perspective_only(void **state)
 {
     (void)state;
-    struct show s = show_open(demo_find("parallel"), 240, 240);
+    struct demo_stage s = demo_stage_open(demo_find("parallel"), 240, 240);
     const int near_flat = orange_pixels(&s, 224, 0, 120);
     const int far_flat = orange_pixels(&s, 96, 0, 120);
     const int near_deep = orange_pixels(&s, 224, 120, 240);
     const int far_deep = orange_pixels(&s, 96, 120, 240);
     assert_true(near_flat > 500 && abs(near_flat - far_flat) < near_flat / 20);
     assert_true(far_deep > 20 && far_deep * 4 < near_deep);
-    show_close(&s);
+    demo_stage_close(&s);
 }
 
 int main(void)

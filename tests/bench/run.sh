@@ -32,7 +32,7 @@ arm() {
     # shellcheck disable=SC2086 # words
     arm-none-eabi-gcc $flags -std=c11 -O2 $include $wrap -nostartfiles -Wl,--gc-sections -T tests/bench/bench.ld \
         "tests/bench/$program.c" tests/bench/machine_arm.c "${list[@]}" -lc -lgcc -o "$dir/$program.elf"
-    timeout 300 qemu-system-arm -M "$machine" -icount shift=0 -display none -monitor none -serial stdio \
+    timeout 3000 qemu-system-arm -M "$machine" -icount shift=0 -display none -monitor none -serial stdio \
         -semihosting-config "enable=on,target=native,arg=bench,arg=$scene,arg=$format" -kernel "$dir/$program.elf" </dev/null
 }
 

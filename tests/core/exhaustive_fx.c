@@ -1,7 +1,7 @@
 /*
  * Every unary function of fx.h is checked over all its 2^32 raw inputs, on all processors at once.
  *
- * Usage: exhaustive_fx [--help] [NAME...]     all checks, or those named
+ * Usage: exhaustive_fx [--help] [NAME...]     all checks, or those named; SHARE=K/N in the environment: every N-th of them
  *
  * Where a function is monotone, MPFR gives the input at which its rounded result changes next, and all inputs before it
  * must give the same result. Sine, cosine and tangent have 65536 distinct inputs. The sine in Q2.30 is compared with a
@@ -18,6 +18,7 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -459,6 +460,12 @@ static bool known(const char *name)
 int main(int argc, char **argv)
 {
     int passed = 0, failed = 0;
+    size_t part = 1, parts = 1;
+    const char *share = getenv("SHARE");
+    if (share != NULL && (sscanf(share, "%zu/%zu", &part, &parts) != 2 || part < 1 || part > parts)) {
+        return usage(2);
+    }
+    part--;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
             return usage(0);
@@ -473,7 +480,7 @@ int main(int argc, char **argv)
         tangents[i] = oracle_tan(i);
     }
     for (size_t i = 0; i < CHECKS; i++) {
-        if (named(checks[i].name, argc, argv)) {
+        if (i % parts == part && named(checks[i].name, argc, argv)) {
             *(run_check(&checks[i], passed + failed + 1) ? &passed : &failed) += 1;
         }
     }

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
-#include "near.h"
+#include "assert_near.h"
 #include "ref_random.h"
 
 #include <math.h>
@@ -234,12 +234,12 @@ static void target_is_before_the_camera_and_on_plus_z_of_the_object(void **state
         const struct ph_xform view = ph_view_look_at(eye, target, up), object = ph_object_look_at(eye, target, up),
                               back = ph_xform_inverse_rigid(&object);
         const struct fx_vec3 seen = ph_xform_point(&view, target), held = ph_xform_point(&back, target);
-        near_to(real(seen.x), 0, 2 * LSB);
-        near_to(real(seen.y), 0, 2 * LSB);
-        near_to(real(seen.z), -distance, 3 * LSB);
-        near_to(real(held.x), 0, 2 * LSB);
-        near_to(real(held.y), 0, 2 * LSB);
-        near_to(real(held.z), distance, 3 * LSB);
+        assert_near(real(seen.x), 0, 2 * LSB);
+        assert_near(real(seen.y), 0, 2 * LSB);
+        assert_near(real(seen.z), -distance, 3 * LSB);
+        assert_near(real(held.x), 0, 2 * LSB);
+        assert_near(real(held.y), 0, 2 * LSB);
+        assert_near(real(held.z), distance, 3 * LSB);
         assert_true(object.t.x == eye.x && object.t.y == eye.y && object.t.z == eye.z);
     }
 }
@@ -251,7 +251,7 @@ static void check_rigid(const struct ph_xform *m)
         for (int k = 0; k < 3; k++) {
             dot += ldexp((double)m->r[e / 3][k] * m->r[e % 3][k], -60);
         }
-        near_to(dot, e / 3 == e % 3, 1e-7);
+        assert_near(dot, e / 3 == e % 3, 1e-7);
     }
 }
 
@@ -324,10 +324,10 @@ static void field_of_view_fits_the_height(void **state)
         const fx_t height = ref_q16(exp(ref_uniform(log(.001), log(1000)))),
                    distance = ref_q16(exp(ref_uniform(log(.001), log(1000))));
         const double want = 360 / PI * atan2(height, 2. * distance);
-        near_to(real(ph_fov_of(height, distance)), want, LSB);
+        assert_near(real(ph_fov_of(height, distance)), want, LSB);
     }
-    near_to(real(ph_fov_of(FX_INT(2), FX_ONE)), 90, LSB);
-    near_to(real(ph_fov_of(1, 1)), 360 / PI * atan(.5), LSB);
+    assert_near(real(ph_fov_of(FX_INT(2), FX_ONE)), 90, LSB);
+    assert_near(real(ph_fov_of(1, 1)), 360 / PI * atan(.5), LSB);
     assert_int_equal(ph_fov_of(FX_ONE, 0), FX_INT(180));
     assert_int_equal(ph_fov_of(0, FX_ONE), 0);
 }
@@ -357,8 +357,8 @@ static void thousand_nested_nodes_close_a_circle(void **state)
         const double chord = sin((i + 1) * half) / sin(half); /* of i + 1 steps of length 1 */
         worst = fmax(worst, fabs(real(world[i].t.x) - chord * cos(i * half)));
         worst = fmax(worst, fabs(real(world[i].t.y) - chord * sin(i * half)));
-        near_to(ldexp(world[i].r[1][0], -30), sin(turn), 1e-6);
-        near_to(ldexp(world[i].r[0][0], -30), cos(turn), 1e-6);
+        assert_near(ldexp(world[i].r[1][0], -30), sin(turn), 1e-6);
+        assert_near(ldexp(world[i].r[0][0], -30), cos(turn), 1e-6);
     }
     printf("1000 nested nodes: place at most %.1f LSB off\n", worst / LSB);
     assert_true(worst < 20 * LSB);

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
-#include "near.h"
+#include "assert_near.h"
 #include "ref_random.h"
 #include "ref_rig.h"
 
@@ -101,7 +101,7 @@ static void zoom_changes_the_size_by_the_tangent_of_half_the_angle(void **state)
     (void)state;
     for (int fov = 15; fov <= 120; fov += 5) {
         draw_along_x(5, fov, -20, .1);
-        near_to(rows_of(RED, SIZE / 2), SIZE / (10 * tan(fov * PI / 360)), 1);
+        assert_near(rows_of(RED, SIZE / 2), SIZE / (10 * tan(fov * PI / 360)), 1);
     }
 }
 
@@ -113,7 +113,8 @@ static void dolly_changes_the_size_by_the_distance(void **state)
     for (int i = 0; i <= 32; i++) {
         const double distance = 2 + i / 4.;
         draw_along_x(distance, 40, 7, .01); /* the blue square hides the middle at most */
-        near_to(rows_of(RED, SIZE / 2 + (int)(SIZE / (2 * distance))), SIZE / (2 * distance * tan(20 * PI / 180)), 1);
+        assert_near(rows_of(RED, SIZE / 2 + (int)(SIZE / (2 * distance))), SIZE / (2 * distance * tan(20 * PI / 180)),
+                    1);
         assert_true((rows_of(BLUE, SIZE / 2) > 0) == (distance > 7.1));
     }
 }
@@ -232,7 +233,7 @@ static void lines_are_drawn_straight(void **state)
             ends[k] = vec((at[k][0] - SIZE / 2) / scale, (SIZE / 2 - at[k][1]) / scale, -z);
         }
         const struct fit f = draw_line(&p[i % 2], ends[0], ends[1]);
-        near_to(f.count, fmax(fabs(at[1][0] - at[0][0]), fabs(at[1][1] - at[0][1])), 1.1);
+        assert_near(f.count, fmax(fabs(at[1][0] - at[0][0]), fabs(at[1][1] - at[0][1])), 1.1);
         worst = fmax(worst, off_line(at[0], at[1]));
         pixels += f.count;
     }

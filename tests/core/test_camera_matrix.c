@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
-#include "near.h"
+#include "assert_near.h"
 #include "ref_random.h"
 
 #include <math.h>
@@ -48,7 +48,7 @@ static void near_and_far_planes_have_the_depths_of_the_table(void **state)
             const enum ph_convention convention = (enum ph_convention)(k / 4);
             double moved;
             const double z = ndc_z(&p[k % 2], convention, k % 4 < 2 ? n : f, &moved);
-            near_to(z, planes[convention][k % 4 / 2], 1.0001 * moved);
+            assert_near(z, planes[convention][k % 4 / 2], 1.0001 * moved);
         }
     }
 }
@@ -153,8 +153,8 @@ static void check_depth_row(const struct ph_projection *p, const struct ph_mat4 
     const long double n = p->near_z, f = p->far_z, range = f - n, scale = p->kind == PH_PERSPECTIVE ? 1 : 65536;
     const long double z = p->kind == PH_PERSPECTIVE ? -(f + n) / range * 65536 : -2 / range * scale * 65536,
                       one = p->kind == PH_PERSPECTIVE ? -2 * f / range * n : -(f + n) / range * 65536;
-    near_to(m->m[2][2], (double)z, .5001);
-    near_to(m->m[2][3], (double)one, .5001);
+    assert_near(m->m[2][2], (double)z, .5001);
+    assert_near(m->m[2][3], (double)one, .5001);
 }
 
 /* No input overflows (the sanitizers see it); each element of the depth row is rounded once; the rest saturates. */

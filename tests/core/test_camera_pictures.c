@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
-#include "near.h"
+#include "assert_near.h"
 #include "transform.h"
 #include "ref_random.h"
 #include "ref_rig.h"
@@ -427,11 +427,11 @@ static void nodes_seen_are_the_view_times_the_world(void **state)
     const struct ph_xform view = ph_view_of_node(&world[3]);
     for (int i = 0; i < 6; i++) {
         const struct ph_xform want = ph_xform_mul(&view, &world[i]);
-        near_to(real(seen[i].t.x), real(want.t.x), 4 * LSB);
-        near_to(real(seen[i].t.y), real(want.t.y), 4 * LSB);
-        near_to(real(seen[i].t.z), real(want.t.z), 4 * LSB);
+        assert_near(real(seen[i].t.x), real(want.t.x), 4 * LSB);
+        assert_near(real(seen[i].t.y), real(want.t.y), 4 * LSB);
+        assert_near(real(seen[i].t.z), real(want.t.z), 4 * LSB);
         for (int e = 0; e < 9; e++) {
-            near_to(seen[i].r[e / 3][e % 3], want.r[e / 3][e % 3], 40);
+            assert_near(seen[i].r[e / 3][e % 3], want.r[e / 3][e % 3], 40);
         }
     }
     assert_memory_equal(&seen[3], &ph_xform_identity, sizeof(seen[3]));

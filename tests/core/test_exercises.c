@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "camera.h"
-#include "near.h"
+#include "assert_near.h"
 #include "ref_random.h"
 
 #include <math.h>
@@ -171,8 +171,8 @@ static void pinhole_projects_y_to_d_y_over_z(void **state)
         const double x = real(fx(ref_uniform(-20, 20))), y = real(fx(ref_uniform(-20, 20))),
                      z = real(fx(ref_uniform(1, 64)));
         const struct ph_vec4 clip = ph_mat4_apply(&m, (struct ph_vec4){fx(x), fx(y), fx(-z), FX_ONE});
-        near_to(real(clip.x) / real(clip.w), 3 * x / z / 3, LSB);
-        near_to(real(clip.y) / real(clip.w), 3 * y / z / 2, LSB);
+        assert_near(real(clip.x) / real(clip.w), 3 * x / z / 3, LSB);
+        assert_near(real(clip.y) / real(clip.w), 3 * y / z / 2, LSB);
     }
 }
 
@@ -194,8 +194,8 @@ static void focal_length_to_infinity_is_a_parallel_projection(void **state)
         const struct ph_vec4 clip =
             ph_mat4_apply(&m, (struct ph_vec4){fx(point[0]), fx(point[1]), fx(point[2] - d), FX_ONE});
         const double ratio = d / (d - point[2]); /* to 1 */
-        near_to(real(clip.x) / real(clip.w), real(flat.x) * ratio, 2 * LSB);
-        near_to(real(clip.y) / real(clip.w), real(flat.y) * ratio, 2 * LSB);
+        assert_near(real(clip.x) / real(clip.w), real(flat.x) * ratio, 2 * LSB);
+        assert_near(real(clip.y) / real(clip.w), real(flat.y) * ratio, 2 * LSB);
     }
 }
 
@@ -230,10 +230,10 @@ static void projecting_twice_is_projecting_once(void **state)
         const struct ph_mat4 q = ph_matrix_plane((struct fx_vec3){ref_q30(n[0]), ref_q30(n[1]), ref_q30(n[2])}, d);
         const struct ph_mat4 twice = ph_mat4_mul(&q, &q);
         for (int e = 0; e < 16; e++) {
-            near_to(real(twice.m[e / 4][e % 4]), real(d) * real(q.m[e / 4][e % 4]), .51 * LSB);
+            assert_near(real(twice.m[e / 4][e % 4]), real(d) * real(q.m[e / 4][e % 4]), .51 * LSB);
         }
         for (int k = 0; k < 3; k++) { /* the centre of the shadow is the origin; the normal is Q2.30's */
-            near_to(real(q.m[3][k]), -n[k], .51 * LSB);
+            assert_near(real(q.m[3][k]), -n[k], .51 * LSB);
         }
     }
 }
@@ -256,8 +256,8 @@ static void frustum_has_the_sizes_of_its_angles(void **state)
             const double z = i == 0 ? .5 : 50, tangent = tan(fov * acos(-1) / 360);
             const double accuracy = LSB + 2 * z * tangent * tangent * 1e-6; /* half an LSB of Q12.20 in the scale */
             ph_projection_size_at(&any, fx(z), &width, &height);
-            near_to(real(height) / 2 / z, tangent, accuracy / z);
-            near_to(real(width) / 2 / z, 1.5 * tangent, 2.25 * accuracy / z);
+            assert_near(real(height) / 2 / z, tangent, accuracy / z);
+            assert_near(real(width) / 2 / z, 1.5 * tangent, 2.25 * accuracy / z);
         }
     }
     struct ph_projection box;
@@ -304,7 +304,7 @@ static void look_at_has_the_rows_of_KAIST_LMU_and_4600(void **state)
     const struct ph_xform away = ph_xform_translate(FX_INT(-3), FX_INT(-1), FX_INT(-4));
     const struct ph_mat4 r = ph_mat4_xform(&at_origin), t = ph_mat4_xform(&away), product = ph_mat4_mul(&r, &t);
     for (int e = 0; e < 16; e++) { /* R T of matrices rounded to Q16.16 */
-        near_to(real(product.m[e / 4][e % 4]), real(gl.m[e / 4][e % 4]), 4 * LSB);
+        assert_near(real(product.m[e / 4][e % 4]), real(gl.m[e / 4][e % 4]), 4 * LSB);
     }
 }
 
@@ -430,7 +430,8 @@ static void straight_lines_stay_straight(void **state)
         }
         for (int k = 0; k < 3; k++) {
             const int u = k, v = (k + 1) % 3;
-            near_to((at[1][u] - at[0][u]) * (at[2][v] - at[0][v]), (at[1][v] - at[0][v]) * (at[2][u] - at[0][u]), 4e-4);
+            assert_near((at[1][u] - at[0][u]) * (at[2][v] - at[0][v]), (at[1][v] - at[0][v]) * (at[2][u] - at[0][u]),
+                        4e-4);
         }
     }
 }

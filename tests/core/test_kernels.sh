@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The kernels of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
-# tests/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
+# tests/tools/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -62,8 +62,7 @@ change_is_seen() { # CPU, loop, sed command
 }
 
 same_frames() { # CPU
-    make -s -j2 B="$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod \
-        USB=nousb all || return 1
+    frames_program "$B/sim-$1" CC="$cross" CFLAGS="-O2 -mthumb $core" CPU="$1" LDFLAGS="-static -Wl,-z,noexecstack" || return 1
     [ -e "$B/sim-$1/$kernels/$1/small_gouraud.o" ] || { echo "the assembly is not in it" && return 1; }
     frames qemu-arm "$B/sim-$1/pinhole-sim" >"$B/$1.frames" && diff tests/golden/frames.txt "$B/$1.frames"
 }

@@ -17,7 +17,7 @@ same() { # file
 
 target() { # name, runner or "", CC, CFLAGS, [make variable...]
     local name=$1 runner=$2
-    make -s -j2 B="$B/$name" CC="$3" CFLAGS="$4" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb "${@:5}" all || return 1
+    frames_program "$B/$name" CC="$3" CFLAGS="$4" "${@:5}" || return 1
     # shellcheck disable=SC2086 # no runner is no word
     frames $runner "$B/$name/pinhole-sim" >"$B/$name.frames" && same "$B/$name.frames"
 }

@@ -5,7 +5,7 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
-. tests/firmware/rp2040.sh
+. tests/firmware/emulated_rp2040.sh
 unset MAKEFLAGS
 export B=${B:-build}
 dir=$(mktemp -d) || exit 1
@@ -46,7 +46,7 @@ a_dc_line_that_moves_early_is_seen() {
 
 make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
 for mk in boards/*/board.mk; do
-    grep -q 'families/pico.mk' "$mk" || continue
+    grep -q 'families/pico.mk' "$mk" && in_share || continue
     board=$(basename "$(dirname "$mk")")
     for cores in 1 2; do
         check "every_demo_is_the_simulators_on_${board}_with_$cores" every_demo "$board" $cores

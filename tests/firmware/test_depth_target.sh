@@ -17,7 +17,7 @@ has_no_floating_point() {
 }
 
 runs() {
-    timeout -k 5 300 qemu-system-arm -M lm3s6965evb -nographic -monitor none -serial "file:$dir/uart" \
+    timeout -k 5 2000 qemu-system-arm -M lm3s6965evb -nographic -monitor none -serial "file:$dir/uart" \
         -semihosting-config enable=on,target=native -kernel "$elf" </dev/null && [ "$(tail -n 1 "$dir/uart")" = 'done' ]
 }
 

@@ -155,7 +155,7 @@ at_most_60_percent() {
     [ "$found" -ge 2 ]
 }
 
-runner_counts_the_targets_sizes() {
+target_sizes_are_those_counted_with() {
     local vertex triangle
     vertex=$(sed -n 's/^#define PH_VERTEX_BYTES_32 *//p' firmware/core/render.h) triangle=$(sed -n 's/^#define PH_TRIANGLE_BYTES_32 *//p' firmware/core/render.h)
     size() { printf '#include "triangle.h"\n#include "vertex.h"\n_Static_assert(sizeof(struct ph_vertex) == %s && sizeof(struct ph_triangle) == %s, "");\n' "$1" "$2" |
@@ -184,5 +184,5 @@ check "names_of_other_tongues_can_be" names_of_other_tongues_can_be
 check "what_is_too_large_is_one_line_and_leaves_nothing" too_large_is_one_line_and_leaves_nothing
 check "the_sizes_of_the_modules_add_up" size_adds_up
 check "no_board_gives_Pinhole_more_than_60_percent_of_its_RAM" at_most_60_percent
-check "the_runner_counts_with_the_targets_sizes" runner_counts_the_targets_sizes
+check "the_sizes_that_the_memory_plan_counts_with_are_the_targets" target_sizes_are_those_counted_with
 tap_end

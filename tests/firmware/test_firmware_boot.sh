@@ -5,7 +5,7 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
-. tests/firmware/rp2040.sh
+. tests/firmware/emulated_rp2040.sh
 unset MAKEFLAGS
 export B=${B:-build}
 dir=$(mktemp -d) || exit 1

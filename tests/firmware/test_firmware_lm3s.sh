@@ -16,7 +16,7 @@ each=4 # frames a demo
 
 firmware() { make_image firmware BOARD="$board" "$@"; }
 emulate() { # app, pinhole-emulate's arguments...
-    timeout 100 "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "${@:2}" "$B/firmware/$board-$1.elf" "$dir/out" "$frames"
+    timeout 2000 "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "${@:2}" "$B/firmware/$board-$1.elf" "$dir/out" "$frames"
 }
 
 builds() { make -s -j2 B="$B" "$B/pinhole-emulate" "$B/pinhole-sim" && firmware; }
@@ -121,13 +121,13 @@ fault_names_its_place() { # the address in the message is in the function that d
 # The exit status that QEMU passes on is the image's.
 exit_status_is_passed_on() {
     image_of leave 'port_exit(7);' || return 1
-    timeout 20 qemu-system-arm -M lm3s6965evb -display none -monitor none -serial null -nic none -icount shift=5,sleep=off \
+    timeout 600 qemu-system-arm -M lm3s6965evb -display none -monitor none -serial null -nic none -icount shift=5,sleep=off \
         -semihosting-config enable=on,target=native -kernel "$B/firmware/$board-leave.elf" 2>/dev/null
     [ $? = 7 ]
 }
 
 refused() { # pattern of its one line, file
-    timeout 20 "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$2" "$dir/none" >"$dir/said" 2>&1
+    timeout 600 "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$2" "$dir/none" >"$dir/said" 2>&1
     [ $? = 1 ] && grep -q "^pinhole-emulate: .*$1" "$dir/said" && [ "$(wc -l <"$dir/said")" = 1 ] && [ ! -e "$dir/none" ] && return
     cat "$dir/said"
     return 1
@@ -140,13 +140,13 @@ what_is_no_image_is_refused() { # before QEMU, which would run anything
     refused 'not the ELF of an Arm image' "$dir/garbage" && refused 'not the ELF of an Arm image' /bin/sh && refused 'not the ELF of an Arm image' "$dir/other-cpu" &&
         refused 'only a part' "$dir/head" && refused 'only a part' "$dir/half" && refused 'not a file' /dev/null && refused 'not a file' "$dir" && refused 'not a file' "$dir/pipe" &&
         refused 'No such file' "$dir/nowhere" || return 1
-    timeout 20 "$B/pinhole-emulate" --machine netduinoplus2 --board feather-stm32f405 "$whole" "$dir/none" 2>&1 | grep -q "an image for another chip: this one's flash is at 08000000"
+    timeout 600 "$B/pinhole-emulate" --machine netduinoplus2 --board feather-stm32f405 "$whole" "$dir/none" 2>&1 | grep -q "an image for another chip: this one's flash is at 08000000"
 }
 
 interrupted() { # no QEMU goes on
     "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$B/firmware/$board-demos.elf" "$dir/cut" 100000 >"$dir/said" 2>"$dir/log" &
     local emulator=$! qemu tries=0
-    until [ -s "$dir/said" ] || [ $((tries++)) = 600 ]; do sleep 0.1; done
+    until [ -s "$dir/said" ] || [ $((tries++)) = 6000 ]; do sleep 0.1; done
     qemu=$(ps -eo pid,ppid | awk -v of="$emulator" '$2 == of { print $1 }')
     [ -n "$qemu" ] && kill "$emulator" && ! wait "$emulator" && ! kill -0 "$qemu" 2>/dev/null &&
         grep -qx 'pinhole-emulate: interrupted' "$dir/log" && return

@@ -6,7 +6,7 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
-. tests/firmware/rp2040.sh
+. tests/firmware/emulated_rp2040.sh
 unset MAKEFLAGS
 export B=${B:-build}
 board=pico-display
@@ -95,10 +95,10 @@ node_of() { ps -eo pid,args | awk -v dir="$1" '$2 == "node" && index($0, dir) { 
 interrupted() { # no node goes on, nothing half-written stays
     BOARD="$board" hal/rp2040/emulate/emulate.sh "$B/firmware/$board-demos.elf" "$dir/cut" 1000 >/dev/null 2>"$dir/log" &
     local script=$! tries=0
-    until [ -s "$dir/cut/events" ] || [ $((tries++)) = 200 ]; do sleep 0.1; done
+    until [ -s "$dir/cut/events" ] || [ $((tries++)) = 6000 ]; do sleep 0.1; done
     [ -n "$(node_of "$dir/cut")" ] && kill "$script" && ! wait "$script" || return 1
     grep -qx 'emulate: interrupted' "$dir/log" && [ -z "$(ls "$dir/cut")" ] || return 1
-    for ((tries = 0; tries < 50; tries++)); do [ -n "$(node_of "$dir/cut")" ] || return 0; sleep 0.1; done
+    for ((tries = 0; tries < 6000; tries++)); do [ -n "$(node_of "$dir/cut")" ] || return 0; sleep 0.1; done
     return 1
 }
 

@@ -24,7 +24,7 @@ script() { seq 2 2 $((2 * demos)) | sed 's/$/ select/'; }
 every_demo_is_the_simulators() {
     frames=$((2 * demos + 2))
     script >"$dir/keys"
-    timeout 300 "$B/pinhole-emulate" --machine netduinoplus2 --board "$board" --keys "$dir/keys" --log "$B/firmware/$board-demos.elf" "$dir/out" \
+    timeout 2000 "$B/pinhole-emulate" --machine netduinoplus2 --board "$board" --keys "$dir/keys" --log "$B/firmware/$board-demos.elf" "$dir/out" \
         "$frames" >"$dir/seen" 2>"$dir/log" || { tail -n 3 "$dir/log" && return 1; }
     "$B/pinhole-sim" --board "$board" --frames "$frames" --keys "$dir/keys" --crc >"$dir/expected" 2>/dev/null || return 1
     [ "$(wc -l <"$dir/seen")" = "$frames" ] && cmp "$dir/seen" "$dir/expected"
@@ -63,7 +63,7 @@ int main(void)
 }
 EOT
     make_image firmware BOARD="$board" APP="$dir/wrong.c" >/dev/null || return 1
-    timeout 60 "$B/pinhole-emulate" --machine netduinoplus2 --board "$board" "$B/firmware/$board-wrong.elf" >"$dir/said" 2>&1 && return 1
+    timeout 600 "$B/pinhole-emulate" --machine netduinoplus2 --board "$board" "$B/firmware/$board-wrong.elf" >"$dir/said" 2>&1 && return 1
     cat "$dir/said"
     [ "$(wc -l <"$dir/said")" = 1 ] && grep -qi '^pinhole-emulate: .*EEh' "$dir/said"
 }

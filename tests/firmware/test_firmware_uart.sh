@@ -13,23 +13,28 @@ declare -A machine=([lm3s6965evb]="lm3s6965evb" [feather-stm32f405]="netduinoplu
 
 start() { # board
     # shellcheck disable=SC2086 # words
-    coproc UART { exec timeout 60 qemu-system-arm -M ${machine[$1]} -serial stdio -display none -monitor none -nic none \
+    coproc UART { exec timeout 2000 qemu-system-arm -M ${machine[$1]} -serial stdio -display none -monitor none -nic none \
         -icount shift=5,sleep=off -semihosting-config enable=on,target=native -kernel "$B/firmware/$1-demos.elf" 2>/dev/null; }
     to=${UART[1]} from=${UART[0]}
 }
 
 send() { printf '%s' "$1" >&"$to"; }
+now_ms() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
+slowest_ms=0 # answer so far
 hears() { # pattern of the next line about something
+    local before
+    before=$(now_ms)
     line=
     while [ -z "$line" ]; do
-        read -rt 20 line <&"$from" || { echo "nothing, where '$1' should be" && return 1; }
+        read -rt 600 line <&"$from" || { echo "nothing, where '$1' should be" && return 1; }
         line=${line%$'\r'}
     done
+    [ $(($(now_ms) - before)) -le $slowest_ms ] || slowest_ms=$(($(now_ms) - before))
     [[ $line =~ $1 ]] || { echo "'$line', where '$1' should be" && return 1; }
 }
-holds() { # what is under way still comes, then nothing
+holds() { # what is under way still comes, then nothing for much longer than an answer takes on this machine
     local lines=0
-    while read -rt 1.5 line <&"$from"; do [ $((lines++)) -lt 20 ] || { echo "goes on: $line" && return 1; }; done
+    while read -rt $((1 + slowest_ms * 5 / 1000)).5 line <&"$from"; do [ $((lines++)) -lt 20 ] || { echo "goes on: $line" && return 1; }; done
 }
 
 obeys() { # board; a line a frame while it holds, else a line a second

@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
-# Usage: tests/guest/guest.sh [--bufsiz N] [--timeout S] [--out DIR] [--memory MB] [--cpus N] [--append TEXT] -- COMMAND...
+# Usage: tests/guest/guest.sh [--bufsiz N] [--timeout S] [--out DIR] [--memory MB] [--cpus N] [--append TEXT] [--icount] -- COMMAND...
 #        tests/guest/guest.sh --why | --kernel
 # Runs COMMAND as root in a QEMU guest with Debian's own kernel and returns its exit status, stdout and stderr;
-# 124: it took longer than S seconds (60 by default); 125: the guest died, or could not be started (one line says why).
+# 124: it took longer than S seconds (600 by default); 125: the guest died, or could not be started (one line says why).
 # --why prints why no guest can run here (exit 1), or nothing (exit 0): a test then says `skip`. --kernel
 # prints the version of the kernel that is taken.
 #
-# The guest's root is this machine's, read-only; what COMMAND writes is forgotten, but for $KIT (/run/kit in the guest):
+# The guest's root is this machine's, read-only; what COMMAND writes is forgotten, but for $GUEST (/run/guest in the guest):
 # that directory is DIR of --out (its files remain, with stdout, stderr, kernel.log and console.log), else a temporary
 # one. COMMAND starts in the current directory, with PATH and B of the caller. --bufsiz is spidev's, on the kernel's
-# command line as --append's TEXT is. The kernel is unpacked once, below $B/kit.
+# command line as --append's TEXT is. The kernel is unpacked once, below $B/guest. --icount: time in the guest goes by
+# the instructions that it runs, so that a time-out in it means the same on a busy machine; it takes a third longer.
 # Environment: B (build directory).
 set -u
 B=$(realpath -m "${B:-build}") # a guest also works elsewhere
 tests=$(cd "$(dirname "$0")" && pwd)
-seconds=60 out='' memory=512 cpus=1 append=''
+seconds=600 icount=() out='' memory=512 cpus=1 append=''
 PATH=$PATH:/usr/sbin:/sbin
 
 fail() { # status, text
@@ -75,7 +76,7 @@ make_initrd() { # version, directory
 make_kernel() { # version, directory
     local new
     [ "$2/initrd.cpio" -nt "$tests/guest_init.c" ] && [ "$2/vmlinux" -nt "/boot/vmlinuz-$1" ] && return
-    new=$(mktemp -d "$B/kit/new.XXXXXX") || return 1
+    new=$(mktemp -d "$B/guest/new.XXXXXX") || return 1
     if ! unpack_kernel "/boot/vmlinuz-$1" "$new/vmlinux" || ! make_initrd "$1" "$new"; then
         rm -rf "$new"
         return 1
@@ -87,13 +88,13 @@ make_kernel() { # version, directory
 find_kernel() {
     local version
     version=$(kernel_version)
-    kernel=$B/kit/kernel-$version
-    mkdir -p "$B/kit" && (flock 9 && make_kernel "$version" "$kernel") 9>"$B/kit/lock"
+    kernel=$B/guest/kernel-$version
+    mkdir -p "$B/guest" && (flock 9 && make_kernel "$version" "$kernel") 9>"$B/guest/lock"
 }
 
 write_command() { # word...
     {
-        printf 'cd %q && export KIT=/run/kit HOME=/root PATH=%q B=%q\n' "$PWD" "$PATH" "$B"
+        printf 'cd %q && export GUEST=/run/guest HOME=/root PATH=%q B=%q\n' "$PWD" "$PATH" "$B"
         printf '%q ' "$@"
         echo
     } >"$out/command"
@@ -102,12 +103,12 @@ write_command() { # word...
 # QEMU, and nothing that outlives this script, however it ends.
 start_qemu() {
     setpriv --pdeathsig KILL -- timeout --foreground -s KILL "$seconds" setpriv --pdeathsig KILL -- \
-        qemu-system-x86_64 -accel tcg -M pc,usb=off -m "$memory" -smp "$cpus" -nodefaults -no-user-config -display none -no-reboot \
+        qemu-system-x86_64 -accel tcg "${icount[@]}" -M pc,usb=off -m "$memory" -smp "$cpus" -nodefaults -no-user-config -display none -no-reboot \
         -kernel "$kernel/vmlinux" -initrd "$kernel/initrd.cpio" -serial "file:$out/console.log" \
         -append "console=ttyS0 quiet loglevel=4 panic=-1 no_timer_check tsc=reliable mitigations=off nokaslr $append" \
         -fsdev local,id=host,path=/,security_model=none,readonly=on,multidevs=remap \
         -device virtio-9p-pci,fsdev=host,mount_tag=host \
-        -fsdev "local,id=kit,path=$out,security_model=none" -device virtio-9p-pci,fsdev=kit,mount_tag=kit \
+        -fsdev "local,id=guest,path=$out,security_model=none" -device virtio-9p-pci,fsdev=guest,mount_tag=guest \
         </dev/null >"$out/qemu.log" 2>&1 &
     qemu=$!
     wait "$qemu"
@@ -118,6 +119,7 @@ arguments() {
         case $1 in
         --) shift && command=("$@") && return ;;
         --why) why_not | grep . && exit 1 || exit 0 ;;
+        --icount) icount=(-icount "shift=2,sleep=on") && shift && continue ;;
         --kernel) kernel_version && exit 0 || exit 1 ;;
         --bufsiz) append="$append spidev.bufsiz=${2:?}" ;;
         --timeout) seconds=${2:?} ;;
@@ -136,7 +138,7 @@ arguments "$@"
 [ ${#command[@]} -gt 0 ] || fail 125 "-- COMMAND is missing"
 reason=$(why_not)
 [ -z "$reason" ] || fail 125 "no guest can run here: $reason"
-find_kernel || fail 125 "the kernel cannot be unpacked below $B/kit"
+find_kernel || fail 125 "the kernel cannot be unpacked below $B/guest"
 if [ -n "$out" ]; then
     mkdir -p "$out" || exit 125
 else

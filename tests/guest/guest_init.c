@@ -1,6 +1,6 @@
 /*
  * The first process of the guest (see guest.sh): puts together a root that is the host's below a memory file system,
- * runs /run/kit/command in it and powers off. The host looks for /run/kit/status; without it the guest has died.
+ * runs /run/guest/command in it and powers off. The host looks for /run/guest/status; without it the guest has died.
  */
 #define _GNU_SOURCE
 #include <dirent.h>
@@ -74,7 +74,7 @@ static void make_root(void)
     must_mount("proc", "/system/proc", "proc", 0, NULL);
     must_mount("sys", "/system/sys", "sysfs", 0, NULL);
     must_mount("run", "/system/run", "tmpfs", 0, "mode=755");
-    must_mount("kit", "/system/run/kit", "9p", 0, P9);
+    must_mount("guest", "/system/run/guest", "9p", 0, P9);
     must(chdir("/system"), "chdir");
     must(mount(".", "/", NULL, MS_MOVE, NULL), "root");
     must(chroot("."), "chroot");
@@ -115,9 +115,9 @@ int main(void)
 {
     insert_modules();
     make_root();
-    const int status = run("--", "/run/kit/command", "/run/kit/stdout", "/run/kit/stderr");
-    run("-c", "dmesg", "/run/kit/kernel.log", "/run/kit/kernel.log");
-    FILE *file = fopen("/run/kit/status", "w");
+    const int status = run("--", "/run/guest/command", "/run/guest/stdout", "/run/guest/stderr");
+    run("-c", "dmesg", "/run/guest/kernel.log", "/run/guest/kernel.log");
+    FILE *file = fopen("/run/guest/status", "w");
     if (file != NULL) {
         fprintf(file, "%d\n", status);
         fclose(file);

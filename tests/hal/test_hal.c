@@ -1,7 +1,7 @@
 /*
  * The conformance test of hal.h, for every backend. A new backend is one line in `backends` and a function that
  * prepares its kit. hal/template is a port, but its operations run here, too. Backends that need hardware are tested in
- * the virtual kit: test_kit_hal.sh starts this program in it.
+ * the guest: test_guest_hal.sh starts this program in it.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -105,16 +105,16 @@ static void a_refused_open_is_reported(void **state)
 }
 
 /*
- * In the virtual kit: `test_hal usb` is for hal/ft232h, `test_hal usb-send [SERIAL]` for its faults; `test_hal stays`
+ * In the virtual board: `test_hal usb` is for hal/ft232h, `test_hal usb-send [SERIAL]` for its faults; `test_hal stays`
  * leaves the board plugged in, which otherwise does not come back in this guest.
  */
 int main(int argc, char **argv)
 {
     if (argc > 1 && strcmp(argv[1], "usb-send") == 0) {
-        return kit_ft232h_send(argc > 2 ? argv[2] : NULL);
+        return ft232h_guest_send(argc > 2 ? argv[2] : NULL);
     }
     if (argc > 1 && strcmp(argv[1], "usb") == 0) {
-        return kit_ft232h_tests();
+        return ft232h_guest_tests();
     }
     if (argc > 1 && strcmp(argv[1], "stays") == 0) {
         cmocka_set_skip_filter("an_unplugged_board_ends_it");
@@ -124,5 +124,5 @@ int main(int argc, char **argv)
         cmocka_unit_test(two_kits_of_one_backend_do_not_meet),
         cmocka_unit_test(a_refused_open_is_reported),
     };
-    return kit_is_here() ? kit_linux_tests() : cmocka_run_group_tests(tests, NULL, NULL);
+    return virtual_board_is_here() ? linux_guest_tests() : cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@ trap 'rm -rf "$dir"' EXIT
 mkdir -p "$dir/corpus" "$B/log/fuzz_uf2"
 
 build() {
-    clang -std=c11 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DLIBFUZZER -Ihost-sim -Itests \
+    clang -std=c11 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DLIBFUZZER -Ihost-sim/common -Ihost-sim/flash -Itests/support \
         -o "$dir/fuzz" tests/host-sim/fuzz_uf2.c tests/support/uf2_make.c host-sim/flash/flash_image.c host-sim/flash/flash_uf2.c host-sim/common/crc32.c
 }
 echo 'int LLVMFuzzerTestOneInput(const char *d, long n); int LLVMFuzzerTestOneInput(const char *d, long n) { return n > 0 && *d > 200; }' >"$dir/probe.c"
@@ -29,7 +29,7 @@ for blocks in 1 5; do
 done
 
 finds_nothing() {
-    "$dir/fuzz" -max_total_time="${FUZZ_S:-180}" -max_len=4096 -timeout=10 -artifact_prefix="$B/log/fuzz_uf2/" "$dir/corpus" 2>&1 | tail -n 40 >"$dir/log"
+    "$dir/fuzz" -max_total_time="${FUZZ_S:-180}" -max_len=4096 -timeout=100 -artifact_prefix="$B/log/fuzz_uf2/" "$dir/corpus" 2>&1 | tail -n 40 >"$dir/log"
     grep -E '^Done [0-9]+ runs' "$dir/log" || { cat "$dir/log" && return 1; }
 }
 check "libFuzzer finds nothing in ${FUZZ_S:-180} s" finds_nothing

@@ -142,7 +142,7 @@ reports_every_board() {
 
 an_image_draws_it() { # in QEMU, as the compiled file on the simulated board
     local name=lm3s6965evb
-    make_image firmware BOARD="$name" SCENE="$scene" && timeout 60 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
+    make_image firmware BOARD="$name" SCENE="$scene" && timeout 600 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
     compile "$B/firmware/$name-scene.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
         [ "$(wc -l <"$dir/emulated.crc")" = 2 ]
 }

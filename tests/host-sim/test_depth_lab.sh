@@ -24,7 +24,7 @@ differ() { # options... -- options...
 refuses() { # pattern, options...
     local pattern=$1 got=0
     shift
-    timeout 60 "$lab" "$@" >"$dir/stdout" 2>"$dir/stderr" || got=$?
+    timeout 1000 "$lab" "$@" >"$dir/stdout" 2>"$dir/stderr" || got=$?
     [ "$got" = 2 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && [ ! -s "$dir/stdout" ] && grep -q "^pinhole-depth: .*$pattern" "$dir/stderr" ||
         { echo "exit $got:" "$@" && head -n 5 "$dir/stderr" "$dir/stdout" && return 1; }
 }

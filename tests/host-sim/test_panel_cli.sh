@@ -13,7 +13,7 @@ trap 'rm -rf "$dir"' EXIT
 # It ends with this status, nothing on stdout and one line on stderr, which has this text.
 refuses() { # status, text, argument...
     local status=0
-    timeout 20 "$panel" "${@:3}" >"$dir/out" 2>"$dir/err" || status=$?
+    timeout 600 "$panel" "${@:3}" >"$dir/out" 2>"$dir/err" || status=$?
     [ "$status" = "$1" ] && [ ! -s "$dir/out" ] && [ "$(wc -l <"$dir/err")" = 1 ] && grep -qF -- "$2" "$dir/err" ||
         { echo "status $status:" && cat "$dir/out" "$dir/err" && return 1; }
 }

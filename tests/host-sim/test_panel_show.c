@@ -5,7 +5,7 @@
 #include <cmocka.h>
 
 #include "boards.h"
-#include "caught.h"
+#include "stderr_capture.h"
 #include "complain.h"
 #include "panel_probe.h"
 #include "panel_show.h"
@@ -106,12 +106,12 @@ static void an_error_ends_it_dark(void **state)
         sim_fault(sim, SIM_FAULT_WRITE, n);
         struct panel_scene scene = scene_of(100, &stop);
         scene.diff = n % 2 == 0;
-        struct caught c;
-        caught_begin(&c);
+        struct stderr_capture c;
+        stderr_capture_begin(&c);
         const int status = panel_show_run(&d, 1, &scene);
-        caught_end(&c);
+        stderr_capture_end(&c);
         assert_int_equal(status, COMPLAINED);
-        assert_int_equal(caught_lines(&c), 1);
+        assert_int_equal(stderr_capture_lines(&c), 1);
         assert_true(is_dark(sim, d.board));
         sim_close(sim);
     }

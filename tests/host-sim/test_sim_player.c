@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "caught.h"
+#include "stderr_capture.h"
 #include "complain.h"
 #include "sim_player.h"
 
@@ -19,14 +19,14 @@ static void a_kit_that_is_used_well_is_silent(void **state)
 {
     struct sim_virtual v;
     struct sim_player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     const struct sim_player_setup setup = setup_of(&v.board);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int opened = sim_player_open(&player, &setup), drawn = sim_player_frame(&player, 0),
               closed = sim_player_close(&player);
-    caught_end(&c);
+    stderr_capture_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
     assert_int_equal(closed, 0);
@@ -37,58 +37,58 @@ static void a_complaint_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
     struct sim_player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     v.board.spi_hz = 200000000; /* far above what an ST7789 takes */
     v.board.over_limit = false;
     const struct sim_player_setup setup = setup_of(&v.board);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int opened = sim_player_open(&player, &setup), drawn = sim_player_frame(&player, 0),
               closed = sim_player_close(&player);
-    caught_end(&c);
+    stderr_capture_end(&c);
     assert_int_equal(opened, 0);
     assert_int_equal(drawn, 0);
     assert_int_equal(closed, COMPLAINED);
     assert_non_null(strstr(c.text, "display controller: "));
-    assert_int_equal(caught_lines(&c), 1);
+    assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
 static void a_bus_that_fails_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
     struct sim_player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     const struct sim_player_setup setup = setup_of(&v.board);
     assert_int_equal(sim_player_open(&player, &setup), 0);
     sim_fault(player.sim, SIM_FAULT_WRITE, 5);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int drawn = sim_player_frame(&player, 3);
-    caught_end(&c);
+    stderr_capture_end(&c);
     sim_player_close(&player);
     assert_int_equal(drawn, COMPLAINED);
     assert_non_null(strstr(c.text, "frame 3"));
-    assert_int_equal(caught_lines(&c), 1);
+    assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
 static void a_camera_without_a_volume_is_one_line_and_a_failure(void **state)
 {
     struct sim_virtual v;
     struct sim_player player;
-    struct caught c;
+    struct stderr_capture c;
     (void)state;
     assert_int_equal(sim_virtual(&v, 32, 24), 0);
     struct sim_player_setup setup = setup_of(&v.board);
     setup.camera.projection_set = true; /* and all zeros */
     assert_int_equal(sim_player_open(&player, &setup), 0);
-    caught_begin(&c);
+    stderr_capture_begin(&c);
     const int drawn = sim_player_frame(&player, 0);
-    caught_end(&c);
+    stderr_capture_end(&c);
     sim_player_close(&player);
     assert_int_equal(drawn, COMPLAINED);
-    assert_int_equal(caught_lines(&c), 1);
+    assert_int_equal(stderr_capture_lines(&c), 1);
 }
 
 int main(void)

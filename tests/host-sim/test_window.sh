@@ -13,18 +13,25 @@ trap 'kill $xvfb 2>/dev/null; rm -rf "$dir"' EXIT
 kit=(--board pico-display-2)
 title='Pico Display Pack 2.0'
 
-# Starts pinhole-sim with these options and waits for its window: its process in $pid, its window in $id.
+# Starts pinhole-sim with these options and waits for a picture in its window: its process in $pid, its window in $id.
 start() {
     "$sim" --window "${kit[@]}" "$@" >"$dir/stdout" 2>"$dir/stderr" &
     pid=$!
-    id=$(timeout 20 xdotool search --sync --onlyvisible --name "$title" | head -n 1)
-    sleep .5
-    [ -n "$id" ]
+    id=$(timeout 600 xdotool search --sync --onlyvisible --name "$title" | head -n 1)
+    [ -n "$id" ] && patiently has_a_picture
 }
 
-ended() { # the process of the window: its exit status, killed after 10 s
+patiently() { # command: until it succeeds, ten minutes at most
     local i
-    for ((i = 0; i < 100; i++)); do
+    for ((i = 0; i < 6000; i++)); do "$@" && return; sleep .1; done
+    false
+}
+
+has_a_picture() { [ "$(import -window "$id" -format %k info: 2>/dev/null || echo 1)" -gt 1 ]; }
+
+ended() { # the process of the window: its exit status, killed after ten minutes
+    local i
+    for ((i = 0; i < 6000; i++)); do
         kill -0 "$pid" 2>/dev/null || break
         sleep .1
     done
@@ -41,8 +48,10 @@ is_the_glass() { # file, demo: same pixels
     "$sim" "${kit[@]}" --demo "$2" --out "$dir/glass.ppm" && cmp "$dir/glass.ppm" "$1"
 }
 
+shows() { shot "$2" && is_the_glass "$2" "$1" >"$dir/compared" 2>&1; } # demo, file for the picture
+
 it_shows_the_glass_scaled_by_two() { # 320x240 on a screen of 1024x768
-    start --demo testcard && shot "$dir/a.ppm"
+    start --demo testcard && patiently shows testcard "$dir/a.ppm"
     xdotool key --window 0 Escape
     ended && [ "$(cat "$dir/shot.size")" = 640x480 ] && is_the_glass "$dir/a.ppm" testcard &&
         cmp <(convert "$dir/shot.ppm" -depth 8 rgb:-) <(convert "$dir/glass.ppm" -scale 200% -depth 8 rgb:-)
@@ -81,7 +90,7 @@ a_signal_ends_it() {
 select_takes_the_next_demo() { # the second on the list is a still picture
     local key
     for key in Return space; do
-        start --demo turntable && xdotool key "$key" && sleep .5 && shot "$dir/b.ppm"
+        start --demo turntable && xdotool key "$key" && patiently shows testcard "$dir/b.ppm"
         xdotool key Escape
         ended && is_the_glass "$dir/b.ppm" testcard || return 1
     done
@@ -89,7 +98,7 @@ select_takes_the_next_demo() { # the second on the list is a still picture
 
 an_arrow_moves_the_camera() { # key: from some frame on, and not before
     "$sim" "${kit[@]}" --demo turntable --frames 20 --crc >"$dir/alone" && start --demo turntable --crc &&
-        xdotool keydown "$1" && sleep .3 && xdotool keyup "$1" key Escape
+        xdotool keydown "$1" && sleep 1.5 && xdotool keyup "$1" key Escape
     ended && [ "$(head -n 1 "$dir/stdout")" = "$(head -n 1 "$dir/alone")" ] || return 1
     "$sim" "${kit[@]}" --demo turntable --frames "$(wc -l <"$dir/stdout")" --crc >"$dir/alone"
     ! cmp -s "$dir/stdout" "$dir/alone"
@@ -113,7 +122,7 @@ it_keeps_the_rate_of_the_bus() { # 40 frames; the bus takes 19.7 ms, faster ones
         us=$("$sim" "${options[@]}" --demo cube --stats 2>&1 | sed -n 's/.* bus \([0-9]*\) us.*/\1/p')
         least=$(((us > 16667 ? us : 16667) * 39 / 1000))
         ms=$(milliseconds "$sim" --window "${options[@]}" --demo cube --frames 40)
-        [ "$ms" -ge "$least" ] && [ "$ms" -le $((least * 2 + 1500)) ] || { echo "$ms ms, not $least" && return 1; }
+        [ "$ms" -ge "$least" ] && [ "$ms" -le $((least * 2 + 30000)) ] || { echo "$ms ms, not $least" && return 1; }
     done
     [ "$us" -lt 16667 ]
 }
@@ -121,7 +130,7 @@ it_keeps_the_rate_of_the_bus() { # 40 frames; the bus takes 19.7 ms, faster ones
 refuses() { # pattern, command...: exit 1 and one line
     local pattern=$1 got=0
     shift
-    timeout 20 "$@" >"$dir/stdout" 2>"$dir/stderr" || got=$?
+    timeout 600 "$@" >"$dir/stdout" 2>"$dir/stderr" || got=$?
     [ "$got" = 1 ] && [ "$(wc -l <"$dir/stderr")" = 1 ] && grep -q "^pinhole.*$pattern" "$dir/stderr" && [ ! -s "$dir/stdout" ] ||
         { echo "exit $got" && cat "$dir/stderr" && return 1; }
 }
@@ -151,7 +160,7 @@ fi
 check without_a_screen_it_is_one_line refuses "no screen" env -u DISPLAY -u WAYLAND_DISPLAY -u XDG_RUNTIME_DIR "$sim" --window
 Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp 3>"$dir/display" >"$dir/xvfb.log" 2>&1 &
 xvfb=$!
-for ((i = 0; i < 100; i++)); do [ ! -s "$dir/display" ] && sleep .1; done
+for ((i = 0; i < 6000; i++)); do [ ! -s "$dir/display" ] || break; sleep .1; done
 DISPLAY=:$(cat "$dir/display")
 export DISPLAY
 unset SDL_VIDEODRIVER WAYLAND_DISPLAY

@@ -1,4 +1,5 @@
-/* hal_conformance: what hal.h asks of every backend, as assertions; and the same for kits that are there only at times.
+/* hal_conformance: what hal.h asks of every backend, as assertions; and the same for boards that are there only at
+ * times.
  */
 #ifndef HAL_CONFORMANCE_H
 #define HAL_CONFORMANCE_H
@@ -6,20 +7,20 @@
 #include "board.h"
 #include "hal.h"
 
-/* Opens, tries and closes the kit twice. keeps_time: its clock runs. */
+/* Opens, tries and closes the backend twice. keeps_time: its clock runs. */
 void hal_conforms(const struct hal *hal, const struct board *board, const char *name, bool keeps_time);
 
-/* hal/linux in the virtual kit (tests/kit): number of failed tests. */
-int kit_linux_tests(void);
+/* hal/linux in the virtual board (tests/guest): number of failed tests. */
+int linux_guest_tests(void);
 
 /*
  * hal/ft232h with a device on USB: number of failed tests; or sends three frames (serial: NULL for the only device),
  * prints the error if there is one and returns it as an errno.
  */
-int kit_ft232h_tests(void);
-int kit_ft232h_send(const char *serial);
+int ft232h_guest_tests(void);
+int ft232h_guest_send(const char *serial);
 
-/* Whether this machine has the virtual kit. */
-bool kit_is_here(void);
+/* Whether this machine has the virtual backend. */
+bool virtual_board_is_here(void);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "caught.h"
+#include "stderr_capture.h"
 #include "model_files.h"
 
 #include <ftw.h>
@@ -104,10 +104,10 @@ char *file_base64(const uint8_t *bytes, size_t n)
 
 int open_caught(struct model **model, const char *path, char said[1024])
 {
-    struct caught c;
-    caught_begin(&c);
+    struct stderr_capture c;
+    stderr_capture_begin(&c);
     const int status = model_open(model, path);
-    caught_end(&c);
+    stderr_capture_end(&c);
     snprintf(said, 1024, "%.1023s", c.text);
     return status;
 }

@@ -1,6 +1,12 @@
 # shellcheck shell=bash
 # The frames whose CRCs stand in tests/golden/frames.txt: every demo, all depth formats, every wire format.
 # `. tests/tools/frames.sh`, then: frames simulator-command... ; prints a line a frame.
+#   frames_program folder variable=value...   makes the simulator in this build directory, with what the frames need alone
+
+frames_program() {
+    make -s -j2 B="$1" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb ROOMS="common controllers model sim" "${@:2}" \
+        "$1/pinhole-sim"
+}
 
 frames() {
     local demo board depth

@@ -30,7 +30,7 @@ warnings() { # compiler
 # Of libgpiod's two versions one is here.
 other_gpiod="hal/linux/gpiod$(if pkg-config --exists 'libgpiod >= 2'; then echo 1; else echo 2; fi)/*"
 
-# The kit's modules need the kernel's headers and flags; tests/guest/kit.sh builds them with warnings as errors.
+# The virtual board's module needs the kernel's headers and flags; tests/guest/virtual_board.sh builds them with warnings as errors.
 kernel='tests/guest/board/*'
 
 # A file that was clean is read again when it, a header or the rules have changed.

@@ -2,6 +2,7 @@
 # For shell tests: `. tests/tools/tap.sh`, then one `check` or `skip` per test and `tap_end`. Output is TAP; tests/run.sh counts it.
 #   check "a name as a sentence" command [argument...]    passes when the command does; its output is shown when not
 #   skip  "a name as a sentence" "reason"
+#   in_share              whether the next of the things that a long test looks at is in the share that SHARE=K/N asks for
 #   make_image argument...                                make of an image in $B, one at a time: tests run side by side
 tap_count=0
 tap_failed=0
@@ -28,6 +29,12 @@ tap_end() {
     echo "1..$tap_count"
     [ "$tap_failed" = 0 ]
     exit
+}
+
+share_number=0
+in_share() {
+    local share=${SHARE:-1/1}
+    [ $((share_number++ % ${share#*/} + 1)) = "${share%/*}" ]
 }
 
 make_image() {

@@ -14,7 +14,7 @@ counts() { # file, expected last line
     rm -rf "$dir"/tests/core/* "$dir/build"
     cat >"$dir/tests/core/$1"
     chmod +x "$dir/tests/core/$1"
-    out=$(cd "$dir" && env -u MAKEFLAGS B=build TEST_TIMEOUT=2 tests/run.sh quick 2>&1)
+    out=$(cd "$dir" && env -u MAKEFLAGS B=build TEST_TIMEOUT="${limit:-600}" tests/run.sh "${mode:-test}" 2>&1)
     [ "$(tail -n 1 <<<"$out")" = "$2" ] || { echo "$out" && return 1; }
 }
 
@@ -35,18 +35,45 @@ unit() { # body of the second test, expected
     printf "$cmocka" "$1" | counts test_dummy.c "$2"
 }
 
+unit_in_check() {
+    counts test_dummy.c "1 passed, 0 failed, 0 skipped" <<<'int main(void) { return 0; }'
+}
+
+# Three long tests, one in each share; a fourth that knows SHARE runs in all of them.
+shares_of_the_long_tests() {
+    local k name
+    rm -rf "$dir"/tests/core/* "$dir/build"
+    for name in a b c; do printf '#!/bin/sh\necho ran >>%s\n' "$dir/ran-$name" >"$dir/tests/core/long_$name.sh"; done
+    printf '#!/bin/sh\necho $SHARE >>%s\n' "$dir/ran-all" >"$dir/tests/core/long_all.sh"
+    chmod +x "$dir"/tests/core/*.sh
+    for k in 1 2 3; do
+        (cd "$dir" && env -u MAKEFLAGS B=build SHARE=$k/3 tests/run.sh long 2>&1) | tail -n 1 | grep -qx '2 passed, 0 failed, 0 skipped' || return 1
+    done
+    cat "$dir"/ran-{a,b,c,all} | tr '\n' ' ' | grep -x 'ran ran ran 1/3 2/3 3/3 '
+}
+
+wrong_shares() {
+    local share
+    for share in 0/3 4/3 1 x; do
+        ! (cd "$dir" && SHARE=$share tests/run.sh long) 2>/dev/null || return 1
+    done
+}
+
 if pkg-config --exists cmocka 2>/dev/null; then
     check "tests_that_pass_are_counted_plain_and_under_sanitizers" unit "assert_true(1)" "6 passed, 0 failed, 0 skipped"
     check "a_test_that_fails_is_counted_alone" unit "assert_true(0)" "4 passed, 2 failed, 0 skipped"
     check "a_skipped_test_is_no_passed_test" unit "skip()" "4 passed, 0 failed, 2 skipped"
     check "after_a_crash_the_tests_that_did_not_run_fail" unit "abort()" "2 passed, 4 failed, 0 skipped"
-    check "a_test_that_hangs_is_stopped_and_fails" unit "for (;;) {}" "2 passed, 4 failed, 0 skipped"
+    limit=5 check "a_test_that_hangs_is_stopped_and_fails" unit "for (;;) {}" "2 passed, 4 failed, 0 skipped"
     check "a_test_that_does_not_compile_fails" unit "no such thing" "0 passed, 2 failed, 0 skipped"
     check "an_overrun_is_seen_by_the_sanitizers_only" unit \
         "volatile char *p = malloc(4); assert_true(p[4] + 1000 > 0); free((void *)p)" "4 passed, 2 failed, 0 skipped"
 else
     skip "unit_tests_are_counted" "no libcmocka-dev"
 fi
+mode=check check "for_every_edit_the_sanitizers_do_not_run" unit_in_check
+mode=long check "a_share_of_the_long_tests_is_a_share" shares_of_the_long_tests
+check "a_share_that_cannot_be_is_refused" wrong_shares
 check "a_missing_library_skips_the_program" counts test_dummy.c "0 passed, 0 failed, 2 skipped" <<<'#include <no_such_library.h>'
 check "a_script_may_just_succeed" counts test_dummy.sh "1 passed, 0 failed, 0 skipped" <<<'#!/bin/sh'
 check "a_script_may_just_fail" counts test_dummy.sh "0 passed, 1 failed, 0 skipped" <<<'#!/bin/sh

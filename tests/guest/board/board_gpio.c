@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Dual MIT/GPL
 /* The GPIO chip: levels, edges, and who may have which line. */
-#include "kit.h"
+#include "board.h"
 
 #include <linux/device.h>
 #include <linux/gpio/consumer.h>
@@ -29,10 +29,10 @@ static struct {
     u64 moved;           /* lines that moved while events are kept back */
     bool held;
     u64 irq_on, irq_rising, irq_falling;
-    int dir_error[KIT_LINES];
-    struct gpio_desc *busy[KIT_LINES];
-    char names[KIT_LINES][12];
-    const char *name_list[KIT_LINES];
+    int dir_error[BOARD_LINES];
+    struct gpio_desc *busy[BOARD_LINES];
+    char names[BOARD_LINES][12];
+    const char *name_list[BOARD_LINES];
     spinlock_t lock;
     struct hrtimer te_timer;
     int te_line;
@@ -56,7 +56,7 @@ static u64 settle(void)
     if (gpio.held)
         gpio.moved |= rising | falling;
     else
-        kit_log("%llu level %llx", kit_now(), now);
+        board_log("%llu level %llx", board_now(), now);
     return gpio.irq_on & ((rising & gpio.irq_rising) | (falling & gpio.irq_falling));
 }
 
@@ -65,7 +65,7 @@ static void raise_irqs(u64 lines)
 {
     int line;
 
-    for (line = 0; line < KIT_LINES; line++)
+    for (line = 0; line < BOARD_LINES; line++)
         if (lines >> line & 1)
             generic_handle_domain_irq(gpio.chip.irq.domain, line);
 }
@@ -75,7 +75,7 @@ static void change(u64 *word, int line, bool on)
     *word = (*word & ~BIT_ULL(line)) | (u64)on << line;
 }
 
-u64 kit_gpio_levels(void)
+u64 board_gpio_levels(void)
 {
     unsigned long flags;
     u64 levels;
@@ -86,7 +86,7 @@ u64 kit_gpio_levels(void)
     return levels;
 }
 
-u64 kit_gpio_hold(void)
+u64 board_gpio_hold(void)
 {
     unsigned long flags;
     u64 levels;
@@ -99,7 +99,7 @@ u64 kit_gpio_hold(void)
     return levels;
 }
 
-u64 kit_gpio_release(u64 levels)
+u64 board_gpio_release(u64 levels)
 {
     unsigned long flags;
     u64 at_end;
@@ -113,13 +113,13 @@ u64 kit_gpio_release(u64 levels)
 
 /* ---- what the kernel asks of a chip ---- */
 
-static int kit_request(struct gpio_chip *chip, unsigned int line)
+static int board_request(struct gpio_chip *chip, unsigned int line)
 {
-    kit_log("%llu note request %u", kit_now(), line);
+    board_log("%llu note request %u", board_now(), line);
     return 0;
 }
 
-static int kit_input(struct gpio_chip *chip, unsigned int line)
+static int board_input(struct gpio_chip *chip, unsigned int line)
 {
     unsigned long flags;
     u64 edges;
@@ -134,14 +134,14 @@ static int kit_input(struct gpio_chip *chip, unsigned int line)
     return 0;
 }
 
-static void kit_free(struct gpio_chip *chip, unsigned int line)
+static void board_free(struct gpio_chip *chip, unsigned int line)
 {
-    kit_log("%llu note release %u", kit_now(), line);
+    board_log("%llu note release %u", board_now(), line);
     if (!persist)
-        kit_input(chip, line);
+        board_input(chip, line);
 }
 
-static int kit_output(struct gpio_chip *chip, unsigned int line, int value)
+static int board_output(struct gpio_chip *chip, unsigned int line, int value)
 {
     unsigned long flags;
 
@@ -155,17 +155,17 @@ static int kit_output(struct gpio_chip *chip, unsigned int line, int value)
     return 0;
 }
 
-static int kit_direction(struct gpio_chip *chip, unsigned int line)
+static int board_direction(struct gpio_chip *chip, unsigned int line)
 {
     return gpio.output >> line & 1 ? GPIO_LINE_DIRECTION_OUT : GPIO_LINE_DIRECTION_IN;
 }
 
-static int kit_get(struct gpio_chip *chip, unsigned int line)
+static int board_get(struct gpio_chip *chip, unsigned int line)
 {
-    return kit_gpio_levels() >> line & 1;
+    return board_gpio_levels() >> line & 1;
 }
 
-static void kit_set(struct gpio_chip *chip, unsigned int line, int value)
+static void board_set(struct gpio_chip *chip, unsigned int line, int value)
 {
     unsigned long flags;
 
@@ -175,7 +175,7 @@ static void kit_set(struct gpio_chip *chip, unsigned int line, int value)
     spin_unlock_irqrestore(&gpio.lock, flags);
 }
 
-static int kit_config(struct gpio_chip *chip, unsigned int line, unsigned long config)
+static int board_config(struct gpio_chip *chip, unsigned int line, unsigned long config)
 {
     unsigned long flags;
     enum pin_config_param what = pinconf_to_config_param(config);
@@ -191,19 +191,19 @@ static int kit_config(struct gpio_chip *chip, unsigned int line, unsigned long c
 
 /* ---- edges ---- */
 
-static void kit_irq_mask(struct irq_data *data)
+static void board_irq_mask(struct irq_data *data)
 {
     change(&gpio.irq_on, irqd_to_hwirq(data), false);
     gpiochip_disable_irq(&gpio.chip, irqd_to_hwirq(data));
 }
 
-static void kit_irq_unmask(struct irq_data *data)
+static void board_irq_unmask(struct irq_data *data)
 {
     gpiochip_enable_irq(&gpio.chip, irqd_to_hwirq(data));
     change(&gpio.irq_on, irqd_to_hwirq(data), true);
 }
 
-static int kit_irq_type(struct irq_data *data, unsigned int type)
+static int board_irq_type(struct irq_data *data, unsigned int type)
 {
     if (type & ~IRQ_TYPE_EDGE_BOTH)
         return -EINVAL;
@@ -213,10 +213,10 @@ static int kit_irq_type(struct irq_data *data, unsigned int type)
 }
 
 static const struct irq_chip irq_chip = {
-    .name = "pinhole-kit",
-    .irq_mask = kit_irq_mask,
-    .irq_unmask = kit_irq_unmask,
-    .irq_set_type = kit_irq_type,
+    .name = "virtual-board",
+    .irq_mask = board_irq_mask,
+    .irq_unmask = board_irq_unmask,
+    .irq_set_type = board_irq_type,
     .flags = IRQCHIP_IMMUTABLE,
     GPIOCHIP_IRQ_RESOURCE_HELPERS,
 };
@@ -278,15 +278,15 @@ static void let_line_go(int line)
     gpio.busy[line] = NULL;
 }
 
-int kit_gpio_command(const char *verb, char *rest)
+int board_gpio_command(const char *verb, char *rest)
 {
     unsigned int line = 0, number = 0;
     int words = rest ? sscanf(rest, "%u %u", &line, &number) : 0;
 
-    if (words < 1 || line >= KIT_LINES || !gpio.there)
+    if (words < 1 || line >= BOARD_LINES || !gpio.there)
         return -EINVAL;
     if (!strcmp(verb, "busy"))
-        return hold_line(line, "kit", GPIOD_ASIS);
+        return hold_line(line, "somebody", GPIOD_ASIS);
     if (!strcmp(verb, "free"))
         let_line_go(line);
     else if (words < 2)
@@ -311,9 +311,9 @@ static void name_lines(void)
                                       "GPIO6",  "SPI_CE1_N", "SPI_CE0_N", "SPI_MISO", "SPI_MOSI",  "SPI_SCLK"};
     int line;
 
-    for (line = 0; line < KIT_LINES; line++) {
+    for (line = 0; line < BOARD_LINES; line++) {
         snprintf(gpio.names[line], sizeof(gpio.names[line]), "GPIO%d", line);
-        kit_log("0 name %d %s", line, gpio.names[line]);
+        board_log("0 name %d %s", line, gpio.names[line]);
         gpio.name_list[line] = gpio.names[line];
         if (!strcmp(names, "old") && line < ARRAY_SIZE(old))
             gpio.name_list[line] = old[line];
@@ -322,7 +322,7 @@ static void name_lines(void)
     }
 }
 
-int kit_gpio_init(struct device *parent)
+int board_gpio_init(struct device *parent)
 {
     struct gpio_chip *chip = &gpio.chip;
     int status;
@@ -336,22 +336,22 @@ int kit_gpio_init(struct device *parent)
         .label = label,
         .parent = parent,
         .owner = THIS_MODULE,
-        .request = kit_request,
-        .free = kit_free,
-        .get_direction = kit_direction,
-        .direction_input = kit_input,
-        .direction_output = kit_output,
-        .get = kit_get,
-        .set = kit_set,
-        .set_config = kit_config,
+        .request = board_request,
+        .free = board_free,
+        .get_direction = board_direction,
+        .direction_input = board_input,
+        .direction_output = board_output,
+        .get = board_get,
+        .set = board_set,
+        .set_config = board_config,
         .base = -1,
-        .ngpio = KIT_LINES,
+        .ngpio = BOARD_LINES,
         .names = strcmp(names, "none") ? gpio.name_list : NULL,
     };
     gpio_irq_chip_set_chip(&chip->irq, &irq_chip);
     chip->irq.handler = handle_simple_irq;
     chip->irq.default_type = IRQ_TYPE_NONE;
-    kit_log("0 level %llx", gpio.shown);
+    board_log("0 level %llx", gpio.shown);
     status = gpiochip_add_data(chip, NULL);
     if (status)
         return status;
@@ -361,7 +361,7 @@ int kit_gpio_init(struct device *parent)
     return status ? status : hold_line(7, "spi0 CS1", GPIOD_OUT_HIGH);
 }
 
-void kit_gpio_exit(void)
+void board_gpio_exit(void)
 {
     int line;
 
@@ -369,7 +369,7 @@ void kit_gpio_exit(void)
         return;
     hrtimer_cancel(&gpio.te_timer);
     gpio.there = false;
-    for (line = 0; line < KIT_LINES; line++)
+    for (line = 0; line < BOARD_LINES; line++)
         let_line_go(line);
     gpiochip_remove(&gpio.chip);
 }

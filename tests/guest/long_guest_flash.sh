@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# pinhole-flash in the virtual kit, at length: boards that are pulled at 100 random moments and runs that are killed at
+# pinhole-flash in the virtual board, at length: boards that are pulled at 100 random moments and runs that are killed at
 # 40, after each of which a second run completes; valgrind with its count of open files. SEED=n for the same moments.
 # shellcheck disable=SC2317,SC2015,SC2016 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
-. tests/guest/kit_flash.sh
-kit_begin "a virtual RP2040 is pulled at any moment" libusb-1.0
-make -s B="$B" all && kit_build || exit 1
+. tests/guest/flash_in_guest.sh
+guest_begin "a virtual RP2040 is pulled at any moment" libusb-1.0
+make -s B="$B" all && guest_build || exit 1
 make_images "$dir" a 40000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"
 {
@@ -17,10 +17,10 @@ head -c 2097152 /dev/urandom >"$dir/old"
 seed=${SEED:-$RANDOM}
 
 in_guest() { # name, script
-    kit_out=$dir/$1
-    mkdir -p "$kit_out"
-    printf 'images=%q\nRANDOM=%q\n. tests/guest/kit_flash.sh\ncd $KIT\n%s\n' "$dir" "$seed" "$2" >"$kit_out/in_guest"
-    tests/guest/guest.sh --timeout 600 "${@:3}" --out "$kit_out" -- bash "$kit_out/in_guest" >"$kit_out/log" 2>&1 || cat "$kit_out/log"
+    guest_out=$dir/$1
+    mkdir -p "$guest_out"
+    printf 'images=%q\nRANDOM=%q\n. tests/guest/flash_in_guest.sh\ncd $GUEST\n%s\n' "$dir" "$seed" "$2" >"$guest_out/in_guest"
+    tests/guest/guest.sh --icount --timeout 4000 "${@:3}" --out "$guest_out" -- bash "$guest_out/in_guest" >"$guest_out/log" 2>&1 || cat "$guest_out/log"
 }
 
 # So many first runs, all of which ended as they may; not too many of them came through; every second one was right.
@@ -31,7 +31,7 @@ cuts_are_mended() { # how many, statuses that a cut may have, pattern of the cut
         $1 == 0 { through++; next }
         index(" " statuses " ", " " $1 " ") == 0 || line !~ pattern { print "first run: " $0; bad = 1 }
         END { if (NR != all || through > all / 2) { print NR " runs, " through + 0 " came through"; bad = 1 }
-              exit bad }' "$kit_out/cuts"
+              exit bad }' "$guest_out/cuts"
 }
 
 # 42,016 bytes go to a board with 10 sectors of image: 33 commands of 32 bytes, 10 sectors.
@@ -45,8 +45,8 @@ by_bytes='
 '
 by_time='
     cut() {
-        plug --flash $KIT/flash
-        (sleep 0.$(printf %03d $((RANDOM % 250))) && kill $kit_device) &
+        plug --flash $GUEST/flash
+        (sleep 0.$(printf %03d $((RANDOM % 250))) && kill $usb_device) &
         run first "$2"
         wait
     }
@@ -55,19 +55,19 @@ by_time='
 by_signal='
     cut() {
         local signals=(INT TERM KILL KILL)
-        plug --flash $KIT/flash
-        $B/pinhole-flash "$2" >$KIT/first.out 2>$KIT/first.err &
+        plug --flash $GUEST/flash
+        $B/pinhole-flash "$2" >$GUEST/first.out 2>$GUEST/first.err &
         sleep 0.$(printf %03d $((RANDOM % 250)))
         kill -${signals[$1 % 4]} $! 2>/dev/null
         wait $!
-        echo $? >$KIT/first.status
+        echo $? >$GUEST/first.status
         pull
     }
     for i in {1..40}; do cut_and_again $i $images/a.uf2 $images/expected; done
 '
 checked='
-    kit_wrap="valgrind --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=all --track-fds=yes"
-    kit_limit=200
+    guest_wrap="valgrind --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=all --track-fds=yes"
+    guest_limit=3000
     run none $images/a.uf2
     run_on good flash "" $images/a.uf2
     run_on pulled flash "--unplug-after 9000" $images/a.uf2
@@ -84,9 +84,9 @@ check "40 runs, each ended by a signal at a random time: a line or killed, and a
     cuts_are_mended 40 "130 143 137" '^$|^pinhole-flash: RP2040 [0-9]+:[0-9]+: stopped before'
 
 valgrind_finds_nothing() { # name, status
-    [ "$(cat "$kit_out/$1.status")" = "$2" ] && grep -q 'ERROR SUMMARY: 0 errors' "$kit_out/$1.err" &&
-        grep -Eq 'FILE DESCRIPTORS: ([0-9]+) open \(\1 (std|inherited)\)|FILE DESCRIPTORS: 3 open' "$kit_out/$1.err" ||
-        { cat "$kit_out/$1.status" "$kit_out/$1.err" && return 1; }
+    [ "$(cat "$guest_out/$1.status")" = "$2" ] && grep -q 'ERROR SUMMARY: 0 errors' "$guest_out/$1.err" &&
+        grep -Eq 'FILE DESCRIPTORS: ([0-9]+) open \(\1 (std|inherited)\)|FILE DESCRIPTORS: 3 open' "$guest_out/$1.err" ||
+        { cat "$guest_out/$1.status" "$guest_out/$1.err" && return 1; }
 }
 if command -v valgrind >/dev/null; then
     in_guest checked "$checked" --memory 1000

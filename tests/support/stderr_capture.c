@@ -1,11 +1,11 @@
-/* See caught.h. */
+/* See stderr_capture.h. */
 #define _XOPEN_SOURCE 700 /* dup2, pread */
-#include "caught.h"
+#include "stderr_capture.h"
 
 #include <stdlib.h>
 #include <unistd.h>
 
-void caught_begin(struct caught *c)
+void stderr_capture_begin(struct stderr_capture *c)
 {
     c->file = tmpfile();
     c->before = dup(STDERR_FILENO);
@@ -15,7 +15,7 @@ void caught_begin(struct caught *c)
     dup2(fileno(c->file), STDERR_FILENO);
 }
 
-void caught_end(struct caught *c)
+void stderr_capture_end(struct stderr_capture *c)
 {
     dup2(c->before, STDERR_FILENO);
     const ssize_t n = pread(fileno(c->file), c->text, sizeof c->text - 1, 0);
@@ -24,7 +24,7 @@ void caught_end(struct caught *c)
     fclose(c->file);
 }
 
-unsigned caught_lines(const struct caught *c)
+unsigned stderr_capture_lines(const struct stderr_capture *c)
 {
     unsigned lines = 0;
     for (const char *text = c->text; *text != '\0'; text++) {

@@ -1,6 +1,6 @@
-/* near: what the tests of cameras share: Q16.16 from double and back, and what is near enough. */
-#ifndef NEAR_H
-#define NEAR_H
+/* assert_near: what the tests of cameras share: Q16.16 from double and back, and what is near enough. */
+#ifndef ASSERT_NEAR_H
+#define ASSERT_NEAR_H
 
 #include "geom.h"
 
@@ -11,6 +11,6 @@ double real(fx_t v);
 struct fx_vec3 vec(double x, double y, double z);
 
 /* Fails the test (cmocka), and says by how much, where got is farther than tolerance from want, or not a number. */
-void near_to(double got, double want, double tolerance);
+void assert_near(double got, double want, double tolerance);
 
 #endif

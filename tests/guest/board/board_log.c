@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Dual MIT/GPL
-/* The events, as text in a ring. Written from any context, read from /dev/pinhole-kit. */
-#include "kit.h"
+/* The events, as text in a ring. Written from any context, read from /dev/virtual-board. */
+#include "board.h"
 
 #include <linux/fs.h>
 #include <linux/ktime.h>
@@ -27,7 +27,7 @@ static struct {
     wait_queue_head_t changed;
 } events;
 
-u64 kit_now(void)
+u64 board_now(void)
 {
     return ktime_get_ns() - events.start;
 }
@@ -50,7 +50,7 @@ static void tell_lost(void)
 
     if (!events.lost)
         return;
-    n = scnprintf(text, sizeof(text), "%llu lost %u\n", kit_now(), events.lost);
+    n = scnprintf(text, sizeof(text), "%llu lost %u\n", board_now(), events.lost);
     if (n <= events.size - events.count) {
         put(text, n);
         events.lost = 0;
@@ -68,7 +68,7 @@ static void put_line(int n)
         events.lost++;
 }
 
-void kit_log(const char *format, ...)
+void board_log(const char *format, ...)
 {
     unsigned long flags;
     va_list arguments;
@@ -81,7 +81,7 @@ void kit_log(const char *format, ...)
     wake_up_interruptible(&events.changed);
 }
 
-void kit_log_bytes(const u8 *bytes, size_t n, const char *format, ...)
+void board_log_bytes(const u8 *bytes, size_t n, const char *format, ...)
 {
     unsigned long flags;
     va_list arguments;
@@ -98,12 +98,12 @@ void kit_log_bytes(const u8 *bytes, size_t n, const char *format, ...)
     wake_up_interruptible(&events.changed);
 }
 
-void kit_log_room(size_t n)
+void board_log_room(size_t n)
 {
     wait_event_timeout(events.changed, events.size - READ_ONCE(events.count) >= n + 512, 10 * HZ);
 }
 
-void kit_log_follow(bool on)
+void board_log_follow(bool on)
 {
     WRITE_ONCE(events.follow, on);
     wake_up_interruptible(&events.changed);
@@ -143,19 +143,19 @@ static ssize_t log_write(struct file *file, const char __user *from, size_t n, l
         return PTR_ERR(text);
     rest = text;
     while (!status && (line = strsep(&rest, "\n")))
-        status = *line ? kit_command(line) : 0;
+        status = *line ? board_command(line) : 0;
     kfree(text);
     return status ? status : n;
 }
 
-const struct file_operations kit_log_fops = {
+const struct file_operations board_log_fops = {
     .owner = THIS_MODULE,
     .read = log_read,
     .write = log_write,
     .llseek = noop_llseek,
 };
 
-int kit_log_init(size_t bytes)
+int board_log_init(size_t bytes)
 {
     events.size = bytes;
     events.ring = vmalloc(bytes);
@@ -166,7 +166,7 @@ int kit_log_init(size_t bytes)
     return events.ring ? 0 : -ENOMEM;
 }
 
-void kit_log_exit(void)
+void board_log_exit(void)
 {
     vfree(events.ring);
 }

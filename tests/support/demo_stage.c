@@ -1,5 +1,5 @@
-/* See show.h. */
-#include "show.h"
+/* See demo_stage.h. */
+#include "demo_stage.h"
 
 #include "crc32.h"
 
@@ -10,9 +10,9 @@
 
 #include <stdlib.h>
 
-struct show show_open(const struct demo *demo, uint16_t width, uint16_t height)
+struct demo_stage demo_stage_open(const struct demo *demo, uint16_t width, uint16_t height)
 {
-    struct show s = {.demo = demo, .context = {.width = width, .height = height}};
+    struct demo_stage s = {.demo = demo, .context = {.width = width, .height = height}};
     s.context.arena = (struct demo_arena){malloc(demo->arena_bytes), demo->arena_bytes, 0};
     assert_non_null(s.context.arena.base);
     s.context.scratch_bytes = demo_scratch_bytes(demo, width, height);
@@ -23,14 +23,14 @@ struct show show_open(const struct demo *demo, uint16_t width, uint16_t height)
     return s;
 }
 
-void show_close(struct show *s)
+void demo_stage_close(struct demo_stage *s)
 {
     rig_close(&s->rig);
     free(s->context.scratch);
     free(s->context.arena.base);
 }
 
-uint32_t show_frame(struct show *s, uint32_t frame)
+uint32_t demo_stage_frame(struct demo_stage *s, uint32_t frame)
 {
     assert_int_equal(s->demo->frame(&s->context, &s->rig.r, frame), PH_OK);
     uint32_t row = 0;
@@ -42,12 +42,12 @@ uint32_t show_frame(struct show *s, uint32_t frame)
     return crc32_update(0, (const uint8_t *)s->rig.pixels, 2 * (size_t)s->rig.width * (size_t)s->rig.height);
 }
 
-uint16_t pixel(const struct show *s, int x, int y)
+uint16_t pixel(const struct demo_stage *s, int x, int y)
 {
     return s->rig.pixels[y * s->rig.width + x];
 }
 
-int drawn_width(const struct show *s, int *height)
+int drawn_width(const struct demo_stage *s, int *height)
 {
     int x0 = s->rig.width, x1 = -1, y0 = s->rig.height, y1 = -1;
     for (int i = 0; i < s->rig.width * s->rig.height; i++) {

@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# The virtual kit's USB devices (tests/guest/usb_*.c): flashrom and libusb take them for an FT232H and an RP2040 in its
+# The virtual board's USB devices (tests/guest/usb_*.c): flashrom and libusb take them for an FT232H and an RP2040 in its
 # boot loader, and their faults show.
-# shellcheck disable=SC2317,SC2016 # functions are called by check; $KIT and $i are the guest's
+# shellcheck disable=SC2317,SC2016 # functions are called by check; $GUEST and $i are the guest's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
-. tests/guest/kit.sh
-kit_begin "the virtual USB devices" libusb-1.0
+. tests/guest/virtual_board.sh
+guest_begin "the virtual USB devices" libusb-1.0
 
-check "the devices compile without a warning" kit_build
+check "the devices compile without a warning" guest_build
 
 cat >"$dir/in_guest" <<'EOT'
-. tests/guest/kit.sh
-cd $KIT
+. tests/guest/virtual_board.sh
+cd $GUEST
 modprobe ftdi_sio # as on a desktop: somebody has the device already
 # A command of PICOBOOT in hexadecimal: id, size of arguments, bytes of data, arguments (32 bits each).
 picoboot() {
@@ -23,23 +23,23 @@ picoboot() {
     done
     printf '%-64s' "$text" | tr ' ' 0
 }
-ftdi() { kit_try 0403:6014 "$@"; }
-boot() { kit_try 2e8a:0003 BOOT "$@"; }
+ftdi() { usb_try 0403:6014 "$@"; }
+boot() { usb_try 2e8a:0003 BOOT "$@"; }
 mpsse="tell:0x40:0x0b:0x020b:1 out:2:80080b8a8600008209ff in:0x81:64"
 
 head -c 131072 /dev/urandom >chip
-kit_usb ft232h --serial CHIP --flash chip --events chip.events
+usb_plug ft232h --serial CHIP --flash chip --events chip.events
 ls /dev/ttyUSB* >ttys
 if command -v flashrom >/dev/null; then
     flashrom -p ft2232_spi:type=232H -c W25X10 -r chip.read >flashrom 2>&1
     flashrom -p ft2232_spi:type=232H >flashrom.all 2>&1
 fi
 ftdi CHIP $mpsse out:2:ab87 in:0x81:64 out:2:1102002a00ef260387 in:0x81:64 tell:0x40:0x77:0:1 >odd
-kill $kit_device && wait $kit_device
+kill $usb_device && wait $usb_device
 i=0
 for fault in unplug stall hang short; do
-    kit_usb ft232h --serial $fault --$fault-after 20
-    faulty="$faulty $kit_device"
+    usb_plug ft232h --serial $fault --$fault-after 20
+    faulty="$faulty $usb_device"
 done
 ftdi list | sort >serials
 for fault in unplug stall hang short; do
@@ -48,11 +48,11 @@ done
 ftdi list | sort >serials.after
 kill $faulty 2>/dev/null; wait
 
-kit_usb ft232h --serial SLOW --wire-time --events slow.events
+usb_plug ft232h --serial SLOW --wire-time --events slow.events
 ftdi SLOW tell:0x40:0x0b:0x020b:1 out:2:8a86db05 'out:2:11c700' fill:2:200 out:2:87 in:0x81:64 >slow
-kill $kit_device && wait
+kill $usb_device && wait
 
-kit_usb bootsel --serial BOOT --flash flash
+usb_plug bootsel --serial BOOT --flash flash
 boot out:3:$(picoboot 1 1 0 1) in:0x84:64 >exclusive
 boot out:3:$(picoboot 3 8 0 0x10001000 4096) in:0x84:64 >erase
 boot out:3:$(picoboot 5 8 256 0x10001000 256) fill:3:256 in:0x84:64 >write
@@ -67,13 +67,13 @@ refused unknown $(picoboot 9 0 0)
 refused length $(picoboot 5 8 255 0x10001000 256)
 boot out:3:$(picoboot 0x84 8 4 0x10 4) in:0x84:64 out:3: >rom
 boot out:3:$(picoboot 2 12 0 0 0 100) in:0x84:64 >reboot
-wait $kit_device
-kit_try 2e8a:0003 list >after_reboot
-kit_usb bootsel --serial BOOT --flash flash --unplug-after 100
+wait $usb_device
+usb_try 2e8a:0003 list >after_reboot
+usb_plug bootsel --serial BOOT --flash flash --unplug-after 100
 boot out:3:$(picoboot 3 8 0 0x10000000 4096) in:0x84:64 out:3:$(picoboot 5 8 256 0x10000000 256) fill:3:256 >pulled
 EOT
-kit_guest --timeout 150 --out "$dir/kit" -- bash "$dir/in_guest" >"$dir/log" 2>&1
-cd "$dir/kit" || exit 1
+guest_run --icount --timeout 2500 --out "$dir/guest" -- bash "$dir/in_guest" >"$dir/log" 2>&1
+cd "$dir/guest" || exit 1
 
 # The file has these lines.
 says() { diff <(printf '%s\n' "${@:2}") "$1"; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Dual MIT/GPL
 /* The SPI controller: writes every byte down, divides its clock as a BCM2835 does, and fails when told. */
-#include "kit.h"
+#include "board.h"
 
 #include <linux/completion.h>
 #include <linux/delay.h>
@@ -57,8 +57,8 @@ static void tell(struct spi_device *device, struct spi_transfer *transfer, u64 s
     for (i = 0; i < transfer->len; i += n, from = to) {
         n = min_t(unsigned int, transfer->len - i, CHUNK);
         to = start + div_u64((end - start) * (i + n), transfer->len);
-        kit_log_room(2 * n);
-        kit_log_bytes(bytes + i, n, "%llu %s %u %u %u %x %u %llx %llx %llu ", from, transfer->tx_buf ? "spi" : "read",
+        board_log_room(2 * n);
+        board_log_bytes(bytes + i, n, "%llu %s %u %u %u %x %u %llx %llx %llu ", from, transfer->tx_buf ? "spi" : "read",
                       (unsigned int)spi_get_chipselect(device, 0), transfer->speed_hz, transfer->effective_speed_hz,
                       (unsigned int)device->mode & 0xff, (unsigned int)transfer->bits_per_word, levels,
                       i + n == transfer->len ? at_end : levels, to);
@@ -68,7 +68,7 @@ static void tell(struct spi_device *device, struct spi_transfer *transfer, u64 s
 static int fault(void)
 {
     if (spi.unplug_after && !--spi.unplug_after)
-        kit_unplug_soon();
+        board_unplug_soon();
     if (!spi.error_count || (spi.error_after && --spi.error_after))
         return 0;
     spi.error_count--;
@@ -76,35 +76,35 @@ static int fault(void)
 }
 
 /* Called for each change of mode, bits a word and speed. */
-static int kit_setup(struct spi_device *device)
+static int board_setup(struct spi_device *device)
 {
     return spi.setup_after && !--spi.setup_after ? -(int)spi.setup_number : 0;
 }
 
-static int kit_transfer(struct spi_controller *controller, struct spi_device *device, struct spi_transfer *transfer)
+static int board_transfer(struct spi_controller *controller, struct spi_device *device, struct spi_transfer *transfer)
 {
     u64 start, levels, at_end, end;
     int status = fault();
 
     if (status) {
-        kit_log("%llu note spi error %d", kit_now(), status);
+        board_log("%llu note spi error %d", board_now(), status);
         return status;
     }
     transfer->effective_speed_hz = clock_got(transfer->speed_hz);
-    start = kit_now();
-    levels = kit_gpio_hold();
+    start = board_now();
+    levels = board_gpio_hold();
     if (spi.stall_after && !--spi.stall_after) {
-        kit_log("%llu note spi stall", kit_now());
+        board_log("%llu note spi stall", board_now());
         wait_for_completion_timeout(&spi.go, msecs_to_jiffies(spi.stall_ms));
     }
     if (spi.wire_time)
         fsleep(div_u64(8000000ULL * transfer->len, transfer->effective_speed_hz) + 1);
     answer(transfer);
-    end = kit_now();
-    at_end = kit_gpio_release(levels);
+    end = board_now();
+    at_end = board_gpio_release(levels);
     tell(device, transfer, start, levels, end, at_end);
     if (at_end != levels)
-        kit_log("%llu level %llx", end, kit_gpio_levels());
+        board_log("%llu level %llx", end, board_gpio_levels());
     return 0;
 }
 
@@ -121,7 +121,7 @@ static int set_reply(char *rest)
     return 0;
 }
 
-int kit_spi_command(const char *verb, char *rest)
+int board_spi_command(const char *verb, char *rest)
 {
     unsigned int a = 0, b = 0, c = UINT_MAX;
     int words = rest ? sscanf(rest, "%u %u %u", &a, &b, &c) : 0;
@@ -162,7 +162,7 @@ static int add_device(int select)
     return spi.device[select] ? 0 : -ENODEV;
 }
 
-int kit_spi_init(struct device *parent)
+int board_spi_init(struct device *parent)
 {
     int status;
 
@@ -174,8 +174,8 @@ int kit_spi_init(struct device *parent)
     spi.controller->num_chipselect = ARRAY_SIZE(spi.device);
     spi.controller->mode_bits = SPI_CPOL | SPI_CPHA | SPI_CS_HIGH | SPI_NO_CS;
     spi.controller->bits_per_word_mask = SPI_BPW_MASK(8);
-    spi.controller->setup = kit_setup;
-    spi.controller->transfer_one = kit_transfer;
+    spi.controller->setup = board_setup;
+    spi.controller->transfer_one = board_transfer;
     status = spi_register_controller(spi.controller);
     if (status) {
         spi_controller_put(spi.controller);
@@ -186,7 +186,7 @@ int kit_spi_init(struct device *parent)
     return status ? status : add_device(1);
 }
 
-void kit_spi_exit(void)
+void board_spi_exit(void)
 {
     if (spi.controller)
         spi_unregister_controller(spi.controller); /* with its devices */

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# pinhole-flash in the virtual kit, for tests/guest/test_kit_flash.sh and tests/guest/long_kit_flash.sh: sourced on the host and in
-# the guest. What a run leaves in $KIT: NAME.status, NAME.out, NAME.err; the flash of a board is a file. Environment: B.
+# pinhole-flash in the virtual board, for tests/guest/test_guest_flash.sh and tests/guest/long_guest_flash.sh: sourced on the host and in
+# the guest. What a run leaves in $GUEST: NAME.status, NAME.out, NAME.err; the flash of a board is a file. Environment: B.
 # shellcheck source-path=SCRIPTDIR
-# shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; kit_device, kit_out, images, cut: others'
-. "$(dirname "${BASH_SOURCE[0]}")/kit.sh"
-kit_wrap=${kit_wrap-} # valgrind, say
+# shellcheck disable=SC2015,SC2154 # `A && B || { echo; return 1; }` says why it fails; usb_device, guest_out, images, cut: others'
+. "$(dirname "${BASH_SOURCE[0]}")/virtual_board.sh"
+guest_wrap=${guest_wrap-} # valgrind, say
 
 # ---- on the host, before -------------------------------------------------------------------------
 
@@ -24,38 +24,38 @@ make_images() { # directory, then name and bytes of each
 # ---- in the guest --------------------------------------------------------------------------------
 
 run() { # name, argument...
-    # shellcheck disable=SC2086 # words of kit_wrap
-    timeout "${kit_limit:-60}" $kit_wrap "$B/pinhole-flash" "${@:2}" >"$KIT/$1.out" 2>"$KIT/$1.err"
-    echo $? >"$KIT/$1.status"
+    # shellcheck disable=SC2086 # words of guest_wrap
+    timeout "${guest_limit:-1000}" $guest_wrap "$B/pinhole-flash" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err"
+    echo $? >"$GUEST/$1.status"
 }
 
-plug() { kit_usb bootsel "$@"; }
+plug() { usb_plug bootsel "$@"; }
 
 pull() {
-    kill "$kit_device" 2>/dev/null
-    wait "$kit_device" 2>/dev/null
+    kill "$usb_device" 2>/dev/null
+    wait "$usb_device" 2>/dev/null
 }
 
 # Plugs a board in with this flash and these options, runs, and pulls it.
 run_on() { # name, flash, options of the board, argument...
     # shellcheck disable=SC2086 # words of $3
-    plug --flash "$KIT/$2" $3 && run "$1" "${@:4}"
+    plug --flash "$GUEST/$2" $3 && run "$1" "${@:4}"
     pull
 }
 
 # Sends a signal to a run once the flash has changed, which is when it writes.
 run_signalled() { # name, flash, signal, argument...
     local pid i
-    plug --flash "$KIT/$2"
-    cp "$KIT/$2" "$KIT/before"
-    "$B/pinhole-flash" "${@:4}" >"$KIT/$1.out" 2>"$KIT/$1.err" &
+    plug --flash "$GUEST/$2"
+    cp "$GUEST/$2" "$GUEST/before"
+    "$B/pinhole-flash" "${@:4}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" &
     pid=$!
-    for ((i = 0; i < 2000; i++)); do
-        cmp -s "$KIT/$2" "$KIT/before" || break
+    for ((i = 0; i < 100000; i++)); do
+        { cmp -s "$GUEST/$2" "$GUEST/before" && kill -0 $pid; } || break
     done
     kill "-$3" $pid
     wait $pid
-    echo $? >"$KIT/$1.status"
+    echo $? >"$GUEST/$1.status"
     run "$1-list" --list
     pull
 }
@@ -64,11 +64,11 @@ run_signalled() { # name, flash, signal, argument...
 # holds what it should, and the first run's line.
 cut_and_again() { # number, image, flash as it should be
     local same=no
-    cp "$images/old" "$KIT/flash"
+    cp "$images/old" "$GUEST/flash"
     cut "$1" "$2"
     run_on second flash "" "$2"
-    cmp -s "$KIT/flash" "$3" && same=yes
-    echo "$(cat "$KIT/first.status") $(cat "$KIT/second.status") $same $(cat "$KIT/first.err")" >>"$KIT/cuts"
+    cmp -s "$GUEST/flash" "$3" && same=yes
+    echo "$(cat "$GUEST/first.status") $(cat "$GUEST/second.status") $same $(cat "$GUEST/first.err")" >>"$GUEST/cuts"
 }
 
 # ---- on the host, after --------------------------------------------------------------------------
@@ -76,13 +76,13 @@ cut_and_again() { # number, image, flash as it should be
 # The run ended with this status and this line on stderr ("" for none); @ stands for BUS:ADDRESS.
 ended() { # name, status, line
     local status
-    status=$(cat "$kit_out/$1.status" 2>&1)
-    [ "$status" = "$2" ] || { echo "status $status, not $2"; cat "$kit_out/$1.err"; return 1; }
-    sed 's/RP2040 [0-9]*:[0-9]*:/RP2040 @:/' "$kit_out/$1.err" | diff - <(if [ -n "$3" ]; then echo "pinhole-flash: $3"; fi)
+    status=$(cat "$guest_out/$1.status" 2>&1)
+    [ "$status" = "$2" ] || { echo "status $status, not $2"; cat "$guest_out/$1.err"; return 1; }
+    sed 's/RP2040 [0-9]*:[0-9]*:/RP2040 @:/' "$guest_out/$1.err" | diff - <(if [ -n "$3" ]; then echo "pinhole-flash: $3"; fi)
 }
 
 said() { # name, line
-    sed 's/[0-9]*:[0-9]*/@/' "$kit_out/$1.out" | diff - <(echo "$2")
+    sed 's/[0-9]*:[0-9]*/@/' "$guest_out/$1.out" | diff - <(echo "$2")
 }
 
 # The flash holds the image, padded as its UF2 is or not at all, then erased bytes up to the sector's end, then what it

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Dual MIT/GPL
-/* See kit.h. */
-#include "kit.h"
+/* See board.h. */
+#include "board.h"
 
 #include <linux/miscdevice.h>
 #include <linux/module.h>
@@ -16,18 +16,18 @@ static int plugged;
 
 static struct miscdevice misc = {
     .minor = MISC_DYNAMIC_MINOR,
-    .name = "pinhole-kit",
+    .name = "virtual-board",
     .mode = 0666,
-    .fops = &kit_log_fops,
+    .fops = &board_log_fops,
 };
 
 static void unplug(void)
 {
     if (!xchg(&plugged, 0))
         return;
-    kit_log("%llu note unplug", kit_now());
-    kit_spi_exit();
-    kit_gpio_exit();
+    board_log("%llu note unplug", board_now());
+    board_spi_exit();
+    board_gpio_exit();
 }
 
 static void unplug_work(struct work_struct *work)
@@ -37,61 +37,61 @@ static void unplug_work(struct work_struct *work)
 
 static DECLARE_WORK(unplug_later, unplug_work);
 
-void kit_unplug_soon(void)
+void board_unplug_soon(void)
 {
     schedule_work(&unplug_later);
 }
 
-int kit_command(char *line)
+int board_command(char *line)
 {
     char *rest = line, *verb = strsep(&rest, " ");
 
     if (!strcmp(verb, "follow") || !strcmp(verb, "end"))
-        kit_log_follow(*verb == 'f');
+        board_log_follow(*verb == 'f');
     else if (!strcmp(verb, "mark"))
-        kit_log("%llu note %s", kit_now(), rest ? rest : "");
+        board_log("%llu note %s", board_now(), rest ? rest : "");
     else if (!strcmp(verb, "unplug"))
         unplug();
     else if (!strcmp(verb, "reply") || !strncmp(verb, "spi-", 4) || !strcmp(verb, "wire-time"))
-        return kit_spi_command(verb, rest);
+        return board_spi_command(verb, rest);
     else
-        return kit_gpio_command(verb, rest);
+        return board_gpio_command(verb, rest);
     return 0;
 }
 
-static int __init kit_init(void)
+static int __init board_init(void)
 {
-    int status = kit_log_init(1024UL * log_kb);
+    int status = board_log_init(1024UL * log_kb);
 
     if (status)
         return status;
-    platform = platform_device_register_simple("pinhole-kit", -1, NULL, 0);
+    platform = platform_device_register_simple("virtual-board", -1, NULL, 0);
     if (IS_ERR(platform)) {
-        kit_log_exit();
+        board_log_exit();
         return PTR_ERR(platform);
     }
     plugged = 1;
-    status = kit_gpio_init(&platform->dev);
-    status = status ? status : kit_spi_init(&platform->dev);
+    status = board_gpio_init(&platform->dev);
+    status = status ? status : board_spi_init(&platform->dev);
     status = status ? status : misc_register(&misc);
     if (status) {
         unplug();
         platform_device_unregister(platform);
-        kit_log_exit();
+        board_log_exit();
     }
     return status;
 }
 
-static void __exit kit_exit(void)
+static void __exit board_exit(void)
 {
     misc_deregister(&misc);
     cancel_work_sync(&unplug_later);
     unplug();
     platform_device_unregister(platform);
-    kit_log_exit();
+    board_log_exit();
 }
 
-module_init(kit_init);
-module_exit(kit_exit);
+module_init(board_init);
+module_exit(board_exit);
 MODULE_LICENSE("Dual MIT/GPL");
 MODULE_DESCRIPTION("A display kit's header without the hardware, for tests");

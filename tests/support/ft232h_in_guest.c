@@ -12,29 +12,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct ft232h kit;
+static struct ft232h backend;
 
 /* Opens, tries and closes; the first error. For runs in which the device fails somewhere. */
 static int send_frames(const char *serial)
 {
     static uint8_t bytes[115200];
-    memset(&kit, 0, sizeof kit);
-    kit.serial = serial;
-    int status = ft232h_ops.open(&kit, &board_ft232h_st7789);
+    memset(&backend, 0, sizeof backend);
+    backend.serial = serial;
+    int status = ft232h_ops.open(&backend, &board_ft232h_st7789);
     if (status == 0) {
-        const int32_t clock = ft232h_ops.bus_clock(&kit, 30000000);
+        const int32_t clock = ft232h_ops.bus_clock(&backend, 30000000);
         status = clock < 0 ? clock : 0;
     }
     for (int i = 0; i < 3 && status == 0; i++) {
-        status = ft232h_ops.bus_write(&kit, HAL_COMMAND, bytes, 1);
-        status = status != 0 ? status : ft232h_ops.bus_write(&kit, HAL_DATA, bytes, sizeof bytes);
+        status = ft232h_ops.bus_write(&backend, HAL_COMMAND, bytes, 1);
+        status = status != 0 ? status : ft232h_ops.bus_write(&backend, HAL_DATA, bytes, sizeof bytes);
     }
-    status = status != 0 ? status : ft232h_ops.bus_wait(&kit);
+    status = status != 0 ? status : ft232h_ops.bus_wait(&backend);
     if (status != 0) {
-        puts(ft232h_error(&kit));
+        puts(ft232h_error(&backend));
     }
-    ft232h_ops.close(&kit);
-    ft232h_ops.close(&kit);
+    ft232h_ops.close(&backend);
+    ft232h_ops.close(&backend);
     return status;
 }
 
@@ -43,8 +43,8 @@ static void the_backend_keeps_the_contract(void **state)
     (void)state;
     static const struct board *const boards[] = {&board_ft232h_st7789, &board_ft232h_ili9341};
     for (size_t i = 0; i < sizeof boards / sizeof boards[0]; i++) {
-        const struct hal hal = {&ft232h_ops, &kit};
-        memset(&kit, 0, sizeof kit);
+        const struct hal hal = {&ft232h_ops, &backend};
+        memset(&backend, 0, sizeof backend);
         hal_conforms(&hal, boards[i], "ft232h", true);
     }
 }
@@ -58,14 +58,14 @@ static void the_device_is_listed(void **state)
     assert_int_equal(look.status, 0);
     assert_true(strlen(look.serial) > 0);
     assert_non_null(ft232h_libusb_version(version));
-    memset(&kit, 0, sizeof kit);
-    kit.serial = "no such number";
-    assert_int_equal(ft232h_ops.open(&kit, &board_ft232h_st7789), HAL_ENODEV);
-    assert_non_null(strstr(ft232h_error(&kit), "no FT232H has the serial number no such number; on USB: "));
-    assert_non_null(strstr(ft232h_error(&kit), look.serial));
+    memset(&backend, 0, sizeof backend);
+    backend.serial = "no such number";
+    assert_int_equal(ft232h_ops.open(&backend, &board_ft232h_st7789), HAL_ENODEV);
+    assert_non_null(strstr(ft232h_error(&backend), "no FT232H has the serial number no such number; on USB: "));
+    assert_non_null(strstr(ft232h_error(&backend), look.serial));
 }
 
-int kit_ft232h_tests(void)
+int ft232h_guest_tests(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_backend_keeps_the_contract),
@@ -74,7 +74,7 @@ int kit_ft232h_tests(void)
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
 
-int kit_ft232h_send(const char *serial)
+int ft232h_guest_send(const char *serial)
 {
     return -send_frames(serial);
 }

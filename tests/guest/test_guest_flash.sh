@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# pinhole-flash and a virtual RP2040 in its boot loader (tests/kit): the real program, libusb and kernel. The flash is
+# pinhole-flash and a virtual RP2040 in its boot loader (tests/guest): the real program, libusb and kernel. The flash is
 # compared byte by byte; each refusal is one line, spelt out here; what was cut off is completed by a second run.
-# shellcheck disable=SC2317,SC2016 # functions are called by check; $KIT is the guest's
+# shellcheck disable=SC2317,SC2016 # functions are called by check; $GUEST is the guest's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
-. tests/guest/kit_flash.sh
-kit_begin "pinhole-flash writes a virtual RP2040" libusb-1.0
+. tests/guest/flash_in_guest.sh
+guest_begin "pinhole-flash writes a virtual RP2040" libusb-1.0
 chmod 755 "$dir" # somebody without rights reads the images, too
-kit_build && make_images "$dir" a 50000 b 70001 large 700000 || exit 1
+guest_build && make_images "$dir" a 50000 b 70001 large 700000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"
 printf '\177ELF\001\001\001' >"$dir/a.elf"
 "$dir/uf2" 0x57755a57 0x08000000 "$dir/a.bin" "$dir/stm32.uf2"
@@ -19,8 +19,8 @@ cat >"$dir/in_guest" <<EOT
 images=$dir
 EOT
 cat >>"$dir/in_guest" <<'EOT'
-. tests/guest/kit_flash.sh
-cd $KIT
+. tests/guest/flash_in_guest.sh
+cd $GUEST
 for flash in uf2 bin kept small stalls cut int killed; do cp $images/old $flash; done
 run none $images/a.uf2
 run list-none --list
@@ -29,9 +29,9 @@ plug --flash bin
 run bin $images/b.bin --no-reboot --no-verify
 run list --list
 run again $images/b.bin --serial E0C9125B0D9B
-wait $kit_device
+wait $usb_device
 run left --list
-plug --flash kept && one=$kit_device
+plug --flash kept && one=$usb_device
 for image in a.elf stm32.uf2 ram.uf2 short.uf2 nothing.uf2; do run refuse-$image $images/$image; done
 run serial $images/a.uf2 --serial NONE
 plug --flash kept
@@ -42,8 +42,8 @@ pull
 run_on small small "--flash-bytes 524288" $images/large.bin
 run_on rp2350 kept "--product f" $images/a.uf2
 plug --flash kept && chmod 600 /dev/bus/usb/*/*
-kit_wrap="setpriv --reuid 65534 --clear-groups" run nouser $images/a.uf2
-kit_wrap="setpriv --reuid 65534 --clear-groups" run list-nouser --list
+guest_wrap="setpriv --reuid 65534 --clear-groups" run nouser $images/a.uf2
+guest_wrap="setpriv --reuid 65534 --clear-groups" run list-nouser --list
 pull
 plug --flash kept --hang-after 0
 run hang $images/a.uf2 &
@@ -66,15 +66,15 @@ plug --flash uf2
 script -qec "stty rows 24 cols 80; $B/pinhole-flash $images/a.uf2" /dev/null >terminal
 pull
 EOT
-kit_guest --timeout 200 --out "$dir/kit" -- bash "$dir/in_guest" >"$dir/log" 2>&1
-kit_out=$dir/kit
+guest_run --icount --timeout 2500 --out "$dir/guest" -- bash "$dir/in_guest" >"$dir/log" 2>&1
+guest_out=$dir/guest
 
 again='plug it in with BOOTSEL held and run this again'
 nobody='no RP2040 in its boot loader (2e8a:0003) on USB; plug it in with BOOTSEL held, or send B to the UART of a running image'
 two="2 RP2040s match: @, @; choose one with --serial BUS:ADDRESS (their serial numbers are alike)"
 
 flash_is() { # flash's name, image, zeros|erased
-    holds "$kit_out/$1" "$dir/$2" "$3" "$dir/old"
+    holds "$guest_out/$1" "$dir/$2" "$3" "$dir/old"
 }
 
 refused() { # image, line
@@ -82,33 +82,33 @@ refused() { # image, line
 }
 
 two_are_listed() {
-    sed -i 's/[0-9]*:[0-9]* (E0C9125B0D9B)/@/g' "$kit_out/two.err"
-    ended two 1 "$two" && [ "$(grep -c '^[0-9]*:[0-9]* E0C9125B0D9B$' "$kit_out/list-two.out")" = 2 ] &&
-        [ "$(sort -u "$kit_out/list-two.out" | wc -l)" = 2 ] && ended list-two 0 ""
+    sed -i 's/[0-9]*:[0-9]* (E0C9125B0D9B)/@/g' "$guest_out/two.err"
+    ended two 1 "$two" && [ "$(grep -c '^[0-9]*:[0-9]* E0C9125B0D9B$' "$guest_out/list-two.out")" = 2 ] &&
+        [ "$(sort -u "$guest_out/list-two.out" | wc -l)" = 2 ] && ended list-two 0 ""
 }
 
 # All the boards that were cut off, and one second run.
 cut_is_completed() {
     local n
     for n in 0 50 20000 53000; do
-        ended "cut-$n" 1 "$(sed 's/^pinhole-flash: RP2040 [0-9:]*: /RP2040 @: /' "$kit_out/cut-$n.err")" || return 1
-        grep -Eq ': unplugged while (preparing|erasing|writing) 0x100[0-9a-f]{5}; '"$again\$" "$kit_out/cut-$n.err" || { cat "$kit_out/cut-$n.err" && return 1; }
+        ended "cut-$n" 1 "$(sed 's/^pinhole-flash: RP2040 [0-9:]*: /RP2040 @: /' "$guest_out/cut-$n.err")" || return 1
+        grep -Eq ': unplugged while (preparing|erasing|writing) 0x100[0-9a-f]{5}; '"$again\$" "$guest_out/cut-$n.err" || { cat "$guest_out/cut-$n.err" && return 1; }
     done
     ended cut 0 "" && flash_is cut b.bin zeros
 }
 
 stopped() { # name, status, flash
-    [ "$(cat "$kit_out/$1.status")" = "$2" ] || { cat "$kit_out/$1.status" "$kit_out/$1.err" && return 1; }
+    [ "$(cat "$guest_out/$1.status")" = "$2" ] || { cat "$guest_out/$1.status" "$guest_out/$1.err" && return 1; }
     said "$1-list" '@ E0C9125B0D9B' && ended "$3" 0 "" && flash_is "$3" large.bin zeros
 }
 
 interrupt_is_one_line() {
-    [ "$(wc -l <"$kit_out/INT.err")" = 1 ] &&
-        grep -Eq ': stopped before (erasing|writing|reading back) 0x[0-9a-f]{8}; the board stays in its boot loader: run this again$' "$kit_out/INT.err"
+    [ "$(wc -l <"$guest_out/INT.err")" = 1 ] &&
+        grep -Eq ': stopped before (erasing|writing|reading back) 0x[0-9a-f]{8}; the board stays in its boot loader: run this again$' "$guest_out/INT.err"
 }
 
 a_terminal_shows_a_bar() {
-    tr '\r' '\n' <"$kit_out/terminal" >"$dir/terminal"
+    tr '\r' '\n' <"$guest_out/terminal" >"$dir/terminal"
     grep -Eq '^writing +\[#+ +\] +[0-9]+ %$' "$dir/terminal" && grep -Eq '^reading back +\[#+ +\] +[0-9]+ %$' "$dir/terminal" &&
         tail -n 2 "$dir/terminal" | grep -q '50176 bytes written, read back and equal, started'
 }
@@ -123,18 +123,18 @@ check "... and has left then" ended left 1 "$nobody"
 check "no board" eval 'ended none 1 "$nobody" && ended list-none 1 "$nobody"'
 check "an RP2350 is another board" ended rp2350 1 "${nobody/ on USB/ on USB (an RP2350 is, which needs another image)}"
 check "several boards, which have the same serial number" two_are_listed
-check "a serial number that no board has" eval 'sed -i "s/[0-9]*:[0-9]* (E0/@ (E0/" "$kit_out/serial.err" && ended serial 1 "no RP2040 in its boot loader is '\''NONE'\''; on USB: @ (E0C9125B0D9B)"'
+check "a serial number that no board has" eval 'sed -i "s/[0-9]*:[0-9]* (E0/@ (E0/" "$guest_out/serial.err" && ended serial 1 "no RP2040 in its boot loader is '\''NONE'\''; on USB: @ (E0C9125B0D9B)"'
 check "no permission names the rule" ended nouser 1 'RP2040 @: no permission; copy boards/udev/60-pinhole.rules to /etc/udev/rules.d, run udevadm control --reload, and plug it in again'
-check "... for --list, too" eval 'said list-nouser "@ (cannot be opened)" && grep -q 60-pinhole.rules "$kit_out/list-nouser.err"'
+check "... for --list, too" eval 'said list-nouser "@ (cannot be opened)" && grep -q 60-pinhole.rules "$guest_out/list-nouser.err"'
 check "another program has the board" ended busy 1 'RP2040 @: in use by another program; end that one'
 check "an ELF" refused a.elf 'an ELF file, which is for debuggers; give the .uf2 or .bin beside it'
 check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), not for an RP2040 (0xe48bff56)'
 check "a UF2 for RAM" refused ram.uf2 'block 0 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)'
 check "a truncated UF2" refused short.uf2 'truncated: block 0 says that there are 196 blocks, the file has 100'
 check "a file that is not there" refused nothing.uf2 'cannot be opened: No such file or directory'
-check "... and nothing of this has touched the flash" cmp "$dir/old" "$kit_out/kept"
+check "... and nothing of this has touched the flash" cmp "$dir/old" "$guest_out/kept"
 check "an image that is larger than the flash" ended small 1 'RP2040 @: the image ends at 0x100aafff, the board'\''s flash of 524288 bytes at 0x1007ffff; nothing was changed'
-check "... which is as it was" cmp "$dir/old" "$kit_out/small"
+check "... which is as it was" cmp "$dir/old" "$guest_out/small"
 check "a board that refuses each command once gets its image" eval 'ended stalls 0 "" && flash_is stalls a.bin zeros'
 check "a board that refuses everything" ended stall 1 "RP2040 @: the board refuses writing 0x10002000 (no reason given); pull it out, $again"
 check "a board that does not answer" ended hang 1 "RP2040 @: no answer for 3 s while preparing 0x10000000; pull it out, $again"

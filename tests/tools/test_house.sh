@@ -1,0 +1,171 @@
+#!/usr/bin/env bash
+# The house rules that a tool can check: what the libraries export, who may include whom, how large folders, functions and
+# the README may be, how comments begin. Each check is tried on an example that breaks its rule, too.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+product=(firmware hal host-sim boards)
+
+none() { # command that prints what breaks a rule
+    local found
+    found=$("$@")
+    [ -z "$found" ] || { head -n 30 <<<"$found" && return 1; }
+}
+
+sees() { # pattern, command that must print it
+    local found
+    found=$("${@:2}")
+    grep -q -- "$1" <<<"$found" || { echo "says: '$found'" && return 1; }
+}
+
+# ---- exported symbols ----------------------------------------------------------------------------
+
+# Prefixes that a library may use: the names of its folders and of its source files, of which a symbol takes one.
+prefixes() { # folder...
+    find "$@" \( -type d -o -name '*.[ch]' \) | sed 's|.*/||; s|\.[ch]$||; s|-|_|g' | sort -u
+}
+
+# Exported symbols that begin with none of the prefixes on stdin.
+symbols_without() { # library or object
+    awk 'NR == FNR { allowed[$1]; next }
+        NF == 3 && $2 ~ /^[A-Z]$/ {
+            for (n = length($3); n > 0; n--) {
+                if ((n == length($3) || substr($3, n + 1, 1) == "_") && substr($3, 1, n) in allowed) { next }
+            }
+            print $3
+        }' - <(nm -g --defined-only "$1" 2>/dev/null)
+}
+
+foreign_symbols() { # library, folder...
+    prefixes "${@:2}" | symbols_without "$1"
+}
+
+core_symbols() { printf '%s\n' ph fx | symbols_without "$B/libpinhole.a"; }
+
+a_foreign_symbol() { # C text
+    echo "$1" | cc -c -x c - -o "$dir/symbol.o" && printf '%s\n' ph fx | symbols_without "$dir/symbol.o"
+}
+
+# ---- circles -------------------------------------------------------------------------------------
+
+# "FROM TO" for each include between modules. A module is a source with the header of its name beside it; a public header,
+# which lies a folder above what is behind it, is a module of its own. Of a name that is found twice (a file of a CPU
+# replaces the portable one) both count.
+includes() { # folder...
+    find "$@" -name '*.[chS]' | while read -r file; do
+        echo "file $file"
+        sed -n 's/^ *# *include "\([^"]*\)".*/include \1/p' "$file"
+    done | awk '
+        function stem(path) { sub(/\.[chS]$/, "", path); return path }
+        function folder(path) { return match(path, /.*\//) ? substr(path, 1, RLENGTH - 1) : "" }
+        $1 == "file" { file = $2; here[file]; next }
+        { from[++n] = file; what[n] = $2 }
+        END {
+            for (i = 1; i <= n; i++) {
+                beside = folder(from[i]) "/" what[i]
+                for (path in here) {
+                    if (beside in here ? path == beside : substr(path, length(path) - length(what[i])) == "/" what[i]) {
+                        if (stem(from[i]) != stem(path)) { print stem(from[i]), stem(path) }
+                    }
+                }
+            }
+        }' | sort -u
+}
+
+circles() { includes "$@" | tsort 2>&1 >/dev/null | sed 's/^tsort: //'; }
+
+a_circle() {
+    mkdir -p "$dir/circle" && echo '#include "b.h"' >"$dir/circle/a.c" && : >"$dir/circle/a.h"
+    echo '#include "a.h"' >"$dir/circle/b.c" && : >"$dir/circle/b.h"
+    circles "$dir/circle"
+}
+
+# ---- sizes and words -----------------------------------------------------------------------------
+
+too_many() { # folder, how many entries it may have
+    local n
+    n=$(find "$1" -mindepth 1 -maxdepth 1 | wc -l)
+    [ "$n" -le "$2" ] || echo "$1 has $n entries, $2 are allowed"
+}
+
+long_functions() { # lines, folder...
+    find "${@:2}" -name '*.[ch]' | sort | while read -r file; do
+        awk -v most="$1" '
+            /^[a-zA-Z].*\(/ && !/;$/ { head = FNR; name = $0 }
+            /^{/ { open = head ? head : FNR }
+            /^}/ { if (open && FNR - open + 1 > most) { print FILENAME ":" open ": " FNR - open + 1 " lines: " name } open = head = 0 }
+        ' "$file"
+    done
+}
+
+a_long_function() { # lines
+    {
+        echo 'int f(int a)' && echo '{'
+        yes '    a++;' | head -n $(($1 - 3))
+        echo '}'
+    } >"$dir/circle/long.c"
+    long_functions 60 "$dir/circle"
+}
+
+long_readme() { awk 'END { if (NR > 300) { print FILENAME " has " NR " lines, 300 are allowed" } }' "$1"; }
+
+odd_beginnings() { # folder...: comments that have to be read twice
+    grep -rnE --include='*.[chSs]' --include='*.sh' --include='*.mk' --include='*.awk' --include='*.mjs' --include='*.ld' --include=Makefile \
+        '(/\*+|//|^ *#|^ *\*) *(What of|Of this)\b' "$@"
+}
+
+# ---- walls ---------------------------------------------------------------------------------------
+
+# A source file of this room that includes this header must not compile, for want of the header and nothing else.
+wall() { # room, header
+    mkdir -p "$dir/house" && cp -r Makefile firmware hal boards host-sim "$dir/house" || return 1
+    printf '#include "%s"\nextern int nothing;\n' "$2" >"$dir/house/$1/wrong.c"
+    make -s -C "$dir/house" B=walls "walls/$1/wrong.o" >"$dir/wall" 2>&1 && echo "$1 can include $2" && return 1
+    grep -q "$2: No such file" "$dir/wall" || { cat "$dir/wall" && return 1; }
+}
+
+# A header of a folder, the folder's own first.
+header_of() { find "$1" -maxdepth 1 -name '*.h' | sort | sed -n '1s|.*/||p'; }
+
+walls() {
+    wall firmware/core/render hal.h && wall firmware/core/geom runner.h && wall firmware/core/fx "$(header_of firmware/core/render)" &&
+        wall firmware/core/geom "$(header_of firmware/core/render)" && wall firmware/app/demos "$(header_of firmware/core/render)" &&
+        wall firmware/app/demos options.h && wall hal/panel runner.h && wall hal/linux render.h && wall boards/pico-display runner.h &&
+        wall host-sim/sheet "$(header_of host-sim/sim)" && wall host-sim/sheet sim.h && wall host-sim/flash "$(header_of host-sim/model)" &&
+        wall host-sim/common "$(header_of host-sim/model)" && wall host-sim/depth "$(header_of firmware/core/kernels)"
+}
+
+a_hole() { wall firmware/core/render render.h; } # which every room of the core may include
+
+make -s -j2 B="$B" all >"$dir/made" 2>&1 || { cat "$dir/made" && exit 1; }
+check "libpinhole.a exports names with ph_ and fx_ only" none core_symbols
+check "... another name is seen" sees '^other$' a_foreign_symbol 'int other, ph_this; int fx_that(void); int fx_that(void) { return 0; }'
+check "... and one that only begins alike" sees '^phone$' a_foreign_symbol 'int phone;'
+check "libpinhole-app.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-app.a" firmware/app
+check "libpinhole-hal.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-hal.a" hal boards
+check "libpinhole-host.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-host.a" host-sim
+check "... another library's are seen" sees . foreign_symbols "$B/libpinhole-host.a" boards
+check "no two modules include each other, however many lie between" none circles "${product[@]}"
+check "... two that do are seen" sees 'circle/a$' a_circle
+check "host-sim has at most 20 entries" none too_many host-sim 20
+check "hal has at most 20 entries" none too_many hal 20
+check "tests has at most 24 entries" none too_many tests 24
+check "firmware/core has at most 16 entries" none too_many firmware/core 16
+check "... one more is seen" sees 'has [0-9]* entries' too_many boards 1
+check "no function has more than 60 lines" none long_functions 60 "${product[@]}" tests
+check "... one of 61 is seen" sees '61 lines: int f' a_long_function 61
+check "... and none of 60" none a_long_function 60
+check "the README has at most 300 lines" none long_readme README.md
+yes | head -n 301 >"$dir/long.md"
+check "... 301 are seen" sees 'has 301 lines' long_readme "$dir/long.md"
+check "no comment begins with words that have to be read twice" none odd_beginnings "${product[@]}" tests Makefile
+printf 'int a;\n/* %s of a line is drawn. */\n' What >"$dir/circle/odd.c"
+check "... one that does is seen" sees 'odd.c:2' odd_beginnings "$dir/circle"
+check "no room can include what is another's" walls
+check "... a wall with a hole is seen" sees 'can include render.h' a_hole
+tap_end
