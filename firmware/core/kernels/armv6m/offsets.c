@@ -1,5 +1,6 @@
 /* The offsets that the assembly of this CPU takes, held to the structs. See offsets.inc. */
 #include "cull.h"
+#include "matvec.h"
 #include "texture_tile.h"
 #include "triangle.h"
 #include "vertices.h"
@@ -7,5 +8,4 @@
 #include <stddef.h>
 
 #include "offsets.inc"
-
-#include <matvec_offsets.inc>
+#include "matvec_offsets.inc"

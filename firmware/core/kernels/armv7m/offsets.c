@@ -1,2 +1,10 @@
-/* See offsets.inc. */
-#include "../armv6m/offsets.c"
+/* The offsets that the assembly of this CPU takes, held to the structs. See offsets.inc. */
+#include "cull.h"
+#include "texture_tile.h"
+#include "triangle.h"
+#include "vertices.h"
+
+#include <stddef.h>
+
+#include "offsets.inc"
+#include "matvec_offsets.inc"
