@@ -26,5 +26,5 @@ show snake waveshare-pico-lcd-1in3 100 8
 show solar rpi-pirate-audio 40 8
 show turntable lm3s6965evb 0 4
 # shellcheck disable=SC2086 # names without spaces, one word each
-"$B/pinhole-sheet" --width 1024 --out "$out/contact-sheet.ppm" $sheet
+"$B/pinhole-sheet" --width 996 --out "$out/contact-sheet.ppm" $sheet
 echo "  $out/contact-sheet.ppm"

@@ -35,6 +35,7 @@ within_the_bar() {
 }
 
 speed_is_that_of_the_paper() { # every row of the table in tests/bench/README.md, with one core and with two
+    # shellcheck disable=SC2016 # backquotes of Markdown
     awk -F, 'FNR > 1 { print $1, 1e6 / $3, 1e6 / $5 }' "$B/speed/pico-display.csv" | near_the_paper "$(grep -c '^| `[a-z]*` |.*%' tests/bench/README.md)"
 }
 

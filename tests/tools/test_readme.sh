@@ -88,6 +88,7 @@ commands_run() {
 }
 
 anchors() { # FILE: of its headings, as GitHub names them
+    # shellcheck disable=SC2016 # backquotes of Markdown
     sed -n '/^```/,/^```/!s/^##* //p' "$1" | tr 'A-Z ' 'a-z-' | sed 's/[^a-z0-9_-]//g'
 }
 
