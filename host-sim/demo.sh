@@ -16,15 +16,15 @@ show() {
     printf '  %-50s frames: %u\n' "$folder/" "$4"
 }
 
-echo "What the glass of each kit shows, as PPM:"
+echo "What the glass of each panel shows, as PPM:"
+show hitchcock sim-ili9488 128 4
+show shadow sim-ili9488 36 4
+show focus sim-ili9488 32 4
+show fisheye sim-ili9488 32 4
 show turntable waveshare-rp2040-lcd-1in28 0 8
-show torus waveshare-pico-lcd-1in3 8 8
-show testcard rpi-waveshare-1in3 0 1
-show wireframe rpi-pirate-audio 8 8
-show icosphere ft232h-ili9341 8 4
-show cube rpi-display-hat-mini 12 8
+show snake waveshare-pico-lcd-1in3 100 8
+show solar rpi-pirate-audio 40 8
 show turntable lm3s6965evb 0 4
-show ground pico-display 8 8
 # shellcheck disable=SC2086 # names without spaces, one word each
-"$B/pinhole-sheet" --width 1024 --out "$out/contact-sheet.ppm" $sheet
+"$B/pinhole-sheet" --width 996 --out "$out/contact-sheet.ppm" $sheet
 echo "  $out/contact-sheet.ppm"

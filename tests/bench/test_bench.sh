@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # No frame costs more, and no picture is worth less, than what tests/golden/bench.csv says by over 2 %; the counter is
-# validated and the frames are the simulator's (bench.sh sees to both); the README shows these numbers.
+# validated and the frames are the simulator's (bench.sh sees to both); tests/bench/README.md shows these numbers.
 # After a change for the better: make bench && cp build/bench.csv tests/golden/bench.csv
 # shellcheck disable=SC2317 # functions are called by check
 set -u
@@ -36,13 +36,13 @@ worse_is_seen() {
     [ "$(worse "$golden" "$dir/new" | wc -l)" = 1 ]
 }
 
-readme_rows() { # as in the README: scene, then for each core ours, the bar, the best peer
+readme_rows() { # as in README.md here: scene, then for each core ours, the bar, the best peer
     awk -F, '$3 == "minstr" { row[$2] = row[$2] sprintf(" %.2f | %s | %.2f |", $4, $5, $7) } END { for (s = 1; s <= 5; s++) { print "| S" s " |" row["S" s] } }' "$golden"
 }
 
 readme_agrees() {
     local row
-    while read -r row; do grep -qxF "$row" README.md || { echo "README.md lacks: $row" && return 1; }; done < <(readme_rows)
+    while read -r row; do grep -qxF "$row" tests/bench/README.md || { echo "tests/bench/README.md lacks: $row" && return 1; }; done < <(readme_rows)
 }
 
 musts() { # of the pictures: on every core

@@ -66,3 +66,14 @@ frame_us() {
 }
 
 same() { [ "$(wc -l <"$dir/seen")" = "$1" ] && diff "$dir/expected" "$dir/seen"; }
+
+# Lines `demo frames/s [frames/s with two cores]` on stdin: each is within 3 % of the table in tests/bench/README.md, and there
+# are N of them. (A rate below 10 is shown with two digits: one more unit of the last is allowed.)
+near_the_paper() { # N
+    awk -v n="$1" 'function off(now, paper) { return now > paper * 1.03 + 0.05 || now < paper * 0.97 - 0.05 }
+        NR == FNR { if ($0 ~ /^\| `[a-z]*` \| [0-9]/ && NF == 23) { gsub(/`/, "", $2); one[$2] = $4; two[$2] = $14 } next }
+        { seen++ }
+        !($1 in one) { print $1 ": not in the table"; bad = 1; next }
+        off($2, one[$1]) || (NF > 2 && off($3, two[$1])) { print $0 ": the table says " one[$1] ", " two[$1]; bad = 1 }
+        END { if (seen != n) { print seen + 0 " demos" } exit bad || seen != n }' tests/bench/README.md -
+}

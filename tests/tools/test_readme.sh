@@ -10,7 +10,7 @@ B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-readmes=(README.md */README.md)
+readmes=(README.md */README.md */*/README.md)
 
 block() { # language, pattern: the first fenced block of that language in which a line matches, in any README.md
     awk -v fence="^\`\`\`$1\$" -v pattern="$2" '
@@ -19,16 +19,16 @@ block() { # language, pattern: the first fenced block of that language in which 
         inside { text = text $0 "\n"; if ($0 ~ pattern) { found = 1 } }' "${readmes[@]}"
 }
 
-program_prints_what_is_shown() {
+program_prints_what_is_shown() { # built by the command that stands below it
     block c 'int main' >"$dir/hello.c"
     block text '####' >"$dir/expected"
-    if [ ! -s "$dir/hello.c" ] || [ ! -s "$dir/expected" ]; then
-        echo "no program or no output in README.md"
+    local command
+    command=$(block sh '-o hello' | sed "s#^cc#cc -std=c11 -Wall -Wextra -Werror#; s#hello\.c#$dir/hello.c#; s#build/#$B/#; s#-o hello.*#-o $dir/hello#")
+    if [ ! -s "$dir/hello.c" ] || [ ! -s "$dir/expected" ] || [ -z "$command" ]; then
+        echo "no program, no command or no output in README.md"
         return 1
     fi
-    make -s B="$B" all || return 1
-    cc -std=c11 -Wall -Wextra -Werror -Ifirmware/core/kernels/portable -Ifirmware/core "$dir/hello.c" "$B/libpinhole.a" -o "$dir/hello" &&
-        "$dir/hello" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
+    make -s B="$B" all && bash -c "$command" && "$dir/hello" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
 }
 
 # What the README's board.c and show() do on a simulated kit: the whole glass gets the background, nobody complains.
@@ -87,12 +87,28 @@ commands_run() {
     mkdir -p "$dir/build" && ln -sf "$(realpath "$B")/pinhole-sim" "$dir/build" && (cd "$dir" && bash -e commands)
 }
 
+anchors() { # FILE: of its headings, as GitHub names them
+    # shellcheck disable=SC2016 # backquotes of Markdown
+    sed -n '/^```/,/^```/!s/^##* //p' "$1" | tr 'A-Z ' 'a-z-' | sed 's/[^a-z0-9_-]//g'
+}
+
 links_exist() {
-    local readme link missing=0
+    local readme link file anchor missing=0
     for readme in "${readmes[@]}"; do
         while read -r link; do
-            [ -e "$(dirname "$readme")/$link" ] || { echo "$readme: $link" && missing=1; }
-        done < <(grep -oE '\]\([^)#]+' "$readme" | cut -c3- | grep -v '^http')
+            file=${link%%#*} anchor=${link#"${link%%#*}"}
+            file=${file:+$(dirname "$readme")/$file}
+            [ -e "${file:-$readme}" ] || { echo "$readme: $link" && missing=1 && continue; }
+            [ -z "$anchor" ] || anchors "${file:-$readme}" | grep -qx -- "${anchor#\#}" || { echo "$readme: $link: no such heading" && missing=1; }
+        done < <(grep -oE '\]\([^)]+' "$readme" | cut -c3- | grep -v '^http')
+    done
+    return "$missing"
+}
+
+every_paper_is_linked() { # a README.md that README.md does not name is not found
+    local readme missing=0
+    for readme in "${readmes[@]:1}"; do
+        grep -qF "]($readme" README.md || { echo "$readme" && missing=1; }
     done
     return "$missing"
 }
@@ -104,27 +120,46 @@ targets_exist() {
     done < <(grep -ohE '(^|`)make [a-z][a-z-]*' "${readmes[@]}" | cut -d' ' -f2 | sort -u)
 }
 
-numbers_are_those_of_the_checks() { # budgets and counts, as the README writes them
-    local number name missing=0
-    while read -r number name; do
-        grep -q "$(LC_ALL=C sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/; ta' <<<"$number") $name" README.md || { echo "$number $name" && missing=1; }
+most() { awk -F, -v metric="$1" '$3 == metric && $4 + 0 > most + 0 { most = $4 } END { print most }' tests/golden/bench.csv; }
+
+whole_demos() { # board: how many demos it draws with nothing left out
+    local demo n=0
+    while read -r demo; do
+        "$B/pinhole-sim" --board "$1" --demo "$demo" --crc >/dev/null 2>"$dir/left" && [ ! -s "$dir/left" ] && n=$((n + 1))
+    done < <("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2 }')
+    echo "$n"
+}
+
+numbers_are_those_of_the_checks() { # budgets and counts, as the papers write them
+    local paper number name missing=0 spelled=(none one two three four five six seven eight nine)
+    while read -r paper number name; do
+        grep -q "$(LC_ALL=C sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/; ta' <<<"$number") $name" "$paper" || { echo "$paper: $number $name" && missing=1; }
     done <<EOF
-$(sed -n 's/^BUDGET_CORE_BYTES ?= //p' Makefile) bytes of code
-$(sed -n 's/^stack_max=\([0-9]*\).*/\1/p' tests/firmware/test_objects.sh) bytes of stack
-$(wc -l <tests/golden/frames.txt) frames
+README.md $(sed -n 's/^BUDGET_CORE_BYTES ?= //p' Makefile) bytes of code
+README.md $(sed -n 's/^stack_max=\([0-9]*\).*/\1/p' tests/firmware/test_objects.sh) bytes of stack
+README.md $(wc -l <tests/golden/frames.txt) frames
+README.md $((240 * 16 * 4)) bytes for colour
+firmware/README.md $(whole_demos pico-display) whole
 EOF
+    grep -qF "at most $(most coverage_pct) % of the covered" README.md || { echo "coverage: $(most coverage_pct)" && missing=1; }
+    awk -v rms="$(most depth_rms)" 'BEGIN { exit !(rms > 0 && rms <= 1e-5) }' || { echo "depth: $(most depth_rms)" && missing=1; }
+    grep -qF "with 64 KB ${spelled[$(whole_demos lm3s6965evb)]}" firmware/README.md || { echo "demos of lm3s6965evb" && missing=1; }
     return "$missing"
 }
 
-gallery_makes_the_pictures() {
-    local picture shown=0
+gallery_makes_the_pictures() { # pixel by pixel; the plot of depth is drawn by gnuplot, whose fonts differ
+    local picture made shown=0
     B="$B" host-sim/gallery.sh "$dir/gallery" >"$dir/log" || return 1
     while read -r picture; do
-        [ -s "$dir/gallery/${picture##*/}" ] || { echo "$picture is not made" && return 1; }
+        made=$dir/gallery/$picture
+        [ -s "$made" ] || { echo "$picture is not made" && return 1; }
+        [ "$picture" = depth.png ] || cmp <(convert "host-sim/gallery/$picture" ppm:-) <(convert "$made" ppm:-) || return 1
         shown=$((shown + 1))
-    done < <(grep -oE 'host-sim/gallery/[a-z-]+\.png' README.md)
+    done < <(grep -ohE 'gallery/[a-z-]+\.png' "${readmes[@]}" | cut -d/ -f2 | sort -u)
     [ "$shown" -ge 3 ]
 }
+
+readme_is_short() { [ "$(wc -l <README.md)" -le 300 ]; }
 
 check "the_program_prints_what_is_shown" program_prints_what_is_shown
 check "the_board_and_show_fill_the_glass" board_and_show_fill_the_glass
@@ -136,6 +171,8 @@ else
     check "the_gallery_makes_the_pictures" gallery_makes_the_pictures
 fi
 check "the_links_lead_somewhere" links_exist
+check "every_paper_is_linked" every_paper_is_linked
+check "the_README_has_at_most_300_lines" readme_is_short
 check "the_make_targets_exist" targets_exist
 check "the_numbers_are_those_of_the_checks" numbers_are_those_of_the_checks
 tap_end
