@@ -128,9 +128,9 @@ COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 all: $(PROGRAMS) ## the programs, under build/
 
-# What was built with other flags or from other files is built again; tests link all objects of the core that they find.
+# What was built with other flags or from other files is built again; the bench links all objects of core and app that it finds.
 $(B)/flags: FORCE
-	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -rf $(B)/firmware/core; echo '$(ALL_FLAGS)' >$@; }
+	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -rf $(B)/firmware/core $(B)/firmware/app; echo '$(ALL_FLAGS)' >$@; }
 
 $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
