@@ -66,6 +66,7 @@ installs_and_uninstalls() {
 }
 
 boards_come_from_elsewhere() {
+    rm -rf "${B:?}/make-boards" # a folder that was used before names boards that are gone
     mkdir -p "$dir/kits/my-kit" "$dir/empty"
     sed 's/"rpi-pirate-audio"/"my-kit"/; s/board_rpi_pirate_audio/board_my_kit/' boards/rpi-pirate-audio/board.c >"$dir/kits/my-kit/board.c"
     make -s -j2 B="$B/make-boards" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb CFLAGS=-O0 \
