@@ -1,6 +1,5 @@
 /* See memory_plan.h. */
 #include "memory_plan.h"
-#include "runner.h"
 
 #define WIRE_MAX    4096 /* bytes of scratch memory for the panel driver */
 #define BUFFERS_MIN 2U   /* one is drawn while the other is sent */

@@ -15,15 +15,12 @@
 #ifndef MEMORY_PLAN_H
 #define MEMORY_PLAN_H
 
-#include "board.h"
-#include "demo.h"
+#include "runner_config.h"
 
 /* What an image needs beside the runner's memory: stack and variables. A board's budget is without it. */
 #define RUNNER_OTHER_BYTES 8192
 
 #define RUNNER_BANDS_MAX 16 /* band buffers */
-
-struct runner_config; /* runner.h */
 
 /* What a board gives to its runner: ram_bytes without RUNNER_OTHER_BYTES. */
 uint32_t runner_budget(const struct board *board);

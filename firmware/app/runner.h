@@ -10,7 +10,7 @@
  * runner_frame returns while the last bands are still on the wire, so that the next scene is made meanwhile. It calls
  * runner_buttons, runner_scene and runner_send; a caller who wants to know which of them failed calls them itself.
  *
- * memory_plan.h says how the memory is shared out, and how much a board needs.
+ * runner_config.h has the configuration; memory_plan.h says how the memory is shared out, and how much a board needs.
  */
 #ifndef RUNNER_H
 #define RUNNER_H
@@ -18,28 +18,6 @@
 #include "memory_plan.h"
 #include "panel_diff.h"
 #include "panel_tiles.h"
-
-struct runner_config {
-    const struct board *board;
-    uint8_t rotation;        /* enum panel_rotation */
-    uint8_t depth_format;    /* enum ph_depth_format */
-    uint16_t band_height;    /* lines; more than the picture has: the whole picture */
-    uint32_t clock_hz;       /* bus clock asked for; 0: the board's */
-    uint32_t budget_bytes;   /* for all memory on a 32-bit target, in bands of the board's own height (the picture does
-                                not depend on band_height); see runner_budget() */
-    const struct demo *demo; /* the first; the select button takes the next on demo_list that fits */
-    void *state;             /* that demo finds it in context->state; or NULL */
-    const char *view;        /* one of its views, or NULL: the first */
-    struct demo_camera camera;
-    bool (*other_core)(void (*run)(void *argument), void *argument); /* see struct ph_config; may be NULL */
-    void (*other_core_join)(void);
-    bool overlay;               /* frame time of the bus and triangles over the picture */
-    struct panel_sender sender; /* zero: every frame whole. For panel_diff_sender() or panel_tiles_sender() call
-                                   panel_diff_init() or panel_tiles_init() after runner_open(), before the first frame.
-                                   Without a queue in the backend tiles are not used: every frame is sent whole */
-    void *memory;               /* 8-byte aligned; the runner's until runner_close */
-    size_t memory_bytes;        /* runner_bytes() or more */
-};
 
 /* Read-only for the caller: demo, context, renderer.stats, driver. Holds no pointer into itself. */
 struct runner {

@@ -6,21 +6,10 @@
 #include "mpsse.h"
 
 #include <errno.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 #include <time.h>
 
 enum { PIN_CLOCK = 1, PIN_DATA = 2, PIN_DATA_IN = 4 }; /* bits of AD0, AD1, AD2 */
-
-int ft232h_fail(char *error, int status, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(error, FT232H_ERROR_SIZE, format, arguments);
-    va_end(arguments);
-    return status;
-}
 
 /* ---- pins --------------------------------------------------------------------------------------- */
 

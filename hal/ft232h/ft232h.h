@@ -22,9 +22,9 @@
 #define HAL_FT232H_H
 
 #include "board.h"
+#include "fail.h"
 #include "hal.h"
 
-#define FT232H_ERROR_SIZE  384
 #define FT232H_SERIAL_SIZE 32
 #define FT232H_WAIT_MS     1000
 #define FT232H_FLUSH_BYTES 512 /* a shorter write waits for the next one, or for bus_wait */

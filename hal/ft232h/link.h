@@ -6,16 +6,16 @@
 #ifndef HAL_FT232H_LINK_H
 #define HAL_FT232H_LINK_H
 
-#include "ft232h.h"
+#include "fail.h"
+#include "hal.h"
+
+struct ft232h_usb; /* one link; usb/link.c */
 
 /*
  * Finds the FT232H (serial: NULL for the only one), takes it from the kernel's serial driver and starts its MPSSE.
  * error must stay until ft232h_link_close.
  */
 int ft232h_link_open(struct ft232h_usb **link, const char *serial, char *error);
-
-/* Writes the line to error (FT232H_ERROR_SIZE), cut to what fits, and returns status. Defined in ft232h.c. */
-int ft232h_fail(char *error, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Tells the clock from here on, for the time-outs. All answers asked for before must have been read. */
 void ft232h_link_pace(struct ft232h_usb *link, uint32_t hz);

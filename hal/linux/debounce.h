@@ -6,7 +6,7 @@
 #ifndef HAL_LINUX_DEBOUNCE_H
 #define HAL_LINUX_DEBOUNCE_H
 
-#include "linux.h"
+#include "linux_types.h"
 
 /* Starts with the contact as it is. */
 void linux_debounce_start(struct linux_button *button, bool pressed, uint64_t now_ns);

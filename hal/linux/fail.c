@@ -1,6 +1,8 @@
 /* See fail.h. */
 #include "fail.h"
 
+#include "hal.h"
+
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef HAL_LINUX_FAIL_H
 #define HAL_LINUX_FAIL_H
 
-#include "linux.h"
+#include "linux_look.h"
 
 /* Linux' errno (> 0) as a status of hal.h. A number that hal.h does not list becomes HAL_EIO. */
 int linux_status(int number);

@@ -5,7 +5,7 @@
 #ifndef HAL_LINUX_GPIO_LINES_H
 #define HAL_LINUX_GPIO_LINES_H
 
-#include "linux.h"
+#include "linux_types.h"
 
 #define GPIO_CONSUMER "pinhole"
 

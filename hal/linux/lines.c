@@ -2,6 +2,7 @@
 #include "lines.h"
 
 #include "fail.h"
+#include "hal.h"
 
 #include <errno.h>
 #include <stdio.h>

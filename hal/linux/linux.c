@@ -41,7 +41,7 @@ static int set_line(struct linux_hal *h, struct linux_line *line, const char *wh
 /* Keeps the least: that is what the system calls take while the computer does nothing else. */
 static void note_short_write(struct linux_hal *h, size_t n, uint64_t took_ns)
 {
-    const uint64_t bits_ns = 8000000000U * n / h->clock_hz;
+    const uint64_t bits_ns = 8000000000U * n / h->spi.clock_hz;
     const uint64_t ns = took_ns > bits_ns ? took_ns - bits_ns : 0;
     h->write_ns = ns < h->write_ns ? ns : h->write_ns;
 }
@@ -58,13 +58,13 @@ static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes,
     }
     for (size_t sent = 0; sent < n && status == HAL_OK;) {
         const size_t piece = linux_spi_piece(n - sent, h->bufsiz);
-        status = linux_spi_send(h, bytes + sent, piece, h->error);
+        status = linux_spi_send(&h->spi, bytes + sent, piece, h->error);
         sent += piece;
     }
     if (n >= LINUX_MEASURED_BYTES && status == HAL_OK) {
         h->sent_bytes += n;
         h->sent_ns += now_ns() - start_ns;
-    } else if (n <= LINUX_INLINE_BYTES && moves && status == HAL_OK && h->clock_hz > 0) {
+    } else if (n <= LINUX_INLINE_BYTES && moves && status == HAL_OK && h->spi.clock_hz > 0) {
         note_short_write(h, n, now_ns() - start_ns);
     }
     return status;
@@ -154,25 +154,13 @@ static void linux_close(void *context)
     linux_gpio_release(&h->backlight);
     linux_gpio_release(&h->reset);
     linux_gpio_release(&h->dc);
-    if (h->spi >= 0) {
-        close(h->spi);
+    if (h->spi.descriptor >= 0) {
+        close(h->spi.descriptor);
     }
     pthread_cond_destroy(&h->changed);
     pthread_mutex_destroy(&h->mutex);
-    h->spi = -1;
+    h->spi.descriptor = -1;
     h->opened = false;
-}
-
-static int open_bus(struct linux_hal *h)
-{
-    const size_t bufsiz = linux_spi_bufsiz();
-    const int named = linux_spi_name(h->spi_name, h->board, h->spi_path, h->error);
-    if (named < 0) {
-        return named;
-    }
-    h->spi = linux_spi_open(h->spi_name, h->board->spi_mode, h->error);
-    h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
-    return h->spi < 0 ? h->spi : HAL_OK;
 }
 
 /* Takes an output whose first level, in the sense of hal.h, is `level`. */
@@ -220,16 +208,17 @@ static int linux_open(void *context, const struct board *board)
     struct linux_hal *h = context;
     linux_close(h);
     const char *path = h->spi_path;
+    const size_t bufsiz = linux_spi_bufsiz();
     memset(h, 0, sizeof *h);
     h->spi_path = path;
     h->board = board;
-    h->spi = -1;
+    h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
     h->dc_now = HAL_COMMAND;
     h->write_ns = UINT64_MAX;
     h->opened = true;
     pthread_mutex_init(&h->mutex, NULL);
     pthread_cond_init(&h->changed, NULL);
-    int status = open_bus(h);
+    int status = linux_spi_open(&h->spi, board, path, h->error);
     status = status < 0 ? status : open_lines(h);
     status = status < 0 ? status : open_buttons(h);
     status = status < 0 ? status : start_sender(h);
@@ -249,11 +238,9 @@ static int32_t linux_bus_clock(void *context, uint32_t hz)
         return status;
     }
     if (hz == 0) {
-        return linux_fail(h->error, HAL_EINVAL, "%s: a clock of 0 Hz was asked for", h->spi_name);
+        return linux_fail(h->error, HAL_EINVAL, "%s: a clock of 0 Hz was asked for", h->spi.name);
     }
-    const int32_t got = linux_spi_clock(h->spi, h->spi_name, hz, h->error);
-    h->clock_hz = got > 0 ? (uint32_t)got : h->clock_hz;
-    return got;
+    return linux_spi_clock(&h->spi, hz, h->error);
 }
 
 static int linux_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
@@ -299,13 +286,13 @@ static int linux_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t
         return linux_fail(h->error, HAL_ENOSYS, "board %s has no data line from the panel", h->board->name);
     }
     if (n == 0 || n > linux_spi_piece(n, h->bufsiz)) {
-        return linux_fail(h->error, HAL_EINVAL, "%s: %zu bytes cannot be read at once", h->spi_name, n);
+        return linux_fail(h->error, HAL_EINVAL, "%s: %zu bytes cannot be read at once", h->spi.name, n);
     }
     if (h->dc_now != HAL_COMMAND) {
         status = set_line(h, &h->dc, "D/C", false);
         h->dc_now = status == HAL_OK ? HAL_COMMAND : -1;
     }
-    return status < 0 ? status : linux_spi_read(h, command, bytes, n, h->error);
+    return status < 0 ? status : linux_spi_read(&h->spi, command, bytes, n, h->error);
 }
 
 static int linux_pin_set(void *context, enum hal_pin pin, bool level)

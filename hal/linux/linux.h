@@ -20,45 +20,26 @@
  * of a kit. Kits do not know of each other.
  *
  * Without libgpiod (its folder is chosen when Pinhole is built) a board with lines cannot be opened, and says so.
+ * linux_look.h looks at SPI and lines without taking them.
  */
 #ifndef HAL_LINUX_H
 #define HAL_LINUX_H
 
-#include "board.h"
 #include "hal.h"
+#include "linux_look.h"
+#include "linux_types.h"
 
 #include <pthread.h>
 
 #define LINUX_INLINE_BYTES 64 /* they are sent sooner than a thread wakes up */
-#define LINUX_ERROR_SIZE   384
-#define LINUX_PATH_SIZE    64
-
-/* One line that was taken. Private; gpio_lines.h. */
-struct linux_line {
-    void *chip, *request, *events; /* libgpiod's; request NULL: not wired */
-    unsigned offset;
-    bool active_low;
-};
-
-/* One button's contacts, debounced. Private; debounce.h. */
-struct linux_button {
-    struct linux_line line;
-    bool raw;         /* level at its last edge */
-    bool held;        /* debounced */
-    bool was_held;    /* pressed since the last look */
-    uint64_t edge_ns; /* time of the last edge */
-    uint64_t held_ns; /* time of the last change of held */
-};
 
 /* All members are private but spi_path. */
 struct linux_hal {
     const char *spi_path; /* set before open; NULL: /dev/spidevBUS.SELECT of the board */
 
     const struct board *board;
-    char spi_name[LINUX_PATH_SIZE]; /* the path that was opened */
-    int spi;                        /* descriptor */
-    uint32_t clock_hz;
-    size_t bufsiz;
+    struct linux_spi spi;
+    size_t bufsiz; /* spidev's limit on one message, bytes */
     struct linux_line dc, reset, backlight, tearing;
     struct linux_button buttons[BOARD_BUTTONS_MAX];
     int dc_now; /* enum hal_dc on the line; -1: not known */
@@ -92,38 +73,5 @@ const char *linux_hal_error(const struct linux_hal *h);
  * wire, which spidev does not tell. 0: none were sent. Call it while no write is under way (after bus_wait).
  */
 uint32_t linux_hal_bits_per_second(const struct linux_hal *h);
-
-/* ---- for `pinhole-panel doctor`: looks, takes nothing -------------------------------------------- */
-
-/* spidev's limit on one message, bytes; 0: there is no spidev. */
-size_t linux_spi_bufsiz(void);
-
-struct linux_spi_look {
-    char path[LINUX_PATH_SIZE];
-    uint32_t asked_hz, got_hz; /* got: the clock that spidev keeps */
-};
-
-/*
- * Opens the board's SPI device (or path, if not NULL), sets mode and clock as linux_ops would, and closes it. Returns
- * 0, or the error that open would return, with its line in error.
- */
-int linux_spi_look(const struct board *board, const char *path, struct linux_spi_look *look,
-                   char error[LINUX_ERROR_SIZE]);
-
-struct linux_line_look {
-    char chip[LINUX_PATH_SIZE]; /* "/dev/gpiochip0" */
-    char label[32], name[32];   /* as the kernel says */
-    unsigned offset;
-    bool taken;
-    char holder[32]; /* if taken: the consumer's name, "" if it gave none */
-};
-
-/* Finds the line of a wired pin of the board. Returns 0, or the error that open would return, with its line in error.
- */
-int linux_line_look(const struct board *board, const struct board_pin *pin, struct linux_line_look *look,
-                    char error[LINUX_ERROR_SIZE]);
-
-/* "1.6.3"; NULL: built without libgpiod. */
-const char *linux_gpiod_version(void);
 
 #endif

@@ -3,6 +3,7 @@
 #include "spi.h"
 
 #include "fail.h"
+#include "hal.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -35,8 +36,8 @@ size_t linux_spi_bufsiz(void)
     return bytes;
 }
 
-int linux_spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path,
-                   char error[LINUX_ERROR_SIZE])
+static int find_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path,
+                     char error[LINUX_ERROR_SIZE])
 {
     const int n = path != NULL ? snprintf(name, LINUX_PATH_SIZE, "%s", path)
                                : snprintf(name, LINUX_PATH_SIZE, "/dev/spidev%u.%u", board->spi_bus, board->spi_select);
@@ -71,88 +72,94 @@ static int refused(const char *name, int number, char error[LINUX_ERROR_SIZE])
     }
 }
 
-int linux_spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE])
+int linux_spi_open(struct linux_spi *spi, const struct board *board, const char *path, char error[LINUX_ERROR_SIZE])
 {
-    uint8_t mode_bits = (uint8_t)mode;
+    uint8_t mode = board->spi_mode;
     uint8_t word_bits = 8;
-    const int spi = open(name, O_RDWR | O_CLOEXEC | O_NOCTTY);
-    if (spi < 0) {
-        return refused(name, errno, error);
+    spi->descriptor = -1;
+    const int named = find_name(spi->name, board, path, error);
+    if (named < 0) {
+        return named;
     }
-    if (ioctl(spi, SPI_IOC_WR_MODE, &mode_bits) < 0 || ioctl(spi, SPI_IOC_WR_BITS_PER_WORD, &word_bits) < 0) {
+    const int opened = open(spi->name, O_RDWR | O_CLOEXEC | O_NOCTTY);
+    if (opened < 0) {
+        return refused(spi->name, errno, error);
+    }
+    if (ioctl(opened, SPI_IOC_WR_MODE, &mode) < 0 || ioctl(opened, SPI_IOC_WR_BITS_PER_WORD, &word_bits) < 0) {
         const int number = errno;
-        close(spi);
-        return number == ENOTTY ? linux_fail(error, HAL_ENODEV, "%s is no SPI device; give a /dev/spidev", name)
-                                : linux_fail(error, linux_status(number), "%s: SPI mode %u is refused: %s", name, mode,
-                                             strerror(number));
+        close(opened);
+        return number == ENOTTY ? linux_fail(error, HAL_ENODEV, "%s is no SPI device; give a /dev/spidev", spi->name)
+                                : linux_fail(error, linux_status(number), "%s: SPI mode %u is refused: %s", spi->name,
+                                             board->spi_mode, strerror(number));
     }
-    return spi;
+    spi->descriptor = opened;
+    return HAL_OK;
 }
 
-int32_t linux_spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE])
+int32_t linux_spi_clock(struct linux_spi *spi, uint32_t hz, char error[LINUX_ERROR_SIZE])
 {
     uint32_t got = hz > INT32_MAX ? INT32_MAX : hz;
-    if (ioctl(spi, SPI_IOC_WR_MAX_SPEED_HZ, &got) < 0 || ioctl(spi, SPI_IOC_RD_MAX_SPEED_HZ, &got) < 0) {
-        return linux_fail(error, linux_status(errno), "%s: a clock of %u Hz cannot be set: %s; ask for another", name,
-                          (unsigned)hz, strerror(errno));
+    if (ioctl(spi->descriptor, SPI_IOC_WR_MAX_SPEED_HZ, &got) < 0 ||
+        ioctl(spi->descriptor, SPI_IOC_RD_MAX_SPEED_HZ, &got) < 0) {
+        return linux_fail(error, linux_status(errno), "%s: a clock of %u Hz cannot be set: %s; ask for another",
+                          spi->name, (unsigned)hz, strerror(errno));
     }
-    return got > 0 && got <= hz && got <= INT32_MAX
-               ? (int32_t)got
-               : linux_fail(error, HAL_EINVAL, "%s: no clock as slow as %u Hz", name, (unsigned)hz);
+    if (got == 0 || got > hz || got > INT32_MAX) {
+        return linux_fail(error, HAL_EINVAL, "%s: no clock as slow as %u Hz", spi->name, (unsigned)hz);
+    }
+    spi->clock_hz = got;
+    return (int32_t)got;
 }
 
-static int message_failed(const struct linux_hal *h, size_t n, char error[LINUX_ERROR_SIZE])
+static int message_failed(const struct linux_spi *spi, size_t n, char error[LINUX_ERROR_SIZE])
 {
     const int number = errno;
     const int status = linux_status(number);
     if (status == HAL_ENODEV) {
-        return linux_fail(error, status, "%s is gone: the SPI device was removed while in use; start again",
-                          h->spi_name);
+        return linux_fail(error, status, "%s is gone: the SPI device was removed while in use; start again", spi->name);
     }
-    return linux_fail(error, status, "%s: sending %zu bytes at %u Hz failed: %s; dmesg may say more", h->spi_name, n,
-                      (unsigned)h->clock_hz, strerror(number));
+    return linux_fail(error, status, "%s: sending %zu bytes at %u Hz failed: %s; dmesg may say more", spi->name, n,
+                      (unsigned)spi->clock_hz, strerror(number));
 }
 
-static struct spi_ioc_transfer transfer_of(const struct linux_hal *h, const void *out, void *in, size_t n)
+static struct spi_ioc_transfer transfer_of(const struct linux_spi *spi, const void *out, void *in, size_t n)
 {
     struct spi_ioc_transfer transfer;
     memset(&transfer, 0, sizeof transfer);
     transfer.tx_buf = (uintptr_t)out;
     transfer.rx_buf = (uintptr_t)in;
     transfer.len = (uint32_t)n;
-    transfer.speed_hz = h->clock_hz;
+    transfer.speed_hz = spi->clock_hz;
     transfer.bits_per_word = 8;
     return transfer;
 }
 
-int linux_spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
+int linux_spi_send(const struct linux_spi *spi, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
 {
-    struct spi_ioc_transfer transfer = transfer_of(h, bytes, NULL, n);
-    return ioctl(h->spi, SPI_IOC_MESSAGE(1), &transfer) < 0 ? message_failed(h, n, error) : HAL_OK;
+    struct spi_ioc_transfer transfer = transfer_of(spi, bytes, NULL, n);
+    return ioctl(spi->descriptor, SPI_IOC_MESSAGE(1), &transfer) < 0 ? message_failed(spi, n, error) : HAL_OK;
 }
 
-int linux_spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
+int linux_spi_read(const struct linux_spi *spi, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE])
 {
-    struct spi_ioc_transfer transfers[2] = {transfer_of(h, &command, NULL, 1), transfer_of(h, NULL, bytes, n)};
-    return ioctl(h->spi, SPI_IOC_MESSAGE(2), transfers) < 0 ? message_failed(h, n + 1, error) : HAL_OK;
+    struct spi_ioc_transfer transfers[2] = {transfer_of(spi, &command, NULL, 1), transfer_of(spi, NULL, bytes, n)};
+    return ioctl(spi->descriptor, SPI_IOC_MESSAGE(2), transfers) < 0 ? message_failed(spi, n + 1, error) : HAL_OK;
 }
 
 int linux_spi_look(const struct board *board, const char *path, struct linux_spi_look *look,
                    char error[LINUX_ERROR_SIZE])
 {
+    struct linux_spi spi;
     error[0] = 0;
     look->asked_hz = board->spi_hz;
     look->got_hz = 0;
-    const int named = linux_spi_name(look->path, board, path, error);
-    if (named < 0) {
-        return named;
+    const int opened = linux_spi_open(&spi, board, path, error);
+    memcpy(look->path, spi.name, sizeof look->path);
+    if (opened < 0) {
+        return opened;
     }
-    const int spi = linux_spi_open(look->path, board->spi_mode, error);
-    if (spi < 0) {
-        return spi;
-    }
-    const int32_t got = linux_spi_clock(spi, look->path, board->spi_hz, error);
-    close(spi);
+    const int32_t got = linux_spi_clock(&spi, board->spi_hz, error);
+    close(spi.descriptor);
     look->got_hz = got < 0 ? 0 : (uint32_t)got;
     return got < 0 ? (int)got : HAL_OK;
 }

@@ -2,7 +2,7 @@
 #ifndef HAL_LINUX_SPI_H
 #define HAL_LINUX_SPI_H
 
-#include "linux.h"
+#include "linux_types.h"
 
 /*
  * Bytes of the next transfer when `left` (> 0) are left. spidev limits the SUM of a message's transfers to bufsiz, each
@@ -11,20 +11,17 @@
  */
 size_t linux_spi_piece(size_t left, size_t bufsiz);
 
-/* Writes the name of the board's device, or path if not NULL. HAL_EINVAL: it is too long. */
-int linux_spi_name(char name[LINUX_PATH_SIZE], const struct board *board, const char *path,
-                   char error[LINUX_ERROR_SIZE]);
-
-/* Opens the device, sets its mode and 8 bits a word; returns the descriptor. */
-int linux_spi_open(const char *name, unsigned mode, char error[LINUX_ERROR_SIZE]);
+/* Opens the board's device, or path if not NULL, sets its mode and 8 bits a word. After an error nothing is open. */
+int linux_spi_open(struct linux_spi *spi, const struct board *board, const char *path, char error[LINUX_ERROR_SIZE]);
 
 /* Sets the clock, hz > 0; returns the clock that spidev keeps. */
-int32_t linux_spi_clock(int spi, const char *name, uint32_t hz, char error[LINUX_ERROR_SIZE]);
+int32_t linux_spi_clock(struct linux_spi *spi, uint32_t hz, char error[LINUX_ERROR_SIZE]);
 
 /* Sends one piece (linux_spi_piece). */
-int linux_spi_send(const struct linux_hal *h, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
+int linux_spi_send(const struct linux_spi *spi, const uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
 
 /* Sends a command byte, then reads n bytes, under one chip select. */
-int linux_spi_read(const struct linux_hal *h, uint8_t command, uint8_t *bytes, size_t n, char error[LINUX_ERROR_SIZE]);
+int linux_spi_read(const struct linux_spi *spi, uint8_t command, uint8_t *bytes, size_t n,
+                   char error[LINUX_ERROR_SIZE]);
 
 #endif

@@ -1,4 +1,6 @@
 /* See sim.h. The bus, the pins and the clock; what the bytes mean is up to the models. */
+#include "sim.h"
+
 #include "sim_model.h"
 
 #include <stdio.h>

@@ -18,6 +18,7 @@
 
 #include "board.h"
 #include "hal.h"
+#include "sim_types.h"
 
 struct sim;
 
@@ -35,15 +36,6 @@ void sim_close(struct sim *sim);
  */
 void sim_pixels(const struct sim *sim, unsigned rotation, uint8_t *rgb);
 
-struct sim_counters {
-    uint64_t bytes;         /* on the wire since power-on */
-    uint64_t command_bytes; /* of them with D/C low */
-    uint64_t bus_ns;        /* time they took */
-    uint64_t pixels;        /* written into the controller's memory */
-    uint32_t writes;        /* calls of bus_write */
-    uint32_t clock_hz;      /* now */
-};
-
 struct sim_counters sim_counters(const struct sim *sim);
 
 /* Simulated time since power-on. */
@@ -54,29 +46,9 @@ void sim_buttons_set(struct sim *sim, uint32_t buttons);
 
 /* ---- complaints --------------------------------------------------------------------------------- */
 
-enum sim_complaint_kind {
-    SIM_UNKNOWN_COMMAND,   /* the controller has not, or the model does not know */
-    SIM_BAD_PARAMETER,     /* a value that the register has not, or a format that SPI has not */
-    SIM_PARAMETER_COUNT,   /* too few or too many parameters */
-    SIM_EARLY_COMMAND,     /* sent before the wait that the datasheet wants after reset or sleep */
-    SIM_SHORT_RESET,       /* reset pulse too short */
-    SIM_PIXELS_ASLEEP,     /* pixels before sleep-out (or in sleep) */
-    SIM_WINDOW_OUTSIDE,    /* a window outside of the memory, or its end before its start */
-    SIM_TOO_MANY_PIXELS,   /* more pixels than the window has */
-    SIM_PIXELS_NOWHERE,    /* data without a command that takes it */
-    SIM_SPLIT_PIXEL,       /* a command in the middle of a pixel */
-    SIM_DC_MOVED,          /* D/C changed inside of a byte */
-    SIM_OVER_CLOCK,        /* clock above the datasheet's write limit (a note only, if board->over_limit) */
-    SIM_ON_WITHOUT_FRAME,  /* display on before a complete frame was written */
-    SIM_LIT_WITHOUT_FRAME, /* backlight on before a complete frame was written */
-    SIM_COMPLAINT_KINDS
-};
-
 /* All of them; of one kind. Notes are not counted. */
 uint32_t sim_complaint_count(const struct sim *sim);
 uint32_t sim_complaint_count_of(const struct sim *sim, enum sim_complaint_kind kind);
-
-#define SIM_COMPLAINTS_KEPT 32
 
 /* One line of text; NULL from the SIM_COMPLAINTS_KEPTth on (they are only counted) and past the last. */
 const char *sim_complaint(const struct sim *sim, uint32_t i);
@@ -85,18 +57,6 @@ const char *sim_complaint(const struct sim *sim, uint32_t i);
 const char *sim_note(const struct sim *sim);
 
 /* ---- faults, to be injected --------------------------------------------------------------------- */
-
-enum sim_fault {
-    SIM_FAULT_NONE,
-    SIM_FAULT_OPEN,        /* open fails with HAL_EACCES */
-    SIM_FAULT_WRITE,       /* the n-th bus_write from now (1 = next) fails with HAL_EIO, nothing is sent */
-    SIM_FAULT_SHORT_WRITE, /* ... fails after half of its bytes are out */
-    SIM_FAULT_CLOCK,       /* bus_clock fails with HAL_EINVAL */
-    SIM_FAULT_DC_EARLY, /* D/C changes half-way in the last byte of the n-th bus_write, as a backend does that does not
-                           wait */
-    SIM_FAULT_DELAY,    /* delay_us does not wait */
-    SIM_FAULT_STUCK,    /* bus_wait fails with HAL_ETIMEDOUT */
-};
 
 void sim_fault(struct sim *sim, enum sim_fault fault, uint32_t n);
 

@@ -3,6 +3,7 @@
  * hal/panel/panels*.c: an error there would pass unseen.
  */
 #include "panels.h"
+#include "sim.h"
 #include "sim_model.h"
 
 #include <stdio.h>

@@ -5,7 +5,11 @@
 #ifndef SIM_MODEL_H
 #define SIM_MODEL_H
 
-#include "sim.h"
+#include "board.h"
+#include "hal.h"
+#include "sim_types.h"
+
+struct sim;
 
 struct sim_model {
     const char *controller;

@@ -1,6 +1,7 @@
 /* See wire_replay.h. */
 #include "wire_replay.h"
 
+#include "sim.h"
 #include "sim_model.h"
 
 #include <stdarg.h>

@@ -128,9 +128,9 @@ int emulate_qemu_start(struct qemu *q, const char *machine, const char *image, u
     }
     /* Since QEMU 10 the word guest_errors no longer covers accesses to nowhere; an older one ignores invalid_mem. */
     const int status = emulate_qemu_command(q, "qmp_capabilities", NULL);
-    return status != 0 ? status
-                       : emulate_qemu_command(q, "human-monitor-command",
-                                              "\"command-line\": \"log guest_errors,invalid_mem\"");
+    return status != 0
+               ? status
+               : emulate_qemu_command(q, "human-monitor-command", "\"command-line\": \"log guest_errors,invalid_mem\"");
 }
 
 static bool readable(int fd, int wait_ms)

@@ -1,7 +1,7 @@
 /*
  * Every unary function of fx.h is checked over all its 2^32 raw inputs, on all processors at once.
  *
- * Usage: exhaustive_fx [--help] [NAME...]     all checks, or those named; SHARE=K/N in the environment: every N-th of them
+ * Usage: exhaustive_fx [--help] [NAME...]     all checks, or those named; with SHARE=K/N in the environment every N-th
  *
  * Where a function is monotone, MPFR gives the input at which its rounded result changes next, and all inputs before it
  * must give the same result. Sine, cosine and tangent have 65536 distinct inputs. The sine in Q2.30 is compared with a

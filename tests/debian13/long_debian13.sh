@@ -63,8 +63,8 @@ picotool_writes_the_same_uf2() {
 
 picotool_verifies_the_flash() {
     debian13 bash -c '
-        . tests/guest/kit.sh && kit_build && head -c 2097152 /dev/urandom >/tmp/flash &&
-            kit_guest --timeout 200 -- bash -c ". tests/guest/kit.sh; kit_usb bootsel --flash /tmp/flash &&
+        . tests/guest/virtual_board.sh && guest_build && head -c 2097152 /dev/urandom >/tmp/flash &&
+            guest_run --timeout 200 -- bash -c ". tests/guest/virtual_board.sh; usb_plug bootsel --flash /tmp/flash &&
                 build/pinhole-flash $1.uf2 --no-reboot && picotool verify $1.uf2 && picotool verify $1.bin"' - "$image"
 }
 

@@ -54,7 +54,7 @@ a_dc_line_that_moves_early_is_seen() {
 
 make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
 for mk in boards/*/board.mk; do
-    grep -q 'families/pico.mk' "$mk" && in_share || continue
+    { grep -q 'families/pico.mk' "$mk" && in_share; } || continue
     board=$(basename "$(dirname "$mk")")
     for cores in 1 2; do
         check "every_demo_is_the_simulators_on_${board}_with_$cores" every_demo "$board" $cores

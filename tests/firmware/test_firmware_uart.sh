@@ -29,7 +29,7 @@ hears() { # pattern of the next line about something
         read -rt 600 line <&"$from" || { echo "nothing, where '$1' should be" && return 1; }
         line=${line%$'\r'}
     done
-    [ $(($(now_ms) - before)) -le $slowest_ms ] || slowest_ms=$(($(now_ms) - before))
+    [ $(($(now_ms) - before)) -le "$slowest_ms" ] || slowest_ms=$(($(now_ms) - before))
     [[ $line =~ $1 ]] || { echo "'$line', where '$1' should be" && return 1; }
 }
 holds() { # what is under way still comes, then nothing for much longer than an answer takes on this machine

@@ -50,7 +50,7 @@ tidy() {
 check() {
     mkdir -p "$B/cppcheck"
     cppcheck -q -j"$processors" --cppcheck-build-dir="$B/cppcheck" --std=c11 --error-exitcode=1 --inline-suppr \
-        --enable=warning,style,performance,portability --suppressions-list=tests/tools/cppcheck.suppress \
+        --enable=warning,style,performance,portability --suppressions-list=tests/tools/cppcheck.suppress -U__ASSEMBLER__ \
         --template='{file}:{line}: {id}: {message}' "${include[@]}" "${folders[@]}"
 }
 

@@ -25,9 +25,11 @@ sees() { # pattern, command that must print it
 
 # ---- exported symbols ----------------------------------------------------------------------------
 
-# Prefixes that a library may use: the names of its folders and of its source files, of which a symbol takes one.
+# Prefixes that a library may use: the names of its folders and of its source files, of which a symbol takes one. A room
+# that is named after what it holds many of gives the singular, too.
 prefixes() { # folder...
-    find "$@" \( -type d -o -name '*.[ch]' \) | sed 's|.*/||; s|\.[ch]$||; s|-|_|g' | sort -u
+    { find "$@" \( -type d -o -name '*.[ch]' \) && find "$@" -type d -name '*s' | sed 's|s$||'; } |
+        sed 's|.*/||; s|\.[ch]$||; s|-|_|g' | sort -u
 }
 
 # Exported symbols that begin with none of the prefixes on stdin.
@@ -47,8 +49,9 @@ foreign_symbols() { # library, folder...
 
 core_symbols() { printf '%s\n' ph fx | symbols_without "$B/libpinhole.a"; }
 
-a_foreign_symbol() { # C text
-    echo "$1" | cc -c -x c - -o "$dir/symbol.o" && printf '%s\n' ph fx | symbols_without "$dir/symbol.o"
+a_foreign_symbol() { # C text, folder... whose names it may have; none: those of the core
+    echo "$1" | cc -c -x c - -o "$dir/symbol.o" &&
+        if [ $# -gt 1 ]; then foreign_symbols "$dir/symbol.o" "${@:2}"; else printf '%s\n' ph fx | symbols_without "$dir/symbol.o"; fi
 }
 
 # ---- circles -------------------------------------------------------------------------------------
@@ -147,6 +150,8 @@ check "libpinhole.a exports names with ph_ and fx_ only" none core_symbols
 check "... another name is seen" sees '^other$' a_foreign_symbol 'int other, ph_this; int fx_that(void); int fx_that(void) { return 0; }'
 check "... and one that only begins alike" sees '^phone$' a_foreign_symbol 'int phone;'
 check "libpinhole-app.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-app.a" firmware/app
+check "... a room's singular is allowed" none a_foreign_symbol 'int model_a, models_b;' firmware/app
+check "... and no other part of its name" sees '^mode_a$' a_foreign_symbol 'int mode_a, model_b;' firmware/app
 check "libpinhole-hal.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-hal.a" hal boards
 check "libpinhole-host.a exports names of its rooms and modules only" none foreign_symbols "$B/libpinhole-host.a" host-sim
 check "... another library's are seen" sees . foreign_symbols "$B/libpinhole-host.a" boards

@@ -30,7 +30,7 @@ a_second_make_does_nothing() {
 other_flags_build_again() { # a variable
     local said
     said=$(run "$B"/make/libpinhole{,-hal}.a "$1") || { echo "$said" && return 1; }
-    grep -q 'CC *firmware/core/' <<<"$said" && grep -q 'CC *hal/' <<<"$said" || { echo "nothing was built again for $1" && return 1; }
+    { grep -q 'CC *firmware/core/' <<<"$said" && grep -q 'CC *hal/' <<<"$said"; } || { echo "nothing was built again for $1" && return 1; }
 }
 
 empty_build_directory_is_refused() { # it would be the root directory

@@ -44,10 +44,11 @@ shares_of_the_long_tests() {
     local k name
     rm -rf "$dir"/tests/core/* "$dir/build"
     for name in a b c; do printf '#!/bin/sh\necho ran >>%s\n' "$dir/ran-$name" >"$dir/tests/core/long_$name.sh"; done
+    # shellcheck disable=SC2016 # the made script's
     printf '#!/bin/sh\necho $SHARE >>%s\n' "$dir/ran-all" >"$dir/tests/core/long_all.sh"
     chmod +x "$dir"/tests/core/*.sh
     for k in 1 2 3; do
-        (cd "$dir" && env -u MAKEFLAGS B=build SHARE=$k/3 tests/run.sh long 2>&1) | tail -n 1 | grep -qx '2 passed, 0 failed, 0 skipped' || return 1
+        (cd "$dir" && env -u MAKEFLAGS B=build SHARE="$k/3" tests/run.sh long 2>&1) | tail -n 1 | grep -qx '2 passed, 0 failed, 0 skipped' || return 1
     done
     cat "$dir"/ran-{a,b,c,all} | tr '\n' ' ' | grep -x 'ran ran ran 1/3 2/3 3/3 '
 }

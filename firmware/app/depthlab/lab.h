@@ -7,41 +7,18 @@
  *
  * All distances w are along the view, in LSBs of Q16.16. A larger code is nearer. The renderer's formats are measured
  * by drawing: a triangle that faces the camera at distance w goes through ph_draw_mesh and ph_draw_band into a picture
- * of one pixel, and its code is read from the depth buffer.
+ * of one pixel, and its code is read from the depth buffer. lab_formats.h has the other renderers' formats.
  *
  * S_eff(z), "measured", is the smallest separation that is ordered right at z: the longest plateau or inversion there,
  * see lab_search.h. "ideal" is the step of a perfect code of as many bits. n and f are the planes, S = 2^bits - 1:
  *   fixed, and all -q16: z^2 (f - n) / (f n S)      linear-w: (f - n) / S      log: z ln(f / n) / S
  *   float: z^2 / N times the last bit of d, where N and d are those of depth.h; over-w: likewise, d = n/w
  * A ratio of 1 is perfect. A step that is finer than Q16.16 itself is measured as one LSB, 0.0000153 m.
- *
- * Formats of other renderers; every named quantity is a Q16.16 number that saturates:
- *   scale = f / (f - n) and bias = f n / (f - n) to the nearest, clip = scale w - bias, the product to the nearest;
- *   ndc-q16    ndc = clip / w towards 0; the code is ndc shifted, up to S
- *   recip-q16  r = 1 / w rounded down; ndc = clip r to the nearest; likewise
- *   clip-q16   the code is S clip / w to the nearest, in 64 bits
- *   log        S ln(f / w) / ln(f / n) rounded down: no code of as many bits does better in dz/z
- * Their codes are reversed, so that a larger code is nearer here, too. Two more for comparison:
- *   linear-w   with 24 bits: S (f - w) / (f - n) rounded down
- *   over-w     n/w as an unsigned float with 4 bits of exponent, rounded down
  */
 #ifndef LAB_H
 #define LAB_H
 
-#include "render.h"
-
-enum lab_kind { LAB_DRAWN, LAB_NDC_Q16, LAB_RECIP_Q16, LAB_CLIP_Q16, LAB_LINEAR, LAB_OVER_W, LAB_LOG };
-
-struct lab_format {
-    const char *name;
-    uint8_t kind;   /* enum lab_kind */
-    uint8_t bits;   /* of the stored code */
-    uint8_t format; /* LAB_DRAWN: enum ph_depth_format */
-};
-
-/* The rows of the tables, in the order in which they are printed. A name appears twice if a kind has two widths. */
-extern const struct lab_format lab_formats[];
-extern const uint32_t lab_format_count; /* at most 32 */
+#include "lab_formats.h"
 
 enum lab_spacing { LAB_LINEAR_SPACED, LAB_LOG_SPACED };
 

@@ -1,5 +1,5 @@
-/* The rows of the depth lab's tables: see lab.h. */
-#include "lab.h"
+/* The rows of the depth lab's tables. */
+#include "lab_formats.h"
 
 const struct lab_format lab_formats[] = {
     {"fixed16", LAB_DRAWN, 16, PH_DEPTH_FIXED16},

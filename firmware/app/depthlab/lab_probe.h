@@ -1,12 +1,12 @@
 /*
  * lab_probe: the depth code of a plane that faces the camera at a distance, in each format of the depth lab. In drawn
  * formats a triangle at this distance goes through ph_draw_mesh, ph_frame_bands and ph_draw_band, and the code is read
- * from the depth buffer. In the others a formula in integers gives it, see lab.h.
+ * from the depth buffer. In the others a formula in integers gives it, see lab_formats.h.
  */
 #ifndef LAB_PROBE_H
 #define LAB_PROBE_H
 
-#include "lab.h"
+#include "lab_formats.h"
 
 /* Holds pointers into itself once it is open, so it must stay in its place. */
 struct lab_probe {

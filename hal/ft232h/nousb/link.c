@@ -1,4 +1,5 @@
 /* See link.h. Built without libusb. */
+#include "ft232h/ft232h.h"
 #include "ft232h/link.h"
 
 int ft232h_link_open(struct ft232h_usb **link, const char *serial, char *error)

@@ -59,9 +59,9 @@ static void tell(struct spi_device *device, struct spi_transfer *transfer, u64 s
         to = start + div_u64((end - start) * (i + n), transfer->len);
         board_log_room(2 * n);
         board_log_bytes(bytes + i, n, "%llu %s %u %u %u %x %u %llx %llx %llu ", from, transfer->tx_buf ? "spi" : "read",
-                      (unsigned int)spi_get_chipselect(device, 0), transfer->speed_hz, transfer->effective_speed_hz,
-                      (unsigned int)device->mode & 0xff, (unsigned int)transfer->bits_per_word, levels,
-                      i + n == transfer->len ? at_end : levels, to);
+                        (unsigned int)spi_get_chipselect(device, 0), transfer->speed_hz, transfer->effective_speed_hz,
+                        (unsigned int)device->mode & 0xff, (unsigned int)transfer->bits_per_word, levels,
+                        i + n == transfer->len ? at_end : levels, to);
     }
 }
 
