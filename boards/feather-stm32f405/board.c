@@ -8,6 +8,7 @@ const struct board board_feather_stm32f405 = {
     .panel = &panel_ili9341_240x320,
     .rotation = PANEL_R90, /* 38h by Adafruit's adafruit_ili9341.py; bit 10h is the refresh order */
     .format = PANEL_RGB565,
+    .spi_unit = BOARD_SPI_STM32F4,
     .spi_bus = 2,
     .spi_hz = 21000000,
     .over_limit = true, /* the datasheet's 10 MHz are 8 frames a second; these modules run at this */

@@ -8,6 +8,7 @@ const struct board board_lm3s6965evb = {
     .panel = &panel_ssd0323_128x64,
     .rotation = PANEL_R0, /* A0h 52h by Luminary's osram128x64x4.c */
     .format = PANEL_GREY4,
+    .spi_unit = BOARD_SPI_LM3S6965,
     .spi_hz = 3500000,
     .pins =
         {
