@@ -71,6 +71,13 @@ static void kits_are_complete(void **state)
     }
 }
 
+/* The kit has another panel from revision C on. */
+static void the_stellaris_names_its_revision(void **state)
+{
+    (void)state;
+    assert_non_null(strstr(board_lm3s6965evb.title, "before revision C"));
+}
+
 /* A board's SPI unit is that of the port in its board.mk. */
 static void units_are_those_of_the_ports(void **state)
 {
@@ -201,6 +208,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(kits_are_found_by_name),
         cmocka_unit_test(kits_are_complete),
+        cmocka_unit_test(the_stellaris_names_its_revision),
         cmocka_unit_test(units_are_those_of_the_ports),
         cmocka_unit_test(no_pin_is_used_twice),
         cmocka_unit_test(buttons_differ),
