@@ -32,6 +32,9 @@ struct board_button {
 
 #define BOARD_BUTTONS_MAX 6
 
+/* What makes the bus clock, see spi_clock.h. ANY: unknown, or every clock that is asked for. */
+enum board_spi_unit { BOARD_SPI_ANY, BOARD_SPI_RP2040, BOARD_SPI_LM3S6965, BOARD_SPI_STM32F4 };
+
 /*
  * An unwired pin is all zeros: leave it out. active_low inverts what hal.h calls true. A chip select is active low. A
  * reset line is not marked so: the panel runs while it is high, and hal.h calls that true.
@@ -47,6 +50,7 @@ struct board {
     const struct panel *panel;
     uint8_t rotation;        /* enum panel_rotation: as users hold the kit */
     uint8_t format;          /* enum panel_format on the wire */
+    uint8_t spi_unit;        /* enum board_spi_unit */
     uint8_t spi_mode;        /* 0; 3 for modules without chip select */
     uint8_t spi_bus;         /* number of the SPI unit, or of /dev/spidevN */
     uint8_t spi_select;      /* /dev/spidev.N */

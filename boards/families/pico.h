@@ -6,7 +6,7 @@
 
 /* Pimoroni's packs: keys A, B, X, Y are up, down, left, right. The panel's reset follows the Pico's RUN. */
 #define PICO_PIMORONI                                                                                                  \
-    .spi_bus = 0,                                                                                                      \
+    .spi_unit = BOARD_SPI_RP2040, .spi_bus = 0,                                                                        \
     .pins = {.clock = BOARD_PIN(18),                                                                                   \
              .data = BOARD_PIN(19),                                                                                    \
              .select = BOARD_PIN_LOW(17),                                                                              \
@@ -20,12 +20,13 @@
 
 /* Waveshare's; the number of the backlight's pin differs. */
 #define PICO_WAVESHARE(backlight_pin)                                                                                  \
-    .spi_bus = 1, .pins = {.clock = BOARD_PIN(10),                                                                     \
-                           .data = BOARD_PIN(11),                                                                      \
-                           .select = BOARD_PIN_LOW(9),                                                                 \
-                           .dc = BOARD_PIN(8),                                                                         \
-                           .reset = BOARD_PIN(12),                                                                     \
-                           .backlight = BOARD_PIN(backlight_pin)}
+    .spi_unit = BOARD_SPI_RP2040, .spi_bus = 1,                                                                        \
+    .pins = {.clock = BOARD_PIN(10),                                                                                   \
+             .data = BOARD_PIN(11),                                                                                    \
+             .select = BOARD_PIN_LOW(9),                                                                               \
+             .dc = BOARD_PIN(8),                                                                                       \
+             .reset = BOARD_PIN(12),                                                                                   \
+             .backlight = BOARD_PIN(backlight_pin)}
 
 #define PICO_WAVESHARE_JOYSTICK                                                                                        \
     .buttons = {{HAL_BUTTON_UP, BOARD_PIN_LOW(2)},                                                                     \

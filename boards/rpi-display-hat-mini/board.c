@@ -6,7 +6,7 @@ const struct board board_rpi_display_hat_mini = {
     .title = "Raspberry Pi with Pimoroni Display HAT Mini, 320x240",
     .pinout = "https://pinout.xyz/pinout/display_hat_mini",
     .panel = &panel_st7789_240x320,
-    .rotation = PANEL_R270,
+    .rotation = PANEL_R270, /* 70h by st7789-python, the picture turned by rotation=180 in displayhatmini */
     .format = PANEL_RGB565,
     .spi_hz = 60000000,
     RPI_HEADER,

@@ -9,7 +9,7 @@ const struct board board_rpi_pirate_audio = {
     .title = "Raspberry Pi with Pimoroni Pirate Audio, 240x240",
     .pinout = "https://pinout.xyz/pinout/pirate_audio_line_out",
     .panel = &panel_st7789_240x240,
-    .rotation = PANEL_R0,
+    .rotation = PANEL_R0, /* 70h by st7789-python, the picture turned by rotation=90 in the examples */
     .format = PANEL_RGB565,
     .spi_hz = 62500000,
     RPI_HEADER,

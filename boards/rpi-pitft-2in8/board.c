@@ -10,7 +10,7 @@ const struct board board_rpi_pitft_2in8 = {
     .title = "Raspberry Pi with Adafruit PiTFT 2.8\", 320x240",
     .pinout = "https://learn.adafruit.com/adafruit-pitft-28-inch-resistive-touchscreen-display-raspberry-pi",
     .panel = &panel_ili9341_240x320,
-    .rotation = PANEL_R90,
+    .rotation = PANEL_R270, /* E8h by Linux' fb_ili9341 at rotate=90; Adafruit's Python: 48h and rotation=90 */
     .format = PANEL_RGB565,
     .spi_hz = 32000000,
     .over_limit = true, /* the datasheet's 10 MHz are 8 frames a second; these modules run at this */

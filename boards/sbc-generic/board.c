@@ -10,7 +10,7 @@ const struct board board_sbc_generic = {
     .title = "Any board with a 40-pin header and an ST7789 module on wires, 240x240",
     .pinout = "https://pinout.xyz",
     .panel = &panel_st7789_240x240,
-    .rotation = PANEL_R0,
+    .rotation = PANEL_R0, /* the controller's own top: a bare module has no other */
     .format = PANEL_RGB565,
     .spi_hz = 20000000,
     RPI_HEADER,

@@ -30,34 +30,50 @@ static int set_pin(struct ft232h *h, const struct board_pin *pin, bool level)
     return ft232h_link_put(h->usb, commands, ft232h_mpsse_pins(commands, levels, h->outputs, changed));
 }
 
-/* Refuses a wired pin that the engine cannot use so. `fixed` is the bit that it must be; 0: any but the engine's own.
+/*
+ * Refuses a wired pin that the engine cannot use so, or that another line has. `fixed` is the bit that it must be; 0:
+ * any but the engine's own. used: the bits of the lines so far.
  */
-static int check_pin(struct ft232h *h, const char *what, const struct board_pin *pin, uint16_t fixed)
+static int check_pin(struct ft232h *h, uint16_t *used, const char *what, const struct board_pin *pin, uint16_t fixed)
 {
     const uint16_t bit = bit_of(pin);
-    if (!pin->wired || (fixed != 0 ? bit == fixed : (bit & ~(PIN_CLOCK | PIN_DATA | PIN_DATA_IN)) != 0)) {
+    if (!pin->wired) {
         return HAL_OK;
     }
-    return ft232h_fail(h->error, HAL_EINVAL, "board %s: %s cannot be pin %s of an FT232H; it is %s", h->board->name,
-                       what, pin->line == NULL ? "without a name" : pin->line,
-                       fixed == PIN_CLOCK     ? "AD0"
-                       : fixed == PIN_DATA    ? "AD1"
-                       : fixed == PIN_DATA_IN ? "AD2"
-                                              : "one of AD3 to AD7, AC0 to AC7");
+    if (fixed != 0 ? bit != fixed : (bit & ~(PIN_CLOCK | PIN_DATA | PIN_DATA_IN)) == 0) {
+        return ft232h_fail(h->error, HAL_EINVAL, "board %s: %s cannot be pin %s of an FT232H; it is %s", h->board->name,
+                           what, pin->line == NULL ? "without a name" : pin->line,
+                           fixed == PIN_CLOCK     ? "AD0"
+                           : fixed == PIN_DATA    ? "AD1"
+                           : fixed == PIN_DATA_IN ? "AD2"
+                                                  : "one of AD3 to AD7, AC0 to AC7");
+    }
+    if ((bit & *used) != 0) {
+        return ft232h_fail(h->error, HAL_EINVAL, "board %s: %s cannot be pin %s of an FT232H: another line has it",
+                           h->board->name, what, pin->line);
+    }
+    *used |= bit;
+    return HAL_OK;
 }
 
 static int check_board(struct ft232h *h)
 {
     const struct board_pins *pins = &h->board->pins;
-    int status = check_pin(h, "clock", &pins->clock, PIN_CLOCK);
-    status = status < 0 ? status : check_pin(h, "data", &pins->data, PIN_DATA);
-    status = status < 0 ? status : check_pin(h, "data in", &pins->data_in, PIN_DATA_IN);
-    status = status < 0 ? status : check_pin(h, "select", &pins->select, 0);
-    status = status < 0 ? status : check_pin(h, "D/C", &pins->dc, 0);
-    status = status < 0 ? status : check_pin(h, "reset", &pins->reset, 0);
-    status = status < 0 ? status : check_pin(h, "backlight", &pins->backlight, 0);
+    const struct {
+        const char *what;
+        const struct board_pin *pin;
+        uint16_t fixed;
+    } lines[] = {
+        {"clock", &pins->clock, PIN_CLOCK}, {"data", &pins->data, PIN_DATA}, {"data in", &pins->data_in, PIN_DATA_IN},
+        {"select", &pins->select, 0},       {"D/C", &pins->dc, 0},           {"reset", &pins->reset, 0},
+        {"backlight", &pins->backlight, 0}};
+    uint16_t used = 0;
+    int status = HAL_OK;
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0] && status == HAL_OK; i++) {
+        status = check_pin(h, &used, lines[i].what, lines[i].pin, lines[i].fixed);
+    }
     for (uint32_t i = 0; i < h->board->button_count && status == HAL_OK; i++) {
-        status = check_pin(h, "a button", &h->board->buttons[i].pin, 0);
+        status = check_pin(h, &used, "a button", &h->board->buttons[i].pin, 0);
     }
     if (status == HAL_OK && (!pins->dc.wired || (h->board->spi_mode != 0 && h->board->spi_mode != 3))) {
         return ft232h_fail(h->error, HAL_EINVAL, "board %s: an FT232H needs a D/C pin, and SPI mode 0 or 3",

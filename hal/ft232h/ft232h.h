@@ -7,8 +7,8 @@
  *   if (hal.ops->open(&context, board) < 0) { puts(ft232h_error(&context)); }
  *
  * Pins are named as on the chip: clock, data and data_in must be "AD0", "AD1" and "AD2" (or not be wired); all others
- * are any of "AD3" to "AD7" and "AC0" to "AC7". Select falls before each write and rises after it. SPI modes 0 and 3.
- * The clock is 30 MHz / (1 + n), n = 0 .. 65535. No TE line: te_wait is NULL.
+ * are any of "AD3" to "AD7" and "AC0" to "AC7", each once. Select falls before each write and rises after it. SPI modes
+ * 0 and 3. The clock is 30 MHz / (1 + n), n = 0 .. 65535. No TE line: te_wait is NULL.
  *
  * bus_write copies bytes into USB transfers, two of which are under way at a time, and waits only while both are full.
  * Bytes may stay in the computer's memory until the next long write, bus_wait, pin_set, bus_read, delay_us or close.

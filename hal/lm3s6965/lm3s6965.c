@@ -5,6 +5,7 @@
  */
 #include "board.h"
 #include "port.h"
+#include "spi_clock.h"
 #include "cortexm/start.h"
 
 #define RIS   REG32(0x400FE050)
@@ -36,7 +37,7 @@
 #define GPIO_PUR   0x510
 #define GPIO_DEN   0x51C
 
-#define CLOCK_HZ 50000000U
+#define CLOCK_HZ SPI_CLOCK_LM3S6965_HZ
 
 #define CARD_SELECT BOARD_PORT('D', 0) /* the SD card's chip select, on the same bus; it must be high */
 
@@ -182,20 +183,16 @@ static int lm3s6965_open(void *context, const struct board *board)
     return HAL_OK;
 }
 
-/* The clock is CLOCK / (CPSR (1 + SCR)) with CPSR even, 2 .. 254, and SCR = 0 .. 255; the slowest is 769 Hz. */
 static int32_t lm3s6965_bus_clock(void *context, uint32_t hz)
 {
+    const struct spi_clock_pl022 clock = spi_clock_pl022(CLOCK_HZ, hz);
     (void)context;
-    for (uint32_t cpsr = 2; hz != 0 && cpsr <= 254; cpsr += 2) {
-        const uint32_t divisor = (CLOCK_HZ + hz - 1) / hz, scr = (divisor + cpsr - 1) / cpsr;
-        if (scr <= 256) {
-            const uint32_t minus_1 = scr > 0 ? scr - 1 : 0;
-            SSI_CPSR = cpsr;
-            SSI_CR0 = (SSI_CR0 & 0xFF) | minus_1 << 8;
-            return (int32_t)(CLOCK_HZ / (cpsr * (minus_1 + 1)));
-        }
+    if (clock.hz == 0) {
+        return HAL_EINVAL;
     }
-    return HAL_EINVAL;
+    SSI_CPSR = clock.prescaler;
+    SSI_CR0 = (SSI_CR0 & 0xFF) | clock.scr << 8;
+    return (int32_t)clock.hz;
 }
 
 /* Reads what came in and drops it: a transmitter may stop when the receive FIFO is full (QEMU's does). */

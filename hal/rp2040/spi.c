@@ -13,6 +13,9 @@
  */
 #include "registers.h"
 #include "rp2040.h"
+#include "spi_clock.h"
+
+_Static_assert(CLK_HZ == SPI_CLOCK_RP2040_HZ, "the simulator counts with this clock");
 
 #define SHORTS 12 /* bytes: column, row and memory write commands of a window are 11 */
 
@@ -177,24 +180,18 @@ void rp2040_spi_open(const struct board *board)
     rp2040_bus_clock(NULL, 1000000);
 }
 
-/* SSPCLK / (prescaler x (SCR + 1)): an even prescaler up to 254, SCR up to 255. */
 int32_t rp2040_bus_clock(void *context, uint32_t hz)
 {
-    const uint32_t divide = hz == 0 ? UINT32_MAX : (CLK_HZ - 1) / hz + 1;
-    uint32_t prescaler = 2;
-    while (prescaler <= 254 && prescaler * 256 < divide) {
-        prescaler += 2;
-    }
-    if (prescaler > 254) {
+    const struct spi_clock_pl022 clock = spi_clock_pl022(CLK_HZ, hz);
+    if (clock.hz == 0) {
         return HAL_EINVAL;
     }
-    const uint32_t scr = (divide - 1) / prescaler;
     rp2040_bus_wait(context);
-    spi.cr0 = (spi.cr0 & 0xff) | scr << 8;
+    spi.cr0 = (spi.cr0 & 0xff) | clock.scr << 8;
     REG(SPI_SSPCR1(spi.unit)) = 0;
-    REG(SPI_SSPCPSR(spi.unit)) = prescaler;
+    REG(SPI_SSPCPSR(spi.unit)) = clock.prescaler;
     set_word(8);
-    return (int32_t)(CLK_HZ / (prescaler * (scr + 1)));
+    return (int32_t)clock.hz;
 }
 
 void rp2040_bus_queue(void *context, bool on)

@@ -8,6 +8,7 @@
 #include "board.h"
 #include "cortexm/start.h"
 #include "port.h"
+#include "spi_clock.h"
 
 #define RCC_CR      REG32(0x40023800)
 #define RCC_PLLCFGR REG32(0x40023804)
@@ -59,8 +60,9 @@
 #define AF_SPI   5
 #define AF_USART 7
 
-#define HSI_HZ      16000000U
-#define PLL_HZ      168000000U
+#define HSI_HZ 16000000U
+#define PLL_HZ 168000000U
+_Static_assert(PLL_HZ / 4 == SPI_CLOCK_STM32F4_HZ, "the simulator counts with this clock");
 #define BAUD        115200U
 #define BOOT_LOADER 0x1FFF0000U /* system memory */
 #define BOOT_WISH   0xB007B007U
@@ -288,17 +290,16 @@ static int stm32f4_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes
 
 static int32_t stm32f4_bus_clock(void *context, uint32_t hz)
 {
-    for (uint32_t br = 0; br < 8; br++) {
-        const uint32_t got = kit.apb1_hz >> (br + 1);
-        if (got <= hz) {
-            stm32f4_bus_wait(context);
-            SPI_CR1 &= ~CR1_SPE;
-            SPI_CR1 = (SPI_CR1 & ~CR1_BR) | br << 3;
-            SPI_CR1 |= CR1_SPE;
-            return (int32_t)got;
-        }
+    uint32_t br = 0;
+    const uint32_t got = spi_clock_stm32f4(kit.apb1_hz, hz, &br);
+    if (got == 0) {
+        return HAL_EINVAL;
     }
-    return HAL_EINVAL;
+    stm32f4_bus_wait(context);
+    SPI_CR1 &= ~CR1_SPE;
+    SPI_CR1 = (SPI_CR1 & ~CR1_BR) | br << 3;
+    SPI_CR1 |= CR1_SPE;
+    return (int32_t)got;
 }
 
 void port_bus_stop(void)

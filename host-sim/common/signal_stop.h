@@ -10,7 +10,7 @@
 /* The signal that came, or 0. */
 extern volatile sig_atomic_t signal_stop;
 
-/* From now on the signals only set signal_stop. */
+/* From now on the signals only set signal_stop. One that was ignored before (nohup, `&` in a script) stays ignored. */
 void signal_stop_catch(void);
 
 #endif

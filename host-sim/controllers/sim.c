@@ -3,6 +3,8 @@
 
 #include "sim_model.h"
 
+#include "spi_clock.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,9 +52,10 @@ static void byte_arrives(struct sim *sim, enum hal_dc dc, uint8_t byte)
     sim->glass.model->byte(sim, dc, byte);
 }
 
-static void time_passes(struct sim *sim, uint32_t bits)
+/* A bit takes two half periods of the clock. */
+static void time_passes(struct sim *sim, uint32_t half_periods)
 {
-    uint64_t rest = sim->bus_rest + 1000000000ULL * bits;
+    uint64_t rest = sim->bus_rest + 500000000ULL * half_periods;
     uint64_t ns = rest / sim->counters.clock_hz;
     sim->bus_rest = rest % sim->counters.clock_hz;
     sim->time_ns += ns;
@@ -61,7 +64,7 @@ static void time_passes(struct sim *sim, uint32_t bits)
 
 void sim_bit(struct sim *sim, enum hal_dc dc, unsigned bit)
 {
-    time_passes(sim, 1);
+    time_passes(sim, 2);
     if (sim->shift_count > 0 && dc != sim->shift_dc) {
         sim_complain(sim, SIM_DC_MOVED, "D/C moved after bit %u of a byte", sim->shift_count);
     }
@@ -89,9 +92,10 @@ static void send_bytes(struct sim *sim, enum hal_dc dc, const uint8_t *bytes, si
             send_byte_bitwise(sim, dc, bytes[i], false);
             continue;
         }
-        time_passes(sim, 8);
+        time_passes(sim, 16);
         byte_arrives(sim, dc, bytes[i]);
     }
+    time_passes(sim, spi_clock_pause(sim->board, (uint32_t)n));
 }
 
 /* ---- operations --------------------------------------------------------------------------------- */
@@ -116,10 +120,11 @@ static int sim_bus_open(void *context, const struct board *board)
 static int32_t sim_bus_clock(void *context, uint32_t hz)
 {
     struct sim *sim = context;
-    if (hz == 0 || fault_strikes(sim, SIM_FAULT_CLOCK)) {
+    const uint32_t got = spi_clock_of(sim->board, hz);
+    if (got == 0 || fault_strikes(sim, SIM_FAULT_CLOCK)) {
         return HAL_EINVAL;
     }
-    sim->counters.clock_hz = hz > INT32_MAX ? INT32_MAX : hz;
+    sim->counters.clock_hz = got > INT32_MAX ? INT32_MAX : got;
     sim->bus_rest = 0;
     sim->clock_checked = false;
     return (int32_t)sim->counters.clock_hz;

@@ -11,7 +11,8 @@
  * The models decode the bytes as the datasheets say and know nothing of the driver's tables: of the board only the
  * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c and sim_ssd.c.
  *
- * Time stands still but for bits on the wire (8 a byte at the bus clock) and delay_us.
+ * Time stands still but for bits and pauses on the wire, and delay_us. The bus has the clock and the pauses of the
+ * board's chip (spi_clock.h).
  */
 #ifndef SIM_H
 #define SIM_H

@@ -16,6 +16,7 @@ enum role { DC, RESET, BACKLIGHT, SELECT, ROLES };
 
 struct wire {
     struct wire_config config;
+    struct board board; /* without its SPI unit: the wires tell clock and time themselves */
     struct hal hal;
     struct sim *sim;
     struct sim before; /* the state before, with the picture from before the panel went dark (its memory is sim's) */
@@ -402,7 +403,9 @@ struct wire *wire_replay_open(const struct wire_config *config)
         return NULL;
     }
     w->config = *config;
-    w->sim = sim_open(config->board, &w->hal);
+    w->board = *config->board;
+    w->board.spi_unit = BOARD_SPI_ANY;
+    w->sim = sim_open(&w->board, &w->hal);
     w->rgb = malloc((size_t)panel->width * panel->height * 3);
     for (int i = 0; i < ROLES; i++) {
         w->bit[i] = -1;

@@ -83,6 +83,12 @@ waits_are_seen() { # the same stores without any time between them are resented
     grep -q 'command 11h within 5 ms of reset\|SLPOUT within 120 ms of reset' "$dir/said" || { cat "$dir/said" && return 1; }
 }
 
+clock_is_the_simulators() { # the LM3S6965's; QEMU's STM32 has no crystal, so it runs at another clock
+    local hz
+    hz=$("$B/pinhole-sim" --board lm3s6965evb --demo cube --stats 2>&1 >/dev/null | sed -n 's/.* at \([0-9]*\) Hz.*/\1/p')
+    [ "$hz" = 3125000 ] && grep -q "^[0-9]* spi - $hz $hz " "$dir/once.lm3s6965evb.events"
+}
+
 ends_asleep() { # board, events: the last commands are display off and, where there is one, sleep
     local last
     last=$(awk '$2 == "level" { dc = $3 % 2 } $2 == "spi" && !dc { print $NF }' "$2" | tr -d '\n')
@@ -133,6 +139,7 @@ for board in lm3s6965evb feather-stm32f405; do
     check "a_fault_within_a_frame_on_${board}_leaves_the_panel_dark" fault_within_a_frame_leaves_it_dark "$board"
     check "a_fault_on_${board}_before_the_panel_is_open_leaves_it_dark" fault_before_the_panel_is_open "$board"
 done
+check "the_clock_of_lm3s6965evb_is_the_simulators" clock_is_the_simulators
 check "the_boot_loader_of_the_STM32_is_entered_right_after_a_reset" boot_loader_on_request
 check "stores_without_waits_would_be_resented" waits_are_seen
 tap_end

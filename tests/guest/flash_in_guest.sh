@@ -48,7 +48,7 @@ run_signalled() { # name, flash, signal, argument...
     local pid i
     plug --flash "$GUEST/$2"
     cp "$GUEST/$2" "$GUEST/before"
-    "$B/pinhole-flash" "${@:4}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" &
+    env --default-signal=INT "$B/pinhole-flash" "${@:4}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" & # `&` ignores SIGINT
     pid=$!
     for ((i = 0; i < 100000; i++)); do
         { cmp -s "$GUEST/$2" "$GUEST/before" && kill -0 $pid; } || break

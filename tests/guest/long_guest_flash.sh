@@ -56,7 +56,7 @@ by_signal='
     cut() {
         local signals=(INT TERM KILL KILL)
         plug --flash $GUEST/flash
-        $B/pinhole-flash "$2" >$GUEST/first.out 2>$GUEST/first.err &
+        env --default-signal=INT $B/pinhole-flash "$2" >$GUEST/first.out 2>$GUEST/first.err &
         sleep 0.$(printf %03d $((RANDOM % 250)))
         kill -${signals[$1 % 4]} $! 2>/dev/null
         wait $!

@@ -36,10 +36,10 @@ run_hal() { # name, stays|unplugged, the board's parameter=value...
     echo $? >"$GUEST/$1.status"
 }
 
-# One run that gets a signal when it has shown frames for a second.
+# One run that gets a signal when it has shown frames for a second. (A script's `&` ignores SIGINT.)
 run_signalled() { # name, signal, argument...
     local pid i
-    "$B/pinhole-panel" --stats "${@:3}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" &
+    env --default-signal=INT "$B/pinhole-panel" --stats "${@:3}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" &
     pid=$!
     for ((i = 0; i < 10000; i++)); do
         { ! grep -q frames/s "$GUEST/$1.err" && kill -0 $pid; } || break

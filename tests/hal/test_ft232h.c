@@ -375,6 +375,18 @@ static void wirings_that_cannot_be_are_refused(void **state)
     assert_int_equal(ft232h_ops.open(&kit, &board), HAL_EINVAL);
     assert_non_null(
         strstr(ft232h_error(&kit), "D/C cannot be pin AD1 of an FT232H; it is one of AD3 to AD7, AC0 to AC7"));
+    board.pins.dc.line = "AC1"; /* reset's */
+    assert_int_equal(ft232h_ops.open(&kit, &board), HAL_EINVAL);
+    assert_string_equal(ft232h_error(&kit),
+                        "board ft232h-st7789: reset cannot be pin AC1 of an FT232H: another line has it");
+    board.pins.dc.line = "AD3"; /* select's */
+    assert_int_equal(ft232h_ops.open(&kit, &board), HAL_EINVAL);
+    board = board_ft232h_st7789;
+    board.buttons[0] = (struct board_button){HAL_BUTTON_UP, BOARD_LINE_LOW("AC0")}; /* D/C's */
+    board.button_count = 1;
+    assert_int_equal(ft232h_ops.open(&kit, &board), HAL_EINVAL);
+    assert_non_null(strstr(ft232h_error(&kit), "a button cannot be pin AC0 of an FT232H: another line has it"));
+    board = board_ft232h_st7789;
     board.pins.dc.line = "AC8";
     assert_int_equal(ft232h_ops.open(&kit, &board), HAL_EINVAL);
     board = board_ft232h_st7789;

@@ -77,6 +77,11 @@ what_does_not_fit_together_is_refused() {
         wrong_usage "--view 'none': turntable has no such view" --board sbc-generic --view none
 }
 
+two_lines_on_a_pin_are_refused() {
+    refuses 1 "reset cannot be pin AC0 of an FT232H: another line has it" --board ft232h-st7789 --reset AC0 &&
+        refuses 1 "backlight cannot be pin AD3 of an FT232H: another line has it" --usb --panel ili9341-240x320 --backlight AD3
+}
+
 what_is_not_there_is_one_line() {
     refuses 1 "sbc-generic: $dir/spidev is not there" --board sbc-generic --spi "$dir/spidev" &&
         refuses 1 ": longer than 63 characters; give a /dev/spidev" --board sbc-generic --spi "/dev/$(printf '%0300d' 5)" &&
@@ -102,6 +107,7 @@ check "list has the boards of this machine's buses and all panels" list_has_what
 check "a wrong option is one line and exit 2" options_are_checked
 check "what does not fit together is one line and exit 2" what_does_not_fit_together_is_refused
 check "what is not there is one line and exit 1" what_is_not_there_is_one_line
+check "two lines on one pin of an FT232H are one line and exit 1" two_lines_on_a_pin_are_refused
 check "doctor names what is missing, a line a check" the_doctor_names_what_is_missing
 check "a list that cannot be written is exit 1" a_full_disk_is_told
 tap_end

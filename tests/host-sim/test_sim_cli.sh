@@ -368,12 +368,20 @@ names_with_a_dot_are_directories_when_they_say_so() {
 
 a_signal_leaves_no_part_of_a_file() { # signal, exit status
     local pid i
-    "$sim" --demo torus "${small[@]}" --frames 1000000 --out "$dir/$1" &
+    env --default-signal=INT "$sim" --demo torus "${small[@]}" --frames 1000000 --out "$dir/$1" & # else `&` ignores it
     pid=$!
     for ((i = 0; i < 10000 && $(find "$dir/$1" -name '*.ppm' 2>/dev/null | wc -l) < 3; i++)); do sleep .05; done
     kill -s "$1" "$pid"
     wait "$pid"
     [ $? = "$2" ] && [ -z "$(find "$dir/$1" -type f ! -size 5773c)" ] && [ -n "$(find "$dir/$1" -name '*.ppm')" ]
+}
+
+an_ignored_signal_stays_ignored() { # signal: all frames come, and the program is done
+    local pid i
+    env --ignore-signal="$1" "$sim" --demo torus "${small[@]}" --frames 400 --out "$dir/ignored-$1" &
+    pid=$!
+    for ((i = 0; i < 10000 && $(find "$dir/ignored-$1" -name '*.ppm' 2>/dev/null | wc -l) < 3; i++)); do sleep .01; done
+    kill -s "$1" "$pid" && wait "$pid" && [ "$(find "$dir/ignored-$1" -name '*.ppm' | wc -l)" = 400 ]
 }
 
 a_closed_pipe_ends_it() {
@@ -476,6 +484,8 @@ check stream_is_the_files_one_after_the_other stream_is_the_files_one_after_the_
 if command -v identify >/dev/null; then check imagemagick_reads_the_stream imagemagick_reads_the_stream; else skip imagemagick_reads_the_stream "no ImageMagick"; fi
 if command -v ffmpeg >/dev/null; then check ffmpeg_reads_the_stream ffmpeg_reads_the_stream; else skip ffmpeg_reads_the_stream "no ffmpeg"; fi
 check sigint_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file INT 130
+check nohup_keeps_it_alive an_ignored_signal_stays_ignored HUP
+check an_ignored_sigint_stays_ignored an_ignored_signal_stays_ignored INT
 check sigterm_leaves_no_part_of_a_file a_signal_leaves_no_part_of_a_file TERM 143
 check a_closed_pipe_ends_it a_closed_pipe_ends_it
 check a_window_off_the_middle_is_wrong_usage refuses 2 "off the middle" --crc --projection frustum=5,6,5,6

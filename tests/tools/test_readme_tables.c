@@ -1,14 +1,14 @@
 /*
- * The tables of boards, wiring and panels in boards/README.md say the same as the tables in the code: each expected row
- * must stand there as it is. A row that is missing is printed, ready to be put there.
+ * The tables in boards/README.md say what the code and the simulated kits do: each expected row must stand there as it
+ * is. A row that is missing is printed, ready to be put there.
  */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
-#include "board.h"
-#include "panel.h"
+#include "panel_picture.h"
+#include "sim_model.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,20 +92,105 @@ static void wiring_is_that_of_the_boards(void **state)
     assert_int_equal(count, 0);
 }
 
+struct measured {
+    uint32_t clock_hz, frame_us;
+    uint8_t rotation_byte;
+};
+
+/* What the simulated kit does with a frame that is not its first. */
+static struct measured measure(const struct board *board)
+{
+    static uint16_t picture[PICTURE_PIXELS];
+    static uint8_t scratch[1024];
+    struct hal hal;
+    struct sim *sim = sim_open(board, &hal);
+    assert_non_null(sim);
+    const struct panel_config config = {board->panel,  board->rotation, board->format,
+                                        board->spi_hz, scratch,         sizeof scratch};
+    struct panel_driver d;
+    assert_int_equal(panel_open(&d, &hal, &config), 0);
+    assert_int_equal(picture_draw(&d, picture, board->band_height), 0);
+    const uint64_t before = sim_counters(sim).bus_ns;
+    assert_int_equal(picture_draw(&d, picture, board->band_height), 0);
+    const uint64_t ns = sim_counters(sim).bus_ns - before;
+    const bool ssd = strncmp(board->panel->name, "ssd", 3) == 0;
+    const struct measured m = {(uint32_t)d.clock_hz, (uint32_t)((ns + 999) / 1000),
+                               ssd ? sim->u.ssd.remap : sim->u.dbi.madctl};
+    sim_close(sim);
+    return m;
+}
+
 static void boards_are_all_there(void **state)
 {
     (void)state;
     unsigned count = 0;
     for (uint32_t i = 0; i < board_count; i++) {
         const struct board *board = board_list[i];
-        const uint32_t frame_us = panel_frame_us(board->panel, board->format, board->rotation, board->spi_hz);
+        const struct measured m = measure(board);
         struct row row = {{0}, 0};
-        add(&row, "| `%s` | %s | `%s` | %g%s | %u | %s |", board->name, board->title, board->panel->name,
-            board->spi_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / frame_us),
+        add(&row, "| `%s` | %s | `%s` | %.4g%s | %u | %s |", board->name, board->title, board->panel->name,
+            m.clock_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / m.frame_us),
             board->pins.dc.line != NULL ? "simulator, virtual kit"
             : board->pins.dc.wired      ? "simulator, emulated chip"
                                         : "simulator");
         count += missing(&row);
+    }
+    assert_int_equal(count, 0);
+}
+
+/*
+ * The rotation byte that each kit starts with (MADCTL, or the remap command of SSD controllers), and the maker's
+ * program from which the orientation is taken. A picture that a program turns by PIL's rotation=90 or numpy's rot90 is
+ * turned counter-clockwise: the byte here has the same effect on the picture without that.
+ */
+#define OWN_TOP "the controller's own top: a bare module has no other"
+static const struct {
+    const char *board;
+    uint8_t byte;
+    const char *source;
+} orientations[] = {
+    {"pico-display", 0x60, "70h by Pimoroni's pimoroni-pico, `st7789.cpp` at `ROTATE_0`"},
+    {"pico-display-2", 0x60, "70h by Pimoroni's pimoroni-pico, `st7789.cpp` at `ROTATE_0`"},
+    {"waveshare-pico-lcd-1in3", 0x60, "70h by Waveshare's `LCD_1in3.c` at `HORIZONTAL`"},
+    {"waveshare-pico-lcd-0in96", 0xA8, "A8h by Waveshare's `Pico-LCD-0.96.py`"},
+    {"waveshare-rp2040-lcd-1in28", 0x48, "08h by Waveshare's `LCD_1in28.c`, which also reverses the columns (B6h 20h)"},
+    {"lm3s6965evb", 0x52, "52h by Luminary's `osram128x64x4.c`"},
+    {"feather-stm32f405", 0x28, "38h by Adafruit's `adafruit_ili9341.py`"},
+    {"rpi-waveshare-1in3", 0x60, "70h by Waveshare's `ST7789.py`"},
+    {"rpi-waveshare-1in44", 0x68, "68h by Waveshare's `LCD_1in44.py` at `U2D_R2L`"},
+    {"rpi-pirate-audio", 0x00, "70h by Pimoroni's st7789-python; the examples turn the picture by 90"},
+    {"rpi-display-hat-mini", 0xA0, "70h by Pimoroni's st7789-python; displayhatmini turns the picture by 180"},
+    {"rpi-pitft-2in8", 0xE8,
+     "48h by Adafruit's `ili9341.py`; the example turns the picture by 90. Linux' fb_ili9341: E8h"},
+    {"rpi-mini-pitft-1in14", 0x60, "C0h by Adafruit's `st7789.py`; the example turns the picture by 90"},
+    {"rpi-mini-pitft-1in3", 0x00, "C0h by Adafruit's `st7789.py`; the example turns the picture by 180"},
+    {"sbc-generic", 0x00, OWN_TOP},
+    {"ft232h-st7789", 0x00, OWN_TOP},
+    {"ft232h-ili9341", 0x48, OWN_TOP},
+    {"sim-ili9488", 0x28, "no kit"},
+    {"sim-ssd1351", 0x74, "no kit"},
+    {"sim-st7789-170x320", 0x60, "no kit"},
+    {"sim-st7789-240x280", 0x00, "no kit"},
+    {"sim-st7735s-128x160", 0x08, "no kit"},
+};
+
+static void orientations_are_those_of_the_makers(void **state)
+{
+    (void)state;
+    unsigned count = 0;
+    assert_int_equal(board_count, sizeof orientations / sizeof orientations[0]);
+    for (uint32_t i = 0; i < board_count; i++) {
+        const struct board *board = board_list[i];
+        const struct measured m = measure(board);
+        struct row row = {{0}, 0};
+        assert_string_equal(board->name, orientations[i].board);
+        if (m.rotation_byte != orientations[i].byte) {
+            fail_msg("%s starts with %02Xh, not %02Xh", board->name, m.rotation_byte, orientations[i].byte);
+        }
+        if (is_kit(board)) {
+            add(&row, "| `%s` | %02Xh | %s |", board->name, m.rotation_byte, orientations[i].source);
+            count += missing(&row);
+        }
     }
     assert_int_equal(count, 0);
 }
@@ -157,6 +242,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wiring_is_that_of_the_boards),
         cmocka_unit_test(boards_are_all_there),
+        cmocka_unit_test(orientations_are_those_of_the_makers),
         cmocka_unit_test(panels_are_all_there),
     };
     return cmocka_run_group_tests(tests, read_readme, free_readme);

@@ -86,7 +86,8 @@ function wrapSio(sio, shared, core, fifos) {
   };
 }
 
-// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock.
+// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock, and in mode 0 of the
+// unit's pause (hal/spi_clock.h).
 function addWireTime(machine, spi) {
   const { clock } = machine.mcu;
   let word = null;
@@ -105,7 +106,7 @@ function addWireTime(machine, spi) {
     word = { value, bits, hz, start: clock.nanos };
     machine.wordInFlight = true;
     machine.onWordStart();
-    alarm.schedule(machine.freeWire ? 0 : (bits * 1e9) / hz);
+    alarm.schedule(machine.freeWire ? 0 : ((bits + (spi.spiMode === 0 ? 1.5 : 0)) * 1e9) / hz);
   };
 }
 
