@@ -8,7 +8,7 @@ V ?= 0
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 PREFIX ?= /usr/local
 BOARD_DIR ?=
-BUDGET_CORE_BYTES ?= 47104
+BUDGET_CORE_BYTES ?= 47616
 
 # A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
 OPEN := (

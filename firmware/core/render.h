@@ -201,8 +201,10 @@ struct ph_lens {
 /* What the small triangles of a part have in common: see ph_setup_part. */
 struct ph_small {
     const struct ph_material *material; /* NULL: none are drawn as such */
+    const uint16_t *ramp;               /* the material's, or its colour as the only entry */
     uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
     bool floats;                        /* float16, else fixed16 */
+    uint8_t shading;                    /* PH_SHADE_GOURAUD, PH_SHADE_FLAT, or PH_SHADE_UNLIT: one colour */
 };
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */

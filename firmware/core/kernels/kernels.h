@@ -32,10 +32,17 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
 /*
  * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL, and it
  * keeps a pixel or more away from the borders of the picture. d is the depth of its corners; no two are 2^31 apart.
- * Sets t->y_top, t->y_bottom and all of t->small but the ramp. False, with nothing set, if the triangle has no row.
+ * Sets t->y_top, t->y_bottom and all of t->small but the ramp. If depth changes by more than 2^25 a pixel, the 15 bits
+ * of a difference that are kept here would show: then small.d, gd and d_dy are left to the caller.
  */
-bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
-                    const uint32_t d[3]);
+enum ph_small_setup {
+    PH_SMALL_NO_ROW, /* the triangle has no row, and nothing is set */
+    PH_SMALL_SET,
+    PH_SMALL_STEEP, /* all is set but depth */
+};
+
+enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3],
+                                   const struct ph_sides *sides, const uint32_t d[3]);
 
 /* float_depths.c: 16.16 codes of float16 of a triangle's corners, plus `bias`, if all three lie in one octave that is
  * not the lowest: there a float is a fixed number with another slope. Else false. No corner is behind the far plane. */

@@ -67,9 +67,11 @@ struct pixel_gradient {
     int32_t x, y; /* per pixel */
 };
 
-/* Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first: x = (d2 dy1 - d1
- * dy2) / area, y = (d1 dx2 - d2 dx1) / area. For limit see plane_through below. */
-static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int limit)
+/*
+ * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first:
+ * x = (d2 dy1 - d1 dy2) / area, y = (d1 dx2 - d2 dx1) / area. For *halved see plane_through below.
+ */
+static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t d1, int64_t d2, int *halved)
 {
     struct plane_base base = *any, *const s = &base;
     if (any->sides->is_short) {
@@ -80,17 +82,19 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
     const int excess = ph_max(ph_max(bits_of(nx), bits_of(ny)) - 31, 0);
     const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
-    const int down = ph_max(ph_max(53 - s->shift - excess, ph_max(bits_of(px), bits_of(py)) - limit), 1);
+    const int unit = 53 - s->shift - excess, down = ph_max(ph_max(unit, ph_max(bits_of(px), bits_of(py)) - 31), 1);
     const int64_t half = (int64_t)1 << (down - 1); /* down is 22 or more without excess, else 29 or more */
+    *halved = down - unit;
     return (struct pixel_gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
 }
 
 /* The plane with that gradient through `value` at the first corner. */
-static NOINLINE struct ph_plane wide_plane(const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2,
-                                           int limit)
+static NOINLINE int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2)
 {
-    const struct pixel_gradient g = wide_gradient(s, d1, d2, limit);
-    return hang_plane(s, value, g.x, g.y);
+    int halved;
+    const struct pixel_gradient g = wide_gradient(s, d1, d2, &halved);
+    *out = hang_plane(s, value, g.x, g.y);
+    return halved;
 }
 
 /* n r / 2^16; n is below 2^30, r has 16 bits. */
@@ -99,45 +103,45 @@ static inline int32_t times_q16(int32_t n, int32_t r)
     return (n >> 16) * r + (int32_t)(((uint32_t)n & 0xffff) * (uint32_t)r >> 16);
 }
 
-/* The same for short sides in 32 bits: d1, d2 < 2^15 are the differences over 2^drop, out->base the first value. */
-static FX_APART void short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop,
-                                 int limit)
+/*
+ * The same for short sides, in 32 bits. d1, d2 (below 2^15) are the differences over 2^drop. On entry out->base is the
+ * value at the first corner.
+ */
+static FX_APART int short_plane(struct ph_plane *out, const struct plane_base *s, int32_t d1, int32_t d2, int drop)
 {
     const struct ph_sides *const t = s->sides;
     int32_t gx = times_q16(d2 * t->dy1 - d1 * t->dy2, s->reciprocal);
     int32_t gy = times_q16(d1 * t->dx2 - d2 * t->dx1, s->reciprocal);
-    int down = 23 - s->shift - drop; /* the gradient is g 2^-down, with |g| < 2^30 */
-    const int room = down + limit;   /* so many bits may g have */
-    if (room < 30 && ((uint32_t)((gx >> room) + 1) | (uint32_t)((gy >> room) + 1)) > 1) {
-        down = ph_max(down, 32 - fx_clz32(ph_without_sign(gx) | ph_without_sign(gy)) - limit);
-    }
+    const int unit = 23 - s->shift - drop; /* the gradient is g 2^-unit, with |g| < 2^30 */
+    const int down = unit >= 0 ? unit : ph_max(unit, 1 - fx_clz32(ph_without_sign(gx) | ph_without_sign(gy)));
     gx = down >= 0 ? gx >> down : gx * (1 << -down);
     gy = down >= 0 ? gy >> down : gy * (1 << -down);
     *out = hang_plane(s, out->base, gx, gy);
+    return down - unit;
 }
 
 /* The same for differences below 2^30, of which the upper 16 bits are taken. */
-static inline void scaled_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int32_t d1,
-                                int32_t d2, int limit)
+static inline int scaled_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int32_t d1, int32_t d2)
 {
     const int spare = fx_clz32(ph_without_sign(d1) | ph_without_sign(d2));
     const int drop = spare < 17 ? 17 - spare : 0;
     const int32_t half = (1 << drop) >> 1;
     out->base = value;
-    short_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop, limit);
+    return short_plane(out, s, (d1 + half) >> drop, (d2 + half) >> drop, drop);
 }
 
-/* The plane through three unsigned values. Gradients beyond 2^limit per pixel are halved until they fit: so slivers,
- * and faces seen edge-on, become flat instead of wrapping. */
-static void plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3], int limit)
+/*
+ * The plane through three unsigned values. A gradient of 2^31 per pixel or more is halved until it fits, so that it
+ * does not wrap: the triangle becomes flatter. Returns how often.
+ */
+static NOINLINE int plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */
     const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
     if (s->sides->is_short && ((uint32_t)((half1 >> 29) + 1) | (uint32_t)((half2 >> 29) + 1)) <= 1) {
-        scaled_plane(out, s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]), limit);
-    } else {
-        *out = wide_plane(s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+        return scaled_plane(out, s, v[0], (int32_t)(v[1] - v[0]), (int32_t)(v[2] - v[0]));
     }
+    return wide_plane(out, s, v[0], (int64_t)v[1] - v[0], (int64_t)v[2] - v[0]);
 }
 
 /* The plane through the light of the corners, in 2^-16. */
@@ -147,19 +151,21 @@ static void plane_light(struct ph_plane *out, const struct plane_base *s, const 
     const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
     out->base = (uint32_t)v[0]->light << 16;
     if (s->sides->is_short) {
-        short_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop, 31);
+        short_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop);
     } else {
-        *out = wide_plane(s, out->base, (int64_t)d1 * 65536, (int64_t)d2 * 65536, 31);
+        wide_plane(out, s, out->base, (int64_t)d1 * 65536, (int64_t)d2 * 65536);
     }
 }
 
-/* The plane through three unsigned values to its last bit, for formats that keep 24 bits of them. */
-static struct ph_plane plane_exact(const struct plane_base *s, const uint32_t v[3], int limit)
+/* plane_through to its last bit, for formats that keep 24 bits of the values. */
+static int plane_exact(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
 {
-    const struct pixel_gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], limit);
+    int halved;
+    const struct pixel_gradient g = wide_gradient(s, (int64_t)v[1] - v[0], (int64_t)v[2] - v[0], &halved);
     const int32_t x = s->x * 256 + s->part_x, y = s->y * 256 + s->part_y;
     const uint32_t right = (uint32_t)(fx_mul_wide(g.x, x) >> 8), down = (uint32_t)(fx_mul_wide(g.y, y) >> 8);
-    return (struct ph_plane){v[0] + right + down, (uint32_t)g.x, (uint32_t)g.y};
+    *out = (struct ph_plane){v[0] + right + down, (uint32_t)g.x, (uint32_t)g.y};
+    return halved;
 }
 
 /* The exponent of the nearest corner. */
@@ -176,15 +182,15 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
     return down < 32 ? v->q >> down : 0;
 }
 
-/* The plane of depth d, exactly for codes of 24 bits. */
-static void depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t v[3], int limit,
-                        struct ph_plane *out)
+/*
+ * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are the finest.
+ * Returns how often its gradient was halved.
+ */
+static NOINLINE int depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t d[3],
+                                struct ph_triangle *t)
 {
-    if (r->stats.depth_format >= PH_DEPTH_FIXED24) {
-        *out = plane_exact(s, v, limit);
-    } else {
-        plane_through(out, s, v, limit);
-    }
+    return r->stats.depth_format >= PH_DEPTH_FIXED24 || t->block != PH_BLOCK_NONE ? plane_exact(&t->depth, s, d)
+                                                                                  : plane_through(&t->depth, s, d);
 }
 
 /* Depth of the corners in the fixed formats. */
@@ -197,14 +203,33 @@ static inline void fixed_depths(const struct ph_renderer *r, const struct ph_ver
     }
 }
 
-NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
-                                 uint32_t d[3])
+/* d of the corners, in units of 2^-(32 + block). */
+static NOINLINE void depths_in_block(const struct ph_renderer *r, const struct ph_vertex *const v[3], int block,
+                                     uint32_t d[3])
 {
-    const int above = least_exponent(v) - 2, block = above > 0 ? above : 0;
     const uint32_t far = ph_depth_far(&r->lens, block);
     for (int i = 0; i < 3; i++) {
         d[i] = ph_depth_before(ph_depth_of(v[i]), far, block);
     }
+}
+
+/* The largest block exponent with which d of the nearest corner stays below 2^31. */
+static int largest_block(const struct ph_vertex *const v[3])
+{
+    return ph_max(least_exponent(v) - 2, 0);
+}
+
+int ph_octaves_between(const uint32_t d[3], int block)
+{
+    const int a = ph_depth_octave(d[0], block), b = ph_depth_octave(d[1], block), c = ph_depth_octave(d[2], block);
+    return ph_max(ph_max(a, b), c) - ph_min(ph_min(a, b), c);
+}
+
+NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
+                                 uint32_t d[3])
+{
+    const int block = largest_block(v);
+    depths_in_block(r, v, block, d);
     const int octave = ph_depth_octave(d[0], block);
     if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
         return (uint8_t)block;
@@ -216,6 +241,38 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
     return PH_BLOCK_NONE;
 }
 
+/*
+ * Rounds a plane of float16 that crosses octaves, so that its codes are the same from wherever a row is begun: no bit
+ * of a gradient is lost when it is shifted to the slope of an octave. Over more than five octaves that would cost the
+ * far end its precision: such a plane stays as it is. d: of the corners.
+ */
+static void round_depth(struct ph_plane *plane, const uint32_t d[3], int block)
+{
+    if (ph_octaves_between(d, block) <= 4) {
+        plane->base = (plane->base + 4) & ~(uint32_t)7;
+        plane->gx = (plane->gx + 4) & ~(uint32_t)7;
+        plane->gy = (plane->gy + 4) & ~(uint32_t)7;
+    }
+}
+
+/* A float format. The steeper a triangle, the smaller must its block exponent be: codes are steeper than d is. */
+static NOINLINE void setup_float(const struct ph_renderer *r, const struct plane_base *s,
+                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+{
+    uint32_t d[3];
+    t->block = ph_block_depths(r, v, bias, d);
+    int halved = depth_plane(r, s, d, t);
+    for (int block = largest_block(v); halved > 0 && (t->block == PH_BLOCK_NONE || t->block > 0);) {
+        block = t->block == PH_BLOCK_NONE ? block : ph_max(block - halved, 0);
+        t->block = (uint8_t)block;
+        depths_in_block(r, v, block, d);
+        halved = depth_plane(r, s, d, t);
+    }
+    if (t->block != PH_BLOCK_NONE && r->stats.depth_format == PH_DEPTH_FLOAT16) {
+        round_depth(&t->depth, d, t->block);
+    }
+}
+
 /* linear-w: the plane of N/w, and how it becomes a code. */
 static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plane_base *s,
                                   const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
@@ -223,28 +280,27 @@ static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plan
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
     t->block = PH_BLOCK_LINEAR;
-    t->depth = plane_exact(s, w, 29);
+    plane_exact(&t->depth, s, w);
     t->linear = r->lens.linear;
     t->linear.bias = (uint8_t)(t->linear.bias + bias);
     t->linear.down = (int8_t)(t->linear.down - least);
 }
 
 /* Depth and block. */
-static void setup_depth(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
-                        struct ph_triangle *t)
+static NOINLINE void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
+                                 const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const uint32_t bias = ph_depth_bias(t->material);
     const unsigned format = r->stats.depth_format;
     t->block = PH_BLOCK_NONE;
     uint32_t d[3];
     if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
-        t->block = ph_block_depths(r, v, bias, d);
-        depth_plane(r, s, d, 27, &t->depth);
+        setup_float(r, s, v, bias, t);
     } else if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
         setup_linear(r, s, v, bias, t);
     } else {
         fixed_depths(r, v, bias, d);
-        depth_plane(r, s, d, 28, &t->depth);
+        depth_plane(r, s, d, t);
     }
 }
 
@@ -289,11 +345,11 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
             const int32_t share = range <= 14 ? (int32_t)(u << (14 - range)) : (int32_t)u >> (range - 14); /* Q2.30 */
             over_w[i] = (uint32_t)(fx_mul_wide(share, (int32_t)w[i]) >> 32) + positive;
         }
-        plane_through(&t->attribute[axis], s, over_w, 31);
+        plane_through(&t->attribute[axis], s, over_w);
         t->attribute[axis].base -= positive;
     }
     if (t->block != PH_BLOCK_LINEAR) { /* linear-w has it as its depth */
-        plane_through(&t->attribute[2], s, w, 31);
+        plane_through(&t->attribute[2], s, w);
     }
     t->range_log2 = (uint8_t)range;
 }
@@ -345,4 +401,26 @@ void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const str
     plane_base(&base, v[0], sides);
     setup_depth(r, &base, v, t);
     setup_shading(r, &base, v, uv, t);
+}
+
+/* plane_base for what is rare. */
+static NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
+{
+    plane_base(base, first, sides);
+}
+
+void ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides)
+{
+    struct plane_base base;
+    rare_base(&base, v[0], sides);
+    setup_depth(r, &base, v, t);
+}
+
+int ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
+                   const uint32_t d[3])
+{
+    struct plane_base base;
+    rare_base(&base, first, sides);
+    return plane_through(out, &base, d);
 }

@@ -245,17 +245,6 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
     return count;
 }
 
-/* Rounds the depth plane to multiples of 8: in the nearest octave a code is d without its last 3 bits. This starts from
- * the triangle's first pixel, which does not depend on the bands. */
-static void round_depth(struct ph_small_triangle *r)
-{
-    const uint32_t x = (r->lower_is_right ? r->left : r->right) >> 16;
-    const uint32_t d = r->d + x * r->gd;
-    r->gd = (r->gd + 4) & ~(uint32_t)7;
-    r->d_dy = (r->d_dy + 4) & ~(uint32_t)7;
-    r->d = ((d + 4) & ~(uint32_t)7) - x * r->gd;
-}
-
 /* Steps n rows down, through both halves. */
 static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
 {
@@ -312,7 +301,6 @@ static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_b
 static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
-    round_depth(&r);
     const struct place at = cut_rows(t, band, &r);
     return draw_rows_split(t, &r, at);
 }

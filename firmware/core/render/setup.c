@@ -112,10 +112,71 @@ static inline bool is_thin(const struct ph_sides *s)
     return (((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) < 512;
 }
 
+/* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
+static inline bool small_depths(const struct ph_renderer *r, const struct ph_material *material,
+                                const struct ph_vertex *const v[3], uint32_t d[3], uint8_t *block)
+{
+    *block = PH_BLOCK_NONE;
+    if (r->small.floats) {
+        if (!ph_float_depths(&r->lens, v, r->small.bias, d)) {
+            *block = ph_block_depths(r, v, ph_depth_bias(material), d);
+        }
+        return true;
+    }
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_before(ph_depth_of(v[i]), r->small.far, 0) + r->small.bias;
+    }
+    return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
+}
+
+/* Sets the depth that ph_setup_small left out, or that crosses octaves. */
+static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
+                                  const struct ph_vertex *const v[3], const struct ph_sides *sides, const uint32_t d[3],
+                                  enum ph_small_setup done)
+{
+    struct ph_small_triangle *const small = &t->small;
+    struct ph_triangle any;
+    if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_octaves_between(d, t->block) <= 1) {
+        small->d = (small->d + 4) & ~(uint32_t)7; /* rounded: see planes.c; the gradients are multiples of 256 */
+        return;
+    }
+    any.block = PH_BLOCK_NONE;
+    if (t->block != PH_BLOCK_NONE || ph_depth_plane(&any.depth, v[0], sides, d) > 0) {
+        any.material = t->material;
+        ph_set_depth(&any, r, v, sides);
+    }
+    t->block = any.block;
+    small->gd = any.depth.gx;
+    small->d_dy = any.depth.gy;
+    small->d = any.depth.base + (uint32_t)t->y_top * any.depth.gy;
+}
+
+/* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has. */
+static NOINLINE void take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
+                                      const struct ph_vertex *const v[3], const struct ph_sides *sides)
+{
+    struct ph_triangle other;
+    uint32_t d[3];
+    other.material = t->material;
+    if (!small_depths(r, t->material, v, d, &other.block)) {
+        return;
+    }
+    const enum ph_small_setup done = ph_setup_small(&other, v, sides, d);
+    if (done == PH_SMALL_NO_ROW) {
+        return;
+    }
+    if (done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) {
+        finish_depth(&other, r, v, sides, d, done);
+    }
+    const struct ph_small_triangle *const small = &other.small;
+    t->block = other.block;
+    t->depth = (struct ph_plane){small->d - (uint32_t)other.y_top * small->d_dy, small->gd, small->d_dy};
+}
+
 /* Sets up and lists any triangle that ph_setup_small cannot take. */
 static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_material *material,
                                   const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                                  const struct ph_sides *sides)
+                                  const struct ph_sides *sides, bool small)
 {
     const uint32_t n = r->triangle_count;
     struct ph_triangle no_room, *const t = n < r->config.triangle_max ? &ph_triangles(r)[n] : &no_room;
@@ -126,6 +187,9 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
         r->stats.triangles_dropped++;
         return true;
     }
+    if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
+        take_small_depth(t, r, v, sides);
+    }
     r->triangle_count = n + 1;
     r->stats.triangles_drawn++;
     return true;
@@ -133,9 +197,12 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
 
 void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
 {
-    const unsigned format = r->stats.depth_format;
-    const bool shaded = material->shading == PH_SHADE_GOURAUD && material->ramp != NULL;
-    r->small.material = shaded && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    const unsigned format = r->stats.depth_format, shading = material->shading;
+    const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
+    const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
+    r->small.material = !textured && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    r->small.ramp = lit ? material->ramp : &material->colour;
+    r->small.shading = lit ? material->shading : PH_SHADE_UNLIT;
     r->small.floats = format == PH_DEPTH_FLOAT16;
     r->small.far = ph_depth_far(&r->lens, 0);
     r->small.bias = r->small.floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
@@ -146,29 +213,31 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
                     const fx_t *const uv[3], const struct ph_sides *sides)
 {
     const uint32_t n = r->triangle_count;
-    if (material != r->small.material || n >= r->config.triangle_max || !is_small(sides) || !is_inside(r, v)) {
-        return setup_listed(r, material, v, uv, sides);
+    const bool small = is_small(sides) && is_inside(r, v);
+    if (!small || material != r->small.material || n >= r->config.triangle_max) {
+        return setup_listed(r, material, v, uv, sides, small);
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
     uint32_t d[3];
     t->kind = PH_KIND_SMALL;
-    t->block = PH_BLOCK_NONE;
     t->material = material;
-    t->small.ramp = material->ramp;
-    if (r->small.floats) {
-        if (!ph_float_depths(&r->lens, v, r->small.bias, d)) {
-            t->block = ph_block_depths(r, v, ph_depth_bias(material), d);
-        }
-    } else {
-        for (int i = 0; i < 3; i++) {
-            d[i] = ph_depth_before(ph_depth_of(v[i]), r->small.far, 0) + r->small.bias;
-        }
-        if (((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 != 0) { /* too far apart for ph_setup_small */
-            return setup_listed(r, material, v, uv, sides);
-        }
+    t->small.ramp = r->small.ramp;
+    if (!small_depths(r, material, v, d, &t->block)) {
+        return setup_listed(r, material, v, uv, sides, false);
     }
-    if ((is_thin(sides) && misses_columns(r->config.width, v)) || !ph_setup_small(t, v, sides, d)) {
+    if (is_thin(sides) && misses_columns(r->config.width, v)) {
         return false;
+    }
+    const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
+    if (done == PH_SMALL_NO_ROW) {
+        return false;
+    }
+    if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
+        finish_depth(t, r, v, sides, d, done);
+    }
+    if (r->small.shading != PH_SHADE_GOURAUD) {
+        t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
+        t->small.glight = t->small.light_dy = 0;
     }
     r->triangle_count = n + 1;
     r->stats.triangles_drawn++;

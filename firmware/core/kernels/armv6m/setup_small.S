@@ -347,7 +347,7 @@ none:
     mov r1, r8
     muls r1, r4
     subs r6, r6, r1
-    cmp r7, #31 - 19
+    cmp r7, #31 - 17
     blt steep_depth
     asrs r5, r7
     asrs r6, r7
@@ -376,11 +376,31 @@ steep_light:
     pop {r4}
     b 5b
 steep_depth:
-    mov r1, lr
-    movs r4, #32 - 19
-    bl flatten
-    mov lr, r1
+    movs r4, #17 @ whether the gradient fits r7 + 17 bits
+    adds r4, r4, r7
+    bmi 1f
+    movs r1, r5
+    asrs r1, r4
+    adds r1, #1
+    mov r8, r1
+    movs r1, r6
+    asrs r1, r4
+    adds r1, #1
+    mov r4, r8
+    orrs r1, r4
+    cmp r1, #1
+    bhi 1f
+    cmp r7, #0
+    blt 2f
+    asrs r5, r7
+    asrs r6, r7
     b 10b
+2:  rsbs r7, r7, #0
+    lsls r5, r7
+    lsls r6, r7
+    b 10b
+1:  movs r0, #2 @ PH_SMALL_STEEP
+    b leave
     .size ph_setup_small, . - ph_setup_small
     .p2align 2
     .ltorg

@@ -188,7 +188,7 @@ planes:
     mul lr, r7, r6
     mls lr, r12, r4, lr
     sub r9, r10, r9
-    cmp r9, #31 - 19
+    cmp r9, #31 - 17
     blt steep_depth
 6:  asr r11, r11, r9
     asr lr, lr, r9
@@ -222,10 +222,16 @@ steep_light:
     lsl lr, lr, r12
     b 5b
 steep_depth:
-    flatten r9, 19, r7, r12
+    mov r4, r9
+    flatten r9, 17, r7, r12
+    cmp r9, r4
+    bne 9f
+    cmp r9, #0
     bge 6b
     rsb r9, r9, #0
     lsl r11, r11, r9
     lsl lr, lr, r9
     b 7b
+9:  movs r0, #2 @ PH_SMALL_STEEP
+    b 8b
     .size ph_setup_small, . - ph_setup_small

@@ -5,7 +5,7 @@
 
 enum {
     FRACTION = 15,    /* bits that are kept of a difference and of a side */
-    STEEP_DEPTH = 19, /* bits that a gradient per 1/256 px may have: 2^27 per pixel, which all formats can take */
+    STEEP_DEPTH = 17, /* bits that a gradient per 1/256 px may have: at 2^25 per pixel it is right to a code or two */
     STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
@@ -35,52 +35,58 @@ struct subpixel_gradient {
     int32_t x, y; /* per 1/256 px */
 };
 
-/* Halves a gradient until it fits: so slivers, and faces seen edge-on, become flat instead of wrapping. */
-static __attribute__((noinline)) struct subpixel_gradient flattened(int32_t x, int32_t y, int down, int limit)
+/* Halves a gradient until it fits. False if it had to. */
+static __attribute__((noinline)) bool flatten(struct subpixel_gradient *g, int down, int limit)
 {
-    const int least = 32 - fx_clz32(ph_without_sign(x) | ph_without_sign(y)) - limit;
-    down = down > least ? down : least;
-    return down < 0 ? (struct subpixel_gradient){x * (1 << -down), y * (1 << -down)}
-                    : (struct subpixel_gradient){x >> down, y >> down};
+    const int least = 32 - fx_clz32(ph_without_sign(g->x) | ph_without_sign(g->y)) - limit;
+    const int by = down > least ? down : least;
+    *g = by < 0 ? (struct subpixel_gradient){g->x * (1 << -by), g->y * (1 << -by)}
+                : (struct subpixel_gradient){g->x >> by, g->y >> by};
+    return least <= down;
 }
 
-/* The gradient from the differences over 2^drop, which have FRACTION bits. */
-static struct subpixel_gradient gradient_of(const struct slopes *s, int32_t d1, int32_t d2, int drop, int limit)
+/* The gradient from the differences over 2^drop, which have FRACTION bits. False if it was flattened. */
+static bool set_gradient(struct subpixel_gradient *g, const struct slopes *s, int32_t d1, int32_t d2, int drop,
+                         int limit)
 {
-    const int32_t x = d2 * s->a - d1 * s->b, y = d1 * s->d - d2 * s->c;
     const int down = s->shift - drop;
+    *g = (struct subpixel_gradient){d2 * s->a - d1 * s->b, d1 * s->d - d2 * s->c};
     if (down < 31 - limit) {
-        return flattened(x, y, down, limit);
+        return flatten(g, down, limit);
     }
-    return (struct subpixel_gradient){x >> down, y >> down};
+    g->x >>= down;
+    g->y >>= down;
+    return true;
 }
 
-static struct subpixel_gradient depth_gradient(const struct slopes *s, const uint32_t d[3])
+static bool set_depth_gradient(struct subpixel_gradient *g, const struct slopes *s, const uint32_t d[3])
 {
     const int32_t d1 = (int32_t)(d[1] - d[0]), d2 = (int32_t)(d[2] - d[0]);
     const int excess = 32 - FRACTION - fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)),
               drop = excess > 0 ? excess : 0;
-    return gradient_of(s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
+    return set_gradient(g, s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
-/* The plane of light is in 2^-16. Of 16 bits of a difference FRACTION are kept: 17 bits of the plane are dropped. */
-static struct subpixel_gradient light_gradient(const struct slopes *s, const struct ph_vertex *const v[3])
-{
-    return gradient_of(s, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17, STEEP_LIGHT);
-}
-
-static void set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
+/* False if depth is too steep: then it is not set. */
+static bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                        const uint32_t d[3])
 {
     const struct slopes slopes = slopes_of(sides);
-    const struct subpixel_gradient depth = depth_gradient(&slopes, d), light = light_gradient(&slopes, v);
     const uint32_t x = (uint32_t)(128 - v[0]->x), y = (uint32_t)(t->y_top * 256 + 128 - v[0]->y);
-    t->small.gd = (uint32_t)depth.x * 256;
-    t->small.d_dy = (uint32_t)depth.y * 256;
-    t->small.d = d[0] + (uint32_t)depth.x * x + (uint32_t)depth.y * y;
+    struct subpixel_gradient depth, light;
+    /* The plane of light is in 2^-16. Of 16 bits of a difference FRACTION are kept: 17 bits of the plane are dropped.
+     */
+    set_gradient(&light, &slopes, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17, STEEP_LIGHT);
     t->small.glight = (uint32_t)light.x * 256;
     t->small.light_dy = (uint32_t)light.y * 256;
     t->small.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
+    if (!set_depth_gradient(&depth, &slopes, d)) {
+        return false;
+    }
+    t->small.gd = (uint32_t)depth.x * 256;
+    t->small.d_dy = (uint32_t)depth.y * 256;
+    t->small.d = d[0] + (uint32_t)depth.x * x + (uint32_t)depth.y * y;
+    return true;
 }
 
 /* The edge from a down to b at `row`, the first row of a. */
@@ -89,12 +95,12 @@ static void set_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32
     *edge = ph_short_edge(a, b->x - a->x, b->y - a->y, row, row);
 }
 
-bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
-                    const uint32_t d[3])
+enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3],
+                                   const struct ph_sides *sides, const uint32_t d[3])
 {
     const struct ph_outline o = ph_outline(v);
     if (o.row_top >= o.row_low) {
-        return false;
+        return PH_SMALL_NO_ROW;
     }
     struct ph_small_triangle *const small = &t->small;
     const bool flat_top = o.row_mid == o.row_top;
@@ -113,6 +119,5 @@ bool ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3], c
     }
     t->y_top = (int16_t)o.row_top;
     t->y_bottom = (int16_t)o.row_low;
-    set_planes(t, v, sides, d);
-    return true;
+    return set_planes(t, v, sides, d) ? PH_SMALL_SET : PH_SMALL_STEEP;
 }
