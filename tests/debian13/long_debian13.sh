@@ -47,10 +47,9 @@ images_build() {
     done
 }
 
-# picotool refuses our ELF, whose program headers overlap. Once they do not, elf belongs to this list.
 picotool_reads_images() {
     local kind
-    for kind in uf2 bin; do
+    for kind in uf2 elf bin; do
         debian13 picotool info -a "$image.$kind" || return 1
     done
     debian13 picotool info -a "$image.uf2" | grep -q "family ID 'rp2040'"
@@ -82,7 +81,7 @@ timed "gcc 14 builds the firmware without a warning" images_build
 script "QEMU 10 runs an image" tests/firmware/test_firmware_lm3s.sh
 
 image=build/firmware/pico-display-demos
-timed "picotool reads our UF2 and BIN" picotool_reads_images
+timed "picotool reads our UF2, ELF and BIN" picotool_reads_images
 timed "picotool makes the same UF2 of our BIN" picotool_writes_the_same_uf2
 
 board_why=$(debian13 tests/guest/guest.sh --why)

@@ -32,6 +32,17 @@ flash_is_the_size_of_the_bin() { # within the padding between sections
     near "$said" "$size" 64
 }
 
+# No two program headers load to the same address, bytes or zeros. picotool refuses an ELF file with such headers.
+segments_lie_apart() { # board
+    [ -s "$B/firmware/$1-demos.elf" ] || firmware BOARD="$1" >/dev/null || return 1
+    arm-none-eabi-readelf -lW "$B/firmware/$1-demos.elf" | awk '$1 == "LOAD" && $6 != "0x00000" { print $4, $6, $5 }' | sort | tee "$dir/segments" | awk '
+        function hex(text,    i, n) { n = 0; for (i = 3; i <= length(text); i++) { n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1 }; return n }
+        hex($1) < end { print "the segment at load address " $1 " begins within the one before"; bad = 1 }
+        $3 == "0x00000" && hex($1) < 536870912 { print "the segment at load address " $1 " has no bytes"; bad = 1 }
+        { end = hex($1) + hex($2) }
+        END { exit bad || NR < 2 }'
+}
+
 # Read back with od and awk alone: magics, flags, addresses, numbers, family, and the payload against the BIN.
 uf2_holds_the_bin() {
     local blocks=$((($(stat -c %s "$image.bin") + 255) / 256))
@@ -74,7 +85,7 @@ template_links() { # what one copies to port a chip; every function of the ports
     while read -r name; do
         arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,cortexm/start,cortexm/one_core}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
     done < <(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h)
-    says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
+    segments_lie_apart none-yet && says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
 }
 
 no_such_board() {
@@ -165,6 +176,9 @@ target_sizes_are_those_counted_with() {
 
 check "an_image_is_built_and_says_what_it_takes" builds_and_says_what_it_takes
 check "the_flash_that_it_says_is_the_size_of_the_BIN" flash_is_the_size_of_the_bin
+for of in "$board" lm3s6965evb pico-display; do
+    check "the_program_headers_of_${of}_do_not_overlap" segments_lie_apart "$of"
+done
 check "the_UF2_holds_the_BIN_with_the_chips_family" uf2_holds_the_bin
 check "within_the_budget_it_passes" budget
 check "over_the_flash_it_fails" over flash=90000 flash
