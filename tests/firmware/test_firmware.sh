@@ -29,7 +29,7 @@ builds_and_says_what_it_takes() {
 flash_is_the_size_of_the_bin() { # within the padding between sections
     local said size
     said=$(awk '/^flash/ { print $2 }' "$dir/said") size=$(stat -c %s "$image.bin")
-    near "$said" "$size" 64
+    near "$said" "$size" 8
 }
 
 # No two program headers load to the same address, bytes or zeros. picotool refuses an ELF file with such headers.
