@@ -6,6 +6,7 @@
  *   rp2040.c   struct hal_ops, USB boot loader     spi.c                the bus: SPI and one channel of DMA
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
  *   divide.c   / and % by the SIO's divider        cores2.c             the second core (CORES=2)
+ *   binary_info.c  what picotool shows of an image
  *
  * Calls run one way: entry.S, start.c, rp2040.c, spi.c and uart.c, pins.c.
  *
