@@ -45,6 +45,11 @@ not_without_a_reason() { # a pin that is no button; a button pressed later
     EVENTS_ONLY=1 emulate "$board" 1 3 - --press=-1:22 && EVENTS_ONLY=1 emulate "$board" 1 3 - --press 0:12+15 && ! grep -q 'boot loader' "$dir/log"
 }
 
+not_while_its_line_is_charged() { # 15 ms; a line that takes 40 ms counts as held
+    EVENTS_ONLY=1 emulate "$board" 1 2 - --charge 15000 && ! grep -q 'boot loader' "$dir/log" &&
+        EVENTS_ONLY=1 emulate "$board" 1 2 - --charge 40000 && ended_in_the_boot_loader -1
+}
+
 holds_steps_and_goes_on() { # a line a frame while it holds, then none within the second
     emulate "$board" 1 12 - --send 0:HHHG && expect "$board" 12 && same 12 || return 1
     sed -n 's/^frame \([0-9]*\),.*/\1/p' "$dir/log" | tr -d '\r' | tr '\n' ' ' | tee "$dir/lines" | grep -qx '1 2 3 ' || { cat "$dir/lines" && return 1; }
@@ -79,6 +84,7 @@ check "it_reboots_with_two_cores_too" asked_for 2 3
 check "it_reboots_while_it_holds_too" asked_for_while_it_holds
 check "each_button_held_at_power_up_does_so" held_at_power_up
 check "other_pins_and_later_moments_do_not" not_without_a_reason
+check "a_button_with_a_capacitor_does_not_either" not_while_its_line_is_charged
 check "H_holds_and_steps_G_goes_on" holds_steps_and_goes_on
 check "two_buttons_held_together_change_the_demo" two_buttons_change_the_demo
 check "the_stack_of_core_1_stays_below_its_bound" stack_of_core_1_stays_below_its_bound

@@ -7,13 +7,15 @@
 // The user sets hooks: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
 // the chip drives changes, onUart(byte), onEnd(why). machine.calls is a Map from an address to a function, which gets
 // r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
-// time, as in rp2040js; the cores' own time is left.
+// time, as in rp2040js; the cores' own time is left. A pin reads low until machine.chargeUs after its pull-up was turned
+// on, as with a capacitor.
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
 const CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58, SHARED_END = 0x50, SPINLOCK0 = 0x100;
 const FIFO_READABLE = 1, FIFO_WRITABLE = 2;
 const FIFO_WORDS = 8;
+const PULLED_UP = 3; // GPIOPinState.InputPullUp
 
 function crc32mpeg2(bytes) {
   let crc = 0xffffffff;
@@ -134,8 +136,12 @@ function addRom(machine) {
 
 function watchPins(machine) {
   machine.mcu.gpio.forEach((pin, index) => {
-    pin.setInputValue(true); // as if pulled up
+    pin.setInputValue(machine.chargeUs === 0);
+    const charged = machine.mcu.clock.createAlarm(() => pin.setInputValue(true));
     pin.addListener((state) => {
+      if (state === PULLED_UP && machine.chargeUs > 0) {
+        charged.schedule(machine.chargeUs * 1e3);
+      }
       const bit = 2 ** index;
       const high = state === 1;
       if (state > 1 || high === ((machine.levels & bit) !== 0)) {
@@ -180,7 +186,7 @@ export function makeMachine(lib, { cores = 1, warn }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
-    mcu, warn, calls: new Map(), freeWire: false, levels: 0, wordInFlight: false, ended: null, cores: [],
+    mcu, warn, calls: new Map(), freeWire: false, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
     onWord() {}, onWordStart() {}, onLevels() {}, onUart() {},
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
