@@ -169,6 +169,7 @@ machine.onUart = (byte) => {
     uart = '';
   }
 };
+machine.onTrouble = (text) => console.error(`emulate: at ${(machine.time / 1e6).toFixed(3)} ms: ${text}`);
 machine.onLevels = recorder.levels;
 machine.onWordStart = recorder.wordStart;
 
