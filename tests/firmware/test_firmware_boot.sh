@@ -55,7 +55,7 @@ holds_steps_and_goes_on() { # a line a frame while it holds, then none within th
     sed -n 's/^frame \([0-9]*\),.*/\1/p' "$dir/log" | tr -d '\r' | tr '\n' ' ' | tee "$dir/lines" | grep -qx '1 2 3 ' || { cat "$dir/lines" && return 1; }
 }
 
-stack_of_core_1_stays_below_its_bound() { # six demos; 32: one interrupt, of which it has none
+stack_of_core_1_stays_below_its_bound() { # six demos; 32: the frame of its tick
     local place size top lowest bound
     printf '%s select\n' 1 3 5 7 9 >"$dir/keys"
     emulate "$board" 2 12 "$dir/keys" || return 1
@@ -63,7 +63,7 @@ stack_of_core_1_stays_below_its_bound() { # six demos; 32: one interrupt, of whi
     top=$((0x$place + 0x$size)) lowest=$(sed -n 's/^emulate: core 1: lowest stack //p' "$dir/log")
     bound=$(find "$B/firmware/$board-cores2-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/rp2040/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
     echo "$((top - 0x$lowest)) used, at most $bound of $((0x$size))"
-    [ $((top - 0x$lowest)) -gt 200 ] && [ $((top - 0x$lowest)) -le "$bound" ] && [ $((bound + 32)) -le $((0x$size - 256)) ] # without its guard
+    [ $((top - 0x$lowest)) -gt 200 ] && [ $((top - 0x$lowest)) -le $((bound + 32)) ] && [ $((bound + 32)) -le $((0x$size - 256)) ] # without its guard
 }
 
 two_buttons_change_the_demo() { # GP12 and GP13, up and down, from frame 2 to 3: this kit has no select
