@@ -9,6 +9,7 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CORES=1|2                                     how many cores the image uses
+#   VERSION=1.0                                   what picotool info shows as its version (RP2040)
 #
 # A microcontroller board has, beside board.c (its data), a boards/NAME/board.mk with
 #   PORT              a folder of hal/
@@ -24,6 +25,8 @@
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
 #   PORT_CORES        optional: the values that CORES may have; without it 1
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
+#   PORT_INFO         optional: a .c file that tells about the image; it gets macros BOARD_... (firmware/tools/board_facts.c)
+#                     and IMAGE_NAME, IMAGE_VERSION, IMAGE_ATTRIBUTES
 #   PORT_FINISH       optional: a shell command between linking and objcopy, e.g. for a checksum; "$1" is the ELF file
 #   UF2_FAMILY        the number of the chip's family; empty: no UF2 file. UF2_BASE: the address of the BIN's first byte
 #   EMULATE           the command of `make emulate`; its arguments are the ELF, an empty folder for frames, and FRAMES
@@ -40,6 +43,7 @@ HOSTCC ?= cc
 APP ?= demos
 FRAMES ?= 4
 CORES ?= 1
+VERSION ?= 1.0
 SCENE ?=
 SCENE_TRIANGLES ?= fit
 SCENE_TEXTURE ?= 256
@@ -64,6 +68,7 @@ APP_NAME := $(basename $(notdir $(APP)))
 $(if $(filter $(CORES),$(or $(PORT_CORES),1)),,$(error CORES=$(CORES): $(BOARD) has $(or $(PORT_CORES),1)))
 $(if $(call odd,$(APP)),$(error APP='$(APP)': $(NO_SUCH_NAME)))
 $(if $(call odd,$(SCENE)),$(error SCENE='$(SCENE)': $(NO_SUCH_NAME)))
+$(if $(call odd,$(VERSION)),$(error VERSION='$(VERSION)': a version has no spaces or other special characters))
 $(if $(wildcard $(APP_FILE)),,$(error APP=$(APP): there is no $(APP_FILE); take demos, depth or a file NAME.c))
 CHANGES ?= $(if $(PORT_TILES_BYTES),1,0)
 $(if $(filter $(CHANGES),$(if $(PORT_TILES_BYTES),0 1,0)),,$(error CHANGES=$(CHANGES): $(BOARD) has $(if $(PORT_TILES_BYTES),0 1,0)))
@@ -74,16 +79,16 @@ IMAGE := $(B)/firmware/$(IMAGE_NAME)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
 BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
 
-# Prints the board's ram_bytes. FORCE, because BOARD and BOARD_DIR may be others than last time.
-$(B)/ram-bytes: FORCE
+# FORCE, because BOARD and BOARD_DIR may be others than last time.
+$(B)/board-facts: FORCE
 	@mkdir -p $(@D)
-	$(Q)$(HOSTCC) $(INC) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/ram_bytes.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c)
-$(B)/ram-bytes: INC = -Ihal -Iboards
+	$(Q)$(HOSTCC) $(INC) -DBOARD_HERE=$(BOARD_SYMBOL) -o $@ firmware/tools/board_facts.c '$(BOARD_HOME)/board.c' $(wildcard hal/panel/panels_*.c)
+$(B)/board-facts: INC = -Ihal -Iboards
 
 # A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
+             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
@@ -115,12 +120,12 @@ speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, w
 
 # ---- in the make that builds the image -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)
-IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(BOARD_HOME)/board.c
+IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
 LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/ram-bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # so that nobody flashes it
 
 image-size: $(OUT).elf
@@ -144,8 +149,15 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
              -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0)
 
-$(B)/board_here.flags: $(B)/ram-bytes
-	@ram=$$($<); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
+$(B)/board_here.flags: $(B)/board-facts
+	@ram=$$($< ram_bytes); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
+
+# What a port may tell about an image (PORT_INFO).
+$(B)/image_info.h: $(B)/board-facts
+	@{ $< pins && echo '#define IMAGE_NAME "$(or $(SCENE_NAME),$(APP_NAME))"' && echo '#define IMAGE_VERSION "$(VERSION)"' && \
+	   echo '#define IMAGE_ATTRIBUTES "CORES=$(CORES) CHANGES=$(CHANGES)"'; } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+$(PORT_INFO:%.c=$(B)/%.o): $(B)/image_info.h
+$(PORT_INFO:%.c=$(B)/%.o): CPPFLAGS += -include $(B)/image_info.h
 
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@

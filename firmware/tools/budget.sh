@@ -28,12 +28,13 @@ if echo "$faults" | grep -qv '^worst '; then
     exit 1
 fi
 
-"${CROSS}size" -A "$elf" | awk -v elf="$elf" -v flash="$flash" -v ram="$ram" -v chip="$chip_ram" -v stack="$stack" -v worst="$((worst + extra))" '
+# Sections that the image occupies have the flag A. RAM starts at 0x20000000 on every Cortex-M.
+"${CROSS}readelf" -SW "$elf" | sed -n 's/^ *\[ *[0-9]*\] //p' | awk -v elf="$elf" -v flash="$flash" -v ram="$ram" -v chip="$chip_ram" -v stack="$stack" -v worst="$((worst + extra))" '
     function line(what, used, of, rest) { printf "%-6s %7d of %7d bytes, %2d %%%s\n", what, used, of, 100 * used / of, rest; if (used > of) { over = over " " what } }
-    $3 < 4096 && $1 !~ /^\.(text|vectors|boot2|rodata|ARM)/ { next }
-    $1 ~ /^\.(boot2|vectors|text|rodata|ARM)/ { code += $2 }
-    $1 ~ /^\.(data|ram_?text|ramfunc)/ { code += $2; memory += $2 }
-    $1 ~ /^\.(bss|stack|noinit|scratch)/ { memory += $2 }
+    function hex(text,    i, n) { n = 0; for (i = 1; i <= length(text); i++) { n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1 }; return n }
+    $7 !~ /A/ { next }
+    $2 != "NOBITS" { code += hex($5) }
+    hex($3) >= 536870912 { memory += hex($5) }
     END {
         line("flash", code, flash, "")
         line("RAM", memory, ram, sprintf(", stack included; %d %% of the chip", 100 * memory / chip))

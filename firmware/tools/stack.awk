@@ -21,7 +21,7 @@ BEGIN {
     rule("firmware/app/images/[a-z]*\\.c:", ops)
     rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
     rule("firmware/core/render/raster\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
-    rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", "firmware/core/render/raster\\.c:draw_share$")
+    rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", "firmware/core/render/raster\\.c:draw_share(\\..*)?$")
 }
 function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }
 function after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }

@@ -6,13 +6,12 @@
  */
 #include "port.h"
 #include "registers.h"
+#include "rp2040.h"
 
-#define PSM_FRCE_OFF 0x40010004
-enum { PSM_PROC1 = 1 << 16 };
+#define STACK_BYTES      1280 /* 1120 by the call graph, and the frame of a tick; 1088 in the emulator */
+#define GUARD_BYTES_LOG2 8    /* the MPU's least region */
 
-#define STACK_BYTES 1280 /* drawing a band took 624 in the emulator */
-
-static uint64_t stack[STACK_BYTES / 8];
+static _Alignas(1 << GUARD_BYTES_LOG2) uint64_t stack[((1 << GUARD_BYTES_LOG2) + STACK_BYTES) / 8];
 
 static struct {
     bool started, busy;
@@ -43,6 +42,7 @@ static void drain(void)
 
 static _Noreturn void serve(void)
 {
+    rp2040_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);
     for (;;) {
         void (*const run)(void *) = (void (*)(void *))pull();
         void *const argument = (void *)pull();
@@ -63,8 +63,8 @@ static void reset_core1(void)
 /* The ROM echoes each word of the sequence; after a wrong echo the sequence starts again. */
 static void start_core1(void)
 {
-    const uint32_t vector_table = REG(0xe000ed08);
-    const uint32_t words[] = {0, 0, 1, vector_table, (uint32_t)(uintptr_t)(stack + STACK_BYTES / 8), (uint32_t)serve};
+    const uint32_t vector_table = REG(VTOR);
+    const uint32_t words[] = {0, 0, 1, vector_table, (uint32_t)(uintptr_t)(stack + sizeof stack / 8), (uint32_t)serve};
     reset_core1();
     for (uint32_t i = 0; i < sizeof words / sizeof *words;) {
         if (words[i] == 0) {

@@ -7,7 +7,7 @@
 
     .section .vectors, "a"
     .word ld_stack_top, reset, on_fault, on_fault                /* reset, NMI, hard fault */
-    .word 0, 0, 0, 0, 0, 0, 0, on_fault, 0, 0, on_fault, on_fault /* SVC, PendSV, SysTick */
+    .word 0, 0, 0, 0, 0, 0, 0, on_fault, 0, 0, on_fault, rp2040_tick /* SVC, PendSV, SysTick */
     .word rp2040_timer_interrupt                                /* IRQ 0: TIMER_0 */
     .word 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
     .word rp2040_spi_interrupt                                  /* IRQ 11: DMA_0 */

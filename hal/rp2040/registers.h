@@ -1,7 +1,7 @@
 /*
  * registers: the registers that this port uses. Names, addresses and bits are those of the RP2040 datasheet (Raspberry
- * Pi Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19 (GPIO), 4.2 (UART), 4.4 (SPI), 4.6
- * (timer), 4.7 (watchdog tick).
+ * Pi Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.13 (power-on state machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19
+ * (GPIO), 4.2 (UART), 4.4 (SPI), 4.6 (timer), 4.7 (watchdog).
  */
 #ifndef RP2040_REGISTERS_H
 #define RP2040_REGISTERS_H
@@ -41,7 +41,17 @@ enum {
 #define PLL_SYS_FBDIV_INT 0x40028008
 #define PLL_SYS_PRIM      0x4002800c
 
-#define WATCHDOG_TICK  0x4005802c
+#define PSM_FRCE_OFF 0x40010004
+#define PSM_WDSEL    0x40010008
+enum { PSM_OSCILLATORS = 3, PSM_PROC1 = 1 << 16, PSM_ALL = 0x1ffff };
+
+#define WATCHDOG_CTRL     0x40058000
+#define WATCHDOG_LOAD     0x40058004
+#define WATCHDOG_REASON   0x40058008
+#define WATCHDOG_SCRATCH0 0x4005800c
+#define WATCHDOG_TICK     0x4005802c
+enum { WATCHDOG_ENABLE = 1 << 30, REASON_TIMER = 1 };
+
 #define TIMER_ALARM0   0x40054010
 #define TIMER_TIMERAWL 0x40054028
 #define TIMER_INTR     0x40054034
@@ -107,7 +117,16 @@ enum {
 };
 #define DMA_TREQ_SPI_TX(unit) ((16U + 2U * (uint32_t)(unit)) << 15)
 
+/* Each core's own; ARMv6-M Architecture Reference Manual B3.3 (SysTick), B3.5 (MPU). */
+#define SYST_CSR  0xe000e010
+#define SYST_RVR  0xe000e014
+#define SYST_CVR  0xe000e018
 #define NVIC_ISER 0xe000e100
+#define VTOR      0xe000ed08
+#define MPU_CTRL  0xe000ed94
+#define MPU_RNR   0xe000ed98
+#define MPU_RBAR  0xe000ed9c
+#define MPU_RASR  0xe000eda0
 enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 11 };
 
 #define CLK_HZ 125000000 /* clk_sys and clk_peri, see clocks.c */

@@ -125,8 +125,8 @@ struct hal port_hal(void)
 
 void rp2040_dark(void)
 {
-    set_pin(&board_here->pins.backlight, false);
-    set_pin(&board_here->pins.reset, false);
+    open_output(&board_here->pins.backlight, false);
+    open_output(&board_here->pins.reset, false);
 }
 
 typedef void *lookup_fn(const uint16_t *table, uint32_t code);
@@ -143,6 +143,7 @@ static uintptr_t rom_word(uintptr_t address)
 void port_boot_loader(void)
 {
     lookup_fn *const lookup = (lookup_fn *)rom_word(0x18);
+    rp2040_watchdog_stop();
     rp2040_dark();
     ((reset_usb_boot_fn *)lookup((const uint16_t *)rom_word(0x14), 'U' | 'B' << 8))(0, 0);
 }

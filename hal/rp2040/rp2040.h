@@ -6,6 +6,7 @@
  *   rp2040.c   struct hal_ops, USB boot loader     spi.c                the bus: SPI and one channel of DMA
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
  *   divide.c   / and % by the SIO's divider        cores2.c             the second core (CORES=2)
+ *   guard.c    what ends a stack that runs over    binary_info.c        what picotool shows of an image
  *
  * Calls run one way: entry.S, start.c, rp2040.c, spi.c and uart.c, pins.c.
  *
@@ -40,11 +41,28 @@ uint32_t rp2040_bus_written(void *context);
 int rp2040_bus_until(void *context, uint32_t written);
 int rp2040_bus_wait(void *context);
 
+/*
+ * A stack that runs over meets a region that the MPU forbids. An ARMv6-M core stacks the frame of its fault there, too,
+ * and locks up: no handler ever runs. So each core ticks, core 0 feeds the watchdog while both do, and 0.5 to 0.7 s
+ * after the last tick the watchdog resets the chip. The next start then makes the panel dark and stops.
+ *
+ * rp2040_guard: for the core that calls it; the region begins at a multiple of its size. watchdog_bit: this start was
+ * the watchdog's work.
+ */
+void rp2040_guard(uint32_t from, uint32_t bytes_log2);
+void rp2040_watchdog_start(void);
+void rp2040_watchdog_stop(void);
+bool rp2040_watchdog_bit(void);
+
+/* Handler of SysTick on both cores. */
+void rp2040_tick(void);
+
 /* Handlers of DMA_IRQ_0 and TIMER_IRQ_0. */
 void rp2040_spi_interrupt(void);
 void rp2040_timer_interrupt(void);
 
-/* Makes the panel dark at once, whatever the bus does: turns off its backlight and resets it, where these are wired. */
+/* Makes the panel dark at once, whatever bus and pins do: turns off its backlight and resets it, where these are wired.
+ */
 void rp2040_dark(void);
 
 #endif

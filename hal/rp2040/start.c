@@ -3,7 +3,8 @@
 #include "registers.h"
 #include "rp2040.h"
 
-#define BKPT_OPCODE 0xbeab /* of end_emulator */
+#define BKPT_OPCODE      0xbeab /* of end_emulator */
+#define GUARD_BYTES_LOG2 16     /* below RAM, where it costs nothing */
 
 extern uint32_t ld_stack[], ld_stack_top[]; /* rp2040.ld */
 
@@ -23,6 +24,7 @@ static void put_hex(uint32_t value)
 
 static _Noreturn void stop(void)
 {
+    rp2040_watchdog_stop();
     for (;;) {
         __asm volatile("cpsid i\n wfi");
     }
@@ -70,8 +72,17 @@ uint32_t port_stack_used(void)
 
 void rp2040_start(void)
 {
+    const bool bit = rp2040_watchdog_bit();
+    rp2040_watchdog_stop();
     rp2040_clocks_init();
     rp2040_uart_init();
+    if (bit) {
+        rp2040_dark();
+        port_log("\r\nthe watchdog bit: a stack ran over, or a core hangs\r\n");
+        stop();
+    }
+    rp2040_guard((uint32_t)(uintptr_t)ld_stack - (1U << GUARD_BYTES_LOG2), GUARD_BYTES_LOG2);
+    rp2040_watchdog_start();
     port_exit(main());
     stop();
 }

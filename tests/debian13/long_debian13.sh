@@ -47,13 +47,23 @@ images_build() {
     done
 }
 
-# picotool refuses our ELF, whose program headers overlap. Once they do not, elf belongs to this list.
 picotool_reads_images() {
     local kind
-    for kind in uf2 bin; do
+    for kind in uf2 elf bin; do
         debian13 picotool info -a "$image.$kind" || return 1
     done
     debian13 picotool info -a "$image.uf2" | grep -q "family ID 'rp2040'"
+}
+
+picotool_shows_what_the_image_is() {
+    local kind line
+    for kind in uf2 elf; do
+        debian13 picotool info -a "$image.$kind" | tr -s ' ' | tee /dev/stderr >"$debian13_root/tmp/info" || return 1
+        for line in 'name: Pinhole demos' 'version: 1.0' 'pico_board: pico-display' 'build attributes: CORES=1 CHANGES=1' '0: UART0 TX' \
+            '16: D/C' '18: SPI0 SCK, clock' '19: SPI0 TX, data' '20: backlight' '12: button up'; do
+            grep -qxF " $line" "$debian13_root/tmp/info" || { echo "$kind: no '$line'" && return 1; }
+        done
+    done
 }
 
 picotool_writes_the_same_uf2() {
@@ -82,7 +92,8 @@ timed "gcc 14 builds the firmware without a warning" images_build
 script "QEMU 10 runs an image" tests/firmware/test_firmware_lm3s.sh
 
 image=build/firmware/pico-display-demos
-timed "picotool reads our UF2 and BIN" picotool_reads_images
+timed "picotool reads our UF2, ELF and BIN" picotool_reads_images
+timed "picotool shows name, version, board and pins" picotool_shows_what_the_image_is
 timed "picotool makes the same UF2 of our BIN" picotool_writes_the_same_uf2
 
 board_why=$(debian13 tests/guest/guest.sh --why)

@@ -29,7 +29,18 @@ builds_and_says_what_it_takes() {
 flash_is_the_size_of_the_bin() { # within the padding between sections
     local said size
     said=$(awk '/^flash/ { print $2 }' "$dir/said") size=$(stat -c %s "$image.bin")
-    near "$said" "$size" 64
+    near "$said" "$size" 8
+}
+
+# No two program headers load to the same address, bytes or zeros. picotool refuses an ELF file with such headers.
+segments_lie_apart() { # board
+    [ -s "$B/firmware/$1-demos.elf" ] || firmware BOARD="$1" >/dev/null || return 1
+    arm-none-eabi-readelf -lW "$B/firmware/$1-demos.elf" | awk '$1 == "LOAD" && $6 != "0x00000" { print $4, $6, $5 }' | sort | tee "$dir/segments" | awk '
+        function hex(text,    i, n) { n = 0; for (i = 3; i <= length(text); i++) { n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1 }; return n }
+        hex($1) < end { print "the segment at load address " $1 " begins within the one before"; bad = 1 }
+        $3 == "0x00000" && hex($1) < 536870912 { print "the segment at load address " $1 " has no bytes"; bad = 1 }
+        { end = hex($1) + hex($2) }
+        END { exit bad || NR < 2 }'
 }
 
 # Read back with od and awk alone: magics, flags, addresses, numbers, family, and the payload against the BIN.
@@ -42,6 +53,32 @@ uf2_holds_the_bin() {
         { for (i = 9; i <= 72; i++) { print $i } }
         END { if (NR != blocks) { print NR " blocks, not " blocks > "/dev/stderr"; exit 1 } }' >"$dir/payload" || return 1
     { cat "$image.bin" && head -c $((256 * blocks - $(stat -c %s "$image.bin"))) /dev/zero; } | od -An -v -tx4 -w4 | tr -d ' ' | cmp - "$dir/payload"
+}
+
+binary_info() { # of an RP2040 image
+    od -An -v -tu1 -w16 "$B/firmware/$1.bin" | awk -f tests/firmware/binary_info.awk
+}
+
+binary_info_is_there() { # as picotool shows it; see tests/debian13
+    firmware BOARD=pico-display >/dev/null && binary_info pico-display-demos | diff - <(printf '%s\n' 'name Pinhole demos' 'version 1.0' 'board pico-display' \
+        'boot2 boot2.S, command 03h' 'attribute CORES=1 CHANGES=1' "end $((0x10000000 + $(stat -c %s "$B/firmware/pico-display-demos.bin")))" \
+        'pin 0 function 2' 'pin 1 function 2' 'pin 18 function 1' 'pin 19 function 1' 'pin 18 clock' 'pin 19 data' 'pin 17 chip select' \
+        'pin 16 D/C' 'pin 20 backlight' 'pin 12 button up' 'pin 13 button down' 'pin 14 button left' 'pin 15 button right')
+}
+
+binary_info_is_the_images() { # another board, program, version, number of cores
+    printf '#include "port.h"\nint main(void) { return 0; }\n' >"$dir/other.c"
+    firmware BOARD=waveshare-pico-lcd-1in3 APP="$dir/other.c" VERSION=2.5-x CORES=2 CHANGES=0 >/dev/null &&
+        binary_info waveshare-pico-lcd-1in3-other-cores2-whole >"$dir/info" || return 1
+    local line
+    for line in 'name Pinhole other' 'version 2.5-x' 'board waveshare-pico-lcd-1in3' 'attribute CORES=2 CHANGES=0' 'pin 12 reset' 'pin 3 button select'; do
+        grep -qxF "$line" "$dir/info" || { cat "$dir/info" && return 1; }
+    done
+    says "VERSION='a b': a version has no spaces" firmware BOARD="$board" VERSION='a b'
+}
+
+same_sources_same_bytes() {
+    B=$B/again firmware BOARD=pico-display >/dev/null && cmp "$B/again/firmware/pico-display-demos.bin" "$B/firmware/pico-display-demos.bin"
 }
 
 budget() { # changed pair
@@ -74,7 +111,7 @@ template_links() { # what one copies to port a chip; every function of the ports
     while read -r name; do
         arm-none-eabi-nm "$B"/firmware/none-yet-objects/hal/{template/template,cortexm/start,cortexm/one_core}.o | grep -q " T $name\$" || { echo "$name" && return 1; }
     done < <(sed -n 's/.*[ *]\(port_[a-z_]*\)(.*/\1/p' hal/port.h hal/cortexm/start.h)
-    says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
+    segments_lie_apart none-yet && says 'hal/template drives no chip' flash BOARD_DIR="$dir/kits" BOARD=none-yet
 }
 
 no_such_board() {
@@ -146,7 +183,7 @@ at_most_60_percent() {
     for mk in boards/*/board.mk; do
         local name=${mk#boards/} ram chip beside
         name=${name%/board.mk}
-        ram=$(make -s B="$B" BOARD="$name" "$B/ram-bytes" && "$B/ram-bytes") || return 1
+        ram=$(make -s B="$B" BOARD="$name" "$B/board-facts" && "$B/board-facts" ram_bytes) || return 1
         make -np BOARD="$name" help 2>/dev/null >"$dir/database"
         chip=$(sed -n 's/^CHIP_RAM_BYTES :*= *//p' "$dir/database") beside=$(sed -n 's/^PORT_RAM_BYTES :*= *//p' "$dir/database")
         found=$((found + 1))
@@ -165,7 +202,13 @@ target_sizes_are_those_counted_with() {
 
 check "an_image_is_built_and_says_what_it_takes" builds_and_says_what_it_takes
 check "the_flash_that_it_says_is_the_size_of_the_BIN" flash_is_the_size_of_the_bin
+for of in "$board" lm3s6965evb pico-display; do
+    check "the_program_headers_of_${of}_do_not_overlap" segments_lie_apart "$of"
+done
 check "the_UF2_holds_the_BIN_with_the_chips_family" uf2_holds_the_bin
+check "an_RP2040_image_tells_its_name_its_board_and_its_pins" binary_info_is_there
+check "it_tells_those_of_the_image_that_was_built" binary_info_is_the_images
+check "the_same_sources_give_the_same_image" same_sources_same_bytes
 check "within_the_budget_it_passes" budget
 check "over_the_flash_it_fails" over flash=90000 flash
 check "over_the_RAM_it_fails" over ram=100000 RAM

@@ -71,6 +71,51 @@ fault_is_told() {
     emulate "$board" 1 9 - --fault 2 && ended 2 'every core sleeps for ever' && grep -q '^fault at 0x[12]00[0-9a-f]*, called from 0x' "$dir/log" && dark
 }
 
+# An image that shows a frame and then does this; its name is $1, its number of cores $2, the C text $3.
+image_that() {
+    cat >"$dir/$1.c" <<EOT
+#include "runner.h"
+#include "image.h"
+#include "port.h"
+static struct runner runner;
+static void overrun(void *nothing) { (void)nothing; for (;;) { __asm volatile("push {r0-r7}"); } }
+static void busy(void *us) { const struct hal hal = port_hal(); const uint32_t from = hal.ops->time_us(hal.context); while (hal.ops->time_us(hal.context) - from < (uint32_t)us) { } }
+int main(void)
+{
+    const struct hal hal = port_hal();
+    const struct runner_config config = {.board = board_here, .rotation = board_here->rotation, .band_height = board_here->band_height,
+        .budget_bytes = runner_budget(board_here), .demo = demo_find("cube"), .memory = image_memory, .memory_bytes = image_memory_bytes};
+    if (hal.ops->open(hal.context, board_here) != 0 || runner_open(&runner, &hal, &config) != 0 || runner_frame(&runner, 0) != 0 || runner_finish(&runner) != 0) { return 1; }
+    (void)overrun;
+    (void)busy;
+    $3
+    return 0;
+}
+EOT
+    make_image firmware BOARD="$board" APP="$dir/$1.c" CORES="$2" >"$dir/said" 2>&1 || { cat "$dir/said" && return 1; }
+    local elf=$B/firmware/$board-$1.elf
+    [ "$2" = 1 ] || elf=$B/firmware/$board-$1-cores$2.elf
+    rm -rf "$dir/out"
+    EVENTS_ONLY=1 BOARD="$board" CORES="$2" hal/rp2040/emulate/emulate.sh "$elf" "$dir/out" 9 --limit-ms 3000 >/dev/null 2>"$dir/log"
+}
+
+overrun_ends_dark() { # core, cores, C text; the panel is lit until then, and 0.8 s later it is dark for good
+    image_that "over$1" "$2" "$3" && ended 0 'every core sleeps for ever' && dark && ends_at_the_reset && return
+    cat "$dir/log"
+    return 1
+}
+
+ends_at_the_reset() {
+    grep -q '^the watchdog bit' "$dir/log" && awk '
+        / locks up$/ { split($0, word, "[: ]+"); locked = word[3] }
+        / resets the chip$/ { split($0, word, "[: ]+"); if (word[3] - locked > 750) { exit 1 } resets++ }
+        END { exit !(resets == 1 && locked > 0) }' "$dir/log"
+}
+
+work_is_no_lockup() { # 0.8 s without a call of the port, on both cores
+    image_that busy 2 'port_core_run(busy, (void *)800000); busy((void *)800000); port_core_join();' && ended 0 exit && ! grep -q watchdog "$dir/log"
+}
+
 stack_stays_below_its_bound() { # the lowest that a stack pointer was, in the run of every demo; reserved: see port.mk
     local top lowest bound
     top=$(arm-none-eabi-nm "$B/firmware/$board-demos.elf" | awk '$3 == "ld_stack_top" { print $1 }')
@@ -138,6 +183,10 @@ check "a_pin_is_a_button" a_pin_is_a_button
 check "B_on_the_UART_reboots_into_the_boot_loader" boot_loader_on_request
 check "a_button_held_at_power_up_does_so_too" boot_loader_by_a_button
 check "a_fault_is_told_and_the_panel_is_dark" fault_is_told
+check "a_stack_that_runs_over_leaves_the_panel_dark" overrun_ends_dark 0 1 'overrun(NULL);'
+check "it_does_with_two_cores_too" overrun_ends_dark 0 2 'overrun(NULL);'
+check "so_does_the_stack_of_core_1" overrun_ends_dark 1 2 'port_core_run(overrun, NULL); port_core_join();'
+check "long_work_is_no_lockup" work_is_no_lockup
 check "a_flipped_bit_in_boot2_is_refused" flipped_bit_in_boot2_is_refused
 check "the_UF2_file_holds_the_same_image" uf2_is_the_same_image
 check "frames_of_an_ST7735S_at_8.9_MHz_are_the_simulators" small_panel

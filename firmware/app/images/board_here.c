@@ -1,6 +1,6 @@
 /*
  * What an image is built for: see image.h, hal/port.h and demo.h. firmware.mk compiles this file with -D:
- *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/ram_bytes.c reads it)
+ *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
  */
 #include "demo.h"

@@ -13,6 +13,7 @@
 #include "runner.h"
 
 #define SECOND_US 1000000U
+#define CHARGE_US 20000U /* a button's line reads released after this time: 100 nF and 80 kOhm take 8 ms to 2 V */
 
 struct console {
     bool holding;
@@ -140,6 +141,17 @@ static struct panel_sender sender(struct panel_tiles *tiles)
     return needed <= image_tiles_bytes ? panel_tiles_sender(tiles) : panel_sender_whole;
 }
 
+/* A line that reads pressed may still be charged by its pull-up, which hal.ops->open() turned on. */
+static bool button_held(const struct hal *hal)
+{
+    const uint32_t from = hal->ops->time_us(hal->context);
+    bool held;
+    do {
+        held = hal->ops->buttons(hal->context) != 0;
+    } while (held && hal->ops->time_us(hal->context) - from <= CHARGE_US);
+    return held;
+}
+
 static int open(struct runner *runner, struct panel_tiles *tiles)
 {
     const struct hal hal = port_hal();
@@ -147,7 +159,7 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
     if (status != 0) {
         return status;
     }
-    if (hal.ops->buttons(hal.context) != 0) {
+    if (button_held(&hal)) {
         port_boot_loader();
     }
     const bool second = port_core_run(do_nothing, NULL);

@@ -14,6 +14,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --dc PIN            the panel's D/C (required)
   --select PIN        the panel's chip select
   --press FRAME:PINS  from this frame (-1: power-on) on the pins (12+13, or none) are low; may be given several times
+  --charge US         a pin reads low until US after its pull-up is turned on (0)
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
   --calls FRAME,WRITE,ROWS  addresses (hexadecimal) of the functions that the image calls when it begins to send a
@@ -30,7 +31,7 @@ const { values: options, positionals } = parseArgs({
     modules: { type: 'string' }, frames: { type: 'string', default: '16' }, events: { type: 'string', default: '-' },
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
-    fault: { type: 'string' }, calls: { type: 'string' },
+    charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
     'free-wire': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
@@ -151,6 +152,7 @@ const machine = makeMachine(lib, {
   },
 });
 machine.freeWire = options['free-wire'];
+machine.chargeUs = Number(options.charge);
 const file = readFileSync(positionals[0]);
 machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
 
@@ -167,6 +169,7 @@ machine.onUart = (byte) => {
     uart = '';
   }
 };
+machine.onTrouble = (text) => console.error(`emulate: at ${(machine.time / 1e6).toFixed(3)} ms: ${text}`);
 machine.onLevels = recorder.levels;
 machine.onWordStart = recorder.wordStart;
 

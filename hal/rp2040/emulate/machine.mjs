@@ -1,19 +1,28 @@
-// An RP2040 with the parts that rp2040js lacks: a wire that takes time, a second core, a few words of the boot ROM.
+// An RP2040 with the parts that rp2040js lacks: a wire that takes time, a second core, a few words of the boot ROM, an MPU,
+// lockup, and a watchdog that resets.
 //
 //   const machine = makeMachine(rp2040js, { cores, warn });    warn(text): the emulator objects to something
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
 // The user sets hooks: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
-// the chip drives changes, onUart(byte), onEnd(why). machine.calls is a Map from an address to a function, which gets
+// the chip drives changes, onUart(byte), onTrouble(text): a core locked up or the watchdog reset the chip. machine.calls is a Map from an address to a function, which gets
 // r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
-// time, as in rp2040js; the cores' own time is left.
+// time, as in rp2040js; the cores' own time is left. A pin reads low until machine.chargeUs after its pull-up was turned
+// on, as with a capacitor.
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
 const CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58, SHARED_END = 0x50, SPINLOCK0 = 0x100;
 const FIFO_READABLE = 1, FIFO_WRITABLE = 2;
 const FIFO_WORDS = 8;
+const MPU_CTRL = 0xd94, MPU_RNR = 0xd98, MPU_RBAR = 0xd9c, MPU_RASR = 0xda0;
+const MPU_TYPE_ACCESS = 0x7 << 24, MPU_ON_WITH_BACKGROUND = 5;
+const HARD_FAULT = 3;
+const FORBIDDEN = Symbol('the MPU forbids this access');
+const WATCHDOG = 0x40058, PSM = 0x40010, ALL_BUT_OSCILLATORS = 0x1fffc;
+const PAD_AFTER_RESET = 0x36, FUNCTION_AFTER_RESET = 0x1f;
+const PULLED_UP = 3; // GPIOPinState.InputPullUp
 
 function crc32mpeg2(bytes) {
   let crc = 0xffffffff;
@@ -60,7 +69,8 @@ function addFifos(machine) {
   };
   const status = (core) =>
     (queues[core].length > 0 ? FIFO_READABLE : 0) | (queues[1 - core].length < FIFO_WORDS ? FIFO_WRITABLE : 0);
-  return { push, pull, status };
+  const reset = () => { [...queues, started].forEach((list) => { list.length = 0; }); };
+  return { push, pull, status, reset };
 }
 
 // Each core sees its own number, divider and FIFO end; pins and spin locks are shared.
@@ -83,6 +93,77 @@ function wrapSio(sio, shared, core, fifos) {
     } else {
       write(offset, value);
     }
+  };
+}
+
+// Region 0 of a core's MPU, without access for anybody; NMI and hard fault run without the MPU.
+function addMpu(machine, own, ppb) {
+  const { core } = own;
+  const register = { [MPU_CTRL]: 0, [MPU_RNR]: 0, [MPU_RBAR]: 0, [MPU_RASR]: 0 };
+  const read = ppb.readUint32.bind(ppb), write = ppb.writeUint32.bind(ppb), reset = ppb.reset.bind(ppb);
+  let from = 0, end = 0;
+  const update = () => {
+    const rasr = register[MPU_RASR], bytes = 2 ** ((rasr >> 1 & 31) + 1), on = (register[MPU_CTRL] & rasr & 1) !== 0;
+    from = on ? register[MPU_RBAR] : 0;
+    end = on ? from + bytes : 0;
+    if (on && (register[MPU_RNR] !== 0 || register[MPU_CTRL] !== MPU_ON_WITH_BACKGROUND || rasr & (MPU_TYPE_ACCESS | 0xff00) ||
+        bytes < 256 || from % bytes !== 0)) {
+      machine.warn('the MPU is used in a way that is not modelled');
+    }
+  };
+  ppb.readUint32 = (offset) => register[offset] ?? read(offset);
+  ppb.writeUint32 = (offset, value) => {
+    if (offset in register) {
+      register[offset] = value >>> 0;
+      update();
+    } else {
+      write(offset, value);
+    }
+  };
+  own.resetPpb = () => {
+    Object.keys(register).forEach((offset) => { register[offset] = 0; });
+    update();
+    reset();
+  };
+  for (const access of ['readUint32', 'readUint16', 'readUint8', 'writeUint32', 'writeUint16', 'writeUint8']) {
+    const allowed = core[access].bind(core);
+    core[access] = (address, value) => {
+      if (end !== 0 && address >>> 0 >= from && address >>> 0 < end && (core.IPSR < 2 || core.IPSR > HARD_FAULT)) {
+        throw FORBIDDEN;
+      }
+      return allowed(address, value);
+    };
+  }
+}
+
+// What a reset by the watchdog leaves of the chip: memory, and the watchdog's own registers.
+function resetChip(machine, fifos) {
+  const { mcu, cores } = machine;
+  fifos.reset();
+  cores.forEach((own, i) => {
+    Object.assign(own.core, { PM: false, IPSR: 0, SPSEL: 0, currentMode: 0, waiting: false, eventRegistered: false, VTOR: 0,
+                              pendingInterrupts: 0, enabledInterrupts: 0, pendingSystick: false });
+    Object.assign(own, { locked: false, asleep: false, started: i === 0, time: mcu.clock.nanos });
+    own.resetPpb();
+  });
+  mcu.dma.channels.forEach((channel) => channel.reset());
+  mcu.sio.gpioOutputEnable = mcu.sio.gpioValue = 0;
+  mcu.gpio.forEach((pin) => {
+    Object.assign(pin, { padValue: PAD_AFTER_RESET, ctrl: FUNCTION_AFTER_RESET });
+    pin.checkForUpdates();
+  });
+}
+
+function addWatchdog(machine, fifos) {
+  const watchdog = machine.mcu.peripherals[WATCHDOG];
+  watchdog.onWatchdogTrigger = () => {
+    watchdog.writeUint32(0, 0); // CTRL: off, or it fires for ever
+    machine.onTrouble('the watchdog resets the chip');
+    if (machine.mcu.peripherals[PSM].wdsel !== ALL_BUT_OSCILLATORS) {
+      machine.warn('the watchdog does not reset all of the chip');
+    }
+    resetChip(machine, fifos);
+    machine.boot();
   };
 }
 
@@ -135,8 +216,12 @@ function addRom(machine) {
 
 function watchPins(machine) {
   machine.mcu.gpio.forEach((pin, index) => {
-    pin.setInputValue(true); // as if pulled up
+    pin.setInputValue(machine.chargeUs === 0);
+    const charged = machine.mcu.clock.createAlarm(() => pin.setInputValue(true));
     pin.addListener((state) => {
+      if (state === PULLED_UP && machine.chargeUs > 0) {
+        charged.schedule(machine.chargeUs * 1e3);
+      }
       const bit = 2 ** index;
       const high = state === 1;
       if (state > 1 || high === ((machine.levels & bit) !== 0)) {
@@ -151,13 +236,13 @@ function watchPins(machine) {
 function addCore(machine, lib, index) {
   const { mcu } = machine;
   if (index === 0) {
-    return { core: mcu.core, started: true, asleep: false, time: 0, idle: 0, lowest: 2 ** 32 };
+    return { core: mcu.core, ppb: mcu.ppb, started: true, asleep: false, locked: false, time: 0, idle: 0, lowest: 2 ** 32 };
   }
   const own = Object.create(mcu); // the same memory and peripherals, but its own core, SIO and PPB
   own.core = new lib.CortexM0Core(own);
   own.sio = new lib.RPSIO(own);
   own.ppb = new lib.RPPPB(own, 'PPB1');
-  return { core: own.core, sio: own.sio, started: false, asleep: false, time: 0, idle: 0, lowest: 2 ** 32 };
+  return { core: own.core, sio: own.sio, ppb: own.ppb, started: false, asleep: false, locked: false, time: 0, idle: 0, lowest: 2 ** 32 };
 }
 
 function addLogger(machine) {
@@ -181,8 +266,8 @@ export function makeMachine(lib, { cores = 1, warn }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
-    mcu, warn, calls: new Map(), freeWire: false, levels: 0, wordInFlight: false, ended: null, cores: [],
-    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {},
+    mcu, warn, calls: new Map(), freeWire: false, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
+    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {},
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
   };
@@ -195,6 +280,8 @@ export function makeMachine(lib, { cores = 1, warn }) {
   if (cores > 1) {
     wrapSio(machine.cores[1].sio, mcu.sio, 1, fifos);
   }
+  machine.cores.forEach((own) => addMpu(machine, own, own.ppb));
+  addWatchdog(machine, fifos);
   mcu.spi.forEach((spi) => addWireTime(machine, spi));
   mcu.uart[0].onByte = (byte) => machine.onUart(byte);
   addRom(machine);
@@ -216,11 +303,15 @@ export function makeMachine(lib, { cores = 1, warn }) {
     if (crc32mpeg2(image.subarray(0, BOOT2_BYTES - 4)) !== stored) {
       throw new Error('the checksum of boot2 is wrong: the boot ROM would not start this image');
     }
-    mcu.sram.set(image.subarray(0, BOOT2_BYTES), BOOT2_PLACE - 0x20000000);
+    machine.boot();
+    watchPins(machine);
+  };
+
+  machine.boot = () => {
+    mcu.sram.set(machine.image.subarray(0, BOOT2_BYTES), BOOT2_PLACE - 0x20000000);
     mcu.core.SP = BOOT2_PLACE;
     mcu.core.LR = 0;
     mcu.core.PC = BOOT2_PLACE;
-    watchPins(machine);
   };
 
   // Stores to flash succeed silently here: they must not have happened.
@@ -240,10 +331,29 @@ export function makeMachine(lib, { cores = 1, warn }) {
     }
   };
 
+  // A fault whose frame meets the guard, too, locks the core up. (After a fault in the frame of an interrupt a chip may
+  // still come to its handler.)
+  const fault = (own) => {
+    own.core.PC -= 2;
+    try {
+      own.core.exceptionEntry(HARD_FAULT);
+    } catch (error) {
+      own.locked = true;
+      machine.onTrouble(`core ${machine.cores.indexOf(own)} locks up`);
+    }
+  };
+
   const step = (own) => {
     const { core } = own;
     const before = core.cycles;
-    execute(core);
+    try {
+      execute(core);
+    } catch (error) {
+      if (error !== FORBIDDEN) {
+        throw error;
+      }
+      fault(own);
+    }
     own.time += ((core.cycles - before) * 1e9) / mcu.clkSys; // unlike the return value, this counts the divider's cycles
     own.asleep = core.waiting;
     if (core.registers[13] < own.lowest) {
@@ -257,6 +367,9 @@ export function makeMachine(lib, { cores = 1, warn }) {
   const advance = (time) => {
     clock.tick(Math.max(0, time - clock.nanos));
     for (const own of machine.cores) {
+      if (own.asleep && own.core.waiting && own.core.pendingSystick && own.core.checkForInterrupts()) {
+        own.core.waiting = false;
+      }
       if (own.asleep && !own.core.waiting) {
         own.asleep = false;
         own.idle += Math.max(0, clock.nanos - own.time);
@@ -268,7 +381,7 @@ export function makeMachine(lib, { cores = 1, warn }) {
   const behind = () => {
     let least = null;
     for (const own of machine.cores) {
-      if (own.started && !own.asleep && (least === null || own.time < least.time)) {
+      if (own.started && !own.asleep && !own.locked && (least === null || own.time < least.time)) {
         least = own;
       }
     }
