@@ -146,7 +146,7 @@ frames_wait_for_the_edge() {
 }
 
 the_card_is_at_every_clock() {
-    ended card 0 "" && frames_as_sim card rpi-pitft-2in8 90 --demo testcard --frames 1 &&
+    ended card 0 "" && frames_as_sim card rpi-pitft-2in8 270 --demo testcard --frames 1 &&
         ended speedtest 0 "" && frames_as_sim speedtest rpi-waveshare-1in44 90 --demo testcard --frames 8 &&
         [ "$(sed -n 's/^\(asked.*Hz\): *[0-9.]* frames.s$/\1/p' "$guest_out/speedtest.out" | tr -s ' ' | cut -d' ' -f2,5 | tr '\n' ,)" = \
             "4000000 4000000,8000000 8000000,10000000 10000000,15000000 15000000," ]
