@@ -1,4 +1,5 @@
-/* pinhole-asset's parts: cameras of files, simplifying, ordering, textures, budgets. The compiled file: test_asset_cli.sh.
+/* pinhole-asset's parts: cameras of files, simplifying, ordering, textures, budgets. The compiled file:
+ * test_asset_cli.sh.
  */
 #define _XOPEN_SOURCE 700 /* open_memstream */
 
