@@ -15,9 +15,9 @@
  * Where the kernel gives lines no names, "GPIOn" is line n of the first chip with a label in board->gpio_labels.
  * A pin without a name (BOARD_PIN) is refused: chips are numbered differently from one kernel to the next.
  *
- * A thread of the kit sends writes of more than LINUX_INLINE_BYTES while the caller goes on; the sender also moves D/C.
- * The next bus_write or bus_wait returns the error of such a write, once. One thread at a time may call the functions
- * of a kit. Kits do not know of each other.
+ * bus_write copies. A thread of the kit sends the copies and moves D/C, while the caller goes on; it joins and divides
+ * what has the same D/C, so that transfers are as long as spidev takes (bufsiz). The next bus_write or bus_wait returns
+ * the error of a write, once. One thread at a time may call the functions of a kit. Kits do not know of each other.
  *
  * Without libgpiod (its folder is chosen when Pinhole is built) a board with lines cannot be opened, and says so.
  */
@@ -29,9 +29,8 @@
 
 #include <pthread.h>
 
-#define LINUX_INLINE_BYTES 64 /* they are sent sooner than a thread wakes up */
-#define LINUX_ERROR_SIZE   384
-#define LINUX_PATH_SIZE    64
+#define LINUX_ERROR_SIZE 384
+#define LINUX_PATH_SIZE  64
 
 /* One line that was taken. Private; gpio_lines.h. */
 struct linux_line {
@@ -48,6 +47,14 @@ struct linux_button {
     bool was_held;    /* pressed since the last look */
     uint64_t edge_ns; /* time of the last edge */
     uint64_t held_ns; /* time of the last change of held */
+};
+
+#define LINUX_RUNS 64
+
+/* Bytes in a row with the same D/C. Private; sender.c. */
+struct linux_run {
+    enum hal_dc dc;
+    uint64_t end; /* position */
 };
 
 /* All members are private but spi_path. */
@@ -67,14 +74,15 @@ struct linux_hal {
     pthread_t thread;
     pthread_mutex_t mutex; /* of the members below */
     pthread_cond_t changed;
-    bool quit, busy;
-    enum hal_dc job_dc;
-    const uint8_t *job_bytes;
-    size_t job_size;
-    int job_status;      /* first error since it was last returned */
-    uint64_t sent_bytes; /* in writes of LINUX_MEASURED_BYTES or more */
-    uint64_t sent_ns;    /* the time that these took */
-    uint64_t write_ns;   /* the least that a short write and its D/C took beside its bits; UINT64_MAX: none yet */
+    bool quit;
+    int status; /* first error since it was last returned */
+    struct linux_run runs[LINUX_RUNS];
+    uint32_t run_got, run_put;       /* the run that is sent; one past the last */
+    uint64_t sent, flushed, written; /* positions, sender.c */
+    uint8_t *ring;
+    size_t ring_bytes, most;      /* most: the longest message */
+    uint64_t best_bytes, best_ns; /* the fastest write of LINUX_MEASURED_BYTES or more at this clock */
+    uint32_t write_ns;            /* what a short write and its D/C take beside its bits, a mean; 0: none yet */
 
     char error[LINUX_ERROR_SIZE];
 };
@@ -88,10 +96,15 @@ const char *linux_hal_error(const struct linux_hal *h);
 #define LINUX_MEASURED_BYTES 2048
 
 /*
- * The bits per second of all large writes so far, with the kernel's pauses. This is a lower bound of the clock on the
- * wire, which spidev does not tell. 0: none were sent. Call it while no write is under way (after bus_wait).
+ * The clock on the wire, which spidev does not tell, lies between these, by the fastest large write since bus_clock.
+ * `least` counts the kernel's time for that write as bits; `most` takes off what short writes take, a mean, and is at
+ * most the clock that was asked for. least_hz 0: nothing was measured. Call it while the bus is idle (after bus_wait).
  */
-uint32_t linux_hal_bits_per_second(const struct linux_hal *h);
+struct linux_hal_rate {
+    uint32_t least_hz, most_hz;
+};
+
+struct linux_hal_rate linux_hal_rate(const struct linux_hal *h);
 
 /* ---- for `pinhole-panel doctor`: looks, takes nothing -------------------------------------------- */
 
