@@ -81,7 +81,7 @@ struct linux_hal {
     uint64_t sent, flushed, written; /* positions, sender.c */
     uint8_t *ring;
     size_t ring_bytes, most;      /* most: the longest message */
-    uint64_t best_bytes, best_ns; /* the fastest write of LINUX_MEASURED_BYTES or more at this clock */
+    uint64_t best_bytes, best_ns; /* the fastest large write at this clock */
     uint32_t write_ns;            /* what a short write and its D/C take beside its bits, a mean; 0: none yet */
 
     char error[LINUX_ERROR_SIZE];

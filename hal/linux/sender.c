@@ -58,7 +58,8 @@ static int send_piece(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes,
     pthread_mutex_lock(&h->mutex);
     if (n <= SHORT_BYTES && moves) {
         h->write_ns = linux_write_mean(h->write_ns, took_ns > bits_ns ? took_ns - bits_ns : 0);
-    } else if (n >= LINUX_MEASURED_BYTES && (h->best_ns == 0 || took_ns * h->best_bytes < h->best_ns * n)) {
+    }
+    if ((n >= LINUX_MEASURED_BYTES || n == h->most) && (h->best_ns == 0 || took_ns * h->best_bytes < h->best_ns * n)) {
         h->best_ns = took_ns;
         h->best_bytes = n;
     }
