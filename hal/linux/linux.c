@@ -309,16 +309,8 @@ const char *linux_hal_error(const struct linux_hal *h)
     return h->error;
 }
 
-static uint32_t rate(uint64_t bytes, uint64_t ns)
+uint32_t linux_hal_bits_per_second(const struct linux_hal *h)
 {
-    const uint64_t hz = ns == 0 ? 0 : bytes * 8000000000U / ns;
-    return hz > UINT32_MAX ? UINT32_MAX : (uint32_t)hz;
-}
-
-struct linux_hal_rate linux_hal_rate(const struct linux_hal *h)
-{
-    const uint64_t bits_ns = h->best_ns > h->write_ns ? h->best_ns - h->write_ns : 0;
-    const struct linux_hal_rate found = {rate(h->best_bytes, h->best_ns), rate(h->best_bytes, bits_ns)};
-    const bool bounded = found.most_hz != 0 && found.most_hz < h->clock_hz;
-    return (struct linux_hal_rate){found.least_hz, bounded ? found.most_hz : h->clock_hz};
+    const uint64_t rate = h->best_ns == 0 ? 0 : h->best_bytes * 8000000000U / h->best_ns;
+    return rate < h->clock_hz ? (uint32_t)rate : h->clock_hz;
 }

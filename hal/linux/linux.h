@@ -96,15 +96,11 @@ const char *linux_hal_error(const struct linux_hal *h);
 #define LINUX_MEASURED_BYTES 2048
 
 /*
- * The clock on the wire, which spidev does not tell, lies between these, by the fastest large write since bus_clock.
- * `least` counts the kernel's time for that write as bits; `most` takes off what short writes take, a mean, and is at
- * most the clock that was asked for. least_hz 0: nothing was measured. Call it while the bus is idle (after bus_wait).
+ * The bits per second of the fastest large write since bus_clock, with the kernel's time for it. The clock on the wire,
+ * which spidev does not tell, is at least this, and at most what was asked for. 0: none was sent, or no clock is set.
+ * Call it while the bus is idle (after bus_wait).
  */
-struct linux_hal_rate {
-    uint32_t least_hz, most_hz;
-};
-
-struct linux_hal_rate linux_hal_rate(const struct linux_hal *h);
+uint32_t linux_hal_bits_per_second(const struct linux_hal *h);
 
 /* ---- for `pinhole-panel doctor`: looks, takes nothing -------------------------------------------- */
 
@@ -113,7 +109,7 @@ size_t linux_spi_bufsiz(void);
 
 struct linux_spi_look {
     char path[LINUX_PATH_SIZE];
-    uint32_t asked_hz, got_hz; /* got: the clock that spidev keeps */
+    uint32_t asked_hz, got_hz; /* got: what spidev keeps, as asked; the controller's clock may be less */
 };
 
 /*
