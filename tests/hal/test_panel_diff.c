@@ -312,6 +312,34 @@ static void wrong_use_is_refused(void **state)
     free(rig.memory);
 }
 
+static uint32_t flushes;
+
+static void count_flush(void *context)
+{
+    (void)context;
+    flushes++;
+}
+
+/* A backend that keeps bytes back (hal.h) is told when a frame or a window is complete. */
+static void the_end_of_each_window_is_flushed(void **state)
+{
+    (void)state;
+    static struct rig rig;
+    rig_open(&rig, &panel_st7735s_80x160, PANEL_R0, PANEL_RGB666, false);
+    struct hal_ops ops = *rig.d.hal.ops;
+    const struct hal_ops *plain = rig.d.hal.ops;
+    ops.bus_flush = count_flush;
+    rig.d.hal.ops = &ops;
+    for (uint32_t step = 0; step < 8; step++) {
+        change(80, 160, step);
+        flushes = 0;
+        assert_int_equal(show(&rig, 20), 0);
+        assert_int_equal(flushes, rig.diff.windows); /* a whole frame is one */
+    }
+    rig.d.hal.ops = plain;
+    rig_close(&rig, "flushes");
+}
+
 /* ---- how few bytes -------------------------------------------------------------------------------- */
 
 #define SIDE 40
@@ -531,6 +559,7 @@ int main(void)
         cmocka_unit_test(all_is_sent_again_every_so_many_frames),
         cmocka_unit_test(after_an_error_the_next_frame_is_whole),
         cmocka_unit_test(wrong_use_is_refused),
+        cmocka_unit_test(the_end_of_each_window_is_flushed),
         cmocka_unit_test(bytes_are_within_ten_percent_of_the_best_cover_found),
         cmocka_unit_test(differences_are_hardly_slower_on_a_jittery_bus),
         cmocka_unit_test(differences_are_much_faster_on_a_quiet_bus),
