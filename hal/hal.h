@@ -71,10 +71,17 @@ struct hal_ops {
     uint32_t (*bus_written)(void *context);            /* how far bus_write has come; wraps */
     int (*bus_until)(void *context, uint32_t written); /* waits until the bus has come so far */
 
+    /*
+     * Not NULL: bus_write copies, and keeps bytes back to make its transfers as long as it can. bus_flush lets go what
+     * is there, and does not wait; so do bus_wait and a write with another D/C. NULL: bus_write keeps nothing back.
+     */
+    void (*bus_flush)(void *context);
+
     /* Waits until the last bit is out. */
     int (*bus_wait)(void *context);
 
-    /* The time that a short bus_write takes besides its bits, ns, as far as it is known yet. NULL: next to none. */
+    /* The time that a short bus_write takes besides its bits, ns, by the last ones; 0: not known yet. NULL: next to
+     * none. */
     uint32_t (*write_ns)(void *context);
 
     /* Sends a command byte and reads n bytes; HAL_ENOSYS if the kit has no MISO. NULL: this backend cannot read. */

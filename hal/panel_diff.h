@@ -8,8 +8,12 @@
  * It keeps a copy of the picture on the glass and compares lines with it as they come. For what changed it chooses
  * windows whose commands and pixels together are few bytes. Dynamic programming over the lines cuts them into slabs and
  * the slabs into windows; each window is cut once more in the other direction if that saves bytes. The result is not
- * always the minimum: tests/hal/test_panel_diff.c compares with an exhaustive search. If writes take the backend time
- * besides their bits (write_ns in hal.h), that time counts as bytes, too; then windows are fewer and larger.
+ * always the minimum: tests/hal/test_panel_diff.c compares with an exhaustive search.
+ *
+ * Where writes take time besides their bits (write_ns in hal.h) that time, asked for before each frame, counts as
+ * bytes, too; then windows are fewer and larger. There frames are also timed. While frames of windows take longer than
+ * whole ones (medians of three), frames are sent whole. The slower way is tried again after 16 to 1024 frames: the more
+ * it loses, the later. Whole frames are not tried while windows take less time than a whole frame's bits alone.
  *
  * The picture is always exact, in every format. The windows depend on how many lines come at a time, because each call
  * decides for its own lines (at least 32); the picture does not.
@@ -41,6 +45,13 @@ struct panel_diff {
     uint32_t frames;          /* since the last whole picture */
     bool whole;               /* this frame is sent whole */
     bool unknown;             /* the glass may show something else, so the next frame is sent whole */
+    uint32_t taken_us[2][3];  /* by the last frames of windows; by the last whole ones; a frame with its drawing */
+    uint8_t taken[2];         /* not 0: there was one */
+    uint8_t oldest[2];        /* the place of the next one */
+    uint32_t begun_us;        /* when the last frame began */
+    uint32_t bits_us;         /* of a whole frame */
+    uint32_t tries;           /* frames until the other way is tried again */
+    bool timed;               /* the last frame began at begun_us, and had nothing that others do not have */
     uint32_t unit_cost;       /* of the pixels of a unit, in half bytes */
     uint32_t open_cost;       /* of a window, in half bytes, with the time of its writes */
     uint32_t beside_cost;     /* of a window in the same lines as the last */
@@ -53,7 +64,7 @@ struct panel_diff {
 size_t panel_diff_bytes(uint16_t width, uint16_t height);
 
 /*
- * Call it for an open driver; it asks the backend's write_ns. memory: panel_diff_bytes() or more, 8-byte aligned; it
+ * Call it for an open driver. memory: panel_diff_bytes() or more, 8-byte aligned; it
  * belongs to the diff as long as that is used. The first frame is sent whole. HAL_EINVAL: too little memory.
  */
 int panel_diff_init(struct panel_diff *diff, const struct panel_driver *d, uint32_t refresh_frames, void *memory,

@@ -224,11 +224,12 @@ static int frame_rows(struct runner *runner, uint32_t lines)
     return status;
 }
 
-/* Ends the frame before. With a queue and a lit panel its last bands need no wait: the next bands follow them. */
+/* Ends the frame before. On a lit panel a queue's or a copying backend's last bands need no wait: the next follow. */
 static int end_before(struct runner *runner)
 {
-    const bool follows =
-        memory_plan_has_queue(&runner->config) && runner->driver.lit && !runner->config.board->pins.tearing.wired;
+    const bool copied = runner->hal.ops->bus_flush != NULL && !runner->config.sender.ops->copies;
+    const bool follows = (copied || memory_plan_has_queue(&runner->config)) && runner->driver.lit &&
+                         !runner->config.board->pins.tearing.wired;
     return follows ? HAL_OK : runner_finish(runner);
 }
 

@@ -10,7 +10,7 @@
 
 BEGIN {
     demos = "firmware/app/demos/[a-z]*\\.c:"
-    ops = "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:[a-z0-9]+_(open|bus_clock|bus_write|bus_write_rows|bus_queue|bus_written|bus_until|bus_wait|write_ns|bus_read|pin_set|te_wait|time_us|delay_us|buttons|close)$"
+    ops = "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:[a-z0-9]+_(open|bus_clock|bus_write|bus_write_rows|bus_queue|bus_written|bus_until|bus_flush|bus_wait|write_ns|bus_read|pin_set|te_wait|time_us|delay_us|buttons|close)$"
     rules = 0
     rule("firmware/app/demos/parts\\.c:", demos "[a-z]*_band$")
     rule("firmware/app/runner\\.c:", demos "[a-z]*_(init|frame)$")

@@ -1,15 +1,15 @@
-/* See linux.h. The operations are here, the bus is in spi.c, the lines are in lines.c. */
+/* See linux.h. The operations are here, the bus is in spi.c and sender.c, the lines are in lines.c. */
 #define _POSIX_C_SOURCE 200809L
 #include "linux.h"
 
 #include "debounce.h"
 #include "fail.h"
 #include "lines.h"
+#include "sender.h"
 #include "spi.h"
 
 #include <errno.h>
 #include <poll.h>
-#include <signal.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
@@ -36,105 +36,6 @@ static int set_line(struct linux_hal *h, struct linux_line *line, const char *wh
                : linux_fail(h->error, linux_status(-status), "the %s line cannot be set: %s", what, strerror(-status));
 }
 
-/* ---- sending ------------------------------------------------------------------------------------ */
-
-/* Keeps the least: that is what the system calls take while the computer does nothing else. */
-static void note_short_write(struct linux_hal *h, size_t n, uint64_t took_ns)
-{
-    const uint64_t bits_ns = 8000000000U * n / h->spi.clock_hz;
-    const uint64_t ns = took_ns > bits_ns ? took_ns - bits_ns : 0;
-    h->write_ns = ns < h->write_ns ? ns : h->write_ns;
-}
-
-/* The bus is idle when this starts and when it returns, so D/C may move first. */
-static int send_bytes(struct linux_hal *h, enum hal_dc dc, const uint8_t *bytes, size_t n)
-{
-    int status = HAL_OK;
-    const bool moves = h->dc_now != (int)dc;
-    const uint64_t start_ns = now_ns();
-    if (moves) {
-        status = set_line(h, &h->dc, "D/C", dc == HAL_DATA);
-        h->dc_now = status == HAL_OK ? (int)dc : -1;
-    }
-    for (size_t sent = 0; sent < n && status == HAL_OK;) {
-        const size_t piece = linux_spi_piece(n - sent, h->bufsiz);
-        status = linux_spi_send(&h->spi, bytes + sent, piece, h->error);
-        sent += piece;
-    }
-    if (n >= LINUX_MEASURED_BYTES && status == HAL_OK) {
-        h->sent_bytes += n;
-        h->sent_ns += now_ns() - start_ns;
-    } else if (n <= LINUX_INLINE_BYTES && moves && status == HAL_OK && h->spi.clock_hz > 0) {
-        note_short_write(h, n, now_ns() - start_ns);
-    }
-    return status;
-}
-
-static void *sender(void *context)
-{
-    struct linux_hal *h = context;
-    pthread_mutex_lock(&h->mutex);
-    while (!h->quit) {
-        if (!h->busy) {
-            pthread_cond_wait(&h->changed, &h->mutex);
-            continue;
-        }
-        pthread_mutex_unlock(&h->mutex);
-        const int status =
-            send_bytes(h, h->job_dc, h->job_bytes, h->job_size); /* while busy the kit belongs to this thread */
-        pthread_mutex_lock(&h->mutex);
-        h->job_status = status;
-        h->busy = false;
-        pthread_cond_broadcast(&h->changed);
-    }
-    pthread_mutex_unlock(&h->mutex);
-    return NULL;
-}
-
-/* Locks the kit when the thread is idle. The wait ends, for the kernel's SPI drivers time out. */
-static void lock_idle(struct linux_hal *h)
-{
-    pthread_mutex_lock(&h->mutex);
-    while (h->busy) {
-        pthread_cond_wait(&h->changed, &h->mutex);
-    }
-}
-
-/* Waits until the thread is idle; returns its error, once. */
-static int idle(struct linux_hal *h)
-{
-    lock_idle(h);
-    const int status = h->job_status;
-    h->job_status = HAL_OK;
-    pthread_mutex_unlock(&h->mutex);
-    return status;
-}
-
-static int start_sender(struct linux_hal *h)
-{
-    sigset_t all;
-    sigset_t before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before); /* the program's own threads get the signals */
-    const int number = pthread_create(&h->thread, NULL, sender, h);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    h->threaded = number == 0;
-    return number == 0 ? HAL_OK : linux_fail(h->error, HAL_EIO, "no thread for sending: %s", strerror(number));
-}
-
-static void stop_sender(struct linux_hal *h)
-{
-    if (!h->threaded) {
-        return;
-    }
-    lock_idle(h);
-    h->quit = true;
-    pthread_cond_broadcast(&h->changed);
-    pthread_mutex_unlock(&h->mutex);
-    pthread_join(h->thread, NULL);
-    h->threaded = false;
-}
-
 /* ---- open and close ----------------------------------------------------------------------------- */
 
 static void linux_close(void *context)
@@ -143,7 +44,7 @@ static void linux_close(void *context)
     if (!h->opened) {
         return;
     }
-    stop_sender(h);
+    linux_sender_stop(h);
     if (wired(&h->backlight)) {
         linux_gpio_set(&h->backlight, h->backlight.active_low);
     }
@@ -214,14 +115,13 @@ static int linux_open(void *context, const struct board *board)
     h->board = board;
     h->bufsiz = bufsiz != 0 ? bufsiz : 4096; /* the kernel's default */
     h->dc_now = HAL_COMMAND;
-    h->write_ns = UINT64_MAX;
     h->opened = true;
     pthread_mutex_init(&h->mutex, NULL);
     pthread_cond_init(&h->changed, NULL);
     int status = linux_spi_open(&h->spi, board, path, h->error);
     status = status < 0 ? status : open_lines(h);
     status = status < 0 ? status : open_buttons(h);
-    status = status < 0 ? status : start_sender(h);
+    status = status < 0 ? status : linux_sender_start(h);
     if (status < 0) {
         linux_close(h);
     }
@@ -233,52 +133,46 @@ static int linux_open(void *context, const struct board *board)
 static int32_t linux_bus_clock(void *context, uint32_t hz)
 {
     struct linux_hal *h = context;
-    const int status = idle(h);
+    const int status = linux_sender_idle(h);
     if (status < 0) {
         return status;
     }
     if (hz == 0) {
         return linux_fail(h->error, HAL_EINVAL, "%s: a clock of 0 Hz was asked for", h->spi.name);
     }
-    return linux_spi_clock(&h->spi, hz, h->error);
+    const int32_t got = linux_spi_clock(&h->spi, hz, h->error);
+    h->best_ns = h->best_bytes = 0;
+    return got;
 }
 
 static int linux_bus_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
-    struct linux_hal *h = context;
-    const int status = idle(h);
-    if (status < 0 || n == 0) {
-        return status;
-    }
-    if (n <= LINUX_INLINE_BYTES) {
-        return send_bytes(h, dc, bytes, n);
-    }
-    pthread_mutex_lock(&h->mutex);
-    h->job_dc = dc;
-    h->job_bytes = bytes;
-    h->job_size = n;
-    h->busy = true;
-    pthread_cond_broadcast(&h->changed);
-    pthread_mutex_unlock(&h->mutex);
-    return HAL_OK;
+    return linux_sender_write(context, dc, bytes, n);
+}
+
+static void linux_bus_flush(void *context)
+{
+    linux_sender_flush(context);
 }
 
 static int linux_bus_wait(void *context)
 {
-    return idle(context);
+    return linux_sender_idle(context);
 }
 
 static uint32_t linux_write_ns(void *context)
 {
-    const struct linux_hal *h = context;
-    const bool known = h->write_ns != UINT64_MAX;
-    return !known ? 0 : h->write_ns < UINT32_MAX ? (uint32_t)h->write_ns : UINT32_MAX;
+    struct linux_hal *h = context;
+    pthread_mutex_lock(&h->mutex);
+    const uint32_t ns = h->write_ns;
+    pthread_mutex_unlock(&h->mutex);
+    return ns;
 }
 
 static int linux_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t n)
 {
     struct linux_hal *h = context;
-    int status = idle(h);
+    int status = linux_sender_idle(h);
     if (status < 0) {
         return status;
     }
@@ -288,10 +182,7 @@ static int linux_bus_read(void *context, uint8_t command, uint8_t *bytes, size_t
     if (n == 0 || n > linux_spi_piece(n, h->bufsiz)) {
         return linux_fail(h->error, HAL_EINVAL, "%s: %zu bytes cannot be read at once", h->spi.name, n);
     }
-    if (h->dc_now != HAL_COMMAND) {
-        status = set_line(h, &h->dc, "D/C", false);
-        h->dc_now = status == HAL_OK ? HAL_COMMAND : -1;
-    }
+    status = linux_sender_dc(h, HAL_COMMAND);
     return status < 0 ? status : linux_spi_read(&h->spi, command, bytes, n, h->error);
 }
 
@@ -299,7 +190,7 @@ static int linux_pin_set(void *context, enum hal_pin pin, bool level)
 {
     struct linux_hal *h = context;
     struct linux_line *line = pin == HAL_PIN_RESET ? &h->reset : &h->backlight;
-    const int status = idle(h);
+    const int status = linux_sender_idle(h);
     if (status < 0 || !wired(line)) {
         return status;
     }
@@ -316,7 +207,7 @@ static int linux_te_wait(void *context, uint32_t timeout_us)
 {
     struct linux_hal *h = context;
     uint64_t time_ns = 0;
-    const int status = idle(h);
+    const int status = linux_sender_idle(h);
     if (status < 0) {
         return status;
     }
@@ -354,8 +245,7 @@ static void linux_delay_us(void *context, uint32_t us)
 {
     struct linux_hal *h = context;
     struct timespec end;
-    lock_idle(h);
-    pthread_mutex_unlock(&h->mutex);
+    linux_sender_wait(h);
     const uint64_t end_ns = now_ns() + 1000ULL * us;
     end.tv_sec = (time_t)(end_ns / 1000000000U);
     end.tv_nsec = (long)(end_ns % 1000000000U);
@@ -390,6 +280,7 @@ const struct hal_ops linux_ops = {
     .open = linux_open,
     .bus_clock = linux_bus_clock,
     .bus_write = linux_bus_write,
+    .bus_flush = linux_bus_flush,
     .bus_wait = linux_bus_wait,
     .write_ns = linux_write_ns,
     .bus_read = linux_bus_read,
@@ -408,7 +299,6 @@ const char *linux_hal_error(const struct linux_hal *h)
 
 uint32_t linux_hal_bits_per_second(const struct linux_hal *h)
 {
-    const uint64_t us = h->sent_ns / 1000;
-    const uint64_t rate = us == 0 ? 0 : h->sent_bytes * 8000000U / us;
-    return rate > UINT32_MAX ? UINT32_MAX : (uint32_t)rate;
+    const uint64_t rate = h->best_ns == 0 ? 0 : h->best_bytes * 8000000000U / h->best_ns;
+    return rate < h->spi.clock_hz ? (uint32_t)rate : h->spi.clock_hz;
 }

@@ -15,9 +15,9 @@
  * Where the kernel gives lines no names, "GPIOn" is line n of the first chip with a label in board->gpio_labels.
  * A pin without a name (BOARD_PIN) is refused: chips are numbered differently from one kernel to the next.
  *
- * A thread of the kit sends writes of more than LINUX_INLINE_BYTES while the caller goes on; the sender also moves D/C.
- * The next bus_write or bus_wait returns the error of such a write, once. One thread at a time may call the functions
- * of a kit. Kits do not know of each other.
+ * bus_write copies. A thread of the kit sends the copies and moves D/C, while the caller goes on; it joins and divides
+ * what has the same D/C, so that transfers are as long as spidev takes (bufsiz). The next bus_write or bus_wait returns
+ * the error of a write, once. One thread at a time may call the functions of a kit. Kits do not know of each other.
  *
  * Without libgpiod (its folder is chosen when Pinhole is built) a board with lines cannot be opened, and says so.
  * linux_look.h looks at SPI and lines without taking them.
@@ -25,40 +25,8 @@
 #ifndef HAL_LINUX_H
 #define HAL_LINUX_H
 
-#include "hal.h"
 #include "linux_look.h"
 #include "linux_types.h"
-
-#include <pthread.h>
-
-#define LINUX_INLINE_BYTES 64 /* they are sent sooner than a thread wakes up */
-
-/* All members are private but spi_path. */
-struct linux_hal {
-    const char *spi_path; /* set before open; NULL: /dev/spidevBUS.SELECT of the board */
-
-    const struct board *board;
-    struct linux_spi spi;
-    size_t bufsiz; /* spidev's limit on one message, bytes */
-    struct linux_line dc, reset, backlight, tearing;
-    struct linux_button buttons[BOARD_BUTTONS_MAX];
-    int dc_now; /* enum hal_dc on the line; -1: not known */
-
-    bool opened, threaded;
-    pthread_t thread;
-    pthread_mutex_t mutex; /* of the members below */
-    pthread_cond_t changed;
-    bool quit, busy;
-    enum hal_dc job_dc;
-    const uint8_t *job_bytes;
-    size_t job_size;
-    int job_status;      /* first error since it was last returned */
-    uint64_t sent_bytes; /* in writes of LINUX_MEASURED_BYTES or more */
-    uint64_t sent_ns;    /* the time that these took */
-    uint64_t write_ns;   /* the least that a short write and its D/C took beside its bits; UINT64_MAX: none yet */
-
-    char error[LINUX_ERROR_SIZE];
-};
 
 /* bus_read and te_wait return HAL_ENOSYS where data_in or tearing is not wired. */
 extern const struct hal_ops linux_ops;
@@ -66,11 +34,10 @@ extern const struct hal_ops linux_ops;
 /* One line on the last error: what happened, where, what to do. "" if there was none. */
 const char *linux_hal_error(const struct linux_hal *h);
 
-#define LINUX_MEASURED_BYTES 2048
-
 /*
- * The bits per second of all large writes so far, with the kernel's pauses. This is a lower bound of the clock on the
- * wire, which spidev does not tell. 0: none were sent. Call it while no write is under way (after bus_wait).
+ * The bits per second of the fastest large write since bus_clock, with the kernel's time for it. The clock on the wire,
+ * which spidev does not tell, is at least this, and at most what was asked for. 0: none was sent, or no clock is set.
+ * Call it while the bus is idle (after bus_wait).
  */
 uint32_t linux_hal_bits_per_second(const struct linux_hal *h);
 

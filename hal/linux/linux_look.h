@@ -17,7 +17,7 @@ size_t linux_spi_bufsiz(void);
 
 struct linux_spi_look {
     char path[LINUX_PATH_SIZE];
-    uint32_t asked_hz, got_hz; /* got: the clock that spidev keeps */
+    uint32_t asked_hz, got_hz; /* got: what spidev keeps, as asked; the controller's clock may be less */
 };
 
 /*

@@ -266,6 +266,8 @@ int panel_window_rows(struct panel_driver *d, const uint16_t *pixels, uint32_t s
     int status = straight ? send_lines(d, bytes, stride, lines) : pack_lines(d, bytes, stride, lines);
     if (status < 0) {
         d->in_frame = false;
+    } else if (d->row == d->bottom && d->hal.ops->bus_flush != NULL) {
+        d->hal.ops->bus_flush(d->hal.context);
     }
     return status;
 }

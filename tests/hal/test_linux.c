@@ -11,6 +11,7 @@
 #include "boards.h"
 #include "linux/debounce.h"
 #include "linux/lines.h"
+#include "linux/sender.h"
 #include "linux/spi.h"
 
 #include <errno.h>
@@ -174,6 +175,22 @@ static void a_frame_of_115200_bytes_is_29_messages_at_4096(void **state)
     assert_int_equal(messages(115200, 4096), 29);
     assert_int_equal(messages(115200, 65536), 2);
     assert_int_equal(messages(115200, 64), 1800);
+}
+
+static void what_a_write_costs_is_told_by_the_last_ones(void **state)
+{
+    (void)state;
+    uint32_t mean = linux_write_mean(0, 50000);
+    assert_int_equal(mean, 50000);
+    assert_in_range(linux_write_mean(mean, 850000), 50000, 100000); /* one late write counts a sixteenth */
+    for (int i = 0; i < 80; i++) {
+        mean = linux_write_mean(mean, 1000000 + 500000 * (i % 3)); /* a mean of 1.5 ms, never 50 us again */
+    }
+    assert_in_range(mean, 1300000, 1700000);
+    for (int i = 0; i < 160; i++) {
+        mean = linux_write_mean(mean, 60000);
+    }
+    assert_in_range(mean, 60000, 65000);
 }
 
 static void a_device_that_is_not_there_is_told_with_its_cure(void **state)
@@ -370,6 +387,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_piece_is_the_longest_that_spidev_takes),
         cmocka_unit_test(a_frame_of_115200_bytes_is_29_messages_at_4096),
+        cmocka_unit_test(what_a_write_costs_is_told_by_the_last_ones),
         cmocka_unit_test(a_device_that_is_not_there_is_told_with_its_cure),
         cmocka_unit_test(places_and_names_are_told_apart),
         cmocka_unit_test_setup(a_line_is_found_by_its_name_on_any_chip, plug_chips_in),

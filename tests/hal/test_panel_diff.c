@@ -312,6 +312,34 @@ static void wrong_use_is_refused(void **state)
     free(rig.memory);
 }
 
+static uint32_t flushes;
+
+static void count_flush(void *context)
+{
+    (void)context;
+    flushes++;
+}
+
+/* A backend that keeps bytes back (hal.h) is told when a frame or a window is complete. */
+static void the_end_of_each_window_is_flushed(void **state)
+{
+    (void)state;
+    static struct rig rig;
+    rig_open(&rig, &panel_st7735s_80x160, PANEL_R0, PANEL_RGB666, false);
+    struct hal_ops ops = *rig.d.hal.ops;
+    const struct hal_ops *plain = rig.d.hal.ops;
+    ops.bus_flush = count_flush;
+    rig.d.hal.ops = &ops;
+    for (uint32_t step = 0; step < 8; step++) {
+        change(80, 160, step);
+        flushes = 0;
+        assert_int_equal(show(&rig, 20), 0);
+        assert_int_equal(flushes, rig.diff.windows); /* a whole frame is one */
+    }
+    rig.d.hal.ops = plain;
+    rig_close(&rig, "flushes");
+}
+
 /* ---- how few bytes -------------------------------------------------------------------------------- */
 
 #define SIDE 40
@@ -402,6 +430,123 @@ static void where_writes_cost_time_bytes_and_time_are_within_ten_percent_of_the_
     expect_near_the_search(true);
 }
 
+/* ---- how much time -------------------------------------------------------------------------------- */
+
+#define DRAW_NS 3000000 /* a frame's drawing */
+
+/* A bus whose writes take time besides their bits. A paced one sleeps until its bits are out, and oversleeps.
+ * Data in a row is one write, as hal/linux makes it. */
+static struct {
+    const struct hal_ops *plain;
+    uint64_t now_ns;
+    uint32_t least_ns, mean_ns;
+    uint32_t windows; /* most of a frame, when the costs are known */
+    bool paced, tells_least;
+    enum hal_dc dc;
+} timed;
+
+static int timed_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
+{
+    const uint32_t late_ns = dc == timed.dc  ? 0
+                             : !timed.paced  ? 15000 + draw(10000)
+                             : draw(50) == 0 ? draw(15000000)
+                                             : draw(1500000);
+    timed.now_ns += 8000000000U * n / 31250000 + late_ns;
+    if (n <= 8 && dc != timed.dc) {
+        timed.least_ns = timed.least_ns == 0 || late_ns < timed.least_ns ? late_ns : timed.least_ns;
+        timed.mean_ns = timed.mean_ns - timed.mean_ns / 16 + late_ns / 16;
+    }
+    timed.dc = dc;
+    return timed.plain->bus_write(context, dc, bytes, n);
+}
+
+static uint32_t timed_write_ns(void *context)
+{
+    (void)context;
+    return timed.tells_least ? timed.least_ns : timed.mean_ns;
+}
+
+static uint32_t timed_us(void *context)
+{
+    (void)context;
+    return (uint32_t)(timed.now_ns / 1000);
+}
+
+/* Boxes that walk, as the links of a chain do. */
+static void walk(uint32_t frame)
+{
+    memset(picture, 0, sizeof picture);
+    for (uint32_t i = 0; i < 14; i++) {
+        const uint32_t x0 = (i * 53 + frame * (1 + i % 3)) % 220, y0 = (i * 97 + frame * (2 - i % 3)) % 220;
+        for (uint32_t y = y0; y < y0 + 12; y++) {
+            for (uint32_t x = x0; x < x0 + 12; x++) {
+                picture[y * 240 + x] = (uint16_t)(1 + i);
+            }
+        }
+    }
+}
+
+/* Milliseconds of so many frames in bands of 60 lines. */
+static uint32_t time_frames(uint32_t frames, bool whole)
+{
+    static struct rig rig;
+    struct hal_ops ops;
+    random_state = frames;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, PANEL_RGB565, false);
+    ops = *rig.d.hal.ops;
+    timed.plain = rig.d.hal.ops;
+    timed.now_ns = timed.least_ns = timed.mean_ns = timed.windows = 0;
+    ops.bus_write = timed_write;
+    ops.write_ns = timed_write_ns;
+    ops.time_us = timed_us;
+    rig.d.hal.ops = &ops;
+    for (uint32_t frame = 0; frame < frames; frame++) {
+        walk(frame);
+        timed.now_ns += DRAW_NS;
+        if (whole) {
+            assert_int_equal(panel_frame_begin(&rig.d), 0);
+            for (uint32_t y = 0; y < 240; y += 60) {
+                assert_int_equal(panel_rows(&rig.d, picture + y * 240, 60), 0);
+            }
+            assert_int_equal(panel_frame_end(&rig.d), 0);
+        } else {
+            assert_int_equal(show(&rig, 60), 0);
+        }
+        check_seen(&rig, "a timed frame");
+        timed.windows = frame > 20 && rig.diff.windows > timed.windows ? rig.diff.windows : timed.windows;
+    }
+    rig.d.hal.ops = timed.plain;
+    rig_close(&rig, "timed frames");
+    return (uint32_t)(timed.now_ns / 1000000);
+}
+
+static void compare_times(const char *bus, uint32_t most_percent)
+{
+    const uint32_t frames = 300, whole_ms = time_frames(frames, true), diff_ms = time_frames(frames, false);
+    print_message("%s: whole %.1f frames/s, differences %.1f frames/s\n", bus, frames * 1000.0 / whole_ms,
+                  frames * 1000.0 / diff_ms);
+    assert_true(diff_ms * 100 <= whole_ms * most_percent);
+}
+
+static void differences_are_hardly_slower_on_a_jittery_bus(void **state)
+{
+    (void)state;
+    timed.paced = true;
+    timed.tells_least = true; /* a wrong estimate: the measured frames have to do it */
+    compare_times("paced and jittery, least time told", 105);
+    timed.tells_least = false;
+    compare_times("paced and jittery, mean time told", 105);
+    assert_in_range(timed.windows, 1, 8); /* one or two for each band */
+}
+
+static void differences_are_much_faster_on_a_quiet_bus(void **state)
+{
+    (void)state;
+    timed.paced = timed.tells_least = false;
+    compare_times("quiet", 40);
+    assert_in_range(timed.windows, 9, 100);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -414,7 +559,10 @@ int main(void)
         cmocka_unit_test(all_is_sent_again_every_so_many_frames),
         cmocka_unit_test(after_an_error_the_next_frame_is_whole),
         cmocka_unit_test(wrong_use_is_refused),
+        cmocka_unit_test(the_end_of_each_window_is_flushed),
         cmocka_unit_test(bytes_are_within_ten_percent_of_the_best_cover_found),
+        cmocka_unit_test(differences_are_hardly_slower_on_a_jittery_bus),
+        cmocka_unit_test(differences_are_much_faster_on_a_quiet_bus),
         cmocka_unit_test(where_writes_cost_time_bytes_and_time_are_within_ten_percent_of_the_best),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
