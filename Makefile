@@ -23,7 +23,7 @@ WARN = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wundef -
        -Wpointer-arith -Wvla -Wformat=2
 STD = -std=c11 $(WARN)
 
-# A target is chosen by path: a file under firmware/core/$(CPU)/ replaces the portable one of the same name, and a
+# A target is chosen by path: a file under firmware/core/kernels/$(CPU)/ replaces the portable one of the same name, and a
 # library that this machine lacks is replaced by the folder that does without it.
 have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
 ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
@@ -162,20 +162,20 @@ $(B)/libpinhole-app.a: $(call objects,$(APP_SRC))
 $(B)/libpinhole-host.a: $(call objects,$(HOST))
 $(LIBS):
 	$(SAY) AR $@
-	$(Q)rm -f $@; $(AR) rcs $@ $^
+	$(Q)rm -f $@.part; $(AR) rcs $@.part $^ && mv $@.part $@
 
 $(B)/libtests.a: $(TEST_OBJ) $(B)/flags
 	$(SAY) AR $@
-	$(Q)rm -f $@; $(AR) rcs $@ $(TEST_OBJ)
+	$(Q)rm -f $@.part; $(AR) rcs $@.part $(TEST_OBJ) && mv $@.part $@
 
 $(PROGRAMS): $(LIBS)
 	$(SAY) LD $@
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -Wl,--as-needed $(TEST_LIBS) $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 
 $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
 

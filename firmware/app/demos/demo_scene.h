@@ -49,11 +49,11 @@ struct ph_xform demo_look(fx_t eye_x, fx_t eye_y, fx_t eye_z, fx_t target_x, fx_
 /* b turned about y and placed at (x, y, z). */
 struct ph_xform demo_place(fx_t x, fx_t y, fx_t z, uint32_t turn32);
 
-/* The ball's centre in the eye's coordinates, and its size (demo_ball.c). */
+/* The ball's centre in the eye's coordinates, and its size (ball.c). */
 #define DEMO_BALL_RADIUS (FX_ONE / 2)
 struct fx_vec3 demo_ball_position(uint32_t frame);
 
-/* The colours of the rails and of the cross at the vanishing point (demo_parallel.c). */
+/* The colours of the rails and of the cross at the vanishing point (parallel.c). */
 #define DEMO_RAIL_COLOUR 210, 225, 245
 #define DEMO_MARK_COLOUR 255, 70, 90
 
