@@ -128,9 +128,9 @@ COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
 all: $(PROGRAMS) ## the programs, under build/
 
-# What was built with other flags or from other files is built again; the bench links all objects of core and app that it finds.
+# What was built with other flags or from other files is built again (but while tests run in it: BUILT, of tests/run.sh); the bench links all objects of core and app that it finds.
 $(B)/flags: FORCE
-	@mkdir -p $(@D); echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -rf $(B)/firmware/core $(B)/firmware/app; echo '$(ALL_FLAGS)' >$@; }
+	@mkdir -p $(@D); $(if $(filter $(B),$(BUILT)),test -e $@ || )echo '$(ALL_FLAGS)' | cmp -s - $@ || { rm -rf $(B)/firmware/core $(B)/firmware/app; echo '$(ALL_FLAGS)' >$@; }
 
 $(B)/%.o: %.c $(B)/flags
 	@mkdir -p $(@D)
