@@ -112,7 +112,7 @@ static inline uint32_t ph_depth_float16_value(uint32_t d, int octave)
 static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int octave)
 {
     return octave >= 3 ? gradient << (octave - 3)
-                       : (uint32_t)(((int32_t)gradient + ((int32_t)1 << (2 - octave))) >> (3 - octave));
+                       : (uint32_t)((int32_t)gradient >> (3 - octave)) + (gradient >> (2 - octave) & 1);
 }
 
 /* The octave's constant plus the bias. */
