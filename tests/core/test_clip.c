@@ -1,8 +1,10 @@
-/* Clipping: a triangle has room after it, however its corners are rounded. */
+/* Clipping: what it leaves fits the room and the range of set-up, however its corners are rounded. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
+
+#include "ref_rig.h"
 
 #include "clip.h"
 
@@ -35,8 +37,37 @@ static void slivers_in_two_planes_at_once_keep_within_their_room(void **state)
     }
 }
 
+/* Near plane and corners some LSB from the eye: corners are rounded, and set-up must take them (the sanitizer looks for
+ * overflow). */
+static void a_triangle_some_lsb_from_the_eye_is_set_up(void **state)
+{
+    (void)state;
+    static const uint16_t triangle[1][3] = {{0, 1, 2}};
+    static const struct fx_vec3 corners[3] = {{28, 20, -8}, {-21, -31, -12}, {-31, 28, 1}};
+    const struct ph_material material = {.shading = PH_SHADE_UNLIT, .colour = 0xffff, .two_sided = 1};
+    const struct ph_part part = {0, 1, 0};
+    const struct ph_mesh mesh = {.positions = corners,
+                                 .triangles = triangle,
+                                 .parts = &part,
+                                 .materials = &material,
+                                 .vertex_count = 3,
+                                 .triangle_count = 1,
+                                 .part_count = 1};
+    struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = 6, .far_z = 8388608};
+    p.scale_x_q20 = p.scale_y_q20 = 1073741823;
+    struct rig rig;
+    rig_open(&rig, 64, 64, 64, PH_DEPTH_FLOAT16, 3, 16);
+    assert_int_equal(ph_frame_begin(&rig.r, &ph_xform_identity, &p, NULL, 0), PH_OK);
+    assert_int_equal(ph_draw_mesh(&rig.r, &mesh, &ph_xform_identity), PH_OK);
+    assert_true(rig.r.stats.triangles_drawn > 0);
+    rig_close(&rig);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(slivers_in_two_planes_at_once_keep_within_their_room)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slivers_in_two_planes_at_once_keep_within_their_room),
+        cmocka_unit_test(a_triangle_some_lsb_from_the_eye_is_set_up),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
