@@ -11,7 +11,7 @@
 # bits when it is narrowed, no loop turns more often than said, and each CLAIM holds. Unsigned arithmetic wraps modulo
 # 2^32 on purpose (planes, edges, angles), and so do conversions between signed and unsigned: they are no errors. The end
 # of each harness must be reachable: a proof of nothing fails.
-# Gappa (gappa_*.sh) bounds the rounding errors of a formula over the reals.
+# Gappa (gappa.sh) bounds the rounding errors of a formula over the reals.
 # Environment: B (build directory), CC.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -32,8 +32,8 @@ short | fx.turn32_from_deg       |                       |  1 | no overflow
 short | fx.sqrt                  |                       |  3 | no overflow
 short | fx.rsqrt                 |                       |  3 | no overflow
 short | fx.sincos                |                       |  1 | no overflow
-long  | fx.tan                   |                       | 40 | no overflow
-long  | fx.atan2                 |                       |  1 | no overflow
+long  | fx.tan                   |                       | 20 | no overflow
+long  | fx.atan2                 |                       | 13 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
 long  | fx_text.from_text        |                       | 20 | no overflow, ends within the text
 short | clip.distance            |                       |  1 | no overflow, below 2^46
@@ -71,6 +71,13 @@ short | setup_small.slopes       |                       |  4 | no overflow, slo
 short | setup_small.depth_gradient |                     |  4 | no overflow
 short | setup_small.setup_small  | set_planes            |  4 | no overflow
 short | setup_small.float_depths |                       |  4 | no overflow
+long  | gappa.rcp                |                       |    | fx_rcp_norm is the floor of 2^62 / d
+short | gappa.div                |                       |    | fx_div_sat's estimate is at most 2 too small
+short | gappa.lerp               |                       |    | clip: lerp_q30 stays between its ends
+short | gappa.reach              |                       |    | the guard band ends 2048 px from the centre
+short | gappa.quotient           |                       |    | N/w to 2^-28
+short | gappa.depth              |                       |    | d of a corner to 13 units of 2^-32
+short | gappa.gradient           |                       |    | one gradient step to 9 units of its last bit
 END
 }
 
@@ -108,7 +115,7 @@ one() { # part, name, functions, turns, claim
     if [ $tool = CBMC ]; then
         found=$(cbmc_proof "$2" "$3" "$4" 2>&1)
     else
-        found=$("$proof_tree/tests/proof/gappa_${2#*.}.sh" 2>&1) || found=${found:-"Gappa says no"}
+        found=$("$proof_tree/tests/proof/gappa.sh" "${2#*.}" "$proof_tree" 2>&1) || found=${found:-"Gappa says no"}
     fi
     if [ -z "$found" ]; then
         printf '%-26s %-5s proved    %4d s  %s\n' "$2" $tool $((SECONDS - begin)) "$5"

@@ -25,8 +25,7 @@ static inline uint32_t fx_rcp16(uint32_t d)
 
 #include "depth.h"
 
-/* 1/256 px: the guard band ends 2048 px from a centre that is at most 1536 px off the corner; lines are 1 px wide. */
-#define REACH ((2048 + 1536 + 1) * 256)
+#define REACH (PH_REACH + 128) /* a corner of a line is half a pixel beside it */
 
 #define ph_wide_area ph_wide_area_proved
 #include "sides.h"
