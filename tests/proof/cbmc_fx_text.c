@@ -1,4 +1,4 @@
-/* Decimal text: no overflow and no bad shift; every number to text, and all texts of up to 16 characters. */
+/* Decimal text: no overflow and no bad shift; every number to text, and all texts of up to 12 characters. */
 #include "proof.h"
 
 #include "../../firmware/core/fx/fx_text.c"
@@ -10,7 +10,7 @@ void proof_to_text(void)
     CLAIM(length > 0 && length < FX_TEXT_SIZE && text[length] == '\0');
 }
 
-#define LONGEST 16
+#define LONGEST 12
 
 void proof_from_text(void)
 {

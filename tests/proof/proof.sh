@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Usage: tests/proof/proof.sh [--short] [--tree DIR] [NAME...]
+# Usage: tests/proof/proof.sh [--short | --long] [--tree DIR] [NAME...]
 # Proves what the table below claims, on the functions of the core themselves; `make proof` runs all of it. It prints a
-# line a proof as it ends, writes the table of tests/README.md to $B/proof/table.md, and exits 1 when a claim does not hold.
-#   --short     only those that take seconds
+# line a proof as it ends, and exits 1 when a claim does not hold.
+#   --short     only those that take seconds; --long: only the others
 #   --tree DIR  proofs of DIR/firmware and DIR/tests/proof, for copies that are broken on purpose
+#   --table     prints the table of tests/README.md, and proves nothing
 #   NAME        only these, e.g. clip.crossing
 #
 # CBMC (cbmc_*.c; see proof.h) translates a function with all its inputs to propositional logic: no signed sum, product
@@ -23,7 +24,7 @@ proofs() {
     cat <<'END'
 short | fx.sums                  |                       |  1 | sums are exact or saturate
 short | fx.products              |                       |  1 | no overflow
-long  | fx.div                   | fx_rcp_newton         |  3 | no overflow in the turns that Gappa allows
+short | fx_div.div               | fx_rcp_newton         |  3 | no overflow in the turns that Gappa allows
 short | fx.rcp                   |                       |  1 | no overflow
 short | fx.rcp_newton            |                       |  1 | no overflow
 short | fx.rcp16                 |                       |  1 | 2^15 .. 2^16 - 1
@@ -35,7 +36,7 @@ short | fx.sincos                |                       |  1 | no overflow
 long  | fx.tan                   |                       | 20 | no overflow
 long  | fx.atan2                 |                       | 13 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
-long  | fx_text.from_text        |                       | 20 | no overflow, ends within the text
+long  | fx_text.from_text        |                       | 18 | no overflow, ends within the text
 short | clip.distance            |                       |  1 | no overflow, below 2^46
 long  | clip.between             |                       |  1 | no overflow
 long  | clip.crossing            |                       | 18 | no overflow, at most 15 halvings
@@ -81,9 +82,9 @@ short | gappa.gradient           |                       |    | one gradient ste
 END
 }
 
-# Gappa bounds the loop of fx.div, and what clip.between and clip.crossing narrow.
+# Gappa bounds the loop of fx_div_sat, and what clip.between and clip.crossing narrow.
 options() { # name
-    [ "$1" = fx.div ] && echo --no-unwinding-assertions || echo --unwinding-assertions
+    [ "$1" = fx_div.div ] && echo --no-unwinding-assertions || echo --unwinding-assertions
     [[ $1 =~ ^clip.(between|crossing)$ ]] || echo --conversion-check
 }
 
@@ -126,10 +127,23 @@ one() { # part, name, functions, turns, claim
 }
 export -f one cbmc_proof options tool
 
+# The table by module, for tests/README.md.
+table() {
+    echo '| proved by | of | what |'
+    echo '|---|---|---|'
+    proofs | sed 's/ *| */|/g' | awk -F'|' '
+        { split($2, name, ".") }
+        name[1] == "gappa" { gappa = gappa "| Gappa | " name[2] " | " $5 " |\n"; next }
+        name[1] != module { if (module) { print row " | no overflow |" } module = name[1]; row = "| CBMC | " module ": " name[2]; next }
+        { row = row ", " name[2] }
+        END { print row " | no overflow |"; printf "%s", gappa }'
+}
+
 parts='short|long'
 while [[ ${1-} == --* ]]; do
     case $1 in
-    --short) parts=short ;;
+    --table) table && exit ;;
+    --short | --long) parts=${1#--} ;;
     --tree) proof_tree=$(realpath "$2") && shift ;;
     *) sed -n 's/^# \(Usage.*\)/\1/p' "$0" >&2 && exit 2 ;;
     esac
