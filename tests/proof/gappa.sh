@@ -74,7 +74,7 @@ END
     done
 }
 
-# fx_div_sat: with n < 2^15 d and the floor of the reciprocal, e below its exact value, the estimate is at most 2 too
+# fx_div_sat: with n < 2^15 d and the floor of the reciprocal, e < 1 below its exact value, the estimate is less than 3 too
 # small: the loop turns twice at most. N is n 2^shift, D is d 2^shift.
 prove_div() {
     constants fx/fx.c 'if (n >> # >= d) { /* 2^31 or more */' && local clamp=${n[0]}
@@ -85,7 +85,7 @@ N = t * D;
 r = 1b62 / D - e;
 q = floor(N * r * 1b-$down);
 exact = N * 1b16 / D;
-{ D in [1b31, 1b32] /\\ t in [0, 1b$clamp] /\\ e in [0, 1] -> q - exact in [-2.9999, 0] }
+{ D in [1b31, 1b32] /\\ t in [0, 1b$clamp] /\\ e in [0, 1] -> q - exact in [-3, 0] }
 q - exact -> (q - N * r * 1b-$down) - N * e * 1b-46;
 END
 }

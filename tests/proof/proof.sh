@@ -32,7 +32,7 @@ short | fx.lerp                  |                       |  1 | no overflow
 short | fx.turn32_from_deg       |                       |  1 | no overflow
 short | fx.sqrt                  |                       |  3 | no overflow
 short | fx.rsqrt                 |                       |  3 | no overflow
-short | fx.sincos                |                       |  1 | no overflow
+long  | fx.sincos                |                       |  1 | no overflow
 long  | fx.tan                   |                       | 20 | no overflow
 long  | fx.atan2                 |                       | 13 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
@@ -54,14 +54,14 @@ short | setup.sides              |                       |  4 | no overflow; sma
 short | setup.setup_edge         | wide_edge             |  1 | no overflow
 short | setup.wide_edge          |                       |  1 | no overflow
 short | setup.short_edge         |                       |  1 | no overflow
-short | setup.setup_outline      | wide_edge             |  4 | no overflow, rows within the picture
+long  | setup.setup_outline      | wide_edge             |  4 | no overflow, rows within the picture
 short | setup.small_depths       | ph_float_depths,ph_block_depths | 4 | no overflow
 short | setup.setup_part         |                       |  1 | no overflow
 short | setup.setup_line         | ph_setup_corners,fx_abs_sat | 5 | no overflow
 short | planes.area              |                       |  7 | twice a triangle's area is below 2^42
 short | planes.plane_base        |                       |  4 | no overflow, ranges of the base
-short | planes.wide_gradient     | wide_base             |  4 | no overflow, nothing lost
-short | planes.short_plane       |                       |  4 | no overflow
+long  | planes.wide_gradient     | wide_base             |  4 | no overflow, nothing lost
+long  | planes.short_plane       |                       |  4 | no overflow
 short | planes.plane_through     | short_plane,wide_plane | 4 | no overflow
 short | planes.plane_light       | short_plane,wide_plane | 4 | no overflow
 short | planes.plane_exact       | wide_gradient         |  4 | no overflow
@@ -70,10 +70,10 @@ long  | planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
 short | planes.setup_texture     | plane_through         |  4 | no overflow
 short | setup_small.slopes       |                       |  4 | no overflow, slopes below 2^15
 short | setup_small.depth_gradient |                     |  4 | no overflow
-short | setup_small.setup_small  | set_planes            |  4 | no overflow
+long  | setup_small.setup_small  | set_planes            |  4 | no overflow
 short | setup_small.float_depths |                       |  4 | no overflow
 long  | gappa.rcp                |                       |    | fx_rcp_norm is the floor of 2^62 / d
-short | gappa.div                |                       |    | fx_div_sat's estimate is at most 2 too small
+short | gappa.div                |                       |    | fx_div_sat's loop turns at most twice
 short | gappa.lerp               |                       |    | clip: lerp_q30 stays between its ends
 short | gappa.reach              |                       |    | the guard band ends 2048 px from the centre
 short | gappa.quotient           |                       |    | N/w to 2^-28
