@@ -46,7 +46,8 @@ void proof_wide_gradient(void)
     const struct plane_base base = any_base(&t);
     int halved;
     ASSUME(!t.sides.is_short); /* short sides get the base of wide ones first */
-    wide_gradient(&base, i64_between(-POWER(32) + 1, POWER(32) - 1), i64_between(-POWER(32) + 1, POWER(32) - 1), &halved);
+    wide_gradient(&base, i64_between(-POWER(32) + 1, POWER(32) - 1), i64_between(-POWER(32) + 1, POWER(32) - 1),
+                  &halved);
 }
 
 void proof_short_plane(void)
@@ -55,7 +56,7 @@ void proof_short_plane(void)
     const struct plane_base base = any_base(&t);
     struct ph_plane out;
     ASSUME(t.sides.is_short);
-    short_plane(&out, &base, i32_between(-(1<<15), (1<<15)), i32_between(-(1<<15), (1<<15)), i32_between(0, 17));
+    short_plane(&out, &base, i32_between(-(1 << 15), 1 << 15), i32_between(-(1 << 15), 1 << 15), i32_between(0, 17));
 }
 
 void proof_plane_through(void)
@@ -66,6 +67,7 @@ void proof_plane_through(void)
     uint32_t v[3];
     plane_through(&out, &base, v);
 }
+
 void proof_plane_light(void)
 {
     struct triangle t;
@@ -73,6 +75,7 @@ void proof_plane_light(void)
     struct ph_plane out;
     plane_light(&out, &base, t.v);
 }
+
 void proof_plane_exact(void)
 {
     struct triangle t;
@@ -81,6 +84,7 @@ void proof_plane_exact(void)
     uint32_t v[3];
     plane_exact(&out, &base, v);
 }
+
 void proof_depths(void)
 {
     struct triangle t;
@@ -88,33 +92,36 @@ void proof_depths(void)
     struct ph_material m;
     uint32_t d[3];
     any_triangle(&t);
-    r.lens=any_lens();
-    int least=least_exponent(t.v);
-    corner_over_w(t.v[0],least);
-    fixed_depths(&r,t.v,ph_depth_bias(&m),d);
-    int block=ph_block_depths(&r,t.v,ph_depth_bias(&m),d);
-    struct ph_plane p;
-    if(block!=PH_BLOCK_NONE) round_depth(&p,d,block);
+    r.lens = any_lens();
+    corner_over_w(t.v[0], least_exponent(t.v));
+    fixed_depths(&r, t.v, ph_depth_bias(&m), d);
+    struct ph_plane plane;
+    const int block = ph_block_depths(&r, t.v, ph_depth_bias(&m), d);
+    if (block != PH_BLOCK_NONE) {
+        round_depth(&plane, d, block);
+    }
 }
+
 void proof_setup_depth(void)
 {
     struct triangle t;
     struct ph_renderer r;
     struct ph_material m;
     const struct plane_base base = any_base(&t);
-    struct ph_triangle out={.material=&m};
-    r.lens=any_lens();
-    setup_depth(&r,&base,t.v,&out);
+    struct ph_triangle out = {.material = &m};
+    r.lens = any_lens();
+    setup_depth(&r, &base, t.v, &out);
 }
+
 void proof_setup_texture(void)
 {
     struct triangle t;
     struct ph_renderer r;
     struct ph_texture x;
-    struct ph_material m={.texture=&x};
+    struct ph_material m = {.texture = &x};
     fx_t uv[3][2];
-    const fx_t *uvs[3]={uv[0],uv[1],uv[2]};
+    const fx_t *uvs[3] = {uv[0], uv[1], uv[2]};
     const struct plane_base base = any_base(&t);
-    struct ph_triangle out={.material=&m};
-    setup_texture(&r,&base,t.v,uvs,&out);
+    struct ph_triangle out = {.material = &m};
+    setup_texture(&r, &base, t.v, uvs, &out);
 }

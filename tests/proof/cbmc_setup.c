@@ -57,7 +57,7 @@ void proof_sides(void)
     struct ph_renderer r;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
-    const bool inside = is_inside(&r, v);
+    is_inside(&r, v);
     CLAIM(!is_small(&s) || s.is_short);
     is_thin(&s);
     misses_columns(r.config.width, v);

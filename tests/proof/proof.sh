@@ -122,7 +122,7 @@ one() { # part, name, functions, turns, claim
         printf '%-26s %-5s proved    %4d s  %s\n' "$2" $tool $((SECONDS - begin)) "$5"
     else
         printf '%-26s %-5s NOT TRUE  %4d s  %s\n' "$2" $tool $((SECONDS - begin)) "$5"
-        sed 's/^/    | /' <<<"$found"
+        echo "    | ${found//$'\n'/$'\n'    | }"
     fi
 }
 export -f one cbmc_proof options tool

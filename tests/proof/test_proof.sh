@@ -10,10 +10,10 @@ proof_tools || { echo "$proof_why" && exit 77; }
 
 every_function_has_a_proof() {
     local f missing=0
-    for f in $(sed -n '/^static/d; s/^[a-z].*\<\(fx_[a-z0-9_]*\)(.*/\1/p' firmware/core/fx.h); do
+    while read -r f; do
         cat tests/proof/cbmc_fx*.c | grep -w "$f" >/dev/null || { echo "no proof of $f in tests/proof/cbmc_fx*.c" && missing=1; }
-    done
-    return $missing
+    done < <(sed -n '/^static/d; s/^[a-z].*\<\(fx_[a-z0-9_]*\)(.*/\1/p' firmware/core/fx.h)
+    return "$missing"
 }
 
 table_is_in_the_readme() {
