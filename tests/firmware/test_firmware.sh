@@ -91,6 +91,12 @@ over() { # pair, word
     grep -q "over the budget of.* $2" <<<"$said" || { echo "$said" && return 1; }
 }
 
+more_than_the_chip_has() {
+    local said
+    said=$(budget ram=200000) && echo "accepts it" && return 1
+    grep -q "asks for 200000 bytes of RAM, but the chip has 196608" <<<"$said" || { echo "$said" && return 1; }
+}
+
 refuses() { # pattern in its one line, C text
     printf '%s\n' "$2" >"$dir/mine.c"
     firmware BOARD="$board" APP="$dir/mine.c" >"$dir/out" 2>&1 && echo "accepts it" && return 1
@@ -213,6 +219,7 @@ check "within_the_budget_it_passes" budget
 check "over_the_flash_it_fails" over flash=90000 flash
 check "over_the_RAM_it_fails" over ram=100000 RAM
 check "over_the_stack_it_fails" over stack=4000 stack
+check "a_board_with_more_RAM_than_its_chip_fails" more_than_the_chip_has
 check "floating_point_is_refused" refuses 'floating point, heap' 'volatile float x = 2; int main(void) { x = x * x; return 0; }'
 check "a_heap_is_refused" refuses 'floating point, heap' '#include <stdlib.h>
 void *_sbrk(int n); void *_sbrk(int n) { (void)n; return 0; }
