@@ -24,6 +24,7 @@ pinhole ($VERSION-1) unstable; urgency=medium
 
  -- $maintainer  $(git log -1 --format=%cD)
 END
+unset MAKEFLAGS MFLAGS MAKELEVEL # of the make that called: B= is ours alone
 cd "$deb/pinhole-$VERSION"
 if ! dpkg-buildpackage -us -uc >"$deb/build.log" 2>&1; then
     tail -n 30 "$deb/build.log" >&2
