@@ -24,9 +24,9 @@ pinhole ($VERSION-1) unstable; urgency=medium
 
  -- $maintainer  $(git log -1 --format=%cD)
 END
-unset MAKEFLAGS MFLAGS MAKELEVEL # of the make that called: B= is ours alone
 cd "$deb/pinhole-$VERSION"
-if ! dpkg-buildpackage -us -uc >"$deb/build.log" 2>&1; then
+# The package builds in a folder of its own, with nothing of the make that called.
+if ! env -u B -u VERSION -u MAKEFLAGS -u MFLAGS -u MAKELEVEL dpkg-buildpackage -us -uc >"$deb/build.log" 2>&1; then
     tail -n 30 "$deb/build.log" >&2
     echo "make deb: the build failed: $B/deb/build.log has all of it" >&2
     exit 1
