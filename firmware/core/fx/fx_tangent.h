@@ -1,4 +1,4 @@
-/* fx_tangent: the tangent as a ratio, for fx_tan_sat and fx_atan2. */
+/* fx_tangent: the tangent as a ratio, for fx_atan2. */
 #ifndef FX_TANGENT_H
 #define FX_TANGENT_H
 
