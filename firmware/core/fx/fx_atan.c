@@ -1,6 +1,6 @@
 /* fx_atan: the angle of a vector. See fx.h. */
+#include "fx.h"
 #include "fx_tangent.h"
-#include "fx_wide.h"
 
 /* Entry i is atan((i - 1) / 64) in 2^-32 turn. The first and the last node serve only for differences. */
 static const int32_t arctangent[67] = {
@@ -15,30 +15,10 @@ static const int32_t arctangent[67] = {
 
 #define DOUBT 1024 /* 2^-16 LSB; the error of the parabola through the nodes is at most 740 */
 
-/* Lambert's continued fraction x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a ratio without division. */
-struct fx_ratio fx_tangent_ratio(uint32_t k)
-{
-    const uint64_t x =
-        fx_mulhi_u64((uint64_t)k << 49, 0xc90fdaa22168c234u); /* the factor is pi/4 in 2^-64; x is in 2^-63 */
-    const uint64_t xx = fx_mulhi_u64(x, x) << 1;              /* 2^-63 */
-    uint64_t a = (uint64_t)25 << 54;
-    uint64_t b = (uint64_t)1 << 54;
-    for (int n = 23; n > 0; n -= 2) {
-        if (a >> 58 != 0) { /* makes room for the factor n */
-            a >>= 5;
-            b >>= 5;
-        }
-        const uint64_t next = (uint32_t)n * a - (fx_mulhi_u64(xx, b) << 1);
-        b = a;
-        a = next;
-    }
-    return (struct fx_ratio){fx_mulhi_u64(x, b) << 1, a};
-}
-
 /* Whether lo / hi is at least the tangent of k 2^-17 turn. */
 static int at_least(uint32_t lo, uint32_t hi, uint32_t k)
 {
-    const struct fx_ratio r = fx_tangent_ratio(k);
+    const struct fx_ratio r = fx_tangent_ratio((uint64_t)k << 49);
     const uint64_t left_low = fx_mul_wide_u(lo, (uint32_t)r.den);
     const uint64_t right_low = fx_mul_wide_u(hi, (uint32_t)r.num);
     const uint64_t left = fx_mul_wide_u(lo, (uint32_t)(r.den >> 32)) + (left_low >> 32);
