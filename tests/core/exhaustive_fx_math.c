@@ -225,7 +225,10 @@ static bool check_convert(struct range r, uint32_t *wrong)
     }
 }
 
-/* The root of 2^32 a, and of the last number before 2^32 (a + 1): between the two its estimate is the same. */
+/*
+ * The root of 2^32 a, and of the last number before 2^32 (a + 1). The numbers between share the first estimate, which
+ * Newton's step follows in a straight line. Smaller numbers are shifted up to those with a >= 2^30.
+ */
 static bool check_sqrt_u64(struct range r, uint32_t *wrong)
 {
     for (uint32_t a = r.first;; a++) {
