@@ -90,10 +90,10 @@ static int32_t cot_half(int32_t a)
     return fx_cot_half_q20((a & 0x7fffff) + FX_ONE);
 }
 
-static int32_t text(int32_t a)
+static int32_t text_of_3_places(int32_t a)
 {
-    char t[FX_TEXT_SIZE];
-    return fx_to_text_rounded(a, 3, t);
+    char text[FX_TEXT_SIZE];
+    return fx_to_text_rounded(a, 3, text);
 }
 
 UNARY(empty)
@@ -115,7 +115,7 @@ UNARY(fx_turn32_from_rad)
 UNARY(fx_ceil_sat)
 UNARY(fx_round_sat)
 UNARY(convert)
-UNARY(text)
+UNARY(text_of_3_places)
 BINARY(fx_mul_sat)
 BINARY(fx_div_sat)
 BINARY(fx_atan2)
@@ -159,7 +159,7 @@ static const struct row {
     ROW(fx_round_sat),
     ROW(fx_fmod),
     ROW(convert),
-    ROW(text),
+    ROW(text_of_3_places),
 };
 
 int main(void)

@@ -370,17 +370,22 @@ static void limits_are_the_nearer_bound(void **state)
     assert_int_equal(fx_clamp(2, -1, 3), 2);
 }
 
+static void conversion_agrees(int32_t a, int from, int to)
+{
+    const __int128 twice = ((__int128)a << 33 >> from) << to; /* 2^-33 of the result, exact */
+    const int32_t expected = clamp((twice + ((__int128)1 << 32)) >> 33);
+    if (fx_convert_sat(a, from, to) != expected) {
+        fail_msg("convert_sat(%d, %d, %d) is not %d", a, from, to, expected);
+    }
+}
+
 static void formats_convert_to_the_nearest(void **state)
 {
     (void)state;
     for (int from = 0; from < 32; from++) {
         for (int to = 0; to < 32; to++) {
             for (size_t i = 0; i < edge_count; i++) {
-                const __int128 twice = ((__int128)edges[i] << 33 >> from) << to; /* 2^-33 of the result, exact */
-                const int32_t expected = clamp((twice + ((__int128)1 << 32)) >> 33);
-                if (fx_convert_sat(edges[i], from, to) != expected) {
-                    fail_msg("convert_sat(%d, %d, %d) is not %d", edges[i], from, to, expected);
-                }
+                conversion_agrees(edges[i], from, to);
             }
         }
     }

@@ -98,15 +98,30 @@ static bool known(const char *name, const struct check *checks, size_t count)
     return false;
 }
 
+/* K/N of SHARE; 1/1 without it. Returns false for anything else. */
+static bool read_share(unsigned long *part, unsigned long *parts)
+{
+    const char *share = getenv("SHARE");
+    char *end;
+    *part = *parts = 1;
+    if (share == NULL) {
+        return true;
+    }
+    *part = strtoul(share, &end, 10);
+    if (*end != '/') {
+        return false;
+    }
+    *parts = strtoul(end + 1, &end, 10);
+    return *end == '\0' && *part >= 1 && *part <= *parts;
+}
+
 int exhaustive_main(int argc, char **argv, const struct check *checks, size_t count)
 {
     int passed = 0, failed = 0;
-    size_t part = 1, parts = 1;
-    const char *share = getenv("SHARE");
-    if (share != NULL && (sscanf(share, "%zu/%zu", &part, &parts) != 2 || part < 1 || part > parts)) {
+    unsigned long part, parts;
+    if (!read_share(&part, &parts)) {
         return usage(2, checks, count);
     }
-    part--;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0) {
             return usage(0, checks, count);
@@ -116,7 +131,7 @@ int exhaustive_main(int argc, char **argv, const struct check *checks, size_t co
         }
     }
     for (size_t i = 0; i < count; i++) {
-        if (i % parts == part && named(checks[i].name, argc, argv)) {
+        if (i % parts == part - 1 && named(checks[i].name, argc, argv)) {
             *(run_check(&checks[i], passed + failed + 1) ? &passed : &failed) += 1;
         }
     }
