@@ -207,7 +207,8 @@ static bool check_convert(struct range r, uint32_t *wrong)
     for (uint32_t a = r.first;; a++) {
         for (int i = 0; i < 6; i++) {
             const int from = formats[i], to = formats[(i + a) % 6];
-            const __int128 twice = ((__int128)(int32_t)a << 33) >> from << to; /* in 2^-32 of the result: exact */
+            const __int128 twice =
+                (((__int128)(int32_t)a * ((__int128)1 << 33)) >> from) * ((__int128)1 << to); /* 2^-33 of the result */
             const int64_t nearest = (int64_t)((twice + ((__int128)1 << 32)) >> 33);
             if (fx_convert_sat((int32_t)a, from, to) != clamp(nearest)) {
                 *wrong = a;

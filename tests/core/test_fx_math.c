@@ -372,7 +372,8 @@ static void limits_are_the_nearer_bound(void **state)
 
 static void conversion_agrees(int32_t a, int from, int to)
 {
-    const __int128 twice = ((__int128)a << 33 >> from) << to; /* 2^-33 of the result, exact */
+    /* In 2^-33 of the result, exact. */
+    const __int128 twice = (((__int128)a * ((__int128)1 << 33)) >> from) * ((__int128)1 << to);
     const int32_t expected = clamp((twice + ((__int128)1 << 32)) >> 33);
     if (fx_convert_sat(a, from, to) != expected) {
         fail_msg("convert_sat(%d, %d, %d) is not %d", a, from, to, expected);

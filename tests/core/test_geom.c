@@ -98,7 +98,7 @@ static void transforms_are_rounded_once(void **state)
         m.r[0][1] = random_fx();
         m.r[0][2] = random_fx();
         const __int128 others = (__int128)m.r[0][1] * p.y + (__int128)m.r[0][2] * p.z;
-        const __int128 middle = ((others >> 30) * 2 + 1) << 29;
+        const __int128 middle = ((others >> 30) * 2 + 1) * (1 << 29);
         const __int128 x = (middle - others) / m.r[0][0];
         const struct fx_vec3 q = {x >= FX_MIN && x <= FX_MAX ? (fx_t)x : p.x, p.y, p.z};
         assert_int_equal(ph_xform_point(&m, q).x, rounded_sum((__int128)m.r[0][0] * q.x + others, 30));
