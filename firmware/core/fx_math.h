@@ -13,6 +13,10 @@
 
 #include "fx.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* ---- powers and logarithms ------------------------------------------------------------------------------------- */
 
 /* 2^a and e^a, error <= 0.5 LSB. FX_MAX from 15 and from 10.39721 on; 0 below -17 and below -11.78350. Cost: 940, 160.
@@ -115,5 +119,9 @@ static inline int32_t fx_to_q30_sat(fx_t a)
  * 16 places on. fx_to_text (fx.h) writes as many as there are.
  */
 int fx_to_text_rounded(fx_t a, int places, char text[FX_TEXT_SIZE]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
