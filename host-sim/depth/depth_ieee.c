@@ -45,6 +45,12 @@ static float rounded(float value)
     return stored;
 }
 
+/* The 24-bit code nearest to d in 0 .. 1: in double, which holds each step exactly. A float32 above 2^23 has no half. */
+static float int24_of(float d)
+{
+    return (float)floor((double)d * 16777215 + 0.5);
+}
+
 static float depth_of(const struct ieee *p, float z, float scale, float bias)
 {
     float d = rounded(rounded(rounded(z * scale) + bias) / z);
@@ -52,7 +58,7 @@ static float depth_of(const struct ieee *p, float z, float scale, float bias)
         d = rounded(rounded(d * 0.5f) + 0.5f);
     }
     if (p->int24) {
-        d = floorf(rounded(rounded(d * 16777215.0f) + 0.5f));
+        d = int24_of(d);
     }
     return p->reversed ? -d : d;
 }
