@@ -80,7 +80,7 @@ static void print_budget(const struct depth_lab *lab, const struct lab_format *f
 {
     const int dominant = largest(budget->measured_m);
     for (int i = 0; i <= DEPTH_SHARES; i++) {
-        fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%s,%.4g,%.4g,%s\n", format->name, format->bits,
+        fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%.10g,%.10g,%s\n", format->name, format->bits,
                 depth_metres(lab->near_z), depth_metres(lab->far_z), z, i < ALL ? depth_share_names[i] : "all",
                 budget->predicted_m[i], budget->measured_m[i], i == dominant ? "dominates" : "");
     }

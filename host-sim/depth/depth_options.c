@@ -123,8 +123,10 @@ static bool set_bits(void *to, const char *value)
     return option_text_u32(value, 1, 24, &lab->bits) && (lab->bits == 16 || lab->bits == 24);
 }
 
+#define STEP_TEXT "a number of at least one step of Q16.16, 1/65536 = 0.000016, and at most 32767.99"
+
 static const struct option_row rows[] = {
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"near", "N", "distance of the near plane; 0.5 by default", STEP_TEXT, .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
     {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
@@ -143,10 +145,10 @@ static const struct option_row rows[] = {
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
      "at most 64 numbers, each from near to far", .set = set_at},
-    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs",
-     "a number, more than 0", .set = set_separation},
+    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
+     .set = set_separation},
     {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},
-    {"separate", "S", "separation that must be ordered right", "a number, more than 0", .set = set_separate},
+    {"separate", "S", "separation that must be ordered right", STEP_TEXT, .set = set_separate},
     {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
     {"out", "FILE|DIR", "where to write", "a file or directory", .at = offsetof(struct depth_lab, out)},
 };
@@ -212,6 +214,10 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
             fx_to_text(lab->at[i], text);
             return complain_usage("--at %s: must lie from --near to --far", text);
         }
+    }
+    const uint32_t every = ((uint32_t)1 << DEPTH_IEEE_FORMATS) - 1;
+    if (lab->host_formats != 0 && (lab->host_formats != every || lab->formats == 0) && command->run != depth_pairs) {
+        return complain_usage("--format: %s measures no float32 format; pairs does", command->name);
     }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {

@@ -233,9 +233,16 @@ static void sweep_row(const struct depth_lab *lab, const struct lab_format *form
                       double at, double tilt)
 {
     const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, at, tilt);
-    fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%g,%.4g,%.4g,%.4g,%.3f\n", format->name, format->bits,
-            depth_metres(lab->near_z), depth_metres(lab->far_z), at, tilt, sweep.s_min_m, sweep.at_tilt_m,
-            sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
+    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%g,%.4g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
+            depth_metres(lab->far_z), at, tilt, sweep.s_min_m, sweep.at_tilt_m);
+    if (isfinite(sweep.measured_m)) {
+        fprintf(lab->rows, "%.10g,%.3f\n", sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
+    } else {
+        fprintf(lab->rows,
+                "none,none\n# none: %s at %g m, tilted by %g degrees: every separation that has room between "
+                "the planes has a wrong pixel\n",
+                format->name, at, tilt);
+    }
 }
 
 static int sweep_format(const struct depth_lab *lab, const struct lab_format *format)

@@ -5,12 +5,13 @@
 #include <math.h>
 #include <string.h>
 
-#define PLACES   24     /* tried for each separation */
-#define SIDE_PX  12.0   /* half the side of a small plane */
-#define MARGIN   1.25   /* room for a separation, and for moving in front */
-#define STEP     0.0625 /* log2 of a step of the sweep */
-#define UP_MAX   128    /* steps above S_min that are tried before giving up */
-#define DOWN_MAX 192    /* steps below it */
+#define PLACES    24     /* tried for each separation */
+#define SIDE_PX   12.0   /* half the side of a small plane */
+#define MARGIN    1.25   /* room for a separation, and for moving in front */
+#define STEP      0.0625 /* log2 of a step of the sweep */
+#define SHIFT_MAX 3      /* parts of a plane by which the one in front is moved within itself */
+#define UP_MAX    128    /* steps above S_min that are tried before giving up */
+#define DOWN_MAX  192    /* steps below it */
 
 static uint32_t area_of(const struct planes_canvas *canvas)
 {
@@ -55,14 +56,15 @@ static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_
     const struct depth_lab *lab = canvas->lab;
     const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, at_m), at_m / 16);
     const double most = SIDE_PX * pixel;
-    struct planes_place place = depth_planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
+    struct planes_place place = depth_planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg,
+                                                   4 * step + at_m * SHIFT_MAX / PLANES_PARTS * MARGIN);
     const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
     const double low = i % 2 == 0 ? fmax(-most, place.slope_low / MARGIN) : place.slope_low / MARGIN;
     const double high = i % 2 == 0 ? fmin(most, place.slope_high / MARGIN) : place.slope_high / MARGIN;
     place.slope_low = tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : 0;
     place.slope_high = tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.7548776662);
     place.slope_side = side - pixel * spread(i, 0.8191725134);
-    place.shift = tilt_deg >= 0 ? -(i / 2 % 4) : i / 2 % 4;
+    place.shift = (tilt_deg >= 0 ? -1 : 1) * (i / 2 % (SHIFT_MAX + 1));
     return place;
 }
 
@@ -140,10 +142,14 @@ struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_dep
     predict(canvas->lab, format, at_m, tilt_deg, &sweep);
     double real_m;
     int step = 16, by = 4; /* from twice S_min, in large steps first */
-    enum verdict verdict = SOME_WRONG;
-    while (verdict == SOME_WRONG && step <= UP_MAX) {
+    enum verdict verdict = try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m);
+    while (verdict == IMPOSSIBLE && step > -DOWN_MAX) { /* steep planes so far apart do not fit before the eye */
+        step -= 16;
         verdict = try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m);
-        step += verdict == SOME_WRONG ? 16 : 0;
+    }
+    while (verdict == SOME_WRONG && step <= UP_MAX) {
+        step += 16;
+        verdict = try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m);
     }
     while (verdict == ALL_RIGHT) {
         sweep.measured_m = real_m;

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #define CORNER_MAX 1073741824.0 /* 2^30: numerators then fit 64 bits */
-#define PARTS      64           /* of a plane's height */
 #define GUARD      3.9          /* half pictures that a corner may lie off the middle without being clipped */
 
 static const struct ph_material materials[] = {
@@ -100,12 +99,12 @@ bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *p
     struct planes_quad *const behind = &pair->behind;
     behind->a = (struct fx_vec3){to_fx(-side), to_fx(place->slope_low * d0), to_fx(-d0)};
     behind->ux = to_fx(2 * side);
-    behind->vy = (to_fx(place->slope_high * d1) - behind->a.y) / PARTS * PARTS;
-    behind->vz = (to_fx(-d1) - behind->a.z) / PARTS * PARTS;
+    behind->vy = (to_fx(place->slope_high * d1) - behind->a.y) / PLANES_PARTS * PLANES_PARTS;
+    behind->vz = (to_fx(-d1) - behind->a.z) / PLANES_PARTS * PLANES_PARTS;
     pair->front = *behind;
-    pair->front.a.x += place->shift * behind->ux / (3 * PARTS);
-    pair->front.a.y += to_fx(place->separation_m * sin(angle)) + behind->vy / PARTS * place->shift;
-    pair->front.a.z += to_fx(place->separation_m * cos(angle)) + behind->vz / PARTS * place->shift;
+    pair->front.a.x += place->shift * behind->ux / (3 * PLANES_PARTS);
+    pair->front.a.y += to_fx(place->separation_m * sin(angle)) + behind->vy / PLANES_PARTS * place->shift;
+    pair->front.a.z += to_fx(place->separation_m * cos(angle)) + behind->vz / PLANES_PARTS * place->shift;
     return behind->ux > 0 && behind->vy > 0 && is_inside(lab, behind) && is_inside(lab, &pair->front);
 }
 

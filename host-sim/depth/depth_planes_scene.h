@@ -49,6 +49,8 @@ struct planes_canvas {
     void *memory;
 };
 
+#define PLANES_PARTS 64 /* of a plane's height, by which it can be moved within itself */
+
 enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
 
 /* 0 or COMPLAINED. Call depth_planes_close() in any case. */

@@ -65,7 +65,8 @@ reed() { # name, equal, swap
 
 reed_published_these() {
     reed ieee32-standard 7720 1 32 && reed ieee32-infinite 7575 1 32 && reed ieee32-reversed 0 0 32 && reed ieee32-infinite-reversed 0 0 32 &&
-        reed ieee32-gl 7734 0 32 && reed ieee32-gl-infinite 7663 0 32 && reed int24-reversed 7577 0 24 && reed int24-infinite-reversed 7578 0 24
+        reed ieee32-gl 7734 0 32 && reed ieee32-gl-infinite 7663 0 32 && reed int24-standard 7720 1 24 && reed int24-infinite 7575 1 24 && reed int24-gl 7734 0 24 && reed int24-gl-infinite 7663 0 24 &&
+        reed int24-reversed 7577 0 24 && reed int24-infinite-reversed 7578 0 24
 }
 
 # Ours are never swapped, those of a Q16.16 reciprocal are.
@@ -157,6 +158,28 @@ advice_is_in_sentences() {
 
 twice_the_same() { csv resolve --format float16,clip-q16 >"$dir/one" && csv resolve --format float16,clip-q16 >"$dir/two" && cmp "$dir/one" "$dir/two"; }
 
+# Planes seen edge-on have a separation too, or say in words that none is right.
+edge_on_planes_have_a_number() {
+    local tilt z
+    for tilt in 85 89 -89; do
+        for z in 2 50 99; do
+            csv planes --tilt "$tilt" --at "$z" --size 120x120 >"$dir/planes" || return 1
+            [ "$(awk -F, 'NR > 1 && $9 + 0 > 0 && $9 < $7 + .0001' "$dir/planes" | wc -l)" = 5 ] || { cat "$dir/planes" && return 1; }
+        done
+    done
+    csv planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 >"$dir/planes" && ! grep -iE 'inf|nan' "$dir/planes" && grep -q ',none,none$' "$dir/planes" &&
+        "$lab" planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 | grep -q '^none: linear-w at 0.19'
+}
+
+# Far from the eye a step of Q16.16 is in the ninth digit.
+csv_keeps_the_last_bit() {
+    csv resolve --near .5 --far 1000 --format ndc-q16,recip-q16,clip-q16,fixed16 --at 999.99 | tail -n +2 | cut -d, -f7 |
+        awk '{ lsbs = $1 * 65536; if (lsbs - int(lsbs + .5) > .01 || int(lsbs + .5) - lsbs > .01) { print; bad = 1 } } END { exit bad || NR < 14 }' || return 1
+    [ "$(field 7 "recip-q16,16,.*S_worst" resolve --near .1 --far 1000 --at 1000 --format recip-q16 | head -n 1)" = 988.2771301 ]
+}
+
+check "planes seen edge-on have a number or a word" edge_on_planes_have_a_number
+check "CSV keeps the last bit of Q16.16" csv_keeps_the_last_bit
 check "pairs prints the promised columns" pairs_has_the_columns
 check "resolve prints the promised columns, S_worst last" resolve_has_the_columns
 check "every promised format has a row" every_format_has_a_row
@@ -226,7 +249,10 @@ check "an unknown command is wrong" refuses "no such command" resolv
 check "an unknown option is wrong" refuses "no such option" pairs --depth 16
 check "an option of another command is wrong" refuses "does not take it" resolve --count 10
 check "near 0 is wrong" refuses "near '0'" pairs --near 0
-check "a near plane below half an LSB is wrong" refuses "near" pairs --near .000001
+check "a near plane below half a step is wrong, and the step is named" refuses "near '.000001'.*at least one step of Q16.16, 1/65536" pairs --near .000001
+check "a separation below half a step is wrong" refuses "separation.*step of Q16.16" planes --separation .000001
+check "float32 formats are for pairs" refuses "resolve measures no float32 format; pairs does" resolve --format ieee32-standard
+check "a float32 format among others is for pairs" refuses "monotone measures no float32" monotone --format fixed16,int24-gl
 check "a negative near plane is wrong" refuses "near" pairs --near -1
 check "near over far is wrong" refuses "less than --far" pairs --near 5 --far 4
 check "near equal to far is wrong" refuses "less than --far" pairs --near 4 --far 4
