@@ -45,7 +45,8 @@ static float rounded(float value)
     return stored;
 }
 
-/* The 24-bit code nearest to d in 0 .. 1: in double, which holds each step exactly. A float32 above 2^23 has no half. */
+/* The 24-bit code nearest to d in 0 .. 1: in double, which holds each step exactly. A float32 above 2^23 has no half.
+ */
 static float int24_of(float d)
 {
     return (float)floor((double)d * 16777215 + 0.5);

@@ -239,8 +239,8 @@ static void sweep_row(const struct depth_lab *lab, const struct lab_format *form
         fprintf(lab->rows, "%.10g,%.3f\n", sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
     } else {
         fprintf(lab->rows,
-                "none,none\n# none: %s at %g m, tilted by %g degrees: every separation that has room between "
-                "the planes has a wrong pixel\n",
+                "none,none\n# none: %s at %g m, tilted by %g degrees: no separation is right in every place, or the "
+                "planes have no room (their corners lie within 16384 m)\n",
                 format->name, at, tilt);
     }
 }

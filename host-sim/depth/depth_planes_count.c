@@ -120,6 +120,22 @@ double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_forma
            depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) / sqrt(2) * fabs(sin(angle));
 }
 
+/*
+ * A bound of what planes need in a row: all that moves the depth, along their normal, and a sub-pixel step up. Their
+ * corners stand on the grid and the camera looks straight, so input and matrix cost nothing. The sweep finds it to one
+ * of its steps.
+ */
+static double bound_of_row(const struct depth_lab *lab, enum ph_depth_format format, double at_m, double tilt_deg,
+                           double slope)
+{
+    const double angle = depth_radians(tilt_deg), z = at_m / (1 - slope * tan(angle));
+    const double along = depth_share_m(DEPTH_SHARE_STORE, format, lab, z) +
+                         depth_share_m(DEPTH_SHARE_DIVIDE, format, lab, z) +
+                         (tilt_deg != 0 ? depth_interpolation_m(format, lab, at_m, tilt_deg, z) : 0);
+    const double up = depth_share_m(DEPTH_SHARE_SUBPIXEL, format, lab, z) / sqrt(2);
+    return exp2(STEP) * (along * fabs(cos(angle) - slope * sin(angle)) + up * fabs(sin(angle)));
+}
+
 /* Predicts for the row that needs most: the steps of a float get coarser at the near end of each octave. */
 static void predict(const struct depth_lab *lab, enum ph_depth_format format, double at_m, double tilt_deg,
                     struct planes_sweep *sweep)
@@ -131,6 +147,7 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
         const double slope = -row * pixel;
         const double z = at_m / (1 - slope * lean), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
+        sweep->bound_m = fmax(sweep->bound_m, bound_of_row(lab, format, at_m, fabs(tilt_deg), slope));
         sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, fabs(tilt_deg)));
     }
 }
@@ -138,7 +155,7 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
 struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
                                        double tilt_deg)
 {
-    struct planes_sweep sweep = {0, 0, HUGE_VAL};
+    struct planes_sweep sweep = {0, 0, 0, HUGE_VAL};
     predict(canvas->lab, format, at_m, tilt_deg, &sweep);
     double real_m;
     int step = 16, by = 4; /* from twice S_min, in large steps first */

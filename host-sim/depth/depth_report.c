@@ -44,10 +44,11 @@ static const struct section sections[] = {
      "Distances in order from near to far: how many neighbours get the same code, or codes in the wrong order.",
      depth_pairs},
     {"budget", "Who limits it", "budget", "fov size",
-     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
-     "The separation that each part of the pipeline alone keeps, and all of them together. A part is measured in its "
-     "worst case. All together are measured on drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases "
-     "seldom meet: so they may measure less than a part alone.",
+     "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
+     "The separation that each part of the pipeline alone may confuse, and all of them together. The prediction is a "
+     "bound: what is measured never exceeds it. A part is measured in its worst case. All together are measured on "
+     "drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases seldom meet: so they may measure less than a "
+     "part alone.",
      depth_budget},
     {"planes", "Two planes", NULL, "fov size",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "

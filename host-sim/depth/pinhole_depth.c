@@ -35,7 +35,7 @@ static const struct depth_command commands[] = {
      depth_planes},
     {"budget", "what each part of the pipeline costs at each distance, and which part dominates",
      " near far format fov size at csv ",
-     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
+     "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
      depth_budget},
     {"plot", "draws one of the KINDs ndc, g, resolve, pairs, budget through gnuplot",
      " kind near far format fov size at count spacing out ", NULL, depth_plot},
