@@ -28,7 +28,7 @@ static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format forma
     static const double tilts[] = {0, 40, 75};
     budget->predicted_m[ALL] = budget->measured_m[ALL] = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, z, tilts[i]);
+        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, (struct planes_lean){z, tilts[i], 0});
         budget->predicted_m[ALL] = fmax(budget->predicted_m[ALL], sweep.bound_m);
         budget->measured_m[ALL] = fmax(budget->measured_m[ALL], sweep.measured_m);
     }

@@ -196,7 +196,8 @@ static void take_errors(const struct planes_canvas *canvas, const struct corner 
 
 double depth_budget_interpolation_m(struct planes_canvas *canvas, double z)
 {
-    struct planes_place place = depth_planes_whole(canvas->lab, z, DEPTH_BUDGET_TILT_DEG, 1.0 / 65536);
+    struct planes_place place =
+        depth_planes_whole(canvas->lab, (struct planes_lean){z, DEPTH_BUDGET_TILT_DEG, 0}, 1.0 / 65536);
     struct planes_pair pair;
     struct spread error = nothing;
     place.slope_high = 0;

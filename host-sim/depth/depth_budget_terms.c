@@ -1,7 +1,5 @@
 #include "depth_budget_terms.h"
 
-#include "depth_planes_scene.h"
-
 #include <math.h>
 
 #define GRID_M (1.0 / 65536) /* of positions and of w */
@@ -181,13 +179,24 @@ static double subpixel_m(const struct depth_lab *lab, double z)
     return depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) + sqrt(2) * (ldexp(reach, -16) + ldexp(reach * z, -24));
 }
 
-/* The near and the far edge of a tilted plane through the whole picture, on the grid of its corners. */
-static void find_ends(const struct depth_lab *lab, double z, double tilt_deg, double *nearest, double *farthest)
+/* A plane through the whole picture: its edges, on the grid of its corners, and the corners' distance from the middle
+ * of the picture in pixels. */
+struct whole_plane {
+    double nearest, farthest, corner;
+};
+
+static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes_lean lean)
 {
-    const double half = depth_pixel_slope(lab) * lab->height / 2, part = PLANES_PARTS * GRID_M;
-    *nearest = fmax(z / (1 + half * tan(depth_radians(tilt_deg))), depth_metres(lab->near_z) + 3 * GRID_M);
-    *nearest = floor(*nearest / GRID_M + 0.5) * GRID_M;
-    *farthest = *nearest + floor((z - *nearest) / part) * part;
+    const double pixel = depth_pixel_slope(lab), part = PLANES_PARTS * GRID_M;
+    double along, across;
+    depth_planes_extent(lab, lean.azimuth_deg, &along, &across);
+    struct whole_plane plane;
+    plane.nearest =
+        fmax(lean.at_m / (1 + along * tan(depth_radians(lean.tilt_deg))), depth_metres(lab->near_z) + 3 * GRID_M);
+    plane.nearest = floor(plane.nearest / GRID_M + 0.5) * GRID_M;
+    plane.farthest = plane.nearest + floor((lean.at_m - plane.nearest) / part) * part;
+    plane.corner = hypot(across * fmin(lean.at_m / plane.nearest, 4), along) / pixel;
+    return plane;
 }
 
 /* The exponent of the octave of d; all below 2^-14 count as one. */
@@ -235,23 +244,20 @@ static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth
  * and 3 in the others. N/w at the corners is right to 2^-29 of itself. linear-w has N/w below 2^29, and then a
  * reciprocal, a product and a difference in units of 2^-30 of the far plane.
  */
-double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, double far_edge, double tilt_deg,
+double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
                              double z)
 {
-    double nearest, farthest;
-    find_ends(lab, far_edge, tilt_deg, &nearest, &farthest);
-    const double over = head_m(lab) / nearest, half_w = lab->width / 2.0, half_h = lab->height / 2.0;
-    const double corner = hypot(half_w * fmin(far_edge / nearest, 4), half_h),
-                 way = (half_w + half_h) / 2 + corner / sqrt(2);
+    const struct whole_plane plane = whole_plane(lab, lean);
+    const double over = head_m(lab) / plane.nearest, way = (lab->width + lab->height) / 4.0 + plane.corner / sqrt(2);
     struct plane_error error = {ldexp(1, -32), 2 * way + 4};
     double late = 0;
     if (is_float(format)) {
-        error = float_error(lab, format, nearest, farthest, way);
+        error = float_error(lab, format, plane.nearest, plane.farthest, way);
     } else if (format == PH_DEPTH_LINEAR_W) {
         error = (struct plane_error){ldexp(1, ilogb(over) - 28), 2 * way + 8};
         late = 2 * ldexp(depth_metres(lab->far_z), -30);
     } else if (format == PH_DEPTH_FIXED16) {
-        const double difference = ldexp(depth_at(lab, nearest) - depth_at(lab, farthest), 32);
+        const double difference = ldexp(depth_at(lab, plane.nearest) - depth_at(lab, plane.farthest), 32);
         error.units = fmax(2 * way + 514, short_units(lab, difference));
     }
     return (error.units * error.unit + ldexp(over, -29)) * z * z / head_m(lab) + late;
@@ -270,7 +276,7 @@ double depth_share_m(enum depth_share share, enum ph_depth_format format, const 
     case DEPTH_SHARE_STORE:
         return store_m(format, lab, z);
     case DEPTH_SHARE_INTERPOLATION:
-        return depth_interpolation_m(format, lab, z, DEPTH_BUDGET_TILT_DEG, z);
+        return depth_interpolation_m(format, lab, (struct planes_lean){z, DEPTH_BUDGET_TILT_DEG, 0}, z);
     default:
         return subpixel_m(lab, z);
     }

@@ -18,7 +18,7 @@
 #ifndef DEPTH_BUDGET_TERMS_H
 #define DEPTH_BUDGET_TERMS_H
 
-#include "depth_lab.h"
+#include "depth_planes_scene.h"
 
 enum depth_share {
     DEPTH_SHARE_INPUT,
@@ -66,8 +66,9 @@ double depth_subpixel_m(const struct depth_lab *lab, int bits, double z);
 /* A bound: what depth_budget_measure measures never exceeds it. */
 double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z);
 
-/* That of interpolation at z, on a plane through the whole picture with its far edge at far_edge. */
-double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, double far_edge, double tilt_deg,
+/* That of interpolation at z, on a plane through the whole picture with its far edge at lean.at_m. An azimuth of NAN
+ * stands for all. */
+double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
                              double z);
 
 double depth_s_min_m(double s_xy, double s_z, double tan_phi);

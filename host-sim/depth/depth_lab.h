@@ -28,6 +28,8 @@ struct depth_lab {
     fx_t separate;          /* --separate, 0: not given */
     fx_t tilt_deg;          /* --tilt, -89 .. 89 */
     bool tilt_set;          /* --tilt was given */
+    fx_t azimuth_deg;       /* --azimuth, -360 .. 360 */
+    uint8_t shading;        /* --shading, enum ph_shading below PH_SHADE_WIRE */
     bool far_set;           /* --far was given; likewise near_set */
     bool near_set;
     uint32_t bits;    /* --bits, 0: not given */
@@ -44,8 +46,13 @@ int depth_advise(const struct depth_lab *lab);
 int depth_anchors(const struct depth_lab *lab);
 int depth_budget(const struct depth_lab *lab);
 int depth_planes(const struct depth_lab *lab);
+int depth_slopes(const struct depth_lab *lab);
+int depth_scenes(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
+
+/* unlit, flat, gouraud, texture, texture-lit. */
+extern const char *const depth_shading_names[PH_SHADE_WIRE];
 
 /* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for
  * that). */

@@ -117,6 +117,20 @@ static bool set_tilt(void *to, const char *value)
     return set_fx(&lab->tilt_deg, value) && lab->tilt_deg >= FX_INT(-89) && lab->tilt_deg <= FX_INT(89);
 }
 
+static bool set_azimuth(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    return set_fx(&lab->azimuth_deg, value) && lab->azimuth_deg >= FX_INT(-360) && lab->azimuth_deg <= FX_INT(360);
+}
+
+static bool set_shading(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    const int shading = option_text_choice(value, depth_shading_names, PH_SHADE_WIRE);
+    lab->shading = (uint8_t)(shading < 0 ? 0 : shading);
+    return shading >= 0;
+}
+
 static bool set_bits(void *to, const char *value)
 {
     struct depth_lab *lab = to;
@@ -148,6 +162,10 @@ static const struct option_row rows[] = {
     {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
      .set = set_separation},
     {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},
+    {"azimuth", "DEG", "direction in which the planes lean: 0, the default, away at the top, 90 at the right",
+     "degrees, -360 .. 360", .set = set_azimuth},
+    {"shading", "NAME", "how the planes are drawn; unlit by default", "unlit, flat, gouraud, texture or texture-lit",
+     .set = set_shading},
     {"separate", "S", "separation that must be ordered right", STEP_TEXT, .set = set_separate},
     {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
     {"out", "FILE|DIR", "where to write", "a file or directory", .at = offsetof(struct depth_lab, out)},

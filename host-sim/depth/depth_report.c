@@ -52,7 +52,7 @@ static const struct section sections[] = {
      depth_budget},
     {"planes", "Two planes", NULL, "fov size",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted",
+     "from [m] (measured),measured / predicted,azimuth [deg],shading",
      "Two parallel planes drawn by the renderer, compared with exact arithmetic pixel by pixel. S_min holds for every "
      "tilt.",
      depth_planes},

@@ -29,10 +29,20 @@ static const struct depth_command commands[] = {
     {"anchors", "every published number that the depth lab is based on, computed again", " csv ",
      "anchor,published,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
-     " near far format fov size at tilt separation out csv ",
+     " near far format fov size at tilt azimuth shading separation out csv ",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted",
+     "from [m] (measured),measured / predicted,azimuth [deg],shading",
      depth_planes},
+    {"slopes", "S_worst of planes by format, shading and tilt, over all azimuths and from tiny to screen-filling",
+     " near far format fov size at csv ",
+     "format,bits,near [m],far [m],z [m],shading,tilt [deg],bound [m] (predicted),no pixel wrong from [m] "
+     "(measured),bound / measured",
+     depth_slopes},
+    {"scenes", "floor and wall, tiles, crossing triangles, a sphere drawn twice: pixels that show the wrong surface",
+     " near far format fov size csv ",
+     "format,bits,near [m],far [m],scene,shading,pixels (measured),wrong (measured),largest wrong [m] (measured),bound "
+     "[m] (predicted)",
+     depth_slopes},
     {"budget", "what each part of the pipeline costs at each distance, and which part dominates",
      " near far format fov size at csv ",
      "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",

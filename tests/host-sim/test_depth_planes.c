@@ -31,10 +31,11 @@ static struct depth_lab lab_of(double near_m, double far_m, uint16_t width, uint
 
 /* ---- an independent solution of the plane equation, in rational numbers ------------------------------------- */
 
-static void set_corner(mpq_t out[3], const struct planes_quad *quad, int corner)
+static void set_corner(mpq_t out[3], const struct ph_xform *view, const struct planes_quad *quad, int corner)
 {
-    mpq_set_si(out[0], quad->a.x + (corner == 1 ? quad->ux : 0), 65536);
-    mpq_set_si(out[1], quad->a.y + (corner == 2 ? quad->vy : 0), 65536);
+    const int64_t x = quad->a.x + (corner == 1 ? quad->ux : 0), y = quad->a.y + (corner == 2 ? quad->vy : 0);
+    mpq_set_si(out[0], view->r[0][0] * x + view->r[0][1] * y, (uint64_t)1 << 46);
+    mpq_set_si(out[1], view->r[1][0] * x + view->r[1][1] * y, (uint64_t)1 << 46);
     mpq_set_si(out[2], quad->a.z + (corner == 2 ? quad->vz : 0), 65536);
     for (int i = 0; i < 3; i++) {
         mpq_canonicalize(out[i]);
@@ -72,7 +73,7 @@ static void exact_distance(mpq_t out, const struct planes_canvas *canvas, const 
         }
     }
     for (int i = 0; i < 3; i++) {
-        set_corner(corner[i], quad, i);
+        set_corner(corner[i], &canvas->view, quad, i);
     }
     mpq_set_si(ray[0], (2 * (long)x + 1 - lab->width) * 1048576,
                (unsigned long)canvas->projection.scale_x_q20 * lab->width);
@@ -142,7 +143,7 @@ static void recount(struct planes_canvas *canvas, const struct planes_pair *pair
         }
         const bool right = front_is_nearer_exactly(canvas, pair, i, &distance) == (canvas->pixels[i] == PLANES_FRONT);
         assert_int_equal(verdicts[i], right ? PLANES_RIGHT : PLANES_WRONG);
-        assert_near(distance, depth_planes_distance_m(canvas, &pair->behind, i / canvas->lab->width), 1e-9 * distance);
+        assert_near(distance, depth_planes_distance_m(canvas, &pair->behind, i), 1e-8 * distance);
         samples++;
         wrong += !right;
     }
@@ -154,7 +155,7 @@ static void recount(struct planes_canvas *canvas, const struct planes_pair *pair
 static void wrong_winners_are_those_of_rational_numbers(void **state)
 {
     (void)state;
-    static const double tilts[] = {0, 20, 50, 75, -40};
+    static const double tilts[] = {0, 20, 50, 75, -40}, azimuths[] = {0, 0, 33, -100, 251};
     const struct depth_lab lab = lab_of(0.5, 100, 64, 48);
     uint32_t wrong = 0;
     for (unsigned format = PH_DEPTH_FIXED16; format < PH_DEPTH_FORMATS; format++) {
@@ -162,10 +163,12 @@ static void wrong_winners_are_those_of_rational_numbers(void **state)
         assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
             struct planes_pair pair;
-            const struct planes_place place = depth_planes_whole(
-                &lab, 40, tilts[i], depth_step_m((enum ph_depth_format)format, &lab, 40) / 2 + 0.00005);
+            const struct planes_place place =
+                depth_planes_whole(&lab, (struct planes_lean){40, tilts[i], azimuths[i]},
+                                   depth_step_m((enum ph_depth_format)format, &lab, 40) / 2 + 0.00005);
             assert_true(depth_planes_make(&lab, &place, &pair));
             assert_true(depth_planes_front_is_nearer(&pair));
+            depth_planes_turn(&canvas, azimuths[i]);
             recount(&canvas, &pair, &wrong);
         }
         depth_planes_close(&canvas);
@@ -181,7 +184,7 @@ static void planes_turned_round_are_told(void **state)
     struct planes_canvas canvas;
     struct planes_pair pair, turned;
     assert_int_equal(depth_planes_open(&canvas, &lab, PH_DEPTH_FLOAT16), 0);
-    const struct planes_place place = depth_planes_whole(&lab, 20, 30, 1);
+    const struct planes_place place = depth_planes_whole(&lab, (struct planes_lean){20, 30, 0}, 1);
     assert_true(depth_planes_make(&lab, &place, &pair));
     turned = (struct planes_pair){pair.front, pair.behind};
     assert_true(depth_planes_front_is_nearer(&pair));
@@ -207,7 +210,7 @@ static void large_separations_are_right_and_small_ones_are_not(void **state)
             struct planes_pair pair;
             const double separation =
                 times * depth_planes_predicted_m(&lab, (enum ph_depth_format)format, 50, 0, 0) + 0.00002;
-            const struct planes_place place = depth_planes_whole(&lab, 50, 0, separation);
+            const struct planes_place place = depth_planes_whole(&lab, (struct planes_lean){50, 0, 0}, separation);
             assert_true(depth_planes_make(&lab, &place, &pair));
             const struct planes_count count = depth_planes_count(&canvas, &pair, canvas.verdicts);
             assert_true(count.wrong <= before);
@@ -229,7 +232,8 @@ static void sweeps_lie_where_s_min_says(void **state)
         struct planes_canvas canvas;
         assert_int_equal(depth_planes_open(&canvas, &lab, (enum ph_depth_format)format), 0);
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-            const struct planes_sweep sweep = depth_planes_sweep(&canvas, (enum ph_depth_format)format, 50, tilts[i]);
+            const struct planes_sweep sweep =
+                depth_planes_sweep(&canvas, (enum ph_depth_format)format, (struct planes_lean){50, tilts[i], 0});
             assert_true(sweep.measured_m <= 1.12 * sweep.at_tilt_m + grid);
             assert_true(sweep.measured_m <= 1.05 * sweep.s_min_m + grid);
             assert_true(sweep.measured_m >= 0.3 * sweep.at_tilt_m);
@@ -355,9 +359,11 @@ static void a_tilted_plane_stays_below_its_bound(void **state)
         const struct depth_lab lab = lab_of(n, f, 160, 120);
         const double z = random_log(&random, n * 4, f), tilt = i % 4 == 0 ? 0 : 88.9 - random_log(&random, .5, 85);
         const enum ph_depth_format format = (enum ph_depth_format)(PH_DEPTH_FIXED16 + i % 5);
+        const double azimuth = i % 3 == 0 ? 0 : i % 3 == 1 ? NAN : random_log(&random, 1, 360);
         struct planes_canvas canvas;
         assert_int_equal(depth_planes_open(&canvas, &lab, format), 0);
-        const struct planes_sweep sweep = depth_planes_sweep(&canvas, format, z, tilt);
+        canvas.shading = (uint8_t)(i % (PH_SHADE_TEXTURE_LIT + 1));
+        const struct planes_sweep sweep = depth_planes_sweep(&canvas, format, (struct planes_lean){z, tilt, azimuth});
         if (isfinite(sweep.measured_m) && (sweep.measured_m > sweep.bound_m + 1e-9 ||
                                            sweep.bound_m > (fabs(tilt) < 76 ? 4 : 12) * sweep.measured_m)) {
             fail_msg("format %u near %g far %g z %g tilt %g: bound %g, measured %g", format, n, f, z, tilt,
