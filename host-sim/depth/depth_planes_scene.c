@@ -12,7 +12,7 @@
 int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab, enum ph_depth_format format)
 {
     const size_t area = (size_t)lab->width * lab->height;
-    const size_t vertices = 8 * ph_vertex_bytes, triangles = 8 * ph_triangle_bytes;
+    const size_t vertices = PLANES_VERTICES * ph_vertex_bytes, triangles = PLANES_TRIANGLES * ph_triangle_bytes;
     *canvas = (struct planes_canvas){.lab = lab, .view = ph_xform_identity};
     depth_lab_projection(lab, &canvas->projection);
     char *memory = malloc(vertices + triangles + 8 + area * (4 + sizeof *canvas->pixels + 1));
@@ -28,9 +28,9 @@ int depth_planes_open(struct planes_canvas *canvas, const struct depth_lab *lab,
                                      .band_height = lab->height,
                                      .depth_format = (uint8_t)format,
                                      .vertices = memory,
-                                     .vertex_max = 8,
+                                     .vertex_max = PLANES_VERTICES,
                                      .triangles = memory + vertices,
-                                     .triangle_max = 8,
+                                     .triangle_max = PLANES_TRIANGLES,
                                      .bins = (uint32_t *)(void *)(memory + vertices + triangles),
                                      .bin_max = 1,
                                      .depth = (void *)depth};
@@ -118,8 +118,7 @@ bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *p
     return behind->ux > 0 && behind->vy > 0 && is_inside(lab, behind) && is_inside(lab, &pair->front);
 }
 
-/* One colour, whatever the shading: all of the ramp, which is the texture too, has it. */
-static const struct ph_material *paint_in(struct planes_canvas *canvas, uint16_t colour)
+const struct ph_material *depth_planes_paint(struct planes_canvas *canvas, uint16_t colour)
 {
     struct planes_paint *const paint = &canvas->paint[colour - 1];
     for (int i = 0; i < PH_RAMP_SIZE; i++) {
@@ -155,7 +154,7 @@ static void draw_quad(struct planes_canvas *canvas, const struct planes_quad *qu
                                  .triangle_count = 2,
                                  .parts = &part,
                                  .part_count = 1,
-                                 .materials = paint_in(canvas, colour)};
+                                 .materials = depth_planes_paint(canvas, colour)};
     ph_draw_mesh(&canvas->renderer, &mesh, &ph_xform_identity);
 }
 

@@ -67,6 +67,9 @@ struct planes_canvas {
     void *memory;
 };
 
+#define PLANES_VERTICES  512 /* of a drawing, at most */
+#define PLANES_TRIANGLES 1024
+
 #define PLANES_PARTS 64 /* of a plane's height, by which it can be moved within itself */
 
 enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
@@ -89,6 +92,10 @@ bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *p
 
 /* Draws the quads in order (the last two arguments may be NULL) into canvas->pixels and the depth buffer. */
 void depth_planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front);
+
+/* The material of a colour (PLANES_FRONT, PLANES_BEHIND) in the canvas's shading, until the next call for this colour.
+ * All of its ramp, which is its texture too, has the colour. */
+const struct ph_material *depth_planes_paint(struct planes_canvas *canvas, uint16_t colour);
 
 /* Returns the depth code of a pixel that was drawn last; 0: nothing is there. */
 uint32_t depth_planes_code(const struct planes_canvas *canvas, uint32_t pixel);

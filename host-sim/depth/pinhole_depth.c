@@ -40,9 +40,9 @@ static const struct depth_command commands[] = {
      depth_slopes},
     {"scenes", "floor and wall, tiles, crossing triangles, a sphere drawn twice: pixels that show the wrong surface",
      " near far format fov size csv ",
-     "format,bits,near [m],far [m],scene,shading,pixels (measured),wrong (measured),largest wrong [m] (measured),bound "
-     "[m] (predicted)",
-     depth_slopes},
+     "format,bits,near [m],far [m],scene,shading,pixels (measured),wrong (measured),largest wrong [m] (measured),at "
+     "[m],step there [m] (predicted)",
+     depth_scenes},
     {"budget", "what each part of the pipeline costs at each distance, and which part dominates",
      " near far format fov size at csv ",
      "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",

@@ -178,6 +178,29 @@ csv_keeps_the_last_bit() {
     [ "$(field 7 "recip-q16,16,.*S_worst" resolve --near .1 --far 1000 --at 1000 --format recip-q16 | head -n 1)" = 988.2771301 ]
 }
 
+# Floors before walls, at every place and in every shading; where a pixel is wrong it is by less than a step.
+scenes_are_in_order() {
+    csv scenes >"$dir/scenes" && [ "$(wc -l <"$dir/scenes")" = 126 ] || return 1
+    awk -F, 'NR > 1 && ($7 < 200 || ($5 != "crossing" && $8 > 0) || $8 > 4 || $9 > $11) { print; bad = 1 } END { exit bad }' "$dir/scenes" || return 1
+    csv scenes --near .1 --far 1000 | awk -F, 'NR > 1 && ($9 > $11 || ($5 == "sphere twice" && $8 > 0)) { print; bad = 1 } $1 == "fixed16" && $5 == "tiles" { coarse += $8 }
+        END { exit bad || coarse < 1000 }'
+}
+
+slopes_stay_below_their_bounds() {
+    csv slopes --size 120x90 --format float16,fixed24,linear-w --at 20 >"$dir/slopes" && [ "$(wc -l <"$dir/slopes")" = 91 ] &&
+        awk -F, 'NR > 1 && !($9 > 0 && $9 <= $8 && $8 < 4 * $9) { print; bad = 1 } END { exit bad }' "$dir/slopes"
+}
+
+# One triangle has one depth, whatever its shading.
+shadings_need_the_same() {
+    cut -d, -f1-5,7- "$dir/slopes" | sort | uniq -c | awk '$1 != 5 && !/format/ { print; bad = 1 } END { exit bad }'
+}
+
+check "floors, walls, tiles and spheres are in order in every shading" scenes_are_in_order
+check "planes of every slope and azimuth stay below their bounds" slopes_stay_below_their_bounds
+check "every shading needs the same separation" shadings_need_the_same
+check "--azimuth has an effect" differ planes --tilt 60 --azimuth 30 --format float16 -- planes --tilt 60 --format float16
+check "--shading has an effect" differ planes --tilt 60 --shading gouraud --format float16 -- planes --tilt 60 --format float16
 check "planes seen edge-on have a number or a word" edge_on_planes_have_a_number
 check "CSV keeps the last bit of Q16.16" csv_keeps_the_last_bit
 check "pairs prints the promised columns" pairs_has_the_columns
@@ -203,7 +226,7 @@ writes_csv_to_a_file() { "$lab" pairs --count 10 --csv "$dir/out.csv" && csv pai
 help_names_everything() {
     "$lab" --help >"$dir/help" || return 1
     local word
-    for word in pairs resolve monotone advise anchors planes budget plot all --near --far --format --fov --size --csv --count --spacing --at --separate --separation --tilt --bits --out --help float24 ieee32-gl; do
+    for word in pairs resolve monotone advise anchors planes slopes scenes budget plot all --near --far --format --fov --size --csv --count --spacing --at --separate --separation --tilt --azimuth --shading --bits --out --help float24 ieee32-gl; do
         grep -q -- "$word" "$dir/help" || { echo "$word" && return 1; }
     done
 }
@@ -264,6 +287,8 @@ check "a missing value is wrong" refuses "needs a value" pairs --near
 check "0 pairs are wrong" refuses "count" pairs --count 0
 check "absurdly many pairs are wrong" refuses "count" pairs --count 99999999999
 check "an unknown spacing is wrong" refuses "spacing" pairs --spacing cubic
+check "an unknown shading is wrong" refuses "shading" planes --shading wire
+check "an azimuth of more than a turn is wrong" refuses "azimuth" planes --azimuth 361
 check "an unknown format is wrong" refuses "format" pairs --format fixed17
 check "a distance in front of the near plane is wrong" refuses "from --near to --far" resolve --at .1
 check "a list of distances with a hole is wrong" refuses "at" resolve --at 1,,2
