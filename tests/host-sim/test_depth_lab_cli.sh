@@ -167,7 +167,7 @@ edge_on_planes_have_a_number() {
             [ "$(awk -F, 'NR > 1 && $9 + 0 > 0 && $9 < $7 + .0001' "$dir/planes" | wc -l)" = 5 ] || { cat "$dir/planes" && return 1; }
         done
     done
-    csv planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 >"$dir/planes" && ! grep -iE 'inf|nan' "$dir/planes" && grep -q ',none,none$' "$dir/planes" &&
+    csv planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 >"$dir/planes" && ! grep -iE 'inf|nan' "$dir/planes" && grep -q ',none,none,0,unlit$' "$dir/planes" &&
         "$lab" planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 | grep -q '^none: linear-w at 0.19'
 }
 
