@@ -26,8 +26,8 @@ static const struct depth_command commands[] = {
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured)",
      depth_advise},
-    {"anchors", "every published number that the depth lab is based on, computed again", " csv ",
-     "anchor,published,here,how,verdict", depth_anchors},
+    {"anchors", "the numbers that the depth lab is held against, published, reproduced or ours, computed again",
+     " csv ", "anchor,source,stated,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
      " near far format fov size at tilt azimuth shading separation out csv ",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
