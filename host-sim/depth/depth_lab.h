@@ -11,11 +11,12 @@
 
 #include <stdio.h>
 
-#define DEPTH_AT_MAX 64
+#define DEPTH_AT_MAX 512
 
 struct depth_lab {
     fx_t near_z, far_z;     /* --near, --far: 0 < near_z < far_z */
     uint32_t formats;       /* --format: bit i is row i of lab_formats */
+    bool format_set;        /* --format was given */
     uint32_t host_formats;  /* --format: bit i is row i of depth_ieee_formats (pairs alone) */
     fx_t fov_deg;           /* --fov, vertical */
     uint16_t width, height; /* --size */

@@ -50,6 +50,7 @@ static bool set_format(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     lab->formats = lab->host_formats = 0;
+    lab->format_set = true;
     for (;;) {
         const size_t length = strcspn(value, ",");
         if (!add_format(lab, value, length)) {
@@ -158,7 +159,7 @@ static const struct option_row rows[] = {
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
-     "at most 64 numbers, each from near to far", .set = set_at},
+     "at most 512 numbers, each from near to far", .set = set_at},
     {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
      .set = set_separation},
     {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},

@@ -47,7 +47,7 @@ static const struct depth_command commands[] = {
      " near far format fov size at csv ",
      "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
      depth_budget},
-    {"plot", "draws one of the KINDs ndc, g, resolve, pairs, budget through gnuplot",
+    {"plot", "draws one of the KINDs ndc, g, resolve, others, pairs, budget through gnuplot",
      " kind near far format fov size at count spacing out ", NULL, depth_plot},
     {"all", "a report in Markdown: all of these for one camera, with tables, plots and the command that made each",
      " near far fov size out ", NULL, depth_report},
