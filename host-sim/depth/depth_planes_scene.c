@@ -161,6 +161,10 @@ static void draw_quad(struct planes_canvas *canvas, const struct planes_quad *qu
 void depth_planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front)
 {
     struct ph_renderer *const r = &canvas->renderer;
+    if (canvas->draw != NULL) {
+        canvas->draw(canvas, behind, front);
+        return;
+    }
     ph_frame_begin(r, &canvas->view, &canvas->projection, NULL, PLANES_NONE);
     if (behind != NULL) {
         draw_quad(canvas, behind, PLANES_BEHIND);

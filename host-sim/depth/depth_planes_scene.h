@@ -62,8 +62,10 @@ struct planes_canvas {
     uint8_t shading;      /* enum ph_shading, below PH_SHADE_WIRE; UNLIT at first */
     struct ph_projection projection;
     struct planes_paint paint[2]; /* of the last drawing */
-    uint16_t *pixels;             /* PLANES_NONE, PLANES_FRONT or PLANES_BEHIND */
-    uint8_t *verdicts;            /* room for a byte a pixel, for whoever counts */
+    /* NULL, or who draws in place of the renderer into pixels: so another renderer is measured by the same sweep. */
+    void (*draw)(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front);
+    uint16_t *pixels;  /* PLANES_NONE, PLANES_FRONT or PLANES_BEHIND */
+    uint8_t *verdicts; /* room for a byte a pixel, for whoever counts */
     void *memory;
 };
 
