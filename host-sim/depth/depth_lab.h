@@ -35,7 +35,7 @@ struct depth_lab {
     bool near_set;
     uint32_t bits;    /* --bits, 0: not given */
     const char *out;  /* --out: a file or directory, or NULL */
-    const char *kind; /* plot's KIND, or NULL */
+    const char *kind; /* plot's KIND or compare's FILE, or NULL */
     FILE *rows;       /* where the command writes; it is thrown away after an error */
 };
 
@@ -49,6 +49,7 @@ int depth_budget(const struct depth_lab *lab);
 int depth_planes(const struct depth_lab *lab);
 int depth_slopes(const struct depth_lab *lab);
 int depth_scenes(const struct depth_lab *lab);
+int depth_compare(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
 

@@ -243,7 +243,8 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
         return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
-        return complain_usage("%s needs a KIND; --help lists them", command->name);
+        return complain_usage("%s needs a %s; see --help", command->name,
+                              command->run == depth_compare ? "FILE" : "KIND");
     }
     return 0;
 }
@@ -276,7 +277,7 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         return complain_usage("%s: no such command; --help lists them", argv[1]);
     }
     int i = 2;
-    if (i < argc && argv[i][0] != '-' && strstr((*command)->options, " kind ") != NULL) {
+    if (i < argc && (argv[i][0] != '-' || argv[i][1] == '\0') && strstr((*command)->options, " kind ") != NULL) {
         lab->kind = argv[i++];
     }
     while (i < argc) {
