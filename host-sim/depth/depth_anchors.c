@@ -214,18 +214,18 @@ static void reed_article(struct run *run)
     static const struct {
         const char *name;
         int composed[2], separate[2];
-    } table[] = {
+    } article_rows[] = {
         {"standard", {45, 18}, {77, 0}},       {"infinite", {45, 18}, {76, 0}}, {"reversed", {0, 0}, {0, 0}},
         {"infinite-reversed", {0, 0}, {0, 0}}, {"gl", {56, 12}, {77, 0}},       {"gl-infinite", {59, 10}, {77, 0}},
     };
-    for (size_t i = 0; i < 4 * (sizeof table / sizeof table[0]); i++) {
-        const bool composed = i & 1, whole = i & 2, reversed = strstr(table[i / 4].name, "reversed") != NULL;
+    for (size_t i = 0; i < 4 * (sizeof article_rows / sizeof article_rows[0]); i++) {
+        const bool composed = i & 1, whole = i & 2, reversed = strstr(article_rows[i / 4].name, "reversed") != NULL;
         static const int reversed_int24[2] = {76, 0};
-        const int *stated = composed ? table[i / 4].composed : table[i / 4].separate;
+        const int *stated = composed ? article_rows[i / 4].composed : article_rows[i / 4].separate;
         char format[40], name[160], text[32];
         struct depth_ieee_count found;
         stated = reversed && whole ? reversed_int24 : stated;
-        snprintf(format, sizeof format, "%s-%s", whole ? "int24" : "ieee32", table[i / 4].name);
+        snprintf(format, sizeof format, "%s-%s", whole ? "int24" : "ieee32", article_rows[i / 4].name);
         depth_ieee_view_pairs(ieee_format(format), .1, 10000, 10000, composed, &found);
         const double here = (found.equal + found.swap) / 100.0;
         snprintf(name, sizeof name, "Reed: %s %s: %.0f + %.0f %% equal + swapped (n .1 f 1e4)", format,

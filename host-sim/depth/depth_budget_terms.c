@@ -163,8 +163,8 @@ static double store_m(enum ph_depth_format format, const struct depth_lab *lab, 
     double last = floor(depth_code_at(format, lab, fmax(z - slack, n))), longest = 0;
     first -= last >= floor(depth_code_at(format, lab, n + slack));
     last += first <= floor(depth_code_at(format, lab, f - slack));
-    for (double code = first; code <= last && code < first + 4; code++) {
-        longest = fmax(longest, plateau_m(format, lab, code));
+    for (int i = 0; i < 4 && first + i <= last; i++) { /* more of them are shorter than the slack */
+        longest = fmax(longest, plateau_m(format, lab, first + i));
     }
     return longest + 2 * border_m(format, lab, z) + GRID_M;
 }

@@ -24,8 +24,8 @@ static int put_format(const struct depth_lab *lab, const struct lab_format *form
     static const double tilts[] = {0, 30, 60, 75, 85, 89};
     struct planes_canvas canvas;
     const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
-    for (uint8_t shading = 0; shading < PH_SHADE_WIRE && status == 0; shading++) {
-        canvas.shading = shading;
+    for (unsigned shading = 0; shading < PH_SHADE_WIRE && status == 0; shading++) {
+        canvas.shading = (uint8_t)shading;
         for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
             put_row(lab, format, &canvas, (struct planes_lean){at_m, tilts[i], NAN});
         }

@@ -113,6 +113,7 @@ report_has_it_all() {
         [ -s "$dir/report/$name.csv" ] && grep -q "pinhole-depth $name --near 1 --far 4" "$dir/report/report.md" || { echo "$name" && return 1; }
     done
     [ -s "$dir/report/planes.png" ] || return 1
+    # shellcheck disable=SC2016 # backquotes of Markdown
     sed -n 3p "$dir/report/report.md" | grep -qE '^\*\*Take `[a-z0-9]+` \((16|24) bits\): with the near plane at 1 m .* from [0-9.e-]+ m on' || { echo "no answer" && return 1; }
     grep -oE '\]\([^)]+' "$dir/report/report.md" | cut -c3- | while read -r name; do [ -s "$dir/report/$name" ] || { echo "$name" && exit 1; }; done
 }
