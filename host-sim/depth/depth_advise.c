@@ -144,8 +144,9 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     if (a->separates.at_z != 0) {
         char at_z[LAB_TEXT_SIZE], to_z[LAB_TEXT_SIZE];
         lab_fx_text(lab->near_z, near_text);
-        snprintf(separates, sizeof separates, "%s,%s", metres_of(a->separates.at_z, at_z),
-                 metres_of(a->separates.to_z, to_z));
+        lab_length_text(a->separates.at_z, at_z);
+        lab_length_text(a->separates.to_z, to_z);
+        snprintf(separates, sizeof separates, "%s,%s", at_z, to_z);
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s\n", format->name, format->bits, metres(lab->far_z, far_text),
             metres(q->z, z), s, least, safe, near_text, separates);

@@ -4,6 +4,8 @@
 
 #include "complain.h"
 
+const char *const depth_shading_names[PH_SHADE_WIRE] = {"unlit", "flat", "gouraud", "texture", "texture-lit"};
+
 int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection)
 {
     return ph_projection_perspective(projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),

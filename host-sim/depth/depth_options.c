@@ -50,6 +50,7 @@ static bool set_format(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     lab->formats = lab->host_formats = 0;
+    lab->format_set = true;
     for (;;) {
         const size_t length = strcspn(value, ",");
         if (!add_format(lab, value, length)) {
@@ -117,14 +118,30 @@ static bool set_tilt(void *to, const char *value)
     return set_fx(&lab->tilt_deg, value) && lab->tilt_deg >= FX_INT(-89) && lab->tilt_deg <= FX_INT(89);
 }
 
+static bool set_azimuth(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    return set_fx(&lab->azimuth_deg, value) && lab->azimuth_deg >= FX_INT(-360) && lab->azimuth_deg <= FX_INT(360);
+}
+
+static bool set_shading(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    const int shading = option_text_choice(value, depth_shading_names, PH_SHADE_WIRE);
+    lab->shading = (uint8_t)(shading < 0 ? 0 : shading);
+    return shading >= 0;
+}
+
 static bool set_bits(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     return option_text_u32(value, 1, 24, &lab->bits) && (lab->bits == 16 || lab->bits == 24);
 }
 
+#define STEP_TEXT "a number of at least one step of Q16.16, 1/65536 = 0.000016, and at most 32767.99"
+
 static const struct option_row rows[] = {
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"near", "N", "distance of the near plane; 0.5 by default", STEP_TEXT, .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
     {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
@@ -142,11 +159,15 @@ static const struct option_row rows[] = {
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
-     "at most 64 numbers, each from near to far", .set = set_at},
-    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs",
-     "a number, more than 0", .set = set_separation},
+     "at most 512 numbers, each from near to far", .set = set_at},
+    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
+     .set = set_separation},
     {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},
-    {"separate", "S", "separation that must be ordered right", "a number, more than 0", .set = set_separate},
+    {"azimuth", "DEG", "direction in which the planes lean: 0, the default, away at the top, 90 at the right",
+     "degrees, -360 .. 360", .set = set_azimuth},
+    {"shading", "NAME", "how the planes are drawn; unlit by default", "unlit, flat, gouraud, texture or texture-lit",
+     .set = set_shading},
+    {"separate", "S", "separation that must be ordered right", STEP_TEXT, .set = set_separate},
     {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
     {"out", "FILE|DIR", "where to write", "a file or directory", .at = offsetof(struct depth_lab, out)},
 };
@@ -213,12 +234,17 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
             return complain_usage("--at %s: must lie from --near to --far", text);
         }
     }
+    const uint32_t every = ((uint32_t)1 << DEPTH_IEEE_FORMATS) - 1;
+    if (lab->host_formats != 0 && (lab->host_formats != every || lab->formats == 0) && command->run != depth_pairs) {
+        return complain_usage("--format: %s measures no float32 format; pairs does", command->name);
+    }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {
         return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
-        return complain_usage("%s needs a KIND; --help lists them", command->name);
+        return complain_usage("%s needs a %s; see --help", command->name,
+                              command->run == depth_compare ? "FILE" : "KIND");
     }
     return 0;
 }
@@ -251,7 +277,7 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         return complain_usage("%s: no such command; --help lists them", argv[1]);
     }
     int i = 2;
-    if (i < argc && argv[i][0] != '-' && strstr((*command)->options, " kind ") != NULL) {
+    if (i < argc && (argv[i][0] != '-' || argv[i][1] == '\0') && strstr((*command)->options, " kind ") != NULL) {
         lab->kind = argv[i++];
     }
     while (i < argc) {
