@@ -25,9 +25,18 @@ int option_text_choice(const char *text, const char *const names[], int count);
 /* "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
-/* A value of --depth as enum ph_depth_format, and the name of such a format. */
-bool option_text_depth(const char *text, uint8_t *out);
-const char *option_text_depth_name(uint8_t format);
+/* What --depth takes: enum ph_depth_format, and bits of exponent of a float ("float16-e5"), 0: as the lens needs. */
+struct option_depth {
+    uint8_t format, exponent;
+};
+
+bool option_text_depth(const char *text, struct option_depth *out);
+
+#define OPTION_DEPTH_NAME 16 /* room for a format's name */
+const char *option_text_depth_name(struct option_depth depth, char text[OPTION_DEPTH_NAME]);
+
+/* The values of --depth, in words. */
+#define OPTION_DEPTH_VALUES "auto, fixed16, fixed24, linear-w, float16, float24, or a float with -e3 .. -e6 behind it"
 
 /* Returns whether the name of a file has this ending and something before it. */
 bool option_text_ends(const char *name, const char *ending);

@@ -162,12 +162,11 @@ static const struct option_row rows[] = {
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all of them. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", .set = set_convention},
-    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
+    {"depth", "auto|fixed16|float16[-eN]|fixed24|float24[-eN]|linear-w",
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
-     "        projection is parallel, else float16 (--stats names it). The 24-bit formats take twice the memory, "
-     "linear-w\n"
-     "        a reciprocal per pixel",
-     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+     "        projection is parallel, else float16. A float has N bits of exponent, by default those that the lens\n"
+     "        needs (--stats names them). The 24-bit formats take twice the memory, linear-w a reciprocal per pixel",
+     OPTION_DEPTH_VALUES, .set = set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
