@@ -31,7 +31,8 @@ static bool add_format(struct depth_lab *lab, const char *name, size_t length)
     const bool all = length == 3 && memcmp(name, "all", 3) == 0;
     bool found = all;
     for (uint32_t i = 0; i < lab_format_count; i++) {
-        if (all || (strlen(lab_formats[i].name) == length && memcmp(lab_formats[i].name, name, length) == 0)) {
+        const bool every = all && (lab_formats[i].exponent == 0 || lab_formats[i].kind != LAB_DRAWN);
+        if (every || (strlen(lab_formats[i].name) == length && memcmp(lab_formats[i].name, name, length) == 0)) {
             lab->formats |= (uint32_t)1 << i;
             found = true;
         }
@@ -127,8 +128,9 @@ static const struct option_row rows[] = {
     {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
-    {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
-     .set = set_format},
+    {"format", "NAME[,NAME...]|all",
+     "formats, listed below; all by default, but for floats with -eN bits of exponent behind the name",
+     "names that --help lists, or all", .set = set_format},
     {"fov", "DEG",
      "vertical field of view; 60 by default. It does not matter for planes that face the camera, as pairs, resolve,\n"
      "        monotone and advise measure them",

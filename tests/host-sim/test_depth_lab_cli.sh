@@ -68,6 +68,16 @@ reed_published_these() {
         reed ieee32-gl 7734 0 32 && reed ieee32-gl-infinite 7663 0 32 && reed int24-reversed 7577 0 24 && reed int24-infinite-reversed 7578 0 24
 }
 
+# At .1 .. 10000 a float with 4 bits of exponent cannot tell 4,020 of 10,000 pairs apart, one with 5 bits 64; the renderer takes 5.
+widths_tell_these_pairs_apart() {
+    reed float16-e3 9364 0 16 && reed float16-e4 4020 0 16 && reed float16-e5 64 0 16 && reed float16-e6 2016 0 16 && reed float16 64 0 16 &&
+        reed float24-e3 2327 0 24 && reed float24-e4 0 0 24 && reed float24-e5 0 0 24 && reed float24-e6 0 0 24 && reed float24 0 0 24
+}
+
+widths_are_rows_only_by_name() {
+    ! csv pairs --count 10 | grep -q -- '-e[3-6],' && [ "$(csv pairs --count 10 --format float24-e3,fixed16 | cut -d, -f1 | tr '\n' ' ')" = "format fixed16 float24-e3 " ]
+}
+
 # Ours are never swapped, those of a Q16.16 reciprocal are.
 swaps() {
     csv pairs --near .1 --far 1000 >"$dir/pairs"
@@ -161,6 +171,8 @@ check "pairs prints the promised columns" pairs_has_the_columns
 check "resolve prints the promised columns, S_worst last" resolve_has_the_columns
 check "every promised format has a row" every_format_has_a_row
 check "float32 counts are those that N. Reed published" reed_published_these
+check "the bits of a float's exponent tell these pairs apart" widths_tell_these_pairs_apart
+check "formats with a number of bits are measured by name alone" widths_are_rows_only_by_name
 check "the renderer never swaps two distances; a Q16.16 reciprocal does" swaps
 check "S_worst of the renderer's formats is the computed one or better" ours_reach_the_table
 check "every distance from .5 to 20 m is in order, in every format of the renderer" monotone_passes
