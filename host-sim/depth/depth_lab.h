@@ -1,7 +1,7 @@
 /*
  * depth_lab: what the commands of pinhole-depth share. A command writes CSV to lab->rows; its first line is the names
  * of the columns. The program shows it as a table, or passes it on (--csv). Lines that start with '#' are remarks: they
- * stand below the table and are no part of the CSV.
+ * stand below the table, with '#!' above it, and are no part of the CSV.
  */
 #ifndef DEPTH_LAB_H
 #define DEPTH_LAB_H
@@ -30,10 +30,14 @@ struct depth_lab {
     bool tilt_set;          /* --tilt was given */
     bool far_set;           /* --far was given; likewise near_set */
     bool near_set;
-    uint32_t bits;    /* --bits, 0: not given */
-    const char *out;  /* --out: a file or directory, or NULL */
-    const char *kind; /* plot's KIND, or NULL */
-    FILE *rows;       /* where the command writes; it is thrown away after an error */
+    uint32_t bits;                   /* --bits, 0: not given */
+    const char *out;                 /* --out: a file or directory, or NULL */
+    const char *kind;                /* plot's KIND, or NULL */
+    const char *demo, *view, *model; /* advise: a scene; NULL: not given */
+    bool camera_set, fov_set;        /* --camera, --fov were given */
+    struct fx_vec3 eye, target, up;
+    uint32_t start, frames;
+    FILE *rows; /* where the command writes; it is thrown away after an error */
 };
 
 /* The commands return 0, COMPLAINED or PH_ERR_INVAL. */

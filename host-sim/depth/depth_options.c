@@ -66,6 +66,7 @@ static bool set_format(void *to, const char *value)
 static bool set_fov(void *to, const char *value)
 {
     struct depth_lab *lab = to;
+    lab->fov_set = true;
     return set_fx(&lab->fov_deg, value) && lab->fov_deg >= FX_ONE && lab->fov_deg <= FX_INT(170);
 }
 
@@ -118,6 +119,13 @@ static bool set_tilt(void *to, const char *value)
     return set_fx(&lab->tilt_deg, value) && lab->tilt_deg >= FX_INT(-89) && lab->tilt_deg <= FX_INT(89);
 }
 
+static bool set_camera(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    lab->camera_set = option_text_camera(value, &lab->eye, &lab->target, &lab->up);
+    return lab->camera_set;
+}
+
 static bool set_bits(void *to, const char *value)
 {
     struct depth_lab *lab = to;
@@ -147,9 +155,24 @@ static const struct option_row rows[] = {
      "at most 64 numbers, each from near to far", .set = set_at},
     {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs",
      "a number, more than 0", .set = set_separation},
-    {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},
+    {"tilt", "DEG", "angle between the planes and the screen; 60 by default for advise", "degrees, -89 .. 89",
+     .set = set_tilt},
     {"separate", "S", "separation that must be ordered right", "a number, more than 0", .set = set_separate},
     {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
+    {"demo", "NAME",
+     "a built-in scene in place of planes; with its own lens unless --camera, --fov, --near or --far is given",
+     "a name that pinhole-sim --list shows", .at = offsetof(struct depth_lab, demo)},
+    {"view", "NAME", "one of the demo's views; the first by default", "a name that pinhole-sim --list shows",
+     .at = offsetof(struct depth_lab, view)},
+    {"model", "FILE", "a model file on the turntable in place of planes", "an OBJ, STL, PLY, glTF or GLB file",
+     .at = offsetof(struct depth_lab, model)},
+    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
+     "target is the origin and up is the y axis by default; without it the demo has its own view", OPTION_CAMERA_VALUES,
+     .set = set_camera},
+    {"start", "N", "number of the first frame of the scene; 0 by default", "a whole number, 0 .. 1000000000",
+     .at = offsetof(struct depth_lab, start), .least = 0, .most = 1000000000},
+    {"frames", "N", "frames of the scene; 1 by default", "a whole number, 1 .. 1000000",
+     .at = offsetof(struct depth_lab, frames), .least = 1, .most = 1000000},
     {"out", "FILE|DIR", "where to write", "a file or directory", .at = offsetof(struct depth_lab, out)},
 };
 
@@ -215,6 +238,16 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
             return complain_usage("--at %s: must lie from --near to --far", text);
         }
     }
+    if (lab->demo != NULL && lab->model != NULL) {
+        return complain_usage("--demo and --model exclude each other");
+    }
+    const bool scene = lab->demo != NULL || lab->model != NULL;
+    if (!scene && (lab->view != NULL || lab->camera_set || lab->start != 0 || lab->frames != 1)) {
+        return complain_usage("--view, --camera, --start, --frames: belong to a scene; give --demo or --model");
+    }
+    if (scene && (lab->at_count > 0 || lab->separate != 0 || lab->tilt_set)) {
+        return complain_usage("--at, --separate, --tilt: belong to planes; a scene has its own distances and slopes");
+    }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {
         return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
@@ -238,8 +271,14 @@ static bool asks_for_help(int argc, char *const argv[])
 int depth_options_read(struct depth_lab *lab, const struct depth_command **command, const struct depth_command *table,
                        uint32_t count, int argc, char *const argv[])
 {
-    *lab = (struct depth_lab){
-        .near_z = FX_HALF, .far_z = FX_INT(100), .fov_deg = FX_INT(60), .width = 240, .height = 240, .count = 10000};
+    *lab = (struct depth_lab){.near_z = FX_HALF,
+                              .far_z = FX_INT(100),
+                              .fov_deg = FX_INT(60),
+                              .width = 240,
+                              .height = 240,
+                              .count = 10000,
+                              .up = {0, FX_ONE, 0},
+                              .frames = 1};
     *command = NULL;
     add_format(lab, "all", 3);
     if (asks_for_help(argc, argv)) {

@@ -1,0 +1,343 @@
+#include "depth_advise_scene.h"
+
+#include "complain.h"
+#include "depth_scene.h"
+#include "lab_num.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define NEARS       2
+#define FORMATS_MAX 32
+#define PAIRS_MAX   256
+#define PAIRS_SHOWN 8
+#define REFERENCE   "float24" /* its plane is read before it is rounded to a code */
+
+/* A format with a near plane, and what was counted. */
+struct candidate {
+    const struct lab_format *format;
+    fx_t near_z;
+    uint64_t fights, wrong;
+};
+
+/* Two surfaces, one before the other. */
+struct pair {
+    uint16_t front, behind;
+    uint64_t pixels, fights[FORMATS_MAX]; /* fights: with the camera's own near plane, by row of lab_formats */
+    double gap_m, z_m;                    /* the smallest gap, and where */
+};
+
+struct scene_report {
+    const struct depth_lab *lab;
+    struct depth_scene scene;
+    struct candidate candidates[NEARS * FORMATS_MAX];
+    uint32_t candidate_count;
+    struct pair pairs[PAIRS_MAX];
+    uint32_t pair_count;
+    uint64_t pixels, overlaps,
+        lost; /* pixels with a surface, with several, and where the sub-pixel grid alone decides */
+};
+
+/* The depth step at z by the definition of the format: see depth.h. */
+static double step_m(const struct candidate *c, fx_t far_z, double z)
+{
+    const int exponent = lab_exponent(c->format, c->near_z, far_z), bits = c->format->bits;
+    const double f = far_z / 65536.0, n = c->near_z / 65536.0 * (1 - ldexp(1, exponent > 4 ? exponent - 13 : -9));
+    if (c->format->format == PH_DEPTH_LINEAR_W) {
+        return (f - c->near_z / 65536.0) / 65408;
+    }
+    if (exponent == 0) {
+        return ldexp(z * z / n, -bits);
+    }
+    const int lowest = (1 << exponent) - 2;
+    const double d = n / z - n / f;
+    const int octave = d < ldexp(1, -lowest) ? lowest : -1 - ilogb(d);
+    return ldexp(z * z / n, exponent - bits - 1 - octave);
+}
+
+static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
+{
+    return (a->slope_m + b->slope_m) * (sqrt(2) / 512);
+}
+
+static double need_m(const struct candidate *c, fx_t far_z, const struct scene_layer *a, const struct scene_layer *b)
+{
+    return 2 * step_m(c, far_z, b->z_m) + moved_m(a, b);
+}
+
+static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t behind)
+{
+    uint32_t i = 0;
+    while (i < r->pair_count && (r->pairs[i].front != front || r->pairs[i].behind != behind)) {
+        i++;
+    }
+    if (i == PAIRS_MAX) {
+        return NULL;
+    }
+    if (i == r->pair_count) {
+        r->pairs[r->pair_count++] = (struct pair){.front = front, .behind = behind, .gap_m = HUGE_VAL};
+    }
+    return &r->pairs[i];
+}
+
+/* Counts a pixel for a candidate: does the nearest surface fight with any other? */
+static void count_fights(struct scene_report *r, struct candidate *c, const struct scene_pixel *pixel, bool own_near)
+{
+    const struct scene_layer *const front = &pixel->layers[0];
+    bool fights = false;
+    for (uint32_t i = 1; i < pixel->count; i++) {
+        const struct scene_layer *const behind = &pixel->layers[i];
+        if (behind->surface == front->surface) {
+            continue; /* nobody sees it */
+        }
+        if (behind->z_m - front->z_m < need_m(c, r->scene.lens.far_z, front, behind)) {
+            struct pair *const pair = own_near ? pair_of(r, front->surface, behind->surface) : NULL;
+            if (pair != NULL) {
+                pair->fights[c->format - lab_formats]++;
+            }
+            fights = true;
+        }
+    }
+    c->fights += fights;
+}
+
+static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
+{
+    const struct scene_layer *const front = &pixel->layers[0];
+    bool overlaps = false, lost = false;
+    for (uint32_t i = 1; i < pixel->count; i++) {
+        const struct scene_layer *const behind = &pixel->layers[i];
+        struct pair *const pair =
+            behind->surface != front->surface ? pair_of(r, front->surface, behind->surface) : NULL;
+        const double gap = behind->z_m - front->z_m;
+        if (pair != NULL) {
+            pair->pixels++;
+            pair->z_m = gap < pair->gap_m ? front->z_m : pair->z_m;
+            pair->gap_m = fmin(gap, pair->gap_m);
+        }
+        overlaps |= behind->surface != front->surface;
+        lost |= behind->surface != front->surface && gap < moved_m(front, behind);
+    }
+    r->pixels++;
+    r->overlaps += overlaps;
+    r->lost += lost;
+}
+
+/* Pixels that show another surface than the nearest, while the finest format tells them apart. */
+static int count_wrong(struct scene_report *r, uint32_t frame, struct candidate *c)
+{
+    const int status = depth_scene_frame(&r->scene, frame, c->format, c->near_z);
+    if (status != 0) {
+        return status;
+    }
+    depth_scene_show(&r->scene);
+    for (uint32_t i = 0; i < (uint32_t)r->lab->width * r->lab->height; i++) {
+        const struct scene_pixel *const pixel = &r->scene.layers[i];
+        const uint32_t shown = r->scene.pixels[i];
+        c->wrong += pixel->count > 0 && shown != 0 && shown != pixel->layers[0].surface + 1u;
+    }
+    return 0;
+}
+
+static const struct lab_format *reference(void)
+{
+    const struct lab_format *format = lab_formats;
+    while (format->kind != LAB_DRAWN || format->format != PH_DEPTH_FLOAT24) {
+        format++;
+    }
+    return format;
+}
+
+/* The nearest surface of a frame; what lies at its pixels stays in the scene. */
+static int look(struct scene_report *r, uint32_t frame, double *nearest)
+{
+    const uint32_t area = (uint32_t)r->lab->width * r->lab->height;
+    const int status = depth_scene_frame(&r->scene, frame, reference(), r->scene.lens.near_z);
+    if (status != 0) {
+        return status;
+    }
+    depth_scene_layers(&r->scene);
+    for (uint32_t i = 0; i < area; i++) {
+        if (r->scene.layers[i].count > 0) {
+            *nearest = fmin(*nearest, r->scene.layers[i].layers[0].z_m);
+        }
+    }
+    return 0;
+}
+
+static int count_frame(struct scene_report *r, uint32_t frame)
+{
+    const uint32_t area = (uint32_t)r->lab->width * r->lab->height;
+    double nearest = HUGE_VAL;
+    int status = look(r, frame, &nearest);
+    for (uint32_t i = 0; i < area && status == 0; i++) {
+        const struct scene_pixel *const pixel = &r->scene.layers[i];
+        if (pixel->count > 0) {
+            count_pixel(r, pixel);
+        }
+        for (uint32_t k = 0; k < r->candidate_count && pixel->count > 1; k++) {
+            count_fights(r, &r->candidates[k], pixel, r->candidates[k].near_z == r->scene.lens.near_z);
+        }
+    }
+    for (uint32_t k = 0; k < r->candidate_count && status == 0; k++) {
+        status = count_wrong(r, frame, &r->candidates[k]);
+    }
+    return status;
+}
+
+/* The largest near plane that cuts nothing of what the frames show, to two digits; its own if there is no larger one.
+ */
+static fx_t largest_near(fx_t own, double nearest)
+{
+    if (!isfinite(nearest) || nearest < 0) {
+        return own;
+    }
+    const double digit = pow(10, floor(log10(nearest * 0.99)) - 1);
+    const fx_t near_z = (fx_t)floor(floor(nearest * 0.99 / digit) * digit * 65536);
+    return near_z > own ? near_z : own;
+}
+
+static int choose_candidates(struct scene_report *r)
+{
+    double nearest = HUGE_VAL;
+    for (uint32_t i = 0; i < r->lab->frames; i++) {
+        const int status = look(r, r->lab->start + i, &nearest);
+        if (status != 0) {
+            return status;
+        }
+    }
+    const fx_t own = r->scene.lens.near_z, nears[NEARS] = {own, largest_near(own, nearest)};
+    for (int n = 0; n < NEARS && (n == 0 || nears[n] != nears[0]); n++) {
+        for (uint32_t i = 0; i < lab_format_count; i++) {
+            const struct lab_format *const format = &lab_formats[i];
+            const bool asked = format->kind == LAB_DRAWN && (r->lab->formats >> i & 1) != 0 &&
+                               (r->lab->bits == 0 || r->lab->bits == format->bits);
+            if (asked) {
+                r->candidates[r->candidate_count++] = (struct candidate){format, nears[n], 0, 0};
+            }
+        }
+    }
+    return r->candidate_count > 0
+               ? 0
+               : complain_usage("advise: none of these formats is drawn by the renderer; see --help");
+}
+
+/* ---- the answer --------------------------------------------------------------------------------------------- */
+
+static double percent(uint64_t part, uint64_t whole)
+{
+    return whole > 0 ? 100.0 * (double)part / (double)whole : 0;
+}
+
+/* Memory first, then time. */
+static int cost_of(const struct lab_format *format)
+{
+    return format->bits == 24 ? 3 : format->format == PH_DEPTH_LINEAR_W ? 2 : format->format != PH_DEPTH_FIXED16;
+}
+
+/* The cheapest of those that are as good as the best but for a pixel in 10,000; of its near planes the camera's own. */
+static const struct candidate *best_of(const struct scene_report *r)
+{
+    const struct candidate *best = NULL;
+    uint64_t least = UINT64_MAX;
+    for (uint32_t i = 0; i < r->candidate_count; i++) {
+        least = r->candidates[i].fights < least ? r->candidates[i].fights : least;
+    }
+    for (uint32_t i = 0; i < r->candidate_count; i++) {
+        const struct candidate *const c = &r->candidates[i];
+        if (c->fights <= least + r->pixels / 10000 && (best == NULL || cost_of(c->format) < cost_of(best->format))) {
+            best = c;
+        }
+    }
+    return best;
+}
+
+static void put_answer(const struct scene_report *r)
+{
+    const struct candidate *const best = best_of(r);
+    char near_text[LAB_TEXT_SIZE];
+    lab_fx_text(best->near_z, near_text);
+    fprintf(
+        r->lab->rows,
+        "#! Take %s (%d bits) with the near plane at %s m: %llu of %llu pixels (%.3g %%) would fight; %llu do so in "
+        "every format, since the sub-pixel grid moves surfaces farther than they are apart there.\n",
+        best->format->name, best->format->bits, near_text, (unsigned long long)best->fights,
+        (unsigned long long)r->pixels, percent(best->fights, r->pixels), (unsigned long long)r->lost);
+}
+
+static void put_rows(const struct scene_report *r)
+{
+    char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE];
+    fputs(
+        "format,bits,exponent,near_m,far_m,pixels,overlapping,fight (predicted),fight % (predicted),wrong (measured)\n",
+        r->lab->rows);
+    lab_fx_text(r->scene.lens.far_z, far_text);
+    for (uint32_t i = 0; i < r->candidate_count; i++) {
+        const struct candidate *const c = &r->candidates[i];
+        lab_fx_text(c->near_z, near_text);
+        fprintf(r->lab->rows, "%s,%d,%d,%s,%s,%llu,%llu,%llu,%.4g,%llu\n", c->format->name, c->format->bits,
+                lab_exponent(c->format, c->near_z, r->scene.lens.far_z), near_text, far_text,
+                (unsigned long long)r->pixels, (unsigned long long)r->overlaps, (unsigned long long)c->fights,
+                percent(c->fights, r->pixels), (unsigned long long)c->wrong);
+    }
+}
+
+static int compare_pairs(const void *a, const void *b)
+{
+    const struct pair *const p = a, *const q = b;
+    uint64_t left = 0, right = 0;
+    for (int i = 0; i < FORMATS_MAX; i++) {
+        left += p->fights[i];
+        right += q->fights[i];
+    }
+    return left != right ? (left < right) - (left > right) : (p->pixels < q->pixels) - (p->pixels > q->pixels);
+}
+
+/* The pairs of surfaces that fight most, and who separates them. */
+static void put_pairs(struct scene_report *r)
+{
+    char near_text[LAB_TEXT_SIZE];
+    lab_fx_text(r->scene.lens.near_z, near_text);
+    qsort(r->pairs, r->pair_count, sizeof r->pairs[0], compare_pairs);
+    for (uint32_t i = 0; i < r->pair_count && i < PAIRS_SHOWN; i++) {
+        const struct pair *const p = &r->pairs[i];
+        char front[8], behind[8];
+        depth_scene_colour(&r->scene, p->front, front);
+        depth_scene_colour(&r->scene, p->behind, behind);
+        fprintf(
+            r->lab->rows,
+            "# Surface %u (%s) before surface %u (%s): %llu pixels, %.3g m apart or more, the least at %.4g m. With "
+            "the near plane at %s m fight:",
+            p->front + 1u, front, p->behind + 1u, behind, (unsigned long long)p->pixels, p->gap_m, p->z_m, near_text);
+        for (uint32_t k = 0; k < r->candidate_count && r->candidates[k].near_z == r->scene.lens.near_z; k++) {
+            const struct lab_format *const format = r->candidates[k].format;
+            fprintf(r->lab->rows, "%s %s %.3g %%", k > 0 ? "," : "", format->name,
+                    percent(p->fights[format - lab_formats], p->pixels));
+        }
+        fputs(".\n", r->lab->rows);
+    }
+}
+
+int depth_advise_scene(const struct depth_lab *lab)
+{
+    struct scene_report *const r = calloc(1, sizeof *r);
+    if (r == NULL) {
+        return complain("out of memory");
+    }
+    r->lab = lab;
+    int status = depth_scene_open(&r->scene, lab);
+    if (status == 0) {
+        status = choose_candidates(r);
+    }
+    for (uint32_t i = 0; i < lab->frames && status == 0; i++) {
+        status = count_frame(r, lab->start + i);
+    }
+    if (status == 0) {
+        put_rows(r);
+        put_answer(r);
+        put_pairs(r);
+    }
+    depth_scene_close(&r->scene);
+    free(r);
+    return status;
+}
