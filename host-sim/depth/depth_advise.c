@@ -147,19 +147,24 @@ static double left_for_step(const struct question *q, fx_t s)
     return s <= moved ? 0 : fmin((s - moved) / cos(angle), s);
 }
 
+static bool separates(struct question *q, const struct lab_format *format, fx_t near_z, fx_t s)
+{
+    const uint32_t needs = measured(q, format, near_z).to_z;
+    return needs != 0 && needs <= (uint32_t)s;
+}
+
 /* Returns the smallest near plane that separates s at every distance up to z, as drawn; 0: none below z does. */
 static fx_t least_near(struct question *q, const struct lab_format *format, fx_t s)
 {
     const double step = left_for_step(q, s),
                  most = q->tilt_deg != 0 ? q->z / 2.0 : q->z; /* planes that lean need room */
     const double n = solve(format, (q->z + (double)s) * LSB, fmax(step - 1, 0.5) * LSB, q->lab->far_z * LSB);
-    if (step == 0 || n * 65536 >= most) {
+    if (step == 0 || n * 65536 >= most || (q->tilt_deg != 0 && !separates(q, format, (fx_t)(most / 2), s))) {
         return 0;
     }
     double near_lsb = fmax(ceil(n * 65536), NEAR_LEAST);
     for (int tries = 0; tries < 200 && near_lsb < most; tries++) { /* a little more, for the rounding of the planes */
-        const uint32_t separates = measured(q, format, (fx_t)near_lsb).to_z;
-        if (separates != 0 && separates <= (uint32_t)s) {
+        if (separates(q, format, (fx_t)near_lsb, s)) {
             return (fx_t)near_lsb;
         }
         near_lsb = floor(near_lsb * (q->tilt_deg != 0 ? 1.05 : 1.01)) + 1;
@@ -286,7 +291,9 @@ static void conclude(const struct question *q, const struct lab_format *format, 
     fprintf(q->text,
             "#! Take %s (%d bits), and the largest near plane that the scene allows: from %s m on it is enough, ",
             format->name, format->bits, metres(a->least, n));
-    if (a->safe != 0) {
+    if (a->safe == a->least) {
+        fprintf(q->text, "with a margin, ");
+    } else if (a->safe != 0) {
         fprintf(q->text, "from %s m on it leaves a margin, ", metres(a->safe, n));
     }
     fprintf(q->text, "beyond %s m it cuts the nearer of the two planes off.\n", metres(q->z - q->separate, largest));

@@ -11,13 +11,13 @@
 #define FORMATS_MAX 32
 #define PAIRS_MAX   256
 #define PAIRS_SHOWN 8
-#define REFERENCE   "float24" /* its plane is read before it is rounded to a code */
+#define STEPS       1.25 /* depth steps that two surfaces must be apart: a step, and what set-up rounds of it */
 
 /* A format with a near plane, and what was counted. */
 struct candidate {
     const struct lab_format *format;
     fx_t near_z;
-    uint64_t fights, wrong;
+    uint64_t fights, wrong, surprises; /* surprises: wrong, though they should not fight */
 };
 
 /* Two surfaces, one before the other. */
@@ -62,7 +62,7 @@ static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
 
 static double need_m(const struct candidate *c, fx_t far_z, const struct scene_layer *a, const struct scene_layer *b)
 {
-    return 2 * step_m(c, far_z, b->z_m) + moved_m(a, b);
+    return STEPS * step_m(c, far_z, b->z_m) + moved_m(a, b);
 }
 
 static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t behind)
@@ -80,25 +80,41 @@ static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t beh
     return &r->pairs[i];
 }
 
-/* Counts a pixel for a candidate: does the nearest surface fight with any other? */
-static void count_fights(struct scene_report *r, struct candidate *c, const struct scene_pixel *pixel, bool own_near)
+/* Whether it shows which of the two is in front. Of one triangle drawn twice always the first shows. */
+static bool differ(const struct scene_report *r, const struct scene_layer *a, const struct scene_layer *b)
 {
-    const struct scene_layer *const front = &pixel->layers[0];
-    bool fights = false;
-    for (uint32_t i = 1; i < pixel->count; i++) {
-        const struct scene_layer *const behind = &pixel->layers[i];
-        if (behind->surface == front->surface) {
-            continue; /* nobody sees it */
-        }
-        if (behind->z_m - front->z_m < need_m(c, r->scene.lens.far_z, front, behind)) {
-            struct pair *const pair = own_near ? pair_of(r, front->surface, behind->surface) : NULL;
-            if (pair != NULL) {
-                pair->fights[c->format - lab_formats]++;
-            }
-            fights = true;
+    const bool same_place = a->z_m == b->z_m && a->slope_m == b->slope_m;
+    return !same_place && (a->surface != b->surface || r->scene.surfaces[a->surface]->shading != PH_SHADE_UNLIT);
+}
+
+/* Does the nearest surface fight with that layer? */
+static bool fights_with(const struct scene_report *r, const struct candidate *c, const struct scene_pixel *pixel,
+                        uint32_t i)
+{
+    const struct scene_layer *const front = &pixel->layers[0], *const behind = &pixel->layers[i];
+    return differ(r, front, behind) && behind->z_m - front->z_m < need_m(c, r->scene.lens.far_z, front, behind);
+}
+
+static bool fights(const struct scene_report *r, const struct candidate *c, const struct scene_pixel *pixel)
+{
+    uint32_t i = 1;
+    while (i < pixel->count && !fights_with(r, c, pixel, i)) {
+        i++;
+    }
+    return i < pixel->count;
+}
+
+/* Counts a pixel for a candidate. */
+static void count_fights(struct scene_report *r, struct candidate *c, const struct scene_pixel *pixel)
+{
+    c->fights += fights(r, c, pixel);
+    for (uint32_t i = 1; i < pixel->count && c->near_z == r->scene.lens.near_z; i++) {
+        struct pair *const pair =
+            fights_with(r, c, pixel, i) ? pair_of(r, pixel->layers[0].surface, pixel->layers[i].surface) : NULL;
+        if (pair != NULL) {
+            pair->fights[c->format - lab_formats]++;
         }
     }
-    c->fights += fights;
 }
 
 static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
@@ -107,16 +123,16 @@ static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
     bool overlaps = false, lost = false;
     for (uint32_t i = 1; i < pixel->count; i++) {
         const struct scene_layer *const behind = &pixel->layers[i];
-        struct pair *const pair =
-            behind->surface != front->surface ? pair_of(r, front->surface, behind->surface) : NULL;
+        const bool counts = differ(r, front, behind);
+        struct pair *const pair = counts ? pair_of(r, front->surface, behind->surface) : NULL;
         const double gap = behind->z_m - front->z_m;
         if (pair != NULL) {
             pair->pixels++;
             pair->z_m = gap < pair->gap_m ? front->z_m : pair->z_m;
             pair->gap_m = fmin(gap, pair->gap_m);
         }
-        overlaps |= behind->surface != front->surface;
-        lost |= behind->surface != front->surface && gap < moved_m(front, behind);
+        overlaps |= counts;
+        lost |= counts && gap < moved_m(front, behind);
     }
     r->pixels++;
     r->overlaps += overlaps;
@@ -134,11 +150,14 @@ static int count_wrong(struct scene_report *r, uint32_t frame, struct candidate 
     for (uint32_t i = 0; i < (uint32_t)r->lab->width * r->lab->height; i++) {
         const struct scene_pixel *const pixel = &r->scene.layers[i];
         const uint32_t shown = r->scene.pixels[i];
-        c->wrong += pixel->count > 0 && shown != 0 && shown != pixel->layers[0].surface + 1u;
+        const bool wrong = pixel->count > 0 && shown != 0 && shown != pixel->layers[0].surface + 1u;
+        c->wrong += wrong;
+        c->surprises += wrong && !fights(r, c, pixel);
     }
     return 0;
 }
 
+/* float24: its planes are read before they are rounded to codes. */
 static const struct lab_format *reference(void)
 {
     const struct lab_format *format = lab_formats;
@@ -176,7 +195,7 @@ static int count_frame(struct scene_report *r, uint32_t frame)
             count_pixel(r, pixel);
         }
         for (uint32_t k = 0; k < r->candidate_count && pixel->count > 1; k++) {
-            count_fights(r, &r->candidates[k], pixel, r->candidates[k].near_z == r->scene.lens.near_z);
+            count_fights(r, &r->candidates[k], pixel);
         }
     }
     for (uint32_t k = 0; k < r->candidate_count && status == 0; k++) {
@@ -193,7 +212,7 @@ static fx_t largest_near(fx_t own, double nearest)
         return own;
     }
     const double digit = pow(10, floor(log10(nearest * 0.99)) - 1);
-    const fx_t near_z = (fx_t)floor(floor(nearest * 0.99 / digit) * digit * 65536);
+    const fx_t near_z = (fx_t)floor(floor(nearest * 0.99 / digit) * digit * 65536 + 0.5);
     return near_z > own ? near_z : own;
 }
 
@@ -213,7 +232,7 @@ static int choose_candidates(struct scene_report *r)
             const bool asked = format->kind == LAB_DRAWN && (r->lab->formats >> i & 1) != 0 &&
                                (r->lab->bits == 0 || r->lab->bits == format->bits);
             if (asked) {
-                r->candidates[r->candidate_count++] = (struct candidate){format, nears[n], 0, 0};
+                r->candidates[r->candidate_count++] = (struct candidate){format, nears[n], 0, 0, 0};
             }
         }
     }
@@ -232,7 +251,7 @@ static double percent(uint64_t part, uint64_t whole)
 /* Memory first, then time. */
 static int cost_of(const struct lab_format *format)
 {
-    return format->bits == 24 ? 3 : format->format == PH_DEPTH_LINEAR_W ? 2 : format->format != PH_DEPTH_FIXED16;
+    return format->format == PH_DEPTH_LINEAR_W ? 3 : format->bits == 24 ? 2 : format->format != PH_DEPTH_FIXED16;
 }
 
 /* The cheapest of those that are as good as the best but for a pixel in 10,000; of its near planes the camera's own. */
@@ -257,28 +276,30 @@ static void put_answer(const struct scene_report *r)
     const struct candidate *const best = best_of(r);
     char near_text[LAB_TEXT_SIZE];
     lab_fx_text(best->near_z, near_text);
-    fprintf(
-        r->lab->rows,
-        "#! Take %s (%d bits) with the near plane at %s m: %llu of %llu pixels (%.3g %%) would fight; %llu do so in "
-        "every format, since the sub-pixel grid moves surfaces farther than they are apart there.\n",
-        best->format->name, best->format->bits, near_text, (unsigned long long)best->fights,
-        (unsigned long long)r->pixels, percent(best->fights, r->pixels), (unsigned long long)r->lost);
+    fprintf(r->lab->rows, "#! Take %s (%d bits) with the near plane at %s m: %llu of %llu pixels (%.3g %%) would fight",
+            best->format->name, best->format->bits, near_text, (unsigned long long)best->fights,
+            (unsigned long long)r->pixels, percent(best->fights, r->pixels));
+    if (r->lost > 0) {
+        fprintf(r->lab->rows, ", %llu of them in every format: the sub-pixel grid moves them more than they are apart",
+                (unsigned long long)r->lost);
+    }
+    fputs(".\n", r->lab->rows);
 }
 
 static void put_rows(const struct scene_report *r)
 {
     char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE];
-    fputs(
-        "format,bits,exponent,near_m,far_m,pixels,overlapping,fight (predicted),fight % (predicted),wrong (measured)\n",
-        r->lab->rows);
+    fputs("format,bits,exponent,near [m],far [m],pixels,overlapping,fight (predicted),fight % (predicted),wrong "
+          "(measured),unforeseen (measured)\n",
+          r->lab->rows);
     lab_fx_text(r->scene.lens.far_z, far_text);
     for (uint32_t i = 0; i < r->candidate_count; i++) {
         const struct candidate *const c = &r->candidates[i];
         lab_fx_text(c->near_z, near_text);
-        fprintf(r->lab->rows, "%s,%d,%d,%s,%s,%llu,%llu,%llu,%.4g,%llu\n", c->format->name, c->format->bits,
+        fprintf(r->lab->rows, "%s,%d,%d,%s,%s,%llu,%llu,%llu,%.4g,%llu,%llu\n", c->format->name, c->format->bits,
                 lab_exponent(c->format, c->near_z, r->scene.lens.far_z), near_text, far_text,
                 (unsigned long long)r->pixels, (unsigned long long)r->overlaps, (unsigned long long)c->fights,
-                percent(c->fights, r->pixels), (unsigned long long)c->wrong);
+                percent(c->fights, r->pixels), (unsigned long long)c->wrong, (unsigned long long)c->surprises);
     }
 }
 
