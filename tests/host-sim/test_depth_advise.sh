@@ -117,9 +117,9 @@ sheet() { # metres
     printf 'newmtl m0\nKd .2 .6 .2\nnewmtl m1\nKd .9 .2 .1\n' >"$dir/sheet.mtl"
 }
 
-above() { # gap, format: the share in % of the sheet's pixels that fight with the floor, and whether fixed16 showed any wrong
+above() { # gap, format, fov, up: the share in % of the sheet's pixels that fight with the floor
     sheet "$1"
-    "$lab" advise --model "$dir/sheet.obj" --camera eye=0,20,20 --fov 4 --format "$2" --start 0 >"$dir/said" 2>"$dir/stderr" || return 1
+    "$lab" advise --model "$dir/sheet.obj" --camera "eye=0,20,20,up=${4:-0,1,0}" --fov "${3:-4}" --format "$2" >"$dir/said" 2>"$dir/stderr" || return 1
     sed -n "s/^Surface 2 (#[0-9a-f]*) before surface 1 (#[0-9a-f]*): .* fight: $2 \([0-9.e+-]*\) %.*/\1/p" "$dir/said"
 }
 
@@ -128,6 +128,15 @@ a_gap_of_a_step_decides() {
     local low high
     low=$(above .015 fixed16) && high=$(above .027 fixed16) || return 1
     [ "$low" = 100 ] && [ "$high" = 0 ] && [ "$(above .015 float16)" = 0 ] && [ "$(above .0005 float16)" = 100 ] || { echo "$low, $high" && return 1; }
+}
+
+# At 60 degrees the distance changes by .136 m a pixel, and the grid moves both by .75 mm along the ray.
+the_sub_pixel_grid_decides() {
+    local up
+    for up in 0,1,0 1,0,0 1,1,0; do
+        [ "$(above .0003 float24 60 $up)" = 100 ] && [ "$(above .0008 float24 60 $up)" = 0 ] || { echo "up $up: $(above .0003 float24 60 $up) $(above .0008 float24 60 $up)" && return 1; }
+    done
+    [ "$(above .0003 float24 4)" = 0 ] && "$lab" advise --model "$dir/sheet.obj" --camera eye=0,20,20 --fov 60 | head -n 1 | grep -q 'in every format: the sub-pixel grid'
 }
 
 has_models() { sheet .1 && "$lab" advise --model "$dir/sheet.obj" >"$dir/stdout" 2>"$dir/stderr"; }
@@ -164,6 +173,7 @@ check "zfight fights in fixed16 and not in float16" zfight_fights_in_fixed16_alo
 check "a larger near plane helps fixed16" a_larger_near_plane_helps
 if has_models; then
     check "a sheet fights with the floor within a depth step, and not above" a_gap_of_a_step_decides
+    check "seen from farther off it fights within the sub-pixel grid, in every format" the_sub_pixel_grid_decides
 else
     skip "a sheet fights with the floor within a depth step, and not above" "this build reads no model files"
 fi
