@@ -6,9 +6,9 @@ CPU ?= $(if $(findstring __x86_64__,$(shell $(CC) $(CFLAGS) -dM -E -x c /dev/nul
 B ?= build
 V ?= 0
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
-PREFIX ?= /usr/local
 BOARD_DIR ?=
-BUDGET_CORE_BYTES ?= 47616
+PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+BUDGET_CORE_BYTES ?= 48128
 
 # A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
 OPEN := (
@@ -123,7 +123,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo check test test-exhaustive lint bench size depth gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
+.PHONY: all demo check test test-exhaustive lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -186,7 +186,7 @@ test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 fuzz-programs: $(FUZZ)
 
--include firmware/firmware.mk
+-include firmware/firmware.mk firmware/package/package.mk
 
 demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
 	$(Q)B='$(B)' sh host-sim/demo.sh
@@ -218,23 +218,11 @@ gallery: all ## makes the README's pictures again
 golden: all ## writes the frame CRCs that the tests compare with again (look at the pictures first)
 	$(Q)B='$(B)' tests/tools/golden.sh
 
-RULES = $(DESTDIR)$(PREFIX)/lib/udev/rules.d
-UNITS = $(DESTDIR)$(PREFIX)/lib/systemd/system
-
-install: all ## programs into $(DESTDIR)$(PREFIX)/bin, udev rules and systemd unit into .../lib
-	install -d '$(DESTDIR)$(PREFIX)/bin' '$(RULES)' '$(UNITS)'
-	install -m 755 $(PROGRAMS) '$(DESTDIR)$(PREFIX)/bin'
-	install -m 644 boards/udev/60-pinhole.rules '$(RULES)'
-	sed 's|/usr/local/|$(PREFIX)/|' boards/systemd/pinhole.service >'$(UNITS)/pinhole.service'
-
-uninstall: ## takes them away again
-	rm -f $(PROGRAMS:$(B)/%='$(DESTDIR)$(PREFIX)/bin/%') '$(RULES)/60-pinhole.rules' '$(UNITS)/pinhole.service'
-
 clean: ## removes build/
 	rm -rf '$(B)'
 
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d)

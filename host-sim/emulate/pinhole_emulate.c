@@ -109,7 +109,7 @@ static int run(struct request *r)
 int main(int argc, char *argv[])
 {
     struct request request = {.machine = -1, .frames = 4};
-    complain_as("pinhole-emulate");
+    complain_begin("pinhole-emulate", argc, argv);
     int status = read_arguments(&request, argc, argv);
     if (status == 0 && request.help) {
         print_help();

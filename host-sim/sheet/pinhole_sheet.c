@@ -147,7 +147,7 @@ static int make_sheet(struct sheet *s)
 int main(int argc, char *argv[])
 {
     struct sheet sheet = {.width = 1024, .gap = 12};
-    complain_as("pinhole-sheet");
+    complain_begin("pinhole-sheet", argc, argv);
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
     int status = sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain("not enough memory");
     if (status == 0 && sheet.help) {

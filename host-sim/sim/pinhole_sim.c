@@ -296,7 +296,7 @@ static int draw(const struct sim_options *o)
 int main(int argc, char *argv[])
 {
     struct sim_options options;
-    complain_as("pinhole-sim");
+    complain_begin("pinhole-sim", argc, argv);
     int status = sim_options_read(&options, argc, argv);
     if (status != 0) {
         return complain_exit(status);

@@ -250,7 +250,7 @@ int main(int argc, char *argv[])
 {
     struct request request = {
         .in = NULL, .wire = {.frame = show_frame, .step = show_step, .resent = show_complaint, .context = &request}};
-    complain_as("pinhole-wire");
+    complain_begin("pinhole-wire", argc, argv);
     int status = read_arguments(&request, argc, argv);
     if (status == 0 && request.help) {
         print_help();

@@ -95,7 +95,7 @@ int main(int argc, char *argv[])
     struct asset asset;
     struct model *model;
     struct demo demo, file_demo;
-    complain_as("frames");
+    complain_begin("frames", argc, argv);
     const struct board *board = argc >= 4 ? board_find(argv[1]) : NULL;
     if (board == NULL || open_player(&scene, board, &demo_scene, NULL) != 0 ||
         (argc > 4 && strcmp(argv[4], "-") != 0 && frame_out_open(&out, argv[4], true) != 0)) {
