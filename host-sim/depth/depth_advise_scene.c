@@ -65,6 +65,13 @@ static double need_m(const struct candidate *c, fx_t far_z, const struct scene_l
     return STEPS * step_m(c, far_z, b->z_m) + moved_m(a, b);
 }
 
+/* What the depth biases of the materials set them apart: codes of 16 bits, or eighths of them. */
+static double lift_m(const struct candidate *c, fx_t far_z, const struct scene_layer *a, const struct scene_layer *b)
+{
+    const bool is_float = lab_exponent(c->format, c->near_z, far_z) != 0;
+    return step_m(c, far_z, b->z_m) * ldexp(a->bias - b->bias, c->format->bits - 16 - (is_float ? 3 : 0));
+}
+
 static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t behind)
 {
     uint32_t i = 0;
@@ -84,7 +91,7 @@ static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t beh
 static bool differ(const struct scene_report *r, const struct scene_layer *a, const struct scene_layer *b)
 {
     const bool same_place = a->z_m == b->z_m && a->slope_m == b->slope_m;
-    return !same_place && (a->surface != b->surface || r->scene.surfaces[a->surface]->shading != PH_SHADE_UNLIT);
+    return !same_place && (a->surface != b->surface || r->scene.surfaces[a->surface].look.shading != PH_SHADE_UNLIT);
 }
 
 /* Does the nearest surface fight with that layer? */
@@ -92,7 +99,8 @@ static bool fights_with(const struct scene_report *r, const struct candidate *c,
                         uint32_t i)
 {
     const struct scene_layer *const front = &pixel->layers[0], *const behind = &pixel->layers[i];
-    return differ(r, front, behind) && behind->z_m - front->z_m < need_m(c, r->scene.lens.far_z, front, behind);
+    const double apart = behind->z_m - front->z_m + lift_m(c, r->scene.lens.far_z, front, behind);
+    return differ(r, front, behind) && apart < need_m(c, r->scene.lens.far_z, front, behind);
 }
 
 static bool fights(const struct scene_report *r, const struct candidate *c, const struct scene_pixel *pixel)
@@ -140,13 +148,12 @@ static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
 }
 
 /* Pixels that show another surface than the nearest, while the finest format tells them apart. */
-static int count_wrong(struct scene_report *r, uint32_t frame, struct candidate *c)
+static int count_wrong(struct scene_report *r, struct candidate *c)
 {
-    const int status = depth_scene_frame(&r->scene, frame, c->format, c->near_z);
+    const int status = depth_scene_show(&r->scene, c->format, c->near_z);
     if (status != 0) {
         return status;
     }
-    depth_scene_show(&r->scene);
     for (uint32_t i = 0; i < (uint32_t)r->lab->width * r->lab->height; i++) {
         const struct scene_pixel *const pixel = &r->scene.layers[i];
         const uint32_t shown = r->scene.pixels[i];
@@ -157,25 +164,14 @@ static int count_wrong(struct scene_report *r, uint32_t frame, struct candidate 
     return 0;
 }
 
-/* float24: its planes are read before they are rounded to codes. */
-static const struct lab_format *reference(void)
-{
-    const struct lab_format *format = lab_formats;
-    while (format->kind != LAB_DRAWN || format->format != PH_DEPTH_FLOAT24) {
-        format++;
-    }
-    return format;
-}
-
 /* The nearest surface of a frame; what lies at its pixels stays in the scene. */
 static int look(struct scene_report *r, uint32_t frame, double *nearest)
 {
     const uint32_t area = (uint32_t)r->lab->width * r->lab->height;
-    const int status = depth_scene_frame(&r->scene, frame, reference(), r->scene.lens.near_z);
+    const int status = depth_scene_frame(&r->scene, frame);
     if (status != 0) {
         return status;
     }
-    depth_scene_layers(&r->scene);
     for (uint32_t i = 0; i < area; i++) {
         if (r->scene.layers[i].count > 0) {
             *nearest = fmin(*nearest, r->scene.layers[i].layers[0].z_m);
@@ -199,7 +195,7 @@ static int count_frame(struct scene_report *r, uint32_t frame)
         }
     }
     for (uint32_t k = 0; k < r->candidate_count && status == 0; k++) {
-        status = count_wrong(r, frame, &r->candidates[k]);
+        status = count_wrong(r, &r->candidates[k]);
     }
     return status;
 }
@@ -322,9 +318,8 @@ static void put_pairs(struct scene_report *r)
     qsort(r->pairs, r->pair_count, sizeof r->pairs[0], compare_pairs);
     for (uint32_t i = 0; i < r->pair_count && i < PAIRS_SHOWN; i++) {
         const struct pair *const p = &r->pairs[i];
-        char front[8], behind[8];
-        depth_scene_colour(&r->scene, p->front, front);
-        depth_scene_colour(&r->scene, p->behind, behind);
+        const char *const front = r->scene.surfaces[p->front].colour, *const behind =
+                                                                          r->scene.surfaces[p->behind].colour;
         fprintf(
             r->lab->rows,
             "# Surface %u (%s) before surface %u (%s): %llu pixels, %.3g m apart or more, the least at %.4g m. With "

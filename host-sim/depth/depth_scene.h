@@ -1,9 +1,9 @@
 /*
- * depth_scene: the frames of a demo or a model file, drawn by the renderer, and what lies at each of their pixels: all
- * surfaces, also those that are hidden. A surface is what has one material.
+ * depth_scene: the frames of a demo or a model file, and what lies at each of their pixels: all surfaces, also those
+ * that are hidden. A surface is what has one material.
  *
- * The renderer lists a frame's triangles; here each of them is drawn alone, so that the renderer itself says which
- * pixels it covers, and its plane says how far away it is there.
+ * The triangles that the demo draws are recorded. The renderer draws each of them alone, and so says which pixels it
+ * covers; how far away it is there follows from its corners in double precision. Lines are left out.
  */
 #ifndef DEPTH_SCENE_H
 #define DEPTH_SCENE_H
@@ -17,11 +17,30 @@ struct scene_layer {
     double z_m;
     double slope_m; /* how far the distance changes from pixel to pixel, down its steepest way */
     uint16_t surface;
+    uint8_t bias; /* depth_bias of the material */
 };
 
 struct scene_pixel {
     uint32_t count;
     struct scene_layer layers[SCENE_LAYERS]; /* the nearest first; of two that are as near the one drawn first */
+};
+
+struct scene_surface {
+    const void *material; /* the demo's, to know it again */
+    struct ph_material look;
+    char colour[8]; /* "#rrggbb" */
+};
+
+/* Triangles that follow each other, of one camera and transform. */
+struct scene_draw {
+    struct ph_xform to_world, view;
+    struct ph_projection lens;
+    uint32_t first, count;
+};
+
+struct scene_triangle {
+    struct fx_vec3 p[3];
+    uint16_t surface;
 };
 
 struct depth_scene {
@@ -31,29 +50,27 @@ struct depth_scene {
     struct demo model_demo;
     struct demo_context context;
     struct ph_renderer renderer;
-    struct ph_projection lens; /* of the first frame, before another near plane was asked for */
+    struct ph_projection lens; /* of the first frame */
     uint16_t *pixels;
     struct scene_pixel *layers;
-    const struct ph_material **surfaces;
-    uint16_t (*ramps)[PH_RAMP_SIZE]; /* each filled with the number of a surface, from 1 on */
-    uint32_t surface_count, surface_max;
-    void *memory[3];
+    struct scene_surface *surfaces;
+    struct ph_material *numbers; /* each surface in the colour that is its number, from 1 on */
+    struct scene_draw *draws;
+    struct scene_triangle *triangles;
+    uint32_t surface_count, draw_count, triangle_count;
+    void *memory[3], *depth;
+    int status; /* of the recording */
 };
 
 /* Opens what lab->demo or lab->model names, and finds its lens. 0, COMPLAINED or PH_ERR_INVAL. Close it in any case. */
 int depth_scene_open(struct depth_scene *s, const struct depth_lab *lab);
 void depth_scene_close(struct depth_scene *s);
 
-/* Sets up a frame in a format, with another near plane. 0 or COMPLAINED. */
-int depth_scene_frame(struct depth_scene *s, uint32_t frame, const struct lab_format *format, fx_t near_z);
+/* Records a frame and finds what lies at each of its pixels: s->layers. 0 or COMPLAINED. */
+int depth_scene_frame(struct depth_scene *s, uint32_t frame);
 
-/* What lies at each pixel of the frame, in s->layers; the format must be float24. */
-void depth_scene_layers(struct depth_scene *s);
-
-/* What the renderer shows: s->pixels has the number of the surface, from 1 on, or 0. After it set up a frame again. */
-void depth_scene_show(struct depth_scene *s);
-
-/* The colour of a surface as "#rrggbb". */
-void depth_scene_colour(const struct depth_scene *s, uint32_t surface, char text[8]);
+/* Draws that frame in a format, with another near plane: s->pixels has the number of the surface that shows, from 1 on,
+ * or 0. 0 or COMPLAINED. */
+int depth_scene_show(struct depth_scene *s, const struct lab_format *format, fx_t near_z);
 
 #endif
