@@ -16,9 +16,9 @@
 
 /* ---- recording ---------------------------------------------------------------------------------------------- */
 
-/* The linker calls these in place of ph_draw_mesh (see the Makefile). */
+/* The linker's name for ph_draw_mesh itself where depth_scene_draw_mesh stands for it: see the Makefile. */
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 int __real_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
-int __wrap_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
 static struct depth_scene *recording; /* the scene whose demo is at work, or NULL */
 
@@ -77,7 +77,7 @@ static void record(struct depth_scene *s, const struct ph_mesh *mesh, const stru
     draw->count = s->triangle_count - draw->first;
 }
 
-int __wrap_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+int depth_scene_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     if (recording != NULL && recording->status == 0) {
         record(recording, mesh, to_world);

@@ -69,6 +69,9 @@ void depth_scene_close(struct depth_scene *s);
 /* Records a frame and finds what lies at each of its pixels: s->layers. 0 or COMPLAINED. */
 int depth_scene_frame(struct depth_scene *s, uint32_t frame);
 
+/* What the linker calls in place of ph_draw_mesh, with the same contract. */
+int depth_scene_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+
 /* Draws that frame in a format, with another near plane: s->pixels has the number of the surface that shows, from 1 on,
  * or 0. 0 or COMPLAINED. */
 int depth_scene_show(struct depth_scene *s, const struct lab_format *format, fx_t near_z);
