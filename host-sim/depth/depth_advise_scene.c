@@ -1,7 +1,7 @@
 #include "depth_advise_scene.h"
 
 #include "complain.h"
-#include "depth_scene.h"
+#include "depth_layers.h"
 #include "lab_num.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ struct pair {
 
 struct scene_report {
     const struct depth_lab *lab;
-    struct depth_scene scene;
+    struct depth_layers scene;
     struct candidate candidates[NEARS * FORMATS_MAX];
     uint32_t candidate_count;
     struct pair pairs[PAIRS_MAX];
@@ -150,7 +150,7 @@ static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
 /* Pixels that show another surface than the nearest, while the finest format tells them apart. */
 static int count_wrong(struct scene_report *r, struct candidate *c)
 {
-    const int status = depth_scene_show(&r->scene, c->format, c->near_z);
+    const int status = depth_layers_show(&r->scene, c->format, c->near_z);
     if (status != 0) {
         return status;
     }
@@ -168,7 +168,7 @@ static int count_wrong(struct scene_report *r, struct candidate *c)
 static int look(struct scene_report *r, uint32_t frame, double *nearest)
 {
     const uint32_t area = (uint32_t)r->lab->width * r->lab->height;
-    const int status = depth_scene_frame(&r->scene, frame);
+    const int status = depth_layers_find(&r->scene, frame);
     if (status != 0) {
         return status;
     }
@@ -341,7 +341,7 @@ int depth_advise_scene(const struct depth_lab *lab)
         return complain("out of memory");
     }
     r->lab = lab;
-    int status = depth_scene_open(&r->scene, lab);
+    int status = depth_layers_open(&r->scene, lab);
     if (status == 0) {
         status = choose_candidates(r);
     }
@@ -353,7 +353,7 @@ int depth_advise_scene(const struct depth_lab *lab)
         put_answer(r);
         put_pairs(r);
     }
-    depth_scene_close(&r->scene);
+    depth_layers_close(&r->scene);
     free(r);
     return status;
 }

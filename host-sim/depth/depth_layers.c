@@ -1,4 +1,4 @@
-#include "depth_scene.h"
+#include "depth_layers.h"
 
 #include "complain.h"
 #include "model.h"
@@ -16,11 +16,11 @@
 
 /* ---- recording ---------------------------------------------------------------------------------------------- */
 
-/* The linker's name for ph_draw_mesh itself where depth_scene_draw_mesh stands for it: see the Makefile. */
+/* The linker's name for ph_draw_mesh itself where depth_layers_draw_mesh stands for it: see the Makefile. */
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 int __real_ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
-static struct depth_scene *recording; /* the scene whose demo is at work, or NULL */
+static struct depth_layers *recording; /* the scene whose demo is at work, or NULL */
 
 static void name_colour(struct scene_surface *surface)
 {
@@ -34,7 +34,7 @@ static void name_colour(struct scene_surface *surface)
 }
 
 /* The number of a material. Materials beyond the last number count as the last. */
-static uint16_t surface_of(struct depth_scene *s, const struct ph_material *material)
+static uint16_t surface_of(struct depth_layers *s, const struct ph_material *material)
 {
     uint32_t i = 0;
     while (i < s->surface_count && s->surfaces[i].material != material) {
@@ -55,7 +55,7 @@ static uint16_t surface_of(struct depth_scene *s, const struct ph_material *mate
     return (uint16_t)i;
 }
 
-static void record(struct depth_scene *s, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+static void record(struct depth_layers *s, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     if (s->draw_count == DRAWS_MAX || mesh->triangle_count > TRIANGLES_MAX - s->triangle_count) {
         s->status = complain("advise: a frame of more than %d triangles", TRIANGLES_MAX);
@@ -77,7 +77,7 @@ static void record(struct depth_scene *s, const struct ph_mesh *mesh, const stru
     draw->count = s->triangle_count - draw->first;
 }
 
-int depth_scene_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
+int depth_layers_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     if (recording != NULL && recording->status == 0) {
         record(recording, mesh, to_world);
@@ -87,7 +87,7 @@ int depth_scene_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, con
 
 /* ---- opening ------------------------------------------------------------------------------------------------ */
 
-static int find(struct depth_scene *s, const struct depth_lab *lab)
+static int find(struct depth_layers *s, const struct depth_lab *lab)
 {
     if (lab->model == NULL) {
         s->demo = demo_find(lab->demo);
@@ -111,7 +111,7 @@ static int find(struct depth_scene *s, const struct depth_lab *lab)
 }
 
 /* The same camera as pinhole-sim's: the demo's own lens fits its own view only. */
-static void set_camera(struct depth_scene *s, const struct depth_lab *lab)
+static void set_camera(struct depth_layers *s, const struct depth_lab *lab)
 {
     struct demo_camera *const camera = &s->context.camera;
     camera->view_set = lab->camera_set;
@@ -122,7 +122,7 @@ static void set_camera(struct depth_scene *s, const struct depth_lab *lab)
     depth_lab_projection(lab, &camera->projection);
 }
 
-static int open_memory(struct depth_scene *s)
+static int open_memory(struct depth_layers *s)
 {
     const size_t area = (size_t)s->lab->width * s->lab->height;
     const uint32_t vertices = s->demo->vertex_max > 3 * CHUNK ? s->demo->vertex_max : 3 * CHUNK;
@@ -156,7 +156,7 @@ static int open_memory(struct depth_scene *s)
     return 0;
 }
 
-static int start(struct depth_scene *s, const struct lab_format *format)
+static int start(struct depth_layers *s, const struct lab_format *format)
 {
     struct ph_config config = s->renderer.config;
     config.depth_format = format->format;
@@ -164,7 +164,7 @@ static int start(struct depth_scene *s, const struct lab_format *format)
     return ph_renderer_init(&s->renderer, &config);
 }
 
-static int record_frame(struct depth_scene *s, uint32_t frame)
+static int record_frame(struct depth_layers *s, uint32_t frame)
 {
     s->draw_count = s->triangle_count = 0;
     int status = start(s, &lab_formats[0]);
@@ -178,9 +178,9 @@ static int record_frame(struct depth_scene *s, uint32_t frame)
                           : 0;
 }
 
-int depth_scene_open(struct depth_scene *s, const struct depth_lab *lab)
+int depth_layers_open(struct depth_layers *s, const struct depth_lab *lab)
 {
-    *s = (struct depth_scene){.lab = lab, .context = {.width = lab->width, .height = lab->height, .view = lab->view}};
+    *s = (struct depth_layers){.lab = lab, .context = {.width = lab->width, .height = lab->height, .view = lab->view}};
     int status = find(s, lab);
     if (status == 0) {
         status = open_memory(s);
@@ -203,7 +203,7 @@ int depth_scene_open(struct depth_scene *s, const struct depth_lab *lab)
     return status;
 }
 
-void depth_scene_close(struct depth_scene *s)
+void depth_layers_close(struct depth_layers *s)
 {
     for (int i = 0; i < 3; i++) {
         free(s->memory[i]);
@@ -221,7 +221,7 @@ void depth_scene_close(struct depth_scene *s)
 /* ---- drawing ------------------------------------------------------------------------------------------------ */
 
 /* Lists up to CHUNK triangles of a draw, in colours that are the numbers of their surfaces. */
-static int draw_chunk(struct depth_scene *s, const struct scene_draw *draw, uint32_t first, uint32_t count)
+static int draw_chunk(struct depth_layers *s, const struct scene_draw *draw, uint32_t first, uint32_t count)
 {
     static struct fx_vec3 positions[3 * CHUNK];
     static uint16_t faces[CHUNK][3];
@@ -244,14 +244,14 @@ static int draw_chunk(struct depth_scene *s, const struct scene_draw *draw, uint
     return __real_ph_draw_mesh(&s->renderer, &mesh, &draw->to_world);
 }
 
-static void draw_band(struct depth_scene *s)
+static void draw_band(struct depth_layers *s)
 {
     ph_frame_bands(&s->renderer);
     ph_draw_band(&s->renderer, 0, s->pixels);
 }
 
 /* Begins with a camera of a draw, or sets it in the same frame. */
-static int set_lens(struct depth_scene *s, const struct scene_draw *draw, fx_t near_z, bool begin)
+static int set_lens(struct depth_layers *s, const struct scene_draw *draw, fx_t near_z, bool begin)
 {
     struct ph_projection lens = draw->lens;
     lens.near_z = near_z != 0 ? near_z : lens.near_z;
@@ -259,7 +259,7 @@ static int set_lens(struct depth_scene *s, const struct scene_draw *draw, fx_t n
                  : ph_frame_camera(&s->renderer, &draw->view, &lens);
 }
 
-int depth_scene_show(struct depth_scene *s, const struct lab_format *format, fx_t near_z)
+int depth_layers_show(struct depth_layers *s, const struct lab_format *format, fx_t near_z)
 {
     int status = start(s, format);
     for (uint32_t i = 0; i < s->draw_count && status == 0; i++) {
@@ -322,7 +322,7 @@ static struct plane plane_of(const struct scene_draw *draw, const struct scene_t
     return plane;
 }
 
-static struct scene_layer layer_at(const struct depth_scene *s, const struct scene_draw *draw,
+static struct scene_layer layer_at(const struct depth_layers *s, const struct scene_draw *draw,
                                    const struct plane *plane, uint32_t column, uint32_t row)
 {
     const struct ph_projection *const lens = &draw->lens;
@@ -356,7 +356,7 @@ static void insert(struct scene_pixel *pixel, const struct scene_layer *layer)
     pixel->layers[at] = *layer;
 }
 
-static int add_triangle(struct depth_scene *s, const struct scene_draw *draw, uint32_t i)
+static int add_triangle(struct depth_layers *s, const struct scene_draw *draw, uint32_t i)
 {
     const struct scene_triangle *const t = &s->triangles[i];
     const uint32_t width = s->lab->width, height = s->lab->height;
@@ -380,7 +380,7 @@ static int add_triangle(struct depth_scene *s, const struct scene_draw *draw, ui
     return 0;
 }
 
-int depth_scene_frame(struct depth_scene *s, uint32_t frame)
+int depth_layers_find(struct depth_layers *s, uint32_t frame)
 {
     int status = record_frame(s, frame);
     memset(s->layers, 0, (size_t)s->lab->width * s->lab->height * sizeof *s->layers);

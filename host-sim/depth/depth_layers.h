@@ -1,12 +1,12 @@
 /*
- * depth_scene: the frames of a demo or a model file, and what lies at each of their pixels: all surfaces, also those
+ * depth_layers: the frames of a demo or a model file, and what lies at each of their pixels: all surfaces, also those
  * that are hidden. A surface is what has one material.
  *
  * The triangles that the demo draws are recorded. The renderer draws each of them alone, and so says which pixels it
  * covers; how far away it is there follows from its corners in double precision. Lines are left out.
  */
-#ifndef DEPTH_SCENE_H
-#define DEPTH_SCENE_H
+#ifndef DEPTH_LAYERS_H
+#define DEPTH_LAYERS_H
 
 #include "demo.h"
 #include "depth_lab.h"
@@ -43,7 +43,7 @@ struct scene_triangle {
     uint16_t surface;
 };
 
-struct depth_scene {
+struct depth_layers {
     const struct depth_lab *lab;
     const struct demo *demo;
     struct model *model; /* NULL: a built-in demo */
@@ -63,17 +63,17 @@ struct depth_scene {
 };
 
 /* Opens what lab->demo or lab->model names, and finds its lens. 0, COMPLAINED or PH_ERR_INVAL. Close it in any case. */
-int depth_scene_open(struct depth_scene *s, const struct depth_lab *lab);
-void depth_scene_close(struct depth_scene *s);
+int depth_layers_open(struct depth_layers *s, const struct depth_lab *lab);
+void depth_layers_close(struct depth_layers *s);
 
 /* Records a frame and finds what lies at each of its pixels: s->layers. 0 or COMPLAINED. */
-int depth_scene_frame(struct depth_scene *s, uint32_t frame);
+int depth_layers_find(struct depth_layers *s, uint32_t frame);
 
 /* What the linker calls in place of ph_draw_mesh, with the same contract. */
-int depth_scene_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+int depth_layers_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
 /* Draws that frame in a format, with another near plane: s->pixels has the number of the surface that shows, from 1 on,
  * or 0. 0 or COMPLAINED. */
-int depth_scene_show(struct depth_scene *s, const struct lab_format *format, fx_t near_z);
+int depth_layers_show(struct depth_layers *s, const struct lab_format *format, fx_t near_z);
 
 #endif
