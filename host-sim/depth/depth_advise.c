@@ -70,10 +70,11 @@ static uint32_t leaning(const struct question *q, const struct lab_format *forma
     struct planes_canvas canvas;
     double metres = HUGE_VAL;
     lab.near_z = near_z;
+    lab.exponent = format->exponent;
     if (depth_planes_open(&canvas, &lab, (enum ph_depth_format)format->format) == 0) {
-        canvas.renderer.config.depth_exponent = format->exponent;
+        const struct planes_lean lean = {z * LSB, q->tilt_deg, depth_metres(lab.azimuth_deg)};
         const enum ph_depth_format drawn = (enum ph_depth_format)format->format;
-        metres = depth_planes_sweep(&canvas, drawn, z * LSB, q->tilt_deg).measured_m;
+        metres = depth_planes_sweep(&canvas, drawn, lean).measured_m;
         metres = isfinite(metres) ? metres : depth_planes_predicted_m(&lab, drawn, z * LSB, 0, q->tilt_deg);
     }
     depth_planes_close(&canvas);
@@ -204,8 +205,9 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     if (a->separates.at_z != 0 && a->separates.to_z != NEVER) {
         char at_z[LAB_TEXT_SIZE], to_z[LAB_TEXT_SIZE];
         lab_fx_text(lab->near_z, near_text);
-        snprintf(separates, sizeof separates, "%s,%s", metres_of(a->separates.at_z, at_z),
-                 metres_of(a->separates.to_z, to_z));
+        lab_length_text(a->separates.at_z, at_z);
+        lab_length_text(a->separates.to_z, to_z);
+        snprintf(separates, sizeof separates, "%s,%s", at_z, to_z);
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s,%g\n", format->name, format->bits, metres(lab->far_z, far_text),
             metres(q->z, z), s, least, safe, near_text, separates, q->tilt_deg);

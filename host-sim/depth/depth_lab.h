@@ -28,11 +28,14 @@ struct depth_lab {
     fx_t separate;          /* --separate, 0: not given */
     fx_t tilt_deg;          /* --tilt, -89 .. 89 */
     bool tilt_set;          /* --tilt was given */
+    fx_t azimuth_deg;       /* --azimuth, -360 .. 360 */
+    uint8_t shading;        /* --shading, enum ph_shading below PH_SHADE_WIRE */
     bool far_set;           /* --far was given; likewise near_set */
     bool near_set;
-    uint32_t bits;                   /* --bits, 0: not given */
-    const char *out;                 /* --out: a file or directory, or NULL */
-    const char *kind;                /* plot's KIND, or NULL */
+    uint8_t exponent; /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
+    uint32_t bits;    /* --bits, 0: not given */
+    const char *out;  /* --out: a file or directory, or NULL */
+    const char *kind; /* plot's KIND, or NULL */
     const char *demo, *view, *model; /* advise: a scene; NULL: not given */
     bool camera_set, fov_set;        /* --camera, --fov were given */
     struct fx_vec3 eye, target, up;
@@ -48,12 +51,20 @@ int depth_advise(const struct depth_lab *lab);
 int depth_anchors(const struct depth_lab *lab);
 int depth_budget(const struct depth_lab *lab);
 int depth_planes(const struct depth_lab *lab);
+int depth_slopes(const struct depth_lab *lab);
+int depth_scenes(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
+
+/* unlit, flat, gouraud, texture, texture-lit. */
+extern const char *const depth_shading_names[PH_SHADE_WIRE];
 
 /* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for
  * that). */
 int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection);
+
+/* The lab for a row of lab_formats. */
+struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row);
 
 /* Runs a command with its rows into memory and returns its status. *csv is a string to free(), also after an error. */
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);

@@ -126,14 +126,30 @@ static bool set_camera(void *to, const char *value)
     return lab->camera_set;
 }
 
+static bool set_azimuth(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    return set_fx(&lab->azimuth_deg, value) && lab->azimuth_deg >= FX_INT(-360) && lab->azimuth_deg <= FX_INT(360);
+}
+
+static bool set_shading(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    const int shading = option_text_choice(value, depth_shading_names, PH_SHADE_WIRE);
+    lab->shading = (uint8_t)(shading < 0 ? 0 : shading);
+    return shading >= 0;
+}
+
 static bool set_bits(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     return option_text_u32(value, 1, 24, &lab->bits) && (lab->bits == 16 || lab->bits == 24);
 }
 
+#define STEP_TEXT "a number of at least one step of Q16.16, 1/65536 = 0.000016, and at most 32767.99"
+
 static const struct option_row rows[] = {
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"near", "N", "distance of the near plane; 0.5 by default", STEP_TEXT, .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
     {"format", "NAME[,NAME...]|all",
@@ -153,11 +169,15 @@ static const struct option_row rows[] = {
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
      "at most 64 numbers, each from near to far", .set = set_at},
-    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs",
-     "a number, more than 0", .set = set_separation},
+    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
+     .set = set_separation},
     {"tilt", "DEG", "angle between the planes and the screen; 60 by default for advise", "degrees, -89 .. 89",
      .set = set_tilt},
-    {"separate", "S", "separation that must be ordered right", "a number, more than 0", .set = set_separate},
+    {"azimuth", "DEG", "direction in which the planes lean: 0, the default, away at the top, 90 at the right",
+     "degrees, -360 .. 360", .set = set_azimuth},
+    {"shading", "NAME", "how the planes are drawn; unlit by default", "unlit, flat, gouraud, texture or texture-lit",
+     .set = set_shading},
+    {"separate", "S", "separation that must be ordered right", STEP_TEXT, .set = set_separate},
     {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
     {"demo", "NAME",
      "a built-in scene in place of planes; with its own lens unless --camera, --fov, --near or --far is given",
@@ -247,6 +267,10 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
     }
     if (scene && (lab->at_count > 0 || lab->separate != 0 || lab->tilt_set)) {
         return complain_usage("--at, --separate, --tilt: belong to planes; a scene has its own distances and slopes");
+    }
+    const uint32_t every = ((uint32_t)1 << DEPTH_IEEE_FORMATS) - 1;
+    if (lab->host_formats != 0 && (lab->host_formats != every || lab->formats == 0) && command->run != depth_pairs) {
+        return complain_usage("--format: %s measures no float32 format; pairs does", command->name);
     }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {

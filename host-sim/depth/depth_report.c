@@ -44,14 +44,15 @@ static const struct section sections[] = {
      "Distances in order from near to far: how many neighbours get the same code, or codes in the wrong order.",
      depth_pairs},
     {"budget", "Who limits it", "budget", "fov size",
-     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
-     "The separation that each part of the pipeline alone keeps, and all of them together. A part is measured in its "
-     "worst case. All together are measured on drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases "
-     "seldom meet: so they may measure less than a part alone.",
+     "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
+     "The separation that each part of the pipeline alone may confuse, and all of them together. The prediction is a "
+     "bound: what is measured never exceeds it. A part is measured in its worst case. All together are measured on "
+     "drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases seldom meet: so they may measure less than a "
+     "part alone.",
      depth_budget},
     {"planes", "Two planes", NULL, "fov size",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted",
+     "from [m] (measured),measured / predicted,azimuth [deg],shading",
      "Two parallel planes drawn by the renderer, compared with exact arithmetic pixel by pixel. S_min holds for every "
      "tilt.",
      depth_planes},
@@ -61,11 +62,11 @@ static const struct section sections[] = {
      "The code at every distance that Q16.16 has: it must never rise. The renderer's formats pass. They have no Q16.16 "
      "reciprocal because it fails (recip-q16).",
      depth_monotone},
-    {"anchors", "Published numbers", NULL, NULL, "anchor,published,here,how,verdict",
-     "Numbers that others have published about depth, computed again; this camera does not matter. One passes if it "
-     "has the published digits. Of what Q16.16 reaches (from a quarter of far on for recip-q16), the renderer's "
-     "formats "
-     "pass with at most 5 % more, the others within 5 %.",
+    {"anchors", "Numbers to hold it against", NULL, NULL, "anchor,source,stated,here,how,verdict",
+     "Numbers about depth, computed again; this camera does not matter. Each says whether it stands in a publication, "
+     "is reproduced with a published program, or is ours. One passes if it has the stated digits; Reed's percentages "
+     "pass if their sum is within 5 of 100, as they depend on the order of float32 sums. Of what Q16.16 reaches, the "
+     "renderer's formats pass with at most 5 % more, the others within 5 %.",
      depth_anchors},
 };
 

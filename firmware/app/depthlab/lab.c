@@ -48,6 +48,13 @@ static void put_num(const struct lab *lab, struct lab_num v)
     put_field(lab, text);
 }
 
+static void put_length(const struct lab *lab, uint32_t lsbs)
+{
+    char text[LAB_TEXT_SIZE];
+    lab_length_text(lsbs, text);
+    put_field(lab, text);
+}
+
 /* format,bits,near,far */
 static void put_head(const struct lab *lab, const struct lab_format *format)
 {
@@ -119,7 +126,7 @@ static void pairs_row(const struct lab *lab, struct work *work)
     put_u32(lab, lab->count);
     put_u32(lab, equal);
     put_u32(lab, swap);
-    put_num(lab, lab_num_scaled(widest(lab, least, most), -16));
+    put_length(lab, widest(lab, least, most));
     lab->put(lab->context, "\n");
 }
 
@@ -224,7 +231,7 @@ static void resolve_row(const struct lab *lab, struct work *work, fx_t z)
         put_field(lab, "S_worst");
     }
     put_num(lab, (struct lab_num){ideal.m, ideal.e - 16});
-    put_num(lab, lab_num_scaled(measured, -16));
+    put_length(lab, measured);
     put_num(lab, lab_num_div(lab_num_of(measured), ideal));
     lab->put(lab->context, "\n");
 }
