@@ -1,6 +1,7 @@
 #include "depth_advise_scene.h"
 
 #include "complain.h"
+#include "depth_budget_terms.h"
 #include "depth_layers.h"
 #include "lab_num.h"
 
@@ -16,7 +17,7 @@
 /* A format with a near plane, and what was counted. */
 struct candidate {
     const struct lab_format *format;
-    fx_t near_z;
+    struct depth_lab lab;              /* with its near plane, the far plane of the scene, and its bits of exponent */
     uint64_t fights, wrong, surprises; /* surprises: wrong, though they should not fight */
 };
 
@@ -38,21 +39,9 @@ struct scene_report {
         lost; /* pixels with a surface, with several, and where the sub-pixel grid alone decides */
 };
 
-/* The depth step at z by the definition of the format: see depth.h. */
-static double step_m(const struct candidate *c, fx_t far_z, double z)
+static double step_m(const struct candidate *c, double z)
 {
-    const int exponent = lab_exponent(c->format, c->near_z, far_z), bits = c->format->bits;
-    const double f = far_z / 65536.0, n = c->near_z / 65536.0 * (1 - ldexp(1, exponent > 4 ? exponent - 13 : -9));
-    if (c->format->format == PH_DEPTH_LINEAR_W) {
-        return (f - c->near_z / 65536.0) / 65408;
-    }
-    if (exponent == 0) {
-        return ldexp(z * z / n, -bits);
-    }
-    const int lowest = (1 << exponent) - 2;
-    const double d = n / z - n / f;
-    const int octave = d < ldexp(1, -lowest) ? lowest : -1 - ilogb(d);
-    return ldexp(z * z / n, exponent - bits - 1 - octave);
+    return depth_step_m((enum ph_depth_format)c->format->format, &c->lab, z);
 }
 
 static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
@@ -60,16 +49,16 @@ static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
     return (a->slope_m + b->slope_m) * (sqrt(2) / 512);
 }
 
-static double need_m(const struct candidate *c, fx_t far_z, const struct scene_layer *a, const struct scene_layer *b)
+static double need_m(const struct candidate *c, const struct scene_layer *a, const struct scene_layer *b)
 {
-    return STEPS * step_m(c, far_z, b->z_m) + moved_m(a, b);
+    return STEPS * step_m(c, b->z_m) + moved_m(a, b);
 }
 
 /* What the depth biases of the materials set them apart: codes of 16 bits, or eighths of them. */
-static double lift_m(const struct candidate *c, fx_t far_z, const struct scene_layer *a, const struct scene_layer *b)
+static double lift_m(const struct candidate *c, const struct scene_layer *a, const struct scene_layer *b)
 {
-    const bool is_float = lab_exponent(c->format, c->near_z, far_z) != 0;
-    return step_m(c, far_z, b->z_m) * ldexp(a->bias - b->bias, c->format->bits - 16 - (is_float ? 3 : 0));
+    const bool is_float = lab_exponent(c->format, c->lab.near_z, c->lab.far_z) != 0;
+    return step_m(c, b->z_m) * ldexp(a->bias - b->bias, c->format->bits - 16 - (is_float ? 3 : 0));
 }
 
 static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t behind)
@@ -99,8 +88,8 @@ static bool fights_with(const struct scene_report *r, const struct candidate *c,
                         uint32_t i)
 {
     const struct scene_layer *const front = &pixel->layers[0], *const behind = &pixel->layers[i];
-    const double apart = behind->z_m - front->z_m + lift_m(c, r->scene.lens.far_z, front, behind);
-    return differ(r, front, behind) && apart < need_m(c, r->scene.lens.far_z, front, behind);
+    const double apart = behind->z_m - front->z_m + lift_m(c, front, behind);
+    return differ(r, front, behind) && apart < need_m(c, front, behind);
 }
 
 static bool fights(const struct scene_report *r, const struct candidate *c, const struct scene_pixel *pixel)
@@ -116,7 +105,7 @@ static bool fights(const struct scene_report *r, const struct candidate *c, cons
 static void count_fights(struct scene_report *r, struct candidate *c, const struct scene_pixel *pixel)
 {
     c->fights += fights(r, c, pixel);
-    for (uint32_t i = 1; i < pixel->count && c->near_z == r->scene.lens.near_z; i++) {
+    for (uint32_t i = 1; i < pixel->count && c->lab.near_z == r->scene.lens.near_z; i++) {
         struct pair *const pair =
             fights_with(r, c, pixel, i) ? pair_of(r, pixel->layers[0].surface, pixel->layers[i].surface) : NULL;
         if (pair != NULL) {
@@ -150,7 +139,7 @@ static void count_pixel(struct scene_report *r, const struct scene_pixel *pixel)
 /* Pixels that show another surface than the nearest, while the finest format tells them apart. */
 static int count_wrong(struct scene_report *r, struct candidate *c)
 {
-    const int status = depth_layers_show(&r->scene, c->format, c->near_z);
+    const int status = depth_layers_show(&r->scene, c->format, c->lab.near_z);
     if (status != 0) {
         return status;
     }
@@ -228,7 +217,10 @@ static int choose_candidates(struct scene_report *r)
             const bool asked = format->kind == LAB_DRAWN && (r->lab->formats >> i & 1) != 0 &&
                                (r->lab->bits == 0 || r->lab->bits == format->bits);
             if (asked) {
-                r->candidates[r->candidate_count++] = (struct candidate){format, nears[n], 0, 0, 0};
+                struct candidate *const c = &r->candidates[r->candidate_count++];
+                *c = (struct candidate){format, depth_lab_of(r->lab, i), 0, 0, 0};
+                c->lab.near_z = nears[n];
+                c->lab.far_z = r->scene.lens.far_z;
             }
         }
     }
@@ -271,7 +263,7 @@ static void put_answer(const struct scene_report *r)
 {
     const struct candidate *const best = best_of(r);
     char near_text[LAB_TEXT_SIZE];
-    lab_fx_text(best->near_z, near_text);
+    lab_fx_text(best->lab.near_z, near_text);
     fprintf(r->lab->rows, "#! Take %s (%d bits) with the near plane at %s m: %llu of %llu pixels (%.3g %%) would fight",
             best->format->name, best->format->bits, near_text, (unsigned long long)best->fights,
             (unsigned long long)r->pixels, percent(best->fights, r->pixels));
@@ -291,9 +283,9 @@ static void put_rows(const struct scene_report *r)
     lab_fx_text(r->scene.lens.far_z, far_text);
     for (uint32_t i = 0; i < r->candidate_count; i++) {
         const struct candidate *const c = &r->candidates[i];
-        lab_fx_text(c->near_z, near_text);
+        lab_fx_text(c->lab.near_z, near_text);
         fprintf(r->lab->rows, "%s,%d,%d,%s,%s,%llu,%llu,%llu,%.4g,%llu,%llu\n", c->format->name, c->format->bits,
-                lab_exponent(c->format, c->near_z, r->scene.lens.far_z), near_text, far_text,
+                lab_exponent(c->format, c->lab.near_z, r->scene.lens.far_z), near_text, far_text,
                 (unsigned long long)r->pixels, (unsigned long long)r->overlaps, (unsigned long long)c->fights,
                 percent(c->fights, r->pixels), (unsigned long long)c->wrong, (unsigned long long)c->surprises);
     }
@@ -325,7 +317,7 @@ static void put_pairs(struct scene_report *r)
             "# Surface %u (%s) before surface %u (%s): %llu pixels, %.3g m apart or more, the least at %.4g m. With "
             "the near plane at %s m fight:",
             p->front + 1u, front, p->behind + 1u, behind, (unsigned long long)p->pixels, p->gap_m, p->z_m, near_text);
-        for (uint32_t k = 0; k < r->candidate_count && r->candidates[k].near_z == r->scene.lens.near_z; k++) {
+        for (uint32_t k = 0; k < r->candidate_count && r->candidates[k].lab.near_z == r->scene.lens.near_z; k++) {
             const struct lab_format *const format = r->candidates[k].format;
             fprintf(r->lab->rows, "%s %s %.3g %%", k > 0 ? "," : "", format->name,
                     percent(p->fights[format - lab_formats], p->pixels));
