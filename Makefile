@@ -28,6 +28,8 @@ STD = -std=c11 $(WARN)
 have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
 ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
+GIF ?= $(if $(wildcard /usr/include/gif_lib.h /usr/local/include/gif_lib.h),gif,nogif)
+GIF := $(GIF)
 SDL ?= $(if $(call have,sdl2),sdl,nosdl)
 ASSIMP := $(ASSIMP)
 PNG := $(PNG)
@@ -37,13 +39,14 @@ USB ?= $(if $(call have,libusb-1.0),usb,nousb)
 GPIOD := $(GPIOD)
 USB := $(USB)
 GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags libgpiod))
-# meshoptimizer has no pkg-config file; without model files there is nothing for it to do.
+# meshoptimizer has no pkg-config file (giflib has none, either); without model files there is nothing for it to do.
 MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h)),meshopt,nomeshopt)
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
             $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
+            $(if $(filter gif,$(GIF)),-lgif) \
             $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
             $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
@@ -70,8 +73,8 @@ $(if $(BOARDS_ODD),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_ODD): a board's name
 $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DIR=$(BOARD_DIR): $(b) is a board of Pinhole: take another name)))
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
-ROOMS := common controllers model $(patsubst host-sim/%/,%,$(dir $(MAINS)))
-HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(PNG) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) picture/$(PNG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 HOST := $(filter-out $(MAINS),$(HOST))
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
@@ -94,7 +97,7 @@ INC_CPU = $(if $(filter-out portable,$(CPU)),-I$(KERNELS)/$(CPU)) -I$(KERNELS)/p
 INC_CORE = $(INC_CPU) -Ifirmware/core
 INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
 INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
-INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common
+INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
           -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS))) $(call rooms,tests,support oracle)
