@@ -21,6 +21,14 @@ double depth_pixel_slope(const struct depth_lab *lab)
     return 2 * tan(depth_radians(depth_metres(lab->fov_deg) / 2)) / lab->height;
 }
 
+void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double *along, double *across)
+{
+    const double half_h = depth_pixel_slope(lab) * lab->height / 2, half_w = half_h * lab->width / lab->height;
+    const double c = fabs(cos(depth_radians(azimuth_deg))), s = fabs(sin(depth_radians(azimuth_deg)));
+    *along = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_h * c + half_w * s;
+    *across = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_w * c + half_h * s;
+}
+
 static bool is_float(enum ph_depth_format format)
 {
     return format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;

@@ -18,7 +18,7 @@
 #ifndef DEPTH_BUDGET_TERMS_H
 #define DEPTH_BUDGET_TERMS_H
 
-#include "depth_planes_scene.h"
+#include "depth_lab.h"
 
 enum depth_share {
     DEPTH_SHARE_INPUT,
@@ -45,11 +45,22 @@ static inline double depth_radians(double degrees)
     return degrees * (3.14159265358979323846 / 180);
 }
 
+/* How planes stand: at_m away on the axis of the camera, tilted by tilt_deg in the direction of azimuth_deg: 0 leans
+ * away at the top of the picture, 90 at its right. */
+struct planes_lean {
+    double at_m, tilt_deg, azimuth_deg;
+};
+
+#define PLANES_PARTS 64 /* of a plane's height, by which it can be moved within itself */
+
 /* The rows of lab_formats that were asked for and that the renderer draws, as bits. */
 uint32_t depth_drawn_formats(const struct depth_lab *lab);
 
 /* Slope of a pixel: the distance between the rays of two rows at a distance of 1 m. */
 double depth_pixel_slope(const struct depth_lab *lab);
+
+/* Half of the extent of the picture along and across an azimuth, as slopes. NAN: the most of all azimuths. */
+void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double *along, double *across);
 
 /* The depth step at distance z that the format's definition gives. */
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z);

@@ -11,11 +11,12 @@
 
 #include <stdio.h>
 
-#define DEPTH_AT_MAX 64
+#define DEPTH_AT_MAX 512
 
 struct depth_lab {
     fx_t near_z, far_z;     /* --near, --far: 0 < near_z < far_z */
     uint32_t formats;       /* --format: bit i is row i of lab_formats */
+    bool format_set;        /* --format was given */
     uint32_t host_formats;  /* --format: bit i is row i of depth_ieee_formats (pairs alone) */
     fx_t fov_deg;           /* --fov, vertical */
     uint16_t width, height; /* --size */
@@ -35,7 +36,7 @@ struct depth_lab {
     uint8_t exponent; /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
     uint32_t bits;    /* --bits, 0: not given */
     const char *out;  /* --out: a file or directory, or NULL */
-    const char *kind; /* plot's KIND, or NULL */
+    const char *kind; /* plot's KIND or compare's FILE, or NULL */
     const char *demo, *view, *model; /* advise: a scene; NULL: not given */
     bool camera_set, fov_set;        /* --camera, --fov were given */
     struct fx_vec3 eye, target, up;
@@ -53,6 +54,7 @@ int depth_budget(const struct depth_lab *lab);
 int depth_planes(const struct depth_lab *lab);
 int depth_slopes(const struct depth_lab *lab);
 int depth_scenes(const struct depth_lab *lab);
+int depth_compare(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
 

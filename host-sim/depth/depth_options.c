@@ -51,6 +51,7 @@ static bool set_format(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     lab->formats = lab->host_formats = 0;
+    lab->format_set = true;
     for (;;) {
         const size_t length = strcspn(value, ",");
         if (!add_format(lab, value, length)) {
@@ -168,7 +169,7 @@ static const struct option_row rows[] = {
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
-     "at most 64 numbers, each from near to far", .set = set_at},
+     "at most 512 numbers, each from near to far", .set = set_at},
     {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
      .set = set_separation},
     {"tilt", "DEG", "angle between the planes and the screen; 60 by default for advise", "degrees, -89 .. 89",
@@ -277,7 +278,8 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
         return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
-        return complain_usage("%s needs a KIND; --help lists them", command->name);
+        return complain_usage("%s needs a %s; see --help", command->name,
+                              command->run == depth_compare ? "FILE" : "KIND");
     }
     return 0;
 }
@@ -316,7 +318,7 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         return complain_usage("%s: no such command; --help lists them", argv[1]);
     }
     int i = 2;
-    if (i < argc && argv[i][0] != '-' && strstr((*command)->options, " kind ") != NULL) {
+    if (i < argc && (argv[i][0] != '-' || argv[i][1] == '\0') && strstr((*command)->options, " kind ") != NULL) {
         lab->kind = argv[i++];
     }
     while (i < argc) {

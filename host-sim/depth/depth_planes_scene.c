@@ -1,7 +1,6 @@
 #include "depth_planes_scene.h"
 
 #include "complain.h"
-#include "depth_budget_terms.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -49,14 +48,6 @@ void depth_planes_close(struct planes_canvas *canvas)
 static double clamp(double v, double least, double most)
 {
     return v < least ? least : v > most ? most : v;
-}
-
-void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double *along, double *across)
-{
-    const double half_h = depth_pixel_slope(lab) * lab->height / 2, half_w = half_h * lab->width / lab->height;
-    const double c = fabs(cos(depth_radians(azimuth_deg))), s = fabs(sin(depth_radians(azimuth_deg)));
-    *along = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_h * c + half_w * s;
-    *across = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_w * c + half_h * s;
 }
 
 struct planes_place depth_planes_whole(const struct depth_lab *lab, struct planes_lean lean, double separation_m)
@@ -162,6 +153,10 @@ static void draw_quad(struct planes_canvas *canvas, const struct planes_quad *qu
 void depth_planes_draw(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front)
 {
     struct ph_renderer *const r = &canvas->renderer;
+    if (canvas->draw != NULL) {
+        canvas->draw(canvas, behind, front);
+        return;
+    }
     ph_frame_begin(r, &canvas->view, &canvas->projection, NULL, PLANES_NONE);
     if (behind != NULL) {
         draw_quad(canvas, behind, PLANES_BEHIND);

@@ -22,7 +22,7 @@
 #ifndef DEPTH_PLANES_SCENE_H
 #define DEPTH_PLANES_SCENE_H
 
-#include "depth_lab.h"
+#include "depth_budget_terms.h"
 
 struct planes_quad {
     struct fx_vec3 a;
@@ -31,12 +31,6 @@ struct planes_quad {
 
 struct planes_pair {
     struct planes_quad behind, front;
-};
-
-/* How planes stand: at_m away on the axis of the camera, tilted by tilt_deg in the direction of azimuth_deg: 0 leans
- * away at the top of the picture, 90 at its right. */
-struct planes_lean {
-    double at_m, tilt_deg, azimuth_deg;
 };
 
 /* What is asked for. Slopes, in the direction of the azimuth, of the planes' lower and upper edge; across it of their
@@ -62,15 +56,15 @@ struct planes_canvas {
     uint8_t shading;      /* enum ph_shading, below PH_SHADE_WIRE; UNLIT at first */
     struct ph_projection projection;
     struct planes_paint paint[2]; /* of the last drawing */
-    uint16_t *pixels;             /* PLANES_NONE, PLANES_FRONT or PLANES_BEHIND */
-    uint8_t *verdicts;            /* room for a byte a pixel, for whoever counts */
+    /* NULL, or who draws in place of the renderer into pixels: so another renderer is measured by the same sweep. */
+    void (*draw)(struct planes_canvas *canvas, const struct planes_quad *behind, const struct planes_quad *front);
+    uint16_t *pixels;  /* PLANES_NONE, PLANES_FRONT or PLANES_BEHIND */
+    uint8_t *verdicts; /* room for a byte a pixel, for whoever counts */
     void *memory;
 };
 
 #define PLANES_VERTICES  512 /* of a drawing, at most */
 #define PLANES_TRIANGLES 1024
-
-#define PLANES_PARTS 64 /* of a plane's height, by which it can be moved within itself */
 
 enum { PLANES_NONE, PLANES_FRONT, PLANES_BEHIND };
 
@@ -83,9 +77,6 @@ void depth_planes_turn(struct planes_canvas *canvas, double azimuth_deg);
 
 /* Returns the widest place that picture, near and far plane allow for planes that stand so. */
 struct planes_place depth_planes_whole(const struct depth_lab *lab, struct planes_lean lean, double separation_m);
-
-/* Half of the extent of the picture along and across an azimuth, as slopes. NAN: the most of all azimuths. */
-void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double *along, double *across);
 
 /* Rounds to Q16.16. False: a plane would be a line, or its corners lie outside near .. far. */
 bool depth_planes_make(const struct depth_lab *lab, const struct planes_place *place, struct planes_pair *pair);

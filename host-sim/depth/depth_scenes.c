@@ -4,7 +4,7 @@
  * drawn twice, the second time in another shading, must not show the second time: of equal depths the first stays.
  */
 #include "complain.h"
-#include "depth_budget_terms.h"
+#include "depth_planes_scene.h"
 #include "progress.h"
 
 #include <math.h>
