@@ -118,6 +118,7 @@ $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
 $(B)/host-sim/depth/depth_budget_measure.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render)
+$(B)/host-sim/depth/depth_layers.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,host-sim,model)
 $(B)/host-sim/flash/%.o: INC = $(INC_HOST) $(call rooms,host-sim,flash)
 $(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
@@ -175,6 +176,7 @@ $(PROGRAMS): $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
+$(B)/pinhole-depth: LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@

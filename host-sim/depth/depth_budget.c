@@ -127,8 +127,9 @@ int depth_budget(const struct depth_lab *lab)
     fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         progress_show("budget", i, lab_format_count);
-        status = (rows >> i & 1) != 0 ? budget_format(lab, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
+        status = (rows >> i & 1) != 0 ? budget_format(&own, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
     }
     progress_show("budget", 1, 1);
     return status;

@@ -159,15 +159,17 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
 }
 
 /* The code that a triangle's plane has at a pixel, before it is cut off. */
-static double code_of(const struct ph_triangle *t, enum ph_depth_format format, uint32_t x, uint32_t y)
+static double code_of(const struct depth_lab *lab, const struct ph_triangle *t, enum ph_depth_format format, uint32_t x,
+                      uint32_t y)
 {
     const uint32_t value = ph_plane_at(&t->depth, x, y);
     const double signed_value = value < UINT32_MAX - 65535 ? value : value - 4294967296.0; /* a little beyond far */
     if (t->block == PH_BLOCK_LINEAR) {
         return ph_depth_linear(&t->linear, value) / 65536.0;
     }
-    return t->block != PH_BLOCK_NONE ? depth_code_of_float(format, ldexp(signed_value, -32 - t->block))
-                                     : value / (ph_depth_bytes(format) == 4 ? 256.0 : 65536.0);
+    return t->block != PH_BLOCK_NONE
+               ? depth_code_of_float(format, lab, ldexp(signed_value, -32 - ph_block_exponent(t->block)))
+               : value / (ph_depth_bytes(format) == 4 ? 256.0 : 65536.0);
 }
 
 /* Widens by the errors of the planes on a grid of pixels, in metres. Corners 0 and 2 are the diagonal. */
@@ -187,8 +189,9 @@ static void take_errors(const struct planes_canvas *canvas, const struct corner 
             const int second = side * other <= 0;
             const double distance = 1 / plane_at(&c[0], &c[2], &c[second ? 3 : 1], x, y);
             if (distance <= depth_metres(lab->far_z)) { /* a snapped corner may lead beyond, where codes end */
-                widen(error, (code_of(&triangles[second], format, column, row) - depth_code_at(format, lab, distance)) *
-                                 depth_step_m(format, lab, distance));
+                widen(error,
+                      (code_of(lab, &triangles[second], format, column, row) - depth_code_at(format, lab, distance)) *
+                          depth_step_m(format, lab, distance));
             }
         }
     }

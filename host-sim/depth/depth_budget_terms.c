@@ -29,15 +29,23 @@ void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double
     *across = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_w * c + half_h * s;
 }
 
-/* N of depth.h, in metres. */
-static double head_m(const struct depth_lab *lab)
-{
-    return depth_metres(lab->near_z) * (511 / 512.0);
-}
-
 static bool is_float(enum ph_depth_format format)
 {
     return format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+}
+
+/* A float's bits of exponent. */
+static int bits_of(const struct depth_lab *lab)
+{
+    const struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = lab->near_z, .far_z = lab->far_z};
+    return lab->exponent != 0 ? lab->exponent : (int)ph_depth_choose_exponent(&p);
+}
+
+/* N of depth.h, in metres. */
+static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
+{
+    const int bits = is_float(format) ? bits_of(lab) : 0;
+    return depth_metres(lab->near_z) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
 }
 
 static bool has_24_bits(enum ph_depth_format format)
@@ -46,40 +54,42 @@ static bool has_24_bits(enum ph_depth_format format)
 }
 
 /* d = N/w - N/f at distance z. */
-static double depth_at(const struct depth_lab *lab, double z)
+static double depth_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
     const double f = depth_metres(lab->far_z);
-    return head_m(lab) * (f - z) / (z * f);
+    return head_m(format, lab) * (f - z) / (z * f);
 }
 
-/* F of depth.h: an unsigned float with 4 bits of exponent and 12 of mantissa; and its inverse. */
-static double float_of(double d)
+/* F of depth.h: an unsigned float; and its inverse. */
+static double float_of(const struct depth_lab *lab, double d)
 {
+    const int bits = bits_of(lab), top = (1 << bits) - 1;
     int exponent;
     const double fraction = frexp(d, &exponent); /* d = fraction 2^exponent, fraction in 1/2 .. 1 */
-    return d <= 0 || exponent <= -15 ? ldexp(d, 27) : 4096 * (2 * fraction - 1 + exponent + 15);
+    return ldexp(d <= 0 || exponent <= -top ? ldexp(d, top) : 2 * fraction - 1 + exponent + top, 16 - bits);
 }
 
-static double of_float(double code)
+static double of_float(const struct depth_lab *lab, double code)
 {
-    const double octave = floor(code / 4096);
-    return octave < 1 ? ldexp(code, -27) : ldexp(1 + code / 4096 - octave, (int)octave - 16);
+    const int bits = bits_of(lab), top = (1 << bits) - 1;
+    const double octaves = ldexp(code, bits - 16), octave = floor(octaves);
+    return octave < 1 ? ldexp(octaves, -top) : ldexp(1 + octaves - octave, (int)octave - top - 1);
 }
 
-double depth_code_of_float(enum ph_depth_format format, double d)
+double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d)
 {
-    return (float_of(d) + 8) * (has_24_bits(format) ? 256 : 1);
+    return (float_of(lab, d) + 8) * (has_24_bits(format) ? 256 : 1);
 }
 
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
-    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), d = depth_at(lab, z);
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), d = depth_at(format, lab, z);
     switch (format) {
     case PH_DEPTH_FIXED24:
         return ldexp(d, 24) + 4160;
     case PH_DEPTH_FLOAT16:
     case PH_DEPTH_FLOAT24:
-        return depth_code_of_float(format, d);
+        return depth_code_of_float(format, lab, d);
     case PH_DEPTH_LINEAR_W:
         return 65408 * (f - z) / (f - n) + 16;
     default:
@@ -90,30 +100,31 @@ double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, d
 /* The distance that has this code; beyond the far plane it may be negative or infinite. */
 static double distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code)
 {
-    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), over_far = head_m(lab) / f;
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), over_far = head_m(format, lab) / f;
     switch (format) {
     case PH_DEPTH_FIXED24:
-        return head_m(lab) / (ldexp(code - 4160, -24) + over_far);
+        return head_m(format, lab) / (ldexp(code - 4160, -24) + over_far);
     case PH_DEPTH_FLOAT16:
-        return head_m(lab) / (of_float(code - 8) + over_far);
+        return head_m(format, lab) / (of_float(lab, code - 8) + over_far);
     case PH_DEPTH_FLOAT24:
-        return head_m(lab) / (of_float(code / 256 - 8) + over_far);
+        return head_m(format, lab) / (of_float(lab, code / 256 - 8) + over_far);
     case PH_DEPTH_LINEAR_W:
         return f - (code - 16) * (f - n) / 65408;
     default:
-        return head_m(lab) / (ldexp(code - 16.25, -16) + over_far);
+        return head_m(format, lab) / (ldexp(code - 16.25, -16) + over_far);
     }
 }
 
 /* d of the last bit of the code at d. For a float this is that of the octave of d. */
-static double bit_of(enum ph_depth_format format, double d)
+static double bit_of(enum ph_depth_format format, const struct depth_lab *lab, double d)
 {
     int exponent;
     if (!is_float(format)) {
         return ldexp(1, has_24_bits(format) ? -24 : -16);
     }
     frexp(d, &exponent);
-    return ldexp(1, (d <= 0 || exponent < -14 ? -14 : exponent) - (has_24_bits(format) ? 21 : 13));
+    const int bits = bits_of(lab), lowest = 2 - (1 << bits);
+    return ldexp(1, (d <= 0 || exponent < lowest ? lowest : exponent) - (has_24_bits(format) ? 25 : 17) + bits);
 }
 
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
@@ -121,7 +132,7 @@ double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, do
     if (format == PH_DEPTH_LINEAR_W) {
         return (depth_metres(lab->far_z) - depth_metres(lab->near_z)) / 65408;
     }
-    return z * z / head_m(lab) * bit_of(format, depth_at(lab, z));
+    return z * z / head_m(format, lab) * bit_of(format, lab, depth_at(format, lab, z));
 }
 
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z)
@@ -142,7 +153,7 @@ static double border_m(enum ph_depth_format format, const struct depth_lab *lab,
 {
     const double unit = format == PH_DEPTH_LINEAR_W ? ldexp(z, -26) + ldexp(depth_metres(lab->far_z), -29)
                         : is_float(format)          ? ldexp(z, -29)
-                                                    : ldexp(z * z / head_m(lab), -31);
+                                                    : ldexp(z * z / head_m(format, lab), -31);
     return divide_m(z) + unit;
 }
 
@@ -207,11 +218,11 @@ static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes
     return plane;
 }
 
-/* The exponent of the octave of d; all below 2^-14 count as one. */
-static int octave_of(double d)
+/* The exponent of the octave of d; all below the lowest count as one. */
+static int octave_of(const struct depth_lab *lab, double d)
 {
     int exponent;
-    frexp(fmax(d, ldexp(1, -15)), &exponent);
+    frexp(fmax(d, ldexp(1, 1 - (1 << bits_of(lab)))), &exponent);
     return exponent;
 }
 
@@ -232,17 +243,19 @@ struct plane_error {
 static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth_format format, double nearest,
                                       double farthest, double way)
 {
-    const int first = octave_of(depth_at(lab, nearest)), last = octave_of(depth_at(lab, farthest));
+    const int first = octave_of(lab, depth_at(format, lab, nearest)),
+              last = octave_of(lab, depth_at(format, lab, farthest));
     int over;
-    frexp(head_m(lab) / nearest, &over);
+    frexp(head_m(format, lab) / nearest, &over);
     if (first == last) {
-        const double unit = ldexp(1, last - 29);
-        const double difference = (depth_at(lab, nearest) - depth_at(lab, farthest)) / unit;
+        const double unit = ldexp(1, last - 33 + bits_of(lab));
+        const double difference = (depth_at(format, lab, nearest) - depth_at(format, lab, farthest)) / unit;
         return (struct plane_error){unit, has_24_bits(format) ? 2 * way + 4
                                                               : fmax(2 * way + 514, short_units(lab, difference))};
     }
     const bool rounded = format == PH_DEPTH_FLOAT16 && first - last <= 4;
-    return (struct plane_error){ldexp(1, over < 0 ? over - 31 : -32), (rounded ? 9 : 1) * 2 * way + 12};
+    return (struct plane_error){ldexp(1, over < 0 ? over - 31 : -32),
+                                (rounded ? 1 + ldexp(1, bits_of(lab) - 1) : 1) * 2 * way + 12};
 }
 
 /*
@@ -256,7 +269,8 @@ double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab
                              double z)
 {
     const struct whole_plane plane = whole_plane(lab, lean);
-    const double over = head_m(lab) / plane.nearest, way = (lab->width + lab->height) / 4.0 + plane.corner / sqrt(2);
+    const double over = head_m(format, lab) / plane.nearest,
+                 way = (lab->width + lab->height) / 4.0 + plane.corner / sqrt(2);
     struct plane_error error = {ldexp(1, -32), 2 * way + 4};
     double late = 0;
     if (is_float(format)) {
@@ -265,10 +279,11 @@ double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab
         error = (struct plane_error){ldexp(1, ilogb(over) - 28), 2 * way + 8};
         late = 2 * ldexp(depth_metres(lab->far_z), -30);
     } else if (format == PH_DEPTH_FIXED16) {
-        const double difference = ldexp(depth_at(lab, plane.nearest) - depth_at(lab, plane.farthest), 32);
+        const double difference =
+            ldexp(depth_at(format, lab, plane.nearest) - depth_at(format, lab, plane.farthest), 32);
         error.units = fmax(2 * way + 514, short_units(lab, difference));
     }
-    return (error.units * error.unit + ldexp(over, -29)) * z * z / head_m(lab) + late;
+    return (error.units * error.unit + ldexp(over, -29)) * z * z / head_m(format, lab) + late;
 }
 
 double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z)

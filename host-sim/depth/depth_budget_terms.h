@@ -69,7 +69,7 @@ double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, do
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
 /* The same for a d = N/w - N/f, in a float format. */
-double depth_code_of_float(enum ph_depth_format format, double d);
+double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d);
 
 /* sqrt(2) 2^-bits p z. */
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z);

@@ -12,6 +12,13 @@ int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *proj
                                      lab->near_z, lab->far_z);
 }
 
+struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row)
+{
+    struct depth_lab own = *lab;
+    own.exponent = lab_formats[row].exponent;
+    return own;
+}
+
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)
 {
     size_t length;

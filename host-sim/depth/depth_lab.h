@@ -1,7 +1,7 @@
 /*
  * depth_lab: what the commands of pinhole-depth share. A command writes CSV to lab->rows; its first line is the names
  * of the columns. The program shows it as a table, or passes it on (--csv). Lines that start with '#' are remarks: they
- * stand below the table and are no part of the CSV.
+ * stand below the table, with '#!' above it, and are no part of the CSV.
  */
 #ifndef DEPTH_LAB_H
 #define DEPTH_LAB_H
@@ -33,10 +33,15 @@ struct depth_lab {
     uint8_t shading;        /* --shading, enum ph_shading below PH_SHADE_WIRE */
     bool far_set;           /* --far was given; likewise near_set */
     bool near_set;
+    uint8_t exponent; /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
     uint32_t bits;    /* --bits, 0: not given */
     const char *out;  /* --out: a file or directory, or NULL */
     const char *kind; /* plot's KIND or compare's FILE, or NULL */
-    FILE *rows;       /* where the command writes; it is thrown away after an error */
+    const char *demo, *view, *model; /* advise: a scene; NULL: not given */
+    bool camera_set, fov_set;        /* --camera, --fov were given */
+    struct fx_vec3 eye, target, up;
+    uint32_t start, frames;
+    FILE *rows; /* where the command writes; it is thrown away after an error */
 };
 
 /* The commands return 0, COMPLAINED or PH_ERR_INVAL. */
@@ -59,6 +64,9 @@ extern const char *const depth_shading_names[PH_SHADE_WIRE];
 /* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for
  * that). */
 int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection);
+
+/* The lab for a row of lab_formats. */
+struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row);
 
 /* Runs a command with its rows into memory and returns its status. *csv is a string to free(), also after an error. */
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);

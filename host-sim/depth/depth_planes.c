@@ -139,8 +139,9 @@ static double half_too_small(const struct depth_lab *lab, double at, double tilt
     const uint32_t rows = depth_drawn_formats(lab);
     double most = 0;
     for (uint32_t i = 0; i < lab_format_count; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         if ((rows >> i & 1) != 0) {
-            most = fmax(most, depth_planes_predicted_m(lab, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
+            most = fmax(most, depth_planes_predicted_m(&own, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
         }
     }
     return fmax(most / 2, 2.0 / 65536);
@@ -207,7 +208,8 @@ static int show_pictures(const struct depth_lab *lab)
         }
     }
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        status = (rows >> i & 1) != 0 ? show_format(lab, &lab_formats[i], &pair, &picture) : 0;
+        const struct depth_lab own = depth_lab_of(lab, i);
+        status = (rows >> i & 1) != 0 ? show_format(&own, &lab_formats[i], &pair, &picture) : 0;
     }
     if (status == 0) {
         status = save_picture(lab, &picture);
@@ -270,8 +272,9 @@ int depth_planes(const struct depth_lab *lab)
           lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         progress_show("planes", i, lab_format_count);
-        status = (rows >> i & 1) != 0 ? sweep_format(lab, &lab_formats[i]) : 0;
+        status = (rows >> i & 1) != 0 ? sweep_format(&own, &lab_formats[i]) : 0;
     }
     progress_show("planes", 1, 1);
     return status != 0 ? status : show_pictures(lab);

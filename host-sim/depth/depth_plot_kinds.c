@@ -29,8 +29,10 @@ static struct style style_of(const struct lab_format *format)
         [PH_DEPTH_FIXED16] = {"#e69f00", 5}, [PH_DEPTH_FLOAT16] = {"#0072b2", 7},  [PH_DEPTH_FIXED24] = {"#d55e00", 4},
         [PH_DEPTH_FLOAT24] = {"#009e73", 6}, [PH_DEPTH_LINEAR_W] = {"#cc79a7", 9},
     };
+    static const char *const widths[] = {"#332288", "#117733", "#999933", "#882255"}; /* 3 .. 6 bits of exponent */
     if (format->kind == LAB_DRAWN) {
-        return drawn[format->format];
+        const int mark = drawn[format->format].mark;
+        return format->exponent != 0 ? (struct style){widths[format->exponent - 3], mark} : drawn[format->format];
     }
     static const struct style others[] = {
         [LAB_NDC_Q16] = {"#777777", 0}, [LAB_RECIP_Q16] = {"#b2182b", 0}, [LAB_CLIP_Q16] = {"#762a83", 0},

@@ -31,7 +31,7 @@ static const struct section sections[] = {
      {NULL, NULL},
      "",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
-     "[m],separates at z [m] (measured),up to z [m] (measured)",
+     "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
      "The separation that the renderer's formats keep with this camera up to the far plane, and the near plane from "
      "which on they separate a thousandth of that distance. Coarser steps lead to z-fighting. Formats of 16 "
      "bits take two bytes a pixel, formats of 24 bits four; linear-w takes a division a pixel, too.",
@@ -154,7 +154,7 @@ static void put_remarks(FILE *report, const char *csv, bool sentences)
     bool first = true;
     for (const char *line = strchr(csv, '\n'); line != NULL && line[1] != '\0'; line = strchr(line + 1, '\n')) {
         if (line[1] == '#') {
-            const char *const text = line + 2 + (line[2] == ' ');
+            const char *const text = line + 2 + strspn(line + 2, "!") + 1; /* "# " or "#! " */
             fprintf(report, "%s%s%s%.*s\n", first ? "\n" : "", first ? fence : "", sentences ? "- " : "",
                     (int)strcspn(text, "\n"), text);
             first = false;

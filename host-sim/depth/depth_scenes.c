@@ -276,8 +276,9 @@ int depth_scenes(const struct depth_lab *lab)
         rows != 0 ? 0 : complain_usage("--format: scenes draws with the renderer's own formats; --help lists them");
     fputs("format,bits,near,far,scene,shading,pixels,wrong,largest_wrong_m,at_m,step_m\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         progress_show("scenes", i, lab_format_count);
-        status = (rows >> i & 1) != 0 ? put_format(lab, &lab_formats[i]) : 0;
+        status = (rows >> i & 1) != 0 ? put_format(&own, &lab_formats[i]) : 0;
     }
     progress_show("scenes", 1, 1);
     return status;

@@ -42,9 +42,10 @@ int depth_slopes(const struct depth_lab *lab)
         rows != 0 ? 0 : complain_usage("--format: slopes draws with the renderer's own formats; --help lists them");
     fputs("format,bits,near,far,z_m,shading,tilt_deg,bound_m,measured_m,ratio\n", lab->rows);
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         progress_show("slopes", i, lab_format_count);
         for (uint32_t k = 0; (rows >> i & 1) != 0 && status == 0 && (k < lab->at_count || k == 0); k++) {
-            status = put_format(lab, &lab_formats[i], lab->at_count > 0 ? depth_metres(lab->at[k]) : middle);
+            status = put_format(&own, &lab_formats[i], lab->at_count > 0 ? depth_metres(lab->at[k]) : middle);
         }
     }
     progress_show("slopes", 1, 1);

@@ -21,10 +21,12 @@ static const struct depth_command commands[] = {
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      depth_monotone},
-    {"advise", "which near plane, format and bits separate S at Z; and the separation at Z with this near plane",
-     " near far format fov size at separate bits csv ",
+    {"advise",
+     "which near plane, format and bits separate S at Z; the separation at Z with this near plane; or what fights in\n"
+     "            the frames of a model or demo",
+     " near far format fov size at separate tilt bits demo view model camera start frames csv ",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
-     "[m],separates at z [m] (measured),up to z [m] (measured)",
+     "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
      depth_advise},
     {"anchors", "the numbers that the depth lab is held against, published, reproduced or ours, computed again",
      " csv ", "anchor,source,stated,here,how,verdict", depth_anchors},
@@ -61,7 +63,8 @@ static const struct depth_command commands[] = {
 static int show(const struct depth_command *command, const struct depth_lab *lab, char *csv)
 {
     if (lab->csv == NULL) {
-        depth_table_print(stdout, csv, command->headings);
+        const bool scene = lab->demo != NULL || lab->model != NULL; /* advise then has other columns */
+        depth_table_print(stdout, csv, scene ? NULL : command->headings);
         return 0;
     }
     depth_table_drop_remarks(csv);

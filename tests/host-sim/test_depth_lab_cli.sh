@@ -69,6 +69,16 @@ reed_published_these() {
         reed int24-reversed 7577 0 24 && reed int24-infinite-reversed 7578 0 24
 }
 
+# At .1 .. 10000 a float with 4 bits of exponent cannot tell 4,020 of 10,000 pairs apart, one with 5 bits 64; the renderer takes 5.
+widths_tell_these_pairs_apart() {
+    reed float16-e3 9364 0 16 && reed float16-e4 4020 0 16 && reed float16-e5 64 0 16 && reed float16-e6 2016 0 16 && reed float16 64 0 16 &&
+        reed float24-e3 2327 0 24 && reed float24-e4 0 0 24 && reed float24-e5 0 0 24 && reed float24-e6 0 0 24 && reed float24 0 0 24
+}
+
+widths_are_rows_only_by_name() {
+    ! csv pairs --count 10 | grep -q -- '-e[3-6],' && [ "$(csv pairs --count 10 --format float24-e3,fixed16 | cut -d, -f1 | tr '\n' ' ')" = "format fixed16 float24-e3 " ]
+}
+
 # Ours are never swapped, those of a Q16.16 reciprocal are.
 swaps() {
     csv pairs --near .1 --far 1000 >"$dir/pairs"
@@ -116,9 +126,9 @@ columns_say_predicted_or_measured() {
 # Distances from near to z, evenly spread over the logarithm, z among them.
 up_to() { awk -v n="$1" -v z="$2" 'BEGIN { for (i = 1; i <= 60; i++) { w = n * exp(log(z / n) * i / 61); if (w > n + 1e-4) printf "%.5f,", w } print z }'; }
 
-# What advise promises, resolve measures: at every distance up to Z with that near plane and format.
+# What advise promises, resolve measures (test_depth_advise.sh: planes that lean): at every distance up to Z with that near plane and format.
 promise() { # separate, z, far
-    csv advise --separate "$1" --at "$2" --far "$3" | tail -n +2 >"$dir/advice"
+    csv advise --separate "$1" --at "$2" --far "$3" --tilt 0 | tail -n +2 >"$dir/advice"
     [ "$(wc -l <"$dir/advice")" -ge 5 ] || return 1
     local format bits far z s least safe rest asked=0
     while IFS=, read -r format bits far z s least safe rest; do
@@ -137,14 +147,14 @@ advice_is_kept() { promise .05 100 100 && promise .01 30 100 && promise .5 400 1
 # With the least near plane halved, a fixed format no longer separates: the advice is not just safe but tight.
 advice_is_tight() {
     local near
-    near=$(field 6 fixed16 advise --separate .05 --at 90 --format fixed16)
+    near=$(field 6 fixed16 advise --separate .05 --at 90 --tilt 0 --format fixed16)
     field 7 fixed16,.*,90, resolve --near "$(awk "BEGIN { print $near / 2 }")" --at 90 --format fixed16 | awk '{ exit !($1 > .05) }'
 }
 
 # advise looks at the plateaus beside that of Z too, so it may say a little more than resolve.
 advice_works_backwards() {
     local said found
-    said=$(field 9 float16 advise --near .2 --at 50 --format float16)
+    said=$(field 9 float16 advise --near .2 --at 50 --tilt 0 --format float16)
     found=$(field 7 float16,.*,50, resolve --near .2 --at 50 --format float16)
     awk -v said="$said" -v found="$found" 'BEGIN { exit !(found > 0 && said >= found && said <= found * 1.02) }' || { echo "$said, $found" && return 1; }
 }
@@ -154,7 +164,7 @@ advice_to_far_is_s_worst() {
     local format near far said worst
     for format in fixed16 float16 fixed24 float24 linear-w; do
         while read -r near far; do
-            said=$(field 10 "$format" advise --near "$near" --far "$far" --at "$far" --format "$format")
+            said=$(field 10 "$format" advise --near "$near" --far "$far" --at "$far" --tilt 0 --format "$format")
             worst=$(field 7 "$format,.*,S_worst," resolve --near "$near" --far "$far" --at "$far" --format "$format" | head -n 1)
             awk -v said="$said" -v worst="$worst" 'BEGIN { exit !(worst > 0 && said <= worst && said >= worst * .98 - .0000153) }' ||
                 { echo "$format $near $far: $said, $worst" && return 1; }
@@ -164,7 +174,7 @@ advice_to_far_is_s_worst() {
 
 advice_is_in_sentences() {
     "$lab" advise --separate .05 --at 100 --near .5 >"$dir/text" && grep -q '^To separate 0.05 m at every distance up to 100 m with float16 (16 bits): the near plane at ' "$dir/text" &&
-        grep -q '^With the near plane at 0.5 m, fixed16 (16 bits) separates ' "$dir/text" && grep -q '^Take float16 (16 bits)' "$dir/text"
+        grep -q '^With the near plane at 0.5 m, fixed16 (16 bits) separates ' "$dir/text" && head -n 1 "$dir/text" | grep -q '^Take float16 (16 bits)'
 }
 
 twice_the_same() { csv resolve --format float16,clip-q16 >"$dir/one" && csv resolve --format float16,clip-q16 >"$dir/two" && cmp "$dir/one" "$dir/two"; }
@@ -218,6 +228,8 @@ check "pairs prints the promised columns" pairs_has_the_columns
 check "resolve prints the promised columns, S_worst last" resolve_has_the_columns
 check "every promised format has a row" every_format_has_a_row
 check "float32 counts are those that N. Reed published" reed_published_these
+check "the bits of a float's exponent tell these pairs apart" widths_tell_these_pairs_apart
+check "formats with a number of bits are measured by name alone" widths_are_rows_only_by_name
 check "the renderer never swaps two distances; a Q16.16 reciprocal does" swaps
 check "S_worst of the renderer's formats is the computed one or better" ours_reach_the_table
 check "every distance from .5 to 20 m is in order, in every format of the renderer" monotone_passes
