@@ -29,13 +29,13 @@ void proof_codes(void)
 {
     const struct ph_lens lens = any_lens();
     const struct ph_quotient q = {nondet_u32(), (int8_t)i32_between(0, 31)};
-    const int block = i32_between(0, q.s > 2 ? q.s - 2 : 0);
+    const int block = i32_between(0, q.s > 2 ? q.s - 2 : 0), down = i32_between(2, 5);
     const uint32_t d = ph_depth_at(&lens, q, block);
-    const int octave = ph_depth_octave(d, block);
-    ph_depth_in_octave(d, octave, block);
-    ph_depth_float16_value(d, octave);
-    ph_depth_float16_slope(nondet_u32(), octave);
-    ph_depth_float16_offset(octave, block);
+    const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(d, lowest);
+    ph_depth_in_octave(d, octave, lowest);
+    ph_depth_float16_value(d, octave - down);
+    ph_depth_float16_slope(nondet_u32(), octave - down);
+    ph_depth_float16_offset(octave, block, down);
 }
 
 /* The near plane's quotient is not below that of the far plane: exhaustive_depth.c. */
