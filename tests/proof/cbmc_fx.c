@@ -4,6 +4,7 @@
 #include "../../firmware/core/fx/fx.c"
 #include "../../firmware/core/fx/fx_atan.c"
 #include "../../firmware/core/fx/fx_root.c"
+#include "../../firmware/core/fx/fx_tan.c"
 #include "../../firmware/core/fx/fx_trig.c"
 
 void proof_sums(void)
@@ -78,4 +79,9 @@ void proof_tan(void)
 void proof_atan2(void)
 {
     fx_atan2(nondet_i32(), nondet_i32());
+}
+
+void proof_sqrt_u64(void)
+{
+    fx_sqrt_u64((uint64_t)i64_between(INT64_MIN, INT64_MAX));
 }

@@ -33,8 +33,18 @@ short | fx.turn32_from_deg       |                       |  1 | no overflow
 short | fx.sqrt                  |                       |  3 | no overflow
 short | fx.rsqrt                 |                       |  3 | no overflow
 long  | fx.sincos                |                       |  1 | no overflow
-long  | fx.tan                   |                       | 20 | no overflow
 long  | fx.atan2                 |                       | 13 | no overflow
+long  | fx_math.exp2             |                       | 20 | no overflow
+long  | fx_math.exp              |                       | 20 | no overflow
+long  | fx_math.log2             |                       | 20 | no overflow
+long  | fx_math.log              |                       | 20 | no overflow
+long  | fx_math.pow              |                       | 20 | no overflow
+long  | fx_math.hypot            | fx_sqrt_u64           | 20 | no overflow
+long  | fx_math.arcsin           | fx_sqrt_u64           | 20 | no overflow
+long  | fx_math.units            |                       | 20 | no overflow
+long  | fx_math.cot_half         |                       | 20 | no overflow
+long  | fx_math.whole            |                       | 20 | no overflow
+long  | fx_math.convert          |                       | 20 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
 long  | fx_text.from_text        |                       | 18 | no overflow, ends within the text
 short | clip.distance            |                       |  1 | no overflow, below 2^46
