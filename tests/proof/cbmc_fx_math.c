@@ -3,6 +3,7 @@
 
 #include "../../firmware/core/fx/fx.c"
 #include "../../firmware/core/fx/fx_arcsin.c"
+#include "../../firmware/core/fx/fx_atan.c"
 #include "../../firmware/core/fx/fx_exp.c"
 #include "../../firmware/core/fx/fx_hypot.c"
 #include "../../firmware/core/fx/fx_log.c"

@@ -2,6 +2,7 @@
 #include "proof.h"
 
 #include "../../firmware/core/fx/fx_text.c"
+#include "../../firmware/core/fx/fx_text_rounded.c"
 
 void proof_to_text(void)
 {
@@ -20,4 +21,10 @@ void proof_from_text(void)
     text[LONGEST] = '\0';
     fx_from_text(text, &out, &end);
     CLAIM(end >= text && end <= text + LONGEST);
+}
+
+void proof_to_text_rounded(void)
+{
+    char text[FX_TEXT_SIZE];
+    fx_to_text_rounded(nondet_i32(), nondet_i32(), text);
 }

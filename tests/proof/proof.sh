@@ -40,12 +40,12 @@ long  | fx_math.log2             |                       | 20 | no overflow
 long  | fx_math.log              |                       | 20 | no overflow
 long  | fx_math.pow              |                       | 20 | no overflow
 long  | fx_math.hypot            | fx_sqrt_u64           | 20 | no overflow
-long  | fx_math.arcsin           | fx_sqrt_u64           | 20 | no overflow
 long  | fx_math.units            |                       | 20 | no overflow
 long  | fx_math.cot_half         |                       | 20 | no overflow
 long  | fx_math.whole            |                       | 20 | no overflow
 long  | fx_math.convert          |                       | 20 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
+short | fx_text.to_text_rounded |                     | 24 | no overflow
 long  | fx_text.from_text        |                       | 18 | no overflow, ends within the text
 short | clip.distance            |                       |  1 | no overflow, below 2^46
 long  | clip.between             |                       |  1 | no overflow
