@@ -219,6 +219,7 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint32_t triangle_count;
+    uint32_t exact_first; /* entries of the list from here on hold exact depths, see render/exact.h */
     uint32_t carried; /* list of the triangles that continue in the next band */
     uint16_t background;
 };

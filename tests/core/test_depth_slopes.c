@@ -210,7 +210,7 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
     for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++) {
         struct rig rig;
         struct result result = {0};
-        rig_open(&rig, WIDTH, HEIGHT, 16, bounds[i].format, 3, 1);
+        rig_open(&rig, WIDTH, HEIGHT, 16, bounds[i].format, 3, 2);
         for (int n = 0; n < TRIANGLES; n++) {
             const struct lens *lens = &lenses[n % 3];
             struct fx_vec3 p[3];

@@ -131,6 +131,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->stats =
         (struct ph_stats){.depth_format = (uint8_t)(format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : format)};
     r->triangle_count = 0;
+    r->exact_first = r->config.triangle_max;
     r->carried = PH_NONE;
     return PH_OK;
 }

@@ -10,6 +10,13 @@
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
+enum {
+    STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
+    FLOAT16_OCTAVES = 8, /* that a plane of 32 bits may cross: its far end has 1/4 of a code then; for float24, 1 code */
+    FLOAT24_OCTAVES = 2,
+    LINEAR_LEAST = 26, /* log2 of 1/w at the farthest corner of such a plane; the nearest has 28 */
+};
+
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
 struct plane_base {
     const struct ph_sides *sides;
@@ -255,39 +262,54 @@ static void round_depth(struct ph_plane *plane, const uint32_t d[3], int block)
     }
 }
 
-/* A float format. The steeper a triangle, the smaller must its block exponent be: codes are steeper than d is. */
-static NOINLINE void setup_float(const struct ph_renderer *r, const struct plane_base *s,
-                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+/*
+ * Whether the gradient right is too steep: a centre that lies outside the corners by the rounding of an edge, 2^-16 px a
+ * row and 2^-15 px a column, could be more than 2^(down - 24) beyond their range. For 16.16 codes down is 42.
+ */
+static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
 {
-    uint32_t d[3];
-    t->block = ph_block_depths(r, v, bias, d);
-    int halved = depth_plane(r, s, d, t);
-    for (int block = largest_block(v); halved > 0 && (t->block == PH_BLOCK_NONE || t->block > 0);) {
-        block = t->block == PH_BLOCK_NONE ? block : ph_max(block - halved, 0);
-        t->block = (uint8_t)block;
-        depths_in_block(r, v, block, d);
-        halved = depth_plane(r, s, d, t);
-    }
-    if (t->block != PH_BLOCK_NONE && r->stats.depth_format == PH_DEPTH_FLOAT16) {
-        round_depth(&t->depth, d, t->block);
-    }
+    const uint32_t columns = fx_magnitude(s->dx1) + fx_magnitude(s->dx2);
+    const uint32_t rows = fx_magnitude(s->dy1) + fx_magnitude(s->dy2); /* both in 1/256 px */
+    return fx_mulhi_u32(fx_magnitude((int32_t)plane->gx), rows + 2 * columns) >> (down - 32) != 0;
 }
 
-/* linear-w: the plane of N/w, and how it becomes a code. */
-static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plane_base *s,
+/* A float format. False if 32 bits do not do. */
+static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
+                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+{
+    const bool float16 = r->stats.depth_format == PH_DEPTH_FLOAT16;
+    uint32_t d[3];
+    t->block = ph_block_depths(r, v, bias, d);
+    const int halved = depth_plane(r, s, d, t);
+    if (t->block == PH_BLOCK_NONE) {
+        return halved <= 0 && !is_steep(s->sides, &t->depth, STEEP);
+    }
+    if (float16) {
+        round_depth(&t->depth, d, t->block);
+    }
+    const int octaves = ph_octaves_between(d, t->block);
+    return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
+           !is_steep(s->sides, &t->depth, STEEP - octaves); /* d is below 2^32: the farthest octave is that much steeper */
+}
+
+/* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */
+static NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
                                   const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
     t->block = PH_BLOCK_LINEAR;
-    plane_exact(&t->depth, s, w);
+    const int halved = plane_exact(&t->depth, s, w);
     t->linear = r->lens.linear;
     t->linear.bias = (uint8_t)(t->linear.bias + bias);
     t->linear.down = (int8_t)(t->linear.down - least);
+    const uint32_t least_w = w[0] < w[1] ? w[0] : w[1];
+    return halved <= 0 && (least_w < w[2] ? least_w : w[2]) >> LINEAR_LEAST != 0 &&
+           !is_steep(s->sides, &t->depth, STEEP + LINEAR_LEAST - 32);
 }
 
-/* Depth and block. */
-static NOINLINE void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
+/* Depth and block. False if 32 bits do not do. */
+static NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
                                  const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const uint32_t bias = ph_depth_bias(t->material);
@@ -295,13 +317,13 @@ static NOINLINE void setup_depth(const struct ph_renderer *r, const struct plane
     t->block = PH_BLOCK_NONE;
     uint32_t d[3];
     if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
-        setup_float(r, s, v, bias, t);
-    } else if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
-        setup_linear(r, s, v, bias, t);
-    } else {
-        fixed_depths(r, v, bias, d);
-        depth_plane(r, s, d, t);
+        return setup_float(r, s, v, bias, t);
     }
+    if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
+        return setup_linear(r, s, v, bias, t);
+    }
+    fixed_depths(r, v, bias, d);
+    return depth_plane(r, s, d, t) <= 0 && !is_steep(s->sides, &t->depth, STEEP);
 }
 
 /* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
@@ -394,13 +416,14 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     t->colour = material->colour;
 }
 
-void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides)
 {
     struct plane_base base;
     plane_base(&base, v[0], sides);
-    setup_depth(r, &base, v, t);
+    const bool fits = setup_depth(r, &base, v, t);
     setup_shading(r, &base, v, uv, t);
+    return fits;
 }
 
 /* plane_base for what is rare. */
@@ -409,18 +432,18 @@ static NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *
     plane_base(base, first, sides);
 }
 
-void ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides)
 {
     struct plane_base base;
     rare_base(&base, v[0], sides);
-    setup_depth(r, &base, v, t);
+    return setup_depth(r, &base, v, t);
 }
 
-int ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
-                   const uint32_t d[3])
+bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
+                    const uint32_t d[3])
 {
     struct plane_base base;
     rare_base(&base, first, sides);
-    return plane_through(out, &base, d);
+    return plane_through(out, &base, d) <= 0 && !is_steep(sides, out, STEEP);
 }

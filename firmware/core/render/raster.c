@@ -5,6 +5,7 @@
  * So the picture does not depend on where a band begins.
  */
 #include "band.h"
+#include "exact.h"
 #include "kernels.h"
 #include "span.h"
 #include "texture.h"
@@ -121,6 +122,31 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
         struct ph_edge left, right;
         if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
             count += walk_rows(t, band, y, y_end, left, right);
+        }
+    }
+    return count;
+}
+
+/* Draws a triangle whose depth takes 64 bits: each run is a triangle of one row. */
+static NOINLINE uint32_t draw_exact(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_triangle run = *t;
+    uint32_t count = 0;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (!ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+            continue;
+        }
+        for (; y < y_end; y++) {
+            const int32_t from = left.x < 0 ? 0 : left.x >> 16;
+            const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
+            for (int32_t x = from; x < to;) {
+                x += (int32_t)ph_exact_run(t, (uint32_t)x, (uint32_t)y, (uint32_t)(to - x), &run);
+                count += t->kind == PH_KIND_TEXTURE ? ph_draw_textured(&run, band) : walk(&run, band);
+            }
+            left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
+            right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
         }
     }
     return count;
@@ -322,6 +348,9 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
 {
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
+    }
+    if (t->block == PH_BLOCK_EXACT) {
+        return draw_exact(t, band);
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);

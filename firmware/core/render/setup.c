@@ -6,6 +6,7 @@
 #include "setup.h"
 
 #include "edge.h"
+#include "exact.h"
 #include "kernels.h"
 #include "planes.h"
 
@@ -70,16 +71,16 @@ static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const
     return true;
 }
 
-/* Edges and planes of any triangle. */
+/* Edges and planes of any triangle; *fits: 32 bits do for its depth. */
 static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *material,
                                const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                               const struct ph_sides *sides, struct ph_triangle *t)
+                               const struct ph_sides *sides, struct ph_triangle *t, bool *fits)
 {
     if (misses_columns(r->config.width, v) || !setup_outline(r->config.height, v, t)) {
         return false;
     }
     t->material = material;
-    ph_set_planes(t, r, v, uv, sides);
+    *fits = ph_set_planes(t, r, v, uv, sides);
     return true;
 }
 
@@ -129,8 +130,8 @@ static inline bool small_depths(const struct ph_renderer *r, const struct ph_mat
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Sets the depth that ph_setup_small left out, or that crosses octaves. */
-static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
+/* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
+static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
                                   const struct ph_vertex *const v[3], const struct ph_sides *sides, const uint32_t d[3],
                                   enum ph_small_setup done)
 {
@@ -138,39 +139,42 @@ static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_rendere
     struct ph_triangle any;
     if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_octaves_between(d, t->block) <= 1) {
         small->d = (small->d + 4) & ~(uint32_t)7; /* rounded: see planes.c; the gradients are multiples of 256 */
-        return;
+        return true;
     }
     any.block = PH_BLOCK_NONE;
-    if (t->block != PH_BLOCK_NONE || ph_depth_plane(&any.depth, v[0], sides, d) > 0) {
-        any.material = t->material;
-        ph_set_depth(&any, r, v, sides);
+    any.material = t->material;
+    if (t->block != PH_BLOCK_NONE ? !ph_set_depth(&any, r, v, sides) : !ph_depth_plane(&any.depth, v[0], sides, d)) {
+        return false;
     }
     t->block = any.block;
     small->gd = any.depth.gx;
     small->d_dy = any.depth.gy;
     small->d = any.depth.base + (uint32_t)t->y_top * any.depth.gy;
+    return true;
 }
 
-/* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has. */
-static NOINLINE void take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
-                                      const struct ph_vertex *const v[3], const struct ph_sides *sides)
+/* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has.
+ * False if 32 bits do not do. */
+static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
+                                      const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
 {
     struct ph_triangle other;
     uint32_t d[3];
     other.material = t->material;
     if (!small_depths(r, t->material, v, d, &other.block)) {
-        return;
+        return fits;
     }
     const enum ph_small_setup done = ph_setup_small(&other, v, sides, d);
     if (done == PH_SMALL_NO_ROW) {
-        return;
+        return true;
     }
-    if (done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) {
-        finish_depth(&other, r, v, sides, d, done);
+    if ((done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) && !finish_depth(&other, r, v, sides, d, done)) {
+        return false;
     }
     const struct ph_small_triangle *const small = &other.small;
     t->block = other.block;
     t->depth = (struct ph_plane){small->d - (uint32_t)other.y_top * small->d_dy, small->gd, small->d_dy};
+    return true;
 }
 
 /* Sets up and lists any triangle that ph_setup_small cannot take. */
@@ -179,8 +183,9 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
                                   const struct ph_sides *sides, bool small)
 {
     const uint32_t n = r->triangle_count;
-    struct ph_triangle no_room, *const t = n < r->config.triangle_max ? &ph_triangles(r)[n] : &no_room;
-    if (!setup_any(r, material, v, uv, sides, t)) {
+    struct ph_triangle no_room, *const t = n < r->exact_first || ph_free_exact(r) ? &ph_triangles(r)[n] : &no_room;
+    bool fits;
+    if (!setup_any(r, material, v, uv, sides, t, &fits)) {
         return false;
     }
     if (t == &no_room) {
@@ -188,7 +193,10 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
         return true;
     }
     if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
-        take_small_depth(t, r, v, sides);
+        fits = take_small_depth(t, r, v, sides, fits);
+    }
+    if (!fits) {
+        ph_set_exact(r, n, v, sides);
     }
     r->triangle_count = n + 1;
     r->stats.triangles_drawn++;
@@ -214,7 +222,7 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
 {
     const uint32_t n = r->triangle_count;
     const bool small = is_small(sides) && is_inside(r, v);
-    if (!small || material != r->small.material || n >= r->config.triangle_max) {
+    if (!small || material != r->small.material || (n >= r->exact_first && !ph_free_exact(r))) {
         return setup_listed(r, material, v, uv, sides, small);
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
@@ -232,8 +240,8 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
     if (done == PH_SMALL_NO_ROW) {
         return false;
     }
-    if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
-        finish_depth(t, r, v, sides, d, done);
+    if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) && !finish_depth(t, r, v, sides, d, done)) {
+        return setup_listed(r, material, v, uv, sides, false);
     }
     if (r->small.shading != PH_SHADE_GOURAUD) {
         t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;

@@ -46,6 +46,18 @@ static inline void ph_small_lower(struct ph_small_triangle *small)
     small->lower_rows = 0;
 }
 
+/* The exact depth of a triangle, in an entry of its own: see exact.h. Pairs of words are 64 bits, the lower first. */
+struct ph_exact {
+    uint32_t base[2], gx[2], gy[2]; /* as in struct ph_plane */
+    uint32_t low[2], size[2];       /* range of the corners */
+    uint32_t offset;                /* added to the codes */
+    uint32_t owner;                 /* index of the triangle */
+    struct ph_plane plane;          /* depth and block that it has in 32 bits */
+    uint8_t block;
+    uint8_t kind;
+    int8_t down; /* linear-w: that of the lens */
+};
+
 /* A row of pixels or of depths, so many bytes further down. */
 static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
 {
@@ -76,6 +88,7 @@ struct ph_triangle {
             };
         };
         struct ph_small_triangle small; /* PH_KIND_SMALL */
+        struct ph_exact exact;          /* an entry at the end of the list */
     };
 };
 
@@ -83,6 +96,7 @@ struct ph_triangle {
 #define PH_SMALL_COLUMNS 32
 #define PH_BLOCK_NONE    127 /* depth is stepped in 16.16 codes */
 #define PH_BLOCK_LINEAR  126 /* linear-w: 1/w is stepped */
+#define PH_BLOCK_EXACT   125 /* depth stands depth.base entries after the triangle */
 
 static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
 {

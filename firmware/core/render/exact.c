@@ -1,0 +1,173 @@
+/* See exact.h. */
+#include "exact.h"
+
+#include "edge.h"
+#include "planes.h"
+
+enum { FIXED, FLOAT, LINEAR }; /* how a depth becomes codes */
+
+#define LOWEST 14 /* the lowest octave of a float: see ph_depth_octave */
+
+static void store(uint32_t to[2], uint64_t value)
+{
+    to[0] = (uint32_t)value;
+    to[1] = (uint32_t)(value >> 32);
+}
+
+static uint64_t load(const uint32_t from[2])
+{
+    return (uint64_t)from[1] << 32 | from[0];
+}
+
+/* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. */
+static uint64_t divide(int64_t n, uint64_t area)
+{
+    const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n, whole = m / area;
+    const uint64_t quotient = (whole << 16) + ((m - whole * area) << 16) / area;
+    return n < 0 ? 0u - quotient : quotient;
+}
+
+/* A quotient of depth.h in 2^-40. */
+static int64_t in_40_bits(uint32_t q, int s)
+{
+    return s <= 10 ? (int64_t)((uint64_t)q << (10 - s)) : s < 42 ? q >> (s - 10) : 0;
+}
+
+/* The plane through d, 2^-40, of the corners, and their range. */
+static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_vertex *first,
+                      const struct ph_sides *sides)
+{
+    const uint64_t area = (uint64_t)ph_wide_area(sides);
+    const int64_t d1 = d[1] - d[0], d2 = d[2] - d[0], x = 128 - first->x, y = 128 - first->y;
+    const uint64_t gx = divide(d2 * sides->dy1 - d1 * sides->dy2, area); /* per 1/256 px */
+    const uint64_t gy = divide(d1 * sides->dx2 - d2 * sides->dx1, area);
+    const int64_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1, least = low < 0 ? low : 0;
+    store(e->base, ((uint64_t)d[0] << 16) + gx * (uint64_t)x + gy * (uint64_t)y);
+    store(e->gx, gx << 8);
+    store(e->gy, gy << 8);
+    store(e->low, (uint64_t)(d[0] + least) << 16);
+    store(e->size, (uint64_t)((high > 0 ? high : 0) - least) << 16);
+}
+
+/* How depth becomes codes. */
+static void set_codes(struct ph_exact *e, const struct ph_renderer *r, uint32_t bias)
+{
+    const unsigned format = r->stats.depth_format;
+    const bool linear = format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC;
+    const bool floats = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+    e->kind = linear ? LINEAR : floats ? FLOAT : FIXED;
+    e->offset = linear ? 0 : floats ? bias << 13 : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    e->down = r->lens.linear.down;
+}
+
+void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides)
+{
+    if (n + 1 >= r->exact_first) {
+        return;
+    }
+    struct ph_triangle *const t = &ph_triangles(r)[n];
+    struct ph_exact *const e = &ph_triangles(r)[--r->exact_first].exact;
+    int64_t d[3];
+    set_codes(e, r, ph_depth_bias(t->material));
+    for (int i = 0; i < 3; i++) {
+        const int64_t far = e->kind == LINEAR ? 0 : in_40_bits(r->lens.far_q, r->lens.far_s);
+        const int64_t before = in_40_bits(v[i]->q, v[i]->s) - far;
+        d[i] = before > 0 ? before : 0;
+    }
+    set_plane(e, d, v[0], sides);
+    e->owner = n;
+    e->plane = t->depth;
+    e->block = t->block;
+    t->depth.base = r->exact_first - n;
+    t->block = PH_BLOCK_EXACT;
+}
+
+bool ph_free_exact(struct ph_renderer *r)
+{
+    if (r->exact_first >= r->config.triangle_max) {
+        return false;
+    }
+    const struct ph_exact *const e = &ph_triangles(r)[r->exact_first++].exact;
+    struct ph_triangle *const t = &ph_triangles(r)[e->owner];
+    t->depth = e->plane;
+    t->block = e->block;
+    return true;
+}
+
+/* Depths that become codes with one slope: bottom .. bottom + size. */
+struct range {
+    uint64_t bottom, size;
+};
+
+/* The octave, cut off where the corners' range ends. */
+static struct range range_of(const struct ph_exact *e, int octave)
+{
+    const uint64_t low = load(e->low), high = low + load(e->size), half = (uint64_t)1 << (55 - octave);
+    const uint64_t first = e->kind == FLOAT && octave == LOWEST ? 0 : half;
+    const uint64_t bottom = e->kind != FIXED && first > low ? first : low;
+    const uint64_t top = e->kind != FIXED && 2 * half - 1 < high ? 2 * half - 1 : high;
+    return (struct range){bottom, top - bottom};
+}
+
+/* How many of n pixels stay in the range. The first has depth d, which is in it. */
+static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
+{
+    uint64_t above = d - range->bottom;
+    uint32_t count = 1;
+    if (above + gd * (n - 1) <= range->size) { /* then so are all between, because depth is linear */
+        return n;
+    }
+    while (count < n && (above += gd) <= range->size) {
+        count++;
+    }
+    return count;
+}
+
+/* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. */
+static int octave_of(const struct ph_exact *e, uint64_t d)
+{
+    const uint32_t high = (uint32_t)(d >> 24);
+    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, 0) : ph_min(fx_clz32(high), 24);
+}
+
+/* For linear-w: the unit of 1/w, and of u/w and v/w with it. */
+static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, int octave, struct ph_triangle *run)
+{
+    run->block = PH_BLOCK_LINEAR;
+    run->linear.down = (int8_t)(e->down - (octave + 1));
+    const int up = t->linear.down - run->linear.down;
+    for (int i = 0; i < 2 && t->kind == PH_KIND_TEXTURE; i++) {
+        const struct ph_plane *const p = &t->attribute[i];
+        run->attribute[i] = (struct ph_plane){p->base << up, p->gx << up, p->gy << up};
+    }
+}
+
+uint32_t ph_exact_run(const struct ph_triangle *t, uint32_t x, uint32_t y, uint32_t n, struct ph_triangle *run)
+{
+    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const uint64_t gx = load(e->gx), low = load(e->low), size = load(e->size);
+    uint64_t d = load(e->base) + gx * x + load(e->gy) * y;
+    uint32_t count = 1, gd = 0;
+    const bool clamped = d - low > size;
+    if (clamped) {
+        d = (int64_t)(d - low) < 0 ? low : low + size;
+    }
+    const int octave = octave_of(e, d), down = 27 - octave;
+    if (!clamped && n > 1) {
+        const struct range range = range_of(e, octave);
+        count = pixels_in(&range, d, gx, n < PH_EXACT_RUN ? n : PH_EXACT_RUN);
+        gd = (uint32_t)((int64_t)(gx + ((uint64_t)1 << (down - 1))) >> down);
+    }
+    run->block = PH_BLOCK_NONE;
+    if (e->kind == LINEAR) {
+        scale_linear(e, t, octave, run);
+    }
+    const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0) : 0);
+    run->depth = (struct ph_plane){(uint32_t)(d >> down) + offset - x * gd, gd, 0};
+    run->y_top = (int16_t)y;
+    run->y_mid = run->y_bottom = (int16_t)(y + 1);
+    run->upper = (struct ph_edge){(int32_t)(x << 16), 0};
+    run->long_edge = (struct ph_edge){(int32_t)((x + count) << 16), 0};
+    run->long_left = false;
+    return count;
+}

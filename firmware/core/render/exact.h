@@ -1,0 +1,31 @@
+/*
+ * exact: depth of triangles whose plane does not fit 32 bits. Private to firmware/core.
+ *
+ * Such a triangle is nearly edge-on, or crosses many octaves of a float. Its plane has 64 bits. It stands in an entry of
+ * its own at the end of the list of triangles. When the list is full the last such entry gives way to a triangle, whose
+ * owner then has the plane of 32 bits, flattened if it is too steep.
+ *
+ * The sum is exact modulo 2^64 however steep the plane is. Only at a centre that lies outside the corners by the
+ * rounding of an edge may it be far off; so it is clamped to the corners' range.
+ *
+ * The unit is 2^-56 of N/w - N/f, for linear-w of N/w. A row is drawn in runs. In a run depth is stepped in 32 bits; it
+ * stays in one octave of a float, and so its codes have all of their bits.
+ */
+#ifndef PH_EXACT_H
+#define PH_EXACT_H
+
+#include "sides.h"
+#include "triangle.h"
+
+#define PH_EXACT_RUN 128 /* pixels; the rounded step of a run is 1/4 of a 24-bit code off at its end */
+
+/* Gives triangle number n, the next of the list, an exact plane if there is room. */
+void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides);
+
+/* Makes room for a triangle. False if no exact plane is there. */
+bool ph_free_exact(struct ph_renderer *r);
+
+/* Makes `run`, a copy of t, the next run of at most n pixels from pixel (x, y) on. Returns its pixels. */
+uint32_t ph_exact_run(const struct ph_triangle *t, uint32_t x, uint32_t y, uint32_t n, struct ph_triangle *run);
+
+#endif
