@@ -11,7 +11,8 @@
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
 enum {
-    STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
+    STEEP = 42, /* for 16.16 codes: 4 codes; see is_steep */
+    ROUGH = -32, /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
     FLOAT16_OCTAVES = 8, /* that a plane of 32 bits may cross: its far end has 1/4 of a code then; for float24, 1 code */
     FLOAT24_OCTAVES = 2,
     LINEAR_LEAST = 26, /* log2 of 1/w at the farthest corner of such a plane; the nearest has 28 */
@@ -189,6 +190,36 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
     return down < 32 ? v->q >> down : 0;
 }
 
+/* How far a centre may lie outside the corners by the rounding of edges, 2^-16 px a row and 2^-15 px a column: at most
+ * this, 2^-24 px. It is also more than the extent of the triangle, 1/256 px. */
+static uint32_t reach(const struct ph_sides *s)
+{
+    const uint32_t columns = fx_magnitude(s->dx1) + fx_magnitude(s->dx2);
+    return fx_magnitude(s->dy1) + fx_magnitude(s->dy2) + 2 * columns;
+}
+
+/* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP. */
+static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
+{
+    return fx_mulhi_u32(fx_magnitude((int32_t)plane->gx), reach(s)) >> (down - 32) != 0;
+}
+
+/* Whether 15 bits of a difference are too few, because the triangle is thin: they are off by 2^-15 of the difference of
+ * depth times the square of the longest side over the area. */
+static bool is_rough(const struct ph_sides *s, const uint32_t v[3])
+{
+    const uint32_t d = ph_without_sign((int32_t)(v[1] - v[0])) | ph_without_sign((int32_t)(v[2] - v[0]));
+    const uint32_t side = ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) |
+                          ph_without_sign(s->dy2);
+    return s->is_short && fx_clz32((uint32_t)s->area) - fx_clz32(d) - 2 * fx_clz32(side | 1) > ROUGH;
+}
+
+/* plane_through for 16.16 codes, to the last bit where it is needed. */
+static int plane_codes(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
+{
+    return is_rough(s->sides, v) ? plane_exact(out, s, v) : plane_through(out, s, v);
+}
+
 /*
  * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are the finest.
  * Returns how often its gradient was halved.
@@ -197,7 +228,7 @@ static NOINLINE int depth_plane(const struct ph_renderer *r, const struct plane_
                                 struct ph_triangle *t)
 {
     return r->stats.depth_format >= PH_DEPTH_FIXED24 || t->block != PH_BLOCK_NONE ? plane_exact(&t->depth, s, d)
-                                                                                  : plane_through(&t->depth, s, d);
+                                                                                  : plane_codes(&t->depth, s, d);
 }
 
 /* Depth of the corners in the fixed formats. */
@@ -260,17 +291,6 @@ static void round_depth(struct ph_plane *plane, const uint32_t d[3], int block)
         plane->gx = (plane->gx + 4) & ~(uint32_t)7;
         plane->gy = (plane->gy + 4) & ~(uint32_t)7;
     }
-}
-
-/*
- * Whether the gradient right is too steep: a centre that lies outside the corners by the rounding of an edge, 2^-16 px a
- * row and 2^-15 px a column, could be more than 2^(down - 24) beyond their range. For 16.16 codes down is 42.
- */
-static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
-{
-    const uint32_t columns = fx_magnitude(s->dx1) + fx_magnitude(s->dx2);
-    const uint32_t rows = fx_magnitude(s->dy1) + fx_magnitude(s->dy2); /* both in 1/256 px */
-    return fx_mulhi_u32(fx_magnitude((int32_t)plane->gx), rows + 2 * columns) >> (down - 32) != 0;
 }
 
 /* A float format. False if 32 bits do not do. */
@@ -445,5 +465,5 @@ bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const s
 {
     struct plane_base base;
     rare_base(&base, first, sides);
-    return plane_through(out, &base, d) <= 0 && !is_steep(sides, out, STEEP);
+    return plane_codes(out, &base, d) <= 0 && !is_steep(sides, out, STEEP);
 }
