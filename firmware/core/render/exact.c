@@ -19,11 +19,18 @@ static uint64_t load(const uint32_t from[2])
     return (uint64_t)from[1] << 32 | from[0];
 }
 
-/* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. */
-static uint64_t divide(int64_t n, uint64_t area)
+/* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. For short sides the last 8 bits may
+ * be missing, which saves a division. */
+static uint64_t divide(int64_t n, uint64_t area, bool is_short)
 {
-    const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n, whole = m / area;
-    const uint64_t quotient = (whole << 16) + ((m - whole * area) << 16) / area;
+    const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const uint32_t high = (uint32_t)(m >> 32);
+    const int zeros = high != 0 ? fx_clz32(high) : 32, up = ph_min(zeros, 16);
+    const uint64_t whole = (m << up) / area;
+    uint64_t quotient = whole << (16 - up);
+    if (!is_short && up < 16) {
+        quotient += (((m << up) - whole * area) << (16 - up)) / area;
+    }
     return n < 0 ? 0u - quotient : quotient;
 }
 
@@ -39,8 +46,8 @@ static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_ve
 {
     const uint64_t area = (uint64_t)ph_wide_area(sides);
     const int64_t d1 = d[1] - d[0], d2 = d[2] - d[0], x = 128 - first->x, y = 128 - first->y;
-    const uint64_t gx = divide(d2 * sides->dy1 - d1 * sides->dy2, area); /* per 1/256 px */
-    const uint64_t gy = divide(d1 * sides->dx2 - d2 * sides->dx1, area);
+    const uint64_t gx = divide(d2 * sides->dy1 - d1 * sides->dy2, area, sides->is_short); /* per 1/256 px */
+    const uint64_t gy = divide(d1 * sides->dx2 - d2 * sides->dx1, area, sides->is_short);
     const int64_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1, least = low < 0 ? low : 0;
     store(e->base, ((uint64_t)d[0] << 16) + gx * (uint64_t)x + gy * (uint64_t)y);
     store(e->gx, gx << 8);

@@ -12,7 +12,7 @@
 
 enum {
     STEEP = 42, /* for 16.16 codes: 4 codes; see is_steep */
-    ROUGH = -32, /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
+    ROUGH = -31, /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
     FLOAT16_OCTAVES = 8, /* that a plane of 32 bits may cross: its far end has 1/4 of a code then; for float24, 1 code */
     FLOAT24_OCTAVES = 2,
     LINEAR_LEAST = 26, /* log2 of 1/w at the farthest corner of such a plane; the nearest has 28 */
@@ -194,41 +194,38 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
  * this, 2^-24 px. It is also more than the extent of the triangle, 1/256 px. */
 static uint32_t reach(const struct ph_sides *s)
 {
-    const uint32_t columns = fx_magnitude(s->dx1) + fx_magnitude(s->dx2);
-    return fx_magnitude(s->dy1) + fx_magnitude(s->dy2) + 2 * columns;
+    const uint32_t columns = ph_without_sign(s->dx1) + ph_without_sign(s->dx2);
+    return ph_without_sign(s->dy1) + ph_without_sign(s->dy2) + 2 * columns;
 }
 
 /* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP. */
 static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
 {
-    return fx_mulhi_u32(fx_magnitude((int32_t)plane->gx), reach(s)) >> (down - 32) != 0;
+    const uint32_t gx = ph_without_sign((int32_t)plane->gx);
+    return gx >> (down - 24) != 0 && fx_mulhi_u32(gx, reach(s)) >> (down - 32) != 0; /* reach is below 2^24 */
 }
 
 /* Whether 15 bits of a difference are too few, because the triangle is thin: they are off by 2^-15 of the difference of
  * depth times the square of the longest side over the area. */
-static bool is_rough(const struct ph_sides *s, const uint32_t v[3])
+static inline bool is_rough(const struct plane_base *base, const uint32_t v[3])
 {
+    const struct ph_sides *const s = base->sides;
+    if (!s->is_short) {
+        return false;
+    }
     const uint32_t d = ph_without_sign((int32_t)(v[1] - v[0])) | ph_without_sign((int32_t)(v[2] - v[0]));
     const uint32_t side = ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) |
-                          ph_without_sign(s->dy2);
-    return s->is_short && fx_clz32((uint32_t)s->area) - fx_clz32(d) - 2 * fx_clz32(side | 1) > ROUGH;
-}
-
-/* plane_through for 16.16 codes, to the last bit where it is needed. */
-static int plane_codes(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
-{
-    return is_rough(s->sides, v) ? plane_exact(out, s, v) : plane_through(out, s, v);
+                          ph_without_sign(s->dy2) | 1;
+    return base->shift - fx_clz32(d) - 2 * fx_clz32(side) > ROUGH;
 }
 
 /*
- * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are the finest.
- * Returns how often its gradient was halved.
+ * The plane of depth d: to its last bit for codes of 24 bits, for thin triangles, and across octaves, where the far ones
+ * are the finest. Returns how often its gradient was halved.
  */
-static NOINLINE int depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t d[3],
-                                struct ph_triangle *t)
+static NOINLINE int depth_plane(const struct plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
 {
-    return r->stats.depth_format >= PH_DEPTH_FIXED24 || t->block != PH_BLOCK_NONE ? plane_exact(&t->depth, s, d)
-                                                                                  : plane_codes(&t->depth, s, d);
+    return exact || is_rough(s, d) ? plane_exact(out, s, d) : plane_through(out, s, d);
 }
 
 /* Depth of the corners in the fixed formats. */
@@ -282,11 +279,11 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
 /*
  * Rounds a plane of float16 that crosses octaves, so that its codes are the same from wherever a row is begun: no bit
  * of a gradient is lost when it is shifted to the slope of an octave. Over more than five octaves that would cost the
- * far end its precision: such a plane stays as it is. d: of the corners.
+ * far end its precision: such a plane stays as it is.
  */
-static void round_depth(struct ph_plane *plane, const uint32_t d[3], int block)
+static void round_depth(struct ph_plane *plane, int octaves)
 {
-    if (ph_octaves_between(d, block) <= 4) {
+    if (octaves <= 4) {
         plane->base = (plane->base + 4) & ~(uint32_t)7;
         plane->gx = (plane->gx + 4) & ~(uint32_t)7;
         plane->gy = (plane->gy + 4) & ~(uint32_t)7;
@@ -300,14 +297,14 @@ static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane
     const bool float16 = r->stats.depth_format == PH_DEPTH_FLOAT16;
     uint32_t d[3];
     t->block = ph_block_depths(r, v, bias, d);
-    const int halved = depth_plane(r, s, d, t);
+    const int halved = depth_plane(s, !float16 || t->block != PH_BLOCK_NONE, d, &t->depth);
     if (t->block == PH_BLOCK_NONE) {
         return halved <= 0 && !is_steep(s->sides, &t->depth, STEEP);
     }
-    if (float16) {
-        round_depth(&t->depth, d, t->block);
-    }
     const int octaves = ph_octaves_between(d, t->block);
+    if (float16) {
+        round_depth(&t->depth, octaves);
+    }
     return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
            !is_steep(s->sides, &t->depth, STEEP - octaves); /* d is below 2^32: the farthest octave is that much steeper */
 }
@@ -343,7 +340,7 @@ static NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane
         return setup_linear(r, s, v, bias, t);
     }
     fixed_depths(r, v, bias, d);
-    return depth_plane(r, s, d, t) <= 0 && !is_steep(s->sides, &t->depth, STEEP);
+    return depth_plane(s, format != PH_DEPTH_FIXED16, d, &t->depth) <= 0 && !is_steep(s->sides, &t->depth, STEEP);
 }
 
 /* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
@@ -465,5 +462,5 @@ bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const s
 {
     struct plane_base base;
     rare_base(&base, first, sides);
-    return plane_codes(out, &base, d) <= 0 && !is_steep(sides, out, STEEP);
+    return depth_plane(&base, false, d, out) <= 0 && !is_steep(sides, out, STEEP);
 }

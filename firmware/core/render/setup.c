@@ -130,6 +130,25 @@ static inline bool small_depths(const struct ph_renderer *r, const struct ph_mat
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
+/* Whether a triangle lies between all pixel centres, as thin ones often do. */
+static bool covers_none(const struct ph_small_triangle *s)
+{
+    uint32_t left = s->left, right = s->right, left_dx = s->left_dx, right_dx = s->right_dx;
+    for (uint32_t lower = 0; lower < 2; lower++) {
+        for (uint32_t n = lower ? s->lower_rows : s->upper_rows; n > 0; n--) {
+            if (left >> 16 < right >> 16) {
+                return false;
+            }
+            left += left_dx;
+            right += right_dx;
+        }
+        uint32_t *const x = s->lower_is_right ? &right : &left, *const dx = s->lower_is_right ? &right_dx : &left_dx;
+        *x = (uint32_t)s->lower.x;
+        *dx = (uint32_t)s->lower.dx;
+    }
+    return true;
+}
+
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
 static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
                                   const struct ph_vertex *const v[3], const struct ph_sides *sides, const uint32_t d[3],
@@ -237,7 +256,7 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
         return false;
     }
     const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
-    if (done == PH_SMALL_NO_ROW) {
+    if (done == PH_SMALL_NO_ROW || (done == PH_SMALL_STEEP && covers_none(&t->small))) {
         return false;
     }
     if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) && !finish_depth(t, r, v, sides, d, done)) {
