@@ -106,7 +106,7 @@ struct range {
     uint64_t bottom, size;
 };
 
-/* The octave, cut off where the corners' range ends. */
+/* The octave of a depth in the corners' range, cut off where that ends. */
 static struct range range_of(const struct ph_exact *e, int octave)
 {
     const uint64_t low = load(e->low), high = low + load(e->size), half = (uint64_t)1 << (55 - octave);
@@ -116,18 +116,9 @@ static struct range range_of(const struct ph_exact *e, int octave)
     return (struct range){bottom, top - bottom};
 }
 
-/* How many of n pixels stay in the range. The first has depth d, which is in it. */
-static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
+static inline bool holds(const struct range *range, uint64_t d)
 {
-    uint64_t above = d - range->bottom;
-    uint32_t count = 1;
-    if (above + gd * (n - 1) <= range->size) { /* then so are all between, because depth is linear */
-        return n;
-    }
-    while (count < n && (above += gd) <= range->size) {
-        count++;
-    }
-    return count;
+    return d - range->bottom <= range->size;
 }
 
 /* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. */
@@ -149,32 +140,96 @@ static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, 
     }
 }
 
-uint32_t ph_exact_run(const struct ph_triangle *t, uint32_t x, uint32_t y, uint32_t n, struct ph_triangle *run)
+static inline uint64_t depth_at(const struct ph_exact *e, uint32_t x, uint32_t y)
+{
+    return load(e->base) + load(e->gx) * x + load(e->gy) * y;
+}
+
+/* A gradient in the unit of an octave, rounded. */
+static inline uint32_t slope_of(const uint32_t gradient[2], int octave)
+{
+    const int down = 27 - octave;
+    return (uint32_t)((int64_t)(load(gradient) + ((uint64_t)1 << (down - 1))) >> down);
+}
+
+/* The plane of a run, through d at pixel (x, y). */
+static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y, struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t[t->depth.base].exact;
-    const uint64_t gx = load(e->gx), low = load(e->low), size = load(e->size);
-    uint64_t d = load(e->base) + gx * x + load(e->gy) * y;
-    uint32_t count = 1, gd = 0;
-    const bool clamped = d - low > size;
-    if (clamped) {
-        d = (int64_t)(d - low) < 0 ? low : low + size;
-    }
-    const int octave = octave_of(e, d), down = 27 - octave;
-    if (!clamped && n > 1) {
-        const struct range range = range_of(e, octave);
-        count = pixels_in(&range, d, gx, n < PH_EXACT_RUN ? n : PH_EXACT_RUN);
-        gd = (uint32_t)((int64_t)(gx + ((uint64_t)1 << (down - 1))) >> down);
-    }
+    const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0) : 0);
+    const uint32_t gx = slope_of(e->gx, octave), gy = slope_of(e->gy, octave);
+    run->depth = (struct ph_plane){(uint32_t)(d >> (27 - octave)) + offset - x * gx - y * gy, gx, gy};
     run->block = PH_BLOCK_NONE;
     if (e->kind == LINEAR) {
         scale_linear(e, t, octave, run);
     }
-    const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0) : 0);
-    run->depth = (struct ph_plane){(uint32_t)(d >> down) + offset - x * gd, gd, 0};
+}
+
+/* The outline of a run: rows y .. y_end - 1 between two edges, which are given at row y. */
+static void set_rows(struct ph_triangle *run, int32_t y, int32_t y_end, struct ph_edge left, struct ph_edge right)
+{
     run->y_top = (int16_t)y;
-    run->y_mid = run->y_bottom = (int16_t)(y + 1);
-    run->upper = (struct ph_edge){(int32_t)(x << 16), 0};
-    run->long_edge = (struct ph_edge){(int32_t)((x + count) << 16), 0};
+    run->y_mid = run->y_bottom = (int16_t)y_end;
+    run->upper = left;
+    run->long_edge = right;
     run->long_left = false;
+}
+
+bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
+{
+    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const int32_t more = strip->y_end - 1 - strip->y;
+    const int32_t left = strip->left.x >> 16, left_end = (strip->left.x + more * strip->left.dx) >> 16;
+    const int32_t right = strip->right.x >> 16, right_end = (strip->right.x + more * strip->right.dx) >> 16;
+    const int32_t x = ph_max(ph_min(left, left_end), 0), x_end = ph_min(ph_max(right, right_end), strip->width);
+    if (x >= x_end || x_end - x > PH_EXACT_RUN) {
+        return false;
+    }
+    const uint32_t x0 = (uint32_t)x, x1 = (uint32_t)x_end - 1, y0 = (uint32_t)strip->y, y1 = (uint32_t)strip->y_end - 1;
+    const uint64_t d = depth_at(e, x0, y0);
+    const int octave = octave_of(e, d);
+    const struct range range = range_of(e, octave);
+    if (d - load(e->low) > load(e->size) || !holds(&range, depth_at(e, x1, y0)) || !holds(&range, depth_at(e, x0, y1)) ||
+        !holds(&range, depth_at(e, x1, y1))) {
+        return false;
+    }
+    const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2; /* there the rounding of the gradients counts least */
+    set_run(t, depth_at(e, x_mid, y_mid), octave, x_mid, y_mid, run);
+    set_rows(run, strip->y, strip->y_end, strip->left, strip->right);
+    return true;
+}
+
+/* How many of n pixels from (x, y) on stay in the range. The first has depth d, which is in it. */
+static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
+{
+    uint32_t count = 1;
+    if (holds(range, d + gd * (n - 1))) { /* then so are all between, because depth is linear */
+        return n;
+    }
+    while (count < n && holds(range, d += gd)) {
+        count++;
+    }
     return count;
+}
+
+int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run)
+{
+    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const uint64_t low = load(e->low), size = load(e->size);
+    const uint32_t n = (uint32_t)ph_min(x_end - x, PH_EXACT_RUN);
+    uint64_t d = depth_at(e, (uint32_t)x, (uint32_t)y);
+    uint32_t count = 1;
+    const bool clamped = d - low > size;
+    if (clamped) {
+        d = (int64_t)(d - low) < 0 ? low : low + size;
+    }
+    const int octave = octave_of(e, d);
+    if (!clamped && n > 1) {
+        const struct range range = range_of(e, octave);
+        count = pixels_in(&range, d, load(e->gx), n);
+    }
+    const uint32_t mid = (count - 1) / 2;
+    set_run(t, d + mid * load(e->gx), octave, (uint32_t)x + mid, (uint32_t)y, run);
+    set_rows(run, y, y + 1, (struct ph_edge){x * 65536, 0}, (struct ph_edge){(x + (int32_t)count) * 65536, 0});
+    return (int32_t)count;
 }

@@ -13,8 +13,8 @@
 enum {
     STEEP = 42, /* for 16.16 codes: 4 codes; see is_steep */
     ROUGH = -31, /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
-    FLOAT16_OCTAVES = 8, /* that a plane of 32 bits may cross: its far end has 1/4 of a code then; for float24, 1 code */
-    FLOAT24_OCTAVES = 2,
+    FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross */
+    FLOAT24_OCTAVES = 0,
     LINEAR_LEAST = 26, /* log2 of 1/w at the farthest corner of such a plane; the nearest has 28 */
 };
 
@@ -277,17 +277,15 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
 }
 
 /*
- * Rounds a plane of float16 that crosses octaves, so that its codes are the same from wherever a row is begun: no bit
- * of a gradient is lost when it is shifted to the slope of an octave. Over more than five octaves that would cost the
- * far end its precision: such a plane stays as it is.
+ * Rounds a plane that crosses octaves, so that its codes are the same from wherever a row is begun: no bit of a gradient
+ * is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its precision:
+ * such a plane stays as it is.
  */
-static void round_depth(struct ph_plane *plane, int octaves)
+static void round_depth(struct ph_plane *plane)
 {
-    if (octaves <= 4) {
-        plane->base = (plane->base + 4) & ~(uint32_t)7;
-        plane->gx = (plane->gx + 4) & ~(uint32_t)7;
-        plane->gy = (plane->gy + 4) & ~(uint32_t)7;
-    }
+    plane->base = (plane->base + 4) & ~(uint32_t)7;
+    plane->gx = (plane->gx + 4) & ~(uint32_t)7;
+    plane->gy = (plane->gy + 4) & ~(uint32_t)7;
 }
 
 /* A float format. False if 32 bits do not do. */
@@ -303,7 +301,7 @@ static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane
     }
     const int octaves = ph_octaves_between(d, t->block);
     if (float16) {
-        round_depth(&t->depth, octaves);
+        round_depth(&t->depth);
     }
     return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
            !is_steep(s->sides, &t->depth, STEEP - octaves); /* d is below 2^32: the farthest octave is that much steeper */
