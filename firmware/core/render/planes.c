@@ -14,8 +14,8 @@ enum {
     STEEP = 42, /* for 16.16 codes: 4 codes; see is_steep */
     ROUGH = -31, /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
     FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross */
-    FLOAT24_OCTAVES = 0,
-    LINEAR_LEAST = 26, /* log2 of 1/w at the farthest corner of such a plane; the nearest has 28 */
+    FLOAT24_OCTAVES = 2,
+    LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
 };
 
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
@@ -202,7 +202,8 @@ static uint32_t reach(const struct ph_sides *s)
 static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
 {
     const uint32_t gx = ph_without_sign((int32_t)plane->gx);
-    return gx >> (down - 24) != 0 && fx_mulhi_u32(gx, reach(s)) >> (down - 32) != 0; /* reach is below 2^24 */
+    const int most = s->is_short ? 17 : 24; /* bits of reach */
+    return gx >> (down - most) != 0 && fx_mulhi_u32(gx, reach(s)) >> (down - 32) != 0;
 }
 
 /* Whether 15 bits of a difference are too few, because the triangle is thin: they are off by 2^-15 of the difference of
@@ -254,10 +255,21 @@ static int largest_block(const struct ph_vertex *const v[3])
     return ph_max(least_exponent(v) - 2, 0);
 }
 
-int ph_octaves_between(const uint32_t d[3], int block)
+/* The nearest and the farthest octave of the corners. */
+struct octaves {
+    int near, far;
+};
+
+static struct octaves octaves_of(const uint32_t d[3], int block)
 {
     const int a = ph_depth_octave(d[0], block), b = ph_depth_octave(d[1], block), c = ph_depth_octave(d[2], block);
-    return ph_max(ph_max(a, b), c) - ph_min(ph_min(a, b), c);
+    return (struct octaves){ph_min(ph_min(a, b), c), ph_max(ph_max(a, b), c)};
+}
+
+int ph_octaves_between(const uint32_t d[3], int block)
+{
+    const struct octaves octaves = octaves_of(d, block);
+    return octaves.far - octaves.near;
 }
 
 NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
@@ -281,11 +293,12 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
  * is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its precision:
  * such a plane stays as it is.
  */
-static void round_depth(struct ph_plane *plane)
+static void round_depth(struct ph_plane *plane, int bits)
 {
-    plane->base = (plane->base + 4) & ~(uint32_t)7;
-    plane->gx = (plane->gx + 4) & ~(uint32_t)7;
-    plane->gy = (plane->gy + 4) & ~(uint32_t)7;
+    const uint32_t half = (1u << bits) >> 1, mask = UINT32_MAX << bits;
+    plane->base = (plane->base + half) & mask;
+    plane->gx = (plane->gx + half) & mask;
+    plane->gy = (plane->gy + half) & mask;
 }
 
 /* A float format. False if 32 bits do not do. */
@@ -299,10 +312,9 @@ static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane
     if (t->block == PH_BLOCK_NONE) {
         return halved <= 0 && !is_steep(s->sides, &t->depth, STEEP);
     }
-    const int octaves = ph_octaves_between(d, t->block);
-    if (float16) {
-        round_depth(&t->depth);
-    }
+    const struct octaves at = octaves_of(d, t->block);
+    const int octaves = at.far - at.near;
+    round_depth(&t->depth, float16 ? 3 : ph_max(3 - at.near, 0));
     return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
            !is_steep(s->sides, &t->depth, STEEP - octaves); /* d is below 2^32: the farthest octave is that much steeper */
 }
@@ -319,8 +331,10 @@ static NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plan
     t->linear.bias = (uint8_t)(t->linear.bias + bias);
     t->linear.down = (int8_t)(t->linear.down - least);
     const uint32_t least_w = w[0] < w[1] ? w[0] : w[1];
-    return halved <= 0 && (least_w < w[2] ? least_w : w[2]) >> LINEAR_LEAST != 0 &&
-           !is_steep(s->sides, &t->depth, STEEP + LINEAR_LEAST - 32);
+    const int zeros = fx_clz32(least_w < w[2] ? least_w : w[2]), far_zeros = 3 + r->lens.far_s - least;
+    /* At the far plane w changes by as much of itself as 1/w does, before it by less in codes. */
+    return halved <= 0 && zeros <= LINEAR_ZEROS &&
+           !is_steep(s->sides, &t->depth, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 50));
 }
 
 /* Depth and block. False if 32 bits do not do. */

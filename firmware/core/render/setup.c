@@ -130,23 +130,37 @@ static inline bool small_depths(const struct ph_renderer *r, const struct ph_mat
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Whether a triangle lies between all pixel centres, as thin ones often do. */
-static bool covers_none(const struct ph_small_triangle *s)
+/* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. */
+static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t rows)
 {
-    uint32_t left = s->left, right = s->right, left_dx = s->left_dx, right_dx = s->right_dx;
-    for (uint32_t lower = 0; lower < 2; lower++) {
-        for (uint32_t n = lower ? s->lower_rows : s->upper_rows; n > 0; n--) {
-            if (left >> 16 < right >> 16) {
-                return false;
-            }
-            left += left_dx;
-            right += right_dx;
+    for (; rows > 0; rows--) {
+        if (left.x >> 16 < right.x >> 16) {
+            return false;
         }
-        uint32_t *const x = s->lower_is_right ? &right : &left, *const dx = s->lower_is_right ? &right_dx : &left_dx;
-        *x = (uint32_t)s->lower.x;
-        *dx = (uint32_t)s->lower.dx;
+        left.x += left.dx;
+        right.x += right.dx;
     }
     return true;
+}
+
+/* Whether a triangle lies between all pixel centres, as thin ones often do. */
+static bool is_empty(const struct ph_triangle *t)
+{
+    const int32_t upper = t->y_mid - t->y_top, lower = t->y_bottom - t->y_mid;
+    const struct ph_edge below = {t->long_edge.x + upper * t->long_edge.dx, t->long_edge.dx};
+    return t->long_left ? rows_are_empty(t->long_edge, t->upper, upper) && rows_are_empty(below, t->lower, lower)
+                        : rows_are_empty(t->upper, t->long_edge, upper) && rows_are_empty(t->lower, below, lower);
+}
+
+static bool small_is_empty(const struct ph_small_triangle *s)
+{
+    const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
+    const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
+    const int32_t rows = s->upper_rows;
+    const struct ph_edge left_below = {left.x + rows * left.dx, left.dx}, right_below = {right.x + rows * right.dx, right.dx};
+    return rows_are_empty(left, right, rows) &&
+           (s->lower_is_right ? rows_are_empty(left_below, s->lower, s->lower_rows)
+                              : rows_are_empty(s->lower, right_below, s->lower_rows));
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
@@ -215,6 +229,9 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
         fits = take_small_depth(t, r, v, sides, fits);
     }
     if (!fits) {
+        if (is_empty(t)) {
+            return false;
+        }
         ph_set_exact(r, n, v, sides);
     }
     r->triangle_count = n + 1;
@@ -256,7 +273,7 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
         return false;
     }
     const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
-    if (done == PH_SMALL_NO_ROW || (done == PH_SMALL_STEEP && covers_none(&t->small))) {
+    if (done == PH_SMALL_NO_ROW || (done == PH_SMALL_STEEP && small_is_empty(&t->small))) {
         return false;
     }
     if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) && !finish_depth(t, r, v, sides, d, done)) {
