@@ -190,12 +190,18 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
     return down < 32 ? v->q >> down : 0;
 }
 
-/* How far a centre may lie outside the corners by the rounding of edges, 2^-16 px a row and 2^-15 px a column: at most
- * this, 2^-24 px. It is also more than the extent of the triangle, 1/256 px. */
+/* Twice the extent of a triangle along an axis. */
+static inline uint32_t twice_extent(int32_t d1, int32_t d2)
+{
+    return fx_magnitude(d1) + fx_magnitude(d2) + fx_magnitude(d2 - d1);
+}
+
+/* How far a centre may lie outside the corners by the rounding of edges, 2^-24 px: 2^-16 px a row, and on short sides
+ * 2^-15 px a column. */
 static uint32_t reach(const struct ph_sides *s)
 {
-    const uint32_t columns = ph_without_sign(s->dx1) + ph_without_sign(s->dx2);
-    return ph_without_sign(s->dy1) + ph_without_sign(s->dy2) + 2 * columns;
+    const uint32_t rows = twice_extent(s->dy1, s->dy2) >> 1;
+    return s->is_short ? rows + twice_extent(s->dx1, s->dx2) : rows;
 }
 
 /* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP. */
@@ -316,7 +322,7 @@ static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane
     const int octaves = at.far - at.near;
     round_depth(&t->depth, float16 ? 3 : ph_max(3 - at.near, 0));
     return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
-           !is_steep(s->sides, &t->depth, STEEP - octaves); /* d is below 2^32: the farthest octave is that much steeper */
+           !is_steep(s->sides, &t->depth, STEEP + 3 - at.far); /* codes are as steep as d in octave 3 */
 }
 
 /* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */
