@@ -18,12 +18,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#define WIDTH     160
-#define HEIGHT    120
+#define WIDTH  160
+#define HEIGHT 120
 #ifndef TRIANGLES /* the long test has more: exhaustive_depth_slopes.c */
 #define TRIANGLES 2000
 #endif
-#define SHADINGS  (PH_SHADE_TEXTURE_LIT + 1)
+#define SHADINGS (PH_SHADE_TEXTURE_LIT + 1)
 
 __extension__ typedef __int128 int128;
 
@@ -268,8 +268,9 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
                   {"float24", PH_DEPTH_FLOAT24, 64, 100},
                   {"linear-w", PH_DEPTH_LINEAR_W, 64, 0}};
     (void)state;
-    printf("# codes off the exact plane, and that and half a code as a share of the distance, by the slope of d: up to\n"
-           "# 1/4096, 1/256, 1/16, 1, and more than 1 of its range a pixel\n");
+    printf(
+        "# codes off the exact plane, and that and half a code as a share of the distance, by the slope of d: up to\n"
+        "# 1/4096, 1/256, 1/16, 1, and more than 1 of its range a pixel\n");
     ref_seed(13);
     for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++) {
         struct rig rig;
@@ -340,6 +341,85 @@ static void no_floor_covers_a_wall_in_front_of_it(void **state)
         for (int tile = 0; tile < 15; tile++) {
             const double from = 5 + 5. * tile;
             assert_int_equal(floor_before_wall(format, &(struct lens){.5, 100}, from, from + 20, from + 8, .5), 0);
+        }
+    }
+}
+
+/* ---- decals -------------------------------------------------------------------------------------------------------
+ */
+
+enum { GROUND = 1, DECAL = 2, BOX = 3 };
+
+/* A floor seen at a grazing angle, a decal in its plane whose corners are none of the floor's, and a box that hides a
+ * part of both. Counts the pixels of the decal that do not show, and those of the box that the decal covers. */
+static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shading, int *hidden, int *shown,
+                           int *through)
+{
+    enum { SIDE = 240 };
+    const struct lens lens = {.5, 100};
+    static const double floor[4][3] = {{-40, -1.6, -2}, {40, -1.6, -2}, {60, -1.6, -90}, {-60, -1.6, -90}};
+    static const double decal[4][3] = {{-3.1, -1.6, -7.3}, {2.7, -1.6, -6.9}, {9.3, -1.6, -61}, {-8.7, -1.6, -57}};
+    static const double box[4][3] = {{-.5, -1, -6}, {.5, -1, -6}, {.5, 1, -6}, {-.5, 1, -6}};
+    static const uint16_t decal_texel[1] = {DECAL};
+    static const struct ph_texture texture = {.texels = decal_texel};
+    struct fx_vec3 p[3][4];
+    struct ph_material materials[3];
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 3; k++) {
+            const double *const from = k == 0 ? floor[i] : k == 1 ? decal[i] : box[i];
+            p[k][i] = (struct fx_vec3){ref_q16(from[0]), ref_q16(from[1]), ref_q16(from[2])};
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        materials[k] = material_of(PH_SHADE_UNLIT, NULL, (uint16_t)(GROUND + k));
+    }
+    materials[1].shading = (uint8_t)shading;
+    materials[1].texture = &texture;
+    materials[1].depth_bias_slope = slope;
+    static uint16_t alone[SIDE * SIDE];
+    for (int pass = 0; pass < 2; pass++) {
+        struct rig rig;
+        rig_open(&rig, SIDE, SIDE, 16, format, 4, 16);
+        begin(&rig, &lens);
+        for (int k = pass == 0 ? 1 : 0; k < (pass == 0 ? 2 : 3); k++) {
+            draw_polygon(&rig, p[k == 1 ? 1 : k], 4, &materials[k]);
+        }
+        assert_true(rig_finish(&rig));
+        for (int i = 0; i < SIDE * SIDE && pass == 1; i++) {
+            *shown += alone[i] == DECAL && rig.pixels[i] == DECAL;
+            *hidden += alone[i] == DECAL && rig.pixels[i] == GROUND;
+        }
+        memcpy(alone, rig.pixels, sizeof alone);
+        rig_close(&rig);
+    }
+    struct rig rig; /* the box alone: all of its pixels are before the decal */
+    rig_open(&rig, SIDE, SIDE, 16, format, 4, 16);
+    begin(&rig, &lens);
+    draw_polygon(&rig, p[2], 4, &materials[2]);
+    assert_true(rig_finish(&rig));
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        *through += rig.pixels[i] == BOX && alone[i] != BOX;
+    }
+    rig_close(&rig);
+}
+
+static void a_decal_lies_on_a_surface_that_leans_away(void **state)
+{
+    static const int shadings[] = {PH_SHADE_UNLIT, PH_SHADE_TEXTURE};
+    (void)state;
+    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+        for (int i = 0; i < 2; i++) {
+            int hidden = 0, shown = 0, through = 0, fought = 0;
+            decal_on_floor(format, 0, shadings[i], &fought, &shown, &through);
+            assert_true(fought > 100);
+            shown = through = 0;
+            decal_on_floor(format, 2, shadings[i], &hidden, &shown, &through);
+            printf("# format %u shading %d: %d pixels of a decal lie below the floor, with the slope's bias %d, of %d; "
+                   "%d before a box\n",
+                   format, shadings[i], fought, hidden, shown, through);
+            assert_int_equal(hidden, 0);
+            assert_int_equal(through, 0);
+            assert_true(shown > 1000);
         }
     }
 }
@@ -430,6 +510,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_slope_is_right_and_the_same_in_all_shadings),
         cmocka_unit_test(no_floor_covers_a_wall_in_front_of_it),
+        cmocka_unit_test(a_decal_lies_on_a_surface_that_leans_away),
         cmocka_unit_test(of_a_sphere_drawn_twice_only_the_first_shows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

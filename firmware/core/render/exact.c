@@ -19,8 +19,8 @@ static uint64_t load(const uint32_t from[2])
     return (uint64_t)from[1] << 32 | from[0];
 }
 
-/* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. For short sides the last 8 bits may
- * be missing, which saves a division. */
+/* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. For short sides the last 8 bits
+ * may be missing, which saves a division. */
 static uint64_t divide(int64_t n, uint64_t area, bool is_short)
 {
     const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
@@ -67,6 +67,42 @@ static void set_codes(struct ph_exact *e, const struct ph_renderer *r, uint32_t 
     e->down = r->lens.linear.down;
 }
 
+/* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. */
+static int octave_of(const struct ph_exact *e, uint64_t d)
+{
+    const uint32_t high = (uint32_t)(d >> 24);
+    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, 0) : ph_min(fx_clz32(high), 24);
+}
+
+/* 16.16 code of linear-w. */
+static uint32_t linear_code(const struct ph_exact *e, const struct ph_linear *linear, uint64_t over_w)
+{
+    struct ph_linear l = *linear;
+    const int octave = octave_of(e, over_w);
+    l.down = (int8_t)(e->down - (octave + 1));
+    return ph_depth_linear(&l, (uint32_t)(over_w >> (27 - octave)));
+}
+
+/* Moves the plane towards the viewer: see depth_bias_slope in render.h. */
+static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
+{
+    const uint64_t top = ((uint64_t)1 << 56) - ((uint64_t)1 << 47); /* where the codes have room for depth_bias */
+    const uint64_t low = load(e->low), size = load(e->size), high = low + size, room = high < top ? top - high : 0;
+    const uint64_t gx = load(e->gx), gy = load(e->gy);
+    const uint64_t right = (int64_t)gx < 0 ? 0u - gx : gx, below = (int64_t)gy < 0 ? 0u - gy : gy;
+    const uint64_t part = (right > below ? right : below) >> 4, by = part < size / slope ? part * slope : size;
+    if (e->kind == LINEAR) {
+        const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
+        const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;
+        const uint32_t more = codes < most ? codes : most;
+        linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
+        return;
+    }
+    const uint64_t up = by < room ? by : room;
+    store(e->base, load(e->base) + up);
+    store(e->low, low + up);
+}
+
 void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides)
 {
     if (n + 1 >= r->exact_first) {
@@ -82,6 +118,9 @@ void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *con
         d[i] = before > 0 ? before : 0;
     }
     set_plane(e, d, v[0], sides);
+    if (t->material->depth_bias_slope != 0) {
+        lift(e, &t->linear, t->material->depth_bias_slope);
+    }
     e->owner = n;
     e->plane = t->depth;
     e->block = t->block;
@@ -121,13 +160,6 @@ static inline bool holds(const struct range *range, uint64_t d)
     return d - range->bottom <= range->size;
 }
 
-/* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. */
-static int octave_of(const struct ph_exact *e, uint64_t d)
-{
-    const uint32_t high = (uint32_t)(d >> 24);
-    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, 0) : ph_min(fx_clz32(high), 24);
-}
-
 /* For linear-w: the unit of 1/w, and of u/w and v/w with it. */
 static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, int octave, struct ph_triangle *run)
 {
@@ -153,7 +185,8 @@ static inline uint32_t slope_of(const uint32_t gradient[2], int octave)
 }
 
 /* The plane of a run, through d at pixel (x, y). */
-static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y, struct ph_triangle *run)
+static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y,
+                    struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t[t->depth.base].exact;
     const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0) : 0);
@@ -189,8 +222,8 @@ bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *str
     const uint64_t d = depth_at(e, x0, y0);
     const int octave = octave_of(e, d);
     const struct range range = range_of(e, octave);
-    if (d - load(e->low) > load(e->size) || !holds(&range, depth_at(e, x1, y0)) || !holds(&range, depth_at(e, x0, y1)) ||
-        !holds(&range, depth_at(e, x1, y1))) {
+    if (d - load(e->low) > load(e->size) || !holds(&range, depth_at(e, x1, y0)) ||
+        !holds(&range, depth_at(e, x0, y1)) || !holds(&range, depth_at(e, x1, y1))) {
         return false;
     }
     const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2; /* there the rounding of the gradients counts least */

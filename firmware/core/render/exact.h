@@ -1,16 +1,16 @@
 /*
  * exact: depth of triangles whose plane does not fit 32 bits. Private to firmware/core.
  *
- * Such a triangle is nearly edge-on, or crosses many octaves of a float. Its plane has 64 bits. It stands in an entry of
- * its own at the end of the list of triangles. When the list is full the last such entry gives way to a triangle, whose
- * owner then has the plane of 32 bits, flattened if it is too steep.
+ * Such a triangle is nearly edge-on, or crosses many octaves of a float. Its plane has 64 bits. It stands in an entry
+ * of its own at the end of the list of triangles. When the list is full the last such entry gives way to a triangle,
+ * whose owner then has the plane of 32 bits, flattened if it is too steep.
  *
  * The sum is exact modulo 2^64 however steep the plane is. Only at a centre that lies outside the corners by the
  * rounding of an edge may it be far off; so it is clamped to the corners' range.
  *
  * The unit is 2^-56 of N/w - N/f, for linear-w of N/w. The triangle is drawn in runs: strips of rows where
- * that is possible, else parts of a row. In a run depth is stepped in 32 bits; it stays in one octave of a float, and so
- * its codes have all of their bits.
+ * that is possible, else parts of a row. In a run depth is stepped in 32 bits; it stays in one octave of a float, and
+ * so its codes have all of their bits.
  */
 #ifndef PH_EXACT_H
 #define PH_EXACT_H

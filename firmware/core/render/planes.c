@@ -11,8 +11,8 @@
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
 enum {
-    STEEP = 42, /* for 16.16 codes: 4 codes; see is_steep */
-    ROUGH = -31, /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
+    STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
+    ROUGH = -31,         /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
     FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross */
     FLOAT24_OCTAVES = 2,
     LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
@@ -204,7 +204,8 @@ static uint32_t reach(const struct ph_sides *s)
     return s->is_short ? rows + twice_extent(s->dx1, s->dx2) : rows;
 }
 
-/* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP. */
+/* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP.
+ */
 static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
 {
     const uint32_t gx = ph_without_sign((int32_t)plane->gx);
@@ -221,14 +222,14 @@ static inline bool is_rough(const struct plane_base *base, const uint32_t v[3])
         return false;
     }
     const uint32_t d = ph_without_sign((int32_t)(v[1] - v[0])) | ph_without_sign((int32_t)(v[2] - v[0]));
-    const uint32_t side = ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) |
-                          ph_without_sign(s->dy2) | 1;
+    const uint32_t side =
+        ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) | ph_without_sign(s->dy2) | 1;
     return base->shift - fx_clz32(d) - 2 * fx_clz32(side) > ROUGH;
 }
 
 /*
- * The plane of depth d: to its last bit for codes of 24 bits, for thin triangles, and across octaves, where the far ones
- * are the finest. Returns how often its gradient was halved.
+ * The plane of depth d: to its last bit for codes of 24 bits, for thin triangles, and across octaves, where the far
+ * ones are the finest. Returns how often its gradient was halved.
  */
 static NOINLINE int depth_plane(const struct plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
 {
@@ -295,9 +296,9 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
 }
 
 /*
- * Rounds a plane that crosses octaves, so that its codes are the same from wherever a row is begun: no bit of a gradient
- * is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its precision:
- * such a plane stays as it is.
+ * Rounds a plane that crosses octaves, so that its codes are the same from wherever a row is begun: no bit of a
+ * gradient is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its
+ * precision: such a plane stays as it is.
  */
 static void round_depth(struct ph_plane *plane, int bits)
 {
@@ -322,7 +323,7 @@ static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane
     const int octaves = at.far - at.near;
     round_depth(&t->depth, float16 ? 3 : ph_max(3 - at.near, 0));
     return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
-           !is_steep(s->sides, &t->depth, STEEP + 3 - at.far); /* codes are as steep as d in octave 3 */
+           !is_steep(s->sides, &t->depth, ph_max(STEEP + 3 - at.far, 32)); /* codes are as steep as d in octave 3 */
 }
 
 /* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */

@@ -140,8 +140,8 @@ static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_ban
     int32_t y, y_end;
     struct ph_edge left, right;
     uint32_t count = 0;
-    const struct ph_band in_band = {NULL, NULL, false, rows->y0 > band->y0 ? rows->y0 : band->y0,
-                                    rows->y1 < band->y1 ? rows->y1 : band->y1, 0};
+    const struct ph_band in_band = {
+        NULL, NULL, false, rows->y0 > band->y0 ? rows->y0 : band->y0, rows->y1 < band->y1 ? rows->y1 : band->y1, 0};
     if (!ph_half_rows(t, &in_band, rows->y0 >= t->y_mid, &y, &y_end, &left, &right)) {
         return 0;
     }

@@ -157,7 +157,8 @@ static bool small_is_empty(const struct ph_small_triangle *s)
     const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
     const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
     const int32_t rows = s->upper_rows;
-    const struct ph_edge left_below = {left.x + rows * left.dx, left.dx}, right_below = {right.x + rows * right.dx, right.dx};
+    const struct ph_edge left_below = {left.x + rows * left.dx, left.dx},
+                         right_below = {right.x + rows * right.dx, right.dx};
     return rows_are_empty(left, right, rows) &&
            (s->lower_is_right ? rows_are_empty(left_below, s->lower, s->lower_rows)
                               : rows_are_empty(s->lower, right_below, s->lower_rows));
@@ -225,7 +226,9 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
         r->stats.triangles_dropped++;
         return true;
     }
-    if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
+    if (material->depth_bias_slope != 0) {
+        fits = false;
+    } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
         fits = take_small_depth(t, r, v, sides, fits);
     }
     if (!fits) {
@@ -244,7 +247,7 @@ void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
     const unsigned format = r->stats.depth_format, shading = material->shading;
     const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
-    r->small.material = !textured && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    r->small.material = !textured && material->depth_bias_slope == 0 && format <= PH_DEPTH_FLOAT16 ? material : NULL;
     r->small.ramp = lit ? material->ramp : &material->colour;
     r->small.shading = lit ? material->shading : PH_SHADE_UNLIT;
     r->small.floats = format == PH_DEPTH_FLOAT16;
