@@ -61,14 +61,14 @@ struct ph_material {
     fx_t diffuse;           /* 0 .. 1 */
     fx_t specular;          /* 0 .. 1 */
     uint16_t colour;        /* wire order */
-    const uint16_t *ramp;   /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
-    const struct ph_texture *texture;
     /* Towards the viewer, too, for decals on surfaces that lean away: this many sixteenths of what depth changes by
      * from pixel to pixel, right or down, whichever is more; at most the range of the triangle's corners. With linear-w
      * it is taken at the farthest corner, and at most 255 codes together with depth_bias. 2 is enough for a decal that
      * lies in the plane of its surface. 0: none. Such a triangle takes the place of two in the list; where the list is
      * full it has depth_bias alone. */
     uint8_t depth_bias_slope;
+    const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
+    const struct ph_texture *texture;
 };
 
 /* A run of triangles of one material. */

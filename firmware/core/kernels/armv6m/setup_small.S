@@ -376,7 +376,7 @@ steep_light:
     pop {r4}
     b 5b
 steep_depth:
-    cmp r7, #10 @ ROUGH_DEPTH
+    cmp r7, #11 @ ROUGH_DEPTH
     blt 1f
     movs r4, #17 @ whether the gradient fits r7 + 17 bits
     adds r4, r4, r7

@@ -222,7 +222,7 @@ steep_light:
     lsl lr, lr, r12
     b 5b
 steep_depth:
-    cmp r9, #10 @ ROUGH_DEPTH
+    cmp r9, #11 @ ROUGH_DEPTH
     blt 9f
     mov r4, r9
     flatten r9, 17, r7, r12

@@ -6,8 +6,7 @@
 enum {
     FRACTION = 15,    /* bits that are kept of a difference and of a side */
     STEEP_DEPTH = 17, /* bits that a gradient per 1/256 px may have: at 2^25 per pixel it is right to a code or two */
-    ROUGH_DEPTH =
-        10, /* bits dropped of a gradient of depth; with fewer, FRACTION would be codes off on a thin triangle */
+    ROUGH_DEPTH = 11, /* bits dropped of a gradient; with fewer, FRACTION is codes off on thin triangles */
     STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
