@@ -62,10 +62,9 @@ highlight to another power               | render/light.c   | s/k < local->shini
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
 steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, n, v, sides);//                    | test_depth_slopes
-steep triangles left to 15 bits          | kernels/portable/setup_small.c | s/ROUGH_DEPTH = 10/ROUGH_DEPTH = -40/           | test_depth_slopes
-thin triangles left to 15 bits           | render/planes.c  | s/return base->shift - .*/return false;/             | test_depth_slopes
+thin triangles left to 15 bits           | kernels/portable/setup_small.c | s/ROUGH_DEPTH = 11/ROUGH_DEPTH = -40/           | test_depth_slopes
 depth beyond the corners                 | render/exact.c   | s/const bool clamped = .*/const bool clamped = false;/ | test_depth_slopes
-exact depth of the octave before         | render/exact.c   | s/const int octave = octave_of(e, d);/const int octave = octave_of(e, d) | 1;/ | test_depth_slopes
+exact depth of another octave             | render/exact.c   | s/27 - octave)) + offset/26 - octave)) + offset/     | test_depth_slopes
 exact planes that do not give way        | render/setup.c   | s/ || ph_free_exact(r) ? / ? /                       | test_depth_slopes
 the slope's bias ignored                 | render/exact.c   | s/t->material->depth_bias_slope != 0/false/          | test_depth_slopes
 light of a texture ignored               | render/planes.c  | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame

@@ -16,6 +16,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define WIDTH  160
@@ -153,20 +154,43 @@ static double code_exact(const struct rig *rig, double over_w)
 /* ---- random triangles ---------------------------------------------------------------------------------------------
  */
 
+/* The point at a place of the picture, at distance w. */
+static struct fx_vec3 point_at(double x, double y, double w)
+{
+    const double focal = HEIGHT / 2. * sqrt(3);
+    return (struct fx_vec3){ref_q16((x - WIDTH / 2.) * w / focal), ref_q16((HEIGHT / 2. - y) * w / focal), -ref_q16(w)};
+}
+
 /* Any size, thin or not, anywhere in the picture, its corners at distances that are alike or far apart. */
 static void random_triangle(const struct lens *lens, struct fx_vec3 p[3])
 {
     const double size = pow(2, ref_uniform(0, 9)), thin = pow(2, ref_uniform(-9, 0)), turn = ref_uniform(0, 6.283);
     const double steep = pow(2, ref_uniform(-12, 0)), middle = ref_uniform(0, 1);
-    const double x = ref_uniform(0, WIDTH), y = ref_uniform(0, HEIGHT), focal = HEIGHT / 2. * sqrt(3);
+    const double x = ref_uniform(0, WIDTH), y = ref_uniform(0, HEIGHT);
     for (int i = 0; i < 3; i++) {
         const double u = ref_uniform(-.5, .5) * size, v = ref_uniform(-.5, .5) * size * thin;
         const double share = fmin(fmax(middle + ref_uniform(-.5, .5) * steep, 0), 1);
         const double w = lens->near_z * 1.001 * pow(lens->far_z / lens->near_z / 1.002, share);
-        p[i].x = ref_q16((x + u * cos(turn) - v * sin(turn) - WIDTH / 2.) * w / focal);
-        p[i].y = ref_q16((HEIGHT / 2. - y - u * sin(turn) - v * cos(turn)) * w / focal);
-        p[i].z = -ref_q16(w);
+        p[i] = point_at(x + u * cos(turn) - v * sin(turn), y + u * sin(turn) + v * cos(turn), w);
     }
+}
+
+/* A sliver whose long side passes a pixel's centre near its lower end so closely that rounding decides on which side it
+ * lies. Depth changes along it, or across it, too. */
+static void random_sliver(const struct lens *lens, struct fx_vec3 p[3])
+{
+    const double x = floor(ref_uniform(40, WIDTH - 40)) + .5, y = floor(ref_uniform(40, HEIGHT - 40)) + .5;
+    const double dx = floor(ref_uniform(-512, 512)) / 256, dy = floor(ref_uniform(0, 512)) / 256;
+    const double times = floor(ref_uniform(16, 32)), part = ref_uniform(0, 1), length = hypot(dx, dy) + .01;
+    const double across = floor(pow(2, ref_uniform(0, 6))) / -256 / length, noise = pow(2, ref_uniform(-12, 0));
+    const double ax = x - times * dx + floor(ref_uniform(-1, 2)) / 256;
+    const double ay = y - times * dy + floor(ref_uniform(-1, 2)) / 256, bx = x + dx, by = y + dy;
+    const double least = lens->near_z / lens->far_z;
+    const double a = ref_uniform(least * 1.001, .99), b = ref_uniform(least * 1.001, .99);
+    const double c = fmin(fmax(a + (b - a) * part + ref_uniform(-.5, .5) * noise, least * 1.001), .99);
+    p[0] = point_at(ax, ay, lens->near_z / a);
+    p[1] = point_at(bx, by, lens->near_z / b);
+    p[2] = point_at(ax + (bx - ax) * part - dy * across, ay + (by - ay) * part + dx * across, lens->near_z / c);
 }
 
 /* A triangle in space: its plane is tilted by up to 89.9 degrees, towards any side. */
@@ -261,10 +285,10 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
         const char *name;
         enum ph_depth_format format;
         double worst, beyond; /* codes off the plane and beyond the range of the corners: see depth.h */
-    } bounds[] = {{"fixed16", PH_DEPTH_FIXED16, 2.5, 4},
-                  {"float16", PH_DEPTH_FLOAT16, 2.5, 4},
+    } bounds[] = {{"fixed16", PH_DEPTH_FIXED16, 4, 4},
+                  {"float16", PH_DEPTH_FLOAT16, 4, 4},
                   {"fixed24", PH_DEPTH_FIXED24, 2.5, 1024},
-                  {"float24", PH_DEPTH_FLOAT24, 4, 1024},
+                  {"float24", PH_DEPTH_FLOAT24, 8, 1024},
                   {"linear-w", PH_DEPTH_LINEAR_W, 1, 4}};
     int wrong = 0;
     (void)state;
@@ -277,9 +301,11 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
         struct result result = {0};
         rig_open(&rig, WIDTH, HEIGHT, 16, bounds[i].format, 3, 2);
         for (int n = 0; n < TRIANGLES; n++) {
-            const struct lens *lens = &lenses[n % 3];
+            static void (*const kinds[3])(const struct lens *lens,
+                                          struct fx_vec3 p[3]) = {random_triangle, random_sliver, tilted_triangle};
+            const struct lens *lens = &lenses[n / 3 % 3];
             struct fx_vec3 p[3];
-            (n % 2 == 0 ? random_triangle : tilted_triangle)(lens, p);
+            kinds[n % 3](lens, p);
             compare_shadings(&rig, lens, p, &result);
         }
         printf("# %s: %ld pixels, %.2f codes beyond the corners, %ld unlike\n", bounds[i].name, result.pixels,
@@ -424,6 +450,38 @@ static void a_decal_lies_on_a_surface_that_leans_away(void **state)
     }
 }
 
+/* ---- a full list --------------------------------------------------------------------------------------------------
+ */
+
+static void exact_planes_give_way_to_triangles(void **state)
+{
+    static const struct fx_vec3 floor[4] = {{FX_INT(-3), FX_INT(-2), FX_INT(-3)},
+                                            {FX_INT(3), FX_INT(-2), FX_INT(-3)},
+                                            {FX_INT(300), FX_INT(-2), FX_INT(-900)},
+                                            {FX_INT(-300), FX_INT(-2), FX_INT(-900)}};
+    static uint32_t roomy[WIDTH * HEIGHT];
+    (void)state;
+    for (uint32_t room = 4; room >= 1; room--) { /* both have a plane of their own, one has, none has; one is dropped */
+        const struct ph_material material = material_of(PH_SHADE_UNLIT, NULL, 1);
+        struct rig rig;
+        int alike = 0, drawn = 0;
+        rig_open(&rig, WIDTH, HEIGHT, 16, PH_DEPTH_FLOAT24, 4, room);
+        begin(&rig, &(struct lens){.1, 1000});
+        draw_polygon(&rig, floor, 4, &material);
+        assert_int_equal(rig.r.stats.triangles_dropped, room == 1);
+        rig_finish(&rig);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            roomy[i] = room == 4 ? rig.depth[i] : roomy[i];
+            drawn += rig.depth[i] != 0;
+            alike += rig.depth[i] != 0 && rig.depth[i] == roomy[i];
+            assert_true(room == 1 || (rig.depth[i] != 0) == (roomy[i] != 0));
+            assert_true(rig.depth[i] == 0 || abs((int)rig.depth[i] - (int)roomy[i]) < 64);
+        }
+        assert_true(room == 4 ? alike == drawn : alike < drawn);
+        rig_close(&rig);
+    }
+}
+
 /* ---- a sphere drawn twice -----------------------------------------------------------------------------------------
  */
 
@@ -511,6 +569,7 @@ int main(void)
         cmocka_unit_test(every_slope_is_right_and_the_same_in_all_shadings),
         cmocka_unit_test(no_floor_covers_a_wall_in_front_of_it),
         cmocka_unit_test(a_decal_lies_on_a_surface_that_leans_away),
+        cmocka_unit_test(exact_planes_give_way_to_triangles),
         cmocka_unit_test(of_a_sphere_drawn_twice_only_the_first_shows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

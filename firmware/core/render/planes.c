@@ -12,8 +12,7 @@
 
 enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
-    ROUGH = -31,         /* log2 of depth times side^2 / area, less 64: 2 codes at most; see is_rough */
-    FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross */
+    FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
     FLOAT24_OCTAVES = 2,
     LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
 };
@@ -213,27 +212,13 @@ static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int
     return gx >> (down - most) != 0 && fx_mulhi_u32(gx, reach(s)) >> (down - 32) != 0;
 }
 
-/* Whether 15 bits of a difference are too few, because the triangle is thin: they are off by 2^-15 of the difference of
- * depth times the square of the longest side over the area. */
-static inline bool is_rough(const struct plane_base *base, const uint32_t v[3])
-{
-    const struct ph_sides *const s = base->sides;
-    if (!s->is_short) {
-        return false;
-    }
-    const uint32_t d = ph_without_sign((int32_t)(v[1] - v[0])) | ph_without_sign((int32_t)(v[2] - v[0]));
-    const uint32_t side =
-        ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) | ph_without_sign(s->dy2) | 1;
-    return base->shift - fx_clz32(d) - 2 * fx_clz32(side) > ROUGH;
-}
-
 /*
- * The plane of depth d: to its last bit for codes of 24 bits, for thin triangles, and across octaves, where the far
- * ones are the finest. Returns how often its gradient was halved.
+ * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are
+ * the finest. Returns how often its gradient was halved.
  */
-static NOINLINE int depth_plane(const struct plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
+static inline int depth_plane(const struct plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
 {
-    return exact || is_rough(s, d) ? plane_exact(out, s, d) : plane_through(out, s, d);
+    return exact ? plane_exact(out, s, d) : plane_through(out, s, d);
 }
 
 /* Depth of the corners in the fixed formats. */
