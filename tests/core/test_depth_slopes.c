@@ -285,9 +285,9 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
         const char *name;
         enum ph_depth_format format;
         double worst, beyond; /* codes off the plane and beyond the range of the corners: see depth.h */
-    } bounds[] = {{"fixed16", PH_DEPTH_FIXED16, 4, 4},
-                  {"float16", PH_DEPTH_FLOAT16, 4, 4},
-                  {"fixed24", PH_DEPTH_FIXED24, 2.5, 1024},
+    } bounds[] = {{"fixed16", PH_DEPTH_FIXED16, 3, 4},
+                  {"float16", PH_DEPTH_FLOAT16, 3, 4},
+                  {"fixed24", PH_DEPTH_FIXED24, 2, 1024},
                   {"float24", PH_DEPTH_FLOAT24, 8, 1024},
                   {"linear-w", PH_DEPTH_LINEAR_W, 1, 4}};
     int wrong = 0;

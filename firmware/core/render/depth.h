@@ -42,7 +42,7 @@
  * A triangle has one depth: at one pixel it has one code in every shading. Inside the triangle a code is off the exact
  * plane through the projected corners by at most this, at every slope up to edge-on (tests/core/test_depth_slopes.c;
  * the 40,000 triangles of exhaustive_depth_slopes.c):
- *   fixed16, float16: 4    fixed24: 2.5    float24: 8    linear-w: 1
+ *   fixed16, float16: 3    fixed24: 2    float24: 8    linear-w: 1
  * A pixel is drawn if its centre is inside the edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15
  * px a column as well. At a centre outside the corners by that much the code may leave their range, by 4 of 16 bits at
  * most; a plane that could leave it by more is clamped to the range. A plane that 32 bits cannot hold, because it is too

@@ -208,12 +208,18 @@ static void set_rows(struct ph_triangle *run, int32_t y, int32_t y_end, struct p
     run->long_left = false;
 }
 
+/* The column of an edge so many rows further down. */
+static int32_t column_below(struct ph_edge edge, int32_t rows)
+{
+    return (int32_t)((uint32_t)edge.x + (uint32_t)rows * (uint32_t)edge.dx) >> 16;
+}
+
 bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t[t->depth.base].exact;
     const int32_t more = strip->y_end - 1 - strip->y;
-    const int32_t left = strip->left.x >> 16, left_end = (strip->left.x + more * strip->left.dx) >> 16;
-    const int32_t right = strip->right.x >> 16, right_end = (strip->right.x + more * strip->right.dx) >> 16;
+    const int32_t left = strip->left.x >> 16, left_end = column_below(strip->left, more);
+    const int32_t right = strip->right.x >> 16, right_end = column_below(strip->right, more);
     const int32_t x = ph_max(ph_min(left, left_end), 0), x_end = ph_min(ph_max(right, right_end), strip->width);
     if (x >= x_end || x_end - x > PH_EXACT_RUN) {
         return false;

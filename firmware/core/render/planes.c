@@ -326,7 +326,7 @@ static NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plan
     const int zeros = fx_clz32(least_w < w[2] ? least_w : w[2]), far_zeros = 3 + r->lens.far_s - least;
     /* At the far plane w changes by as much of itself as 1/w does, before it by less in codes. */
     return halved <= 0 && zeros <= LINEAR_ZEROS &&
-           !is_steep(s->sides, &t->depth, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 50));
+           !is_steep(s->sides, &t->depth, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 48));
 }
 
 /* Depth and block. False if 32 bits do not do. */
