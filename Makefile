@@ -126,7 +126,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo check test test-exhaustive lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
+.PHONY: all demo check test test-exhaustive proof lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -203,6 +203,9 @@ test: ## installs what the tests need, runs all of them (under 10 minutes on 2 c
 
 test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/3: a third
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
+
+proof: ## proves by CBMC and Gappa that no sum overflows, and how far results are off (about 10 minutes on 2 idle cores)
+	$(Q)B='$(B)' CC='$(CC)' tests/proof/proof.sh
 
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh

@@ -92,7 +92,8 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
     const int unit = 53 - s->shift - excess, down = ph_max(ph_max(unit, ph_max(bits_of(px), bits_of(py)) - 31), 1);
     const int64_t half = (int64_t)1 << (down - 1); /* down is 22 or more without excess, else 29 or more */
     *halved = down - unit;
-    return (struct pixel_gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
+    /* rounded up it may be 2^31 */
+    return (struct pixel_gradient){fx_sat64((px + half) >> down), fx_sat64((py + half) >> down)};
 }
 
 /* The plane with that gradient through `value` at the first corner. */
