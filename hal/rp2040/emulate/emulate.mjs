@@ -22,6 +22,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
                       a note 'frame' where the last bit of one is out. Without them a frame begins with the command
                       memory write, 2Ch
   --free-wire         words take no time on the bus: the report has the cores' own time
+  --free-flash        flash is as fast as RAM (it lies behind a cache, see flash.mjs)
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
 The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
 
@@ -32,7 +33,7 @@ const { values: options, positionals } = parseArgs({
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
-    'free-wire': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
+    'free-wire': { type: 'boolean', default: false }, 'free-flash': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
 });
@@ -152,6 +153,7 @@ const machine = makeMachine(lib, {
   },
 });
 machine.freeWire = options['free-wire'];
+machine.freeFlash = options['free-flash'];
 machine.chargeUs = Number(options.charge);
 const file = readFileSync(positionals[0]);
 machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
