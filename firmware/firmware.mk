@@ -132,7 +132,8 @@ image-size: $(OUT).elf
 	$(Q)firmware/tools/modules.sh '$(OUT).map'
 
 # -O3 makes the renderer's loops faster and larger; frames are the same at every level.
-$(B)/firmware/core/%.o: override CFLAGS += -O3
+CORE_O ?= -O3
+$(B)/firmware/core/%.o: override CFLAGS += $(CORE_O)
 
 $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)

@@ -23,7 +23,7 @@ every_demo() { # cores
 }
 
 both_cores_work() { # the second one a tenth of the time at least
-    awk '{ load += $5 } END { print "# core 1: " load / NR " %"; exit !(load / NR >= 10) }' "$dir/out/report"
+    awk '{ load += $6 } END { print "# core 1: " load / NR " %"; exit !(load / NR >= 10) }' "$dir/out/report"
 }
 
 order_is() { # the steps of power-on in pinhole-wire --order

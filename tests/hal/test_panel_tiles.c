@@ -255,6 +255,32 @@ static void a_disturbed_panel_is_healed_in_time(void **state)
     rig_close(&rig);
 }
 
+/* The still picture of a core that takes twice the time of the bus: each third frame after a rest makes signatures. */
+static void slow_cores_send_whole_frames(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    const uint32_t whole_us = panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, (uint32_t)rig.d.clock_hz);
+    const uint32_t whole = panel_frame_bytes(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0), tile = 2 * 16 * 16;
+    uint32_t few = 0;
+    for (uint32_t i = 0; i < 306; i++) {
+        rig.hal.ops->delay_us(rig.hal.context, 2 * whole_us);
+        assert_int_equal(show(&rig), 0);
+        assert_true(rig.d.frame_bytes >= whole || rig.d.frame_bytes == tile + 11);
+        few += rig.d.frame_bytes < whole;
+    }
+    assert_in_range(few, 2, 6);
+    for (uint32_t i = 0; i < 102; i++) { /* the same with time to spare */
+        assert_int_equal(show(&rig), 0);
+    }
+    assert_int_equal(rig.d.frame_bytes, tile + 11);
+    assert_true(glass_agrees(&rig));
+    rig_close(&rig);
+}
+
 static int broken_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     (void)context, (void)dc, (void)bytes, (void)n;
@@ -303,6 +329,7 @@ int main(void)
         cmocka_unit_test(bands_with_the_same_columns_share_a_window),
         cmocka_unit_test(a_false_match_is_healed_in_time),
         cmocka_unit_test(a_disturbed_panel_is_healed_in_time),
+        cmocka_unit_test(slow_cores_send_whole_frames),
         cmocka_unit_test(after_an_error_all_is_sent),
         cmocka_unit_test(bands_of_another_height_are_refused),
     };

@@ -5,11 +5,11 @@
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
-// The user sets hooks: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
+// The user sets hooks: onWord(value, bits, start, end, hz, mode) at the last bit of an SPI word, onLevels(levels) when a pin that
 // the chip drives changes, onUart(byte), onTrouble(text): a core locked up or the watchdog reset the chip. machine.calls is a Map from an address to a function, which gets
 // r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
 // time, as in rp2040js; the cores' own time is left. With machine.freeFlash flash is as fast as RAM. A pin reads low until machine.chargeUs after its pull-up was turned
-// on, as with a capacitor.
+// on, as with a capacitor. machine.resting is the time in ns that all cores slept at once.
 
 import { makeFlash } from './flash.mjs';
 
@@ -215,8 +215,8 @@ function addWatchdog(machine, fifos) {
   };
 }
 
-// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock, and in mode 0 of the
-// unit's pause (hal/spi_clock.h).
+// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock, and, unless SPH is set,
+// of the unit's pause (hal/spi_clock.h).
 function addWireTime(machine, spi) {
   const { clock } = machine.mcu;
   let word = null;
@@ -224,18 +224,18 @@ function addWireTime(machine, spi) {
     const done = word;
     word = null;
     machine.wordInFlight = false;
-    machine.onWord(done.value, done.bits, done.start, clock.nanos, done.hz);
+    machine.onWord(done.value, done.bits, done.start, clock.nanos, done.hz, done.mode);
     spi.completeTransmit(0);
   });
   spi.onTransmit = (value) => {
-    const hz = spi.clockFrequency, bits = spi.dataBits;
+    const hz = spi.clockFrequency, bits = spi.dataBits, sph = spi.control0 >>> 7 & 1, spo = spi.control0 >>> 6 & 1;
     if (!spi.enabled || hz === 0) {
       machine.warn('a word was written to an SPI unit that is off or has no clock');
     }
-    word = { value, bits, hz, start: clock.nanos };
+    word = { value, bits, hz, mode: 2 * spo + sph, start: clock.nanos };
     machine.wordInFlight = true;
     machine.onWordStart();
-    alarm.schedule(machine.freeWire ? 0 : ((bits + (spi.spiMode === 0 ? 1.5 : 0)) * 1e9) / hz);
+    alarm.schedule(machine.freeWire ? 0 : ((bits + (sph === 0 ? 1.5 : 0)) * 1e9) / hz);
   };
 }
 
@@ -314,7 +314,7 @@ export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
-    mcu, warn, calls: new Map(), freeWire: false, freeFlash: false, misses: 0, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
+    mcu, warn, calls: new Map(), freeWire: false, freeFlash: false, resting: 0, misses: 0, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
     onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {},
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
@@ -449,7 +449,9 @@ export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
           const next = behind();
           advance(next === null ? own.time : next.time);
         } else if (clock.nextAlarm !== null) {
+          const before = clock.nanos;
           advance(clock.nextAlarm.nanos);
+          machine.resting += clock.nanos - before;
         } else {
           machine.end('every core sleeps for ever');
         }
