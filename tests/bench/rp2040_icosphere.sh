@@ -4,8 +4,8 @@
 # ram_bytes, which do not hold that scene whole, so it gets an image of its own, which may take all of the chip's RAM and
 # has the mesh, which the demo makes in RAM, in flash. No triangle is left out, and every frame is pinhole-sim's, or the
 # exit status is 1. That leaves room for three band buffers; the other scenes have five or more.
-# Prints a line as of hal/rp2040/emulate/speed.sh's table, us a frame, means of frames 2 .. 4: demo, a whole frame on the
-# bus, one core, the same if the bus took no time, two cores, likewise. Environment: B, CC.
+# Prints lines as of hal/rp2040/emulate/speed.sh's CSV file, means of frames 2 .. 4, without flash that is as fast as RAM.
+# Environment: B, CC.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export B=${B:-build}
@@ -41,12 +41,7 @@ for cores in 1 2; do
     run $cores --send 4:HG # after those that count: a line on the UART about frame 5
     grep '^frame [0-9]* crc32' "$dir/$cores.said" | cmp -s "$dir/expected" - || fail "not the picture of pinhole-sim"
     grep -q 'left out 0 triangles 0 vertices' "$dir/$cores.log" || fail "$(grep 'left out' "$dir/$cores.log")"
-    EVENTS_ONLY=1 run $cores-alone --free-wire
+    awk -v cores=$cores -v whole="$("$B/pinhole-sim" --board pico-display-2 --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')" '
+        $1 >= 2 && $1 <= 4 { n++; us += $2; bus += $3; load += $5; load1 += $6 }
+        END { printf "icosphere,%d,%.2f,,%.1f,%.1f,%.1f,0\n", cores, n * 1e6 / us, load / n, load1 / n, 100 * bus / n / whole }' "$dir/$cores/report"
 done
-{
-    echo icosphere
-    "$B/pinhole-sim" --board pico-display-2 --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p'
-    for name in 1 1-alone 2 2-alone; do
-        awk '$1 >= 2 && $1 <= 4 { us += $2; n++ } END { printf "%.0f\n", us / n }' "$dir/$name/report"
-    done
-} | paste -sd,
