@@ -8,7 +8,7 @@ V ?= 0
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 PREFIX ?= /usr/local
 BOARD_DIR ?=
-BUDGET_CORE_BYTES ?= 61440
+BUDGET_CORE_BYTES ?= 63488
 
 # A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
 OPEN := (
@@ -123,7 +123,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # same at every level). On a Cortex-M0+ most of the core runs from RAM, and its inner loops are assembly: only what -Os makes
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
-CORE_O3_armv6m := raster fisheye
+CORE_O3_armv6m := fisheye mesh raster
 CORE_O2_armv6m := fx fx_root fx_trig texture
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
