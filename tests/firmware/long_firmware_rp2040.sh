@@ -30,6 +30,7 @@ whole_frames() {
 }
 
 within_the_bar() { # the table in tests/bench/README.md is that of pico-display
+    # shellcheck disable=SC2016 # backquotes of Markdown
     if [ "$1" = pico-display ]; then
         speed_agrees "$(grep -c '^| `[a-z]*` |.*%' tests/bench/README.md)" "$1"
     else
