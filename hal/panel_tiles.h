@@ -37,12 +37,13 @@ struct panel_tiles {
     uint16_t open_x, open_end; /* columns of the window that bands below can continue in, px; equal: there is none */
     uint32_t factor; /* of signatures; a variable, because compilers may turn a constant factor into dozens of shifts */
     uint32_t turn;   /* the tile that is sent in this frame in any case, by band, then by column */
-    uint32_t begun_us; /* when this frame began */
-    uint8_t slow;      /* frames in a row that took longer than a whole one on the bus */
-    uint8_t resting;   /* frames until times count again */
-    bool whole;        /* this frame is sent whole */
-    bool unknown;      /* the panel may show anything, so the next frame is sent whole */
-    int status;        /* of the frame: the first error */
+    uint32_t begun_us;   /* when this frame began */
+    uint32_t watched_us; /* what the last frame before a rest of all bands took */
+    uint8_t slow;        /* frames in a row that took longer than a whole one on the bus */
+    uint8_t resting;     /* frames until times count again */
+    bool whole;          /* this frame is sent whole */
+    bool unknown;        /* the panel may show anything, so the next frame is sent whole */
+    int status;          /* of the frame: the first error */
 };
 
 /* Memory for a picture of this size in bands of so many lines. Pictures are at most 1024 pixels wide. */

@@ -115,8 +115,9 @@ uint32_t panel_tiles_refresh_frames(const struct panel_tiles *t)
 }
 
 /*
- * Takes the time of the frame before. If two in a row took longer than a whole frame takes on the bus, then the kit
- * waits for its cores: whole frames cost them nothing, signatures do. All bands rest, and then it is tried again.
+ * Takes the time of the frame before. If two in a row took longer than a whole frame takes on the bus, the kit waits
+ * for its cores: then all bands rest, for signatures cost the cores time. If the third frame of the rest is no faster
+ * (with few buffers the cores wait for the bus all the same), the rest ends. After SLOW_REST frames it is tried again.
  */
 static void weigh(struct panel_tiles *t, const struct panel_driver *d)
 {
@@ -124,14 +125,18 @@ static void weigh(struct panel_tiles *t, const struct panel_driver *d)
     const uint32_t bus_us =
         panel_frame_us(d->config.panel, d->config.format, d->config.rotation, (uint32_t)d->clock_hz);
     t->begun_us = now_us;
-    if (t->whole || t->unknown || t->resting > 0) { /* the time says nothing about signatures */
-        t->resting = (uint8_t)(t->unknown || t->resting == 0 ? 0 : t->resting - 1);
+    if (t->unknown || t->whole) { /* the time says nothing */
+        t->resting = t->slow = 0;
+    } else if (t->resting > 0) {
+        t->resting--;
+        if (t->resting == SLOW_REST - 3 && took_us >= t->watched_us) {
+            memset(t->rest, 1, t->bands);
+        }
+    } else if (took_us <= bus_us + bus_us / 64) {
         t->slow = 0;
-        return;
-    }
-    t->slow = (uint8_t)(took_us > bus_us + bus_us / 64 ? t->slow + 1 : 0);
-    if (t->slow == 2) {
+    } else if (++t->slow == 2) {
         memset(t->rest, SLOW_REST, t->bands);
+        t->watched_us = took_us;
         t->resting = SLOW_REST;
         t->slow = 0;
     }
