@@ -202,7 +202,7 @@ test-exhaustive: ## the long tests: every input of the unary functions, long fuz
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh
 
-bench: ## instructions a frame of the five scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
+bench: ## instructions a frame of the six scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget. BOARD=x: of its image
