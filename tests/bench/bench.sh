@@ -13,6 +13,7 @@ rm -rf "$dir"
 mkdir -p "$dir"
 : >"$dir/lines"
 : >"$dir/rp2040"
+: >"$dir/cliffs"
 : >"$dir/sizes"
 
 say() { [ ! -t 2 ] || printf 'bench: %s\n' "$1" >&2; }
@@ -54,6 +55,7 @@ for core in "$@"; do
     fi
     if [ "$core" = x86_64 ]; then list='kit fixed16 float16'; else list=${FORMATS:-all}; fi
     for format in $list; do tests/bench/run.sh "$core" all "$format"; done | awk -v core="$core" 'NF == 5 && $1 ~ /^S/ { print core, $0 }' >>"$dir/lines"
+    PROGRAM=cliffs tests/bench/run.sh "$core" | sed -n "/known-loop/!s/^/$core /p" >>"$dir/cliffs"
     core_size "$core" >>"$dir/sizes"
 done
 
@@ -77,7 +79,7 @@ awk -v only="$*" 'function value(hex,   i, v) { for (i = 1; i <= 8; i++) { v = v
 say "quality"
 "$B/tests/core/test_quality" >"$dir/quality"
 
-awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/sizes" "$dir/lines"
+awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/sizes" "$dir/cliffs" "$dir/lines"
 case " $* " in *' m3 '*)
     say "growth"
     tests/bench/growth.sh m3 ;;

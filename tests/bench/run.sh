@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/run.sh m0plus|m3|m4f|x86_64 [SCENE|all [FORMAT|all]]
-#        PROGRAM=growth tests/bench/run.sh CORE      how the cost grows (growth.c)
+#        PROGRAM=growth tests/bench/run.sh CORE      how the cost grows (growth.c); cliffs: the rare against the usual
 # Builds the benchmark for that core and runs it: one line a stage and frame, `SCENE FORMAT STAGE FRAME COUNT` (bench.c).
 # Exits 1 when the counter is wrong (a loop of 1,000,000 x 2 instructions must read 2,000,000). Environment: B.
 set -eu

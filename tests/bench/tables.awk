@@ -38,6 +38,14 @@ FILENAME ~ /sizes$/ { # core, code, variables
     next
 }
 
+FILENAME ~ /cliffs$/ { # core, name, usual or cliff or empty, unit, units, count; `empty` belongs to the line before
+    if ($3 != "empty") { full = $6; variant = $3; next }
+    cost[$1, $2, variant] = (full - $6) / $5
+    unit[$2, variant] = $4
+    if (variant == "cliff" && !($2 in cliff)) { cliff[$2]; cliffs[++cliff_count] = $2 }
+    next
+}
+
 {
     sum[$1, $2, $3, $4] += $6
     seen[$1, $2, $3]
@@ -111,6 +119,25 @@ function rp2040_table(   s) {
     print "S4 has an image of its own, which takes all of the RAM and has the mesh in flash; the emulator's flash is as fast as RAM."
 }
 
+function cliffs_table(   i, c, line, name, of) {
+    print "\nCliffs: instructions of what is rare against what is usual (and how many times that), as a kit runs"
+    line = sprintf("%-18s %-20s", "", "")
+    for (c = 1; c <= 4; c++) { line = line sprintf("  %26s", cores[c]) }
+    print line
+    for (i = 1; i <= cliff_count; i++) {
+        name = cliffs[i]
+        of = unit[name, "cliff"] (unit[name, "cliff"] == unit[name, "usual"] ? "" : " : " unit[name, "usual"])
+        line = sprintf("%-18s %-20s", name, "a " of)
+        for (c = 1; c <= 4; c++) {
+            if (!((cores[c], name, "cliff") in cost)) { line = line sprintf("  %26s", "-"); continue }
+            line = line sprintf("  %9.1f : %7.1f (%4.1f)", cost[cores[c], name, "cliff"], cost[cores[c], name, "usual"],
+                cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"])
+            row(cores[c], name, "cliff", sprintf("%.1f", cost[cores[c], name, "cliff"]), "", "", "")
+        }
+        print line
+    }
+}
+
 function sizes_table(   n, i, list, name, tail) {
     print "\nBytes: code, variables. The core as it is benchmarked (-O3); rp2040: images of all demos for one core and for two"
     n = split(sizes, list, " ")
@@ -145,6 +172,7 @@ END {
         formats_table(cores[c])
         quality(cores[c])
     }
+    if (cliff_count) { cliffs_table() }
     if (rp2040) { rp2040_table() }
     if (sizes != "") { sizes_table() }
     print "\nPictures of this build (every core drew the same bytes) against the double-precision reference; bars in brackets"
