@@ -161,9 +161,17 @@ static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct p
     return n;
 }
 
+/* Draws the upper rows of r, textured if there are texels. */
+static uint32_t draw_upper_rows(const struct ph_small_triangle *r, const struct place *at,
+                                struct ph_small_texels *texels)
+{
+    return texels != NULL ? ph_small_texels_draw(texels, r, at->depth, at->pixels)
+                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+}
+
 /* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
 static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t rows,
-                                    const struct place *at)
+                                    const struct place *at, struct ph_small_texels *texels)
 {
     const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
     const uint32_t above =
@@ -175,7 +183,7 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
            ph_depth_float16_slope(above, octave->octave) - from * r->gd;
     r->upper_rows = (uint16_t)rows;
     r->lower_rows = 0;
-    const uint32_t count = ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+    const uint32_t count = draw_upper_rows(r, at, texels);
     r->d = d;
     r->gd = gd;
     r->d_dy = d_dy;
@@ -200,9 +208,20 @@ static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uin
     return count;
 }
 
+/* Draws n pixels of a textured row from column x on. */
+static void draw_texels_across(const struct ph_small_texels *texels, const struct place *at, uint32_t x, uint32_t n,
+                               uint32_t d, uint32_t gd)
+{
+    const struct ph_small_triangle row = {
+        .left = x << 16, .right = (x + n) << 16, .d = d - x * gd, .gd = gd, .upper_rows = 1};
+    struct ph_small_texels run = *texels; /* stays at its row */
+    ph_small_texels_draw(&run, &row, at->depth, at->pixels);
+}
+
 /* Draws a row that crosses octaves. It begins in `first`; `next` is a guess of the octave that follows. */
 static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_small_triangle *r,
-                                const struct ph_octave *first, struct ph_octave *next, const struct place *at)
+                                const struct ph_octave *first, struct ph_octave *next, const struct place *at,
+                                struct ph_small_texels *texels)
 {
     const uint32_t from = r->left >> 16, to = r->right >> 16;
     const struct ph_octave *octave = first;
@@ -215,14 +234,24 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
             octave = next;
         }
         n = pixels_in_octave(octave, d, r->gd, to - x);
-        ph_span_gouraud(&at->pixels[x], &at->depth[x], n, ph_depth_float16_code(octave, d), octave->slope,
-                        r->light + x * r->glight, r->glight, r->ramp);
+        const uint32_t code = ph_depth_float16_code(octave, d);
+        if (texels != NULL) {
+            draw_texels_across(texels, at, x, n, code, octave->slope);
+        } else {
+            ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
+                            r->ramp);
+        }
+    }
+    if (texels != NULL) {
+        ph_texel_way_down(&texels->rows.u);
+        ph_texel_way_down(&texels->rows.v);
     }
     return to - from;
 }
 
 /* Draws the rows of a triangle that crosses octaves. Most of its rows do not. */
-static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct place at)
+static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct place at,
+                                struct ph_small_texels *texels)
 {
     struct ph_octave octave = {0}, next = {0}; /* none yet */
     uint32_t count = 0;
@@ -233,10 +262,10 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
         }
         uint32_t n = rows_in_octave(r, &octave);
         if (n > 0) {
-            count += draw_rows_in_octave(r, &octave, n, &at);
+            count += draw_rows_in_octave(r, &octave, n, &at, texels);
         } else {
             n = 1;
-            count += draw_row_across(t, r, &octave, &next, &at);
+            count += draw_row_across(t, r, &octave, &next, &at, texels);
         }
         step_rows(r, n);
         at.depth += n * at.stride;
@@ -302,7 +331,30 @@ static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph
 {
     struct ph_small_triangle r = t->small;
     const struct place at = cut_rows(t, band, &r);
-    return draw_rows_split(t, &r, at);
+    return draw_rows_split(t, &r, at, NULL);
+}
+
+/* Draws a small textured triangle. */
+static NOINLINE uint32_t draw_small_texture(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_small_triangle r = t->small;
+    struct place at = cut_rows(t, band, &r);
+    struct ph_small_texels texels;
+    ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
+    if (t->block != PH_BLOCK_NONE) {
+        return draw_rows_split(t, &r, at, &texels);
+    }
+    uint32_t count = draw_upper_rows(&r, &at, &texels);
+    if (r.lower_rows > 0) {
+        at.depth += r.upper_rows * at.stride;
+        at.pixels += r.upper_rows * at.stride;
+        r.d += r.upper_rows * r.d_dy;
+        r.left += r.upper_rows * r.left_dx;
+        r.right += r.upper_rows * r.right_dx;
+        ph_small_lower(&r);
+        count += draw_upper_rows(&r, &at, &texels);
+    }
+    return count;
 }
 
 /* Draws a small triangle. Only the borders of the band can cut it. */
@@ -322,6 +374,9 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
 {
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
+    }
+    if (t->kind == PH_KIND_SMALL_TEXTURE) {
+        return draw_small_texture(t, band);
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);

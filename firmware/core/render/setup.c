@@ -8,6 +8,7 @@
 #include "edge.h"
 #include "kernels.h"
 #include "planes.h"
+#include "texels.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
@@ -200,7 +201,8 @@ void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
     const unsigned format = r->stats.depth_format, shading = material->shading;
     const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
-    r->small.material = !textured && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    r->small.material = format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture)) ? material : NULL;
+    r->small.textured = textured;
     r->small.ramp = lit ? material->ramp : &material->colour;
     r->small.shading = lit ? material->shading : PH_SHADE_UNLIT;
     r->small.floats = format == PH_DEPTH_FLOAT16;
@@ -232,10 +234,13 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
     if (done == PH_SMALL_NO_ROW) {
         return false;
     }
+    if (r->small.textured && !ph_setup_texels(t, r, v, uv, sides)) {
+        return setup_listed(r, material, v, uv, sides, true);
+    }
     if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
         finish_depth(t, r, v, sides, d, done);
     }
-    if (r->small.shading != PH_SHADE_GOURAUD) {
+    if (!r->small.textured && r->small.shading != PH_SHADE_GOURAUD) {
         t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
         t->small.glight = t->small.light_dy = 0;
     }

@@ -16,23 +16,10 @@
 #include "colour.h"
 #include "planes.h"
 #include "span.h"
-#include "texture_tile.h"
 
 enum { WIDTH_LOG2 = 5, HEIGHT_LOG2 = 4 };
 
 _Static_assert(1 << WIDTH_LOG2 == PH_TILE, "texture_tile.h");
-
-/* How the pixels of a tile are drawn. */
-struct tile_kind {
-    const struct ph_triangle *triangle;
-    const uint16_t *texels;
-    uint32_t u_mask, v_mask, log2_width;
-    int u_down, v_down; /* from u, v to whole texels */
-    uint32_t light;     /* 0 .. 32 */
-    bool clamp;
-    bool depth24; /* as in struct ph_band */
-    bool plain;   /* ph_texture_tile can draw them */
-};
 
 /* u or v, in 2^-25 of their range, at the top and the bottom of the left and the right side of a tile. */
 struct corners {
@@ -178,7 +165,7 @@ static uint16_t shade(uint16_t wire, uint32_t light)
 }
 
 /* The texel at u, v; it is clamped or repeated, and lit if the light is not full. */
-static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
+static inline uint16_t sample(const struct ph_tile_kind *k, uint32_t u, uint32_t v)
 {
     int32_t column = (int32_t)u >> k->u_down, line = (int32_t)v >> k->v_down;
     if (k->clamp) {
@@ -190,7 +177,7 @@ static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
 }
 
 /* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
-static inline __attribute__((always_inline)) void draw_run(const struct tile_kind *k, const struct ph_texel_rows *r,
+static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_kind *k, const struct ph_texel_rows *r,
                                                            uint32_t i, uint32_t n, struct ph_piece piece, bool depth24)
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
@@ -214,7 +201,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct tile_kin
     }
 }
 
-static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
+static void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
                        struct ph_piece piece)
 {
     if (k->depth24) {
@@ -225,7 +212,7 @@ static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r,
 }
 
 /* Steps to the next row. */
-static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
+static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     r->left += r->left_dx;
     r->right += r->right_dx;
@@ -238,7 +225,7 @@ static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
 }
 
 /* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. */
-static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows *r)
+static void draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     for (; r->rows > 0; row_down(k, r)) {
         uint32_t i, left, n;
@@ -254,8 +241,20 @@ static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows 
     }
 }
 
+/* Draws rows with depth in codes, none of them by ph_texture_tile. */
+static void draw_coded_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+{
+    for (; r->rows > 0; row_down(k, r)) {
+        uint32_t i, n;
+        if (ph_tile_columns(r->left, r->right, r->columns, &i, &n)) {
+            draw_other(k, r, i, n, (struct ph_piece){r->d + i * r->gd, r->gd});
+            r->count += n;
+        }
+    }
+}
+
 /* Draws rows with depth in codes. ph_texture_tile stops before a row that leaves a clamped texture. */
-static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
+static void draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     for (;;) {
         uint32_t i, n;
@@ -274,6 +273,71 @@ static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
     }
 }
 
+/* u or v of a small triangle, n rows below its first one. */
+static void set_small_way(struct ph_texel_way *way, const struct ph_plane *linear, struct ph_curve curve, uint32_t n)
+{
+    const uint32_t xx = (uint32_t)curve.xx << curve.shift, xy = (uint32_t)curve.xy << curve.shift,
+                   yy = (uint32_t)curve.yy << curve.shift;
+    way->at = linear->base + n * (linear->gy + n * yy);
+    way->at_dy = linear->gy + (2 * n + 1) * yy;
+    way->at_ddy = 2 * yy;
+    way->step = linear->gx + n * xy;
+    way->step_dy = xy;
+    way->bend = xx;
+    way->bend_dy = way->step_ddy = 0;
+}
+
+void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const int width = texture->log2_width, height = texture->log2_height;
+    const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
+    struct ph_tile_kind *const k = &s->kind;
+    struct ph_texel_rows *const r = &s->rows;
+    k->triangle = t;
+    k->texels = r->texels = texture->texels;
+    k->u_mask = r->u_mask = (1u << width) - 1;
+    k->v_mask = (1u << height) - 1;
+    k->log2_width = (uint32_t)width;
+    k->u_down = 22;
+    k->v_down = 16 + width;
+    k->light = t->colour;
+    k->clamp = texture->wrap == PH_WRAP_CLAMP;
+    k->depth24 = false;
+    k->plain = k->light >= 32;
+    r->v_mask = k->v_mask << width;
+    r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
+    r->v_outside = k->clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    r->stride_bytes = stride_bytes;
+    r->columns = PH_TILE + 1;
+    set_small_way(&r->u, &u, t->curves[0], (uint32_t)(y - t->y_top));
+    set_small_way(&r->v, &t->v, t->curves[1], (uint32_t)(y - t->y_top));
+}
+
+uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
+                              uint16_t *pixels)
+{
+    const uint32_t x = (uint32_t)s->kind.triangle->y_mid;
+    struct ph_texel_rows *const r = &s->rows;
+    r->left = small->left - (x << 16);
+    r->right = small->right - (x << 16);
+    r->left_dx = small->left_dx;
+    r->right_dx = small->right_dx;
+    r->d = small->d + x * small->gd;
+    r->d_dy = small->d_dy;
+    r->gd = small->gd;
+    r->depth = depth + x;
+    r->pixels = pixels + x;
+    r->rows = small->upper_rows;
+    r->count = 0;
+    if (s->kind.plain) {
+        draw_plain_rows(&s->kind, r);
+    } else {
+        draw_coded_rows(&s->kind, r);
+    }
+    return r->count;
+}
+
 /* Depth of a tile that crosses octaves. Codes and border are stepped from its first row, whatever the band. */
 struct tile_depth {
     uint32_t d, d_dy;            /* of its first row, in units of the triangle's plane */
@@ -281,7 +345,7 @@ struct tile_depth {
 };
 
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
-static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
+static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                                 bool near, uint32_t row)
 {
     const struct ph_octave *const octave = &depth->octaves[near];
@@ -328,7 +392,7 @@ static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, u
 }
 
 /* Draws rows that have a near and a far octave in them, from row `row` of the tile on. */
-static void draw_rows_in_two(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
+static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                              uint32_t row)
 {
     const uint32_t way = depth->octaves[1].bottom - depth->d;
@@ -376,7 +440,8 @@ static bool is_inside(const struct ph_triangle *t, const struct surface *s)
  * a clamped texture they must not wrap, or a point outside would seem to be inside: its texels must fit in beside the
  * sign, with room for as many again. For draw_run u and v are in 2^-29 of their range.
  */
-static void set_texels(struct tile_kind *k, const struct tile *tile, const struct surface *s, struct ph_texel_rows *r)
+static void set_texels(struct ph_tile_kind *k, const struct tile *tile, const struct surface *s,
+                       struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
     const struct ph_texture *const texture = t->material->texture;
@@ -414,7 +479,7 @@ static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, str
 }
 
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
-static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int half, const struct tile *tile,
+static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, int half, const struct tile *tile,
                       struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
@@ -449,7 +514,7 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const struct ph_band rows = {NULL, NULL, false, y > band->y0 ? y : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
-    struct tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
+    struct ph_tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
     struct ph_texel_rows r;
     r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;

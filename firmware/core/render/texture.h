@@ -3,8 +3,34 @@
 #define PH_TEXTURE_H
 
 #include "band.h"
+#include "texture_tile.h"
 
 /* Draws the rows of a textured triangle that lie in the band. Returns the number of its pixels. */
 uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band);
+
+/* How the pixels of a tile or of a small triangle are drawn. */
+struct ph_tile_kind {
+    const struct ph_triangle *triangle;
+    const uint16_t *texels;
+    uint32_t u_mask, v_mask, log2_width;
+    int u_down, v_down; /* from u, v to whole texels */
+    uint32_t light;     /* 0 .. 32 */
+    bool clamp;
+    bool depth24; /* as in struct ph_band */
+    bool plain;   /* ph_texture_tile can draw them */
+};
+
+/* The rows of a small textured triangle. */
+struct ph_small_texels {
+    struct ph_tile_kind kind;
+    struct ph_texel_rows rows; /* u, v stand at the next row */
+};
+
+/* Begins at row y of a small textured triangle. */
+void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
+
+/* Draws the upper rows of r, whose depth is in codes; depth, pixels: of column 0 of the first. Returns their pixels. */
+uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *r, uint16_t *depth,
+                              uint16_t *pixels);
 
 #endif

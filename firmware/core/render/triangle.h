@@ -52,11 +52,20 @@ static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
     return (uint16_t *)(void *)((uint8_t *)row + bytes);
 }
 
-enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };
+/*
+ * The second-order part of u or v over a small triangle: xx x^2 + xy x y + yy y^2 for column x and row y, all times
+ * 2^shift. It is small, so 15 bits are enough.
+ */
+struct ph_curve {
+    int16_t xx, xy, yy, shift;
+};
+
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE };
 
 struct ph_triangle {
     uint32_t next;                  /* in its band's list, PH_NONE at the end */
-    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
+    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid; PH_KIND_SMALL_TEXTURE:
+                                       y_mid is the column from which u and v are counted */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
     uint8_t block;      /* float formats: block exponent of a depth that crosses octaves; or one of PH_BLOCK_... */
@@ -75,7 +84,11 @@ struct ph_triangle {
                 };
             };
         };
-        struct ph_small_triangle small; /* PH_KIND_SMALL */
+        struct {
+            struct ph_small_triangle small; /* PH_KIND_SMALL; textured: the plane of light is the linear part of u */
+            struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v, from y_top and y_mid */
+            struct ph_curve curves[2];      /* of u, v */
+        };
     };
 };
 
