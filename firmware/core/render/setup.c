@@ -91,10 +91,10 @@ static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
 }
 
 /* Whether a small triangle keeps a pixel off the borders. Mostly its first corner tells: see inner() in frame.c. */
-static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3], bool small)
 {
     const uint32_t margin = PH_SIDE_SMALL + 256;
-    return ((uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
+    return (small && (uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
            (is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
@@ -105,6 +105,14 @@ static inline bool is_small(const struct ph_sides *s)
     const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
     return ((dx1 + PH_SIDE_SMALL) | (dy1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dy2 + PH_SIDE_SMALL) |
             (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
+}
+
+/* Whether a textured triangle that is not small can be drawn as one: it is as narrow, and its sides are short. */
+static inline bool is_narrow(const struct ph_sides *s)
+{
+    const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy = (uint32_t)(s->dy2 - s->dy1);
+    return s->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
+           ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
 }
 
 /* A triangle that is less than 2 px wide may miss the centres of all columns. */
@@ -215,9 +223,9 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
                     const fx_t *const uv[3], const struct ph_sides *sides)
 {
     const uint32_t n = r->triangle_count;
-    const bool small = is_small(sides) && is_inside(r, v);
-    if (!small || material != r->small.material || n >= r->config.triangle_max) {
-        return setup_listed(r, material, v, uv, sides, small);
+    const bool small = is_small(sides), fits = small || (r->small.textured && is_narrow(sides));
+    if (!fits || !is_inside(r, v, small) || material != r->small.material || n >= r->config.triangle_max) {
+        return setup_listed(r, material, v, uv, sides, small && is_inside(r, v, true));
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
     uint32_t d[3];
@@ -230,13 +238,14 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
     if (is_thin(sides) && misses_columns(r->config.width, v)) {
         return false;
     }
-    const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
+    enum ph_small_setup done = ph_setup_small(t, v, sides, d);
     if (done == PH_SMALL_NO_ROW) {
         return false;
     }
     if (r->small.textured && !ph_setup_texels(t, r, v, uv, sides)) {
-        return setup_listed(r, material, v, uv, sides, true);
+        return setup_listed(r, material, v, uv, sides, small);
     }
+    done = small ? done : PH_SMALL_STEEP; /* then depth is what the same triangle has in another shading */
     if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
         finish_depth(t, r, v, sides, d, done);
     }
