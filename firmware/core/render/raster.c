@@ -243,8 +243,7 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
         }
     }
     if (texels != NULL) {
-        ph_texel_way_down(&texels->rows.u);
-        ph_texel_way_down(&texels->rows.v);
+        ph_small_texels_down(texels);
     }
     return to - from;
 }
@@ -340,6 +339,8 @@ static NOINLINE uint32_t draw_small_texture(const struct ph_triangle *t, const s
     struct ph_small_triangle r = t->small;
     struct place at = cut_rows(t, band, &r);
     struct ph_small_texels texels;
+    at.depth += t->y_mid;
+    at.pixels += t->y_mid;
     ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
     if (t->block != PH_BLOCK_NONE) {
         return draw_rows_split(t, &r, at, &texels);

@@ -274,60 +274,80 @@ static void draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *
 }
 
 /* u or v of a small triangle, n rows below its first one. */
-static void set_small_way(struct ph_texel_way *way, const struct ph_plane *linear, struct ph_curve curve, uint32_t n)
+static void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear, struct ph_curve curve, uint32_t n)
 {
-    const uint32_t xx = (uint32_t)curve.xx << curve.shift, xy = (uint32_t)curve.xy << curve.shift,
-                   yy = (uint32_t)curve.yy << curve.shift;
-    way->at = linear->base + n * (linear->gy + n * yy);
-    way->at_dy = linear->gy + (2 * n + 1) * yy;
-    way->at_ddy = 2 * yy;
-    way->step = linear->gx + n * xy;
-    way->step_dy = xy;
-    way->bend = xx;
-    way->bend_dy = way->step_ddy = 0;
+    const uint32_t xy = (uint32_t)curve.xy << curve.shift, yy = (uint32_t)curve.yy << curve.shift;
+    line->at = linear->base + n * (linear->gy + n * yy);
+    line->at_dy = linear->gy + (2 * n + 1) * yy;
+    line->at_ddy = 2 * yy;
+    line->step = linear->gx + n * xy;
+    line->step_dy = xy;
+    line->bend = (uint32_t)curve.xx << curve.shift;
+}
+
+static struct ph_texel_way way_of(const struct ph_texel_line *line)
+{
+    return (struct ph_texel_way){line->at, line->step, line->bend, line->at_dy, line->step_dy, 0, line->at_ddy, 0};
+}
+
+/* The same for what ph_texture_small cannot draw: a clamped texture, or little light. */
+static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const int width = texture->log2_width, height = texture->log2_height;
+    const bool clamp = texture->wrap == PH_WRAP_CLAMP;
+    struct ph_texel_rows *const r = &s->rows;
+    s->kind = (struct ph_tile_kind){.triangle = t,
+                                    .texels = texture->texels,
+                                    .u_mask = s->run.u_mask,
+                                    .v_mask = (1u << height) - 1,
+                                    .log2_width = (uint32_t)width,
+                                    .u_down = 22,
+                                    .v_down = 16 + width,
+                                    .light = t->colour,
+                                    .clamp = clamp,
+                                    .plain = t->colour >= 32};
+    r->texels = texture->texels;
+    r->u_mask = s->run.u_mask;
+    r->v_mask = s->run.v_mask;
+    r->u_outside = clamp ? UINT32_MAX << width << 22 : 0;
+    r->v_outside = clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    r->stride_bytes = s->run.stride_bytes;
+    r->columns = PH_TILE + 1;
+    r->u = way_of(&s->run.u);
+    r->v = way_of(&s->run.v);
 }
 
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
 {
     const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, height = texture->log2_height;
     const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
-    struct ph_tile_kind *const k = &s->kind;
-    struct ph_texel_rows *const r = &s->rows;
-    k->triangle = t;
-    k->texels = r->texels = texture->texels;
-    k->u_mask = r->u_mask = (1u << width) - 1;
-    k->v_mask = (1u << height) - 1;
-    k->log2_width = (uint32_t)width;
-    k->u_down = 22;
-    k->v_down = 16 + width;
-    k->light = t->colour;
-    k->clamp = texture->wrap == PH_WRAP_CLAMP;
-    k->depth24 = false;
-    k->plain = k->light >= 32;
-    r->v_mask = k->v_mask << width;
-    r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
-    r->v_outside = k->clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    struct ph_texel_run *const r = &s->run;
+    r->texels = texture->texels;
+    r->u_mask = (1u << texture->log2_width) - 1;
+    r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
     r->stride_bytes = stride_bytes;
-    r->columns = PH_TILE + 1;
-    set_small_way(&r->u, &u, t->curves[0], (uint32_t)(y - t->y_top));
-    set_small_way(&r->v, &t->v, t->curves[1], (uint32_t)(y - t->y_top));
+    set_small_line(&r->u, &u, t->curves[0], (uint32_t)(y - t->y_top));
+    set_small_line(&r->v, &t->v, t->curves[1], (uint32_t)(y - t->y_top));
+    s->usual = t->colour >= 32 && texture->wrap == PH_WRAP_REPEAT;
+    if (!s->usual) {
+        begin_unusual(s, t);
+    }
 }
 
-uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
-                              uint16_t *pixels)
+static FX_APART uint32_t draw_unusual(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
+                                      uint16_t *pixels)
 {
-    const uint32_t x = (uint32_t)s->kind.triangle->y_mid;
     struct ph_texel_rows *const r = &s->rows;
-    r->left = small->left - (x << 16);
-    r->right = small->right - (x << 16);
+    r->left = small->left;
+    r->right = small->right;
     r->left_dx = small->left_dx;
     r->right_dx = small->right_dx;
-    r->d = small->d + x * small->gd;
+    r->d = small->d;
     r->d_dy = small->d_dy;
     r->gd = small->gd;
-    r->depth = depth + x;
-    r->pixels = pixels + x;
+    r->depth = depth;
+    r->pixels = pixels;
     r->rows = small->upper_rows;
     r->count = 0;
     if (s->kind.plain) {
@@ -336,6 +356,36 @@ uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_t
         draw_coded_rows(&s->kind, r);
     }
     return r->count;
+}
+
+uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
+                              uint16_t *pixels)
+{
+    struct ph_texel_run *const r = &s->run;
+    if (!s->usual) {
+        return draw_unusual(s, small, depth, pixels);
+    }
+    r->left = small->left;
+    r->right = small->right;
+    r->d = small->d;
+    r->left_dx = small->left_dx;
+    r->right_dx = small->right_dx;
+    r->d_dy = small->d_dy;
+    r->gd = small->gd;
+    r->depth = depth;
+    r->pixels = pixels;
+    r->rows = small->upper_rows;
+    return ph_texture_small(r);
+}
+
+void ph_small_texels_down(struct ph_small_texels *s)
+{
+    ph_texel_line_down(&s->run.u);
+    ph_texel_line_down(&s->run.v);
+    if (!s->usual) {
+        ph_texel_way_down(&s->rows.u);
+        ph_texel_way_down(&s->rows.v);
+    }
 }
 
 /* Depth of a tile that crosses octaves. Codes and border are stepped from its first row, whatever the band. */

@@ -3,6 +3,7 @@
 #define PH_TEXTURE_H
 
 #include "band.h"
+#include "texture_small.h"
 #include "texture_tile.h"
 
 /* Draws the rows of a textured triangle that lie in the band. Returns the number of its pixels. */
@@ -20,10 +21,12 @@ struct ph_tile_kind {
     bool plain;   /* ph_texture_tile can draw them */
 };
 
-/* The rows of a small textured triangle. */
+/* The rows of a small textured triangle. Columns count from t->y_mid. */
 struct ph_small_texels {
+    bool usual; /* ph_texture_small can draw them, from run; else rows and kind are taken */
+    struct ph_texel_run run;
+    struct ph_texel_rows rows; /* u, v stand at the next row, as in run */
     struct ph_tile_kind kind;
-    struct ph_texel_rows rows; /* u, v stand at the next row */
 };
 
 /* Begins at row y of a small textured triangle. */
@@ -32,5 +35,8 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
 /* Draws the upper rows of r, whose depth is in codes; depth, pixels: of column 0 of the first. Returns their pixels. */
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *r, uint16_t *depth,
                               uint16_t *pixels);
+
+/* Steps one row down. */
+void ph_small_texels_down(struct ph_small_texels *s);
 
 #endif
