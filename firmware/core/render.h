@@ -147,7 +147,7 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
-#define PH_TRIANGLE_BYTES_32 108
+#define PH_TRIANGLE_BYTES_32 116
 
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */

@@ -2,7 +2,8 @@
  * texture_small: the kernel that draws rows of a small textured triangle (see texels.h). See kernels.h.
  *
  * u and v are as in texture_tile.h, also in their pairs of pixels, but the second differences do not change: over the
- * whole triangle u and v are polynomials of the second order. Columns and depth count from the triangle's own column.
+ * whole triangle u and v are polynomials of the second order. Columns count from one of the triangle's own; they may be
+ * negative.
  */
 #ifndef PH_TEXTURE_SMALL_H
 #define PH_TEXTURE_SMALL_H
@@ -25,11 +26,13 @@ struct ph_texel_run {
     uint32_t gd;             /* depth per column */
     uint32_t u_mask, v_mask; /* as in ph_texel_rows */
     const uint16_t *texels;
-    uint32_t rows; /* above 0 */
+    uint32_t rows; /* until the lower edge takes the place of the left or of the right one; above 0 */
+    uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
+    uint32_t x;                                             /* column 0 in the picture, for the caller's use */
 };
 
-/* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards left, right,
- * d, u and v stand at the next row. */
+/* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
+ * stand at the next row. */
 uint32_t ph_texture_small(struct ph_texel_run *r);
 
 /* Coefficients of the next row. */

@@ -337,25 +337,13 @@ static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph
 static NOINLINE uint32_t draw_small_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
-    struct place at = cut_rows(t, band, &r);
+    const struct place at = cut_rows(t, band, &r);
     struct ph_small_texels texels;
-    at.depth += t->y_mid;
-    at.pixels += t->y_mid;
     ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
     if (t->block != PH_BLOCK_NONE) {
         return draw_rows_split(t, &r, at, &texels);
     }
-    uint32_t count = draw_upper_rows(&r, &at, &texels);
-    if (r.lower_rows > 0) {
-        at.depth += r.upper_rows * at.stride;
-        at.pixels += r.upper_rows * at.stride;
-        r.d += r.upper_rows * r.d_dy;
-        r.left += r.upper_rows * r.left_dx;
-        r.right += r.upper_rows * r.right_dx;
-        ph_small_lower(&r);
-        count += draw_upper_rows(&r, &at, &texels);
-    }
-    return count;
+    return ph_small_texels_draw(&texels, &r, at.depth, at.pixels);
 }
 
 /* Draws a small triangle. Only the borders of the band can cut it. */

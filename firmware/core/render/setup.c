@@ -249,13 +249,7 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
     if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
         finish_depth(t, r, v, sides, d, done);
     }
-    if (r->small.textured) { /* its columns count from y_mid */
-        const uint32_t x = (uint32_t)t->y_mid;
-        t->small.left -= x << 16;
-        t->small.right -= x << 16;
-        t->small.lower.x -= (int32_t)(x << 16);
-        t->small.d += x * t->small.gd;
-    } else if (r->small.shading != PH_SHADE_GOURAUD) {
+    if (!r->small.textured && r->small.shading != PH_SHADE_GOURAUD) {
         t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
         t->small.glight = t->small.light_dy = 0;
     }

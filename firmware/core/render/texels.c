@@ -49,51 +49,65 @@ static bool set_warp(struct warp *p, const struct ph_vertex *const v[3])
     return true;
 }
 
-/* c x / 256, but for the last 8 bits of the fraction. */
-static uint32_t times_px(uint32_t c, int32_t x)
+/* A gradient per 1/256 px in 15 bits, times 2^drop. */
+struct short_gradient {
+    int32_t x, y;
+    int drop;
+};
+
+static inline struct short_gradient shortened(const struct ph_subpixel_gradient *g)
 {
-    return c * (uint32_t)(x >> 8) + (uint32_t)((int32_t)c >> 8) * (uint32_t)(x & 255);
+    const int drop = ph_max(17 - fx_clz32(ph_without_sign(g->x) | ph_without_sign(g->y)), 0);
+    return (struct short_gradient){g->x >> drop, g->y >> drop, drop};
 }
 
-/* How far a gradient must be shifted to the right to have 15 bits. */
-static int excess(const struct ph_subpixel_gradient *g)
+/* v 2^up. */
+static inline uint32_t shifted(int32_t v, int up)
 {
-    const int bits = 32 - fx_clz32(ph_without_sign(g->x) | ph_without_sign(g->y));
-    return ph_max(bits - 14, 0);
+    return (uint32_t)(up >= 0 ? v * (1 << up) : v >> -up);
 }
 
-/* -P q. The gradients are per 1/256 px; g in 2^-22 texels, so in 2^-14 per pixel; q in Q28, so in Q20 per pixel. */
-static struct ph_curve curve_of(const struct ph_subpixel_gradient *g, const struct ph_subpixel_gradient *q)
+/* -P q. P is in 2^-22 texels, so its gradient in 2^-14 per pixel; q is in Q28, so its gradient in Q20 per pixel. */
+static inline void set_curve(struct ph_curve *curve, const struct ph_subpixel_gradient *gradient,
+                             const struct short_gradient *q)
 {
-    const int drop_g = excess(g), drop_q = excess(q);
-    const int32_t gx = g->x >> drop_g, gy = g->y >> drop_g, qx = q->x >> drop_q, qy = q->y >> drop_q;
-    const int32_t xx = -(gx * qx), xy = -(gx * qy + gy * qx), yy = -(gy * qy);
-    const int bits = 32 - fx_clz32(ph_without_sign(xx) | ph_without_sign(xy) | ph_without_sign(yy));
-    int shift = drop_g + drop_q - 12, down = ph_max(bits - 14, 0);
-    down = ph_max(down, -shift); /* not finer than 2^-22 texels */
-    shift = ph_min(down + shift, 24);
-    const int32_t half = (1 << down) >> 1;
-    return (struct ph_curve){(int16_t)((xx + half) >> down), (int16_t)((xy + half) >> down),
-                             (int16_t)((yy + half) >> down), (int16_t)shift};
+    const struct short_gradient g = shortened(gradient);
+    const int up = ph_min(g.drop + q->drop - 12, 24);
+    curve->xx = shifted(-(g.x * q->x), up);
+    curve->xy = shifted(-(g.x * q->y + g.y * q->x), up);
+    curve->yy = shifted(-(g.y * q->y), up);
 }
 
-/* The polynomial through u0, from the differences d1, d2 (Q16.16) of the other corners; `unit`: log2 of the units in
- * 2^-16. x, y: from the first corner to the centre of the first column and row, 1/256 px. */
-static void set_way(struct ph_plane *way, struct ph_curve *curve, const struct warp *p, const struct ph_slopes *slopes,
-                    const struct ph_subpixel_gradient *q, int32_t d1, int32_t d2, int unit, int32_t x, int32_t y)
+/* c x / 256; |x| <= 128. */
+static inline uint32_t times_part(uint32_t c, int32_t x)
+{
+    return (uint32_t)(((int32_t)c >> 8) * x);
+}
+
+/* What the polynomials of u and v share. */
+struct frame {
+    struct warp warp;
+    struct ph_slopes slopes;
+    struct short_gradient q;
+    int32_t x, y; /* from the first corner to the centre of its pixel, 1/256 px */
+};
+
+/* The polynomial from way->base at the first corner. d1, d2: the differences of the other corners, Q16.16; `unit`: log2
+ * of 2^-16 in units of the plane. */
+static FX_APART void set_way(struct ph_plane *way, struct ph_curve *curve, const struct frame *f, int32_t d1,
+                             int32_t d2, int unit)
 {
     const int up = ph_min(fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)) - 18, unit); /* to 14 bits */
-    const int32_t p1 = (up >= 0 ? d1 * (1 << up) : d1 >> -up) * p->scale[1] >> 15;
-    const int32_t p2 = (up >= 0 ? d2 * (1 << up) : d2 >> -up) * p->scale[2] >> 15;
+    const int32_t p1 = (int32_t)shifted(d1, up) * f->warp.scale[1] >> 15;
+    const int32_t p2 = (int32_t)shifted(d2, up) * f->warp.scale[2] >> 15;
     struct ph_subpixel_gradient g;
-    ph_set_gradient(&g, slopes, p1, p2, unit - up, 22);
-    *curve = curve_of(&g, q);
-    const uint32_t xx = (uint32_t)curve->xx << curve->shift, xy = (uint32_t)curve->xy << curve->shift,
-                   yy = (uint32_t)curve->yy << curve->shift;
-    const uint32_t xx_x = times_px(xx, x), yy_y = times_px(yy, y), rise = xx_x + times_px(xy, y);
-    way->base += (uint32_t)g.x * (uint32_t)x + (uint32_t)g.y * (uint32_t)y + times_px(rise, x) + times_px(yy_y, y);
+    ph_set_gradient(&g, &f->slopes, p1, p2, unit - up, 22);
+    set_curve(curve, &g, &f->q);
+    const uint32_t xx_x = times_part(curve->xx, f->x), yy_y = times_part(curve->yy, f->y);
+    const uint32_t rise = xx_x + times_part(curve->xy, f->y);
+    way->base += (uint32_t)(g.x * f->x) + (uint32_t)(g.y * f->y) + times_part(rise, f->x) + times_part(yy_y, f->y);
     way->gx = (uint32_t)g.x * 256 + rise + xx_x;
-    way->gy = (uint32_t)g.y * 256 + times_px(xy, x) + 2 * yy_y;
+    way->gy = (uint32_t)g.y * 256 + times_part(curve->xy, f->x) + 2 * yy_y;
 }
 
 /* Whether all corners of a clamped texture fit into the units beside the sign: see set_texels in texture.c. */
@@ -107,6 +121,12 @@ static bool fits_clamped(const struct ph_texture *texture, const fx_t *const uv[
     return range + texture->log2_width <= 8 && range + texture->log2_width + texture->log2_height <= 14;
 }
 
+/* Whether the error may exceed 1/16 texel, where u or v changes by `most` / 4096 of 2^log2 texels. */
+static inline bool is_too_wrong(const struct warp *warp, uint32_t most, int log2)
+{
+    return most >> 16 != 0 || most >> (23 - log2) != 0 || (most << log2) * warp->error >= (uint32_t)1 << 24;
+}
+
 bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                      const fx_t *const corner_uv[3], const struct ph_sides *sides)
 {
@@ -115,35 +135,33 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
     const fx_t *const *const uv = corner_uv != NULL ? corner_uv : origins;
     const struct ph_texture *const texture = t->material->texture;
     const int width = texture->log2_width, height = texture->log2_height;
-    const int32_t du1 = uv[1][0] - uv[0][0], du2 = uv[2][0] - uv[0][0], dv1 = uv[1][1] - uv[0][1],
-                  dv2 = uv[2][1] - uv[0][1];
-    struct warp warp = {{0, 32768, 32768}, {0, 0, 0}, 0};
-    if ((r->lens.kind != PH_ORTHOGRAPHIC && !set_warp(&warp, v)) ||
-        (texture->wrap == PH_WRAP_CLAMP && !fits_clamped(texture, uv))) {
+    const int32_t du1 = uv[1][0] - uv[0][0], du2 = uv[2][0] - uv[0][0];
+    const int32_t dv1 = uv[1][1] - uv[0][1], dv2 = uv[2][1] - uv[0][1];
+    struct frame f = {.warp = {{0, 32768, 32768}, {0, 0, 0}, 0}};
+    if ((r->lens.kind != PH_ORTHOGRAPHIC && !set_warp(&f.warp, v)) ||
+        (texture->wrap == PH_WRAP_CLAMP && !fits_clamped(texture, uv)) ||
+        is_too_wrong(&f.warp, (ph_without_sign(du1) | ph_without_sign(du2)) >> 4, width) ||
+        is_too_wrong(&f.warp, (ph_without_sign(dv1) | ph_without_sign(dv2)) >> 4, height)) {
         return false;
     }
-    const uint32_t most_u = (ph_without_sign(du1) | ph_without_sign(du2)) >> 4,
-                   most_v = (ph_without_sign(dv1) | ph_without_sign(dv2)) >> 4;
-    if ((most_u >> (23 - width) | most_v >> (23 - height)) != 0 || (most_u >> 16 | most_v >> 16) != 0 ||
-        (most_u << width | most_v << height) * warp.error >= 65536 * 256) {
-        return false;
-    }
-    const struct ph_slopes slopes = ph_slopes_of(sides);
     struct ph_subpixel_gradient q;
-    struct ph_plane u;
-    ph_set_gradient(&q, &slopes, warp.q[1], warp.q[2], 12, 22);
-    t->y_mid = (int16_t)(ph_min(ph_min(v[0]->x, v[1]->x), v[2]->x) >> 8);
-    const int32_t x = t->y_mid * 256 + 128 - v[0]->x, y = t->y_top * 256 + 128 - v[0]->y;
-    u.base = (uint32_t)uv[0][0] << (width + 6);
-    t->v.base = (uint32_t)uv[0][1] << (width + height);
+    f.slopes = ph_slopes_of(sides);
+    ph_set_gradient(&q, &f.slopes, f.warp.q[1], f.warp.q[2], 12, 22);
+    f.q = shortened(&q);
+    f.x = 128 - (v[0]->x & 255);
+    f.y = 128 - (v[0]->y & 255);
+    struct ph_plane u = {.base = (uint32_t)uv[0][0] << (width + 6)};
     if (texture->wrap == PH_WRAP_REPEAT) {
         u.base &= UINT32_MAX >> (10 - width);
     }
-    set_way(&u, &t->curves[0], &warp, &slopes, &q, du1, du2, width + 6, x, y);
-    set_way(&t->v, &t->curves[1], &warp, &slopes, &q, dv1, dv2, width + height, x, y);
+    set_way(&u, &t->curves[0], &f, du1, du2, width + 6);
+    t->v.base = (uint32_t)uv[0][1] << (width + height);
+    set_way(&t->v, &t->curves[1], &f, dv1, dv2, width + height);
     t->small.light = u.base;
     t->small.glight = u.gx;
     t->small.light_dy = u.gy;
+    t->y_mid = (int16_t)(v[0]->x >> 8);
+    t->range_log2 = (uint8_t)((v[0]->y >> 8) - t->y_top + 1);
     t->kind = PH_KIND_SMALL_TEXTURE;
     t->colour = ph_texture_light(t->material, v[0]);
     return true;

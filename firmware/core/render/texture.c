@@ -273,21 +273,28 @@ static void draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *
     }
 }
 
-/* u or v of a small triangle, n rows below its first one. */
-static void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear, struct ph_curve curve, uint32_t n)
+/* u or v of a small triangle, n rows below the row from which they count. */
+static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
+                                  const struct ph_curve *curve, uint32_t n)
 {
-    const uint32_t xy = (uint32_t)curve.xy << curve.shift, yy = (uint32_t)curve.yy << curve.shift;
-    line->at = linear->base + n * (linear->gy + n * yy);
-    line->at_dy = linear->gy + (2 * n + 1) * yy;
-    line->at_ddy = 2 * yy;
-    line->step = linear->gx + n * xy;
-    line->step_dy = xy;
-    line->bend = (uint32_t)curve.xx << curve.shift;
+    const uint32_t rise = n * curve->yy;
+    line->at = linear->base + n * (linear->gy + rise);
+    line->step = linear->gx + n * curve->xy;
+    line->at_dy = linear->gy + 2 * rise + curve->yy;
+    line->step_dy = curve->xy;
+    line->at_ddy = 2 * curve->yy;
+    line->bend = curve->xx;
 }
 
+/* The same as a tile has it, from PH_TILE columns further left on. */
 static struct ph_texel_way way_of(const struct ph_texel_line *line)
 {
-    return (struct ph_texel_way){line->at, line->step, line->bend, line->at_dy, line->step_dy, 0, line->at_ddy, 0};
+    return (struct ph_texel_way){.at = line->at - PH_TILE * (line->step - PH_TILE * line->bend),
+                                 .step = line->step - 2 * PH_TILE * line->bend,
+                                 .bend = line->bend,
+                                 .at_dy = line->at_dy - PH_TILE * line->step_dy,
+                                 .step_dy = line->step_dy,
+                                 .at_ddy = line->at_ddy};
 }
 
 /* The same for what ph_texture_small cannot draw: a clamped texture, or little light. */
@@ -313,7 +320,7 @@ static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_tr
     r->u_outside = clamp ? UINT32_MAX << width << 22 : 0;
     r->v_outside = clamp ? UINT32_MAX << (width + height) << 16 : 0;
     r->stride_bytes = s->run.stride_bytes;
-    r->columns = PH_TILE + 1;
+    r->columns = 2 * PH_TILE - 1;
     r->u = way_of(&s->run.u);
     r->v = way_of(&s->run.v);
 }
@@ -327,35 +334,46 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
     r->u_mask = (1u << texture->log2_width) - 1;
     r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
     r->stride_bytes = stride_bytes;
-    set_small_line(&r->u, &u, t->curves[0], (uint32_t)(y - t->y_top));
-    set_small_line(&r->v, &t->v, t->curves[1], (uint32_t)(y - t->y_top));
+    const uint32_t below = (uint32_t)(y - t->y_top - t->range_log2 + 1);
+    r->x = (uint32_t)t->y_mid;
+    set_small_line(&r->u, &u, &t->curves[0], below);
+    set_small_line(&r->v, &t->v, &t->curves[1], below);
     s->usual = t->colour >= 32 && texture->wrap == PH_WRAP_REPEAT;
     if (!s->usual) {
         begin_unusual(s, t);
     }
 }
 
-static FX_APART uint32_t draw_unusual(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
+/* A texel row's columns count from where its pixels may begin. */
+static FX_APART uint32_t draw_unusual(struct ph_small_texels *s, struct ph_small_triangle small, uint16_t *depth,
                                       uint16_t *pixels)
 {
     struct ph_texel_rows *const r = &s->rows;
-    r->left = small->left;
-    r->right = small->right;
-    r->left_dx = small->left_dx;
-    r->right_dx = small->right_dx;
-    r->d = small->d;
-    r->d_dy = small->d_dy;
-    r->gd = small->gd;
-    r->depth = depth;
-    r->pixels = pixels;
-    r->rows = small->upper_rows;
+    const uint32_t x = s->run.x - PH_TILE;
     r->count = 0;
-    if (s->kind.plain) {
-        draw_plain_rows(&s->kind, r);
-    } else {
-        draw_coded_rows(&s->kind, r);
+    r->depth = depth + (int32_t)x;
+    r->pixels = pixels + (int32_t)x;
+    r->d = small.d + x * small.gd;
+    r->d_dy = small.d_dy;
+    r->gd = small.gd;
+    for (;;) {
+        r->left = small.left - (x << 16);
+        r->right = small.right - (x << 16);
+        r->left_dx = small.left_dx;
+        r->right_dx = small.right_dx;
+        r->rows = small.upper_rows;
+        if (s->kind.plain) {
+            draw_plain_rows(&s->kind, r);
+        } else {
+            draw_coded_rows(&s->kind, r);
+        }
+        if (small.lower_rows == 0) {
+            return r->count;
+        }
+        small.left += small.upper_rows * small.left_dx;
+        small.right += small.upper_rows * small.right_dx;
+        ph_small_lower(&small);
     }
-    return r->count;
 }
 
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
@@ -363,18 +381,22 @@ uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_t
 {
     struct ph_texel_run *const r = &s->run;
     if (!s->usual) {
-        return draw_unusual(s, small, depth, pixels);
+        return draw_unusual(s, *small, depth, pixels);
     }
-    r->left = small->left;
-    r->right = small->right;
-    r->d = small->d;
+    r->left = small->left - (r->x << 16);
+    r->right = small->right - (r->x << 16);
+    r->d = small->d + r->x * small->gd;
     r->left_dx = small->left_dx;
     r->right_dx = small->right_dx;
     r->d_dy = small->d_dy;
     r->gd = small->gd;
-    r->depth = depth;
-    r->pixels = pixels;
+    r->depth = depth + r->x;
+    r->pixels = pixels + r->x;
     r->rows = small->upper_rows;
+    r->lower_rows = small->lower_rows;
+    r->lower_is_right = small->lower_is_right;
+    r->lower_x = (uint32_t)small->lower.x - (r->x << 16);
+    r->lower_dx = (uint32_t)small->lower.dx;
     return ph_texture_small(r);
 }
 

@@ -21,7 +21,7 @@ struct ph_tile_kind {
     bool plain;   /* ph_texture_tile can draw them */
 };
 
-/* The rows of a small textured triangle. Columns count from t->y_mid. */
+/* The rows of a small textured triangle. */
 struct ph_small_texels {
     bool usual; /* ph_texture_small can draw them, from run; else rows and kind are taken */
     struct ph_texel_run run;
@@ -32,7 +32,7 @@ struct ph_small_texels {
 /* Begins at row y of a small textured triangle. */
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
 
-/* Draws the upper rows of r, whose depth is in codes; depth, pixels: of column 0 of the first. Returns their pixels. */
+/* Draws the rows of r, whose depth is in codes; depth, pixels: of column 0 of the first. Returns their pixels. */
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *r, uint16_t *depth,
                               uint16_t *pixels);
 

@@ -52,12 +52,9 @@ static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
     return (uint16_t *)(void *)((uint8_t *)row + bytes);
 }
 
-/*
- * The second-order part of u or v over a small triangle: xx x^2 + xy x y + yy y^2 for column x and row y, all times
- * 2^shift. It is small, so 15 bits are enough.
- */
+/* The second-order part of u or v over a small triangle: xx x^2 + xy x y + yy y^2 for column x and row y. */
 struct ph_curve {
-    int16_t xx, xy, yy, shift;
+    uint32_t xx, xy, yy;
 };
 
 enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE };
@@ -65,12 +62,13 @@ enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH
 struct ph_triangle {
     uint32_t next;                  /* in its band's list, PH_NONE at the end */
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid; PH_KIND_SMALL_TEXTURE:
-                                       y_mid is the column from which u and v are counted */
+                                       y_mid is the column from which u and v count */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
-    uint8_t block;      /* float formats: block exponent of a depth that crosses octaves; or one of PH_BLOCK_... */
-    uint8_t range_log2; /* texture: |u|, |v| are below 2^this */
-    uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
+    uint8_t block; /* float formats: block exponent of a depth that crosses octaves; or one of PH_BLOCK_... */
+    uint8_t
+        range_log2; /* texture: |u|, |v| are below 2^this; PH_KIND_SMALL_TEXTURE: u and v count from row y_top + this */
+    uint16_t colour; /* flat: wire order; texture: light 0 .. 32 */
     const struct ph_material *material;
     union {
         struct {
@@ -86,7 +84,7 @@ struct ph_triangle {
         };
         struct {
             struct ph_small_triangle small; /* PH_KIND_SMALL; textured: the plane of light is the linear part of u */
-            struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v, from y_top and y_mid */
+            struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
             struct ph_curve curves[2];      /* of u, v */
         };
     };

@@ -100,10 +100,10 @@ pixel_\at:
 row:
     ldr r0, [sp, #self]
     ldmia r0!, {r1-r6} @ left, right, d, left_dx, right_dx, d_dy
-    lsrs r7, r1, #16
+    asrs r7, r1, #16
     str r7, [sp, #from]
     adds r1, r1, r4
-    lsrs r4, r2, #16
+    asrs r4, r2, #16
     adds r2, r2, r5
     mov r5, r8
     muls r5, r7
@@ -173,7 +173,24 @@ last:
     str r0, [sp, #rows]
     beq 2f
     b row
-2:  ldr r0, [sp, #count]
+2:  ldr r0, [sp, #self]
+    movs r1, r0
+    adds r1, #run_rows
+    ldmia r1!, {r2-r6} @ rows, lower_rows, lower_is_right, lower_x, lower_dx
+    cmp r3, #0
+    beq 4f
+    movs r2, #0
+    str r2, [r0, #run_rows + 4]
+    str r3, [sp, #rows]
+    cmp r4, #0
+    bne 3f
+    str r5, [r0]
+    str r6, [r0, #12]
+    b row
+3:  str r5, [r0, #4]
+    str r6, [r0, #16]
+    b row
+4:  ldr r0, [sp, #count]
     add sp, #frame
     restore_and_return
     .size ph_texture_small, . - ph_texture_small

@@ -49,8 +49,8 @@ pixel_\at:
     ldr r3, [r9, #run_gd]
 row:
     ldm r9, {r0, r1, r2, r4, r5, r7} @ left, right, d, left_dx, right_dx, d_dy
-    lsr r8, r0, #16
-    lsr r12, r1, #16
+    asr r8, r0, #16
+    asr r12, r1, #16
     add r0, r4
     add r1, r5
     mla r4, r3, r8, r2
@@ -116,7 +116,19 @@ last:
     subs r0, #1
     str r0, [r9, #run_rows]
     bne row
-    ldr r0, [sp, #count]
+    ldrd r0, r1, [r9, #run_rows + 4]
+    ldrd r4, r5, [r9, #run_rows + 12]
+    cbz r0, 3f
+    movs r2, #0
+    strd r0, r2, [r9, #run_rows]
+    cbnz r1, 2f
+    str r4, [r9]
+    str r5, [r9, #12]
+    b row
+2:  str r4, [r9, #4]
+    str r5, [r9, #16]
+    b row
+3:  ldr r0, [sp, #count]
     add sp, #frame
     pop {r4-r11, pc}
 empty:

@@ -18,7 +18,7 @@ static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t fro
     uint32_t u = ph_line_at(&r->u, from), du = r->u.step + pair * r->u.bend;
     uint32_t v = ph_line_at(&r->v, from), dv = r->v.step + pair * r->v.bend;
     uint32_t d = r->d + from * r->gd;
-    uint16_t *depth = r->depth + from, *pixel = r->pixels + from;
+    uint16_t *depth = r->depth + (int32_t)from, *pixel = r->pixels + (int32_t)from;
     for (uint32_t left = n; left > 0; left--, depth++, pixel++) {
         const uint32_t code = d >> 16;
         if (code > *depth) {
@@ -36,23 +36,40 @@ static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t fro
     }
 }
 
+/* The lower edge takes over; false if there are no lower rows. */
+static inline bool ph_lower_line(struct ph_texel_run *r)
+{
+    if (r->lower_is_right != 0) {
+        r->right = r->lower_x;
+        r->right_dx = r->lower_dx;
+    } else {
+        r->left = r->lower_x;
+        r->left_dx = r->lower_dx;
+    }
+    r->rows = r->lower_rows;
+    r->lower_rows = 0;
+    return r->rows > 0;
+}
+
 static inline uint32_t ph_texture_small_plain(struct ph_texel_run *r)
 {
     uint32_t count = 0;
-    for (; r->rows > 0; r->rows--) {
-        const uint32_t from = r->left >> 16, n = (r->right >> 16) - from;
-        if ((int32_t)n > 0) {
-            ph_draw_texel_line(r, from, n);
-            count += n;
+    do {
+        for (; r->rows > 0; r->rows--) {
+            const int32_t from = (int32_t)r->left >> 16, n = ((int32_t)r->right >> 16) - from;
+            if (n > 0) {
+                ph_draw_texel_line(r, (uint32_t)from, (uint32_t)n);
+                count += (uint32_t)n;
+            }
+            r->left += r->left_dx;
+            r->right += r->right_dx;
+            r->d += r->d_dy;
+            r->depth = ph_row_below(r->depth, r->stride_bytes);
+            r->pixels = ph_row_below(r->pixels, r->stride_bytes);
+            ph_texel_line_down(&r->u);
+            ph_texel_line_down(&r->v);
         }
-        r->left += r->left_dx;
-        r->right += r->right_dx;
-        r->d += r->d_dy;
-        r->depth = ph_row_below(r->depth, r->stride_bytes);
-        r->pixels = ph_row_below(r->pixels, r->stride_bytes);
-        ph_texel_line_down(&r->u);
-        ph_texel_line_down(&r->v);
-    }
+    } while (ph_lower_line(r));
     return count;
 }
 
