@@ -4,12 +4,13 @@
  * At the four corners of a tile u and v are divided exactly. Between them they follow a surface that is a parabola
  * along each row and each column and is exact in the middle of each side, too: if 1/w goes from w0 to w1 along a side,
  * and u changes by U, then u in its middle lies U (w1 - w0) / (2 (w0 + w1)) beside the straight line. So a pixel and a
- * row cost a few additions. Where 1/w changes much, tiles are smaller. They are placed by the triangle, not by the
- * band, so the picture does not depend on where bands begin. Measured error: tests/core/test_quality.c, test_texture.c.
+ * row cost a few additions. Where 1/w changes much, tiles are smaller. They are not placed by the band,
+ * so the picture does not depend on where bands begin. Measured error: tests/core/test_quality.c, test_texture.c.
  *
- * A triangle is cut into strips, rows in which all tiles have one height; a strip is cut into tiles from left to right.
- * ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, up to 65,536 texels), draw_run here
- * all others.
+ * A triangle is cut into strips, rows in which all tiles have one height, a power of two. A strip begins at a row that
+ * is a multiple of its height, so bands of a multiple of 16 lines cut no tile. A strip is cut into tiles from left to
+ * right. ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, up to 65,536 texels),
+ * draw_run here all others.
  */
 #include "texture.h"
 
@@ -583,7 +584,8 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
                           const struct surface *s)
 {
     const int32_t y = (int32_t)tile->y, y1 = y + (1 << tile->height_log2);
-    const struct ph_band rows = {NULL, NULL, false, y > band->y0 ? y : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
+    const int32_t top = y > t->y_top ? y : t->y_top;
+    const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
     struct ph_tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
@@ -665,18 +667,17 @@ static void measure_strip(const struct ph_triangle *t, int32_t width, struct str
     }
 }
 
-/* The highest strip from row y on that is gentle. */
+/* The highest strip from row y of the triangle on that is gentle. */
 static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y, struct strip *strip)
 {
-    const uint32_t rows = (uint32_t)t->y_bottom - y;
-    strip->y = y;
     strip->height_log2 = HEIGHT_LOG2;
-    while (strip->height_log2 > 0 && 1u << (strip->height_log2 - 1) >= rows) {
+    while (strip->height_log2 > 0 && (y ^ ((uint32_t)t->y_bottom - 1)) >> (strip->height_log2 - 1) == 0) {
         strip->height_log2--;
     }
     for (;; strip->height_log2--) {
         const uint32_t height = 1u << strip->height_log2;
-        strip->y_end = y + (height < rows ? height : rows);
+        strip->y = y & (0u - height);
+        strip->y_end = strip->y + height;
         measure_strip(t, width, strip);
         if (strip->height_log2 == 0 || strip->x >= strip->x_end ||
             is_gentle(t->attribute[0].gy, t->attribute[1].gy, over_w(t)->gy, strip->least_w, strip->height_log2)) {
@@ -704,9 +705,10 @@ static uint32_t draw_strip(const struct ph_triangle *t, const struct ph_band *ba
 
 uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band)
 {
+    const uint32_t top = (uint32_t)t->y_top, above = (uint32_t)band->y0 & (0u - (1u << HEIGHT_LOG2));
     uint32_t count = 0;
     struct strip strip;
-    for (uint32_t y = (uint32_t)t->y_top; y < (uint32_t)t->y_bottom && y < (uint32_t)band->y1; y = strip.y_end) {
+    for (uint32_t y = top > above ? top : above; y < (uint32_t)t->y_bottom && y < (uint32_t)band->y1; y = strip.y_end) {
         choose_strip(t, band->width, y, &strip);
         if (strip.y_end > (uint32_t)band->y0) {
             count += draw_strip(t, band, &strip);
