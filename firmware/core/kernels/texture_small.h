@@ -8,6 +8,7 @@
 #ifndef PH_TEXTURE_SMALL_H
 #define PH_TEXTURE_SMALL_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 struct ph_texel_line {
@@ -34,6 +35,21 @@ struct ph_texel_run {
 /* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
  * stand at the next row. */
 uint32_t ph_texture_small(struct ph_texel_run *r);
+
+/* The lower edge takes over; false if there are no lower rows. */
+static inline bool ph_texel_run_lower(struct ph_texel_run *r)
+{
+    if (r->lower_is_right != 0) {
+        r->right = r->lower_x;
+        r->right_dx = r->lower_dx;
+    } else {
+        r->left = r->lower_x;
+        r->left_dx = r->lower_dx;
+    }
+    r->rows = r->lower_rows;
+    r->lower_rows = 0;
+    return r->rows > 0;
+}
 
 /* Coefficients of the next row. */
 static inline void ph_texel_line_down(struct ph_texel_line *l)

@@ -208,16 +208,6 @@ static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uin
     return count;
 }
 
-/* Draws n pixels of a textured row from column x on. */
-static void draw_texels_across(const struct ph_small_texels *texels, const struct place *at, uint32_t x, uint32_t n,
-                               uint32_t d, uint32_t gd)
-{
-    const struct ph_small_triangle row = {
-        .left = x << 16, .right = (x + n) << 16, .d = d - x * gd, .gd = gd, .upper_rows = 1};
-    struct ph_small_texels run = *texels; /* stays at its row */
-    ph_small_texels_draw(&run, &row, at->depth, at->pixels);
-}
-
 /* Draws a row that crosses octaves. It begins in `first`; `next` is a guess of the octave that follows. */
 static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_small_triangle *r,
                                 const struct ph_octave *first, struct ph_octave *next, const struct place *at,
@@ -236,14 +226,12 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
         n = pixels_in_octave(octave, d, r->gd, to - x);
         const uint32_t code = ph_depth_float16_code(octave, d);
         if (texels != NULL) {
-            draw_texels_across(texels, at, x, n, code, octave->slope);
+            const struct ph_row_piece piece = {x, n, code, octave->slope, x + n == to};
+            ph_small_texels_piece(texels, &piece, at->depth, at->pixels);
         } else {
             ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
                             r->ramp);
         }
-    }
-    if (texels != NULL) {
-        ph_small_texels_down(texels);
     }
     return to - from;
 }
@@ -333,7 +321,7 @@ static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph
     return draw_rows_split(t, &r, at, NULL);
 }
 
-/* Draws a small textured triangle. */
+/* Draws a small textured triangle that crosses octaves, or that is not usual. */
 static NOINLINE uint32_t draw_small_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
@@ -365,7 +353,8 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
         return draw_small(t, band);
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
-        return draw_small_texture(t, band);
+        return t->block == PH_BLOCK_NONE && ph_texels_are_usual(t) ? ph_draw_small_texels(t, band)
+                                                                   : draw_small_texture(t, band);
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);

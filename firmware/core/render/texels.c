@@ -22,15 +22,33 @@ struct warp {
     uint32_t error;   /* d^2 / 2, Q16 */
 };
 
-/* False if W changes by more than a quarter. */
-static bool set_warp(struct warp *p, const struct ph_vertex *const v[3])
+/* W in 16 or 17 bits; false if it changes by more than 4 times. */
+static inline bool over_w(const struct ph_vertex *const v[3], int32_t w[3])
 {
-    const int least = ph_min(ph_min(v[0]->s, v[1]->s), v[2]->s), most = ph_max(ph_max(v[0]->s, v[1]->s), v[2]->s);
-    if (most > least + 1) {
+    const int s0 = v[0]->s, s1 = v[1]->s, s2 = v[2]->s;
+    if (((s0 ^ s1) | (s0 ^ s2)) == 0) { /* mostly */
+        for (int i = 0; i < 3; i++) {
+            w[i] = (int32_t)(v[i]->q >> 14);
+        }
+        return true;
+    }
+    const int least = ph_min(ph_min(s0, s1), s2);
+    if (ph_max(ph_max(s0, s1), s2) > least + 1) {
         return false;
     }
-    const int32_t w[3] = {(int32_t)(v[0]->q >> (v[0]->s - least + 14)), (int32_t)(v[1]->q >> (v[1]->s - least + 14)),
-                          (int32_t)(v[2]->q >> (v[2]->s - least + 14))};
+    w[0] = (int32_t)(v[0]->q >> (s0 - least + 14));
+    w[1] = (int32_t)(v[1]->q >> (s1 - least + 14));
+    w[2] = (int32_t)(v[2]->q >> (s2 - least + 14));
+    return true;
+}
+
+/* False if W changes by more than a quarter. */
+static inline bool set_warp(struct warp *p, const struct ph_vertex *const v[3], bool flat)
+{
+    int32_t w[3] = {1 << 16, 1 << 16, 1 << 16};
+    if (!flat && !over_w(v, w)) {
+        return false;
+    }
     const int32_t low = ph_min(ph_min(w[0], w[1]), w[2]), high = ph_max(ph_max(w[0], w[1]), w[2]);
     const int32_t middle = (low + high) >> 1;
     if (high - low > middle >> 2) {
@@ -121,10 +139,17 @@ static bool fits_clamped(const struct ph_texture *texture, const fx_t *const uv[
     return range + texture->log2_width <= 8 && range + texture->log2_width + texture->log2_height <= 14;
 }
 
-/* Whether the error may exceed 1/16 texel, where u or v changes by `most` / 4096 of 2^log2 texels. */
-static inline bool is_too_wrong(const struct warp *warp, uint32_t most, int log2)
+/* The larger difference between corners, or up to twice that; Q12 from Q16. */
+static inline uint32_t most_of(int32_t d1, int32_t d2)
 {
-    return most >> 16 != 0 || most >> (23 - log2) != 0 || (most << log2) * warp->error >= (uint32_t)1 << 24;
+    return (ph_without_sign(d1) | ph_without_sign(d2)) >> 4;
+}
+
+/* Whether u and v change by less than 1024 texels, and their error keeps below 1/16. most_u, most_v: Q12, of widths. */
+static inline bool is_exact(const struct warp *warp, uint32_t most_u, uint32_t most_v, const struct ph_texture *texture)
+{
+    const uint32_t most = most_u << texture->log2_width | most_v << texture->log2_height;
+    return (most_u | most_v) >> 16 == 0 && most >> 22 == 0 && most * warp->error < (uint32_t)1 << 24;
 }
 
 bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
@@ -137,11 +162,10 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
     const int width = texture->log2_width, height = texture->log2_height;
     const int32_t du1 = uv[1][0] - uv[0][0], du2 = uv[2][0] - uv[0][0];
     const int32_t dv1 = uv[1][1] - uv[0][1], dv2 = uv[2][1] - uv[0][1];
-    struct frame f = {.warp = {{0, 32768, 32768}, {0, 0, 0}, 0}};
-    if ((r->lens.kind != PH_ORTHOGRAPHIC && !set_warp(&f.warp, v)) ||
+    struct frame f;
+    if (!set_warp(&f.warp, v, r->lens.kind == PH_ORTHOGRAPHIC) ||
         (texture->wrap == PH_WRAP_CLAMP && !fits_clamped(texture, uv)) ||
-        is_too_wrong(&f.warp, (ph_without_sign(du1) | ph_without_sign(du2)) >> 4, width) ||
-        is_too_wrong(&f.warp, (ph_without_sign(dv1) | ph_without_sign(dv2)) >> 4, height)) {
+        !is_exact(&f.warp, most_of(du1, du2), most_of(dv1, dv2), texture)) {
         return false;
     }
     struct ph_subpixel_gradient q;

@@ -29,6 +29,12 @@ struct ph_small_texels {
     struct ph_tile_kind kind;
 };
 
+/* Whether ph_texture_small can draw a small triangle. */
+static inline bool ph_texels_are_usual(const struct ph_triangle *t)
+{
+    return t->colour >= 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
+}
+
 /* Begins at row y of a small textured triangle. */
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
 
@@ -36,7 +42,17 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *r, uint16_t *depth,
                               uint16_t *pixels);
 
-/* Steps one row down. */
-void ph_small_texels_down(struct ph_small_texels *s);
+/* Draws the rows of a small textured triangle that lie in the band, if it is usual and lies in one octave. */
+uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band);
+
+/* n pixels of a row from column x on; d: of the first, a 16.16 code. */
+struct ph_row_piece {
+    uint32_t x, n, d, gd;
+    bool last; /* of the row */
+};
+
+/* Draws a piece of a row; behind the last one it stands at the next row. depth, pixels: of column 0. */
+void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece *piece, uint16_t *depth,
+                           uint16_t *pixels);
 
 #endif

@@ -36,21 +36,6 @@ static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t fro
     }
 }
 
-/* The lower edge takes over; false if there are no lower rows. */
-static inline bool ph_lower_line(struct ph_texel_run *r)
-{
-    if (r->lower_is_right != 0) {
-        r->right = r->lower_x;
-        r->right_dx = r->lower_dx;
-    } else {
-        r->left = r->lower_x;
-        r->left_dx = r->lower_dx;
-    }
-    r->rows = r->lower_rows;
-    r->lower_rows = 0;
-    return r->rows > 0;
-}
-
 static inline uint32_t ph_texture_small_plain(struct ph_texel_run *r)
 {
     uint32_t count = 0;
@@ -69,7 +54,7 @@ static inline uint32_t ph_texture_small_plain(struct ph_texel_run *r)
             ph_texel_line_down(&r->u);
             ph_texel_line_down(&r->v);
         }
-    } while (ph_lower_line(r));
+    } while (ph_texel_run_lower(r));
     return count;
 }
 

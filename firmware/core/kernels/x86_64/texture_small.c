@@ -50,7 +50,7 @@ uint32_t ph_texture_small(struct ph_texel_run *r)
         }
         r->left = left;
         r->right = right;
-    } while (ph_lower_line(r));
+    } while (ph_texel_run_lower(r));
     texels2_part(b.at - TEXELS2_SIGN, &r->u.at, &r->v.at);
     texels2_part(b.step, &r->u.step, &r->v.step);
     texels2_part(b.at_dy, &r->u.at_dy, &r->v.at_dy);
