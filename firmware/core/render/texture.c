@@ -225,19 +225,31 @@ static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
     r->rows--;
 }
 
-/* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. */
+/* Draws the n columns from `first` on that lie in the tile, along one piece of the depth. */
+static void draw_piece(const struct ph_tile_kind *k, struct ph_texel_rows *r, int32_t first, int32_t n,
+                       struct ph_piece piece)
+{
+    const int32_t columns = (int32_t)r->columns, from = first > 0 ? first : 0;
+    const int32_t end = first + n < columns ? first + n : columns;
+    if (from < end) {
+        piece.d += (uint32_t)(from - first) * piece.gd;
+        draw_other(k, r, (uint32_t)from, (uint32_t)(end - from), piece);
+        r->count += (uint32_t)(end - from);
+    }
+}
+
+/* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. Pieces
+ * begin with the triangle's row, as in all other shadings, not with the tile. */
 static void draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     for (; r->rows > 0; row_down(k, r)) {
-        uint32_t i, left, n;
-        if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
-            continue;
-        }
-        r->count += left;
-        for (; left > 0; i += n, left -= n) {
-            n = left;
-            const struct ph_piece piece = ph_depth_piece(k->triangle, r->d + i * r->gd, &n);
-            draw_other(k, r, i, n, piece);
+        const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16;
+        const int32_t end = right < k->end ? right : k->end;
+        uint32_t n;
+        for (int32_t i = left > k->from ? left : k->from; i < end && i < (int32_t)r->columns; i += (int32_t)n) {
+            n = (uint32_t)(end - i);
+            const struct ph_piece piece = ph_depth_piece(k->triangle, r->d + (uint32_t)i * r->gd, &n);
+            draw_piece(k, r, i, (int32_t)n, piece);
         }
     }
 }
@@ -518,22 +530,61 @@ static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, u
     return (struct ph_edge){(int32_t)((uint32_t)x + 65535u + row * dx), (int32_t)dx};
 }
 
+/* The first of the columns i + 1 .. i + n - 1 of a row that is on the other side of the octaves' border than column i,
+ * from a guess. d, gd: depth at column 0 and per column. */
+static uint32_t border_column(uint32_t d, uint32_t gd, uint32_t border, bool near, uint32_t i, uint32_t n,
+                              int32_t guess)
+{
+    uint32_t x = guess <= (int32_t)i ? i + 1 : guess >= (int32_t)(i + n) ? i + n - 1 : (uint32_t)guess;
+    while (x < i + n - 1 && (d + x * gd >= border) == near) {
+        x++;
+    }
+    while (x > i + 1 && (d + (x - 1) * gd >= border) != near) {
+        x--;
+    }
+    return x;
+}
+
+/* For how many of n rows the edge is the border to the pixel. If it is not in the first row, it is put right there. */
+static uint32_t rows_at_border(const struct ph_texel_rows *r, uint32_t border, bool near, struct ph_edge *edge,
+                               uint32_t n)
+{
+    uint32_t left = r->left, right = r->right, d = r->d;
+    for (uint32_t row = 0; row < n; row++) {
+        uint32_t i, pixels;
+        const int32_t guess = (int32_t)((uint32_t)edge->x + row * (uint32_t)edge->dx) >> 16;
+        ph_tile_columns(left, right, r->columns, &i, &pixels);
+        const uint32_t x = border_column(d, r->gd, border, near, i, pixels, guess);
+        if ((int32_t)x != guess) {
+            edge->x = row > 0 ? edge->x : (int32_t)(x << 16);
+            return row > 0 ? row : 1;
+        }
+        left += r->left_dx;
+        right += r->right_dx;
+        d += r->d_dy;
+    }
+    return n;
+}
+
 /* Draws rows that have a near and a far octave in them, from row `row` of the tile on. */
 static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                              uint32_t row)
 {
-    const uint32_t way = depth->octaves[1].bottom - depth->d;
+    const uint32_t bottom = depth->octaves[1].bottom, way = bottom - depth->d;
     uint32_t n;
     for (uint32_t rows = r->rows; rows > 0; rows -= n, row += n) {
         bool near[2] = {false, false};
         r->rows = rows;
-        r->rows = n = rows_alike(r, depth->octaves[1].bottom, near);
-        if (near[0] == near[1] || fx_magnitude((int32_t)r->gd) <= fx_magnitude((int32_t)way) >>
-                                      29) { /* or so flat that the border is a row */
+        r->rows = n = rows_alike(r, bottom, near);
+        if (near[0] == near[1]) {
             draw_rows_in_octave(k, r, depth, near[0], row);
             continue;
         }
-        const struct ph_edge border = border_edge(depth, r->gd, row);
+        struct ph_edge border = {0, 0};
+        if (fx_magnitude((int32_t)r->gd) > fx_magnitude((int32_t)way) >> 29) { /* else it is almost a row */
+            border = border_edge(depth, r->gd, row);
+        }
+        r->rows = n = rows_at_border(r, bottom, near[0], &border, n);
         const uint32_t left = r->left, left_dx = r->left_dx;
         struct ph_texel_rows part = *r;
         part.right = (uint32_t)border.x;
@@ -573,6 +624,7 @@ static void set_texels(struct ph_tile_kind *k, const struct tile *tile, const st
     const struct ph_triangle *const t = k->triangle;
     const struct ph_texture *const texture = t->material->texture;
     const int width = texture->log2_width, height = texture->log2_height, range = t->range_log2;
+    k->from = -(int32_t)tile->x;
     k->texels = r->texels = texture->texels;
     k->u_mask = r->u_mask = (1u << width) - 1;
     k->v_mask = (1u << height) - 1;
@@ -624,7 +676,7 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
     r->rows = (uint32_t)(to - from);
     if (k->plain && t->block == PH_BLOCK_NONE) {
         draw_plain_rows(k, r);
-    } else if (!k->plain || !tile_depth(t, tile, &depth)) {
+    } else if (!k->plain || ((t->depth.base | t->depth.gx | t->depth.gy) & 7) != 0 || !tile_depth(t, tile, &depth)) {
         draw_rows_in_pieces(k, r);
     } else if (depth.octaves[0].octave == depth.octaves[1].octave) {
         draw_rows_in_octave(k, r, &depth, false, row);
@@ -647,6 +699,7 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;
     r.stride_bytes = 2 * width;
+    k.end = (int32_t)left;
     r.columns = left < columns ? left : columns;
     r.count = 0;
     r.d = ph_plane_at(&t->depth, tile->x, (uint32_t)rows.y0);

@@ -17,8 +17,9 @@ struct ph_tile_kind {
     int u_down, v_down; /* from u, v to whole texels */
     uint32_t light;     /* 0 .. 32 */
     bool clamp;
-    bool depth24; /* as in struct ph_band */
-    bool plain;   /* ph_texture_tile can draw them */
+    bool depth24;      /* as in struct ph_band */
+    bool plain;        /* ph_texture_tile can draw them */
+    int32_t from, end; /* columns of the picture, as the tile's columns count */
 };
 
 /* The rows of a small textured triangle. */
