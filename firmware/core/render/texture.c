@@ -15,6 +15,7 @@
 #include "texture.h"
 
 #include "colour.h"
+#include "kernels.h"
 #include "planes.h"
 #include "span.h"
 
@@ -157,12 +158,19 @@ static int32_t clamp_texel(int32_t texel, uint32_t mask)
     return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
 }
 
-/* c * light / 32 for all three channels at once. */
-static uint16_t shade(uint16_t wire, uint32_t light)
+/* As ph_wire16, of the low 16 bits, in the registers of a CPU that knows REV16. */
+static inline uint32_t wire_of(uint32_t v)
 {
-    const uint32_t c = ph_wire16(wire), spread = (c | c << 16) & 0x07e0f81fu;
-    const uint32_t lit = (spread * light >> 5) & 0x07e0f81fu;
-    return ph_wire16((uint16_t)(lit | lit >> 16));
+    return ph_wire16(1) == 1 ? v : (v >> 8 & 255) | v << 8;
+}
+
+/* c * light / 32 for all three channels at once. */
+static inline uint16_t shade(uint16_t wire, uint32_t light)
+{
+    const uint32_t fields = 0x07e0f81fu, c = wire_of(wire);
+    const uint32_t lit = ((c & 0xffff) | c << 16) & fields, scaled = lit * light >> 5 & fields;
+    const uint32_t both = scaled | scaled >> 16;
+    return (uint16_t)wire_of(both);
 }
 
 /* The texel at u, v; it is clamped or repeated, and lit if the light is not full. */
@@ -254,34 +262,133 @@ static void draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_ro
     }
 }
 
-/* Draws rows with depth in codes, none of them by ph_texture_tile. */
-static void draw_coded_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+/* ---- rows with depth in codes, of a texture of up to 65,536 texels ---- */
+
+/* Texels of a row on their way to be lit. Each row has a code above the last: all of its texels are drawn. */
+struct lit_row {
+    uint16_t texels[PH_TILE], codes[PH_TILE];
+    uint32_t code;
+};
+
+/* Copies of u or v for one row, from column i on: without calls, which a copy of a whole struct may cost. */
+static inline void set_row_way(struct ph_texel_way *to, const struct ph_texel_way *way, uint32_t i)
 {
-    for (; r->rows > 0; row_down(k, r)) {
-        uint32_t i, n;
-        if (ph_tile_columns(r->left, r->right, r->columns, &i, &n)) {
-            draw_other(k, r, i, n, (struct ph_piece){r->d + i * r->gd, r->gd});
-            r->count += n;
+    to->at = ph_texel_at(way, i);
+    to->step = way->step + 2 * i * way->bend;
+    to->bend = way->bend;
+    to->at_dy = to->step_dy = to->bend_dy = to->at_ddy = to->step_ddy = 0;
+}
+
+/* n columns of the next row from column i on, as a row of its own. */
+static inline void set_row(struct ph_texel_rows *row, const struct ph_texel_rows *r, uint32_t i, uint32_t n)
+{
+    row->left = row->left_dx = row->right_dx = row->d_dy = row->stride_bytes = row->count = 0;
+    row->right = n << 16;
+    row->d = r->d + i * r->gd;
+    row->gd = r->gd;
+    row->depth = r->depth + i;
+    row->pixels = r->pixels + i;
+    row->u_mask = r->u_mask;
+    row->v_mask = r->v_mask;
+    row->texels = r->texels;
+    row->columns = n;
+    row->rows = 1;
+    row->u_outside = row->v_outside = 0;
+}
+
+/* Draws a row with little light. */
+static void draw_lit_row(struct ph_texel_rows *row, struct lit_row *lit, uint32_t light)
+{
+    uint16_t *depth = row->depth, *pixel = row->pixels;
+    const uint16_t *texel = lit->texels, *const end = texel + row->columns;
+    const uint32_t gd = row->gd;
+    uint32_t d = row->d;
+    row->d = ++lit->code << 16;
+    row->gd = 0;
+    row->depth = lit->codes;
+    row->pixels = lit->texels;
+    ph_texture_tile(row);
+    for (; texel < end; d += gd, texel++, depth++, pixel++) {
+        if (ph_nearer16(depth, d)) {
+            PH_KEEP_BRANCH();
+            *pixel = shade(*texel, light);
         }
     }
 }
 
-/* Draws rows with depth in codes. ph_texture_tile stops before a row that leaves a clamped texture. */
+/* On which side of a clamped texture u or v lies in column i: -1, 1; 0: inside, by as much as pairs of pixels may err.
+ */
+static inline int side_of(const struct ph_texel_way *way, uint32_t outside, uint32_t i)
+{
+    const uint32_t at = ph_texel_at(way, i), margin = fx_magnitude((int32_t)way->bend);
+    return (int32_t)(at - margin) < 0 ? -1 : ((at + margin) & outside) != 0;
+}
+
+/* Returns how many of the first n columns lie on the same side as column 0. Outside u or v becomes that of the
+ * texture's border. */
+static uint32_t clamp_way(struct ph_texel_way *way, uint32_t outside, uint32_t n)
+{
+    const int side = side_of(way, outside, 0);
+    if (side_of(way, outside, n - 1) != side) {
+        uint32_t same = 0, other = n - 1;
+        while (other - same > 1) {
+            const uint32_t middle = (same + other) / 2;
+            if (side_of(way, outside, middle) == side) {
+                same = middle;
+            } else {
+                other = middle;
+            }
+        }
+        n = other;
+    }
+    if (side != 0) {
+        way->at = side < 0 ? 0 : ~outside;
+        way->step = way->bend = 0;
+    }
+    return n;
+}
+
+/* Draws the next row, which has little light or leaves a clamped texture. */
+static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r, struct lit_row *lit)
+{
+    uint32_t i, left, n;
+    if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
+        return;
+    }
+    r->count += left;
+    for (; left > 0; i += n, left -= n) {
+        struct ph_texel_rows row;
+        n = left;
+        set_row_way(&row.u, &r->u, i);
+        set_row_way(&row.v, &r->v, i);
+        if (r->u_outside != 0) {
+            n = clamp_way(&row.u, r->u_outside, n);
+            n = clamp_way(&row.v, r->v_outside, n);
+        }
+        set_row(&row, r, i, n);
+        if (k->light < 32) {
+            draw_lit_row(&row, lit, k->light);
+        } else {
+            ph_texture_tile(&row);
+        }
+    }
+}
+
+/* Draws rows. ph_texture_tile stops before a row that leaves a clamped texture. */
 static void draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
-    for (;;) {
-        uint32_t i, n;
-        ph_texture_tile(r);
-        if (r->rows == 0) {
-            return;
+    struct lit_row lit;
+    lit.code = 0;
+    if (k->light < 32) {
+        ph_fill(lit.codes, 0, PH_TILE);
+    }
+    while (r->rows > 0) {
+        if (k->light >= 32) {
+            ph_texture_tile(r);
         }
-        if (ph_tile_columns(r->left, r->right, r->columns, &i, &n)) {
-            draw_other(k, r, i, n, (struct ph_piece){r->d + i * r->gd, r->gd});
-            r->count += n;
-        }
-        row_down(k, r);
-        if (r->rows == 0) {
-            return;
+        if (r->rows > 0) {
+            draw_rare_row(k, r, &lit);
+            row_down(k, r);
         }
     }
 }
@@ -326,7 +433,7 @@ static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_tr
                                     .v_down = 16 + width,
                                     .light = t->colour,
                                     .clamp = clamp,
-                                    .plain = t->colour >= 32};
+                                    .plain = true};
     r->texels = texture->texels;
     r->u_mask = s->run.u_mask;
     r->v_mask = s->run.v_mask;
@@ -415,11 +522,7 @@ static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
         r->left_dx = run->left_dx;
         r->right_dx = run->right_dx;
         r->rows = rows;
-        if (s->kind.plain) {
-            draw_plain_rows(&s->kind, r);
-        } else {
-            draw_coded_rows(&s->kind, r);
-        }
+        draw_plain_rows(&s->kind, r);
         run->left += rows * run->left_dx;
         run->right += rows * run->right_dx;
         for (uint32_t i = 0; i < rows; i++) {
@@ -630,7 +733,7 @@ static void set_texels(struct ph_tile_kind *k, const struct tile *tile, const st
     k->v_mask = (1u << height) - 1;
     k->log2_width = texture->log2_width;
     k->clamp = texture->wrap == PH_WRAP_CLAMP && !is_inside(t, s);
-    k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && t->colour >= 32 && width + height <= 16 &&
+    k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
                (!k->clamp || (range + width <= 8 && range + width + height <= 14));
     k->u_down = k->plain ? 22 : 29 - range - width;
     k->v_down = k->plain ? 16 + width : 29 - range - height;
