@@ -204,8 +204,7 @@ struct ph_small {
     const uint16_t *ramp;               /* the material's, or its colour as the only entry */
     uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
     bool floats;                        /* float16, else fixed16 */
-    bool textured;
-    uint8_t shading;                    /* PH_SHADE_GOURAUD, PH_SHADE_FLAT, or PH_SHADE_UNLIT: one colour */
+    uint8_t shading;                    /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
 };
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */

@@ -91,10 +91,10 @@ static bool is_between(int32_t a, int32_t b, int32_t c, int32_t size)
 }
 
 /* Whether a small triangle keeps a pixel off the borders. Mostly its first corner tells: see inner() in frame.c. */
-static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3], bool small)
+static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const uint32_t margin = PH_SIDE_SMALL + 256;
-    return (small && (uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
+    return ((uint32_t)v[0]->x - margin < r->inner_x && (uint32_t)v[0]->y - margin < r->inner_y) ||
            (is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
@@ -107,12 +107,15 @@ static inline bool is_small(const struct ph_sides *s)
             (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
 }
 
-/* Whether a textured triangle that is not small can be drawn as one: it is as narrow, and its sides are short. */
-static inline bool is_narrow(const struct ph_sides *s)
+/* Whether a triangle that is not small can be drawn as one, because it is textured, as narrow, and has short sides. */
+static NOINLINE bool is_narrow(const struct ph_renderer *r, const struct ph_sides *s,
+                               const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy = (uint32_t)(s->dy2 - s->dy1);
-    return s->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
-           ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
+    return r->small.shading == PH_SHADE_TEXTURE && s->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
+           ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL &&
+           is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
+           is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height);
 }
 
 /* A triangle that is less than 2 px wide may miss the centres of all columns. */
@@ -210,9 +213,8 @@ void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
     const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
     r->small.material = format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture)) ? material : NULL;
-    r->small.textured = textured;
     r->small.ramp = lit ? material->ramp : &material->colour;
-    r->small.shading = lit ? material->shading : PH_SHADE_UNLIT;
+    r->small.shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     r->small.floats = format == PH_DEPTH_FLOAT16;
     r->small.far = ph_depth_far(&r->lens, 0);
     r->small.bias = r->small.floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
@@ -223,9 +225,9 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
                     const fx_t *const uv[3], const struct ph_sides *sides)
 {
     const uint32_t n = r->triangle_count;
-    const bool small = is_small(sides), fits = small || (r->small.textured && is_narrow(sides));
-    if (!fits || !is_inside(r, v, small) || material != r->small.material || n >= r->config.triangle_max) {
-        return setup_listed(r, material, v, uv, sides, small && is_inside(r, v, true));
+    const bool small = is_small(sides) && is_inside(r, v);
+    if ((!small && !is_narrow(r, sides, v)) || material != r->small.material || n >= r->config.triangle_max) {
+        return setup_listed(r, material, v, uv, sides, small);
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
     uint32_t d[3];
@@ -238,18 +240,18 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
     if (is_thin(sides) && misses_columns(r->config.width, v)) {
         return false;
     }
-    enum ph_small_setup done = ph_setup_small(t, v, sides, d);
+    const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
     if (done == PH_SMALL_NO_ROW) {
         return false;
     }
-    if (r->small.textured && !ph_setup_texels(t, r, v, uv, sides)) {
-        return setup_listed(r, material, v, uv, sides, small);
+    if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE || !small) { /* narrow: depth as in other shadings */
+        finish_depth(t, r, v, sides, d, small ? done : PH_SMALL_STEEP);
     }
-    done = small ? done : PH_SMALL_STEEP; /* then depth is what the same triangle has in another shading */
-    if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
-        finish_depth(t, r, v, sides, d, done);
-    }
-    if (!r->small.textured && r->small.shading != PH_SHADE_GOURAUD) {
+    if (r->small.shading == PH_SHADE_TEXTURE) {
+        if (!ph_setup_texels(t, r, v, uv, sides)) {
+            return setup_listed(r, material, v, uv, sides, small);
+        }
+    } else if (r->small.shading != PH_SHADE_GOURAUD) {
         t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
         t->small.glight = t->small.light_dy = 0;
     }
