@@ -1,9 +1,8 @@
 @ ph_texture_small (see texture_small.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
-@ row 56, a call some 25.
+@ row 51, a call some 25.
 @
-@ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_run, r10 v_mask, r11 texels,
-@ r12 depth, lr pixels; r0 r1 scratch. Before the pixels r8 is their first column and r0 their pair (see
-@ texture_tile.h).
+@ Registers: r0 dv, r2 d, r3 gd, r5 u_mask, r6 v_mask, r7 texels, r8 v, r9 the struct ph_texel_run, r10 u, r11 depth,
+@ r12 du, lr pixels; r1 r4 scratch. Before the pixels r8 is their first column and r0 their pair (see texture_tile.h).
 #include "../thumb.inc"
 #include "../offsets.inc"
 
@@ -15,23 +14,23 @@
 
     .macro pixel at
 pixel_\at:
-    ldrh r0, [r12, #2 * \at]
-    lsrs r1, r2, #16
-    cmp r1, r0
+    ldrh r1, [r11, #2 * \at]
+    lsrs r4, r2, #16
+    cmp r4, r1
     bls 1f
-    strh r1, [r12, #2 * \at]
-    and r0, r10, r7, lsr #16
-    and r1, r6, r4, lsr #22
-    add r0, r1
-    ldrh r0, [r11, r0, lsl #1]
-    strh r0, [lr, #2 * \at]
+    strh r4, [r11, #2 * \at]
+    and r1, r6, r8, lsr #16
+    and r4, r5, r10, lsr #22
+    add r1, r4
+    ldrh r1, [r7, r1, lsl #1]
+    strh r1, [lr, #2 * \at]
 1:  add r2, r3
-    add r4, r5
-    add r7, r8
+    add r10, r12
+    add r8, r0
     .if \at & 1
-    ldrd r0, r1, [sp, #steps]
-    add r5, r0
-    add r8, r1
+    ldrd r1, r4, [sp, #steps]
+    add r12, r1
+    add r0, r4
     .endif
     .endm
 
@@ -53,21 +52,20 @@ row:
     asr r12, r1, #16
     add r0, r4
     add r1, r5
-    mla r4, r3, r8, r2
-    add r2, r7
-    stm r9, {r0, r1, r2}
+    add r7, r2
+    stm r9, {r0, r1, r7}
+    mla r2, r3, r8, r2
     add lr, r9, #run_u
-    subs r2, r12, r8
+    subs r4, r12, r8
     ble empty
-    strd r2, r12, [sp, #ends]
-    bic r0, r2, #~1
+    strd r4, r12, [sp, #ends]
+    bic r0, r4, #~1
     ldr r1, [sp, #count]
     rsb r0, r0, #1
-    add r1, r2
+    add r1, r4
     add r0, r8
     str r1, [sp, #count]
     lsls r0, r0, #1
-    mov r2, r4
     ldm lr, {r1, r4, r5, r6, r7, r12} @ at, step, at_dy, step_dy, at_ddy, bend
     mla r10, r12, r8, r4
     mla r10, r10, r8, r1 @ u
@@ -85,18 +83,14 @@ row:
     add r4, r6
     add r5, r7
     stm lr, {r1, r4, r5}
-    mov r4, r10
-    mov r5, r12
-    mov r7, r8
-    mov r8, r0
-    ldrd r6, r10, [r9, #run_u_mask]
-    ldr r11, [r9, #run_texels]
-    ldrd r0, r1, [sp, #ends]
-    ldrd r12, lr, [r9, #run_depth]
+    ldrd r5, r6, [r9, #run_u_mask]
+    ldr r7, [r9, #run_texels]
+    ldrd r4, r1, [sp, #ends]
+    ldrd r11, lr, [r9, #run_depth]
     subs r1, #32 @ the last of the 32 unrolled pixels is the last pixel of the row
-    add r12, r12, r1, lsl #1
+    add r11, r11, r1, lsl #1
     add lr, lr, r1, lsl #1
-    tbh [pc, r0, lsl #1]
+    tbh [pc, r4, lsl #1]
 entries:
     .hword 0 @ not used
     .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
