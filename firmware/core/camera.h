@@ -22,6 +22,10 @@
 #include "geom.h"
 #include "status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum ph_convention { PH_GL, PH_D3D, PH_LMU, PH_REVERSED };
 
 struct ph_mat4 {
@@ -116,5 +120,9 @@ int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform 
  * Errors: PH_ERR_INVAL: a parent does not come before its child, or there is no such camera.
  */
 int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -16,6 +16,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef int32_t fx_t;
 
 #define FX_ONE     ((fx_t)65536)
@@ -110,7 +114,16 @@ static inline uint32_t fx_rcp16(uint32_t d);
 
 extern const uint16_t fx_rcp_table[256]; /* only for fx_rcp_norm and a CPU's fx_rcp16 */
 
-#include <fx_cpu.h> /* the CPU's own: -I names its folder before firmware/core */
+/* The CPU's own, where -I names its folder; else the portable one, which stands beside this file. */
+#ifdef __has_include
+#if __has_include(<fx_cpu.h>)
+#include <fx_cpu.h>
+#else
+#include "fx_cpu.h"
+#endif
+#else
+#include <fx_cpu.h>
+#endif
 
 /* floor(2^62 / d) for d = 2^31 .. 2^32 - 1, by Newton's method with products of 32 bits. */
 static inline uint32_t fx_rcp_newton(uint32_t d)
@@ -153,5 +166,9 @@ int fx_to_text(fx_t a, char text[FX_TEXT_SIZE]);
  *         outside -32768 .. 32767.99998.
  */
 int fx_from_text(const char *text, fx_t *out, const char **end);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -18,6 +18,10 @@
 
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct fx_vec3 {
     fx_t x, y, z;
 };
@@ -128,5 +132,9 @@ int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bot
  *         2400 at 240.
  */
 int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

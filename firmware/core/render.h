@@ -30,6 +30,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* ---- what is drawn ------------------------------------------------------------------------------------- */
 
 enum ph_shading {
@@ -140,6 +144,16 @@ struct ph_stats {
     uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
 };
 
+/* How ph_show hands out pixels. */
+enum ph_pixel_order {
+    PH_PIXELS_WIRE,   /* RGB565, the high byte first: as SPI displays take them */
+    PH_PIXELS_NATIVE, /* RGB565 as uint16_t of this machine: as LVGL and most drawing libraries have them */
+    PH_PIXELS_RGB888, /* 3 bytes: red, green, blue; 31 of 5 bits and 63 of 6 bits become 255 */
+};
+
+/* Bytes of a pixel: 2, or 3 for PH_PIXELS_RGB888. */
+size_t ph_pixel_bytes(unsigned order);
+
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 
@@ -166,6 +180,11 @@ struct ph_config {
      * returns false if it is busy; other_core_join returns when run has returned. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
+
+    /* Optional, for ph_show. */
+    void *pixels;        /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
+    uint16_t *shown;     /* width * height: what was shown last; with it only what changed is sent. Or NULL */
+    uint8_t pixel_order; /* enum ph_pixel_order */
 };
 
 /* How linear-w turns 1/w into a code, see depth.h. The unit of w puts the far plane just below 2^31. */
@@ -221,6 +240,7 @@ struct ph_renderer {
     uint32_t triangle_count;
     uint32_t carried; /* list of the triangles that continue in the next band */
     uint16_t background;
+    bool is_shown; /* config.shown holds what the display shows */
 };
 
 /*
@@ -264,6 +284,18 @@ uint32_t ph_frame_bands(struct ph_renderer *r);
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
+/* Takes a rectangle of the picture. Its pixels lie row behind row, in config.pixel_order, and may change after the
+ * return. Returns 0, or any other number to stop the frame. */
+typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const void *pixels);
+
+/*
+ * Shows the frame: sorts, draws every band and gives it to flush. This is ph_frame_bands and ph_draw_band in one call.
+ * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
+ * it was; the first frame, and the one after a frame that was stopped, are given whole.
+ * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
+ */
+int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
+
 /* ---- colours ---------------------------------------------------------------------------------------------- */
 
 /* RGB 0 .. 255 to RGB565 in wire order. */
@@ -274,5 +306,9 @@ uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue);
  * colour fades to white. Each colour is rounded to nearest.
  */
 void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, uint8_t blue, fx_t specular);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -20,6 +20,7 @@ BEGIN {
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
     rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
+    rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
     rule("firmware/core/render/raster\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", "firmware/core/render/raster\\.c:draw_share(\\..*)?$")
 }

@@ -63,7 +63,7 @@ int main(int argc, char *argv[])
 {
     struct depth_lab lab;
     const struct depth_command *command;
-    complain_as("pinhole-depth");
+    complain_begin("pinhole-depth", argc, argv);
     int status = depth_options_read(&lab, &command, commands, COMMAND_COUNT, argc, argv);
     if (status != 0) {
         return complain_exit(status);

@@ -1,6 +1,7 @@
 #include "sim_options.h"
 
 #include "complain.h"
+#include "frame_out.h"
 #include "option_table.h"
 #include "option_text.h"
 #include "render.h"
@@ -110,6 +111,12 @@ static bool set_depth(void *to, const char *value)
     return option_text_depth(value, &((struct sim_options *)to)->depth);
 }
 
+static bool set_difference(void *to, const char *value)
+{
+    ((struct sim_options *)to)->difference = value;
+    return option_text_ends(value, ".png") || option_text_ends(value, ".ppm");
+}
+
 static bool set_list(void *to, const char *value)
 {
     struct sim_options *o = to;
@@ -139,8 +146,21 @@ static const struct option_row rows[] = {
      .at = offsetof(struct sim_options, frames), .least = 1, .most = FRAME_LIMIT},
     {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
      .at = offsetof(struct sim_options, start), .least = 0, .most = FRAME_LIMIT},
-    {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
-     "a directory, a file that ends in .ppm, or -", .at = offsetof(struct sim_options, out)},
+    {"out", "DIR|FILE.png|FILE.gif|FILE.ppm|-",
+     "DIR/frame-NNNN.ppm; FILE.png or .ppm (several frames: FILE-NNNN.png); all frames as a GIF; - streams PPM to\n"
+     "        stdout",
+     FRAME_OUT_TAKES, .at = offsetof(struct sim_options, out)},
+    {"scale", "N", "makes every pixel of --out N x N pixels", "a whole number, 1 .. 16",
+     .at = offsetof(struct sim_options, scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
+    {"check", "REF",
+     "compares each frame with FILE.png or .ppm (several frames: FILE-NNNN.png), with a folder of such frames, or "
+     "with\n"
+     "        what --crc printed into a file; says what differs, draws it red into --difference, and exits 1",
+     "a picture, a folder or a file of CRCs", .at = offsetof(struct sim_options, check)},
+    {"tolerance", "N", "pixels may differ by so much in each channel; 0 by default", "a whole number, 0 .. 255",
+     .at = offsetof(struct sim_options, tolerance), .least = 0, .most = 255},
+    {"difference", "FILE.png", "where --check draws what differs; difference.png by default",
+     "a file that ends in .png or .ppm", .set = set_difference},
     {"rotate", "0|90|180|270",
      "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
      "        board's own by default. The glass is shown with the picture upright, as you would hold it: 90 and 270\n"
@@ -189,6 +209,8 @@ static const struct option_row rows[] = {
      "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
      "        wire, bus: bytes and time of the frame on the SPI bus",
      NULL, .at = offsetof(struct sim_options, stats)},
+    {"json", NULL, "prints --stats and --list as JSON; host-sim/README.md has the keys", NULL,
+     .at = offsetof(struct sim_options, json)},
     {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL,
      .set = set_list},
     {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
@@ -212,8 +234,9 @@ static int check_together(const struct sim_options *o)
     if (o->board != NULL && o->width != 0) {
         return complain_usage("--board and --size exclude each other");
     }
-    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix && !o->show_window) {
-        return complain_usage("nothing to do: give --out, --crc, --stats, --matrix or --window (see --help)");
+    if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
+        !o->show_window) {
+        return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix or --window (see --help)");
     }
     if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
         return complain_usage("--fov: must be less than 180 degrees; more only with --projection fisheye");

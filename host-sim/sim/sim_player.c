@@ -120,6 +120,27 @@ void sim_player_print_stats(const struct sim_player *p, uint32_t frame)
             (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
 }
 
+void sim_player_print_json(const struct sim_player *p, uint32_t frame)
+{
+    const struct ph_stats *s = &p->runner.renderer.stats;
+    const struct sim_counters now = sim_counters(p->sim);
+    const double bus_us = (double)sim_player_bus_ns(p) / 1000;
+    fprintf(
+        stderr,
+        "{\"frame\": %u, \"vertices\": %u, \"triangles_in\": %u, \"triangles_culled\": %u, \"triangles_clipped\": %u, "
+        "\"triangles_drawn\": %u, \"triangles_dropped\": %u, \"vertices_dropped\": %u, ",
+        (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
+        (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped,
+        (unsigned)s->vertices_dropped);
+    fprintf(stderr,
+            "\"fragments\": %u, \"depth\": \"%s\", \"wire_bytes\": %llu, \"writes\": %u, \"bus_us\": %.0f, "
+            "\"clock_hz\": %u, "
+            "\"fps\": %.1f}\n",
+            (unsigned)s->fragments, option_text_depth_name(s->depth_format),
+            (unsigned long long)(now.bytes - p->counters.bytes), (unsigned)(now.writes - p->counters.writes), bus_us,
+            (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
+}
+
 static uint32_t print_complaints(const struct sim *sim)
 {
     const uint32_t count = sim_complaint_count(sim);

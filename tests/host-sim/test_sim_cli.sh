@@ -363,7 +363,7 @@ names_with_a_dot_are_directories_when_they_say_so() {
     mkdir -p "$dir/v1.5" && "$sim" --demo cube "${small[@]}" --out "$dir/v1.5" && [ -s "$dir/v1.5/frame-0000.ppm" ] &&
         "$sim" --demo cube "${small[@]}" --out "$dir/v1.6/" && [ -s "$dir/v1.6/frame-0000.ppm" ] &&
         "$sim" --demo cube "${small[@]}" --out "$dir/.hidden" && [ -s "$dir/.hidden/frame-0000.ppm" ] &&
-        refuses 2 'only .ppm pictures' --out "$dir/foo.png" --demo cube && [ ! -e "$dir/foo.png" ]
+        refuses 2 "pictures are written" --out "$dir/foo.jpg" --demo cube && [ ! -e "$dir/foo.jpg" ]
 }
 
 a_signal_leaves_no_part_of_a_file() { # signal, exit status
@@ -558,8 +558,8 @@ exclude|--board x --size 8x8 --crc
 --near, --far: near must|--near 5 --far 5 --crc
 --near, --far: near must|--near 5 --far 4 --crc
 --projection, --fov|--projection frustum=1,1,0,1 --crc
-only .ppm pictures|--out foo.png
-only .ppm pictures|--out foo.PPM
+.gif pictures are written|--out foo.jpg
+.gif pictures are written|--out foo.PNG
 --projection|--projection frustum=0,1,0 --crc
 --projection|--projection frustum=0,1,0,1x --crc
 --projection|--projection perspective=0,1,0,1 --crc
