@@ -140,7 +140,7 @@ uf2_is_the_same_image() {
 
 per_pixel_from_ram() { # flash is slow, see rp2040.ld; the emulator does not show it
     local symbol
-    for symbol in ph_draw_band draw_plain_rows draw_other ph_fill ph_small_gouraud ph_span_flat ph_span_gouraud ph_texture_tile __aeabi_uidiv 'sign_of[.a-z0-9]*' 'go_on[.a-z0-9]*' rp2040_spi_interrupt; do
+    for symbol in ph_draw_band draw_plain_rows draw_other ph_fill ph_small_gouraud ph_span_flat ph_span_gouraud ph_texture_tile ph_texture_small ph_draw_small_texels __aeabi_uidiv 'sign_of[.a-z0-9]*' 'go_on[.a-z0-9]*' rp2040_spi_interrupt; do
         arm-none-eabi-nm "$B/firmware/$board-demos.elf" | grep -q "^2000.* $symbol\$" || { echo "$symbol" && return 1; }
     done
 }

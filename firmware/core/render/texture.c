@@ -210,8 +210,9 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
     }
 }
 
-static void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
-                       struct ph_piece piece)
+/* Apart, because it runs from RAM where flash is slow. */
+static __attribute__((noinline)) void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r,
+                                                 uint32_t i, uint32_t n, struct ph_piece piece)
 {
     if (k->depth24) {
         draw_run(k, r, i, n, piece, true);
