@@ -82,7 +82,7 @@ static inline struct short_gradient shortened(const struct ph_subpixel_gradient 
 /* v 2^up. */
 static inline uint32_t shifted(int32_t v, int up)
 {
-    return (uint32_t)(up >= 0 ? v * (1 << up) : v >> -up);
+    return up >= 0 ? (uint32_t)v << up : (uint32_t)(v >> -up);
 }
 
 /* -P q. P is in 2^-22 texels, so its gradient in 2^-14 per pixel; q is in Q28, so its gradient in Q20 per pixel. */
@@ -92,7 +92,7 @@ static inline void set_curve(struct ph_curve *curve, const struct ph_subpixel_gr
     const struct short_gradient g = shortened(gradient);
     const int up = ph_min(g.drop + q->drop - 12, 24);
     curve->xx = shifted(-(g.x * q->x), up);
-    curve->xy = shifted(-(g.x * q->y + g.y * q->x), up);
+    curve->xy = shifted((int32_t)(0u - (uint32_t)(g.x * q->y) - (uint32_t)(g.y * q->x)), up);
     curve->yy = shifted(-(g.y * q->y), up);
 }
 
@@ -152,6 +152,11 @@ static inline bool is_exact(const struct warp *warp, uint32_t most_u, uint32_t m
     return (most_u | most_v) >> 16 == 0 && most >> 22 == 0 && most * warp->error < (uint32_t)1 << 24;
 }
 
+static inline int32_t change(const fx_t *const uv[3], int corner, int axis)
+{
+    return (int32_t)((uint32_t)uv[corner][axis] - (uint32_t)uv[0][axis]);
+}
+
 bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                      const fx_t *const corner_uv[3], const struct ph_sides *sides)
 {
@@ -160,8 +165,7 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
     const fx_t *const *const uv = corner_uv != NULL ? corner_uv : origins;
     const struct ph_texture *const texture = t->material->texture;
     const int width = texture->log2_width, height = texture->log2_height;
-    const int32_t du1 = uv[1][0] - uv[0][0], du2 = uv[2][0] - uv[0][0];
-    const int32_t dv1 = uv[1][1] - uv[0][1], dv2 = uv[2][1] - uv[0][1];
+    const int32_t du1 = change(uv, 1, 0), du2 = change(uv, 2, 0), dv1 = change(uv, 1, 1), dv2 = change(uv, 2, 1);
     struct frame f;
     if (!set_warp(&f.warp, v, r->lens.kind == PH_ORTHOGRAPHIC) ||
         (texture->wrap == PH_WRAP_CLAMP && !fits_clamped(texture, uv)) ||
