@@ -111,9 +111,9 @@ struct ph_scene_light {
 enum ph_depth_format {
     PH_DEPTH_AUTO,     /* the format that ph_depth_choose() takes for the frame's camera */
     PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
-    PH_DEPTH_FLOAT16,  /* the same as an unsigned float: 4 bits of exponent, 12 of mantissa */
+    PH_DEPTH_FLOAT16,  /* the same as an unsigned float: 3 .. 6 bits of exponent, the rest mantissa */
     PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
-    PH_DEPTH_FLOAT24,  /* as FLOAT16, 20 bits of mantissa */
+    PH_DEPTH_FLOAT24,  /* as FLOAT16, 24 bits */
     PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits; slow: a reciprocal per pixel */
 };
 
@@ -132,6 +132,15 @@ size_t ph_depth_bytes(unsigned format);
 #define PH_DEPTH_FIXED16_RATIO 64
 enum ph_depth_format ph_depth_choose(const struct ph_projection *projection);
 
+/*
+ * Bits of exponent with which a float resolves most where it resolves least: 3 for an orthographic projection and where
+ * far <= PH_DEPTH_EXPONENT3_RATIO near, 4 where far <= PH_DEPTH_EXPONENT4_RATIO near, else 5. Every Q16.16 lens does
+ * with 5. See depth.h.
+ */
+#define PH_DEPTH_EXPONENT3_RATIO 64
+#define PH_DEPTH_EXPONENT4_RATIO 16384
+unsigned ph_depth_choose_exponent(const struct ph_projection *projection);
+
 struct ph_stats {
     uint32_t vertices;          /* transformed */
     uint32_t triangles_in;      /* of all meshes drawn */
@@ -142,6 +151,7 @@ struct ph_stats {
     uint32_t vertices_dropped;  /* of meshes left out: did not fit the vertex budget */
     uint32_t fragments;         /* pixels depth-tested */
     uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
+    uint8_t depth_exponent;     /* of this frame: bits of exponent of a float format, 3 .. 6; 0 for the others */
 };
 
 /* How ph_show hands out pixels. */
@@ -185,6 +195,8 @@ struct ph_config {
     void *pixels;        /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
     uint16_t *shown;     /* width * height: what was shown last; with it only what changed is sent. Or NULL */
     uint8_t pixel_order; /* enum ph_pixel_order */
+
+    uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
 };
 
 /* How linear-w turns 1/w into a code, see depth.h. The unit of w puts the far plane just below 2^31. */
@@ -210,7 +222,8 @@ struct ph_lens {
     fx_t near_z, far_z;
     uint32_t depth_scale; /* perspective: near plane, normalised; orthographic: 1 / (far - near), normalised */
     uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
-    int8_t far_s;
+    int8_t far_s;         /* not negative; the next byte is read with it */
+    uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
     struct ph_linear linear;
     uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
     uint32_t chord_min2; /* fisheye: (1/256 px)^2; shorter edges are not divided */

@@ -3,6 +3,7 @@
 #   make install PREFIX=/usr/local          programs, man pages, completion; the library with headers, pkg-config, CMake
 #   make install-dev                        the library alone, and its sources for CMake projects of another CPU
 #   make dist                               build/dist/: a tarball of git's HEAD, and the library for Arduino and ESP-IDF
+#   make deb                                build/deb/: Debian packages, through debian/
 PREFIX ?= /usr/local
 LIBDIR ?= lib
 HERE := firmware/package
@@ -19,7 +20,7 @@ CORE_ROOMS := $(patsubst firmware/core/%/,%,$(filter-out %/kernels/,$(wildcard f
 FILL = sed -e 's|@PREFIX@|$(PREFIX)|g; s|@LIBDIR@|$(LIBDIR)|g; s|@VERSION@|$(PINHOLE_VERSION)|g'
 INSTALL = install -m 644
 
-.PHONY: install install-programs install-dev uninstall dist
+.PHONY: install install-programs install-dev uninstall dist deb
 
 install: install-programs install-dev ## programs, man pages, library and headers, below PREFIX=/usr/local; pkg-config and CMake find it
 
@@ -50,3 +51,6 @@ uninstall: ## takes away what install brought
 
 dist: ## a tarball of git's HEAD, an Arduino and PlatformIO library, an ESP-IDF component: build/dist/
 	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/dist.sh
+
+deb: ## Debian packages pinhole and libpinhole-dev of git's HEAD, checked by lintian: build/deb/
+	$(Q)B='$(B)' VERSION='$(PINHOLE_VERSION)' $(HERE)/deb.sh

@@ -194,7 +194,7 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     }
     setup->rotation = o->rotate_set ? o->rotate : setup->board->rotation;
     setup->band_height = o->band != 0 ? o->band : setup->board->band_height;
-    setup->depth_format = o->depth;
+    setup->depth = o->depth;
     setup->overlay = o->overlay;
     status = choose_camera(o, setup, &setup->camera);
     return status != 0 ? status : choose_scene(o, chosen, setup);

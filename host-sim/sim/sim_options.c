@@ -27,32 +27,11 @@ static bool set_rotate(void *to, const char *value)
     return option_text_turns(value, &o->rotate);
 }
 
-/* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
 static bool set_camera(void *to, const char *value)
 {
     struct sim_options *o = to;
-    static const char *const keys[] = {"eye=", "target=", "up="};
-    struct fx_vec3 *const vectors[] = {&o->eye, &o->target, &o->up};
-    bool seen[3] = {false, false, false};
-    for (;;) {
-        int key = 0;
-        while (key < 3 && (seen[key] || strncmp(value, keys[key], strlen(keys[key])) != 0)) {
-            key++;
-        }
-        fx_t xyz[3];
-        if (key == 3 || !option_text_fx_list(value + strlen(keys[key]), xyz, 3, &value)) {
-            return false;
-        }
-        *vectors[key] = (struct fx_vec3){xyz[0], xyz[1], xyz[2]};
-        seen[key] = true;
-        if (*value == '\0') {
-            o->camera_set = seen[0];
-            return seen[0];
-        }
-        if (*value++ != ',') {
-            return false;
-        }
-    }
+    o->camera_set = option_text_camera(value, &o->eye, &o->target, &o->up);
+    return o->camera_set;
 }
 
 static bool set_distance(struct sim_options *o, fx_t *out, const char *value)
@@ -169,8 +148,7 @@ static const struct option_row rows[] = {
     {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
      "target is the origin and up is the y axis by default. Without this option the demo has its own view; it has\n"
      "        its own lens if none of --camera, --fov, --near, --far, --projection is given",
-     "eye=X,Y,Z and, optionally, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99",
-     .set = set_camera},
+     OPTION_CAMERA_VALUES, .set = set_camera},
     {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
      "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
     {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
@@ -182,12 +160,11 @@ static const struct option_row rows[] = {
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all of them. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", .set = set_convention},
-    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
+    {"depth", "auto|fixed16|float16[-eN]|fixed24|float24[-eN]|linear-w",
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
-     "        projection is parallel, else float16 (--stats names it). The 24-bit formats take twice the memory, "
-     "linear-w\n"
-     "        a reciprocal per pixel",
-     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+     "        projection is parallel, else float16. A float has N bits of exponent, by default those that the lens\n"
+     "        needs (--stats names them). The 24-bit formats take twice the memory, linear-w a reciprocal per pixel",
+     OPTION_DEPTH_VALUES, .set = set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,

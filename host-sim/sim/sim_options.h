@@ -6,6 +6,7 @@
 #define SIM_OPTIONS_H
 
 #include "camera.h"
+#include "option_text.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -30,8 +31,8 @@ struct sim_options {
     bool rotate_set;        /* else as the board is usually held */
     uint8_t rotate;         /* quarter turns, 0 .. 3 */
     uint32_t band;          /* lines, 0: the board's own */
-    uint8_t depth;          /* enum ph_depth_format */
-    uint8_t convention;     /* enum ph_convention */
+    struct option_depth depth;
+    uint8_t convention; /* enum ph_convention */
     bool crc, stats, json, overlay, matrix, show_window;
 
     bool camera_set;

@@ -149,7 +149,7 @@ static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_rendere
     struct ph_small_triangle *const small = &t->small;
     struct ph_triangle any;
     if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_octaves_between(d, t->block) <= 1) {
-        small->d = (small->d + 4) & ~(uint32_t)7; /* rounded: see planes.c; the gradients are multiples of 256 */
+        small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
         return;
     }
     any.block = PH_BLOCK_NONE;
