@@ -5,8 +5,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define TEXELS2_SIGN ((uint64_t)1 << 31) /* added to u, so that it is not negative; a multiple of the texture's width  \
-                                          */
+#define TEXELS2_SIGN                                                                                                   \
+    ((uint64_t)1 << 31) /* added to u, so that it is not negative; a multiple of the texture's width                   \
+                         */
 #define TEXELS2_U_TO_V                                                                                                 \
     ((uint64_t)1 << 26 | 1) /* a product with this adds the texel column of u to the texel row of v */
 
