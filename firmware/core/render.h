@@ -177,7 +177,7 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
-#define PH_TRIANGLE_BYTES_32 92
+#define PH_TRIANGLE_BYTES_32 116
 
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */
@@ -242,7 +242,7 @@ struct ph_small {
     const uint16_t *ramp;               /* the material's, or its colour as the only entry */
     uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
     bool floats;                        /* float16, else fixed16 */
-    uint8_t shading;                    /* PH_SHADE_GOURAUD, PH_SHADE_FLAT, or PH_SHADE_UNLIT: one colour */
+    uint8_t shading;                    /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
 };
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */

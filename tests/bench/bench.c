@@ -1,9 +1,12 @@
 /*
- * The benchmark: scenes S1 .. S5 at 320x240, frames 0, 8, .. 56, each frame drawn whole and then stage by stage.
+ * The benchmark: scenes S1 .. S6 at 320x240, frames 0, 8, .. 56, each frame drawn whole and then stage by stage.
  *
- * Words on the command line: scene (S1 .. S5 or all), depth format (name or all). Each line of output is
+ * Words on the command line: scene (S1 .. S6 or all), depth format (name or all). Each line of output is
  *
  *   SCENE FORMAT STAGE FRAME COUNT
+ *
+ * The frame is one band of 240 lines. FORMAT `kit` is what a kit runs: bands of 16 lines, and depth AUTO (float16
+ * here).
  *
  * COUNT is in instructions; for `crc` it is the frame's CRC, which pinhole-sim --crc prints in hexadecimal. Stages:
  *
@@ -27,25 +30,26 @@
 #define HEIGHT    240
 #define STEP      8
 #define LAST      56
-#define FORMATS   5
+#define FORMATS   6
+#define KIT_LINES 16
 #define VERTICES  2562
 #define TRIANGLES 2600
 #define ARENA     (512 * 1024)
 
 struct scene {
-    const char *name, *demo;
+    const char *name, *demo; /* NULL: bench_textured_torus */
 };
 
-static const struct scene scenes[] = {
-    {"S1", "torus"}, {"S2", "cube"}, {"S3", "fill"}, {"S4", "icosphere"}, {"S5", "ground"}};
+static const struct scene scenes[] = {{"S1", "torus"},     {"S2", "cube"},   {"S3", "fill"},
+                                      {"S4", "icosphere"}, {"S5", "ground"}, {"S6", NULL}};
 
-static const char *const format_names[FORMATS] = {"fixed16", "float16", "fixed24", "float24", "linear-w"};
-static const uint8_t formats[FORMATS] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24,
-                                         PH_DEPTH_LINEAR_W};
+static const char *const format_names[FORMATS] = {"kit", "fixed16", "float16", "fixed24", "float24", "linear-w"};
+static const uint8_t formats[FORMATS] = {PH_DEPTH_AUTO,    PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16,
+                                         PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24, PH_DEPTH_LINEAR_W};
 
 /* One image, one run: all its memory. Word-wise for alignment. */
 static uint64_t arena[ARENA / 8], vertices[VERTICES * 8], triangles[TRIANGLES * 20];
-static uint32_t depth[WIDTH * HEIGHT], bins[1];
+static uint32_t depth[WIDTH * HEIGHT], bins[HEIGHT / KIT_LINES];
 static uint16_t pixels[WIDTH * HEIGHT];
 
 /* The last mesh drawn, caught on its way into the renderer (ld --wrap). */
@@ -113,7 +117,7 @@ static uint32_t picture_crc(void)
 static void fill(struct ph_renderer *r)
 {
     for (uint32_t band = 0; band < r->band_count; band++) {
-        ph_draw_band(r, band, pixels);
+        ph_draw_band(r, band, pixels + band * r->config.band_height * WIDTH);
     }
 }
 
@@ -163,17 +167,17 @@ static void stages(const struct demo *demo, struct demo_context *context, struct
 
 static bool run(const struct scene *scene, unsigned format)
 {
-    const struct demo *const demo = demo_find(scene->demo);
+    const struct demo *const demo = scene->demo != NULL ? demo_find(scene->demo) : &bench_textured_torus;
     const struct ph_config config = {.width = WIDTH,
                                      .height = HEIGHT,
-                                     .band_height = HEIGHT,
+                                     .band_height = formats[format] == PH_DEPTH_AUTO ? KIT_LINES : HEIGHT,
                                      .depth_format = formats[format],
                                      .vertices = vertices,
                                      .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
                                      .triangles = triangles,
                                      .triangle_max = (uint32_t)(sizeof triangles / ph_triangle_bytes),
                                      .bins = bins,
-                                     .bin_max = 1,
+                                     .bin_max = HEIGHT / KIT_LINES,
                                      .depth = (void *)depth};
     struct demo_context context = {.width = WIDTH, .height = HEIGHT};
     context.arena.base = (uint8_t *)arena;

@@ -5,7 +5,12 @@
 #ifndef BENCH_H
 #define BENCH_H
 
+#include "demo.h"
+
 #include <stdint.h>
+
+/* Scene S6, of which only init and frame are set. */
+extern const struct demo bench_textured_torus;
 
 /* The instructions between the two are counted; stop reports them as one line: the words of `what`, the count. */
 void machine_start(void);

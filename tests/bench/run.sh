@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/run.sh m0plus|m3|m4f|x86_64 [SCENE|all [FORMAT|all]]
-#        PROGRAM=growth tests/bench/run.sh CORE      how the cost grows (growth.c)
+#        PROGRAM=growth tests/bench/run.sh CORE      how the cost grows (growth.c); cliffs: the rare against the usual
 # Builds the benchmark for that core and runs it: one line a stage and frame, `SCENE FORMAT STAGE FRAME COUNT` (bench.c).
 # Exits 1 when the counter is wrong (a loop of 1,000,000 x 2 instructions must read 2,000,000). Environment: B.
 set -eu
@@ -17,8 +17,8 @@ esac
 unset MAKEFLAGS
 mkdir -p "$dir"
 include="-Ifirmware/core/kernels/$cpu -Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ifirmware/app/demos -Itests/bench"
-wrap=
-[ "$program" != bench ] || wrap='-Wl,--wrap=ph_draw_mesh'
+wrap='' sources=tests/bench/$program.c
+[ "$program" != bench ] || wrap='-Wl,--wrap=ph_draw_mesh' sources="$sources tests/bench/textured_torus.c"
 
 objects() { # compiler, flags: builds them and prints their names
     make -s -j"$(nproc)" B="$dir" CC="$1" CPU="$cpu" KIT=1 CFLAGS="$2" firmware-objects >&2 || return 1
@@ -31,7 +31,7 @@ arm() {
     mapfile -t list <<<"$made"
     # shellcheck disable=SC2086 # words
     arm-none-eabi-gcc $flags -std=c11 -O2 $include $wrap -nostartfiles -Wl,--gc-sections -T tests/bench/bench.ld \
-        "tests/bench/$program.c" tests/bench/machine_arm.c "${list[@]}" -lc -lgcc -o "$dir/$program.elf"
+        $sources tests/bench/machine_arm.c "${list[@]}" -lc -lgcc -o "$dir/$program.elf"
     timeout 3000 qemu-system-arm -M "$machine" -icount shift=0 -display none -monitor none -serial stdio \
         -semihosting-config "enable=on,target=native,arg=bench,arg=$scene,arg=$format" -kernel "$dir/$program.elf" </dev/null
 }
@@ -41,7 +41,7 @@ host() {
     made=$(objects "${CC:-gcc}" -O2) || exit 1
     mapfile -t list <<<"$made"
     # shellcheck disable=SC2086 # words
-    ${CC:-gcc} -std=c11 -O2 $include $wrap "tests/bench/$program.c" tests/bench/machine_host.c "${list[@]}" -o "$dir/$program"
+    ${CC:-gcc} -std=c11 -O2 $include $wrap $sources tests/bench/machine_host.c "${list[@]}" -o "$dir/$program"
     rm -f "$dir"/counts.*
     valgrind -q --tool=callgrind --callgrind-out-file="$dir/counts" "$dir/$program" "$scene" "$format" >"$dir/said"
     awk -v dumps="$dir/counts." '

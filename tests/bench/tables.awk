@@ -10,10 +10,10 @@ BEGIN {
 
 FILENAME ~ /bars.csv$/ {
     split($0, word, ",")
-    must[word[1], word[2]] = word[3]
-    aim[word[1], word[2]] = word[4]
-    peer[word[1], word[2]] = word[5]
-    peer_name[word[1], word[2]] = word[6]
+    must[word[1], word[2], word[3]] = word[4]
+    aim[word[1], word[2], word[3]] = word[5]
+    peer[word[1], word[2], word[3]] = word[6]
+    peer_name[word[1], word[2], word[3]] = word[7]
     next
 }
 
@@ -42,6 +42,14 @@ FILENAME ~ /sizes$/ { # core, code, variables
     next
 }
 
+FILENAME ~ /cliffs$/ { # core, name, usual or cliff or empty, unit, units, count; `empty` belongs to the line before
+    if ($3 != "empty") { full = $6; variant = $3; next }
+    cost[$1, $2, variant] = (full - $6) / $5
+    unit[$2, variant] = $4
+    if (variant == "cliff" && !($2 in cliff)) { cliff[$2]; cliffs[++cliff_count] = $2 }
+    next
+}
+
 {
     sum[$1, $2, $3, $4] += $6
     seen[$1, $2, $3]
@@ -54,23 +62,26 @@ function row(core, scene, metric, value, must, aim, peer) {
     printf "%s,%s,%s,%s,%s,%s,%s\n", core, scene, metric, value, must, aim, peer >csv
 }
 
-function table(core, format,   s, scene, all, fragments, verdict) {
-    printf "\n%s, %s depth: millions of instructions a frame\n", core, format
+# One band. float16 is held to the bars of fixed16, but by eye alone.
+function table(core, format,   s, scene, all, fragments, verdict, metric, bar) {
+    metric = format == "fixed16" ? "minstr" : "minstr_" format
+    bar = format == "kit" ? metric : "minstr"
+    printf "\n%s, %s: millions of instructions a frame\n", core, format == "kit" ? "as a kit runs, bands of 16 lines and depth AUTO" : "one band, " format " depth"
     print "scene   frame   must    aim  best peer           ratio  transform  clip, set-up   bins  spans  clears   a fragment  a triangle"
-    for (s = 1; s <= 5; s++) {
+    for (s = 1; s <= 6; s++) {
         scene = "S" s
         if (!((core, scene, format) in seen)) { continue }
         all = mean(core, scene, format, "frame")
         fragments = mean(core, scene, format, "fill") - mean(core, scene, format, "clears")
-        verdict = format != "fixed16" ? " " : all / 1e6 <= must[core, scene] ? " " : "!"
+        verdict = format == "float16" || !must[core, scene, bar] || all / 1e6 <= must[core, scene, bar] ? " " : "!"
         printf "%s   %8.3f%s %5s  %5s  %5s %-12s %6.2f  %9.3f  %12.3f %6.3f %6.3f  %6.3f   %10.1f  %10.0f\n", scene, all / 1e6, verdict,
-            must[core, scene], aim[core, scene], peer[core, scene], peer_name[core, scene], all / 1e6 / peer[core, scene],
+            must[core, scene, bar], aim[core, scene, bar], peer[core, scene, bar], peer_name[core, scene, bar],
+            peer[core, scene, bar] ? all / 1e6 / peer[core, scene, bar] : 0,
             mean(core, scene, format, "vertices") / 1e6,
             (mean(core, scene, format, "geometry") - mean(core, scene, format, "vertices")) / 1e6,
             mean(core, scene, format, "bins") / 1e6, fragments / 1e6, mean(core, scene, format, "clears") / 1e6,
             all / mean(core, scene, format, "fragments"), all / mean(core, scene, format, "triangles")
-        row(core, scene, format == "fixed16" ? "minstr" : "minstr_" format, sprintf("%.4f", all / 1e6), must[core, scene],
-            aim[core, scene], peer[core, scene])
+        row(core, scene, metric, sprintf("%.4f", all / 1e6), must[core, scene, bar], aim[core, scene, bar], peer[core, scene, bar])
     }
 }
 
@@ -79,7 +90,7 @@ function formats_table(core,   f, s, line) {
     line = "scene "
     for (f = 1; f <= 5; f++) { line = line sprintf("  %16s", formats[f]) }
     print line
-    for (s = 1; s <= 5; s++) {
+    for (s = 1; s <= 6; s++) {
         line = "S" s "    "
         for (f = 1; f <= 5; f++) {
             if (!((core, "S" s, formats[f]) in seen)) { line = line sprintf("  %16s", "-"); continue }
@@ -89,7 +100,7 @@ function formats_table(core,   f, s, line) {
         print line
     }
     for (f = 3; f <= 5; f++) {
-        for (s = 1; s <= 5; s++) {
+        for (s = 1; s <= 6; s++) {
             if ((core, "S" s, formats[f]) in seen) {
                 row(core, "S" s, "minstr_" formats[f], sprintf("%.4f", mean(core, "S" s, formats[f], "frame") / 1e6), "", "", "")
             }
@@ -111,6 +122,25 @@ function rp2040_table(   s, cores, name) {
         }
     }
     print "S4 has an image of its own, which takes all of the RAM and has the mesh in flash."
+}
+
+function cliffs_table(   i, c, line, name, of) {
+    print "\nCliffs: instructions of what is rare against what is usual (and how many times that), as a kit runs"
+    line = sprintf("%-18s %-20s", "", "")
+    for (c = 1; c <= 4; c++) { line = line sprintf("  %26s", cores[c]) }
+    print line
+    for (i = 1; i <= cliff_count; i++) {
+        name = cliffs[i]
+        of = unit[name, "cliff"] (unit[name, "cliff"] == unit[name, "usual"] ? "" : " : " unit[name, "usual"])
+        line = sprintf("%-18s %-20s", name, "a " of)
+        for (c = 1; c <= 4; c++) {
+            if (!((cores[c], name, "cliff") in cost)) { line = line sprintf("  %26s", "-"); continue }
+            line = line sprintf("  %9.1f : %7.1f (%4.1f)", cost[cores[c], name, "cliff"], cost[cores[c], name, "usual"],
+                cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"])
+            row(cores[c], name, "cliff", sprintf("%.1f", cost[cores[c], name, "cliff"]), "", "", "")
+        }
+        print line
+    }
 }
 
 function sizes_table(   n, i, list, name, tail) {
@@ -141,11 +171,13 @@ END {
     printf "core,scene,metric,value,must,aim,best_peer\n" >csv
     for (c = 1; c <= 4; c++) {
         if (!((cores[c], "S1", "fixed16") in seen)) { continue }
+        table(cores[c], "kit")
         table(cores[c], "fixed16")
         table(cores[c], "float16")
         formats_table(cores[c])
         quality(cores[c])
     }
+    if (cliff_count) { cliffs_table() }
     if (rp2040) { rp2040_table() }
     if (sizes != "") { sizes_table() }
     print "\nPictures of this build (every core drew the same bytes) against the double-precision reference; bars in brackets"

@@ -16,7 +16,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud small_gouraud setup_small float_depths texture_tile vertices cull)
+loops=(fill span_flat span_gouraud small_gouraud setup_small float_depths texture_tile texture_small vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -77,6 +77,8 @@ check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_sm
 check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/lsr #16$/lsr #15/'
+check "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
+check "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
 check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
 check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
@@ -86,7 +88,7 @@ if [ "$(uname -m)" = x86_64 ]; then
     check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
-    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texture_tile.c 's/U_TO_V ((uint64_t)1 << 26 | 1)/U_TO_V ((uint64_t)1 << 27 | 1)/'
+    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
     check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
 else
     skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"

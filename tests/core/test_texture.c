@@ -196,6 +196,85 @@ static void many_repeats_are_exact(void **state)
     check_squares(8, 16, PH_WRAP_REPEAT, 3, 3, 1.2, .3);
 }
 
+/* ---- a mesh of small triangles ---------------------------------------------------------------------------- */
+
+#define MAJOR 32
+#define MINOR 16
+
+/* The benchmark's torus, on which the texture repeats 4 x 2 times: the vertices are doubled at the seams. */
+static void textured_torus(struct ref_scene *scene)
+{
+    struct ref_scene torus;
+    ref_scene_build(&torus, REF_TORUS);
+    *scene = torus;
+    scene->id = REF_CUBE; /* the same pose, and textured */
+    scene->vertex_count = (MAJOR + 1) * (MINOR + 1);
+    scene->vertices = calloc((size_t)scene->vertex_count, sizeof *scene->vertices);
+    assert_non_null(scene->vertices);
+    for (int n = 0; n < scene->vertex_count; n++) {
+        int i = n / (MINOR + 1), j = n % (MINOR + 1);
+        scene->vertices[n] = torus.vertices[i % MAJOR * MINOR + j % MINOR];
+        scene->vertices[n].uv[0] = 4. * i / MAJOR;
+        scene->vertices[n].uv[1] = 2. * j / MINOR;
+    }
+    for (int n = 0; n < scene->triangle_count; n++) {
+        int a = n / (2 * MINOR) * (MINOR + 1) + n / 2 % MINOR, b = a + MINOR + 1;
+        scene->triangles[n][0] = a;
+        scene->triangles[n][1] = n % 2 ? b + 1 : b;
+        scene->triangles[n][2] = n % 2 ? a + 1 : b + 1;
+    }
+    free(torus.vertices);
+}
+
+static long wrong_texels(const struct rig *rig, const struct ref_picture *exact, long *pixels)
+{
+    long wrong = 0;
+    for (int i = 0; i < rig->width * rig->height; i++) {
+        const struct ref_pixel pixel = ref_at(exact, i % rig->width, i / rig->width);
+        if (pixel.triangle >= 0 && rig->depth[i] != 0) {
+            const int x = (int)floor(pixel.uv[0] * TEXELS) & (TEXELS - 1);
+            const int y = (int)floor(pixel.uv[1] * TEXELS) & (TEXELS - 1);
+            (*pixels)++;
+            wrong += rig->pixels[i] != y * TEXELS + x;
+        }
+    }
+    return wrong;
+}
+
+/* All of its pixels count, those at the edges of triangles, too. */
+static void a_mesh_of_small_triangles_is_exact(void **state)
+{
+    static struct rig_mesh mesh;
+    struct ref_scene scene;
+    struct ref_picture exact;
+    (void)state;
+    textured_torus(&scene);
+    rig_mesh_build(&mesh, &scene);
+    for (int i = 0; i < TEXELS * TEXELS; i++) {
+        mesh.texels[i] = (uint16_t)i;
+    }
+    for (int format = PH_DEPTH_FIXED16; format <= PH_DEPTH_FIXED24; format++) { /* FIXED24 has no small triangles */
+        struct rig rig;
+        long wrong = 0, pixels = 0;
+        rig_open(&rig, 320, 240, 16, (enum ph_depth_format)format, scene.vertex_count, scene.triangle_count);
+        for (int frame = 0; frame < 64; frame += 8) {
+            const struct ph_xform pose = rig_pose(&scene, frame);
+            rig_begin(&rig);
+            assert_int_equal(ph_draw_mesh(&rig.r, &mesh.mesh, &pose), PH_OK);
+            assert_true(rig_finish(&rig));
+            ref_draw(&exact, &ref_benchmark, &scene, frame);
+            wrong += wrong_texels(&rig, &exact, &pixels);
+            ref_picture_free(&exact);
+        }
+        print_message("%ld pixels, %.3f %% another texel\n", pixels, 100. * (double)wrong / (double)pixels);
+        assert_true(pixels > 175000);
+        assert_true((double)wrong <= .006 * (double)pixels);
+        rig_close(&rig);
+    }
+    rig_mesh_free(&mesh);
+    ref_scene_free(&scene);
+}
+
 /* The square in one of two materials, or (2) in both, material 0 first. */
 static void draw_two(struct rig *rig, const struct square *s, const struct ref_plane *p,
                      const struct ph_material materials[2], uint32_t which)
@@ -273,6 +352,7 @@ int main(void)
         cmocka_unit_test(textures_through_the_near_plane_are_exact),
         cmocka_unit_test(clamped_textures_are_exact),
         cmocka_unit_test(many_repeats_are_exact),
+        cmocka_unit_test(a_mesh_of_small_triangles_is_exact),
         cmocka_unit_test(of_two_equal_depths_the_first_texel_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

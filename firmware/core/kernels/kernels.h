@@ -6,7 +6,7 @@
  * change of the arithmetic in one is a change in all. Assembly takes at most 80 bytes of stack, calls nothing outside
  * its file, and knows the structs by offsets.inc.
  *
- * Kernels with a struct of their own have a header: vertices.h, cull.h, texture_tile.h.
+ * Kernels with a struct of their own have a header: vertices.h, cull.h, texture_tile.h, texture_small.h.
  */
 #ifndef PH_KERNELS_H
 #define PH_KERNELS_H

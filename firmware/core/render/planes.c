@@ -426,9 +426,7 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     case PH_SHADE_TEXTURE_LIT:
         if (material->texture != NULL) {
             t->kind = PH_KIND_TEXTURE;
-            t->colour = material->shading == PH_SHADE_TEXTURE_LIT
-                            ? (uint16_t)(((uint32_t)(v[0]->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
-                            : 32;
+            t->colour = ph_texture_light(material, v[0]);
             setup_texture(r, s, v, uv, t);
             return;
         }

@@ -17,6 +17,14 @@ static inline uint32_t ph_depth_bias(const struct ph_material *material)
     return material->depth_bias < 56 ? material->depth_bias : 56;
 }
 
+/* Light of a textured triangle, 0 .. 32; `first` is its first corner. */
+static inline uint16_t ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
+{
+    return material->shading == PH_SHADE_TEXTURE_LIT
+               ? (uint16_t)(((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
+               : 32;
+}
+
 static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
 {
     return (struct ph_quotient){v->q, v->s};

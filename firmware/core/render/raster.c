@@ -209,9 +209,17 @@ static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct p
     return n;
 }
 
+/* Draws the upper rows of r, textured if there are texels. */
+static uint32_t draw_upper_rows(const struct ph_small_triangle *r, const struct place *at,
+                                struct ph_small_texels *texels)
+{
+    return texels != NULL ? ph_small_texels_draw(texels, r, at->depth, at->pixels)
+                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+}
+
 /* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
 static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t rows,
-                                    const struct place *at)
+                                    const struct place *at, struct ph_small_texels *texels)
 {
     const uint32_t from = r->left >> 16, d = r->d, gd = r->gd, d_dy = r->d_dy;
     const uint32_t above =
@@ -223,7 +231,7 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
            ph_depth_float16_slope(above, octave->up) - from * r->gd;
     r->upper_rows = (uint16_t)rows;
     r->lower_rows = 0;
-    const uint32_t count = ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+    const uint32_t count = draw_upper_rows(r, at, texels);
     r->d = d;
     r->gd = gd;
     r->d_dy = d_dy;
@@ -250,7 +258,8 @@ static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uin
 
 /* Draws a row that crosses octaves. It begins in `first`; `next` is a guess of the octave that follows. */
 static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_small_triangle *r,
-                                const struct ph_octave *first, struct ph_octave *next, const struct place *at)
+                                const struct ph_octave *first, struct ph_octave *next, const struct place *at,
+                                struct ph_small_texels *texels)
 {
     const uint32_t from = r->left >> 16, to = r->right >> 16;
     const struct ph_octave *octave = first;
@@ -263,14 +272,21 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
             octave = next;
         }
         n = pixels_in_octave(octave, d, r->gd, to - x);
-        ph_span_gouraud(&at->pixels[x], &at->depth[x], n, ph_depth_float16_code(octave, d), octave->slope,
-                        r->light + x * r->glight, r->glight, r->ramp);
+        const uint32_t code = ph_depth_float16_code(octave, d);
+        if (texels != NULL) {
+            const struct ph_row_piece piece = {x, n, code, octave->slope, x + n == to};
+            ph_small_texels_piece(texels, &piece, at->depth, at->pixels);
+        } else {
+            ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
+                            r->ramp);
+        }
     }
     return to - from;
 }
 
 /* Draws the rows of a triangle that crosses octaves. Most of its rows do not. */
-static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct place at)
+static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct place at,
+                                struct ph_small_texels *texels)
 {
     struct ph_octave octave = {0}, next = {0}; /* none yet */
     uint32_t count = 0;
@@ -281,10 +297,10 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
         }
         uint32_t n = rows_in_octave(r, &octave);
         if (n > 0) {
-            count += draw_rows_in_octave(r, &octave, n, &at);
+            count += draw_rows_in_octave(r, &octave, n, &at, texels);
         } else {
             n = 1;
-            count += draw_row_across(t, r, &octave, &next, &at);
+            count += draw_row_across(t, r, &octave, &next, &at, texels);
         }
         step_rows(r, n);
         at.depth += n * at.stride;
@@ -350,7 +366,20 @@ static NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct ph
 {
     struct ph_small_triangle r = t->small;
     const struct place at = cut_rows(t, band, &r);
-    return draw_rows_split(t, &r, at);
+    return draw_rows_split(t, &r, at, NULL);
+}
+
+/* Draws a small textured triangle that crosses octaves, or that is not usual. */
+static NOINLINE uint32_t draw_small_texture(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_small_triangle r = t->small;
+    const struct place at = cut_rows(t, band, &r);
+    struct ph_small_texels texels;
+    ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
+    if (t->block != PH_BLOCK_NONE) {
+        return draw_rows_split(t, &r, at, &texels);
+    }
+    return ph_small_texels_draw(&texels, &r, at.depth, at.pixels);
 }
 
 /* Draws a small triangle. Only the borders of the band can cut it. */
@@ -370,6 +399,10 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
 {
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
+    }
+    if (t->kind == PH_KIND_SMALL_TEXTURE) {
+        return t->block == PH_BLOCK_NONE && ph_texels_are_usual(t) ? ph_draw_small_texels(t, band)
+                                                                   : draw_small_texture(t, band);
     }
     if (t->block == PH_BLOCK_EXACT) {
         return draw_exact(t, band);

@@ -9,6 +9,7 @@
 #include "exact.h"
 #include "kernels.h"
 #include "planes.h"
+#include "texels.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
@@ -105,6 +106,17 @@ static inline bool is_small(const struct ph_sides *s)
     const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
     return ((dx1 + PH_SIDE_SMALL) | (dy1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dy2 + PH_SIDE_SMALL) |
             (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
+}
+
+/* Whether a triangle that is not small can be drawn as one, because it is textured, as narrow, and has short sides. */
+static NOINLINE bool is_narrow(const struct ph_renderer *r, const struct ph_sides *s,
+                               const struct ph_vertex *const v[3])
+{
+    const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy = (uint32_t)(s->dy2 - s->dy1);
+    return r->small.shading == PH_SHADE_TEXTURE && s->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
+           ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL &&
+           is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
+           is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height);
 }
 
 /* A triangle that is less than 2 px wide may miss the centres of all columns. */
@@ -250,9 +262,10 @@ void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
     const unsigned format = r->stats.depth_format, shading = material->shading;
     const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
-    r->small.material = !textured && material->depth_bias_slope == 0 && format <= PH_DEPTH_FLOAT16 ? material : NULL;
+    const bool fits = format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture));
+    r->small.material = fits && material->depth_bias_slope == 0 ? material : NULL;
     r->small.ramp = lit ? material->ramp : &material->colour;
-    r->small.shading = lit ? material->shading : PH_SHADE_UNLIT;
+    r->small.shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     r->small.floats = format == PH_DEPTH_FLOAT16;
     r->small.far = ph_depth_far(&r->lens, 0);
     r->small.bias = r->small.floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
@@ -264,7 +277,8 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
 {
     const uint32_t n = r->triangle_count;
     const bool small = is_small(sides) && is_inside(r, v);
-    if (!small || material != r->small.material || (n >= r->exact_first && !ph_free_exact(r))) {
+    if ((!small && !is_narrow(r, sides, v)) || material != r->small.material ||
+        (n >= r->exact_first && !ph_free_exact(r))) {
         return setup_listed(r, material, v, uv, sides, small);
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
@@ -282,10 +296,15 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
     if (done == PH_SMALL_NO_ROW || (done == PH_SMALL_STEEP && small_is_empty(&t->small))) {
         return false;
     }
-    if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) && !finish_depth(t, r, v, sides, d, done)) {
+    if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE || !small) && /* narrow: depth as in other shadings */
+        !finish_depth(t, r, v, sides, d, small ? done : PH_SMALL_STEEP)) {
         return setup_listed(r, material, v, uv, sides, false);
     }
-    if (r->small.shading != PH_SHADE_GOURAUD) {
+    if (r->small.shading == PH_SHADE_TEXTURE) {
+        if (!ph_setup_texels(t, r, v, uv, sides)) {
+            return setup_listed(r, material, v, uv, sides, small);
+        }
+    } else if (r->small.shading != PH_SHADE_GOURAUD) {
         t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
         t->small.glight = t->small.light_dy = 0;
     }

@@ -4,35 +4,24 @@
  * At the four corners of a tile u and v are divided exactly. Between them they follow a surface that is a parabola
  * along each row and each column and is exact in the middle of each side, too: if 1/w goes from w0 to w1 along a side,
  * and u changes by U, then u in its middle lies U (w1 - w0) / (2 (w0 + w1)) beside the straight line. So a pixel and a
- * row cost a few additions. Where 1/w changes much, tiles are smaller. They are placed by the triangle, not by the
- * band, so the picture does not depend on where bands begin. Measured error: tests/core/test_quality.c, test_texture.c.
+ * row cost a few additions. Where 1/w changes much, tiles are smaller. They are not placed by the band,
+ * so the picture does not depend on where bands begin. Measured error: tests/core/test_quality.c, test_texture.c.
  *
- * A triangle is cut into strips, rows in which all tiles have one height; a strip is cut into tiles from left to right.
- * ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, up to 65,536 texels), draw_run here
- * all others.
+ * A triangle is cut into strips, rows in which all tiles have one height, a power of two. A strip begins at a row that
+ * is a multiple of its height, so bands of a multiple of 16 lines cut no tile. A strip is cut into tiles from left to
+ * right. ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, up to 65,536 texels),
+ * draw_run here all others.
  */
 #include "texture.h"
 
 #include "colour.h"
+#include "kernels.h"
 #include "planes.h"
 #include "span.h"
-#include "texture_tile.h"
 
 enum { WIDTH_LOG2 = 5, HEIGHT_LOG2 = 4 };
 
 _Static_assert(1 << WIDTH_LOG2 == PH_TILE, "texture_tile.h");
-
-/* How the pixels of a tile are drawn. */
-struct tile_kind {
-    const struct ph_triangle *triangle;
-    const uint16_t *texels;
-    uint32_t u_mask, v_mask, log2_width;
-    int u_down, v_down; /* from u, v to whole texels */
-    uint32_t light;     /* 0 .. 32 */
-    bool clamp;
-    bool depth24; /* as in struct ph_band */
-    bool plain;   /* ph_texture_tile can draw them */
-};
 
 /* u or v, in 2^-25 of their range, at the top and the bottom of the left and the right side of a tile. */
 struct corners {
@@ -169,16 +158,23 @@ static int32_t clamp_texel(int32_t texel, uint32_t mask)
     return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
 }
 
-/* c * light / 32 for all three channels at once. */
-static uint16_t shade(uint16_t wire, uint32_t light)
+/* As ph_wire16, of the low 16 bits, in the registers of a CPU that knows REV16. */
+static inline uint32_t wire_of(uint32_t v)
 {
-    const uint32_t c = ph_wire16(wire), spread = (c | c << 16) & 0x07e0f81fu;
-    const uint32_t lit = (spread * light >> 5) & 0x07e0f81fu;
-    return ph_wire16((uint16_t)(lit | lit >> 16));
+    return ph_wire16(1) == 1 ? v : (v >> 8 & 255) | v << 8;
+}
+
+/* c * light / 32 for all three channels at once. */
+static inline uint16_t shade(uint16_t wire, uint32_t light)
+{
+    const uint32_t fields = 0x07e0f81fu, c = wire_of(wire);
+    const uint32_t lit = ((c & 0xffff) | c << 16) & fields, scaled = lit * light >> 5 & fields;
+    const uint32_t both = scaled | scaled >> 16;
+    return (uint16_t)wire_of(both);
 }
 
 /* The texel at u, v; it is clamped or repeated, and lit if the light is not full. */
-static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
+static inline uint16_t sample(const struct ph_tile_kind *k, uint32_t u, uint32_t v)
 {
     int32_t column = (int32_t)u >> k->u_down, line = (int32_t)v >> k->v_down;
     if (k->clamp) {
@@ -190,7 +186,7 @@ static inline uint16_t sample(const struct tile_kind *k, uint32_t u, uint32_t v)
 }
 
 /* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
-static inline __attribute__((always_inline)) void draw_run(const struct tile_kind *k, const struct ph_texel_rows *r,
+static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_kind *k, const struct ph_texel_rows *r,
                                                            uint32_t i, uint32_t n, struct ph_piece piece, bool depth24)
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
@@ -214,8 +210,9 @@ static inline __attribute__((always_inline)) void draw_run(const struct tile_kin
     }
 }
 
-static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
-                       struct ph_piece piece)
+/* Apart, because it runs from RAM where flash is slow. */
+static __attribute__((noinline)) void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r,
+                                                 uint32_t i, uint32_t n, struct ph_piece piece)
 {
     if (k->depth24) {
         draw_run(k, r, i, n, piece, true);
@@ -225,7 +222,7 @@ static void draw_other(const struct tile_kind *k, const struct ph_texel_rows *r,
 }
 
 /* Steps to the next row. */
-static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
+static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     r->left += r->left_dx;
     r->right += r->right_dx;
@@ -237,40 +234,350 @@ static void row_down(const struct tile_kind *k, struct ph_texel_rows *r)
     r->rows--;
 }
 
-/* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. */
-static void draw_rows_in_pieces(const struct tile_kind *k, struct ph_texel_rows *r)
+/* Draws the n columns from `first` on that lie in the tile, along one piece of the depth. */
+static void draw_piece(const struct ph_tile_kind *k, struct ph_texel_rows *r, int32_t first, int32_t n,
+                       struct ph_piece piece)
+{
+    const int32_t columns = (int32_t)r->columns, from = first > 0 ? first : 0;
+    const int32_t end = first + n < columns ? first + n : columns;
+    if (from < end) {
+        piece.d += (uint32_t)(from - first) * piece.gd;
+        draw_other(k, r, (uint32_t)from, (uint32_t)(end - from), piece);
+        r->count += (uint32_t)(end - from);
+    }
+}
+
+/* Draws rows whose depth may have several pieces each. r->d and r->gd are in units of the triangle's plane. Pieces
+ * begin with the triangle's row, as in all other shadings, not with the tile. */
+static void draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
     for (; r->rows > 0; row_down(k, r)) {
-        uint32_t i, left, n;
-        if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
-            continue;
-        }
-        r->count += left;
-        for (; left > 0; i += n, left -= n) {
-            n = left;
-            const struct ph_piece piece = ph_depth_piece(k->triangle, r->d + i * r->gd, &n);
-            draw_other(k, r, i, n, piece);
+        const int32_t left = (int32_t)r->left >> 16, right = (int32_t)r->right >> 16;
+        const int32_t end = right < k->end ? right : k->end;
+        uint32_t n;
+        for (int32_t i = left > k->from ? left : k->from; i < end && i < (int32_t)r->columns; i += (int32_t)n) {
+            n = (uint32_t)(end - i);
+            const struct ph_piece piece = ph_depth_piece(k->triangle, r->d + (uint32_t)i * r->gd, &n);
+            draw_piece(k, r, i, (int32_t)n, piece);
         }
     }
 }
 
-/* Draws rows with depth in codes. ph_texture_tile stops before a row that leaves a clamped texture. */
-static void draw_plain_rows(const struct tile_kind *k, struct ph_texel_rows *r)
+/* ---- rows with depth in codes, of a texture of up to 65,536 texels ---- */
+
+/* Texels of a row on their way to be lit. Each row has a code above the last: all of its texels are drawn. */
+struct lit_row {
+    uint16_t texels[PH_TILE], codes[PH_TILE];
+    uint32_t code;
+};
+
+/* Copies of u or v for one row, from column i on: without calls, which a copy of a whole struct may cost. */
+static inline void set_row_way(struct ph_texel_way *to, const struct ph_texel_way *way, uint32_t i)
 {
-    for (;;) {
-        uint32_t i, n;
-        ph_texture_tile(r);
-        if (r->rows == 0) {
-            return;
+    to->at = ph_texel_at(way, i);
+    to->step = way->step + 2 * i * way->bend;
+    to->bend = way->bend;
+    to->at_dy = to->step_dy = to->bend_dy = to->at_ddy = to->step_ddy = 0;
+}
+
+/* n columns of the next row from column i on, as a row of its own. */
+static inline void set_row(struct ph_texel_rows *row, const struct ph_texel_rows *r, uint32_t i, uint32_t n)
+{
+    row->left = row->left_dx = row->right_dx = row->d_dy = row->stride_bytes = row->count = 0;
+    row->right = n << 16;
+    row->d = r->d + i * r->gd;
+    row->gd = r->gd;
+    row->depth = r->depth + i;
+    row->pixels = r->pixels + i;
+    row->u_mask = r->u_mask;
+    row->v_mask = r->v_mask;
+    row->texels = r->texels;
+    row->columns = n;
+    row->rows = 1;
+    row->u_outside = row->v_outside = 0;
+}
+
+/* Draws a row with little light. */
+static void draw_lit_row(struct ph_texel_rows *row, struct lit_row *lit, uint32_t light)
+{
+    uint16_t *depth = row->depth, *pixel = row->pixels;
+    const uint16_t *texel = lit->texels, *const end = texel + row->columns;
+    const uint32_t gd = row->gd;
+    uint32_t d = row->d;
+    row->d = ++lit->code << 16;
+    row->gd = 0;
+    row->depth = lit->codes;
+    row->pixels = lit->texels;
+    ph_texture_tile(row);
+    for (; texel < end; d += gd, texel++, depth++, pixel++) {
+        if (ph_nearer16(depth, d)) {
+            PH_KEEP_BRANCH();
+            *pixel = shade(*texel, light);
         }
-        if (ph_tile_columns(r->left, r->right, r->columns, &i, &n)) {
-            draw_other(k, r, i, n, (struct ph_piece){r->d + i * r->gd, r->gd});
-            r->count += n;
+    }
+}
+
+/* On which side of a clamped texture u or v lies in column i: -1, 1; 0: inside, by as much as pairs of pixels may err.
+ */
+static inline int side_of(const struct ph_texel_way *way, uint32_t outside, uint32_t i)
+{
+    const uint32_t at = ph_texel_at(way, i), margin = fx_magnitude((int32_t)way->bend);
+    return (int32_t)(at - margin) < 0 ? -1 : ((at + margin) & outside) != 0;
+}
+
+/* Returns how many of the first n columns lie on the same side as column 0. Outside u or v becomes that of the
+ * texture's border. */
+static uint32_t clamp_way(struct ph_texel_way *way, uint32_t outside, uint32_t n)
+{
+    const int side = side_of(way, outside, 0);
+    if (side_of(way, outside, n - 1) != side) {
+        uint32_t same = 0, other = n - 1;
+        while (other - same > 1) {
+            const uint32_t middle = (same + other) / 2;
+            if (side_of(way, outside, middle) == side) {
+                same = middle;
+            } else {
+                other = middle;
+            }
         }
-        row_down(k, r);
-        if (r->rows == 0) {
-            return;
+        n = other;
+    }
+    if (side != 0) {
+        way->at = side < 0 ? 0 : ~outside;
+        way->step = way->bend = 0;
+    }
+    return n;
+}
+
+/* Draws the next row, which has little light or leaves a clamped texture. */
+static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r, struct lit_row *lit)
+{
+    uint32_t i, left, n;
+    if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
+        return;
+    }
+    r->count += left;
+    for (; left > 0; i += n, left -= n) {
+        struct ph_texel_rows row;
+        n = left;
+        set_row_way(&row.u, &r->u, i);
+        set_row_way(&row.v, &r->v, i);
+        if (r->u_outside != 0) {
+            n = clamp_way(&row.u, r->u_outside, n);
+            n = clamp_way(&row.v, r->v_outside, n);
         }
+        set_row(&row, r, i, n);
+        if (k->light < 32) {
+            draw_lit_row(&row, lit, k->light);
+        } else {
+            ph_texture_tile(&row);
+        }
+    }
+}
+
+/* Draws rows. ph_texture_tile stops before a row that leaves a clamped texture. */
+static void draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+{
+    struct lit_row lit;
+    lit.code = 0;
+    if (k->light < 32) {
+        ph_fill(lit.codes, 0, PH_TILE);
+    }
+    while (r->rows > 0) {
+        if (k->light >= 32) {
+            ph_texture_tile(r);
+        }
+        if (r->rows > 0) {
+            draw_rare_row(k, r, &lit);
+            row_down(k, r);
+        }
+    }
+}
+
+/* u or v of a small triangle, n rows below the row from which they count. */
+static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
+                                  const struct ph_curve *curve, uint32_t n)
+{
+    const uint32_t rise = n * curve->yy;
+    line->at = linear->base + n * (linear->gy + rise);
+    line->step = linear->gx + n * curve->xy;
+    line->at_dy = linear->gy + 2 * rise + curve->yy;
+    line->step_dy = curve->xy;
+    line->at_ddy = 2 * curve->yy;
+    line->bend = curve->xx;
+}
+
+/* The same as a tile has it, from PH_TILE columns further left on. */
+static struct ph_texel_way way_of(const struct ph_texel_line *line)
+{
+    return (struct ph_texel_way){.at = line->at - PH_TILE * (line->step - PH_TILE * line->bend),
+                                 .step = line->step - 2 * PH_TILE * line->bend,
+                                 .bend = line->bend,
+                                 .at_dy = line->at_dy - PH_TILE * line->step_dy,
+                                 .step_dy = line->step_dy,
+                                 .at_ddy = line->at_ddy};
+}
+
+/* The same for what ph_texture_small cannot draw: a clamped texture, or little light. */
+static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const int width = texture->log2_width, height = texture->log2_height;
+    const bool clamp = texture->wrap == PH_WRAP_CLAMP;
+    struct ph_texel_rows *const r = &s->rows;
+    s->kind = (struct ph_tile_kind){.triangle = t,
+                                    .texels = texture->texels,
+                                    .u_mask = s->run.u_mask,
+                                    .v_mask = (1u << height) - 1,
+                                    .log2_width = (uint32_t)width,
+                                    .u_down = 22,
+                                    .v_down = 16 + width,
+                                    .light = t->colour,
+                                    .clamp = clamp,
+                                    .plain = true};
+    r->texels = texture->texels;
+    r->u_mask = s->run.u_mask;
+    r->v_mask = s->run.v_mask;
+    r->u_outside = clamp ? UINT32_MAX << width << 22 : 0;
+    r->v_outside = clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    r->stride_bytes = s->run.stride_bytes;
+    r->columns = 2 * PH_TILE - 1;
+}
+
+/* Sets u, v and the texture; y: the first row that is drawn. */
+static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
+    const uint32_t below = (uint32_t)(y - t->y_top - t->range_log2 + 1);
+    r->texels = texture->texels;
+    r->u_mask = (1u << texture->log2_width) - 1;
+    r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
+    r->stride_bytes = stride_bytes;
+    r->x = (uint32_t)t->y_mid;
+    set_small_line(&r->u, &u, &t->curves[0], below);
+    set_small_line(&r->v, &t->v, &t->curves[1], below);
+}
+
+void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+{
+    begin_run(&s->run, t, y, stride_bytes);
+    s->usual = ph_texels_are_usual(t);
+    if (!s->usual) {
+        begin_unusual(s, t);
+    }
+}
+
+uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const struct ph_small_triangle *const s = &t->small;
+    const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
+    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
+    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
+    struct ph_texel_run r;
+    begin_run(&r, t, y, 2 * (uint32_t)band->width);
+    r.left_dx = s->left_dx;
+    r.right_dx = s->right_dx;
+    r.left = s->left - (x << 16) + above * r.left_dx;
+    r.right = s->right - (x << 16) + above * r.right_dx;
+    r.lower_is_right = s->lower_is_right;
+    r.lower_x = (uint32_t)s->lower.x - (x << 16);
+    r.lower_dx = (uint32_t)s->lower.dx;
+    r.lower_rows = s->lower_rows;
+    r.rows = s->upper_rows - above;
+    if ((int32_t)r.rows <= 0) { /* it begins below the upper rows */
+        r.lower_x -= r.rows * r.lower_dx;
+        r.lower_rows += r.rows;
+        ph_texel_run_lower(&r);
+    }
+    if (r.rows + r.lower_rows > rows) {
+        r.rows = r.rows < rows ? r.rows : rows;
+        r.lower_rows = rows - r.rows;
+    }
+    r.gd = s->gd;
+    r.d_dy = s->d_dy;
+    r.d = s->d + x * r.gd + above * r.d_dy;
+    r.depth = (uint16_t *)band->depth + at;
+    r.pixels = band->pixels + at;
+    return ph_texture_small(&r);
+}
+
+/* Draws the rows of a run that ph_texture_small cannot draw. Columns of a tile are not negative: they count from
+ * PH_TILE columns further left. */
+static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
+{
+    struct ph_texel_run *const run = &s->run;
+    struct ph_texel_rows *const r = &s->rows;
+    r->count = 0;
+    r->depth = run->depth - PH_TILE;
+    r->pixels = run->pixels - PH_TILE;
+    r->d = run->d - PH_TILE * run->gd;
+    r->d_dy = run->d_dy;
+    r->gd = run->gd;
+    r->u = way_of(&run->u);
+    r->v = way_of(&run->v);
+    do {
+        const uint32_t rows = run->rows;
+        r->left = run->left + ((uint32_t)PH_TILE << 16);
+        r->right = run->right + ((uint32_t)PH_TILE << 16);
+        r->left_dx = run->left_dx;
+        r->right_dx = run->right_dx;
+        r->rows = rows;
+        draw_plain_rows(&s->kind, r);
+        run->left += rows * run->left_dx;
+        run->right += rows * run->right_dx;
+        for (uint32_t i = 0; i < rows; i++) {
+            ph_texel_line_down(&run->u);
+            ph_texel_line_down(&run->v);
+        }
+    } while (ph_texel_run_lower(run));
+    return r->count;
+}
+
+static uint32_t draw_run_of(struct ph_small_texels *s)
+{
+    return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
+}
+
+uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
+                              uint16_t *pixels)
+{
+    struct ph_texel_run *const r = &s->run;
+    r->left = small->left - (r->x << 16);
+    r->right = small->right - (r->x << 16);
+    r->d = small->d + r->x * small->gd;
+    r->left_dx = small->left_dx;
+    r->right_dx = small->right_dx;
+    r->d_dy = small->d_dy;
+    r->gd = small->gd;
+    r->depth = depth + r->x;
+    r->pixels = pixels + r->x;
+    r->rows = small->upper_rows;
+    r->lower_rows = small->lower_rows;
+    r->lower_is_right = small->lower_is_right;
+    r->lower_x = (uint32_t)small->lower.x - (r->x << 16);
+    r->lower_dx = (uint32_t)small->lower.dx;
+    return draw_run_of(s);
+}
+
+void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece *piece, uint16_t *depth,
+                           uint16_t *pixels)
+{
+    struct ph_texel_run *const r = &s->run;
+    const uint32_t x = piece->x - r->x;
+    const struct ph_texel_line u = r->u, v = r->v;
+    r->left = x << 16;
+    r->right = (x + piece->n) << 16;
+    r->d = piece->d - x * piece->gd;
+    r->gd = piece->gd;
+    r->depth = depth + r->x;
+    r->pixels = pixels + r->x;
+    r->rows = 1;
+    r->lower_rows = 0;
+    draw_run_of(s);
+    if (!piece->last) {
+        r->u = u;
+        r->v = v;
     }
 }
 
@@ -281,7 +588,7 @@ struct tile_depth {
 };
 
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
-static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
+static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                                 bool near, uint32_t row)
 {
     const struct ph_octave *const octave = &depth->octaves[near];
@@ -327,22 +634,61 @@ static struct ph_edge border_edge(const struct tile_depth *depth, uint32_t gd, u
     return (struct ph_edge){(int32_t)((uint32_t)x + 65535u + row * dx), (int32_t)dx};
 }
 
+/* The first of the columns i + 1 .. i + n - 1 of a row that is on the other side of the octaves' border than column i,
+ * from a guess. d, gd: depth at column 0 and per column. */
+static uint32_t border_column(uint32_t d, uint32_t gd, uint32_t border, bool near, uint32_t i, uint32_t n,
+                              int32_t guess)
+{
+    uint32_t x = guess <= (int32_t)i ? i + 1 : guess >= (int32_t)(i + n) ? i + n - 1 : (uint32_t)guess;
+    while (x < i + n - 1 && (d + x * gd >= border) == near) {
+        x++;
+    }
+    while (x > i + 1 && (d + (x - 1) * gd >= border) != near) {
+        x--;
+    }
+    return x;
+}
+
+/* For how many of n rows the edge is the border to the pixel. If it is not in the first row, it is put right there. */
+static uint32_t rows_at_border(const struct ph_texel_rows *r, uint32_t border, bool near, struct ph_edge *edge,
+                               uint32_t n)
+{
+    uint32_t left = r->left, right = r->right, d = r->d;
+    for (uint32_t row = 0; row < n; row++) {
+        uint32_t i, pixels;
+        const int32_t guess = (int32_t)((uint32_t)edge->x + row * (uint32_t)edge->dx) >> 16;
+        ph_tile_columns(left, right, r->columns, &i, &pixels);
+        const uint32_t x = border_column(d, r->gd, border, near, i, pixels, guess);
+        if ((int32_t)x != guess) {
+            edge->x = row > 0 ? edge->x : (int32_t)(x << 16);
+            return row > 0 ? row : 1;
+        }
+        left += r->left_dx;
+        right += r->right_dx;
+        d += r->d_dy;
+    }
+    return n;
+}
+
 /* Draws rows that have a near and a far octave in them, from row `row` of the tile on. */
-static void draw_rows_in_two(const struct tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
+static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct tile_depth *depth,
                              uint32_t row)
 {
-    const uint32_t way = depth->octaves[1].bottom - depth->d;
+    const uint32_t bottom = depth->octaves[1].bottom, way = bottom - depth->d;
     uint32_t n;
     for (uint32_t rows = r->rows; rows > 0; rows -= n, row += n) {
         bool near[2] = {false, false};
         r->rows = rows;
-        r->rows = n = rows_alike(r, depth->octaves[1].bottom, near);
-        if (near[0] == near[1] || fx_magnitude((int32_t)r->gd) <= fx_magnitude((int32_t)way) >>
-                                      29) { /* or so flat that the border is a row */
+        r->rows = n = rows_alike(r, bottom, near);
+        if (near[0] == near[1]) {
             draw_rows_in_octave(k, r, depth, near[0], row);
             continue;
         }
-        const struct ph_edge border = border_edge(depth, r->gd, row);
+        struct ph_edge border = {0, 0};
+        if (fx_magnitude((int32_t)r->gd) > fx_magnitude((int32_t)way) >> 29) { /* else it is almost a row */
+            border = border_edge(depth, r->gd, row);
+        }
+        r->rows = n = rows_at_border(r, bottom, near[0], &border, n);
         const uint32_t left = r->left, left_dx = r->left_dx;
         struct ph_texel_rows part = *r;
         part.right = (uint32_t)border.x;
@@ -376,17 +722,19 @@ static bool is_inside(const struct ph_triangle *t, const struct surface *s)
  * a clamped texture they must not wrap, or a point outside would seem to be inside: its texels must fit in beside the
  * sign, with room for as many again. For draw_run u and v are in 2^-29 of their range.
  */
-static void set_texels(struct tile_kind *k, const struct tile *tile, const struct surface *s, struct ph_texel_rows *r)
+static void set_texels(struct ph_tile_kind *k, const struct tile *tile, const struct surface *s,
+                       struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
     const struct ph_texture *const texture = t->material->texture;
     const int width = texture->log2_width, height = texture->log2_height, range = t->range_log2;
+    k->from = -(int32_t)tile->x;
     k->texels = r->texels = texture->texels;
     k->u_mask = r->u_mask = (1u << width) - 1;
     k->v_mask = (1u << height) - 1;
     k->log2_width = texture->log2_width;
     k->clamp = texture->wrap == PH_WRAP_CLAMP && !is_inside(t, s);
-    k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && t->colour >= 32 && width + height <= 16 &&
+    k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
                (!k->clamp || (range + width <= 8 && range + width + height <= 14));
     k->u_down = k->plain ? 22 : 29 - range - width;
     k->v_down = k->plain ? 16 + width : 29 - range - height;
@@ -414,7 +762,7 @@ static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, str
 }
 
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
-static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int half, const struct tile *tile,
+static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, int half, const struct tile *tile,
                       struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
@@ -432,7 +780,7 @@ static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int
     r->rows = (uint32_t)(to - from);
     if (k->plain && t->block == PH_BLOCK_NONE) {
         draw_plain_rows(k, r);
-    } else if (!k->plain || !tile_depth(t, tile, &depth)) {
+    } else if (!k->plain || ((t->depth.base | t->depth.gx | t->depth.gy) & 7) != 0 || !tile_depth(t, tile, &depth)) {
         draw_rows_in_pieces(k, r);
     } else if (depth.octaves[0].up == depth.octaves[1].up) {
         draw_rows_in_octave(k, r, &depth, false, row);
@@ -446,14 +794,16 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
                           const struct surface *s)
 {
     const int32_t y = (int32_t)tile->y, y1 = y + (1 << tile->height_log2);
-    const struct ph_band rows = {NULL, NULL, false, y > band->y0 ? y : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
+    const int32_t top = y > t->y_top ? y : t->y_top;
+    const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
-    struct tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
+    struct ph_tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
     struct ph_texel_rows r;
     r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;
     r.stride_bytes = 2 * width;
+    k.end = (int32_t)left;
     r.columns = left < columns ? left : columns;
     r.count = 0;
     r.d = ph_plane_at(&t->depth, tile->x, (uint32_t)rows.y0);
@@ -528,18 +878,17 @@ static void measure_strip(const struct ph_triangle *t, int32_t width, struct str
     }
 }
 
-/* The highest strip from row y on that is gentle. */
+/* The highest strip from row y of the triangle on that is gentle. */
 static void choose_strip(const struct ph_triangle *t, int32_t width, uint32_t y, struct strip *strip)
 {
-    const uint32_t rows = (uint32_t)t->y_bottom - y;
-    strip->y = y;
     strip->height_log2 = HEIGHT_LOG2;
-    while (strip->height_log2 > 0 && 1u << (strip->height_log2 - 1) >= rows) {
+    while (strip->height_log2 > 0 && (y ^ ((uint32_t)t->y_bottom - 1)) >> (strip->height_log2 - 1) == 0) {
         strip->height_log2--;
     }
     for (;; strip->height_log2--) {
         const uint32_t height = 1u << strip->height_log2;
-        strip->y_end = y + (height < rows ? height : rows);
+        strip->y = y & (0u - height);
+        strip->y_end = strip->y + height;
         measure_strip(t, width, strip);
         if (strip->height_log2 == 0 || strip->x >= strip->x_end ||
             is_gentle(t->attribute[0].gy, t->attribute[1].gy, over_w(t)->gy, strip->least_w, strip->height_log2)) {
@@ -567,9 +916,10 @@ static uint32_t draw_strip(const struct ph_triangle *t, const struct ph_band *ba
 
 uint32_t ph_draw_textured(const struct ph_triangle *t, const struct ph_band *band)
 {
+    const uint32_t top = (uint32_t)t->y_top, above = (uint32_t)band->y0 & (0u - (1u << HEIGHT_LOG2));
     uint32_t count = 0;
     struct strip strip;
-    for (uint32_t y = (uint32_t)t->y_top; y < (uint32_t)t->y_bottom && y < (uint32_t)band->y1; y = strip.y_end) {
+    for (uint32_t y = top > above ? top : above; y < (uint32_t)t->y_bottom && y < (uint32_t)band->y1; y = strip.y_end) {
         choose_strip(t, band->width, y, &strip);
         if (strip.y_end > (uint32_t)band->y0) {
             count += draw_strip(t, band, &strip);

@@ -65,16 +65,23 @@ static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
     return (uint16_t *)(void *)((uint8_t *)row + bytes);
 }
 
-enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };
+/* The second-order part of u or v over a small triangle: xx x^2 + xy x y + yy y^2 for column x and row y. */
+struct ph_curve {
+    uint32_t xx, xy, yy;
+};
+
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE };
 
 struct ph_triangle {
     uint32_t next;                  /* in its band's list, PH_NONE at the end */
-    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
+    int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid; PH_KIND_SMALL_TEXTURE:
+                                       y_mid is the column from which u and v count */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
-    uint8_t block;      /* float formats, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
-    uint8_t range_log2; /* texture: |u|, |v| are below 2^this */
-    uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
+    uint8_t block; /* float formats, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
+    uint8_t
+        range_log2;  /* texture: |u|, |v| are below 2^this; PH_KIND_SMALL_TEXTURE: they count from row y_top + this */
+    uint16_t colour; /* flat: wire order; texture: light 0 .. 32 */
     const struct ph_material *material;
     union {
         struct {
@@ -88,8 +95,12 @@ struct ph_triangle {
                 };
             };
         };
-        struct ph_small_triangle small; /* PH_KIND_SMALL */
-        struct ph_exact exact;          /* an entry at the end of the list */
+        struct {
+            struct ph_small_triangle small; /* PH_KIND_SMALL; textured: the plane of light is the linear part of u */
+            struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
+            struct ph_curve curves[2];      /* of u, v */
+        };
+        struct ph_exact exact; /* an entry at the end of the list */
     };
 };
 

@@ -4,6 +4,7 @@
  */
 #include "cull.h"
 #include "kernels.h"
+#include "texture_small.h"
 #include "texture_tile.h"
 #include "triangle.h"
 #include "vertices.h"
@@ -111,10 +112,11 @@ static uint32_t try_setup_small(uint32_t h)
 {
     const uint32_t size = below(3) > 0 ? 2 * PH_SIDE_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
     struct ph_vertex corner[3];
+    const uint32_t high = below(4) > 0 ? 0 : 1; /* textured ones may have twice as many rows */
     uint32_t d[3], far_apart = below(32);
     for (int i = 0; i < 3; i++) {
         corner[i].x = (int32_t)(100 * 256 + below(size) / 2);
-        corner[i].y = (int32_t)(50 * 256 + (below(size) / 2 >> flat));
+        corner[i].y = (int32_t)(50 * 256 + (below(size << high) / 2 >> flat));
         corner[i].light = (uint16_t)(below(4) > 0 ? 30000 + below(2000) : bits());
         d[i] = (uint32_t)1 << 31 | bits() >> (1 + far_apart % 31);
     }
@@ -203,6 +205,39 @@ static uint32_t try_texture(uint32_t h)
     h = word(word(word(word(h, r.left), r.right), r.d), r.rows);
     h = word(word(word(h, (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels)), r.count);
     return hash_way(hash_way(h, &r.u), &r.v);
+}
+
+static struct ph_texel_line line(bool wild)
+{
+    const struct ph_texel_way w = way(22, wild);
+    return (struct ph_texel_line){w.at, w.step, w.at_dy, w.step_dy, w.at_ddy, w.bend};
+}
+
+/* A triangle of up to 14 rows of up to 32 pixels, on both sides of column 0. */
+static uint32_t try_texture_small(uint32_t h)
+{
+    const bool wild = below(4) == 0;
+    struct ph_texel_run r = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    const uint32_t at = 40 + below(16), pixels_at = 40 + below(16);
+    r.left = below(20 << 16) - (10 << 16);
+    r.right = r.left + below(18 << 16) - (2 << 16);
+    r.left_dx = below(1 << 16) - (1 << 15);
+    r.right_dx = below(1 << 16) - (1 << 15);
+    r.d = bits();
+    r.d_dy = below(1 << 24);
+    r.gd = below(1 << 24);
+    r.u = line(wild);
+    r.v = line(wild || below(2) == 0);
+    r.depth = depth + at;
+    r.pixels = pixels + pixels_at;
+    r.stride_bytes = 2 * (96 + below(16));
+    r.rows = 1 + below(7);
+    r.lower_rows = below(8);
+    r.lower_is_right = below(2);
+    r.lower_x = r.lower_is_right ? r.right + r.rows * r.right_dx : r.left + r.rows * r.left_dx;
+    r.lower_dx = below(1 << 16) - (1 << 15);
+    h = word(h, ph_texture_small(&r));
+    return hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v);
 }
 
 static int32_t around(int32_t most)
@@ -305,6 +340,7 @@ int main(void)
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
+                 {"texture_small", try_texture_small},
                  {"vertices", try_vertices},
                  {"cull", try_cull}};
     randomise(texels, TEXELS);

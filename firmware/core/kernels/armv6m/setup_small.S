@@ -226,8 +226,10 @@ planes:
     orrs r7, r0
     lsrs r7, r7, #5
     ldr r1, =fx_clz_table
+    lsrs r0, r7, #8
+    bne long
     ldrb r0, [r1, r7]
-    mov r8, r0 @ 13 - bits
+5:  mov r8, r0 @ 13 - bits
     lsrs r7, r6, #16
     beq 3f
     movs r0, #0
@@ -243,6 +245,10 @@ planes:
 none:
     movs r0, #0
     b leave
+long: @ 14 bits
+    movs r0, #0
+    subs r0, #1
+    b 5b
 3:  movs r0, #16
     movs r7, r6
     b 1b

@@ -1,0 +1,196 @@
+@ ph_texture_small (see texture_small.h) for ARMv6-M. A pixel that is drawn takes 18 instructions, a hidden one 9, a row
+@ 85, a call some 60.
+@
+@ Registers: r0 depth, r1 pixels, r2 d, r3 u, r4 v, r5 r6 scratch, r7 u_mask times 2, r8 gd, r9 du, r10 dv, r11 texels,
+@ r12 the step of dv, lr the step of du.
+#include "../thumb.inc"
+#include "../offsets.inc"
+#include "registers.inc"
+
+    @ on the stack
+    .equ mask2, 0  @ v_mask times 2
+    .equ mask1, 4  @ u_mask times 2
+    .equ self, 8   @ the struct ph_texel_run
+    .equ apart, 12 @ from depth to pixels
+    .equ stride, 16
+    .equ below, 20 @ depth of column -32 of the next row: the last of the 32 unrolled pixels is the last of a row
+    .equ rows, 24
+    .equ count, 28
+    .equ from, 32 @ of the row: first column, number of pixels, pair (see texture_tile.h), and r0, r2 and r3
+    .equ n, 36
+    .equ pair, 40
+    .equ row_depth, 44
+    .equ row_d, 48
+    .equ row_u, 52
+    .equ frame, 56
+
+    .macro pixel at
+pixel_\at:
+    ldrh.n r5, [r0, #2 * \at]
+    lsrs r6, r2, #16
+    cmp r6, r5
+    bls.n 1f
+    strh.n r6, [r0, #2 * \at]
+    ldr.n r5, [sp, #mask2]
+    lsrs r6, r4, #15
+    ands r6, r5
+    lsrs r5, r3, #21
+    ands r5, r7
+    adds r5, r5, r6
+    add r5, r11
+    ldrh.n r5, [r5]
+    strh.n r5, [r1, #2 * \at]
+1:  add r2, r8
+    add r3, r9
+    add r4, r10
+    .if \at & 1
+    add r9, lr
+    add r10, r12
+    .endif
+    .endm
+
+    .macro line step @ loads u or v from r0: \step becomes that of the first pixel, r6 its value
+    ldmia r0!, {r1-r6}
+    ldr r7, [sp, #pair]
+    muls r7, r6
+    adds r7, r7, r2
+    mov \step, r7
+    ldr r7, [sp, #from]
+    muls r6, r7
+    adds r6, r6, r2
+    muls r6, r7
+    adds r6, r6, r1
+    .endm
+
+    .macro line_down @ steps it to the next row
+    adds r1, r1, r3
+    adds r2, r2, r4
+    adds r3, r3, r5
+    subs r0, #24
+    stmia r0!, {r1-r3}
+    .endm
+
+    function ph_texture_small @ r0: struct ph_texel_run
+    save_registers
+    sub sp, #frame
+    str r0, [sp, #self]
+    ldr r1, [r0, #run_u_bend]
+    lsls r1, r1, #2
+    mov lr, r1
+    ldr r1, [r0, #run_v_bend]
+    lsls r1, r1, #2
+    mov r12, r1
+    adds r0, #run_depth
+    ldmia r0!, {r1-r6} @ depth, pixels, stride, gd, u_mask, v_mask
+    subs r2, r2, r1
+    str r2, [sp, #apart]
+    str r3, [sp, #stride]
+    subs r1, #64
+    str r1, [sp, #below]
+    mov r8, r4
+    lsls r5, r5, #1
+    str r5, [sp, #mask1]
+    lsls r6, r6, #1
+    str r6, [sp, #mask2]
+    ldmia r0!, {r1, r2} @ texels, rows
+    mov r11, r1
+    str r2, [sp, #rows]
+    movs r1, #0
+    str r1, [sp, #count]
+row:
+    ldr r0, [sp, #self]
+    ldmia r0!, {r1-r6} @ left, right, d, left_dx, right_dx, d_dy
+    asrs r7, r1, #16
+    str r7, [sp, #from]
+    adds r1, r1, r4
+    asrs r4, r2, #16
+    adds r2, r2, r5
+    mov r5, r8
+    muls r5, r7
+    adds r5, r5, r3
+    str r5, [sp, #row_d]
+    adds r3, r3, r6
+    subs r0, #24
+    stmia r0!, {r1-r3}
+    adds r0, #12
+    ldr r1, [sp, #below]
+    ldr r2, [sp, #stride]
+    adds r2, r2, r1
+    str r2, [sp, #below]
+    subs r3, r4, r7
+    ble empty
+    str r3, [sp, #n]
+    lsls r4, r4, #1
+    adds r1, r1, r4
+    str r1, [sp, #row_depth]
+    ldr r1, [sp, #count]
+    adds r1, r1, r3
+    str r1, [sp, #count]
+    movs r1, #1
+    bics r1, r3
+    adds r1, r1, r7
+    lsls r1, r1, #1
+    str r1, [sp, #pair]
+    line r9
+    str r6, [sp, #row_u]
+    line_down
+    adds r0, #12
+    line r10
+    movs r7, r6
+    line_down
+    movs r4, r7
+    ldr r5, [sp, #n]
+    lsls r5, r5, #1
+    adr r6, entries
+    ldrh r5, [r6, r5]
+    adds r5, r5, r6
+    ldr r0, [sp, #row_depth]
+    ldr r1, [sp, #apart]
+    adds r1, r1, r0
+    ldr r2, [sp, #row_d]
+    ldr r3, [sp, #row_u]
+    ldr r7, [sp, #mask1]
+    bx r5
+empty:
+    ldmia r0!, {r1-r6}
+    line_down
+    adds r0, #12
+    ldmia r0!, {r1-r6}
+    line_down
+    b last
+    .p2align 2
+entries: @ indexed by the number of pixels; the first is not used
+    .hword 0
+    .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
+    .hword pixel_\at - entries + 1
+    .endr
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
+    pixel \at
+    .endr
+last:
+    ldr r0, [sp, #rows]
+    subs r0, #1
+    str r0, [sp, #rows]
+    beq 2f
+    b row
+2:  ldr r0, [sp, #self]
+    movs r1, r0
+    adds r1, #run_rows
+    ldmia r1!, {r2-r6} @ rows, lower_rows, lower_is_right, lower_x, lower_dx
+    cmp r3, #0
+    beq 4f
+    movs r2, #0
+    str r2, [r0, #run_rows + 4]
+    str r3, [sp, #rows]
+    cmp r4, #0
+    bne 3f
+    str r5, [r0]
+    str r6, [r0, #12]
+    b row
+3:  str r5, [r0, #4]
+    str r6, [r0, #16]
+    b row
+4:  ldr r0, [sp, #count]
+    add sp, #frame
+    restore_and_return
+    .size ph_texture_small, . - ph_texture_small

@@ -1,0 +1,141 @@
+@ ph_texture_small (see texture_small.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
+@ row 51, a call some 25.
+@
+@ Registers: r0 dv, r2 d, r3 gd, r5 u_mask, r6 v_mask, r7 texels, r8 v, r9 the struct ph_texel_run, r10 u, r11 depth,
+@ r12 du, lr pixels; r1 r4 scratch. Before the pixels r8 is their first column and r0 their pair (see texture_tile.h).
+#include "../thumb.inc"
+#include "../offsets.inc"
+
+    @ on the stack
+    .equ steps, 0 @ of du and dv
+    .equ ends, 8  @ number of pixels, column behind the last
+    .equ count, 16
+    .equ frame, 20
+
+    .macro pixel at
+pixel_\at:
+    ldrh r1, [r11, #2 * \at]
+    lsrs r4, r2, #16
+    cmp r4, r1
+    bls 1f
+    strh r4, [r11, #2 * \at]
+    and r1, r6, r8, lsr #16
+    and r4, r5, r10, lsr #22
+    add r1, r4
+    ldrh r1, [r7, r1, lsl #1]
+    strh r1, [lr, #2 * \at]
+1:  add r2, r3
+    add r10, r12
+    add r8, r0
+    .if \at & 1
+    ldrd r1, r4, [sp, #steps]
+    add r12, r1
+    add r0, r4
+    .endif
+    .endm
+
+    function ph_texture_small @ r0: struct ph_texel_run
+    push {r4-r11, lr}
+    sub sp, #frame
+    mov r9, r0
+    ldr r0, [r9, #run_u_bend]
+    ldr r1, [r9, #run_v_bend]
+    lsls r0, r0, #2
+    lsls r1, r1, #2
+    strd r0, r1, [sp, #steps]
+    movs r0, #0
+    str r0, [sp, #count]
+    ldr r3, [r9, #run_gd]
+row:
+    ldm r9, {r0, r1, r2, r4, r5, r7} @ left, right, d, left_dx, right_dx, d_dy
+    asr r8, r0, #16
+    asr r12, r1, #16
+    add r0, r4
+    add r1, r5
+    add r7, r2
+    stm r9, {r0, r1, r7}
+    mla r2, r3, r8, r2
+    add lr, r9, #run_u
+    subs r4, r12, r8
+    ble empty
+    strd r4, r12, [sp, #ends]
+    bic r0, r4, #~1
+    ldr r1, [sp, #count]
+    rsb r0, r0, #1
+    add r1, r4
+    add r0, r8
+    str r1, [sp, #count]
+    lsls r0, r0, #1
+    ldm lr, {r1, r4, r5, r6, r7, r12} @ at, step, at_dy, step_dy, at_ddy, bend
+    mla r10, r12, r8, r4
+    mla r10, r10, r8, r1 @ u
+    mla r12, r12, r0, r4 @ du
+    add r1, r5
+    add r4, r6
+    add r5, r7
+    stm lr, {r1, r4, r5}
+    adds lr, #run_v - run_u
+    ldm lr, {r1, r4, r5, r6, r7, r11}
+    mla r0, r11, r0, r4 @ dv
+    mla r11, r11, r8, r4
+    mla r8, r11, r8, r1 @ v
+    add r1, r5
+    add r4, r6
+    add r5, r7
+    stm lr, {r1, r4, r5}
+    ldrd r5, r6, [r9, #run_u_mask]
+    ldr r7, [r9, #run_texels]
+    ldrd r4, r1, [sp, #ends]
+    ldrd r11, lr, [r9, #run_depth]
+    subs r1, #32 @ the last of the 32 unrolled pixels is the last pixel of the row
+    add r11, r11, r1, lsl #1
+    add lr, lr, r1, lsl #1
+    tbh [pc, r4, lsl #1]
+entries:
+    .hword 0 @ not used
+    .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
+    .hword (pixel_\at - entries) / 2
+    .endr
+    .p2align 1
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
+    pixel \at
+    .endr
+last:
+    ldrd r0, r1, [r9, #run_depth]
+    ldr r2, [r9, #run_stride]
+    add r0, r2
+    add r1, r2
+    strd r0, r1, [r9, #run_depth]
+    ldr r0, [r9, #run_rows]
+    subs r0, #1
+    str r0, [r9, #run_rows]
+    bne row
+    ldrd r0, r1, [r9, #run_rows + 4]
+    ldrd r4, r5, [r9, #run_rows + 12]
+    cbz r0, 3f
+    movs r2, #0
+    strd r0, r2, [r9, #run_rows]
+    cbnz r1, 2f
+    str r4, [r9]
+    str r5, [r9, #12]
+    b row
+2:  str r4, [r9, #4]
+    str r5, [r9, #16]
+    b row
+3:  ldr r0, [sp, #count]
+    add sp, #frame
+    pop {r4-r11, pc}
+empty:
+    ldm lr, {r1, r4, r5, r6, r7}
+    add r1, r5
+    add r4, r6
+    add r5, r7
+    stm lr, {r1, r4, r5}
+    adds lr, #run_v - run_u
+    ldm lr, {r1, r4, r5, r6, r7}
+    add r1, r5
+    add r4, r6
+    add r5, r7
+    stm lr, {r1, r4, r5}
+    b last
+    .size ph_texture_small, . - ph_texture_small

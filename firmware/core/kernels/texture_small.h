@@ -1,0 +1,62 @@
+/*
+ * texture_small: the kernel that draws rows of a small textured triangle (see texels.h). See kernels.h.
+ *
+ * u and v are as in texture_tile.h, also in their pairs of pixels, but the second differences do not change: over the
+ * whole triangle u and v are polynomials of the second order. Columns count from one of the triangle's own; they may be
+ * negative.
+ */
+#ifndef PH_TEXTURE_SMALL_H
+#define PH_TEXTURE_SMALL_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct ph_texel_line {
+    uint32_t at, step;       /* of the row */
+    uint32_t at_dy, step_dy; /* how much they grow to the row below */
+    uint32_t at_ddy;         /* how much at_dy grows */
+    uint32_t bend;
+};
+
+struct ph_texel_run {
+    uint32_t left, right, d; /* edges as in ph_edge, and depth (a 16.16 code) at column 0 */
+    uint32_t left_dx, right_dx, d_dy;
+    struct ph_texel_line u, v; /* units as in ph_texel_rows */
+    uint16_t *depth, *pixels;  /* of column 0 of the first row */
+    uint32_t stride_bytes;
+    uint32_t gd;             /* depth per column */
+    uint32_t u_mask, v_mask; /* as in ph_texel_rows */
+    const uint16_t *texels;
+    uint32_t rows; /* until the lower edge takes the place of the left or of the right one; above 0 */
+    uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
+    uint32_t x;                                             /* column 0 in the picture, for the caller's use */
+};
+
+/* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
+ * stand at the next row. */
+uint32_t ph_texture_small(struct ph_texel_run *r);
+
+/* The lower edge takes over; false if there are no lower rows. */
+static inline bool ph_texel_run_lower(struct ph_texel_run *r)
+{
+    if (r->lower_is_right != 0) {
+        r->right = r->lower_x;
+        r->right_dx = r->lower_dx;
+    } else {
+        r->left = r->lower_x;
+        r->left_dx = r->lower_dx;
+    }
+    r->rows = r->lower_rows;
+    r->lower_rows = 0;
+    return r->rows > 0;
+}
+
+/* Coefficients of the next row. */
+static inline void ph_texel_line_down(struct ph_texel_line *l)
+{
+    l->at += l->at_dy;
+    l->step += l->step_dy;
+    l->at_dy += l->at_ddy;
+}
+
+#endif

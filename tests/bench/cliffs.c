@@ -1,0 +1,322 @@
+/*
+ * Cliffs: what is rare against what is usual, each by itself at 320x240. Each line of output is
+ *
+ *   NAME VARIANT UNIT UNITS COUNT
+ *
+ * VARIANT is usual or cliff; `empty` follows with the same frame of nothing. The cost of a UNIT (pixel, triangle, row,
+ * vertex, edge, frame) is the difference over UNITS.
+ */
+#include "bench.h"
+
+#include "models.h"
+
+#define WIDTH     320
+#define HEIGHT    240
+#define ARENA     (512 * 1024)
+#define VERTICES  2048
+#define TRIANGLES 2600
+#define PX        631 /* a pixel at z = -2, Q16.16 */
+#define LOG2      6
+
+static uint64_t arena_bytes[ARENA / 8], vertices[VERTICES * 8], triangles[TRIANGLES * 20];
+static uint32_t depth[WIDTH * HEIGHT], bins[HEIGHT];
+static uint16_t pixels[WIDTH * HEIGHT], texels[1 << 2 * LOG2], ramp[PH_RAMP_SIZE];
+
+static struct fx_vec3 positions[VERTICES];
+static int16_t normals[VERTICES][3];
+static fx_t uvs[VERTICES][2];
+static uint16_t corners[TRIANGLES][3], edges[1][2];
+static struct ph_texture texture = {texels, LOG2, LOG2, PH_WRAP_REPEAT};
+static struct ph_material material;
+static struct ph_part part;
+static struct ph_mesh mesh;
+
+static const struct ph_scene_light sun = {
+    .ambient = FX_ONE,
+    .count = 1,
+    .lights = {{.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE, .to_light_q30 = {511886330, 614263596, 716640862}}}};
+static const struct ph_scene_light lamp = {
+    .ambient = FX_ONE,
+    .count = 1,
+    .lights = {
+        {.kind = PH_LIGHT_POINT, .intensity = FX_ONE, .position = {FX_INT(2), FX_INT(2), 0}, .reach = FX_INT(4)}}};
+
+enum unit { PIXEL, TRIANGLE, VERTEX, EDGE, FRAME };
+
+static const char *const unit_names[] = {"pixel", "triangle", "vertex", "edge", "frame"};
+
+/* How a frame is drawn. */
+struct view {
+    struct ph_xform place;
+    struct ph_projection projection;
+    const struct ph_scene_light *light;
+    uint8_t depth_format;
+    uint16_t lines; /* of a band */
+};
+
+static struct view usual(void)
+{
+    return (struct view){.place = ph_xform_translate(0, 0, FX_INT(-3)),
+                         .projection = {.kind = PH_PERSPECTIVE,
+                                        .scale_x_q20 = 1362140, /* 60 degrees from bottom to top */
+                                        .scale_y_q20 = 1816187,
+                                        .near_z = FX_HALF,
+                                        .far_z = FX_INT(100)},
+                         .light = &sun,
+                         .depth_format = PH_DEPTH_AUTO,
+                         .lines = 16};
+}
+
+static struct ph_renderer renderer_of(const struct view *view)
+{
+    const struct ph_config config = {.width = WIDTH,
+                                     .height = HEIGHT,
+                                     .band_height = view->lines,
+                                     .depth_format = view->depth_format,
+                                     .vertices = vertices,
+                                     .vertex_max = (uint32_t)(sizeof vertices / ph_vertex_bytes),
+                                     .triangles = triangles,
+                                     .triangle_max = (uint32_t)(sizeof triangles / ph_triangle_bytes),
+                                     .bins = bins,
+                                     .bin_max = HEIGHT,
+                                     .depth = (void *)depth};
+    struct ph_renderer r;
+    if (ph_renderer_init(&r, &config) != PH_OK) {
+        machine_print("cliffs: the renderer refuses a picture\n");
+    }
+    return r;
+}
+
+static void draw(struct ph_renderer *r, const struct view *view, const struct ph_mesh *what)
+{
+    if (ph_frame_begin(r, &ph_xform_identity, &view->projection, view->light, 0) != PH_OK) {
+        machine_print("cliffs: the renderer refuses a camera\n");
+    }
+    ph_draw_mesh(r, what, &view->place);
+    const uint32_t bands = ph_frame_bands(r);
+    for (uint32_t band = 0; band < bands; band++) {
+        ph_draw_band(r, band, pixels);
+    }
+}
+
+static void measure(const char *name, const char *variant, enum unit unit, const struct view *view)
+{
+    static const struct ph_mesh nothing;
+    struct ph_renderer r = renderer_of(view);
+    const char *what[3] = {name, variant, unit_names[unit]};
+    draw(&r, view, &mesh);
+    const uint32_t units[] = {r.stats.fragments, r.stats.triangles_drawn, mesh.vertex_count, mesh.edge_count, 1};
+    if (r.stats.triangles_dropped + r.stats.vertices_dropped > 0) {
+        machine_print("cliffs: a scene does not fit\n");
+    }
+    machine_start();
+    draw(&r, view, &mesh);
+    machine_stop(what, units[unit]);
+    what[1] = "empty";
+    machine_start();
+    draw(&r, view, &nothing);
+    machine_stop(what, units[unit]);
+}
+
+static void set_material(enum ph_shading shading)
+{
+    material = (struct ph_material){.shading = (uint8_t)shading,
+                                    .two_sided = 1,
+                                    .ambient = FX_ONE / 5,
+                                    .diffuse = 4 * FX_ONE / 5,
+                                    .colour = ph_rgb565(255, 160, 64),
+                                    .ramp = ramp,
+                                    .texture = &texture};
+    texture.wrap = PH_WRAP_REPEAT;
+    mesh = (struct ph_mesh){.positions = positions,
+                            .normals = (const int16_t(*)[3])normals,
+                            .uvs = (const fx_t(*)[2])uvs,
+                            .triangles = (const uint16_t(*)[3])corners,
+                            .edges = (const uint16_t(*)[2])edges,
+                            .parts = &part,
+                            .materials = &material,
+                            .part_count = 1};
+    part = (struct ph_part){0};
+}
+
+static void add_triangle(const fx_t x[3], const fx_t y[3])
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t n = mesh.vertex_count++;
+        positions[n] = (struct fx_vec3){x[i], y[i], FX_ONE};
+        normals[n][2] = 1 << 14;
+        uvs[n][0] = FX_HALF + x[i] / 8;
+        uvs[n][1] = FX_HALF - y[i] / 8;
+        corners[mesh.triangle_count][i] = (uint16_t)n;
+    }
+    part.count = ++mesh.triangle_count;
+}
+
+/* Right triangles of so many eighths of a pixel, side by side over the picture, `most` at most. */
+static void field(enum ph_shading shading, int32_t wide, int32_t high, uint32_t most)
+{
+    const fx_t w = wide * PX / 8, h = high * PX / 8;
+    set_material(shading);
+    for (fx_t y = -100 * PX; y + h < 100 * PX; y += h + 2 * PX) {
+        for (fx_t x = -150 * PX; x + w < 150 * PX && mesh.triangle_count < most; x += w + 2 * PX) {
+            add_triangle((const fx_t[3]){x, x + w, x}, (const fx_t[3]){y, y, y + h});
+        }
+    }
+}
+
+/* A square of side 2, with the texture from `from` to `to`. */
+static void square(enum ph_shading shading, fx_t from, fx_t to)
+{
+    static const fx_t x[3] = {-FX_ONE, FX_ONE, FX_ONE}, y[3] = {-FX_ONE, -FX_ONE, FX_ONE};
+    set_material(shading);
+    add_triangle(x, y);
+    add_triangle(y, x);
+    for (uint32_t i = 0; i < 6; i++) {
+        uvs[i][0] = positions[i].x > 0 ? to : from;
+        uvs[i][1] = positions[i].y > 0 ? from : to;
+        positions[i].z = 0;
+    }
+}
+
+/* The torus so many times as large; its positions are in the arena. */
+static void scale(int32_t by)
+{
+    for (uint32_t i = 0; i < mesh.vertex_count; i++) {
+        const struct fx_vec3 p = mesh.positions[i];
+        positions[i] = (struct fx_vec3){p.x * by, p.y * by, p.z * by};
+    }
+    mesh.positions = positions;
+}
+
+static void torus(enum ph_shading shading)
+{
+    struct demo_arena arena = {(uint8_t *)arena_bytes, sizeof arena_bytes, 0};
+    set_material(shading);
+    material.two_sided = 0;
+    if (model_torus(&arena, &mesh, 32, 16, 1 << 28, 107374182) != PH_OK ||
+        (shading == PH_SHADE_WIRE && model_edges(&arena, &mesh) != PH_OK)) {
+        machine_print("cliffs: the arena is full\n");
+    }
+    part.count = mesh.triangle_count;
+    mesh.parts = &part;
+    mesh.materials = &material;
+    mesh.part_count = 1;
+}
+
+static void textures(void)
+{
+    struct view view = usual();
+    square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    measure("little-light", "usual", PIXEL, &view);
+    square(PH_SHADE_TEXTURE_LIT, 0, FX_ONE);
+    measure("little-light", "cliff", PIXEL, &view);
+    square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    measure("clamp-outside", "usual", PIXEL, &view);
+    square(PH_SHADE_TEXTURE, -FX_ONE, 2 * FX_ONE);
+    texture.wrap = PH_WRAP_CLAMP;
+    measure("clamp-outside", "cliff", PIXEL, &view);
+    square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    measure("texture-edge-on", "usual", PIXEL, &view);
+    view.place = ph_xform_rotate_y(1061812292); /* 89 degrees */
+    view.place.t.z = FX_INT(-3);
+    measure("texture-edge-on", "cliff", PIXEL, &view);
+    view = usual();
+    field(PH_SHADE_GOURAUD, 23, 23, 600);
+    measure("texture-4-pixels", "usual", TRIANGLE, &view);
+    field(PH_SHADE_TEXTURE, 23, 23, 600);
+    measure("texture-4-pixels", "cliff", TRIANGLE, &view);
+}
+
+static void shapes(void)
+{
+    const struct view view = usual();
+    field(PH_SHADE_GOURAUD, 8 * 31, 8 * 31, 100);
+    measure("40-pixels-wide", "usual", PIXEL, &view);
+    field(PH_SHADE_GOURAUD, 8 * 40, 8 * 40, 100);
+    measure("40-pixels-wide", "cliff", PIXEL, &view);
+    field(PH_SHADE_GOURAUD, 8, 8 * 30, 100);
+    measure("sliver", "usual", PIXEL, &view);
+    field(PH_SHADE_GOURAUD, 8, 8 * 195, 100);
+    measure("sliver", "cliff", PIXEL, &view);
+}
+
+static void shadings(void)
+{
+    static const struct {
+        const char *name;
+        enum ph_shading shading;
+    } other[] = {{"flat-torus", PH_SHADE_FLAT}, {"unlit-torus", PH_SHADE_UNLIT}};
+    const struct view view = usual();
+    for (int i = 0; i < 2; i++) {
+        torus(PH_SHADE_GOURAUD);
+        measure(other[i].name, "usual", FRAME, &view);
+        torus(other[i].shading);
+        measure(other[i].name, "cliff", FRAME, &view);
+    }
+    torus(PH_SHADE_GOURAUD);
+    measure("wire-edge", "usual", TRIANGLE, &view);
+    torus(PH_SHADE_WIRE);
+    measure("wire-edge", "cliff", EDGE, &view);
+}
+
+/* Of unlit vertices without triangles, but for the light. */
+static void vertices_alone(void)
+{
+    struct view view = usual();
+    torus(PH_SHADE_GOURAUD);
+    measure("point-light", "usual", VERTEX, &view);
+    view.light = &lamp;
+    measure("point-light", "cliff", VERTEX, &view);
+    view = usual();
+    part.count = 0;
+    measure("beyond-16", "usual", VERTEX, &view);
+    view.place.t.z = FX_INT(-60);
+    scale(20);
+    measure("beyond-16", "cliff", VERTEX, &view);
+    view = usual();
+    torus(PH_SHADE_GOURAUD);
+    part.count = 0;
+    measure("orthographic", "usual", VERTEX, &view);
+    view.projection = (struct ph_projection){.kind = PH_ORTHOGRAPHIC,
+                                             .scale_x_q20 = 1 << 19,
+                                             .scale_y_q20 = 1 << 19,
+                                             .near_z = FX_HALF,
+                                             .far_z = FX_INT(100)};
+    measure("orthographic", "cliff", VERTEX, &view);
+}
+
+static void frames(void)
+{
+    struct view view = usual();
+    torus(PH_SHADE_GOURAUD);
+    measure("linear-w", "usual", FRAME, &view);
+    view.depth_format = PH_DEPTH_LINEAR_W;
+    measure("linear-w", "cliff", FRAME, &view);
+    view = usual();
+    measure("1-line-bands", "usual", FRAME, &view);
+    view.lines = 1;
+    measure("1-line-bands", "cliff", FRAME, &view);
+    view = usual();
+    square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    measure("1-line-textured", "usual", FRAME, &view);
+    view.lines = 1;
+    measure("1-line-textured", "cliff", FRAME, &view);
+}
+
+int main(void)
+{
+    static const char *const loop[3] = {"known-loop", "-", "-"};
+    machine_start();
+    machine_known_loop();
+    machine_stop(loop, 0);
+    for (uint32_t i = 0; i < sizeof texels / sizeof texels[0]; i++) {
+        texels[i] = (uint16_t)(i * 40503);
+    }
+    ph_material_ramp(ramp, 255, 160, 64, 0);
+    textures();
+    shapes();
+    shadings();
+    vertices_alone();
+    frames();
+    return 0;
+}
