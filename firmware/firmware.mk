@@ -88,7 +88,7 @@ $(B)/board-facts: INC = -Ihal -Iboards
 # A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
+             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
@@ -130,9 +130,6 @@ image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 
 image-size: $(OUT).elf
 	$(Q)firmware/tools/modules.sh '$(OUT).map'
-
-# -O3 makes the renderer's loops faster and larger; frames are the same at every level.
-$(B)/firmware/core/%.o: override CFLAGS += -O3
 
 $(B)/main-$(APP_NAME).o: $(APP_FILE) $(B)/flags
 	@mkdir -p $(@D)

@@ -15,8 +15,9 @@
  * times a second, that is once in 80 hours. It does not last: each frame also sends the next tile in turn, whatever its
  * signature, so that every tile is sent within panel_tiles_refresh_frames() frames. That mends a disturbed panel, too.
  *
- * If nearly all tiles of a band changed twice, it is sent whole for 16 frames; only one of them makes signatures.
- * The windows of a frame depend only on its pixels and on the frames before. The format is RGB565.
+ * If nearly all tiles of a band changed twice, it is sent whole for 16 frames; only one of them makes signatures. If
+ * two frames took longer than a whole one takes on the bus, all bands are, for 100 frames: there the cores are slower
+ * than the bus, and signatures would make them slower still. The format is RGB565.
  */
 #ifndef PANEL_TILES_H
 #define PANEL_TILES_H
@@ -36,9 +37,13 @@ struct panel_tiles {
     uint16_t open_x, open_end; /* columns of the window that bands below can continue in, px; equal: there is none */
     uint32_t factor; /* of signatures; a variable, because compilers may turn a constant factor into dozens of shifts */
     uint32_t turn;   /* the tile that is sent in this frame in any case, by band, then by column */
-    bool whole;      /* this frame is sent whole */
-    bool unknown;    /* the panel may show anything, so the next frame is sent whole */
-    int status;      /* of the frame: the first error */
+    uint32_t begun_us;   /* when this frame began */
+    uint32_t watched_us; /* what the last frame before a rest of all bands took */
+    uint8_t slow;        /* frames in a row that took longer than a whole one on the bus */
+    uint8_t resting;     /* frames until times count again */
+    bool whole;          /* this frame is sent whole */
+    bool unknown;        /* the panel may show anything, so the next frame is sent whole */
+    int status;          /* of the frame: the first error */
 };
 
 /* Memory for a picture of this size in bands of so many lines. Pictures are at most 1024 pixels wide. */

@@ -65,7 +65,13 @@ struct ph_material {
     fx_t diffuse;           /* 0 .. 1 */
     fx_t specular;          /* 0 .. 1 */
     uint16_t colour;        /* wire order */
-    const uint16_t *ramp;   /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
+    /* Towards the viewer, too, for decals on surfaces that lean away: this many sixteenths of what depth changes by
+     * from pixel to pixel, right or down, whichever is more; at most the range of the triangle's corners. With linear-w
+     * it is taken at the farthest corner, and at most 255 codes together with depth_bias. 2 is enough for a decal that
+     * lies in the plane of its surface. 0: none. Such a triangle takes the place of two in the list; where the list is
+     * full it has depth_bias alone. */
+    uint8_t depth_bias_slope;
+    const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
 };
 
@@ -251,7 +257,8 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint32_t triangle_count;
-    uint32_t carried; /* list of the triangles that continue in the next band */
+    uint32_t exact_first; /* entries of the list from here on hold exact depths, see render/exact.h */
+    uint32_t carried;     /* list of the triangles that continue in the next band */
     uint16_t background;
     bool is_shown; /* config.shown holds what the display shows */
 };

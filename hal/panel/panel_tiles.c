@@ -8,6 +8,7 @@ enum {
     WATCHED = 0,
     NEARLY_ALL = 255, /* signatures are compared, and nearly all tiles changed last time */
     REST_FRAMES = 16, /* frames in which a band is sent whole; signatures are made in the last of them, at 1 */
+    SLOW_REST = 100,  /* the same for all bands, where signatures cost more than they save */
 };
 
 /* Above this share, sending the other tiles costs less than making signatures. */
@@ -113,6 +114,34 @@ uint32_t panel_tiles_refresh_frames(const struct panel_tiles *t)
     return (uint32_t)t->columns * t->bands;
 }
 
+/*
+ * Takes the time of the frame before. If two in a row took longer than a whole frame takes on the bus, the kit waits
+ * for its cores: then all bands rest, for signatures cost the cores time. If the third frame of the rest is no faster
+ * (with few buffers the cores wait for the bus all the same), the rest ends. After SLOW_REST frames it is tried again.
+ */
+static void weigh(struct panel_tiles *t, const struct panel_driver *d)
+{
+    const uint32_t now_us = d->hal.ops->time_us(d->hal.context), took_us = now_us - t->begun_us;
+    const uint32_t bus_us =
+        panel_frame_us(d->config.panel, d->config.format, d->config.rotation, (uint32_t)d->clock_hz);
+    t->begun_us = now_us;
+    if (t->unknown || t->whole) { /* the time says nothing */
+        t->resting = t->slow = 0;
+    } else if (t->resting > 0) {
+        t->resting--;
+        if (t->resting == SLOW_REST - 3 && took_us >= t->watched_us) {
+            memset(t->rest, 1, t->bands);
+        }
+    } else if (took_us <= bus_us + bus_us / 64) {
+        t->slow = 0;
+    } else if (++t->slow == 2) {
+        memset(t->rest, SLOW_REST, t->bands);
+        t->watched_us = took_us;
+        t->resting = SLOW_REST;
+        t->slow = 0;
+    }
+}
+
 void panel_tiles_forget(struct panel_tiles *t)
 {
     t->unknown = true;
@@ -120,6 +149,7 @@ void panel_tiles_forget(struct panel_tiles *t)
 
 int panel_tiles_begin(struct panel_tiles *t, struct panel_driver *d)
 {
+    weigh(t, d);
     t->whole = t->unknown;
     t->unknown = true; /* until all bands have been sent without error */
     t->row = 0;

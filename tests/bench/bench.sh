@@ -33,7 +33,7 @@ core_size() { # core
     find "$B/bench-$1/firmware/core" -name '*.o' -print0 | xargs -0 arm-none-eabi-size -t | awk -v core="$1" 'END { print core, $1, $2 + $3 }'
 }
 
-# ... of the image of all demos; and the time of a frame. The icosphere does not fit in with the others.
+# ... of the image of all demos; and the frames a second. The icosphere does not fit in with the others.
 on_rp2040() {
     local cores
     hal/rp2040/emulate/speed.sh pico-display-2 6 torus cube fill ground >"$dir/speed" || grep -q '!' "$dir/speed"

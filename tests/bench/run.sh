@@ -21,13 +21,13 @@ wrap='' sources=tests/bench/$program.c
 [ "$program" != bench ] || wrap='-Wl,--wrap=ph_draw_mesh' sources="$sources tests/bench/textured_torus.c"
 
 objects() { # compiler, flags: builds them and prints their names
-    make -s -j"$(nproc)" B="$dir" CC="$1" CPU="$cpu" CFLAGS="$2" firmware-objects >&2 || return 1
+    make -s -j"$(nproc)" B="$dir" CC="$1" CPU="$cpu" KIT=1 CFLAGS="$2" firmware-objects >&2 || return 1
     find "$dir/firmware/core" "$dir/firmware/app" -name '*.o' ! -name 'runner.o' ! -name 'memory_plan.o' ! -path '*/depthlab/*' | sort
 }
 
 arm() {
     local made
-    made=$(objects arm-none-eabi-gcc "$flags -O3 -ffunction-sections -fdata-sections") || exit 1
+    made=$(objects arm-none-eabi-gcc "$flags -O2 -ffreestanding -ffunction-sections -fdata-sections") || exit 1
     mapfile -t list <<<"$made"
     # shellcheck disable=SC2086 # words
     arm-none-eabi-gcc $flags -std=c11 -O2 $include $wrap -nostartfiles -Wl,--gc-sections -T tests/bench/bench.ld \
@@ -38,7 +38,7 @@ arm() {
 
 host() {
     local made
-    made=$(objects "${CC:-gcc}" -O3) || exit 1
+    made=$(objects "${CC:-gcc}" -O2) || exit 1
     mapfile -t list <<<"$made"
     # shellcheck disable=SC2086 # words
     ${CC:-gcc} -std=c11 -O2 $include $wrap $sources tests/bench/machine_host.c "${list[@]}" -o "$dir/$program"

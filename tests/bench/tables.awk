@@ -25,10 +25,14 @@ FILENAME ~ /quality$/ { # S1 torus demo fixed16 0.0033 % 0 0 4.61e-06 5.20e-05 0
     next
 }
 
-FILENAME ~ /rp2040$/ { # us a frame: demo, whole frames on the bus, one core, alone, two cores, alone
+FILENAME ~ /rp2040$/ { # speed.sh's CSV file: demo, cores, frames/s, with ideal flash, loads in %, ..
     split($0, word, ",")
     for (s = 1; s <= 5; s++) {
-        if (word[1] == demo[s]) { bus = word[2]; one[s] = word[3]; alone[s] = word[4]; two[s] = word[5]; alone2[s] = word[6]; rp2040 = 1 }
+        if (word[1] == demo[s]) {
+            frame_ms[s, word[2]] = 1e3 / word[3]
+            mcycles[s, word[2]] = 125 / word[3] * (word[5] > word[6] ? word[5] : word[6]) / 100
+            rp2040 = 1
+        }
     }
     next
 }
@@ -104,19 +108,20 @@ function formats_table(core,   f, s, line) {
     }
 }
 
-function rp2040_table(   s) {
-    print "\nEmulated RP2040, pico-display-2 (320x240), 125 MHz: millions of cycles a frame; ms a frame where the bus takes its time,"
-    printf "%.2f ms for a whole one, and only what changed is sent\n", bus / 1e3
+function rp2040_table(   s, cores, name) {
+    print "\nEmulated RP2040, pico-display-2 (320x240), 125 MHz, only what changed is sent: millions of cycles that the busier core"
+    print "works for a frame; ms a frame on a bus that takes its time"
     print "scene   one core  two cores   one core, ms  two cores, ms"
     for (s = 1; s <= 5; s++) {
-        if (!(s in one)) { printf "S%d      does not fit\n", s; continue }
-        printf "S%d      %8.3f   %8.3f       %8.2f       %8.2f\n", s, alone[s] / 8e3, alone2[s] / 8e3, one[s] / 1e3, two[s] / 1e3
-        row("rp2040", "S" s, "mcycles_1core", sprintf("%.3f", alone[s] / 8e3), "", "", "")
-        row("rp2040", "S" s, "mcycles_2cores", sprintf("%.3f", alone2[s] / 8e3), "", "", "")
-        row("rp2040", "S" s, "frame_ms_1core", sprintf("%.3f", one[s] / 1e3), "", "", "")
-        row("rp2040", "S" s, "frame_ms_2cores", sprintf("%.3f", two[s] / 1e3), "", "", "")
+        if (!((s, 1) in frame_ms)) { printf "S%d      does not fit\n", s; continue }
+        printf "S%d      %8.3f   %8.3f       %8.2f       %8.2f\n", s, mcycles[s, 1], mcycles[s, 2], frame_ms[s, 1], frame_ms[s, 2]
+        for (cores = 1; cores <= 2; cores++) {
+            name = cores == 1 ? "1core" : "2cores"
+            row("rp2040", "S" s, "mcycles_" name, sprintf("%.3f", mcycles[s, cores]), "", "", "")
+            row("rp2040", "S" s, "frame_ms_" name, sprintf("%.3f", frame_ms[s, cores]), "", "", "")
+        }
     }
-    print "S4 has an image of its own, which takes all of the RAM and has the mesh in flash; the emulator's flash is as fast as RAM."
+    print "S4 has an image of its own, which takes all of the RAM and has the mesh in flash."
 }
 
 function cliffs_table(   i, c, line, name, of) {

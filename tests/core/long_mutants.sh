@@ -43,7 +43,7 @@ triangles drawn in reverse               | render/frame.c   | s/uint32_t i = r->
 depth not cleared                        | render/raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
 no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
-one triangle over the budget             | render/setup.c   | s/n < r->config.triangle_max/n <= r->config.triangle_max/ | test_frame
+one triangle over the budget             | render/setup.c   | s/n < r->exact_first ||/n <= r->exact_first ||/ | test_frame
 dropped triangles not counted            | render/setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | render/planes.c  | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
 a small triangle's edge depends on it    | kernels/portable/setup_small.c | s/set_edge(o.top, o.low, o.row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
@@ -61,6 +61,12 @@ attenuation lost                         | render/light.c   | s/if (reach <= 0)/
 highlight to another power               | render/light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
+steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, n, v, sides);//                    | test_depth_slopes
+thin triangles left to 15 bits           | kernels/portable/setup_small.c | s/ROUGH_DEPTH = 11/ROUGH_DEPTH = -40/           | test_depth_slopes
+depth beyond the corners                 | render/exact.c   | s/const bool clamped = .*/const bool clamped = false;/ | test_depth_slopes
+exact depth of another octave             | render/exact.c   | s/27 - octave)) + offset/26 - octave)) + offset/     | test_depth_slopes
+exact planes that do not give way        | render/setup.c   | s/ || ph_free_exact(r) ? / ? /                       | test_depth_slopes
+the slope's bias ignored                 | render/exact.c   | s/t->material->depth_bias_slope != 0/false/          | test_depth_slopes
 light of a texture ignored               | render/planes.c  | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
 red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame
 tangent with a term halved               | fx/fx_tan.c      | s/Q33(2, 93555)/Q33(1, 93555)/                       | test_fx

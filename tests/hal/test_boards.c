@@ -161,14 +161,15 @@ static void buttons_differ(void **state)
 }
 
 /*
- * The time of a frame, us. A PL022 pauses for 1.5 clocks after each word. On an RP2040 a word of the picture has 16
- * bits; commands and the LM3S6965's words have 8.
+ * The time of a frame, us. In mode 0 a PL022 pauses for 1.5 clocks after each word. On an RP2040 a word of the picture
+ * has 16 bits; commands and the LM3S6965's words have 8.
  */
 static double frame_us(const struct board *b, uint32_t hz)
 {
     const double bytes = panel_frame_bytes(b->panel, b->format, b->rotation);
     const double pixels = panel_width(b->panel, b->rotation) * panel_height(b->panel, b->rotation);
-    const double words = b->spi_unit == BOARD_SPI_RP2040     ? bytes - pixels
+    const double words = b->spi_mode != 0                    ? 0
+                         : b->spi_unit == BOARD_SPI_RP2040   ? bytes - pixels
                          : b->spi_unit == BOARD_SPI_LM3S6965 ? bytes
                                                              : 0;
     return (8 * bytes + 1.5 * words) * 1e6 / hz;

@@ -255,6 +255,41 @@ static void a_disturbed_panel_is_healed_in_time(void **state)
     rig_close(&rig);
 }
 
+/* Shows a still picture n times. A frame takes three times as long as a whole one on the bus, and `more` if its tiles
+ * were watched. Returns how many frames were not whole. */
+static uint32_t show_slowly(struct rig *rig, uint32_t n, uint32_t more_us)
+{
+    const struct hal *hal = &rig->hal;
+    const uint32_t whole_us = panel_frame_us(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0, (uint32_t)rig->d.clock_hz);
+    const uint32_t whole = panel_frame_bytes(&panel_st7789_240x240, PANEL_RGB565, PANEL_R0);
+    uint32_t few = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t from = hal->ops->time_us(hal->context);
+        assert_int_equal(show(rig), 0);
+        const bool watched = rig->d.frame_bytes < whole;
+        few += watched;
+        hal->ops->delay_us(hal->context,
+                           3 * whole_us + (watched ? more_us : 0) - (hal->ops->time_us(hal->context) - from));
+    }
+    return few;
+}
+
+static void slow_cores_send_whole_frames_if_that_is_faster(void **state)
+{
+    (void)state;
+    struct rig rig;
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    picture_fill(picture, 240, 240, 1);
+    settle(&rig);
+    assert_in_range(show_slowly(&rig, 310, 1000), 2, 12);
+    rig_close(&rig);
+    rig_open(&rig, &panel_st7789_240x240, PANEL_R0, 16);
+    settle(&rig);
+    assert_in_range(show_slowly(&rig, 310, 0), 280, 308); /* whole ones are no faster */
+    assert_true(glass_agrees(&rig));
+    rig_close(&rig);
+}
+
 static int broken_write(void *context, enum hal_dc dc, const uint8_t *bytes, size_t n)
 {
     (void)context, (void)dc, (void)bytes, (void)n;
@@ -303,6 +338,7 @@ int main(void)
         cmocka_unit_test(bands_with_the_same_columns_share_a_window),
         cmocka_unit_test(a_false_match_is_healed_in_time),
         cmocka_unit_test(a_disturbed_panel_is_healed_in_time),
+        cmocka_unit_test(slow_cores_send_whole_frames_if_that_is_faster),
         cmocka_unit_test(after_an_error_all_is_sent),
         cmocka_unit_test(bands_of_another_height_are_refused),
     };

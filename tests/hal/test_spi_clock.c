@@ -60,13 +60,13 @@ static void a_clock_that_was_told_is_made_again(void **state)
 static void pauses_follow_words_in_mode_0(void **state)
 {
     (void)state;
-    struct board mode_3 = board_pico_display;
-    mode_3.spi_mode = 3;
-    assert_int_equal(spi_clock_pause(&board_pico_display, 480), 3 * 240);
-    assert_int_equal(spi_clock_pause(&board_pico_display, 481), 3 * 481);
-    assert_int_equal(spi_clock_pause(&board_pico_display, HAL_COPIED), 3 * HAL_COPIED);
+    struct board mode_0 = board_pico_display;
+    mode_0.spi_mode = 0;
+    assert_int_equal(spi_clock_pause(&mode_0, 480), 3 * 240);
+    assert_int_equal(spi_clock_pause(&mode_0, 481), 3 * 481);
+    assert_int_equal(spi_clock_pause(&mode_0, HAL_COPIED), 3 * HAL_COPIED);
     assert_int_equal(spi_clock_pause(&board_lm3s6965evb, 64), 3 * 64);
-    assert_int_equal(spi_clock_pause(&mode_3, 480), 0);
+    assert_int_equal(spi_clock_pause(&board_pico_display, 480), 0);
     assert_int_equal(spi_clock_pause(&board_feather_stm32f405, 480), 0);
     assert_int_equal(spi_clock_pause(&board_rpi_waveshare_1in3, 480), 0);
 }

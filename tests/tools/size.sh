@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: tests/tools/size.sh
-# Code size of firmware/core for a Cortex-M0+, module by module: what an image links of it that has everything of firmware/app,
+# Code size of firmware/core for a Cortex-M0+ with its kits' flags, module by module: what an image links of it that has everything of firmware/app,
 # and all that there is. Exits 1 when what is linked is over the budget. `make size` calls it.
 # Environment: B (build directory), BUDGET (bytes of code and constants), CROSS (tool prefix).
 set -eu
@@ -8,8 +8,8 @@ cd "$(dirname "$0")/../.."
 B=${B:-build} CROSS=${CROSS:-arm-none-eabi-} BUDGET=${BUDGET:?bytes}
 command -v "${CROSS}gcc" >/dev/null || { echo "size: no ${CROSS}gcc here; apt-get install gcc-arm-none-eabi" >&2 && exit 1; }
 
-make -s -j"$(nproc)" B="$B/m0plus" CC="${CROSS}gcc" CPU=armv6m \
-    CFLAGS="-mcpu=cortex-m0plus -mthumb -Os -ffreestanding -ffunction-sections -fdata-sections" firmware-objects >&2
+make -s -j"$(nproc)" B="$B/m0plus" CC="${CROSS}gcc" CPU=armv6m KIT=1 \
+    CFLAGS="-mcpu=cortex-m0plus -mthumb -O2 -ffreestanding -ffunction-sections -fdata-sections" firmware-objects >&2
 mapfile -t core < <(find "$B/m0plus/firmware/core" -name '*.o' | sort)
 mapfile -t app < <(find "$B/m0plus/firmware/app" -name '*.o')
 
@@ -29,7 +29,7 @@ mapfile -t called < <(comm -12 <("${CROSS}nm" -u "${app[@]}" | awk 'NF == 2 { pr
         if (kept && $1 ~ /^\.(text|rodata|data|bss)/ && $3 ~ /^0x/ && NF == 4) { linked[module($4)] += hex($3) }
         next
     }
-    FNR == 1 { printf "%-24s %6s %6s %6s %6s\n", "firmware/core, M0+ -Os", "linked", "all", "data", "bss"; next }
+    FNR == 1 { printf "%-24s %6s %6s %6s %6s\n", "firmware/core, M0+", "linked", "all", "data", "bss"; next }
     {
         name = module($6)
         printf "%-24s %6d %6d %6d %6d\n", name, linked[name], $1, $2, $3

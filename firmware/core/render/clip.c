@@ -59,12 +59,15 @@ static struct ph_clip_vertex crossing(const struct ph_lens *lens, const struct p
     return v;
 }
 
-/* Clips against one plane. Returns the number of corners left. */
+/*
+ * Clips against one plane. Returns the number of corners left: at most one more. Only a sliver a few LSB thin that lies
+ * in the plane may cross it more often; what does not fit PH_CLIP_MAX is left out then.
+ */
 static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out,
                       int plane)
 {
     int count = 0;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n && count < PH_CLIP_MAX; i++) {
         const struct ph_clip_vertex *a = &in[i], *b = &in[i + 1 < n ? i + 1 : 0];
         const int64_t da = distance(lens, a, plane), db = distance(lens, b, plane);
         if (da >= 0) {
@@ -73,7 +76,7 @@ static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *i
         if (n == 2 && i == 1) { /* a line has one edge only */
             break;
         }
-        if ((da >= 0) != (db >= 0)) {
+        if ((da >= 0) != (db >= 0) && count < PH_CLIP_MAX) {
             out[count++] = da >= 0 ? crossing(lens, a, b, da, db, plane) : crossing(lens, b, a, db, da, plane);
         }
     }

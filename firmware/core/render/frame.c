@@ -155,6 +155,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->background = background;
     r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
     r->triangle_count = 0;
+    r->exact_first = r->config.triangle_max;
     r->carried = PH_NONE;
     return PH_OK;
 }

@@ -2,6 +2,7 @@
 #include "mesh.h"
 
 #include "cull.h"
+#include "edge.h"
 #include "fisheye.h"
 #include "light.h"
 #include "setup.h"
@@ -48,10 +49,13 @@ static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t 
     return v;
 }
 
+/* A corner that clipping has made is rounded. Some LSB from the eye that may carry it far out of the guard band. */
 static struct ph_corner project_corner(const struct ph_lens *lens, const struct ph_clip_vertex *in)
 {
     struct ph_vertex v;
     ph_project(lens, in->x, in->y, in->w, in->z, &v);
+    v.x = ph_max(ph_min(v.x, PH_REACH), -PH_REACH);
+    v.y = ph_max(ph_min(v.y, PH_REACH), -PH_REACH);
     v.light = (uint16_t)in->light;
     v.code = 0;
     return (struct ph_corner){v, {in->uv[0], in->uv[1]}};

@@ -10,6 +10,13 @@
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
+enum {
+    STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
+    FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
+    FLOAT24_OCTAVES = 2,
+    LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
+};
+
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
 struct plane_base {
     const struct ph_sides *sides;
@@ -85,7 +92,8 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
     const int unit = 53 - s->shift - excess, down = ph_max(ph_max(unit, ph_max(bits_of(px), bits_of(py)) - 31), 1);
     const int64_t half = (int64_t)1 << (down - 1); /* down is 22 or more without excess, else 29 or more */
     *halved = down - unit;
-    return (struct pixel_gradient){(int32_t)((px + half) >> down), (int32_t)((py + half) >> down)};
+    /* rounded up it may be 2^31 */
+    return (struct pixel_gradient){fx_sat64((px + half) >> down), fx_sat64((py + half) >> down)};
 }
 
 /* The plane with that gradient through `value` at the first corner. */
@@ -182,15 +190,36 @@ static uint32_t corner_over_w(const struct ph_vertex *v, int least)
     return down < 32 ? v->q >> down : 0;
 }
 
-/*
- * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are the finest.
- * Returns how often its gradient was halved.
- */
-static NOINLINE int depth_plane(const struct ph_renderer *r, const struct plane_base *s, const uint32_t d[3],
-                                struct ph_triangle *t)
+/* Twice the extent of a triangle along an axis. */
+static inline uint32_t twice_extent(int32_t d1, int32_t d2)
 {
-    return r->stats.depth_format >= PH_DEPTH_FIXED24 || t->block != PH_BLOCK_NONE ? plane_exact(&t->depth, s, d)
-                                                                                  : plane_through(&t->depth, s, d);
+    return fx_magnitude(d1) + fx_magnitude(d2) + fx_magnitude(d2 - d1);
+}
+
+/* How far a centre may lie outside the corners by the rounding of edges, 2^-24 px: 2^-16 px a row, and on short sides
+ * 2^-15 px a column. */
+static uint32_t reach(const struct ph_sides *s)
+{
+    const uint32_t rows = twice_extent(s->dy1, s->dy2) >> 1;
+    return s->is_short ? rows + twice_extent(s->dx1, s->dx2) : rows;
+}
+
+/* Whether a centre outside the corners could be more than 2^(down - 24) beyond their range: for 16.16 codes see STEEP.
+ */
+static bool is_steep(const struct ph_sides *s, const struct ph_plane *plane, int down)
+{
+    const uint32_t gx = ph_without_sign((int32_t)plane->gx);
+    const int most = s->is_short ? 17 : 24; /* bits of reach */
+    return gx >> (down - most) != 0 && fx_mulhi_u32(gx, reach(s)) >> (down - 32) != 0;
+}
+
+/*
+ * The plane of depth d: to its last bit for codes of 24 bits, and across octaves, where the far ones are
+ * the finest. Returns how often its gradient was halved.
+ */
+static inline int depth_plane(const struct plane_base *s, bool exact, const uint32_t d[3], struct ph_plane *out)
+{
+    return exact ? plane_exact(out, s, d) : plane_through(out, s, d);
 }
 
 /* Depth of the corners in the fixed formats. */
@@ -219,11 +248,22 @@ static int largest_block(const struct ph_vertex *const v[3])
     return ph_max(least_exponent(v) - 2, 0);
 }
 
-int ph_octaves_between(const uint32_t d[3], int block)
+/* The nearest and the farthest octave of the corners. */
+struct octaves {
+    int near, far;
+};
+
+static struct octaves octaves_of(const uint32_t d[3], int block)
 {
     const int low = ph_depth_lowest(ph_block_exponent(block), ph_block_down(block));
     const int a = ph_depth_octave(d[0], low), b = ph_depth_octave(d[1], low), c = ph_depth_octave(d[2], low);
-    return ph_max(ph_max(a, b), c) - ph_min(ph_min(a, b), c);
+    return (struct octaves){ph_min(ph_min(a, b), c), ph_max(ph_max(a, b), c)};
+}
+
+int ph_octaves_between(const uint32_t d[3], int block)
+{
+    const struct octaves octaves = octaves_of(d, block);
+    return octaves.far - octaves.near;
 }
 
 NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
@@ -243,52 +283,56 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
 }
 
 /*
- * Rounds a plane of float16 that crosses octaves, so that its codes are the same from wherever a row is begun: no bit
- * of a gradient is lost when it is shifted to the slope of an octave. Over more than five octaves that would cost the
- * far end its precision: such a plane stays as it is. d: of the corners.
+ * Rounds a plane that crosses octaves, so that its codes are the same from wherever a row is begun: no bit of a
+ * gradient is lost when it is shifted to the slope of an octave. Over many octaves that would cost the far end its
+ * precision: such a plane stays as it is.
  */
-static void round_depth(struct ph_plane *plane, const uint32_t d[3], int block)
+static void round_depth(struct ph_plane *plane, int bits)
 {
-    if (ph_octaves_between(d, block) <= 4) {
-        plane->base = ph_block_rounded(plane->base, block);
-        plane->gx = ph_block_rounded(plane->gx, block);
-        plane->gy = ph_block_rounded(plane->gy, block);
-    }
+    const uint32_t half = (1u << bits) >> 1, mask = UINT32_MAX << bits;
+    plane->base = (plane->base + half) & mask;
+    plane->gx = (plane->gx + half) & mask;
+    plane->gy = (plane->gy + half) & mask;
 }
 
-/* A float format. The steeper a triangle, the smaller must its block exponent be: codes are steeper than d is. */
-static NOINLINE void setup_float(const struct ph_renderer *r, const struct plane_base *s,
+/* A float format. False if 32 bits do not do. */
+static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
                                  const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
+    const bool float16 = r->stats.depth_format == PH_DEPTH_FLOAT16;
     uint32_t d[3];
     t->block = ph_block_depths(r, v, bias, d);
-    int halved = depth_plane(r, s, d, t);
-    for (int block = largest_block(v); halved > 0 && (t->block == PH_BLOCK_NONE || block > 0);) {
-        block = t->block == PH_BLOCK_NONE ? block : ph_max(block - halved, 0);
-        t->block = ph_block_of(block, r->lens.float_down);
-        depths_in_block(r, v, block, d);
-        halved = depth_plane(r, s, d, t);
+    const int halved = depth_plane(s, !float16 || t->block != PH_BLOCK_NONE, d, &t->depth);
+    if (t->block == PH_BLOCK_NONE) {
+        return halved <= 0 && !is_steep(s->sides, &t->depth, STEEP);
     }
-    if (t->block != PH_BLOCK_NONE && r->stats.depth_format == PH_DEPTH_FLOAT16) {
-        round_depth(&t->depth, d, t->block);
-    }
+    const struct octaves at = octaves_of(d, t->block);
+    const int octaves = at.far - at.near, down = r->lens.float_down; /* codes are as steep as d in octave `down` */
+    round_depth(&t->depth, float16 ? down : ph_max(down - at.near, 0));
+    return halved <= 0 && octaves <= (float16 ? FLOAT16_OCTAVES : FLOAT24_OCTAVES) &&
+           !is_steep(s->sides, &t->depth, ph_max(STEEP + down - at.far, 32));
 }
 
-/* linear-w: the plane of N/w, and how it becomes a code. */
-static NOINLINE void setup_linear(const struct ph_renderer *r, const struct plane_base *s,
+/* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */
+static NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
                                   const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
     t->block = PH_BLOCK_LINEAR;
-    plane_exact(&t->depth, s, w);
+    const int halved = plane_exact(&t->depth, s, w);
     t->linear = r->lens.linear;
     t->linear.bias = (uint8_t)(t->linear.bias + bias);
     t->linear.down = (int8_t)(t->linear.down - least);
+    const uint32_t least_w = w[0] < w[1] ? w[0] : w[1];
+    const int zeros = fx_clz32(least_w < w[2] ? least_w : w[2]), far_zeros = 3 + r->lens.far_s - least;
+    /* At the far plane w changes by as much of itself as 1/w does, before it by less in codes. */
+    return halved <= 0 && zeros <= LINEAR_ZEROS &&
+           !is_steep(s->sides, &t->depth, ph_min(STEEP - 1 - 2 * zeros + far_zeros, 48));
 }
 
-/* Depth and block. */
-static NOINLINE void setup_depth(const struct ph_renderer *r, const struct plane_base *s,
+/* Depth and block. False if 32 bits do not do. */
+static NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
                                  const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const uint32_t bias = ph_depth_bias(t->material);
@@ -296,13 +340,13 @@ static NOINLINE void setup_depth(const struct ph_renderer *r, const struct plane
     t->block = PH_BLOCK_NONE;
     uint32_t d[3];
     if (format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24) {
-        setup_float(r, s, v, bias, t);
-    } else if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
-        setup_linear(r, s, v, bias, t);
-    } else {
-        fixed_depths(r, v, bias, d);
-        depth_plane(r, s, d, t);
+        return setup_float(r, s, v, bias, t);
     }
+    if (format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC) {
+        return setup_linear(r, s, v, bias, t);
+    }
+    fixed_depths(r, v, bias, d);
+    return depth_plane(s, format != PH_DEPTH_FIXED16, d, &t->depth) <= 0 && !is_steep(s->sides, &t->depth, STEEP);
 }
 
 /* u or v of the corners, Q16.16; not negative if the texture repeats. Returns the log2 of their range. */
@@ -393,13 +437,14 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     t->colour = material->colour;
 }
 
-void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides)
 {
     struct plane_base base;
     plane_base(&base, v[0], sides);
-    setup_depth(r, &base, v, t);
+    const bool fits = setup_depth(r, &base, v, t);
     setup_shading(r, &base, v, uv, t);
+    return fits;
 }
 
 /* plane_base for what is rare. */
@@ -408,18 +453,18 @@ static NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *
     plane_base(base, first, sides);
 }
 
-void ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides)
 {
     struct plane_base base;
     rare_base(&base, v[0], sides);
-    setup_depth(r, &base, v, t);
+    return setup_depth(r, &base, v, t);
 }
 
-int ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
-                   const uint32_t d[3])
+bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
+                    const uint32_t d[3])
 {
     struct plane_base base;
     rare_base(&base, first, sides);
-    return plane_through(out, &base, d);
+    return depth_plane(&base, false, d, out) <= 0 && !is_steep(sides, out, STEEP);
 }

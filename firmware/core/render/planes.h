@@ -37,17 +37,17 @@ uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *con
 /* How many octaves lie between the depths of the corners, in units of 2^-(32 + block). */
 int ph_octaves_between(const uint32_t d[3], int block);
 
-/* The plane of depth d. Returns how often its gradient of 2^31 per pixel or more was halved. */
-int ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
-                   const uint32_t d[3]);
+/* The plane of 16.16 codes d. False if it is too steep for 32 bits. */
+bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
+                    const uint32_t d[3]);
 
-/* Sets t->depth and t->block. */
-void ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+/* Sets t->depth and t->block. False if 32 bits do not do: see exact.h. */
+bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                   const struct ph_sides *sides);
 
 /* Sets what the pixels of a triangle take: kind, colour, depth, block, attribute, range_log2; material is set already.
- * uv: those of each corner; NULL if the material has no texture. */
-void ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
+ * uv: those of each corner; NULL if the material has no texture. False if 32 bits do not do for depth. */
+bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                    const fx_t *const uv[3], const struct ph_sides *sides);
 
 #endif

@@ -5,6 +5,7 @@
  * So the picture does not depend on where a band begins.
  */
 #include "band.h"
+#include "exact.h"
 #include "kernels.h"
 #include "span.h"
 #include "texture.h"
@@ -122,6 +123,53 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
         if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
             count += walk_rows(t, band, y, y_end, left, right);
         }
+    }
+    return count;
+}
+
+/* Draws a run of a triangle whose depth takes 64 bits. */
+static uint32_t draw_exact_run(const struct ph_triangle *run, const struct ph_band *band)
+{
+    return run->kind == PH_KIND_TEXTURE ? ph_draw_textured(run, band) : walk(run, band);
+}
+
+/* Draws the rows of a strip one by one. */
+static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_band *band, const struct ph_band *rows,
+                                struct ph_triangle *run)
+{
+    int32_t y, y_end;
+    struct ph_edge left, right;
+    uint32_t count = 0;
+    const struct ph_band in_band = {
+        NULL, NULL, false, rows->y0 > band->y0 ? rows->y0 : band->y0, rows->y1 < band->y1 ? rows->y1 : band->y1, 0};
+    if (!ph_half_rows(t, &in_band, rows->y0 >= t->y_mid, &y, &y_end, &left, &right)) {
+        return 0;
+    }
+    for (; y < y_end; y++) {
+        const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
+        for (int32_t x = left.x < 0 ? 0 : left.x >> 16; x < to;) {
+            x += ph_exact_run(t, x, to, y, run);
+            count += draw_exact_run(run, band);
+        }
+        left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
+        right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
+    }
+    return count;
+}
+
+/* Draws a triangle whose depth takes 64 bits, strip by strip. Where strips begin does not depend on the band. */
+static NOINLINE uint32_t draw_exact(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_triangle run = *t;
+    struct ph_band rows = {NULL, NULL, false, band->y0 & ~(PH_EXACT_ROWS - 1), 0, 0};
+    uint32_t count = 0;
+    for (rows.y0 = rows.y0 > t->y_top ? rows.y0 : t->y_top; rows.y0 < t->y_bottom && rows.y0 < band->y1;
+         rows.y0 = rows.y1) {
+        const int32_t half_end = rows.y0 < t->y_mid ? t->y_mid : t->y_bottom, end = (rows.y0 | (PH_EXACT_ROWS - 1)) + 1;
+        struct ph_exact_strip strip = {.width = band->width};
+        rows.y1 = end < half_end ? end : half_end;
+        ph_half_rows(t, &rows, rows.y0 >= t->y_mid, &strip.y, &strip.y_end, &strip.left, &strip.right);
+        count += ph_exact_rows(t, &strip, &run) ? draw_exact_run(&run, band) : draw_exact_rows(t, band, &rows, &run);
     }
     return count;
 }
@@ -355,6 +403,9 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE && ph_texels_are_usual(t) ? ph_draw_small_texels(t, band)
                                                                    : draw_small_texture(t, band);
+    }
+    if (t->block == PH_BLOCK_EXACT) {
+        return draw_exact(t, band);
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);

@@ -6,6 +6,7 @@
 #include "setup.h"
 
 #include "edge.h"
+#include "exact.h"
 #include "kernels.h"
 #include "planes.h"
 #include "texels.h"
@@ -71,16 +72,16 @@ static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const
     return true;
 }
 
-/* Edges and planes of any triangle. */
+/* Edges and planes of any triangle; *fits: 32 bits do for its depth. */
 static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *material,
                                const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                               const struct ph_sides *sides, struct ph_triangle *t)
+                               const struct ph_sides *sides, struct ph_triangle *t, bool *fits)
 {
     if (misses_columns(r->config.width, v) || !setup_outline(r->config.height, v, t)) {
         return false;
     }
     t->material = material;
-    ph_set_planes(t, r, v, uv, sides);
+    *fits = ph_set_planes(t, r, v, uv, sides);
     return true;
 }
 
@@ -141,8 +142,45 @@ static inline bool small_depths(const struct ph_renderer *r, const struct ph_mat
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* Sets the depth that ph_setup_small left out, or that crosses octaves. */
-static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
+/* An edge so many rows further down. */
+static struct ph_edge edge_below(struct ph_edge edge, int32_t rows)
+{
+    return (struct ph_edge){(int32_t)((uint32_t)edge.x + (uint32_t)rows * (uint32_t)edge.dx), edge.dx};
+}
+
+/* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. */
+static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t rows)
+{
+    for (; rows > 0; rows--) {
+        if (left.x >> 16 < right.x >> 16) {
+            return false;
+        }
+        left = edge_below(left, 1);
+        right = edge_below(right, 1);
+    }
+    return true;
+}
+
+/* Whether a triangle lies between all pixel centres, as thin ones often do. */
+static bool is_empty(const struct ph_triangle *t)
+{
+    const int32_t upper = t->y_mid - t->y_top, lower = t->y_bottom - t->y_mid;
+    const struct ph_edge below = edge_below(t->long_edge, upper);
+    return t->long_left ? rows_are_empty(t->long_edge, t->upper, upper) && rows_are_empty(below, t->lower, lower)
+                        : rows_are_empty(t->upper, t->long_edge, upper) && rows_are_empty(t->lower, below, lower);
+}
+
+static bool small_is_empty(const struct ph_small_triangle *s)
+{
+    const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
+    const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
+    return rows_are_empty(left, right, s->upper_rows) &&
+           (s->lower_is_right ? rows_are_empty(edge_below(left, s->upper_rows), s->lower, s->lower_rows)
+                              : rows_are_empty(s->lower, edge_below(right, s->upper_rows), s->lower_rows));
+}
+
+/* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
+static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
                                   const struct ph_vertex *const v[3], const struct ph_sides *sides, const uint32_t d[3],
                                   enum ph_small_setup done)
 {
@@ -150,39 +188,42 @@ static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_rendere
     struct ph_triangle any;
     if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_octaves_between(d, t->block) <= 1) {
         small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
-        return;
+        return true;
     }
     any.block = PH_BLOCK_NONE;
-    if (t->block != PH_BLOCK_NONE || ph_depth_plane(&any.depth, v[0], sides, d) > 0) {
-        any.material = t->material;
-        ph_set_depth(&any, r, v, sides);
+    any.material = t->material;
+    if (t->block != PH_BLOCK_NONE ? !ph_set_depth(&any, r, v, sides) : !ph_depth_plane(&any.depth, v[0], sides, d)) {
+        return false;
     }
     t->block = any.block;
     small->gd = any.depth.gx;
     small->d_dy = any.depth.gy;
     small->d = any.depth.base + (uint32_t)t->y_top * any.depth.gy;
+    return true;
 }
 
-/* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has. */
-static NOINLINE void take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
-                                      const struct ph_vertex *const v[3], const struct ph_sides *sides)
+/* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has.
+ * False if 32 bits do not do. */
+static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
+                                      const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
 {
     struct ph_triangle other;
     uint32_t d[3];
     other.material = t->material;
     if (!small_depths(r, t->material, v, d, &other.block)) {
-        return;
+        return fits;
     }
     const enum ph_small_setup done = ph_setup_small(&other, v, sides, d);
     if (done == PH_SMALL_NO_ROW) {
-        return;
+        return true;
     }
-    if (done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) {
-        finish_depth(&other, r, v, sides, d, done);
+    if ((done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) && !finish_depth(&other, r, v, sides, d, done)) {
+        return false;
     }
     const struct ph_small_triangle *const small = &other.small;
     t->block = other.block;
     t->depth = (struct ph_plane){small->d - (uint32_t)other.y_top * small->d_dy, small->gd, small->d_dy};
+    return true;
 }
 
 /* Sets up and lists any triangle that ph_setup_small cannot take. */
@@ -191,16 +232,25 @@ static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_materia
                                   const struct ph_sides *sides, bool small)
 {
     const uint32_t n = r->triangle_count;
-    struct ph_triangle no_room, *const t = n < r->config.triangle_max ? &ph_triangles(r)[n] : &no_room;
-    if (!setup_any(r, material, v, uv, sides, t)) {
+    struct ph_triangle no_room, *const t = n < r->exact_first || ph_free_exact(r) ? &ph_triangles(r)[n] : &no_room;
+    bool fits;
+    if (!setup_any(r, material, v, uv, sides, t, &fits)) {
         return false;
     }
     if (t == &no_room) {
         r->stats.triangles_dropped++;
         return true;
     }
-    if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
-        take_small_depth(t, r, v, sides);
+    if (material->depth_bias_slope != 0) {
+        fits = false;
+    } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
+        fits = take_small_depth(t, r, v, sides, fits);
+    }
+    if (!fits) {
+        if (is_empty(t)) {
+            return false;
+        }
+        ph_set_exact(r, n, v, sides);
     }
     r->triangle_count = n + 1;
     r->stats.triangles_drawn++;
@@ -212,7 +262,10 @@ void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
     const unsigned format = r->stats.depth_format, shading = material->shading;
     const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
-    r->small.material = format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture)) ? material : NULL;
+    r->small.material =
+        format <= PH_DEPTH_FLOAT16 && material->depth_bias_slope == 0 && (!textured || ph_texels_fit(material->texture))
+            ? material
+            : NULL;
     r->small.ramp = lit ? material->ramp : &material->colour;
     r->small.shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     r->small.floats = format == PH_DEPTH_FLOAT16;
@@ -226,7 +279,8 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
 {
     const uint32_t n = r->triangle_count;
     const bool small = is_small(sides) && is_inside(r, v);
-    if ((!small && !is_narrow(r, sides, v)) || material != r->small.material || n >= r->config.triangle_max) {
+    if ((!small && !is_narrow(r, sides, v)) || material != r->small.material ||
+        (n >= r->exact_first && !ph_free_exact(r))) {
         return setup_listed(r, material, v, uv, sides, small);
     }
     struct ph_triangle *const t = &ph_triangles(r)[n];
@@ -241,11 +295,12 @@ bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, c
         return false;
     }
     const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
-    if (done == PH_SMALL_NO_ROW) {
+    if (done == PH_SMALL_NO_ROW || (done == PH_SMALL_STEEP && small_is_empty(&t->small))) {
         return false;
     }
-    if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE || !small) { /* narrow: depth as in other shadings */
-        finish_depth(t, r, v, sides, d, small ? done : PH_SMALL_STEEP);
+    if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE || !small) && /* narrow: depth as in other shadings */
+        !finish_depth(t, r, v, sides, d, small ? done : PH_SMALL_STEEP)) {
+        return setup_listed(r, material, v, uv, sides, false);
     }
     if (r->small.shading == PH_SHADE_TEXTURE) {
         if (!ph_setup_texels(t, r, v, uv, sides)) {

@@ -46,6 +46,19 @@ static inline void ph_small_lower(struct ph_small_triangle *small)
     small->lower_rows = 0;
 }
 
+/* The exact depth of a triangle, in an entry of its own: see exact.h. Pairs of words are 64 bits, the lower first. */
+struct ph_exact {
+    uint32_t base[2], gx[2], gy[2]; /* as in struct ph_plane */
+    uint32_t low[2], size[2];       /* range of the corners */
+    uint32_t offset;                /* added to the codes */
+    uint32_t owner;                 /* index of the triangle */
+    struct ph_plane plane;          /* depth and block that it has in 32 bits */
+    uint8_t block;
+    uint8_t kind;
+    uint8_t unit; /* codes are as steep as a depth in 2^-(56 - unit) is in octave 0 */
+    int8_t down;  /* linear-w: that of the lens; floats: bits of exponent less 1 */
+};
+
 /* A row of pixels or of depths, so many bytes further down. */
 static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
 {
@@ -87,6 +100,7 @@ struct ph_triangle {
             struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
             struct ph_curve curves[2];      /* of u, v */
         };
+        struct ph_exact exact; /* an entry at the end of the list */
     };
 };
 
@@ -94,8 +108,9 @@ struct ph_triangle {
 #define PH_SMALL_COLUMNS 32
 #define PH_BLOCK_NONE    255 /* depth is stepped in 16.16 codes */
 #define PH_BLOCK_LINEAR  254 /* linear-w: 1/w is stepped */
+#define PH_BLOCK_EXACT   253 /* depth stands depth.base entries after the triangle */
 
-/* A block exponent, 0 .. 61, and the float's bits of exponent less 1 (ph_lens.float_down, 2 .. 5), in a byte. */
+/* A block exponent, 0 .. 60, and the float's bits of exponent less 1 (ph_lens.float_down, 2 .. 5), in a byte. */
 static inline uint8_t ph_block_of(int exponent, int down)
 {
     return (uint8_t)(exponent + 64 * (down - 2));

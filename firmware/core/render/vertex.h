@@ -23,6 +23,10 @@ enum {
 #define PH_LIGHT_ZERO 2304  /* no light: the middle of entry 4 of the ramp */
 #define PH_LIGHT_SPAN 60928 /* from there to full light, the middle of entry 123 */
 
+/* A projected vertex is at most so far from the picture's corner, 1/256 px: the guard band ends 2048 px from a centre
+ * that is at most 1536 px away. Twice a triangle's area is then below 2^42, also if it is half a line, 1 px wide. */
+#define PH_REACH (4095 * 256)
+
 /* It takes 16 bytes, so that an index becomes an address by a shift. */
 struct ph_vertex {
     int32_t x, y; /* 1/256 px; not set if code has NEAR or GUARD */

@@ -1,5 +1,5 @@
 // Runs a firmware image on an emulated RP2040 and writes the events on its wires (host-sim/wire/wire_events.h: the format).
-import { closeSync, openSync, readFileSync, writeFileSync, writeSync } from 'node:fs';
+import { closeSync, openSync, readFileSync, writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -9,7 +9,8 @@ const HELP = `emulate.mjs --modules DIR IMAGE.bin|IMAGE.uf2 [options]
 Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and writes the events on its wires.
   --frames N          ends after N frames (16)
   --events FILE       the events ('-': stdout, the default)
-  --report FILE       a line a frame: number, time in us, time on the bus in us, load of each core in %
+  --report FILE       a line a frame, as soon as it has ended: number, us, us on the bus, us in which all cores slept,
+                      load of each core in %
   --cores 1|2         cores that the chip has (2)
   --dc PIN            the panel's D/C (required)
   --select PIN        the panel's chip select
@@ -17,11 +18,13 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --charge US         a pin reads low until US after its pull-up is turned on (0)
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
-  --calls FRAME,WRITE,ROWS  addresses (hexadecimal) of the functions that the image calls when it begins to send a
-                      frame, and to write to the bus: bus_write and bus_write_rows of hal.h. The events then have
-                      a note 'frame' where the last bit of one is out. Without them a frame begins with the command
-                      memory write, 2Ch
+  --calls FRAME,WRITE,ROWS,SCENE  addresses (hexadecimal) of the functions that the image calls when it begins to send
+                      a frame, to write to the bus (bus_write and bus_write_rows of hal.h), and to make the scene of
+                      a frame, whose number is their second argument. The events then have a note 'frame' where the
+                      last bit of one is out. Without them a frame begins with the command memory write, 2Ch
+  --jump FRAME:N      the scene of this frame is that of number N, and the next ones follow; may be given several times
   --free-wire         words take no time on the bus: the report has the cores' own time
+  --free-flash        flash is as fast as RAM (it lies behind a cache, see flash.mjs)
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
 The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
 
@@ -31,8 +34,9 @@ const { values: options, positionals } = parseArgs({
     modules: { type: 'string' }, frames: { type: 'string', default: '16' }, events: { type: 'string', default: '-' },
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
+    jump: { type: 'string', multiple: true, default: [] },
     charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
-    'free-wire': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
+    'free-wire': { type: 'boolean', default: false }, 'free-flash': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
 });
@@ -108,8 +112,7 @@ function makeRecorder(machine, fd) {
       level(machine.time, levels);
     },
     wordStart() { levelsAtStart = machine.levels; },
-    word(value, bits, start, end, hz) {
-      const mode = 0; // CPOL and CPHA of boards with chip select
+    word(value, bits, start, end, hz, mode) {
       if (transfer !== null && (transfer.hz !== hz || transfer.end !== start || transfer.bytes.length >= 4096)) {
         flush();
       }
@@ -152,6 +155,7 @@ const machine = makeMachine(lib, {
   },
 });
 machine.freeWire = options['free-wire'];
+machine.freeFlash = options['free-flash'];
 machine.chargeUs = Number(options.charge);
 const file = readFileSync(positionals[0]);
 machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
@@ -173,17 +177,18 @@ machine.onTrouble = (text) => console.error(`emulate: at ${(machine.time / 1e6).
 machine.onLevels = recorder.levels;
 machine.onWordStart = recorder.wordStart;
 
-const press = byFrame(options.press), send = byFrame(options.send);
+const press = byFrame(options.press), send = byFrame(options.send), jump = byFrame(options.jump);
 const limit = Number(options['limit-ms']) * 1e6, frames = Number(options.frames);
-const report = [];
+const report = options.report === undefined ? null : openSync(options.report, 'w');
 let frame = -1, begun = null, busTime = 0;
 
 function measure() {
-  const current = { time: machine.time, bus: busTime, idle: machine.cores.map(machine.idleOf) };
-  if (begun !== null) {
+  const current = { time: machine.time, bus: busTime, rest: machine.resting, idle: machine.cores.map(machine.idleOf) };
+  if (begun !== null && report !== null) {
     const us = (current.time - begun.time) / 1e3;
     const loads = current.idle.map((idle, i) => machine.cores[i].started ? 100 - (idle - begun.idle[i]) / us / 10 : 0);
-    report.push([frame, ...[us, (current.bus - begun.bus) / 1e3, ...loads].map((v) => v.toFixed(1))].join(' '));
+    const times = [us, (current.bus - begun.bus) / 1e3, (current.rest - begun.rest) / 1e3];
+    writeSync(report, `${[frame, ...[...times, ...loads].map((v) => v.toFixed(1))].join(' ')}\n`);
   }
   begun = current;
 }
@@ -218,7 +223,9 @@ function endFrames() {
   }
 }
 
-function addCalls([frameAt, writeAt, rowsAt]) {
+let ahead = 0; // of the frame's number, that of its scene
+
+function addCalls([frameAt, writeAt, rowsAt, sceneAt]) {
   machine.calls.set(frameAt, () => {
     if (frame >= 0) {
       ends.push(given);
@@ -228,20 +235,24 @@ function addCalls([frameAt, writeAt, rowsAt]) {
   });
   machine.calls.set(writeAt, ([, , , n]) => { given += n; });
   machine.calls.set(rowsAt, ([, , n, , rows]) => { given += n * rows; });
+  machine.calls.set(sceneAt, () => { // its first instruction has been run, and has left its arguments
+    ahead = jump.has(frame + 1) ? jump.get(frame + 1) - machine.mcu.core.registers[1] : ahead;
+    machine.mcu.core.registers[1] += ahead;
+  });
 }
 
 if (options.calls !== undefined) {
   addCalls(options.calls.split(',').map((address) => parseInt(address, 16) & ~1));
 }
 
-machine.onWord = (value, bits, start, end, hz) => {
+machine.onWord = (value, bits, start, end, hz, mode) => {
   if (options.calls === undefined && value === 0x2c && bits === 8 && (machine.levels & (1 << Number(options.dc))) === 0) {
     done = Math.max(frame, 0);
     beginFrame();
   }
   busTime += end - start;
   out += bits / 8;
-  recorder.word(value, bits, start, end, hz);
+  recorder.word(value, bits, start, end, hz, mode);
   endFrames();
 };
 
@@ -251,9 +262,6 @@ machine.run(() => isDone() || machine.time > limit || objections > 0);
 recorder.close();
 if (fd !== 1) {
   closeSync(fd);
-}
-if (options.report !== undefined) {
-  writeFileSync(options.report, report.map((line) => `${line}\n`).join(''));
 }
 machine.cores.filter((own) => own.started).forEach((own, i) => {
   console.error(`emulate: core ${i}: lowest stack ${own.lowest.toString(16)}`);

@@ -45,7 +45,7 @@ pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # {
 [ -n "$(pin select)" ] || stop "$BOARD: has no chip select (.select = BOARD_PIN_LOW(n)), without which its transfers are not told apart"
 
 # The functions that begin a frame and write to the bus; a program other than the demos may have none.
-calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_bus_write"] "," at["rp2040_bus_write_rows"] } }')
+calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_bus_write"] "," at["rp2040_bus_write_rows"] "," at["runner_scene"] } }')
 mkdir -p "$out"
 unfinished=$out
 node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
@@ -54,7 +54,7 @@ node=$!
 wait "$node" || { node='' && exit 1; }
 node='' unfinished=''
 [ "${EVENTS_ONLY-}" = 1 ] || "$B/pinhole-wire" --board "$BOARD" ${calls:+--notes} --out "$out" "$out/events"
-awk '{ us += $2; bus += $3; load += $4; load1 += $5 }
+awk '{ us += $2; bus += $3; load += $5; load1 += $6 }
     END { if (NR > 0) { printf "%.1f frames/s: %.2f ms a frame, %.2f of them on the bus; load of core 0 %.0f %%", NR * 1e6 / us, us / NR / 1e3, bus / NR / 1e3, load / NR
-                        if (NF > 4) { printf ", core 1 %.0f %%", load1 / NR }
+                        if (NF > 5) { printf ", core 1 %.0f %%", load1 / NR }
                         printf "\n" } }' "$out/report"

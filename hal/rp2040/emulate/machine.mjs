@@ -1,18 +1,21 @@
-// An RP2040 with the parts that rp2040js lacks: a wire that takes time, a second core, a few words of the boot ROM, an MPU,
-// lockup, and a watchdog that resets.
+// An RP2040 with the parts that rp2040js lacks: a wire that takes time, flash behind a cache (flash.mjs), a second core, a
+// few words of the boot ROM, an MPU, lockup, and a watchdog that resets.
 //
 //   const machine = makeMachine(rp2040js, { cores, warn });    warn(text): the emulator objects to something
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
-// The user sets hooks: onWord(value, bits, start, end, hz) at the last bit of an SPI word, onLevels(levels) when a pin that
+// The user sets hooks: onWord(value, bits, start, end, hz, mode) at the last bit of an SPI word, onLevels(levels) when a pin that
 // the chip drives changes, onUart(byte), onTrouble(text): a core locked up or the watchdog reset the chip. machine.calls is a Map from an address to a function, which gets
 // r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
-// time, as in rp2040js; the cores' own time is left. A pin reads low until machine.chargeUs after its pull-up was turned
-// on, as with a capacitor.
+// time, as in rp2040js; the cores' own time is left. With machine.freeFlash flash is as fast as RAM. A pin reads low until machine.chargeUs after its pull-up was turned
+// on, as with a capacitor. machine.resting is the time in ns that all cores slept at once.
+
+import { makeFlash } from './flash.mjs';
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
+const FLASH = 0x10;
 const CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58, SHARED_END = 0x50, SPINLOCK0 = 0x100;
 const FIFO_READABLE = 1, FIFO_WRITABLE = 2;
 const FIFO_WORDS = 8;
@@ -23,6 +26,12 @@ const FORBIDDEN = Symbol('the MPU forbids this access');
 const WATCHDOG = 0x40058, PSM = 0x40010, ALL_BUT_OSCILLATORS = 0x1fffc;
 const PAD_AFTER_RESET = 0x36, FUNCTION_AFTER_RESET = 0x1f;
 const PULLED_UP = 3; // GPIOPinState.InputPullUp
+const W25Q16JV = [0xef, 0x40, 0x15]; // JEDEC id, datasheet 8.1.1
+
+// Cortex-M0+ TRM: cycles of instructions (3.3) that rp2040js counts one too few, because LR and PC are registers of the
+// list, too; cycles until an interrupt's first instruction (3.1). Of the way back only the nine loads are known.
+const MORE_CYCLES = new Uint8Array(65536).fill(1, 0xb500, 0xb600).fill(1, 0xbd00, 0xbe00); // push lr, pop pc
+const EXCEPTION_ENTRY_CYCLES = 15, EXCEPTION_EXIT_CYCLES = 10;
 
 function crc32mpeg2(bytes) {
   let crc = 0xffffffff;
@@ -96,7 +105,8 @@ function wrapSio(sio, shared, core, fifos) {
   };
 }
 
-// Region 0 of a core's MPU, without access for anybody; NMI and hard fault run without the MPU.
+// Region 0 of a core's MPU, without access for anybody; NMI and hard fault run without the MPU. Returns a function that
+// throws if the core must not access an address.
 function addMpu(machine, own, ppb) {
   const { core } = own;
   const register = { [MPU_CTRL]: 0, [MPU_RNR]: 0, [MPU_RBAR]: 0, [MPU_RASR]: 0 };
@@ -125,15 +135,53 @@ function addMpu(machine, own, ppb) {
     update();
     reset();
   };
-  for (const access of ['readUint32', 'readUint16', 'readUint8', 'writeUint32', 'writeUint16', 'writeUint8']) {
-    const allowed = core[access].bind(core);
-    core[access] = (address, value) => {
-      if (end !== 0 && address >>> 0 >= from && address >>> 0 < end && (core.IPSR < 2 || core.IPSR > HARD_FAULT)) {
-        throw FORBIDDEN;
+  return (address) => {
+    if (address < end && address >= from && (core.IPSR < 2 || core.IPSR > HARD_FAULT)) {
+      throw FORBIDDEN;
+    }
+  };
+}
+
+// What a core reads and writes passes its MPU; what it reads of flash takes time. Instructions are read as halfwords.
+function addMemory(machine, own, check) {
+  const { core } = own, chip = core.rp2040, { flash } = machine;
+  for (const access of ['readUint32', 'readUint8']) {
+    const read = chip[access].bind(chip);
+    core[access] = (signed) => {
+      const address = signed >>> 0;
+      check(address);
+      if (address >>> 24 === FLASH) {
+        core.cycles += flash.read(own, address);
       }
-      return allowed(address, value);
+      return read(address);
     };
   }
+  core.readUint16 = (signed) => {
+    const address = signed >>> 0;
+    check(address);
+    if (address >>> 24 === FLASH) {
+      core.cycles += flash.read(own, address);
+    }
+    const value = chip.readUint16(address);
+    core.cycles += address === core.registers[15] ? MORE_CYCLES[value] : 0;
+    return value;
+  };
+  for (const access of ['writeUint32', 'writeUint16', 'writeUint8']) {
+    const write = chip[access].bind(chip);
+    core[access] = (signed, value) => {
+      check(signed >>> 0);
+      write(signed, value);
+    };
+  }
+  const enter = core.exceptionEntry.bind(core), leave = core.exceptionReturn.bind(core);
+  core.exceptionEntry = (number) => {
+    core.cycles += EXCEPTION_ENTRY_CYCLES;
+    enter(number);
+  };
+  core.exceptionReturn = (value) => {
+    core.cycles += EXCEPTION_EXIT_CYCLES;
+    leave(value);
+  };
 }
 
 // What a reset by the watchdog leaves of the chip: memory, and the watchdog's own registers.
@@ -167,8 +215,8 @@ function addWatchdog(machine, fifos) {
   };
 }
 
-// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock, and in mode 0 of the
-// unit's pause (hal/spi_clock.h).
+// In rp2040js SPI takes no time. Here a word is out after the time of its bits at the unit's clock, and, unless SPH is set,
+// of the unit's pause (hal/spi_clock.h).
 function addWireTime(machine, spi) {
   const { clock } = machine.mcu;
   let word = null;
@@ -176,18 +224,18 @@ function addWireTime(machine, spi) {
     const done = word;
     word = null;
     machine.wordInFlight = false;
-    machine.onWord(done.value, done.bits, done.start, clock.nanos, done.hz);
+    machine.onWord(done.value, done.bits, done.start, clock.nanos, done.hz, done.mode);
     spi.completeTransmit(0);
   });
   spi.onTransmit = (value) => {
-    const hz = spi.clockFrequency, bits = spi.dataBits;
+    const hz = spi.clockFrequency, bits = spi.dataBits, sph = spi.control0 >>> 7 & 1, spo = spi.control0 >>> 6 & 1;
     if (!spi.enabled || hz === 0) {
       machine.warn('a word was written to an SPI unit that is off or has no clock');
     }
-    word = { value, bits, hz, start: clock.nanos };
+    word = { value, bits, hz, mode: 2 * spo + sph, start: clock.nanos };
     machine.wordInFlight = true;
     machine.onWordStart();
-    alarm.schedule(machine.freeWire ? 0 : ((bits + (spi.spiMode === 0 ? 1.5 : 0)) * 1e9) / hz);
+    alarm.schedule(machine.freeWire ? 0 : ((bits + (sph === 0 ? 1.5 : 0)) * 1e9) / hz);
   };
 }
 
@@ -236,13 +284,13 @@ function watchPins(machine) {
 function addCore(machine, lib, index) {
   const { mcu } = machine;
   if (index === 0) {
-    return { core: mcu.core, ppb: mcu.ppb, started: true, asleep: false, locked: false, time: 0, idle: 0, lowest: 2 ** 32 };
+    return { core: mcu.core, ppb: mcu.ppb, started: true, asleep: false, locked: false, time: 0, counted: 0, word: 0, idle: 0, lowest: 2 ** 32 };
   }
   const own = Object.create(mcu); // the same memory and peripherals, but its own core, SIO and PPB
   own.core = new lib.CortexM0Core(own);
   own.sio = new lib.RPSIO(own);
   own.ppb = new lib.RPPPB(own, 'PPB1');
-  return { core: own.core, sio: own.sio, ppb: own.ppb, started: false, asleep: false, locked: false, time: 0, idle: 0, lowest: 2 ** 32 };
+  return { core: own.core, sio: own.sio, ppb: own.ppb, started: false, asleep: false, locked: false, time: 0, counted: 0, word: 0, idle: 0, lowest: 2 ** 32 };
 }
 
 function addLogger(machine) {
@@ -262,11 +310,11 @@ function addLogger(machine) {
   console.warn = (...text) => machine.warn(text.join(' '));
 }
 
-export function makeMachine(lib, { cores = 1, warn }) {
+export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
-    mcu, warn, calls: new Map(), freeWire: false, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
+    mcu, warn, calls: new Map(), freeWire: false, freeFlash: false, resting: 0, misses: 0, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
     onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {},
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
@@ -280,7 +328,8 @@ export function makeMachine(lib, { cores = 1, warn }) {
   if (cores > 1) {
     wrapSio(machine.cores[1].sio, mcu.sio, 1, fifos);
   }
-  machine.cores.forEach((own) => addMpu(machine, own, own.ppb));
+  machine.flash = makeFlash(machine, flashId);
+  machine.cores.forEach((own) => addMemory(machine, own, addMpu(machine, own, own.ppb)));
   addWatchdog(machine, fifos);
   mcu.spi.forEach((spi) => addWireTime(machine, spi));
   mcu.uart[0].onByte = (byte) => machine.onUart(byte);
@@ -308,6 +357,8 @@ export function makeMachine(lib, { cores = 1, warn }) {
   };
 
   machine.boot = () => {
+    machine.flash.reset();
+    machine.cores.forEach((own) => { own.word = 0; });
     mcu.sram.set(machine.image.subarray(0, BOOT2_BYTES), BOOT2_PLACE - 0x20000000);
     mcu.core.SP = BOOT2_PLACE;
     mcu.core.LR = 0;
@@ -345,7 +396,6 @@ export function makeMachine(lib, { cores = 1, warn }) {
 
   const step = (own) => {
     const { core } = own;
-    const before = core.cycles;
     try {
       execute(core);
     } catch (error) {
@@ -354,7 +404,8 @@ export function makeMachine(lib, { cores = 1, warn }) {
       }
       fault(own);
     }
-    own.time += ((core.cycles - before) * 1e9) / mcu.clkSys; // unlike the return value, this counts the divider's cycles
+    own.time += ((core.cycles - own.counted) * 1e9) / mcu.clkSys; // unlike the return value, all that the core waited for
+    own.counted = core.cycles;
     own.asleep = core.waiting;
     if (core.registers[13] < own.lowest) {
       own.lowest = core.registers[13];
@@ -398,7 +449,9 @@ export function makeMachine(lib, { cores = 1, warn }) {
           const next = behind();
           advance(next === null ? own.time : next.time);
         } else if (clock.nextAlarm !== null) {
+          const before = clock.nanos;
           advance(clock.nextAlarm.nanos);
+          machine.resting += clock.nanos - before;
         } else {
           machine.end('every core sleeps for ever');
         }

@@ -1,79 +1,112 @@
 #!/usr/bin/env bash
-# Usage: speed.sh BOARD [FRAMES [DEMO...]]
-# Prints frames/s of every demo on an emulated RP2040 board, with one core and with two. `the bus` is the rate of whole
-# frames on the bus; `alone` is the rate if the bus took no time; load is that of each core (core 0 sleeps while core 1
-# finishes its half); sent is the part of a whole frame's bytes. A demo that the cores alone draw in the time of the bus,
-# but that takes over 1.03 times as long on it, is marked with !, and the exit status is 1.
-# Each DEMO (all; as pinhole-sim lists them) is drawn for FRAMES frames (6, at least 5), and three of them count.
-# Environment: B (build directory), CHANGES=0 (whole frames). Leaves $B/speed/BOARD.csv in us a frame.
-# `make speed BOARD=x` calls it.
+# Usage: speed.sh BOARD [POINTS [DEMO...]]
+# Prints frames/s of every demo on an emulated RP2040 board, with one core and with two, as rows of a Markdown table, each as
+# soon as its demo has been drawn. "ideal flash" is the rate if flash were as fast as RAM; load is that of each core (core 0
+# sleeps while core 1 finishes its half); sent is the part of a whole frame's bytes; left out are triangles and vertices.
+# Each DEMO (all; as pinhole-sim lists them) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or four at
+# the first one, so that what was sent before counts no more, and two frames whose mean counts.
+# A frame for which the cores alone work no longer than a whole one takes on the bus should take no longer than that. A demo
+# whose frames are late by over 3 % of that time is marked with !, and the exit status is 1.
+# Environment: B (build directory), CHANGES=0 (whole frames), CORES ("1 2"), IDEAL=0 (flash as it is only).
+# Leaves $B/speed/BOARD.csv. `make speed BOARD=x` calls it.
 set -eu
 cd "$(dirname "$0")/../../.."
 export B=${B:-build} BOARD=$1 EVENTS_ONLY=1
-each=${2:-6}
+points=${2:-6}
 shift $(($# > 2 ? 2 : $#))
-[ "$each" -ge 5 ] || { echo "speed: FRAMES: at least 5" >&2 && exit 2; }
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-[ ! -t 2 ] || echo "speed: some minutes" >&2
+case $points in '' | 0* | *[!0-9]*) echo "speed: POINTS: a whole number" >&2 && exit 2 ;; esac
+dir=$(mktemp -d) children=()
+leave() {
+    [ ${#children[@]} = 0 ] || kill "${children[@]}" 2>/dev/null || true
+    rm -rf "$dir"
+}
+trap leave EXIT
+trap 'exit 1' INT TERM HUP
+echo "speed: $BOARD, ${*:-all demos}: some minutes" >&2
 make -s B="$B" "$B/pinhole-sim" >&2
 
-# Writes `first frame, frames, name` of the demos that fit, for the button passes over the others. A demo that was not asked
-# for gets two frames, because a button that is held selects only once.
+# Writes `first frame, frames, name` of the demos that fit, for the button passes over the others, and `frame, demo` of the
+# frames that count. A demo that was not asked for gets two frames, because a button that is held selects only once. The last
+# frames of one that was asked for are held, so that the image writes a line about them.
 options=() frame=0 last=${!#}
 [ $# -gt 0 ] || last=
-for demo in $("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2 }'); do
+while read -r demo loop; do
     "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 || continue
-    case " $* " in '  ' | *" $demo "*) n=$each ;; *) n=2 ;; esac
     [ $frame = 0 ] || options+=(--send "$((frame - 1)):s")
-    echo "$frame $n $demo" >>"$dir/demos"
-    frame=$((frame + n))
+    first=$frame
+    case " $* " in
+    '  ' | *" $demo "*)
+        [ "$loop" -gt 1 ] && n=$points || n=1
+        frame=$((frame + 2))
+        for ((i = 0; i < n; i++, frame += 4)); do
+            [ "$loop" = 1 ] || options+=(--jump "$((i == 0 ? first : frame)):$(((2 * i + 1) * loop / (2 * n)))")
+            printf '%s\n' "$((frame + 2)) $demo" "$((frame + 3)) $demo" >>"$dir/count"
+        done
+        options+=(--send "$((frame - 1)):HG") ;;
+    esac
+    frame=$((frame + 2))
+    echo "$first $((frame - first)) $demo" >>"$dir/demos"
     [ "$demo" != "$last" ] || break
-done
+done < <("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2, $3 }')
 
 suffix=
 [ "${CHANGES:-1}" = 1 ] || suffix=-whole
-for cores in 1 2; do
-    make -s B="$B" firmware BOARD="$BOARD" CORES=$cores CHANGES="${CHANGES:-1}" >&2
-    elf=$B/firmware/$BOARD-demos$([ $cores = 1 ] || echo -cores$cores)$suffix.elf
-    for wire in wire free-wire; do
+for cores in ${CORES:-1 2}; do
+    make -s B="$B" firmware BOARD="$BOARD" CORES="$cores" CHANGES="${CHANGES:-1}" >/dev/null
+    elf=$B/firmware/$BOARD-demos$([ "$cores" = 1 ] || echo "-cores$cores")$suffix.elf
+    for flash in real $([ "${IDEAL:-1}" = 0 ] || echo ideal); do
         flag=()
-        [ $wire = wire ] || flag=(--free-wire)
-        CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$cores-$wire" "$((frame + 1))" "${options[@]}" "${flag[@]}" \
-            >/dev/null 2>"$dir/log" || { tail -n 3 "$dir/log" >&2 && exit 1; }
+        [ "$flash" = real ] || flag=(--free-flash)
+        mkdir "$dir/$cores-$flash"
+        CORES=$cores hal/rp2040/emulate/emulate.sh "$elf" "$dir/$cores-$flash" "$((frame + 1))" "${options[@]}" "${flag[@]}" \
+            --events /dev/null --limit-ms 1000000 >/dev/null 2>"$dir/$cores-$flash/log" &
+        children+=($!)
     done
 done
-# The first frame is whole, for it shows the panel's start, and nothing else is on the bus.
+
 whole=$("$B/pinhole-sim" --board "$BOARD" --demo turntable --stats 2>&1 >/dev/null | sed -n 's/.*bus \([0-9]*\) us.*/\1/p')
-cut -d' ' -f1-4 "$dir/1-wire/report" | paste -d' ' - <(cut -d' ' -f2 "$dir/1-free-wire/report") \
-    <(cut -d' ' -f2- "$dir/2-wire/report") <(cut -d' ' -f2 "$dir/2-free-wire/report") |
-    awk -v whole="$whole" -v each="$each" -v list="$dir/demos" -v csv="$dir/csv" '
-    function bar(us, alone) { if (alone <= whole && us > 1.03 * whole) { bad = 1; return "!" } return " " }
-    BEGIN {
-        while ((getline line <list) > 0) {
-            split(line, word, " ")
-            order[++demos] = word[3]
-            for (i = word[2] - 4; word[2] == each && i < word[2] - 1; i++) { name[word[1] + i] = word[3] }
-        }
-        print "demo,bus,one_core,one_core_alone,two_cores,two_cores_alone" >csv
-        printf "%-12s %8s %10s %7s %6s %6s %10s %7s %6s %6s\n", "frames/s", "the bus", "one core", "alone", "load", "sent", "two cores", "alone", "load", "load"
-    }
-    $1 in name {
-        d = name[$1]
-        n[d]++; us[d] += $2; bus[d] += $3; load[d] += $4; alone[d] += $5
-        us2[d] += $6; load0[d] += $8; load1[d] += $9; alone2[d] += $10
-    }
-    END {
-        for (i = 1; i <= demos; i++) {
-            d = order[i]
-            if (!(d in n)) { continue }
-            k = n[d]
-            printf "%s,%d,%.0f,%.0f,%.0f,%.0f\n", d, whole, us[d] / k, alone[d] / k, us2[d] / k, alone2[d] / k >csv
-            printf "%-12s %8.1f %9.1f%s %7.1f %4.0f %% %4.0f %% %9.1f%s %7.1f %4.0f %% %4.0f %%\n", d, 1e6 / whole, k * 1e6 / us[d],
-                bar(us[d] / k, alone[d] / k), k * 1e6 / alone[d], load[d] / k, 100 * bus[d] / k / whole, k * 1e6 / us2[d],
-                bar(us2[d] / k, alone2[d] / k), k * 1e6 / alone2[d], load0[d] / k, load1[d] / k
-        }
-        exit bad
-    }' || status=$?
+
+# Means of the frames that count: fps, bus us, us too late, load of core 0 and of core 1, left out.
+means() { # folder, demo, first frame, frames
+    sed -n 's/^frame \([0-9]*\), .*left out \([0-9]*\) triangles \([0-9]*\) vertices.*/\1 \2 \3/p' "$1/log" |
+        awk -v demo="$2" -v first="$3" -v end="$(($3 + $4))" -v whole="$whole" '
+            FILENAME == "-" { if ($1 >= first && $1 < end) { out = $2 + $3 } next }
+            FILENAME ~ /count$/ { counts[$1] = $2; next }
+            counts[$1] == demo { n++; us += $2; bus += $3; late += $2 - $4 <= whole && $2 > whole ? $2 - whole : 0; load += $5; load1 += $6 }
+            END { print n * 1e6 / us, bus / n, late / n, load / n, load1 / n, out + 0 }' - "$dir/count" "$1/report"
+}
+
+has() { awk -v frame="$2" '$1 >= frame { found = 1 } END { exit !found }' "$1/report" 2>/dev/null; } # folder, frame
+
+wait_for() { # folder, frame; of an emulator that has failed the last lines are shown
+    until has "$1" "$2"; do
+        kill -0 "${children[@]}" 2>/dev/null || has "$1" "$2" || { tail -n 3 "$1/log" >&2 && exit 1; }
+        sleep 0.2
+    done
+}
+
+echo "demo,cores,fps,fps_flash_ideal,load0,load1,sent_pct,dropped" >"$dir/csv"
+printf '| frames/s; the bus %.1f |%s\n' "$(awk "BEGIN { print 1e6 / $whole }")" "$(for cores in ${CORES:-1 2}; do
+    echo -n " $cores core$([ "$cores" = 1 ] || echo s) | ideal flash | load |"; [ "$cores" = 1 ] || echo -n " load |"
+    echo -n " sent | left out |"
+done)"
+while read -r first n demo; do
+    [ "$n" -gt 2 ] || continue
+    row="| \`$demo\` |"
+    for cores in ${CORES:-1 2}; do
+        for folder in "$dir/$cores"-*; do wait_for "$folder" "$((first + n - 1))"; done
+        read -r fps bus late load0 load1 out < <(means "$dir/$cores-real" "$demo" "$first" "$n")
+        ideal=
+        [ "${IDEAL:-1}" = 0 ] || read -r ideal _ < <(means "$dir/$cores-ideal" "$demo" "$first" "$n")
+        row+=$(awk -v cores="$cores" -v fps="$fps" -v ideal="$ideal" -v late="$late" -v bus="$bus" -v load0="$load0" \
+            -v load1="$load1" -v out="$out" -v whole="$whole" -v demo="$demo" -v csv="$dir/csv" 'BEGIN {
+            printf "%s,%d,%.2f,%s,%.1f,%.1f,%.1f,%d\n", demo, cores, fps, ideal == "" ? "" : sprintf("%.2f", ideal), load0, load1,
+                100 * bus / whole, out >>csv
+            printf " %.1f%s | %s | %.0f %% |", fps, (late > 0.03 * whole ? " !" : ""), ideal == "" ? "" : sprintf("%.1f", ideal), load0
+            if (cores > 1) { printf " %.0f %% |", load1 }
+            printf " %.0f %% | %d |", 100 * bus / whole, out }')
+    done
+    echo "$row" | tee -a "$dir/table"
+done <"$dir/demos"
 mkdir -p "$B/speed" && mv "$dir/csv" "$B/speed/$BOARD.csv"
-exit "${status:-0}"
+! grep -q ' ! |' "$dir/table"

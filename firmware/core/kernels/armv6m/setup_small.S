@@ -382,9 +382,10 @@ steep_light:
     pop {r4}
     b 5b
 steep_depth:
+    cmp r7, #11 @ ROUGH_DEPTH
+    blt 1f
     movs r4, #17 @ whether the gradient fits r7 + 17 bits
     adds r4, r4, r7
-    bmi 1f
     movs r1, r5
     asrs r1, r4
     adds r1, #1
@@ -396,14 +397,8 @@ steep_depth:
     orrs r1, r4
     cmp r1, #1
     bhi 1f
-    cmp r7, #0
-    blt 2f
     asrs r5, r7
     asrs r6, r7
-    b 10b
-2:  rsbs r7, r7, #0
-    lsls r5, r7
-    lsls r6, r7
     b 10b
 1:  movs r0, #2 @ PH_SMALL_STEEP
     b leave

@@ -192,7 +192,7 @@ planes:
     blt steep_depth
 6:  asr r11, r11, r9
     asr lr, lr, r9
-7:  mla r1, r11, r2, r1
+    mla r1, r11, r2, r1
     mla r1, lr, r3, r1
     lsl r11, r11, #8
     lsl lr, lr, #8
@@ -222,16 +222,12 @@ steep_light:
     lsl lr, lr, r12
     b 5b
 steep_depth:
+    cmp r9, #11 @ ROUGH_DEPTH
+    blt 9f
     mov r4, r9
     flatten r9, 17, r7, r12
     cmp r9, r4
-    bne 9f
-    cmp r9, #0
-    bge 6b
-    rsb r9, r9, #0
-    lsl r11, r11, r9
-    lsl lr, lr, r9
-    b 7b
+    beq 6b
 9:  movs r0, #2 @ PH_SMALL_STEEP
     b 8b
     .size ph_setup_small, . - ph_setup_small

@@ -5,6 +5,7 @@
 
 enum {
     STEEP_DEPTH = 17, /* bits that a gradient per 1/256 px may have: at 2^25 per pixel it is right to a code or two */
+    ROUGH_DEPTH = 11, /* bits dropped of a gradient; with fewer, PH_SLOPE_BITS is codes off on thin triangles */
     STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
@@ -13,10 +14,10 @@ static bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_s
     const int32_t d1 = (int32_t)(d[1] - d[0]), d2 = (int32_t)(d[2] - d[0]);
     const int excess = 32 - PH_SLOPE_BITS - fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)),
               drop = excess > 0 ? excess : 0;
-    return ph_set_gradient(g, s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
+    return s->shift - drop >= ROUGH_DEPTH && ph_set_gradient(g, s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
-/* False if depth is too steep: then it is not set. */
+/* False if depth is too steep or the triangle too thin: then it is not set. */
 static bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                        const uint32_t d[3])
 {

@@ -1,0 +1,279 @@
+/* See exact.h. */
+#include "exact.h"
+
+#include "edge.h"
+#include "planes.h"
+
+enum { FIXED, FLOAT, LINEAR }; /* how a depth becomes codes */
+
+static void store(uint32_t to[2], uint64_t value)
+{
+    to[0] = (uint32_t)value;
+    to[1] = (uint32_t)(value >> 32);
+}
+
+static uint64_t load(const uint32_t from[2])
+{
+    return (uint64_t)from[1] << 32 | from[0];
+}
+
+/* 2^16 n / area, rounded towards 0, modulo 2^64. |n| is below 2^63, area below 2^48. For short sides the last 8 bits
+ * may be missing, which saves a division. */
+static uint64_t divide(int64_t n, uint64_t area, bool is_short)
+{
+    const uint64_t m = n < 0 ? 0u - (uint64_t)n : (uint64_t)n;
+    const uint32_t high = (uint32_t)(m >> 32);
+    const int zeros = high != 0 ? fx_clz32(high) : 32, up = ph_min(zeros, 16);
+    const uint64_t whole = (m << up) / area;
+    uint64_t quotient = whole << (16 - up);
+    if (!is_short && up < 16) {
+        quotient += (((m << up) - whole * area) << (16 - up)) / area;
+    }
+    return n < 0 ? 0u - quotient : quotient;
+}
+
+/* A quotient of depth.h in 2^-40. */
+static int64_t in_40_bits(uint32_t q, int s)
+{
+    return s <= 10 ? (int64_t)((uint64_t)q << (10 - s)) : s < 42 ? q >> (s - 10) : 0;
+}
+
+/* The plane through d, 2^-40, of the corners, and their range. */
+static void set_plane(struct ph_exact *e, const int64_t d[3], const struct ph_vertex *first,
+                      const struct ph_sides *sides)
+{
+    const uint64_t area = (uint64_t)ph_wide_area(sides);
+    const int64_t d1 = d[1] - d[0], d2 = d[2] - d[0], x = 128 - first->x, y = 128 - first->y;
+    const uint64_t gx = divide(d2 * sides->dy1 - d1 * sides->dy2, area, sides->is_short); /* per 1/256 px */
+    const uint64_t gy = divide(d1 * sides->dx2 - d2 * sides->dx1, area, sides->is_short);
+    const int64_t low = d1 < d2 ? d1 : d2, high = d1 < d2 ? d2 : d1, least = low < 0 ? low : 0;
+    store(e->base, ((uint64_t)d[0] << 16) + gx * (uint64_t)x + gy * (uint64_t)y);
+    store(e->gx, gx << 8);
+    store(e->gy, gy << 8);
+    store(e->low, (uint64_t)(d[0] + least) << 16);
+    store(e->size, (uint64_t)((high > 0 ? high : 0) - least) << 16);
+}
+
+/* How depth becomes codes. */
+static void set_codes(struct ph_exact *e, const struct ph_renderer *r, uint32_t bias)
+{
+    const unsigned format = r->stats.depth_format;
+    const bool linear = format == PH_DEPTH_LINEAR_W && r->lens.kind != PH_ORTHOGRAPHIC;
+    const bool floats = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+    e->kind = linear ? LINEAR : floats ? FLOAT : FIXED;
+    e->offset = linear ? 0 : floats ? bias << 13 : PH_DEPTH_BIAS_FIXED16 + (bias << 16);
+    e->down = (int8_t)(linear ? r->lens.linear.down : r->lens.float_down);
+    e->unit = (uint8_t)(floats ? 24 + r->lens.float_down : 27);
+}
+
+/* The lowest octave of a float. */
+static int lowest_of(const struct ph_exact *e)
+{
+    return ph_depth_lowest(0, e->down);
+}
+
+/* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. */
+static int octave_of(const struct ph_exact *e, uint64_t d)
+{
+    const uint32_t high = (uint32_t)(d >> 24);
+    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, lowest_of(e)) : ph_min(fx_clz32(high), 24);
+}
+
+/* 16.16 code of linear-w. */
+static uint32_t linear_code(const struct ph_exact *e, const struct ph_linear *linear, uint64_t over_w)
+{
+    struct ph_linear l = *linear;
+    const int octave = octave_of(e, over_w);
+    l.down = (int8_t)(e->down - (octave + 1));
+    return ph_depth_linear(&l, (uint32_t)(over_w >> (27 - octave)));
+}
+
+/* Moves the plane towards the viewer: see depth_bias_slope in render.h. */
+static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
+{
+    const uint64_t top = ((uint64_t)1 << 56) - ((uint64_t)1 << 47); /* where the codes have room for depth_bias */
+    const uint64_t low = load(e->low), size = load(e->size), high = low + size, room = high < top ? top - high : 0;
+    const uint64_t gx = load(e->gx), gy = load(e->gy);
+    const uint64_t right = (int64_t)gx < 0 ? 0u - gx : gx, below = (int64_t)gy < 0 ? 0u - gy : gy;
+    const uint64_t part = (right > below ? right : below) >> 4, by = part < size / slope ? part * slope : size;
+    if (e->kind == LINEAR) {
+        const uint32_t codes = (linear_code(e, linear, low + by) - linear_code(e, linear, low)) >> 16;
+        const uint32_t most = (UINT32_MAX - linear_code(e, linear, high)) >> 16, bias = linear->bias;
+        const uint32_t more = codes < most ? codes : most;
+        linear->bias = (uint8_t)(bias + more < 255 ? bias + more : 255);
+        return;
+    }
+    const uint64_t up = by < room ? by : room;
+    store(e->base, load(e->base) + up);
+    store(e->low, low + up);
+}
+
+void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides)
+{
+    if (n + 1 >= r->exact_first) {
+        return;
+    }
+    struct ph_triangle *const t = &ph_triangles(r)[n];
+    struct ph_exact *const e = &ph_triangles(r)[--r->exact_first].exact;
+    int64_t d[3];
+    set_codes(e, r, ph_depth_bias(t->material));
+    for (int i = 0; i < 3; i++) {
+        const int64_t far = e->kind == LINEAR ? 0 : in_40_bits(r->lens.far_q, r->lens.far_s);
+        const int64_t before = in_40_bits(v[i]->q, v[i]->s) - far;
+        d[i] = before > 0 ? before : 0;
+    }
+    set_plane(e, d, v[0], sides);
+    if (t->material->depth_bias_slope != 0) {
+        lift(e, &t->linear, t->material->depth_bias_slope);
+    }
+    e->owner = n;
+    e->plane = t->depth;
+    e->block = t->block;
+    t->depth.base = r->exact_first - n;
+    t->block = PH_BLOCK_EXACT;
+}
+
+bool ph_free_exact(struct ph_renderer *r)
+{
+    if (r->exact_first >= r->config.triangle_max) {
+        return false;
+    }
+    const struct ph_exact *const e = &ph_triangles(r)[r->exact_first++].exact;
+    struct ph_triangle *const t = &ph_triangles(r)[e->owner];
+    t->depth = e->plane;
+    t->block = e->block;
+    return true;
+}
+
+/* Depths that become codes with one slope: bottom .. bottom + size. */
+struct range {
+    uint64_t bottom, size;
+};
+
+/* The octave of a depth in the corners' range, cut off where that ends. */
+static struct range range_of(const struct ph_exact *e, int octave)
+{
+    const uint64_t low = load(e->low), high = low + load(e->size), half = (uint64_t)1 << (55 - octave);
+    const uint64_t first = e->kind == FLOAT && octave == lowest_of(e) ? 0 : half;
+    const uint64_t bottom = e->kind != FIXED && first > low ? first : low;
+    const uint64_t top = e->kind != FIXED && 2 * half - 1 < high ? 2 * half - 1 : high;
+    return (struct range){bottom, top - bottom};
+}
+
+static inline bool holds(const struct range *range, uint64_t d)
+{
+    return d - range->bottom <= range->size;
+}
+
+/* For linear-w: the unit of 1/w, and of u/w and v/w with it. */
+static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, int octave, struct ph_triangle *run)
+{
+    run->block = PH_BLOCK_LINEAR;
+    run->linear.down = (int8_t)(e->down - (octave + 1));
+    const int up = t->linear.down - run->linear.down;
+    for (int i = 0; i < 2 && t->kind == PH_KIND_TEXTURE; i++) {
+        const struct ph_plane *const p = &t->attribute[i];
+        run->attribute[i] = (struct ph_plane){p->base << up, p->gx << up, p->gy << up};
+    }
+}
+
+static inline uint64_t depth_at(const struct ph_exact *e, uint32_t x, uint32_t y)
+{
+    return load(e->base) + load(e->gx) * x + load(e->gy) * y;
+}
+
+/* A depth or a gradient in the unit of codes, which is `down` bits larger. halves: 0 cuts it off, 1 rounds it. */
+static inline uint32_t in_codes(uint64_t d, int down, uint64_t halves)
+{
+    return down <= 0 ? (uint32_t)(d << -down) : (uint32_t)((int64_t)(d + (halves << (down - 1))) >> down);
+}
+
+/* The plane of a run, through d at pixel (x, y). */
+static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y,
+                    struct ph_triangle *run)
+{
+    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0, e->down) : 0);
+    const int down = e->unit - octave;
+    const uint32_t gx = in_codes(load(e->gx), down, 1), gy = in_codes(load(e->gy), down, 1);
+    run->depth = (struct ph_plane){in_codes(d, down, 0) + offset - x * gx - y * gy, gx, gy};
+    run->block = PH_BLOCK_NONE;
+    if (e->kind == LINEAR) {
+        scale_linear(e, t, octave, run);
+    }
+}
+
+/* The outline of a run: rows y .. y_end - 1 between two edges, which are given at row y. */
+static void set_rows(struct ph_triangle *run, int32_t y, int32_t y_end, struct ph_edge left, struct ph_edge right)
+{
+    run->y_top = (int16_t)y;
+    run->y_mid = run->y_bottom = (int16_t)y_end;
+    run->upper = left;
+    run->long_edge = right;
+    run->long_left = false;
+}
+
+/* The column of an edge so many rows further down. */
+static int32_t column_below(struct ph_edge edge, int32_t rows)
+{
+    return (int32_t)((uint32_t)edge.x + (uint32_t)rows * (uint32_t)edge.dx) >> 16;
+}
+
+bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
+{
+    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const int32_t more = strip->y_end - 1 - strip->y;
+    const int32_t left = strip->left.x >> 16, left_end = column_below(strip->left, more);
+    const int32_t right = strip->right.x >> 16, right_end = column_below(strip->right, more);
+    const int32_t x = ph_max(ph_min(left, left_end), 0), x_end = ph_min(ph_max(right, right_end), strip->width);
+    if (x >= x_end || x_end - x > PH_EXACT_RUN) {
+        return false;
+    }
+    const uint32_t x0 = (uint32_t)x, x1 = (uint32_t)x_end - 1, y0 = (uint32_t)strip->y, y1 = (uint32_t)strip->y_end - 1;
+    const uint64_t d = depth_at(e, x0, y0);
+    const int octave = octave_of(e, d);
+    const struct range range = range_of(e, octave);
+    if (d - load(e->low) > load(e->size) || !holds(&range, depth_at(e, x1, y0)) ||
+        !holds(&range, depth_at(e, x0, y1)) || !holds(&range, depth_at(e, x1, y1))) {
+        return false;
+    }
+    const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2; /* there the rounding of the gradients counts least */
+    set_run(t, depth_at(e, x_mid, y_mid), octave, x_mid, y_mid, run);
+    set_rows(run, strip->y, strip->y_end, strip->left, strip->right);
+    return true;
+}
+
+/* How many of n pixels from (x, y) on stay in the range. The first has depth d, which is in it. */
+static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
+{
+    uint32_t count = 1;
+    if (holds(range, d + gd * (n - 1))) { /* then so are all between, because depth is linear */
+        return n;
+    }
+    while (count < n && holds(range, d += gd)) {
+        count++;
+    }
+    return count;
+}
+
+int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run)
+{
+    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const uint64_t low = load(e->low), size = load(e->size);
+    const uint32_t n = (uint32_t)ph_min(x_end - x, PH_EXACT_RUN);
+    uint64_t d = depth_at(e, (uint32_t)x, (uint32_t)y);
+    uint32_t count = 1;
+    const bool clamped = d - low > size;
+    if (clamped) {
+        d = (int64_t)(d - low) < 0 ? low : low + size;
+    }
+    const int octave = octave_of(e, d);
+    if (!clamped && n > 1) {
+        const struct range range = range_of(e, octave);
+        count = pixels_in(&range, d, load(e->gx), n);
+    }
+    const uint32_t mid = (count - 1) / 2;
+    set_run(t, d + mid * load(e->gx), octave, (uint32_t)x + mid, (uint32_t)y, run);
+    set_rows(run, y, y + 1, (struct ph_edge){x * 65536, 0}, (struct ph_edge){(x + (int32_t)count) * 65536, 0});
+    return (int32_t)count;
+}

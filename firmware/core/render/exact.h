@@ -1,0 +1,43 @@
+/*
+ * exact: depth of triangles whose plane does not fit 32 bits. Private to firmware/core.
+ *
+ * Such a triangle is nearly edge-on, or crosses many octaves of a float. Its plane has 64 bits. It stands in an entry
+ * of its own at the end of the list of triangles. When the list is full the last such entry gives way to a triangle,
+ * whose owner then has the plane of 32 bits, flattened if it is too steep.
+ *
+ * The sum is exact modulo 2^64 however steep the plane is. Only at a centre that lies outside the corners by the
+ * rounding of an edge may it be far off; so it is clamped to the corners' range.
+ *
+ * The unit is 2^-56 of N/w - N/f, for linear-w of N/w. The triangle is drawn in runs: strips of rows where
+ * that is possible, else parts of a row. In a run depth is stepped in 32 bits; it stays in one octave of a float, and
+ * so its codes have all of their bits.
+ */
+#ifndef PH_EXACT_H
+#define PH_EXACT_H
+
+#include "sides.h"
+#include "triangle.h"
+
+#define PH_EXACT_RUN  512 /* pixels; the rounded step of a run is half a 24-bit code off at its ends */
+#define PH_EXACT_ROWS 16  /* a strip of rows begins at each multiple */
+
+/* Gives triangle number n, the next of the list, an exact plane if there is room. */
+void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides);
+
+/* Makes room for a triangle. False if no exact plane is there. */
+bool ph_free_exact(struct ph_renderer *r);
+
+/* Rows y .. y_end - 1 of one half of a triangle, and its edges at row y. */
+struct ph_exact_strip {
+    int32_t y, y_end, width; /* width: of the picture */
+    struct ph_edge left, right;
+};
+
+/* Makes `run`, a copy of t, these rows, if their depth is in one octave and far from the ends of the range. Else
+ * false. */
+bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run);
+
+/* Makes `run`, a copy of t, the next run of a row from pixel (x, y) on. Returns its pixels, at least one. */
+int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run);
+
+#endif

@@ -1,0 +1,87 @@
+/* Arithmetic: no overflow, no bad shift, no index outside a table, for every input. See proof.h. */
+#include "proof.h"
+
+#include "../../firmware/core/fx/fx.c"
+#include "../../firmware/core/fx/fx_atan.c"
+#include "../../firmware/core/fx/fx_root.c"
+#include "../../firmware/core/fx/fx_tan.c"
+#include "../../firmware/core/fx/fx_trig.c"
+
+void proof_sums(void)
+{
+    const fx_t a = nondet_i32(), b = nondet_i32();
+    const int64_t sum = (int64_t)a + b;
+    const fx_t sat = fx_add_sat(a, b);
+    CLAIM(sat == (sum > FX_MAX ? FX_MAX : sum < FX_MIN ? FX_MIN : sum));
+    CLAIM(fx_sub_sat(a, b) == fx_sat64((int64_t)a - b));
+    CLAIM(((int64_t)fx_add_wrap(a, b) - sum) % POWER(32) == 0);
+    CLAIM(fx_sub_wrap(fx_add_wrap(a, b), b) == a);
+    CLAIM(fx_neg_sat(a) == fx_sub_sat(0, a));
+    CLAIM(fx_abs_sat(a) >= 0);
+}
+
+void proof_products(void)
+{
+    fx_mul_sat(nondet_i32(), nondet_i32());
+    fx_mul_wrap(nondet_i32(), nondet_i32());
+}
+
+void proof_rcp(void)
+{
+    fx_rcp_sat(nondet_i32());
+}
+
+void proof_rcp_newton(void)
+{
+    fx_rcp_newton(u32_between((uint32_t)1 << 31, UINT32_MAX));
+}
+
+/* The contract that the stages of the renderer count on. */
+void proof_rcp16(void)
+{
+    const uint32_t r = fx_rcp16(u32_between(1 << 15, (1 << 16) - 1));
+    CLAIM(r >= 1 << 15 && r < 1 << 16);
+}
+
+void proof_lerp(void)
+{
+    fx_lerp_sat(nondet_i32(), nondet_i32(), nondet_i32());
+}
+
+void proof_turn32_from_deg(void)
+{
+    fx_turn32_from_deg(nondet_i32());
+}
+
+void proof_sqrt(void)
+{
+    fx_sqrt(nondet_i32());
+}
+
+void proof_rsqrt(void)
+{
+    fx_rsqrt_sat(nondet_i32());
+}
+
+void proof_sincos(void)
+{
+    int32_t s, c;
+    fx_sincos_q30(nondet_u32(), &s, &c);
+    fx_sin(nondet_i32());
+    fx_cos(nondet_i32());
+}
+
+void proof_tan(void)
+{
+    fx_tan_sat(nondet_i32());
+}
+
+void proof_atan2(void)
+{
+    fx_atan2(nondet_i32(), nondet_i32());
+}
+
+void proof_sqrt_u64(void)
+{
+    fx_sqrt_u64((uint64_t)i64_between(INT64_MIN, INT64_MAX));
+}

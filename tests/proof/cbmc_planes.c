@@ -1,0 +1,127 @@
+/* Planes: no overflow and no bad shift in any of its functions, from any vertices of set-up. See proof.h. */
+#include "proof_render.h"
+
+#include "../../firmware/core/render/planes.c"
+
+/* Twice the area of a triangle whose corners are in reach. It is linear in each coordinate, so it is largest where each
+ * is at one of its ends. */
+void proof_area(void)
+{
+    int32_t at[6];
+    for (int i = 0; i < 6; i++) {
+        at[i] = nondet_i32() > 0 ? REACH : -REACH;
+    }
+    const struct ph_sides s = {at[2] - at[0], at[3] - at[1], at[4] - at[0], at[5] - at[1], 0, false};
+    CLAIM(ph_wide_area_proved(&s) < POWER(42));
+}
+
+void proof_plane_base(void)
+{
+    struct triangle t;
+    struct plane_base base;
+    any_triangle(&t);
+    plane_base(&base, t.v[0], &t.sides);
+    CLAIM(base.part_x >= 0 && base.part_x <= 255 && base.part_y >= 0 && base.part_y <= 255);
+    CLAIM(base.reciprocal >= (t.sides.is_short ? 1 << 15 : 1 << 29));
+    CLAIM(base.shift >= (t.sides.is_short ? 3 : -10) && base.shift <= 31);
+}
+
+/* A base as proof_plane_base found it. */
+static struct plane_base any_base(struct triangle *t)
+{
+    any_triangle(t);
+    const bool is_short = t->sides.is_short;
+    return (struct plane_base){&t->sides,
+                               i32_between(-REACH / 256 - 1, REACH / 256 + 1),
+                               i32_between(-REACH / 256 - 1, REACH / 256 + 1),
+                               i32_between(0, 255),
+                               i32_between(0, 255),
+                               i32_between(is_short ? 1 << 15 : 1 << 29, is_short ? 1 << 16 : 1 << 30),
+                               i32_between(is_short ? 3 : -10, 31)};
+}
+
+void proof_wide_gradient(void)
+{
+    struct triangle t;
+    const struct plane_base base = any_base(&t);
+    int halved;
+    ASSUME(!t.sides.is_short); /* short sides get the base of wide ones first */
+    wide_gradient(&base, i64_between(-POWER(32) + 1, POWER(32) - 1), i64_between(-POWER(32) + 1, POWER(32) - 1),
+                  &halved);
+}
+
+void proof_short_plane(void)
+{
+    struct triangle t;
+    const struct plane_base base = any_base(&t);
+    struct ph_plane out;
+    ASSUME(t.sides.is_short);
+    short_plane(&out, &base, i32_between(-(1 << 15), 1 << 15), i32_between(-(1 << 15), 1 << 15), i32_between(0, 17));
+}
+
+void proof_plane_through(void)
+{
+    struct triangle t;
+    const struct plane_base base = any_base(&t);
+    struct ph_plane out;
+    uint32_t v[3];
+    plane_through(&out, &base, v);
+}
+
+void proof_plane_light(void)
+{
+    struct triangle t;
+    const struct plane_base base = any_base(&t);
+    struct ph_plane out;
+    plane_light(&out, &base, t.v);
+}
+
+void proof_plane_exact(void)
+{
+    struct triangle t;
+    const struct plane_base base = any_base(&t);
+    struct ph_plane out;
+    uint32_t v[3];
+    plane_exact(&out, &base, v);
+}
+
+void proof_depths(void)
+{
+    struct triangle t;
+    struct ph_renderer r;
+    struct ph_material m;
+    uint32_t d[3];
+    any_triangle(&t);
+    r.lens = any_lens();
+    corner_over_w(t.v[0], least_exponent(t.v));
+    fixed_depths(&r, t.v, ph_depth_bias(&m), d);
+    struct ph_plane plane;
+    const int block = ph_block_depths(&r, t.v, ph_depth_bias(&m), d);
+    if (block != PH_BLOCK_NONE) {
+        round_depth(&plane, d, block);
+    }
+}
+
+void proof_setup_depth(void)
+{
+    struct triangle t;
+    struct ph_renderer r;
+    struct ph_material m;
+    const struct plane_base base = any_base(&t);
+    struct ph_triangle out = {.material = &m};
+    r.lens = any_lens();
+    setup_depth(&r, &base, t.v, &out);
+}
+
+void proof_setup_texture(void)
+{
+    struct triangle t;
+    struct ph_renderer r;
+    struct ph_texture x;
+    struct ph_material m = {.texture = &x};
+    fx_t uv[3][2];
+    const fx_t *uvs[3] = {uv[0], uv[1], uv[2]};
+    const struct plane_base base = any_base(&t);
+    struct ph_triangle out = {.material = &m};
+    setup_texture(&r, &base, t.v, uvs, &out);
+}

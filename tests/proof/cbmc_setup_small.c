@@ -1,0 +1,58 @@
+/* Set-up of small triangles: no overflow and no bad shift. See proof.h. */
+#include "proof_render.h"
+
+#include "../../firmware/core/kernels/portable/setup_small.c"
+#include "../../firmware/core/kernels/portable/float_depths.c"
+
+/* A small triangle: its sides are below 32 px. */
+static void any_small(struct triangle *t)
+{
+    const int32_t most = PH_SIDE_SMALL;
+    any_triangle(t);
+    for (int i = 0; i < 3; i++) {
+        const struct ph_vertex *const a = t->v[i], *const b = t->v[i < 2 ? i + 1 : 0];
+        ASSUME(b->x - a->x >= -most && b->x - a->x <= most && b->y - a->y >= -most && b->y - a->y <= most);
+        ASSUME(a->x >= 256 && a->x <= 1023 * 256 && a->y >= 256 && a->y <= 1023 * 256);
+    }
+}
+
+#define SLOPE (1 << FRACTION)
+
+void proof_slopes(void)
+{
+    struct triangle t;
+    any_small(&t);
+    const struct slopes s = slopes_of(&t.sides);
+    CLAIM(s.a >= -SLOPE && s.a < SLOPE && s.b >= -SLOPE && s.b < SLOPE);
+    CLAIM(s.c >= -SLOPE && s.c < SLOPE && s.d >= -SLOPE && s.d < SLOPE);
+    CLAIM(s.shift >= 0 && s.shift <= 31);
+}
+
+void proof_depth_gradient(void)
+{
+    struct subpixel_gradient g;
+    const struct slopes s = {i32_between(-SLOPE, SLOPE - 1), i32_between(-SLOPE, SLOPE - 1),
+                             i32_between(-SLOPE, SLOPE - 1), i32_between(-SLOPE, SLOPE - 1), i32_between(0, 31)};
+    uint32_t d[3];
+    ASSUME(((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0);
+    set_depth_gradient(&g, &s, d);
+}
+
+void proof_setup_small(void)
+{
+    struct triangle t;
+    struct ph_triangle out;
+    uint32_t d[3];
+    any_small(&t);
+    ASSUME(((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0);
+    ph_setup_small(&out, t.v, &t.sides, d);
+}
+
+void proof_float_depths(void)
+{
+    struct triangle t;
+    uint32_t d[3];
+    const struct ph_lens lens = any_lens();
+    any_small(&t);
+    ph_float_depths(&lens, t.v, nondet_u32(), d);
+}

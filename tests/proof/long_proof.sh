@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# The proofs that take minutes. And each line below breaks one thing in a copy of the core on purpose: the proof beside it
+# must fail. A line that changes nothing any more fails too.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/proof/tools.sh
+proof_tools || { echo "$proof_why" && exit 77; }
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+
+# what is broken | file | sed | proof that must fail
+mutants() {
+    cat <<'END'
+a difference in 32 bits            | fx/fx.c            | s/((int64_t)b - a) \* t/(b - a) * t/                     | fx.lerp
+a shift by 32 and more             | fx/fx_root.c       | s/>> (5 + shift/>> (35 + shift/                          | fx.sqrt
+a sum that does not saturate       | fx/fx.c            | s/fx_sat64((int64_t)a + b)/a + b/                        | fx.sums
+a negative that overflows          | fx/fx.c            | s/a == FX_MIN ? FX_MAX : -a/-a/                          | fx.sums
+a table one entry short            | fx/fx_trig.c       | s/sine\[64 - node\]/sine[65 - node]/                     | fx.sincos
+a quotient shifted by too much     | fx/fx.c            | s/>> (46 - shift)/>> (86 - shift)/                       | fx_div.div
+text one digit longer              | fx/fx_text.c       | s/unit = 10000/unit = 1000000000/; s/unit > 1 \&\& whole < unit/false/ | fx_text.to_text
+a reciprocal of another table      | fx/fx_root.c       | s/4088, 4072/4088, 4172/                                 | gappa.rcp
+a rounding that is off             | fx.h               | s/>> 16) + 48)) >> 21/>> 16) + 4800)) >> 21/             | gappa.rcp
+a quotient clamped late            | fx/fx.c            | s/n >> 15 >= d/n >> 18 >= d/                             | gappa.div
+a crossing rounded twice too far   | render/clip.c      | s/(1 << 29)) >> 30/(1 << 30)) >> 30/                     | gappa.lerp
+more corners than there is room    | render/clip.c      | s/ \&\& count < PH_CLIP_MAX) {/) {/                      | clip.clip_plane
+a distance in 32 bits              | render/clip.c      | s/(int64_t)v->w \* 8/v->w * 8/                           | clip.distance
+a longer focal length              | render/frame.c     | s/log2 <= 18 \&\&/log2 <= 28 \&\&/; s/log2 > 18/log2 > 28/ | frame.camera
+less head room                     | render/frame.c     | s/norm >> 9)/norm >> 5)/                                 | gappa.quotient
+a divide aligned too far           | render/transform.c | s/x << (shift - 4)/x << (shift + 4)/                     | transform.project
+a guard band twice as wide         | render/transform.c | s/reciprocal) >> 32);/reciprocal) >> 31);/               | gappa.reach
+a code from too high a bit         | render/depth.h     | s/up = 2 + block - quotient.s/up = 12 + block - quotient.s/ | depth.codes
+a slope rounded beyond its range   | render/depth.h     | s/(int32_t)gradient >> -up)/((int32_t)gradient + 1) >> -up)/ | depth.codes
+a wide edge shifted out            | render/setup.c     | s/>> (53 - shift)/>> (73 - shift)/                       | setup.wide_edge
+rows outside the picture           | render/setup.c     | s/y_bottom = ph_min(o.row_low, height)/y_bottom = o.row_low/ | setup.setup_outline
+a gradient that changes its sign   | render/planes.c    | s/fx_sat64((px + half) >> down)/(int32_t)((px + half) >> down)/ | planes.wide_gradient
+a gradient that is not halved      | render/planes.c    | s/1 - fx_clz32(ph_without_sign(gx)/-1 - fx_clz32(ph_without_sign(gx)/ | planes.short_plane
+a small slope of one bit more      | kernels/portable/setup_small.c | s/FRACTION = 15/FRACTION = 16/               | setup_small.depth_gradient
+END
+}
+
+copy_broken() { # file, sed
+    rm -rf "$dir/firmware" "$dir/tests" && mkdir -p "$dir/firmware" "$dir/tests" &&
+        cp -r firmware/core "$dir/firmware" && cp -r tests/proof "$dir/tests" && sed -i "$2" "$dir/firmware/core/$1"
+    ! cmp -s "firmware/core/$1" "$dir/firmware/core/$1" || { echo "changes nothing: $2" && return 1; }
+}
+
+fails() { # file, sed, proof
+    local said
+    copy_broken "$1" "$2" || return 1
+    said=$(B=$dir/build tests/proof/proof.sh --tree "$dir" "$3")
+    grep -q '1 proofs, 0 proved' <<<"$said" || { echo "$said" && return 1; }
+}
+
+mkdir -p "$dir/build/proof" && ln -s "$proof_root" "$dir/build/proof/root"
+check "every long proof holds" tests/proof/proof.sh --long
+while IFS='|' read -r what file change proof; do
+    in_share || continue
+    read -r what <<<"$what" && read -r file <<<"$file" && read -r proof <<<"$proof"
+    check "${proof}_sees_${what// /_}" fails "$file" "$(sed 's/^ *//; s/ *$//' <<<"$change")" "$proof"
+done < <(mutants)
+tap_end

@@ -1,0 +1,169 @@
+#!/usr/bin/env bash
+# Usage: tests/proof/proof.sh [--short | --long] [--tree DIR] [NAME...]
+# Proves what the table below claims, on the functions of the core themselves; `make proof` runs all of it. It prints a
+# line a proof as it ends, and exits 1 when a claim does not hold.
+#   --short     only those that take seconds; --long: only the others
+#   --tree DIR  proofs of DIR/firmware and DIR/tests/proof, for copies that are broken on purpose
+#   --table     prints the table of tests/README.md, and proves nothing
+#   NAME        only these, e.g. clip.crossing
+#
+# CBMC (cbmc_*.c; see proof.h) translates a function with all its inputs to propositional logic: no signed sum, product
+# or left shift overflows, no shift is out of range, no divisor is 0, no index leaves its array, no signed value loses
+# bits when it is narrowed, no loop turns more often than said, and each CLAIM holds. Unsigned arithmetic wraps modulo
+# 2^32 on purpose (planes, edges, angles), and so do conversions between signed and unsigned: they are no errors. The end
+# of each harness must be reachable: a proof of nothing fails.
+# Gappa (gappa.sh) bounds the rounding errors of a formula over the reals.
+# Environment: B (build directory), CC.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/proof/tools.sh
+export CC=${CC:-cc} proof_tree=$PWD
+
+# part | name: module.proof | functions that may return anything instead (proved apart) | turns of a loop | claim
+proofs() {
+    cat <<'END'
+short | fx.sums                  |                       |  1 | sums are exact or saturate
+short | fx.products              |                       |  1 | no overflow
+short | fx_div.div               | fx_rcp_newton         |  3 | no overflow in the turns that Gappa allows
+short | fx.rcp                   |                       |  1 | no overflow
+short | fx.rcp_newton            |                       |  1 | no overflow
+short | fx.rcp16                 |                       |  1 | 2^15 .. 2^16 - 1
+short | fx.lerp                  |                       |  1 | no overflow
+short | fx.turn32_from_deg       |                       |  1 | no overflow
+short | fx.sqrt                  |                       |  3 | no overflow
+short | fx.rsqrt                 |                       |  3 | no overflow
+long  | fx.sincos                |                       |  1 | no overflow
+long  | fx.atan2                 |                       | 13 | no overflow
+long  | fx_math.exp2             |                       | 20 | no overflow
+long  | fx_math.exp              |                       | 20 | no overflow
+long  | fx_math.log2             |                       | 20 | no overflow
+long  | fx_math.log              |                       | 20 | no overflow
+long  | fx_math.pow              |                       | 20 | no overflow
+long  | fx_math.hypot            | fx_sqrt_u64           | 20 | no overflow
+long  | fx_math.units            |                       | 20 | no overflow
+long  | fx_math.cot_half         |                       | 20 | no overflow
+long  | fx_math.whole            |                       | 20 | no overflow
+long  | fx_math.convert          |                       | 20 | no overflow
+short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
+short | fx_text.to_text_rounded |                     | 24 | no overflow
+long  | fx_text.from_text        |                       | 18 | no overflow, ends within the text
+short | clip.distance            |                       |  1 | no overflow, below 2^46
+long  | clip.between             |                       |  1 | no overflow
+long  | clip.crossing            |                       | 18 | no overflow, at most 15 halvings
+short | clip.clip_plane          | crossing,distance     | 10 | at most PH_CLIP_MAX corners
+short | clip.clip                | clip_plane            |  7 | no index outside
+short | frame.camera             | ph_depth_quotient,ph_depth_linear_of | 20 | no overflow, ranges of the lens
+short | transform.project        | ph_depth_quotient     |  1 | no overflow
+short | depth.quotient           |                       |  1 | no overflow, exponent 0 .. 31
+short | depth.quotient_ortho     |                       |  1 | no overflow
+short | depth.codes              |                       |  1 | no overflow
+short | depth.w_of               |                       |  1 | no bad shift
+short | depth.linear_of          | w_of                  |  1 | no overflow
+short | depth.linear             |                       |  1 | no overflow
+short | setup.sides              |                       |  4 | no overflow; small sides are short
+short | setup.setup_edge         | wide_edge             |  1 | no overflow
+short | setup.wide_edge          |                       |  1 | no overflow
+short | setup.short_edge         |                       |  1 | no overflow
+long  | setup.setup_outline      | wide_edge             |  4 | no overflow, rows within the picture
+short | setup.small_depths       | ph_float_depths,ph_block_depths | 4 | no overflow
+short | setup.setup_part         |                       |  1 | no overflow
+short | setup.setup_line         | ph_setup_corners,fx_abs_sat | 5 | no overflow
+short | planes.area              |                       |  7 | twice a triangle's area is below 2^42
+short | planes.plane_base        |                       |  4 | no overflow, ranges of the base
+long  | planes.wide_gradient     | wide_base             |  4 | no overflow, nothing lost
+long  | planes.short_plane       |                       |  4 | no overflow
+short | planes.plane_through     | short_plane,wide_plane | 4 | no overflow
+short | planes.plane_light       | short_plane,wide_plane | 4 | no overflow
+short | planes.plane_exact       | wide_gradient         |  4 | no overflow
+short | planes.depths            |                       |  4 | no overflow
+long  | planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
+short | planes.setup_texture     | plane_through         |  4 | no overflow
+short | setup_small.slopes       |                       |  4 | no overflow, slopes below 2^15
+short | setup_small.depth_gradient |                     |  4 | no overflow
+long  | setup_small.setup_small  | set_planes            |  4 | no overflow
+short | setup_small.float_depths |                       |  4 | no overflow
+long  | gappa.rcp                |                       |    | fx_rcp_norm is the floor of 2^62 / d
+short | gappa.div                |                       |    | fx_div_sat's loop turns at most twice
+short | gappa.lerp               |                       |    | clip: lerp_q30 stays between its ends
+short | gappa.reach              |                       |    | the guard band ends 2048 px from the centre
+short | gappa.quotient           |                       |    | N/w to 2^-28
+short | gappa.depth              |                       |    | d of a corner to 13 units of 2^-32
+short | gappa.gradient           |                       |    | one gradient step to 9 units of its last bit
+END
+}
+
+# Gappa bounds the loop of fx_div_sat, and what clip.between and clip.crossing narrow.
+options() { # name
+    [ "$1" = fx_div.div ] && echo --no-unwinding-assertions || echo --unwinding-assertions
+    [[ $1 =~ ^clip.(between|crossing)$ ]] || echo --conversion-check
+}
+
+# What the solver found wrong, a line each; nothing when all holds. The last claim is that the end is not reached.
+cbmc_proof() { # name, functions, turns
+    local module=${1%%.*} proof=${1#*.} at=$B/proof/$1 core=$proof_tree/firmware/core f regex='' remove=()
+    { cat "$proof_tree/tests/proof/cbmc_$module.c" && printf '\nvoid reach(void)\n{\n    proof_%s();\n    CLAIM(!"the end");\n}\n' "$proof"; } |
+        $CC -E -x c -iquote "$proof_tree/tests/proof" -I"$core"{,/render,/kernels,/kernels/portable} - -o "$at.i" || return
+    tool goto-cc -c "$at.i" -o "$at.gb" || return
+    for f in ${2//,/ }; do
+        remove+=(--remove-function-body "$f")
+        regex+="|$f"
+    done
+    if [ -n "$regex" ]; then
+        tool goto-instrument "${remove[@]}" "$at.gb" "$at.cut" >/dev/null 2>&1 &&
+            tool goto-instrument --generate-function-body "${regex#|}" --generate-function-body-options nondet-return "$at.cut" "$at.gb" >/dev/null || return
+    fi
+    # shellcheck disable=SC2046 # options are words
+    timeout "${PROOF_TIMEOUT:-900}" bash -c 'tool "$@"' - cbmc "$at.gb" --function reach --unwind "$3" $(options "$1") --drop-unused-functions \
+        --no-standard-checks --signed-overflow-check --undefined-shift-check --div-by-zero-check --bounds-check --pointer-check >"$at.log" 2>&1
+    grep -q '^VERIFICATION' "$at.log" || { echo "no answer: $(tail -n 1 "$at.log")" && return; }
+    grep -q 'the end.*FAILURE' "$at.log" || echo "the end of the harness cannot be reached"
+    grep ': FAILURE$' "$at.log" | grep -v 'the end\|signed to unsigned type conversion\|unsigned to signed type conversion\|^.fx_sat64.*type conversion'
+}
+
+one() { # part, name, functions, turns, claim
+    local begin=$SECONDS found tool=CBMC
+    [[ $2 != gappa.* ]] || tool=Gappa
+    if [ $tool = CBMC ]; then
+        found=$(cbmc_proof "$2" "$3" "$4" 2>&1)
+    else
+        found=$("$proof_tree/tests/proof/gappa.sh" "${2#*.}" "$proof_tree" 2>&1) || found=${found:-"Gappa says no"}
+    fi
+    if [ -z "$found" ]; then
+        printf '%-26s %-5s proved    %4d s  %s\n' "$2" $tool $((SECONDS - begin)) "$5"
+    else
+        printf '%-26s %-5s NOT TRUE  %4d s  %s\n' "$2" $tool $((SECONDS - begin)) "$5"
+        echo "    | ${found//$'\n'/$'\n'    | }"
+    fi
+}
+export -f one cbmc_proof options tool
+
+# The table by module, for tests/README.md.
+table() {
+    echo '| proved by | of | what |'
+    echo '|---|---|---|'
+    proofs | sed 's/ *| */|/g' | awk -F'|' '
+        { split($2, name, ".") }
+        name[1] == "gappa" { gappa = gappa "| Gappa | " name[2] " | " $5 " |\n"; next }
+        name[1] != module { if (module) { print row " | no overflow |" } module = name[1]; row = "| CBMC | " module ": " name[2]; next }
+        { row = row ", " name[2] }
+        END { print row " | no overflow |"; printf "%s", gappa }'
+}
+
+parts='short|long'
+while [[ ${1-} == --* ]]; do
+    case $1 in
+    --table) table && exit ;;
+    --short | --long) parts=${1#--} ;;
+    --tree) proof_tree=$(realpath "$2") && shift ;;
+    *) sed -n 's/^# \(Usage.*\)/\1/p' "$0" >&2 && exit 2 ;;
+    esac
+    shift
+done
+proof_tools || { echo "$proof_why" && exit 77; }
+export B proof_root
+wanted=" $* "
+proofs | sed 's/ *| */|/g' | while IFS='|' read -r part name cut turns claim; do
+    { [ $# = 0 ] && [[ $part =~ ^($parts)$ ]]; } || [[ $wanted = *" $name "* ]] || continue
+    printf '%q %q %q %q %q\n' "$part" "$name" "$cut" "$turns" "$claim"
+done | sort -s -k1,1 | xargs -d '\n' -P "$(nproc)" -I{} bash -c 'one {}' | tee "$B/proof/results"
+awk '/^[a-z]/ { n++; proved += $3 == "proved" } END { printf "%d proofs, %d proved\n", n, proved; exit n == 0 || n != proved }' "$B/proof/results"
