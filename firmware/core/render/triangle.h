@@ -56,7 +56,7 @@ struct ph_exact {
     uint8_t block;
     uint8_t kind;
     uint8_t unit; /* codes are as steep as a depth in 2^-(56 - unit) is in octave 0 */
-    int8_t down; /* linear-w: that of the lens; floats: bits of exponent less 1 */
+    int8_t down;  /* linear-w: that of the lens; floats: bits of exponent less 1 */
 };
 
 /* A row of pixels or of depths, so many bytes further down. */

@@ -5,7 +5,7 @@
 
 enum {
     STEEP_DEPTH = 17, /* bits that a gradient per 1/256 px may have: at 2^25 per pixel it is right to a code or two */
-    ROUGH_DEPTH = 11, /* bits dropped of a gradient; with fewer, FRACTION is codes off on thin triangles */
+    ROUGH_DEPTH = 11, /* bits dropped of a gradient; with fewer, PH_SLOPE_BITS is codes off on thin triangles */
     STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
