@@ -1,6 +1,7 @@
 #include "depth_budget_measure.h"
 
 #include "depth.h"
+#include "exact.h"
 #include "transform.h"
 #include "triangle.h"
 
@@ -159,9 +160,14 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
 }
 
 /* The code that a triangle's plane has at a pixel, before it is cut off. */
-static double code_of(const struct depth_lab *lab, const struct ph_triangle *t, enum ph_depth_format format, uint32_t x,
-                      uint32_t y)
+static double code_of(const struct depth_lab *lab, const struct ph_triangle *triangle, enum ph_depth_format format,
+                      uint32_t x, uint32_t y)
 {
+    struct ph_triangle run = *triangle;
+    const struct ph_triangle *const t = &run;
+    if (triangle->block == PH_BLOCK_EXACT) {
+        ph_exact_run(triangle, (int32_t)x, (int32_t)x + 1, (int32_t)y, &run);
+    }
     const uint32_t value = ph_plane_at(&t->depth, x, y);
     const double signed_value = value < UINT32_MAX - 65535 ? value : value - 4294967296.0; /* a little beyond far */
     if (t->block == PH_BLOCK_LINEAR) {
