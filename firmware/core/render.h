@@ -147,7 +147,8 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
-#define PH_TRIANGLE_BYTES_32 92
+#define PH_TRIANGLE_BYTES_32 24
+#define PH_OWN_BYTES         1024 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */
@@ -198,13 +199,14 @@ struct ph_lens {
     int32_t chord_max;   /* fisheye: 1/256 px; longer edges are always divided */
 };
 
-/* What the small triangles of a part have in common: see ph_setup_part. */
-struct ph_small {
-    const struct ph_material *material; /* NULL: none are drawn as such */
-    const uint16_t *ramp;               /* the material's, or its colour as the only entry */
-    uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
-    bool floats;                        /* float16, else fixed16 */
-    uint8_t shading;                    /* PH_SHADE_GOURAUD, PH_SHADE_FLAT, or PH_SHADE_UNLIT: one colour */
+/* Where the list of a frame stands, see list.h. Private to the renderer. */
+struct ph_ref;
+struct ph_list {
+    struct ph_ref *top, *to, *end; /* references go down from top; the last one is at `to`; there is room until end */
+    uint32_t used[3];              /* bytes taken from own, vertices, triangles */
+    uint32_t first, last, lens;    /* places of the first and the last draw, and of the camera in use */
+    uint32_t band_scale;           /* 2^20 / band_height, rounded up */
+    uint64_t own[PH_OWN_BYTES / 8];
 };
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */
@@ -215,11 +217,11 @@ struct ph_renderer {
     struct ph_projection projection; /* as given; lens is made from it */
     struct ph_xform view;            /* world to view */
     struct ph_scene_light light;
-    struct ph_small small;
+    struct ph_list list;
+    struct ph_triangle *carried, *slots; /* triangles that continue in the next band; slots that are free again */
+    uint32_t slots_used[2];              /* bytes behind list.used of vertices and triangles that are slots */
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
-    uint32_t triangle_count;
-    uint32_t carried; /* list of the triangles that continue in the next band */
     uint16_t background;
 };
 

@@ -16,7 +16,7 @@
  */
 #include "fisheye.h"
 
-#include "setup.h"
+#include "mesh.h"
 
 #define LONG        20                     /* edges longer than this part of a turn are divided always */
 #define SHORT       ((int64_t)1 << 48)     /* shorter edges, below 2^-5 radian, never are; squared Q29 */
@@ -273,6 +273,7 @@ struct piece {
 struct division {
     struct ph_renderer *r;
     const struct ph_material *material;
+    uint32_t kind; /* enum ph_draw_kind */
     struct vertex pool[POOL];
     struct piece stack[DEPTH + 1];
     bool any, clipped;
@@ -359,8 +360,8 @@ static void clip_piece(struct division *d, const struct vertex *const v[3])
     for (int i = 0; i < n; i++) {
         corners[i] = clipped_corner(&d->r->lens, &polygon[i], &beyond);
     }
-    for (int i = 2; i < n && !beyond; i++) {
-        d->any |= ph_setup_corners(d->r, d->material, &corners[0], &corners[i - 1], &corners[i]);
+    if (n >= 3 && !beyond) {
+        d->any |= ph_list_fan(d->r, d->material, d->kind, corners, (uint32_t)n);
     }
 }
 
@@ -385,7 +386,7 @@ static void draw_piece(struct division *d, const struct vertex *const v[3])
     for (int i = 0; i < 3 && !beyond; i++) {
         corners[i] = corner_of(lens, &v[i]->clip, &v[i]->at);
     }
-    d->any |= !beyond && ph_setup_corners(d->r, d->material, &corners[0], &corners[1], &corners[2]);
+    d->any |= !beyond && ph_list_fan(d->r, d->material, d->kind, corners, 3);
 }
 
 /* Draws the piece on top of the stack, or divides it into top[0] and top[1]; then it returns true. */
@@ -448,7 +449,8 @@ static bool faces_away(const struct ph_clip_vertex in[3])
     return fx_mul_wide(a[0], n[0]) + fx_mul_wide(a[1], n[1]) + fx_mul_wide(a[2], n[2]) >= 0; /* y points down */
 }
 
-void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3])
+void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                         const struct ph_clip_vertex in[3])
 {
     if (material->two_sided == 0 && faces_away(in)) {
         r->stats.triangles_culled++;
@@ -457,6 +459,7 @@ void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *materi
     struct division d;
     d.r = r;
     d.material = material;
+    d.kind = kind;
     d.any = d.clipped = false;
     for (int i = 0; i < 3; i++) {
         d.pool[i] = vertex_of(&r->lens, &in[i]);
@@ -483,10 +486,10 @@ static void draw_line_piece(struct ph_renderer *r, const struct ph_material *mat
         return;
     }
     bool beyond = false;
-    const struct ph_corner from = clipped_corner(&r->lens, &ends[0], &beyond);
-    const struct ph_corner to = clipped_corner(&r->lens, &ends[1], &beyond);
+    const struct ph_corner corners[2] = {clipped_corner(&r->lens, &ends[0], &beyond),
+                                         clipped_corner(&r->lens, &ends[1], &beyond)};
     if (!beyond) {
-        ph_setup_line(r, material, &from, &to);
+        ph_draw_segment(r, material, corners);
     }
 }
 

@@ -1,11 +1,14 @@
-/* Renderer and frame set-up: see render.h. */
+/* Renderer and camera: see render.h. */
 #include "edge.h"
 #include "fisheye.h"
+#include "list.h"
 
+/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as many
+ * vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
-const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
-_Static_assert(sizeof(void *) != 4 || (sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
-                                       sizeof(struct ph_triangle) == PH_TRIANGLE_BYTES_32),
+const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref);
+_Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
+                   sizeof(struct ph_vertex) + sizeof(struct ph_ref) == PH_TRIANGLE_BYTES_32,
                "see render.h");
 
 static bool depth_is_usable(const struct ph_config *config)
@@ -38,7 +41,8 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
         return PH_ERR_NOMEM;
     }
     *r = (struct ph_renderer){
-        .config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands, .carried = PH_NONE};
+        .config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands};
+    ph_list_begin(r);
     return PH_OK;
 }
 
@@ -109,6 +113,7 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
     lens.centre_y = centre_of(height, p->shift_y);
     lens_depth(&lens, p);
     r->lens = lens;
+    r->list.lens = PH_NONE;
     r->projection = *projection;
     r->view = *view;
     return PH_OK;
@@ -130,22 +135,6 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     const unsigned format = r->config.depth_format;
     r->stats =
         (struct ph_stats){.depth_format = (uint8_t)(format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : format)};
-    r->triangle_count = 0;
-    r->carried = PH_NONE;
+    ph_list_begin(r);
     return PH_OK;
-}
-
-uint32_t ph_frame_bands(struct ph_renderer *r)
-{
-    struct ph_triangle *triangles = ph_triangles(r);
-    for (uint32_t i = 0; i < r->band_count; i++) {
-        r->config.bins[i] = PH_NONE;
-    }
-    r->carried = PH_NONE;
-    for (uint32_t i = r->triangle_count; i-- > 0;) { /* from the last, so that each list is in drawing order */
-        uint32_t *bin = &r->config.bins[(uint32_t)triangles[i].y_top / r->config.band_height];
-        triangles[i].next = *bin;
-        *bin = i;
-    }
-    return r->band_count;
 }

@@ -1,7 +1,8 @@
-/* Meshes and lines: triangles are rejected, culled, lit, clipped, and handed on to set-up. See mesh.h, render.h. */
+/* Meshes and lines: triangles are rejected, culled, lit, clipped and listed. See mesh.h, list.h, render.h. */
 #include "mesh.h"
 
 #include "cull.h"
+#include "edge.h"
 #include "fisheye.h"
 #include "light.h"
 #include "setup.h"
@@ -13,12 +14,14 @@
 struct part_context {
     struct ph_renderer *r;
     const struct ph_mesh *mesh;
-    const struct ph_material *material;
+    const struct ph_material *material, *lit_as; /* lit_as: of the part whose light the vertices have, or NULL */
     const struct ph_clip_matrix *matrix;
     struct ph_vertex *vertices;
+    struct ph_draw draw;
     struct ph_local_lights lights;
     uint32_t codes; /* clip codes of all vertices, combined by OR */
     bool lit, two_sided, curved;
+    bool mixed; /* the vertices have the lights of several materials */
 };
 
 static FX_APART void light_vertex(const struct part_context *c, uint32_t index)
@@ -57,28 +60,42 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
     return (struct ph_corner){v, {in->uv[0], in->uv[1]}};
 }
 
-void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3])
+/* Lists a polygon, which is convex, as a fan. False if nothing of it can be seen. */
+bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                 const struct ph_corner *corners, uint32_t n)
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, kind | (ph_is_textured(material) ? PH_DRAW_UVS : 0), corners, n);
+    bool any = false;
+    if (first < 0) {
+        r->stats.triangles_dropped += n - 2;
+        return true;
+    }
+    for (uint32_t i = 2; i < n; i++) {
+        const uint16_t number[3] = {(uint16_t)first, (uint16_t)((uint32_t)first + i - 1),
+                                    (uint16_t)((uint32_t)first + i)};
+        const struct ph_vertex *const v[3] = {&corners[0].at, &corners[i - 1].at, &corners[i].at};
+        any |= ph_list_triangle(r, number, v, material->two_sided != 0);
+    }
+    ph_list_rewind(r, &mark);
+    return any;
+}
+
+void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                     const struct ph_clip_vertex in[3])
 {
     if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_triangle(r, material, in);
+        ph_fisheye_triangle(r, material, kind, in);
         return;
     }
     struct ph_clip_vertex out[PH_CLIP_MAX];
+    struct ph_corner corners[PH_CLIP_MAX];
     const int n = ph_clip(&r->lens, in, 3, out);
     r->stats.triangles_clipped++;
-    if (n < 3) {
-        r->stats.triangles_culled++;
-        return;
+    for (int i = 0; i < n; i++) {
+        corners[i] = project_corner(&r->lens, &out[i]);
     }
-    bool any = false;
-    const struct ph_corner first = project_corner(&r->lens, &out[0]);
-    struct ph_corner last = project_corner(&r->lens, &out[1]);
-    for (int i = 2; i < n; i++) {
-        const struct ph_corner next = project_corner(&r->lens, &out[i]);
-        any |= ph_setup_corners(r, material, &first, &last, &next);
-        last = next;
-    }
-    r->stats.triangles_culled += !any;
+    r->stats.triangles_culled += n < 3 || !ph_list_fan(r, material, kind, corners, (uint32_t)n);
 }
 
 static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
@@ -92,23 +109,38 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
     if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }
-    ph_draw_clipped(c->r, c->material, in);
+    ph_draw_clipped(c->r, c->material, PH_DRAW_SMALL, in);
+    ph_list_draw(c->r, &c->draw);
 }
 
-/* Lights and sets up a triangle that needs no clipping. False if it cannot be seen. */
-static FX_APART bool draw_whole(const struct part_context *c, const uint16_t index[3],
+/* Whether a triangle that lies in the picture misses the centres of all columns. It must be less than 2 px wide. */
+static inline bool misses_columns(const struct ph_vertex *const v[3], const struct ph_sides *s)
+{
+    if ((((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) >= 512) {
+        return false;
+    }
+    const int32_t least = ph_min(ph_min(s->dx1, s->dx2), 0), most = ph_max(ph_max(s->dx1, s->dx2), 0);
+    return ph_first_row(v[0]->x + least) >= ph_first_row(v[0]->x + most);
+}
+
+/* Lights and lists a triangle that lies in the picture and faces the viewer. False if it covers no pixel centre. */
+static FX_APART bool draw_inner(const struct part_context *c, const uint16_t index[3],
                                 const struct ph_vertex *const v[3], const struct ph_sides *sides)
 {
-    const fx_t *of_corners[3], *const *uv = NULL;
-    light_corners(c, index, v);
-    if (c->mesh->uvs != NULL) {
-        for (int i = 0; i < 3; i++) {
-            of_corners[i] = c->mesh->uvs[index[i]];
-        }
-        uv = of_corners;
+    const int32_t top = v[0]->y + ph_min(ph_min(sides->dy1, sides->dy2), 0);
+    const int32_t low = v[0]->y + ph_max(ph_max(sides->dy1, sides->dy2), 0), row = ph_first_row(top);
+    if (row >= ph_first_row(low) || misses_columns(v, sides)) {
+        return false;
     }
-    return sides->area > 0 ? ph_setup_front(c->r, c->material, v, uv, sides)
-                           : ph_setup_triangle(c->r, c->material, v, uv);
+    struct ph_ref *const ref = ph_list_next(c->r);
+    if (ref != NULL) {
+        light_corners(c, index, v);
+        ref->corner[0] = index[0];
+        ref->corner[1] = index[1];
+        ref->corner[2] = index[2];
+        ref->link = ph_band_of(c->r, row);
+    }
+    return true;
 }
 
 /* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
@@ -122,8 +154,11 @@ static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index
         draw_clipped(c, index, v);
         return true;
     }
-    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    return (sides.area > 0 || c->two_sided) && draw_whole(c, index, v, &sides);
+    const bool seen = ph_list_triangle(c->r, index, v, c->two_sided);
+    if (seen) {
+        light_corners(c, index, v);
+    }
+    return seen;
 }
 
 /* Draws all triangles of a part, one by one: where ph_cull cannot judge them. Returns how many can be seen. */
@@ -144,7 +179,7 @@ static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index
     struct ph_cull_run run = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
     uint32_t seen = 0;
     while (ph_cull(&run)) {
-        seen += run.codes == 0 ? draw_whole(c, run.index[-1], run.v, &run.sides) : draw_any(c, run.index[-1], run.v);
+        seen += run.codes == 0 ? draw_inner(c, run.index[-1], run.v, &run.sides) : draw_any(c, run.index[-1], run.v);
     }
     return seen;
 }
@@ -156,6 +191,19 @@ static void draw_triangles(const struct part_context *c, const struct ph_part *p
     c->r->stats.triangles_culled += part->count - seen;
 }
 
+void ph_draw_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2])
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
+    if (first < 0) {
+        r->stats.triangles_dropped += 2;
+        return;
+    }
+    const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
+    ph_list_line(r, number, &ends[0].at, &ends[1].at, material->two_sided != 0);
+    ph_list_rewind(r, &mark);
+}
+
 static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material,
                            const struct ph_clip_vertex ends[2])
 {
@@ -165,8 +213,8 @@ static void draw_clip_line(struct ph_renderer *r, const struct ph_material *mate
     }
     struct ph_clip_vertex out[PH_CLIP_MAX];
     if (ph_clip(&r->lens, ends, 2, out) == 2) {
-        const struct ph_corner a = project_corner(&r->lens, &out[0]), b = project_corner(&r->lens, &out[1]);
-        ph_setup_line(r, material, &a, &b);
+        const struct ph_corner corners[2] = {project_corner(&r->lens, &out[0]), project_corner(&r->lens, &out[1])};
+        ph_draw_segment(r, material, corners);
     }
 }
 
@@ -179,49 +227,113 @@ static NOINLINE void draw_edges(const struct part_context *c)
         if ((v0->code & v1->code & PH_REJECT) != 0) {
             continue;
         }
+        if (((v0->code | v1->code) & PH_CLIP) == 0 && c->r->lens.kind != PH_FISHEYE) {
+            ph_list_line(c->r, edge, v0, v1, c->material->two_sided != 0);
+            continue;
+        }
         const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
         draw_clip_line(c->r, c->material, ends);
+        ph_list_draw(c->r, &c->draw);
     }
+}
+
+/* Whether the light of a vertex is the same in both materials. */
+static bool is_lit_alike(const struct ph_material *a, const struct ph_material *b)
+{
+    return a->ambient == b->ambient && a->diffuse == b->diffuse && a->specular == b->specular &&
+           a->shininess_log2 == b->shininess_log2;
+}
+
+/* Gives a part that needs another light of its vertices than the part before a copy of them. */
+static bool copy_vertices(struct part_context *c)
+{
+    const uint32_t n = c->mesh->vertex_count, place = ph_list_vertices(c->r, n);
+    if (place == PH_NONE) {
+        return false;
+    }
+    struct ph_vertex *const to = ph_at(c->r, place);
+    for (uint32_t i = 0; i < n; i++) {
+        to[i] = c->vertices[i];
+        to[i].code &= (uint8_t)~PH_LIT;
+    }
+    c->vertices = to;
+    c->draw.base = place;
+    return true;
+}
+
+/* Whether the part has vertices that are lit already. */
+static bool shares_light(const struct part_context *c, const struct ph_part *part)
+{
+    for (uint32_t i = part->first; i < part->first + part->count; i++) {
+        const uint16_t *const index = c->mesh->triangles[i];
+        if ((c->vertices[index[0]].code | c->vertices[index[1]].code | c->vertices[index[2]].code) >= PH_LIT) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Prepares the light of a part. False if there is no room for another light of its vertices. */
+static bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+{
+    const struct ph_material *const material = c->material, *const before = c->lit_as;
+    c->lit = c->mesh->normals != NULL && material->shading != PH_SHADE_UNLIT && material->shading != PH_SHADE_TEXTURE;
+    if (!c->lit) {
+        return true;
+    }
+    const bool alike = before != NULL && is_lit_alike(before, material);
+    c->lit_as = material;
+    if (!alike) {
+        ph_light_prepare(&c->lights, c->r, to_world, material);
+    }
+    if (before == NULL || (alike && !c->mixed)) {
+        return true;
+    }
+    c->mixed = !shares_light(c, part);
+    return c->mixed || copy_vertices(c);
 }
 
 static void draw_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
 {
     struct ph_renderer *r = c->r;
     c->material = &c->mesh->materials[part->material];
-    const uint8_t shading = c->material->shading;
-    if (shading == PH_SHADE_WIRE) {
-        draw_edges(c);
+    const bool wire = c->material->shading == PH_SHADE_WIRE, room = wire || light_part(c, part, to_world);
+    c->draw.material = c->material;
+    c->draw.uvs = ph_is_textured(c->material) ? c->mesh->uvs : NULL;
+    c->draw.kind = wire ? PH_DRAW_LINES : PH_DRAW_SMALL;
+    r->stats.triangles_in += wire ? 0 : part->count;
+    if (!room || !ph_list_draw(r, &c->draw)) {
+        r->stats.triangles_dropped += wire ? 2 * c->mesh->edge_count : part->count;
         return;
     }
-    c->lit = c->mesh->normals != NULL && shading != PH_SHADE_UNLIT && shading != PH_SHADE_TEXTURE;
-    if (c->lit) {
-        ph_light_prepare(&c->lights, r, to_world, c->material);
-    }
-    ph_setup_part(r, c->material);
-    r->stats.triangles_in += part->count;
     c->curved = r->lens.kind == PH_FISHEYE;
     c->two_sided = c->material->two_sided != 0;
-    draw_triangles(c, part);
+    if (wire) {
+        draw_edges(c);
+    } else {
+        draw_triangles(c, part);
+    }
 }
 
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
-    if (mesh->vertex_count > r->config.vertex_max) {
-        r->stats.vertices_dropped += mesh->vertex_count;
+    const struct ph_mark mark = ph_list_mark(r);
+    const uint32_t n = mesh->vertex_count, place = n <= r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
+    if (place == PH_NONE) {
+        r->stats.vertices_dropped += n;
         return PH_ERR_NOMEM;
     }
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
-    struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = r->config.vertices};
+    struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = ph_at(r, place)};
+    c.draw.base = place;
     c.codes = ph_transform_mesh(r, &matrix, mesh, c.vertices);
-    r->stats.vertices += mesh->vertex_count;
+    r->stats.vertices += n;
     for (uint32_t i = 0; i < mesh->part_count; i++) {
-        for (uint32_t k = 0; i > 0 && k < mesh->vertex_count; k++) { /* another material, another light */
-            c.vertices[k].code &= (uint8_t)~PH_LIT;
-        }
         draw_part(&c, &mesh->parts[i], to_world);
     }
-    r->small.material = NULL; /* the caller may change it */
+    ph_list_rewind(r, &mark);
+    r->stats.triangles_drawn = ph_ref_count(r);
     return PH_OK;
 }
 
@@ -230,4 +342,5 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     draw_clip_line(r, material, ends);
+    r->stats.triangles_drawn = ph_ref_count(r);
 }

@@ -1,5 +1,5 @@
 /*
- * Triangle set-up: edges, which way a triangle takes, the list. See setup.h.
+ * Triangle set-up: edges, and which way a triangle takes. See setup.h.
  *
  * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h does these. All others take setup_any.
  */
@@ -33,30 +33,19 @@ static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_verte
     }
 }
 
-/* No column of pixel centres lies within the triangle, or none of these lies in the picture. */
-static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3])
-{
-    const int32_t a = v[0]->x, b = v[1]->x, c = v[2]->x;
-    const int32_t from = ph_first_row(ph_min(ph_min(a, b), c)), to = ph_first_row(ph_max(ph_max(a, b), c));
-    return from >= to || to <= 0 || from >= width;
-}
-
 int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
 {
     const int64_t area = fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
     return (int32_t)(area >> 32) | (area > 0);
 }
 
-/* Rows and edges; false if no row of the picture is covered. */
-static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
+/* Rows and edges. */
+static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const struct ph_outline o = ph_outline(v);
     const int32_t y_top = ph_max(o.row_top, 0), y_bottom = ph_min(o.row_low, height);
     const int32_t y_mid = ph_max(ph_min(o.row_mid, height), 0);
     t->long_left = o.long_left;
-    if (y_top >= y_bottom) {
-        return false;
-    }
     t->y_top = (int16_t)y_top;
     t->y_mid = (int16_t)y_mid;
     t->y_bottom = (int16_t)y_bottom;
@@ -67,20 +56,16 @@ static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const
     if (y_bottom > y_mid) {
         setup_edge(o.mid, o.low, y_mid, &t->lower);
     }
-    return true;
 }
 
 /* Edges and planes of any triangle. */
-static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *material,
+static NOINLINE void setup_any(const struct ph_renderer *r, const struct ph_material *material,
                                const struct ph_vertex *const v[3], const fx_t *const uv[3],
                                const struct ph_sides *sides, struct ph_triangle *t)
 {
-    if (misses_columns(r->config.width, v) || !setup_outline(r->config.height, v, t)) {
-        return false;
-    }
+    setup_outline(r->config.height, v, t);
     t->material = material;
     ph_set_planes(t, r, v, uv, sides);
-    return true;
 }
 
 /* Whether all three coordinates keep a pixel away from the borders. */
@@ -106,25 +91,20 @@ static inline bool is_small(const struct ph_sides *s)
             (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
 }
 
-/* A triangle that is less than 2 px wide may miss the centres of all columns. */
-static inline bool is_thin(const struct ph_sides *s)
-{
-    return (((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) < 512;
-}
-
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
-static inline bool small_depths(const struct ph_renderer *r, const struct ph_material *material,
-                                const struct ph_vertex *const v[3], uint32_t d[3], uint8_t *block)
+static inline bool small_depths(const struct ph_setting *s, const struct ph_vertex *const v[3], uint32_t d[3],
+                                uint8_t *block)
 {
+    const struct ph_renderer *r = s->r;
     *block = PH_BLOCK_NONE;
-    if (r->small.floats) {
-        if (!ph_float_depths(&r->lens, v, r->small.bias, d)) {
-            *block = ph_block_depths(r, v, ph_depth_bias(material), d);
+    if (s->floats) {
+        if (!ph_float_depths(&r->lens, v, s->bias, d)) {
+            *block = ph_block_depths(r, v, ph_depth_bias(s->draw.material), d);
         }
         return true;
     }
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(ph_depth_of(v[i]), r->small.far, 0) + r->small.bias;
+        d[i] = ph_depth_before(ph_depth_of(v[i]), s->far, 0) + s->bias;
     }
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
@@ -152,13 +132,13 @@ static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_rendere
 }
 
 /* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has. */
-static NOINLINE void take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
+static NOINLINE void take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
                                       const struct ph_vertex *const v[3], const struct ph_sides *sides)
 {
     struct ph_triangle other;
     uint32_t d[3];
     other.material = t->material;
-    if (!small_depths(r, t->material, v, d, &other.block)) {
+    if (!small_depths(s, v, d, &other.block)) {
         return;
     }
     const enum ph_small_setup done = ph_setup_small(&other, v, sides, d);
@@ -166,126 +146,120 @@ static NOINLINE void take_small_depth(struct ph_triangle *t, const struct ph_ren
         return;
     }
     if (done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) {
-        finish_depth(&other, r, v, sides, d, done);
+        finish_depth(&other, s->r, v, sides, d, done);
     }
     const struct ph_small_triangle *const small = &other.small;
     t->block = other.block;
     t->depth = (struct ph_plane){small->d - (uint32_t)other.y_top * small->d_dy, small->gd, small->d_dy};
 }
 
-/* Sets up and lists any triangle that ph_setup_small cannot take. */
-static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_material *material,
-                                  const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                                  const struct ph_sides *sides, bool small)
+/* Sets up any triangle that ph_setup_small cannot take. */
+static NOINLINE void setup_other(const struct ph_setting *s, const struct ph_vertex *const v[3],
+                                 const fx_t *const uv[3], const struct ph_sides *sides, bool small,
+                                 struct ph_triangle *t)
 {
-    const uint32_t n = r->triangle_count;
-    struct ph_triangle no_room, *const t = n < r->config.triangle_max ? &ph_triangles(r)[n] : &no_room;
-    if (!setup_any(r, material, v, uv, sides, t)) {
-        return false;
-    }
-    if (t == &no_room) {
-        r->stats.triangles_dropped++;
-        return true;
-    }
+    const struct ph_renderer *r = s->r;
+    setup_any(r, s->draw.material, v, uv, sides, t);
     if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
-        take_small_depth(t, r, v, sides);
+        take_small_depth(t, s, v, sides);
     }
-    r->triangle_count = n + 1;
-    r->stats.triangles_drawn++;
-    return true;
 }
 
-void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
+bool ph_is_textured(const struct ph_material *material)
 {
-    const unsigned format = r->stats.depth_format, shading = material->shading;
-    const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
+    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT) &&
+           material->texture != NULL;
+}
+
+void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
+{
+    const struct ph_material *const material = draw->material;
+    const unsigned shading = material->shading;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
-    r->small.material = !textured && format <= PH_DEPTH_FLOAT16 ? material : NULL;
-    r->small.ramp = lit ? material->ramp : &material->colour;
-    r->small.shading = lit ? material->shading : PH_SHADE_UNLIT;
-    r->small.floats = format == PH_DEPTH_FLOAT16;
-    r->small.far = ph_depth_far(&r->lens, 0);
-    r->small.bias = r->small.floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
-                                    : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
+    s->r = r;
+    s->draw = *draw;
+    s->base = ph_at(r, draw->base);
+    s->is_small = (draw->kind & PH_DRAW_SMALL) != 0 && !ph_is_textured(material) &&
+                  r->stats.depth_format <= PH_DEPTH_FLOAT16;
+    s->ramp = lit ? material->ramp : &material->colour;
+    s->shading = lit ? material->shading : PH_SHADE_UNLIT;
+    s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
+    s->far = ph_depth_far(&r->lens, 0);
+    s->bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
+                        : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
 }
 
-bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
-                    const fx_t *const uv[3], const struct ph_sides *sides)
+/* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material has
+ * no texture. */
+static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
+                        const struct ph_sides *sides, struct ph_triangle *t)
 {
-    const uint32_t n = r->triangle_count;
+    const struct ph_renderer *r = s->r;
     const bool small = is_small(sides) && is_inside(r, v);
-    if (!small || material != r->small.material || n >= r->config.triangle_max) {
-        return setup_listed(r, material, v, uv, sides, small);
-    }
-    struct ph_triangle *const t = &ph_triangles(r)[n];
     uint32_t d[3];
-    t->kind = PH_KIND_SMALL;
-    t->material = material;
-    t->small.ramp = r->small.ramp;
-    if (!small_depths(r, material, v, d, &t->block)) {
-        return setup_listed(r, material, v, uv, sides, false);
+    if (!small || !s->is_small) {
+        setup_other(s, v, uv, sides, small, t);
+        return;
     }
-    if (is_thin(sides) && misses_columns(r->config.width, v)) {
-        return false;
+    t->kind = PH_KIND_SMALL;
+    t->material = s->draw.material;
+    t->small.ramp = s->ramp;
+    if (!small_depths(s, v, d, &t->block)) {
+        setup_other(s, v, uv, sides, false, t);
+        return;
     }
     const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
-    if (done == PH_SMALL_NO_ROW) {
-        return false;
-    }
     if (done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE) {
         finish_depth(t, r, v, sides, d, done);
     }
-    if (r->small.shading != PH_SHADE_GOURAUD) {
-        t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
+    if (s->shading != PH_SHADE_GOURAUD) {
+        t->small.light = s->shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
         t->small.glight = t->small.light_dy = 0;
     }
-    r->triangle_count = n + 1;
-    r->stats.triangles_drawn++;
-    return true;
 }
 
-bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
-                       const fx_t *const uv[3])
+/* Sets up a half of a line, or a triangle whose corners have their texture coordinates beside them. */
+static NOINLINE void setup_special(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
+    struct ph_vertex corners[3];
+    const fx_t *of_corners[3], *const *uv = NULL;
+    const struct ph_vertex *v[3] = {&corners[0], &corners[1], &corners[2]};
+    if ((s->draw.kind & PH_DRAW_LINES) != 0) {
+        const struct ph_vertex *const base = s->base;
+        ph_line_half(&base[ref->corner[0]], &base[ref->corner[1]], ref->corner[2], corners);
+    } else {
+        const struct ph_corner *const base = s->base;
+        for (int i = 0; i < 3; i++) {
+            v[i] = &base[ref->corner[i]].at;
+            of_corners[i] = base[ref->corner[i]].uv;
+        }
+        uv = of_corners;
+    }
     struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    if (sides.area > 0) {
-        return ph_setup_front(r, material, v, uv, &sides);
+    if (sides.area < 0) { /* a line that is seen from behind */
+        const struct ph_vertex *const turned = v[1];
+        v[1] = v[2];
+        v[2] = turned;
+        sides = ph_sides(v[0], v[1], v[2]);
     }
-    if (sides.area == 0 || material->two_sided == 0) {
-        return false;
-    }
-    const struct ph_vertex *const turned[3] = {v[0], v[2], v[1]};
-    sides = ph_sides(v[0], v[2], v[1]);
-    if (uv == NULL) {
-        return ph_setup_front(r, material, turned, NULL, &sides);
-    }
-    const fx_t *const uv_turned[3] = {uv[0], uv[2], uv[1]};
-    return ph_setup_front(r, material, turned, uv_turned, &sides);
+    setup_front(s, v, uv, &sides, t);
 }
 
-bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                      const struct ph_corner *b, const struct ph_corner *c)
+void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_vertex *const v[3] = {&a->at, &b->at, &c->at};
-    const fx_t *const uv[3] = {a->uv, b->uv, c->uv};
-    return ph_setup_triangle(r, material, v, uv);
-}
-
-/* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
- * the longer axis) or row, and needs no raster code of its own. */
-void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                   const struct ph_corner *b)
-{
-    const bool x_major = fx_abs_sat(b->at.x - a->at.x) >= fx_abs_sat(b->at.y - a->at.y);
-    const int32_t side_x = x_major ? 0 : 128, side_y = 128 - side_x;
-    const bool turned = x_major ? b->at.x > a->at.x : b->at.y < a->at.y; /* so that it faces the viewer */
-    const struct ph_corner *const from = turned ? b : a, *const to = turned ? a : b;
-    struct ph_corner quad[4] = {*from, *to, *to, *from};
-    for (int i = 0; i < 4; i++) {
-        const int32_t sign = i < 2 ? -1 : 1;
-        quad[i].at.x += sign * side_x;
-        quad[i].at.y += sign * side_y;
+    if ((s->draw.kind & (PH_DRAW_LINES | PH_DRAW_UVS)) != 0) {
+        setup_special(s, ref, t);
+        return;
     }
-    ph_setup_corners(r, material, &quad[0], &quad[1], &quad[2]);
-    ph_setup_corners(r, material, &quad[0], &quad[2], &quad[3]);
+    const struct ph_vertex *const base = s->base;
+    const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
+    const fx_t *of_corners[3], *const *uv = NULL;
+    if (s->draw.uvs != NULL) {
+        for (int i = 0; i < 3; i++) {
+            of_corners[i] = s->draw.uvs[ref->corner[i]];
+        }
+        uv = of_corners;
+    }
+    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    setup_front(s, v, uv, &sides, t);
 }

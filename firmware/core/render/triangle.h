@@ -1,4 +1,4 @@
-/* triangle: a triangle after set-up, in the list from which the bands are drawn. Private to firmware/core. */
+/* triangle: a triangle after set-up. Private to firmware/core. */
 #ifndef PH_TRIANGLE_H
 #define PH_TRIANGLE_H
 
@@ -55,7 +55,7 @@ static inline uint16_t *ph_row_below(uint16_t *row, uint32_t bytes)
 enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL };
 
 struct ph_triangle {
-    uint32_t next;                  /* in its band's list, PH_NONE at the end */
+    uint32_t order;                 /* number of its reference */
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
@@ -77,16 +77,12 @@ struct ph_triangle {
         };
         struct ph_small_triangle small; /* PH_KIND_SMALL */
     };
+    struct ph_triangle *next; /* slot: carried on or free */
 };
 
 #define PH_NONE          UINT32_MAX
 #define PH_SMALL_COLUMNS 32
 #define PH_BLOCK_NONE    127 /* depth is stepped in 16.16 codes */
 #define PH_BLOCK_LINEAR  126 /* linear-w: 1/w is stepped */
-
-static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
-{
-    return (struct ph_triangle *)r->config.triangles;
-}
 
 #endif
