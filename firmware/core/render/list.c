@@ -7,7 +7,7 @@
 
 enum { OWN, VERTICES, TRIANGLES };
 
-#define GRAIN 16u /* so that a corner behind the vertices of a mesh has a number, too */
+#define GRAIN 8u /* bytes */
 
 /* Whether vertices and triangles share one piece of memory: then it is that of the vertices. */
 static bool is_shared(const struct ph_renderer *r)
@@ -125,10 +125,10 @@ struct ph_mark ph_list_mark(struct ph_renderer *r)
     return (struct ph_mark){{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r)};
 }
 
-void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
+bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
 {
     if (ph_ref_count(r) != mark->count) {
-        return;
+        return false;
     }
     for (int piece = 0; piece < 3; piece++) {
         r->list.used[piece] = mark->used[piece];
@@ -136,6 +136,12 @@ void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
     *(mark->last != PH_NONE ? &draw_at(r, mark->last)->next : &r->list.first) = PH_NONE;
     r->list.last = mark->last;
     set_end(r);
+    return true;
+}
+
+uint32_t ph_list_base(const struct ph_renderer *r)
+{
+    return r->list.last != PH_NONE ? draw_at(r, r->list.last)->base : PH_NONE;
 }
 
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
@@ -206,12 +212,32 @@ void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph
     }
 }
 
+/* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1. */
+static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
+{
+    if (last == NULL || last->uvs != NULL) {
+        return -1;
+    }
+    const uint32_t from = last->base & 0x3fffffff, behind = r->list.used[last->base >> 30] - from, odd = behind % size;
+    const uint32_t gap = odd != 0 ? size - odd : 0;
+    return (behind + gap) / size + n <= 65536 ? (int32_t)gap : -1;
+}
+
 int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                         const struct ph_corner *corners, uint32_t n)
 {
-    const struct ph_draw *last = r->list.last == PH_NONE ? NULL : draw_at(r, r->list.last);
-    const size_t size = (kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint32_t place = take_any(r, last != NULL ? (int)(last->base >> 30) : TRIANGLES, TRIANGLES, n * size);
+    const struct ph_draw *const last = r->list.last == PH_NONE ? NULL : draw_at(r, r->list.last);
+    const uint32_t size = (kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const int32_t gap = gap_behind(r, last, size, n);
+    struct ph_draw draw = {.material = material, .kind = kind};
+    uint32_t place = gap >= 0 ? take(r, (int)(last->base >> 30), n * size + (uint32_t)gap) : PH_NONE, number = 0;
+    if (place != PH_NONE) {
+        draw.base = last->base;
+        place += (uint32_t)gap;
+        number = (place - draw.base) / size;
+    } else {
+        draw.base = place = take_any(r, TRIANGLES, VERTICES, n * size);
+    }
     if (place == PH_NONE) {
         return -1;
     }
@@ -222,13 +248,6 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
         } else {
             *(struct ph_vertex *)(void *)(to + i * size) = corners[i].at;
         }
-    }
-    struct ph_draw draw = {.material = material, .base = place, .kind = kind};
-    uint32_t number = 0;
-    if (last != NULL && last->base >> 30 == place >> 30 && place >= last->base && last->uvs == NULL &&
-        (place - last->base) % size == 0 && (place - last->base) / size + n <= 65536) {
-        number = (place - last->base) / (uint32_t)size;
-        draw.base = last->base;
     }
     return ph_list_draw(r, &draw) ? (int32_t)number : -1;
 }

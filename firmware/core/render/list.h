@@ -73,7 +73,10 @@ struct ph_mark {
 };
 
 struct ph_mark ph_list_mark(struct ph_renderer *r);
-void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark);
+bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark); /* true: it was given back */
+
+/* Place of corner 0 of the current draw. */
+uint32_t ph_list_base(const struct ph_renderer *r);
 
 /* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
