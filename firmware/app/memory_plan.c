@@ -3,8 +3,11 @@
 
 #define WIRE_MAX    4096 /* bytes of scratch memory for the panel driver */
 #define BUFFERS_MIN 2U   /* one is drawn while the other is sent */
+#define SLOTS_LEAST 16U  /* for triangles that go on from band to band */
+#define SLOTS_USUAL 160U /* with more there is nothing to gain */
 
-#define ROUND8(n) (((n) + 7) & ~(uint64_t)7)
+#define ROUND8(n)  (((n) + 7) & ~(uint64_t)7)
+#define ROUND16(n) (((n) + 15) & ~(uint64_t)15)
 
 static bool sender_copies(const struct runner_config *config)
 {
@@ -43,38 +46,53 @@ uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
     return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
 }
 
-/* What a level of a demo takes on a 32-bit target with so many triangles. */
-static uint64_t level_bytes_32(const struct demo_level *level, uint32_t triangle_max)
+/* The list of a frame: vertices, corners, references, and so many slots. The same on every machine. */
+static uint64_t list_bytes(const struct demo_level *level, uint32_t triangle_max, uint32_t slots)
 {
-    return ROUND8(level->arena_bytes_32) + ROUND8((uint64_t)level->vertex_max * PH_VERTEX_BYTES_32) +
-           ROUND8((uint64_t)triangle_max * PH_TRIANGLE_BYTES_32);
+    return ROUND8(((uint64_t)level->vertex_max + level->corner_max) * PH_VERTEX_BYTES_32 +
+                  (uint64_t)triangle_max * PH_REFERENCE_BYTES + (uint64_t)slots * PH_SLOT_BYTES_32);
+}
+
+/* What a level of a demo takes on a 32-bit target with so many triangles. */
+static uint64_t level_bytes_32(const struct demo_level *level, uint32_t triangle_max, uint32_t slots)
+{
+    return ROUND8(level->arena_bytes_32) + list_bytes(level, triangle_max, slots);
 }
 
 static void place_scene(struct scene_memory *s)
 {
-    s->triangles_at = (size_t)ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes);
-    s->arena_at = s->triangles_at + (size_t)ROUND8((uint64_t)s->triangle_max * ph_triangle_bytes);
+    s->arena_at = (size_t)ROUND16(s->list_bytes);
     s->scratch_at = s->arena_at + (size_t)ROUND8(s->arena_bytes);
+}
+
+static uint32_t smaller(uint64_t a, uint32_t b)
+{
+    return a < b ? (uint32_t)a : b;
 }
 
 /* The finest level that fits whole; if none does, as many triangles of the coarsest as fit. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
-    struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
-    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, level.triangle_max) > budget; i++) {
+    struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
+                               demo->corner_max};
+    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, level.triangle_max, SLOTS_LEAST) > budget;
+         i++) {
         level = demo->coarser[i];
     }
-    struct scene_memory s = {.arena_bytes = level.arena_bytes, .vertex_max = level.vertex_max};
-    const uint64_t meshes = level_bytes_32(&level, 0), whole = level_bytes_32(&level, level.triangle_max);
+    struct scene_memory s = {.arena_bytes = level.arena_bytes, .slots = SLOTS_LEAST};
+    const uint64_t meshes = level_bytes_32(&level, 0, SLOTS_LEAST),
+                   whole = level_bytes_32(&level, level.triangle_max, SLOTS_LEAST);
     s.whole = whole <= budget;
     if (s.whole) {
         const size_t scratch = demo_scratch_bytes(demo, p->width, p->lines);
         s.triangle_max = level.triangle_max;
         s.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
+        s.slots += smaller((budget - whole - ROUND8(s.scratch_bytes)) / PH_SLOT_BYTES_32, SLOTS_USUAL - SLOTS_LEAST);
     } else if (meshes < budget) {
-        s.triangle_max = (uint32_t)(((budget - meshes) & ~(uint64_t)7) / PH_TRIANGLE_BYTES_32);
+        s.triangle_max = (uint32_t)((budget - meshes) / PH_REFERENCE_BYTES);
     }
-    s.bytes_32 = level_bytes_32(&level, s.triangle_max) + ROUND8(s.scratch_bytes);
+    s.list_bytes = (size_t)list_bytes(&level, s.triangle_max, s.slots);
+    s.bytes_32 = level_bytes_32(&level, s.triangle_max, s.slots) + ROUND8(s.scratch_bytes);
     place_scene(&s);
     return s;
 }
@@ -150,6 +168,7 @@ uint64_t runner_whole_bytes(const struct runner_config *config)
 {
     const struct demo *demo = config->demo;
     const struct picture_memory p = memory_plan_picture(config, config->board->band_height);
-    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
-    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, level.triangle_max);
+    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
+                                     demo->corner_max};
+    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, level.triangle_max, SLOTS_LEAST);
 }

@@ -2,7 +2,11 @@
  * memory_plan: who gets how many bytes of the memory that the runner (runner.h) is given.
  *
  *   picture   depth and bins of one band, the panel driver's scratch memory, and the band buffers
- *   scene     the demo's vertices and triangles, its arena, and scratch memory for a blur
+ *   scene     the list of a frame (vertices and references to triangles), the demo's arena, and scratch memory for a
+ *             blur
+ *
+ * A scene that fits whole gets more slots for triangles that go on from band to band, as far as there is room; they
+ * change the speed, not the picture.
  *
  * The plan is made in the sizes of a 32-bit target on every machine. So a board's simulator leaves out what the board
  * itself has to leave out, and the pictures are the same bytes. If a scene does not fit, its coarser levels (demo.h)
@@ -41,13 +45,13 @@ struct picture_memory {
     uint32_t depth_bytes, bin_bytes, wire_bytes, band_bytes; /* multiples of 8 */
 };
 
-/* A scene's memory behind it: vertices, triangles, arena, scratch. Offsets and bytes are this machine's. */
+/* A scene's memory behind it: list of the frame, arena, scratch. Offsets and bytes are this machine's. */
 struct scene_memory {
     bool whole;                        /* no triangle need be left out */
-    uint32_t vertex_max, triangle_max; /* triangle_max 0: not even the meshes fit */
-    size_t arena_bytes, scratch_bytes;
-    size_t triangles_at, arena_at, scratch_at; /* bytes from the start of the scene */
-    uint64_t bytes_32;                         /* all of it on a 32-bit target */
+    uint32_t triangle_max, slots; /* triangle_max 0: not even the meshes fit */
+    size_t list_bytes, arena_bytes, scratch_bytes;
+    size_t arena_at, scratch_at; /* bytes from the start of the scene, where the list is */
+    uint64_t bytes_32;           /* all of it on a 32-bit target */
 };
 
 struct memory_plan {

@@ -148,6 +148,11 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
 #define PH_TRIANGLE_BYTES_32 24
+/* What these bytes become: of each triangle that can be seen a reference, of the rest vertices of further meshes and
+ * corners that clipping makes, and slots for triangles that go on from band to band. Without slots a triangle is set up
+ * again in each band. */
+#define PH_REFERENCE_BYTES 8
+#define PH_SLOT_BYTES_32   96
 #define PH_OWN_BYTES         1024 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {
@@ -157,7 +162,8 @@ struct ph_config {
 
     void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit; 4-byte aligned, 8 on 64 bits */
     uint32_t vertex_max;
-    void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above */
+    void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above. It may be `vertices`: then both share
+                        that memory, ph_vertex_bytes for each of vertex_max, as they need it */
     uint32_t triangle_max;
     uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
