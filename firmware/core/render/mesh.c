@@ -2,7 +2,6 @@
 #include "mesh.h"
 
 #include "cull.h"
-#include "edge.h"
 #include "fisheye.h"
 #include "light.h"
 #include "setup.h"
@@ -24,18 +23,14 @@ struct part_context {
     bool mixed; /* the vertices have the lights of several materials */
 };
 
-static FX_APART void light_vertex(const struct part_context *c, uint32_t index)
-{
-    struct ph_vertex *v = &c->vertices[index];
-    v->light = ph_light_vertex(&c->lights, c->mesh->normals[index], &c->mesh->positions[index]);
-    v->code |= PH_LIT;
-}
-
+/* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
 static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
 {
     for (int i = 0; c->lit && i < 3; i++) {
-        if (v[i]->code < PH_LIT) {
-            light_vertex(c, index[i]);
+        struct ph_vertex *const corner = &c->vertices[index[i]];
+        if (v[i]->code < PH_LIT || v[i]->light == 0) {
+            corner->light = ph_light_vertex(&c->lights, c->mesh->normals[index[i]], &c->mesh->positions[index[i]]);
+            corner->code |= PH_LIT;
         }
     }
 }
@@ -113,39 +108,10 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
     ph_list_draw(c->r, &c->draw);
 }
 
-/* Whether a triangle that lies in the picture misses the centres of all columns. It must be less than 2 px wide. */
-static inline bool misses_columns(const struct ph_vertex *const v[3], const struct ph_sides *s)
-{
-    if ((((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) >= 512) {
-        return false;
-    }
-    const int32_t least = ph_min(ph_min(s->dx1, s->dx2), 0), most = ph_max(ph_max(s->dx1, s->dx2), 0);
-    return ph_first_row(v[0]->x + least) >= ph_first_row(v[0]->x + most);
-}
-
-/* Lights and lists a triangle that lies in the picture and faces the viewer. False if it covers no pixel centre. */
-static FX_APART bool draw_inner(const struct part_context *c, const uint16_t index[3],
-                                const struct ph_vertex *const v[3], const struct ph_sides *sides)
-{
-    const int32_t top = v[0]->y + ph_min(ph_min(sides->dy1, sides->dy2), 0);
-    const int32_t low = v[0]->y + ph_max(ph_max(sides->dy1, sides->dy2), 0), row = ph_first_row(top);
-    if (row >= ph_first_row(low) || misses_columns(v, sides)) {
-        return false;
-    }
-    struct ph_ref *const ref = ph_list_next(c->r);
-    if (ref != NULL) {
-        light_corners(c, index, v);
-        ref->corner[0] = index[0];
-        ref->corner[1] = index[1];
-        ref->corner[2] = index[2];
-        ref->link = ph_band_of(c->r, row);
-    }
-    return true;
-}
-
 /* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
-static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
+static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3])
 {
+    const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
     if ((all & PH_REJECT) != 0) {
         return false;
@@ -166,28 +132,54 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
 {
     uint32_t seen = 0;
     for (; index < end; index++) {
-        const struct ph_vertex *const v[3] = {&c->vertices[(*index)[0]], &c->vertices[(*index)[1]],
-                                              &c->vertices[(*index)[2]]};
-        seen += draw_any(c, *index, v);
+        seen += draw_any(c, *index);
     }
     return seen;
 }
 
-/* The same with ph_cull, which passes over the triangles that cannot be seen. */
+/* The same with ph_cull, which lists most of the triangles. */
 static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
-    struct ph_cull_run run = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
+    struct ph_list *const list = &c->r->list;
+    struct ph_cull_run run = {.vertices = c->vertices,
+                              .index = index,
+                              .end = end,
+                              .codes = c->codes,
+                              .to = list->to,
+                              .limit = list->end,
+                              .band_scale = list->band_scale,
+                              .mark = c->lit ? PH_LIT : 0};
     uint32_t seen = 0;
     while (ph_cull(&run)) {
-        seen += run.codes == 0 ? draw_inner(c, run.index[-1], run.v, &run.sides) : draw_any(c, run.index[-1], run.v);
+        seen += (uint32_t)(list->to - run.to);
+        list->to = run.to;
+        seen += draw_any(c, run.index[-1]);
+        run.to = list->to;
+        run.limit = list->end;
     }
+    seen += (uint32_t)(list->to - run.to);
+    list->to = run.to;
     return seen;
+}
+
+/* Lights the vertices that ph_cull has marked. */
+static void light_marked(const struct part_context *c, uint32_t from, uint32_t end)
+{
+    for (uint32_t i = from; i < end; i++) {
+        struct ph_vertex *const v = &c->vertices[i];
+        if (v->light == 0) {
+            v->light = ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
+        }
+    }
 }
 
 static void draw_triangles(const struct part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
     const uint32_t seen = c->curved || c->two_sided ? draw_each(c, index, end) : draw_facing(c, index, end);
+    if (c->lit) {
+        light_marked(c, 0, c->mesh->vertex_count);
+    }
     c->r->stats.triangles_culled += part->count - seen;
 }
 
