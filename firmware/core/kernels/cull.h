@@ -22,6 +22,22 @@ struct ph_cull_run {
     uint32_t mark;                         /* PH_LIT, or 0: nothing is marked */
 };
 
+/* The code of a vertex that the other core may mark. */
+static inline unsigned ph_code_of(const struct ph_vertex *v)
+{
+    return __atomic_load_n(&v->code, __ATOMIC_RELAXED);
+}
+
+/* Marks a vertex for the light. */
+static inline void ph_mark(struct ph_vertex *v)
+{
+    const unsigned code = ph_code_of(v);
+    if (code < PH_LIT) {
+        __atomic_store_n(&v->light, 0, __ATOMIC_RELAXED);
+        __atomic_store_n(&v->code, (uint8_t)(code | PH_LIT), __ATOMIC_RELAXED);
+    }
+}
+
 /* False if no triangle is left; else the caller must look at index[-1]. */
 bool ph_cull(struct ph_cull_run *run);
 

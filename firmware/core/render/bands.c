@@ -7,6 +7,7 @@
  * of slots changes the speed, and nothing else.
  */
 #include "band.h"
+#include "cores.h"
 #include "edge.h"
 #include "kernels.h"
 #include "setup.h"
@@ -14,9 +15,9 @@
 /* The references of a band, one after the other. */
 struct feed {
     struct ph_renderer *r;
-    uint32_t ref, band;   /* ref: PH_NONE at the end */
-    uint32_t next_first;  /* first reference of the draw after this one */
-    uint32_t next_place;  /* that draw, or PH_NONE */
+    uint32_t ref, band;         /* ref: PH_NONE at the end */
+    const struct ph_draw *draw; /* of the last reference that was looked up; NULL before the first */
+    uint32_t next_first;        /* first reference of the draw after that */
     struct ph_setting setting;
 };
 
@@ -113,24 +114,28 @@ static void start(struct feed *f, struct ph_renderer *r, uint32_t band)
     f->r = r;
     f->band = band;
     f->ref = r->config.bins[band];
+    f->draw = NULL;
     f->next_first = 0;
-    f->next_place = r->list.first;
 }
 
-/* Makes the draw of the reference the current one. */
-static __attribute__((noinline)) void find_draw(struct feed *f)
+/* Finds the draw of a reference that is behind the current draw. */
+static void find_draw(struct feed *f, uint32_t ref)
 {
-    const struct ph_draw *draw = NULL;
-    while (f->ref >= f->next_first) {
-        draw = ph_at(f->r, f->next_place);
-        f->next_place = draw->next;
-        f->next_first = draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(f->r, draw->next))->first;
+    const struct ph_renderer *const r = f->r;
+    while (ref >= f->next_first) {
+        f->draw = ph_at(r, f->draw == NULL ? r->list.first : f->draw->next);
+        f->next_first =
+            f->draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(r, f->draw->next))->first;
     }
-    if (draw->lens != f->r->list.lens) {
-        f->r->lens = *(const struct ph_lens *)ph_at(f->r, draw->lens);
-        f->r->list.lens = draw->lens;
+}
+
+/* Takes the lens of a draw for what is set up next. */
+static void take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+{
+    if (draw->lens != r->list.lens) {
+        r->lens = *(const struct ph_lens *)ph_at(r, draw->lens);
+        r->list.lens = draw->lens;
     }
-    ph_setting_of(&f->setting, f->r, draw);
 }
 
 /* Sets up the next triangle. */
@@ -138,7 +143,9 @@ static void set_up(struct feed *f, struct ph_triangle *t)
 {
     const uint32_t ref = f->ref;
     if (ref >= f->next_first) {
-        find_draw(f);
+        find_draw(f, ref);
+        take_lens(f->r, f->draw);
+        ph_setting_of(&f->setting, f->r, f->draw);
     }
     ph_setup(&f->setting, ph_ref_at(f->r, ref), t);
     t->order = ref;
@@ -185,22 +192,21 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
-/* Draws a band with one core: each triangle is set up, drawn, and carried on if it goes on below. */
-static void draw_alone(struct ph_renderer *r, uint32_t band, const struct ph_band *rows)
+/* Draws all triangles of a band that are left: each is set up, drawn, and carried on if it goes on below. begun: those
+ * that were carried on; carry: where the first is linked that is carried on from here. */
+static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_triangle *begun, struct ph_triangle **carry)
 {
-    struct ph_triangle scratch, *slot = NULL, *begun = r->carried, **carry = &r->carried;
+    struct ph_renderer *const r = f->r;
+    struct ph_triangle scratch, *slot = NULL;
     uint32_t put = PH_NONE;
-    struct feed f;
-    start(&f, r, band);
-    clear(rows, r->background);
-    while (begun != NULL || f.ref != PH_NONE) {
+    while (begun != NULL || f->ref != PH_NONE) {
         struct ph_triangle *t = begun;
-        if (t != NULL && t->order < f.ref) {
+        if (t != NULL && t->order < f->ref) {
             begun = t->next;
         } else {
             slot = slot != NULL ? slot : take_slot(r);
             t = slot != NULL ? slot : &scratch;
-            set_up(&f, t);
+            set_up(f, t);
         }
         r->stats.fragments += ph_draw_triangle(t, rows);
         if (t->y_bottom <= rows->y1) {
@@ -208,7 +214,7 @@ static void draw_alone(struct ph_renderer *r, uint32_t band, const struct ph_ban
                 free_slot(r, t);
             }
         } else if (t == &scratch) {
-            put_below(&f, t->order, &put);
+            put_below(f, t->order, &put);
         } else {
             slot = t == slot ? NULL : slot;
             ph_step_below(t, rows->y1);
@@ -222,6 +228,164 @@ static void draw_alone(struct ph_renderer *r, uint32_t band, const struct ph_ban
     }
 }
 
+/* ---- two cores -------------------------------------------------------------------------------------------------- */
+
+/* Every second triangle of a list: one of two cores sets them up. */
+struct fresh {
+    struct ph_renderer *r;
+    struct ph_triangle *first;
+};
+
+static void set_up_fresh(void *argument)
+{
+    const struct fresh *const s = argument;
+    struct feed f = {.r = s->r};
+    for (struct ph_triangle *t = s->first; t != NULL; t = t->next != NULL ? t->next->next : NULL) {
+        if (t->order >= f.next_first) {
+            find_draw(&f, t->order);
+            ph_setting_of(&f.setting, f.r, f.draw);
+        }
+        ph_setup(&f.setting, ph_ref_at(f.r, t->order), t);
+    }
+}
+
+/* The rows that one of two cores draws. */
+struct share {
+    const struct ph_renderer *r;
+    const struct ph_triangle *first;
+    uint32_t fragments;
+    bool clears;
+    struct ph_band rows;
+};
+
+/* Nobody changes the list meanwhile. */
+static void draw_share(void *argument)
+{
+    struct share *const s = argument;
+    s->fragments = 0;
+    if (s->clears) {
+        clear(&s->rows, s->r->background);
+    }
+    for (const struct ph_triangle *t = s->first; t != NULL; t = t->next) {
+        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
+            s->fragments += ph_draw_triangle(t, &s->rows);
+        }
+    }
+}
+
+/* Takes slots for the next triangles of the band, as many as there are, and of one camera. */
+static struct ph_triangle *take_chunk(struct ph_renderer *r, struct feed *f)
+{
+    struct ph_triangle *first = NULL, **link = &first;
+    while (f->ref != PH_NONE) {
+        if (f->ref >= f->next_first) {
+            find_draw(f, f->ref);
+        }
+        if (first == NULL) {
+            take_lens(r, f->draw);
+        }
+        struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot(r) : NULL;
+        if (t == NULL) {
+            break;
+        }
+        t->order = f->ref;
+        *link = t;
+        link = &t->next;
+        f->ref = next_of(f, f->ref);
+    }
+    *link = NULL;
+    return first;
+}
+
+/* Merges two lists in drawing order: all of a, and of *b what comes before `end`. */
+static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, uint32_t end)
+{
+    struct ph_triangle *first = NULL, **link = &first;
+    for (;;) {
+        struct ph_triangle *t = a;
+        if (*b != NULL && (*b)->order < (a != NULL ? a->order : end)) {
+            t = *b;
+            *b = t->next;
+        } else if (a != NULL) {
+            a = a->next;
+        } else {
+            break;
+        }
+        *link = t;
+        link = &t->next;
+    }
+    *link = NULL;
+    return first;
+}
+
+/* Carries on the triangles of a list that go on below the band. Returns where the next one is to be linked. */
+static struct ph_triangle **keep_below(struct ph_renderer *r, struct ph_triangle *list, int32_t y1,
+                                       struct ph_triangle **carry)
+{
+    while (list != NULL) {
+        struct ph_triangle *const t = list;
+        list = t->next;
+        if (t->y_bottom <= y1) {
+            free_slot(r, t);
+            continue;
+        }
+        ph_step_below(t, y1);
+        *carry = t;
+        carry = &t->next;
+    }
+    return carry;
+}
+
+/* Draws a list of triangles in two halves of the band, the lower one on the other core. */
+static void draw_list(struct ph_renderer *r, const struct ph_triangle *list, const struct ph_band *rows, bool clears)
+{
+    struct share upper = {.r = r, .first = list, .clears = clears, .rows = *rows}, lower = upper;
+    upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
+    const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
+    lower.rows.pixels += above;
+    lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
+    ph_run_both(r, draw_share, &upper, &lower);
+    r->stats.fragments += upper.fragments + lower.fragments;
+}
+
+/* Sets up a list of triangles, every second one on the other core. */
+static void set_up_list(struct ph_renderer *r, struct ph_triangle *list)
+{
+    struct fresh even = {r, list}, odd = {r, list->next};
+    if (list->next == NULL) {
+        set_up_fresh(&even);
+    } else {
+        ph_run_both(r, set_up_fresh, &even, &odd);
+    }
+}
+
+/* Draws a band of 2 rows or more with two cores, as many triangles at a time as there are slots. */
+static void draw_with_other(struct ph_renderer *r, struct feed *f, const struct ph_band *rows)
+{
+    struct ph_triangle *begun = r->carried, **carry = &r->carried;
+    bool clears = true;
+    while (clears || begun != NULL || f->ref != PH_NONE) {
+        struct ph_triangle *const fresh = take_chunk(r, f);
+        if (fresh == NULL && f->ref != PH_NONE) { /* there is no slot */
+            if (clears) {
+                clear(rows, r->background);
+            }
+            f->draw = NULL;
+            f->next_first = 0; /* its setting is not there yet */
+            draw_rest(f, rows, begun, carry);
+            return;
+        }
+        if (fresh != NULL) {
+            set_up_list(r, fresh);
+        }
+        struct ph_triangle *const list = merge(fresh, &begun, f->ref);
+        draw_list(r, list, rows, clears);
+        carry = keep_below(r, list, rows->y1, carry);
+        clears = false;
+    }
+    *carry = NULL;
+}
+
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
@@ -229,6 +393,13 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
     rows.pixels = pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
-    draw_alone(r, band, &rows);
+    struct feed f;
+    start(&f, r, band);
+    if (r->config.other_core != NULL && y1 - y0 >= 2) {
+        draw_with_other(r, &f, &rows);
+    } else {
+        clear(&rows, r->background);
+        draw_rest(&f, &rows, r->carried, &r->carried);
+    }
     return (uint32_t)(y1 - y0);
 }

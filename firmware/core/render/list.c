@@ -146,8 +146,7 @@ uint32_t ph_list_base(const struct ph_renderer *r)
 
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
-/* The first row of a triangle in the picture; -1 if it covers no centre of a pixel of the picture. */
-static int32_t first_row(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const int32_t xa = v[0]->x, xb = v[1]->x, xc = v[2]->x, ya = v[0]->y, yb = v[1]->y, yc = v[2]->y;
     const int32_t left = ph_first_row(ph_min(ph_min(xa, xb), xc)), right = ph_first_row(ph_max(ph_max(xa, xb), xc));
@@ -176,8 +175,8 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
     if (area == 0 || (area < 0 && !two_sided)) {
         return false;
     }
-    return area > 0 ? list_at(r, corner[0], corner[1], corner[2], first_row(r, v))
-                    : list_at(r, corner[0], corner[2], corner[1], first_row(r, v));
+    return area > 0 ? list_at(r, corner[0], corner[1], corner[2], ph_first_row_of(r, v))
+                    : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
 }
 
 /* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
@@ -207,7 +206,7 @@ void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph
         const struct ph_vertex *const v[3] = {&corners[0], &corners[1], &corners[2]};
         const int32_t area = ph_sides(v[0], v[1], v[2]).area;
         if (area > 0 || (area < 0 && two_sided)) {
-            list_at(r, ends[0], ends[1], (unsigned)half, first_row(r, v));
+            list_at(r, ends[0], ends[1], (unsigned)half, ph_first_row_of(r, v));
         }
     }
 }

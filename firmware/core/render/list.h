@@ -81,6 +81,9 @@ uint32_t ph_list_base(const struct ph_renderer *r);
 /* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
 
+/* The first row of a triangle in the picture; -1 if it covers no centre of a pixel of the picture. */
+int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3]);
+
 /* Lists a triangle of the current draw. False if it faces away (and is not two-sided) or covers no pixel centre; true
  * also if there is no room: then it is counted. v: its corners. */
 bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const struct ph_vertex *const v[3],

@@ -1,11 +1,14 @@
 /* Meshes and lines: triangles are rejected, culled, lit, clipped and listed. See mesh.h, list.h, render.h. */
 #include "mesh.h"
 
+#include "cores.h"
 #include "cull.h"
 #include "fisheye.h"
 #include "light.h"
 #include "setup.h"
 #include "transform.h"
+
+#define BLOCK 128u /* triangles that two cores cull at a time where some may have to be clipped */
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of a loop */
 
@@ -137,18 +140,78 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
     return seen;
 }
 
-/* The same with ph_cull, which lists most of the triangles. */
-static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+/* Triangles that one core lists, and where. */
+struct cull_share {
+    const struct part_context *c;
+    struct ph_cull_run run;
+    bool must_clip; /* it met a triangle that must be clipped, and stopped */
+};
+
+static struct ph_cull_run cull_run(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    const struct ph_list *const list = &c->r->list;
+    return (struct ph_cull_run){.vertices = c->vertices,
+                                .index = index,
+                                .end = end,
+                                .codes = c->codes,
+                                .to = list->to,
+                                .limit = list->end,
+                                .band_scale = list->band_scale,
+                                .mark = c->lit ? PH_LIT : 0};
+}
+
+/* Lists a triangle at which ph_cull stopped, in a list of its own. False if it must be clipped. */
+static bool list_stopped(const struct part_context *c, struct ph_cull_run *run)
+{
+    const uint16_t *const index = run->index[-1];
+    const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
+    if (((ph_code_of(v[0]) | ph_code_of(v[1]) | ph_code_of(v[2])) & PH_CLIP) != 0) {
+        return false;
+    }
+    const int32_t row = ph_sides(v[0], v[1], v[2]).area > 0 ? ph_first_row_of(c->r, v) : -1;
+    if (row >= 0) {
+        *--run->to = (struct ph_ref){{index[0], index[1], index[2]}, ph_band_of(c->r, row)};
+        for (int i = 0; c->lit && i < 3; i++) {
+            ph_mark(&c->vertices[index[i]]);
+        }
+    }
+    return true;
+}
+
+static void cull_share(void *argument)
+{
+    struct cull_share *const s = argument;
+    while (!s->must_clip && ph_cull(&s->run)) {
+        s->must_clip = !list_stopped(s->c, &s->run);
+    }
+}
+
+/* Lists triangles on two cores, each into its own half of the room. False if one must be clipped: then nothing is
+ * listed. */
+static bool cull_both(const struct part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
 {
     struct ph_list *const list = &c->r->list;
-    struct ph_cull_run run = {.vertices = c->vertices,
-                              .index = index,
-                              .end = end,
-                              .codes = c->codes,
-                              .to = list->to,
-                              .limit = list->end,
-                              .band_scale = list->band_scale,
-                              .mark = c->lit ? PH_LIT : 0};
+    const uint32_t half = count / 2;
+    struct cull_share mine = {.c = c, .run = cull_run(c, index, index + half)};
+    struct cull_share others = {.c = c, .run = cull_run(c, index + half, index + count)};
+    others.run.to -= half;
+    ph_run_both(c->r, cull_share, &mine, &others);
+    if (mine.must_clip || others.must_clip) {
+        return false;
+    }
+    const struct ph_ref *from = list->to - half;
+    *seen += (uint32_t)(list->to - mine.run.to) + (uint32_t)(from - others.run.to);
+    for (list->to = mine.run.to; from > others.run.to;) {
+        *--list->to = *--from;
+    }
+    return true;
+}
+
+/* The same with ph_cull, which lists most of the triangles. */
+static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    struct ph_list *const list = &c->r->list;
+    struct ph_cull_run run = cull_run(c, index, end);
     uint32_t seen = 0;
     while (ph_cull(&run)) {
         seen += (uint32_t)(list->to - run.to);
@@ -162,14 +225,52 @@ static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index
     return seen;
 }
 
-/* Lights the vertices that ph_cull has marked. */
-static void light_marked(const struct part_context *c, uint32_t from, uint32_t end)
+static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
-    for (uint32_t i = from; i < end; i++) {
+    const struct ph_list *const list = &c->r->list;
+    uint32_t seen = 0;
+    while (index < end && c->r->config.other_core != NULL) {
+        const uint32_t room = (uint32_t)(list->to - list->end), left = (uint32_t)(end - index);
+        const uint32_t most = c->codes != 0 && left > BLOCK ? BLOCK : left, count = most < room ? most : room;
+        if (count < PH_SHARED_LEAST) {
+            break;
+        }
+        if (!cull_both(c, index, count, &seen)) {
+            seen += cull_alone(c, index, index + count);
+        }
+        index += count;
+    }
+    return seen + cull_alone(c, index, end);
+}
+
+/* Vertices that one core lights. */
+struct light_share {
+    const struct part_context *c;
+    uint32_t from, end;
+};
+
+/* Lights the vertices that ph_cull has marked. */
+static void light_share(void *argument)
+{
+    const struct light_share *const s = argument;
+    const struct part_context *const c = s->c;
+    for (uint32_t i = s->from; i < s->end; i++) {
         struct ph_vertex *const v = &c->vertices[i];
         if (v->light == 0) {
             v->light = ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
         }
+    }
+}
+
+static void light_marked(const struct part_context *c)
+{
+    const uint32_t n = c->mesh->vertex_count;
+    struct light_share mine = {c, 0, n / 2}, others = {c, n / 2, n};
+    if (n < PH_SHARED_LEAST || c->r->config.other_core == NULL) {
+        mine.end = n;
+        light_share(&mine);
+    } else {
+        ph_run_both(c->r, light_share, &mine, &others);
     }
 }
 
@@ -178,7 +279,7 @@ static void draw_triangles(const struct part_context *c, const struct ph_part *p
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
     const uint32_t seen = c->curved || c->two_sided ? draw_each(c, index, end) : draw_facing(c, index, end);
     if (c->lit) {
-        light_marked(c, 0, c->mesh->vertex_count);
+        light_marked(c);
     }
     c->r->stats.triangles_culled += part->count - seen;
 }

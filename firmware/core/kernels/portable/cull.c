@@ -5,21 +5,6 @@
 
 enum answer { PASS, LIST, LOOK };
 
-/* The other core may mark the same vertex at the same time: with the same code. */
-static inline unsigned code_of(const struct ph_vertex *v)
-{
-    return __atomic_load_n(&v->code, __ATOMIC_RELAXED);
-}
-
-static inline void mark(struct ph_vertex *v)
-{
-    const unsigned code = code_of(v);
-    if (code < PH_LIT) {
-        __atomic_store_n(&v->light, 0, __ATOMIC_RELAXED);
-        __atomic_store_n(&v->code, (uint8_t)(code | PH_LIT), __ATOMIC_RELAXED);
-    }
-}
-
 /* What to do with a triangle whose corners have no clip codes. */
 static inline enum answer judge(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
                                 int32_t *row)
@@ -42,7 +27,7 @@ static inline bool cull_until(struct ph_cull_run *run, bool coded)
     const uint16_t(*index)[3] = run->index, (*const end)[3] = run->end;
     for (; index < end; index++) {
         struct ph_vertex *const v[3] = {&vertices[(*index)[0]], &vertices[(*index)[1]], &vertices[(*index)[2]]};
-        const unsigned a = coded ? code_of(v[0]) : 0, b = coded ? code_of(v[1]) : 0, c = coded ? code_of(v[2]) : 0;
+        const unsigned a = coded ? ph_code_of(v[0]) : 0, b = coded ? ph_code_of(v[1]) : 0, c = coded ? ph_code_of(v[2]) : 0;
         int32_t row = 0;
         enum answer answer = (a & b & c & PH_REJECT) != 0 ? PASS : LOOK;
         if (((a | b | c) & (PH_REJECT | PH_GUARD)) == 0) {
@@ -56,7 +41,7 @@ static inline bool cull_until(struct ph_cull_run *run, bool coded)
             const uint16_t band = (uint16_t)((uint32_t)row * run->band_scale >> 20);
             *--run->to = (struct ph_ref){{(*index)[0], (*index)[1], (*index)[2]}, band};
             for (int i = 0; run->mark != 0 && i < 3; i++) {
-                mark(v[i]);
+                ph_mark(v[i]);
             }
         }
     }
