@@ -87,7 +87,9 @@ static struct scene_memory scene_within(const struct demo *demo, const struct pi
         const size_t scratch = demo_scratch_bytes(demo, p->width, p->lines);
         s.triangle_max = level.triangle_max;
         s.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
-        s.slots += smaller((budget - whole - ROUND8(s.scratch_bytes)) / PH_SLOT_BYTES_32, SLOTS_USUAL - SLOTS_LEAST);
+        const uint32_t most = level.triangle_max < SLOTS_USUAL ? level.triangle_max : SLOTS_USUAL;
+        const uint32_t room = smaller((budget - whole - ROUND8(s.scratch_bytes)) / PH_SLOT_BYTES_32, SLOTS_USUAL);
+        s.slots += most > SLOTS_LEAST ? smaller(room, most - SLOTS_LEAST) : 0;
     } else if (meshes < budget) {
         s.triangle_max = (uint32_t)((budget - meshes) / PH_REFERENCE_BYTES);
     }

@@ -369,30 +369,38 @@ static void clip_piece(struct division *d, const struct vertex *const v[3])
     }
 }
 
+/* If corners count from elsewhere now, those on the list have lost their numbers. */
+static bool has_moved(struct division *d)
+{
+    if (ph_list_base(d->r) == d->base) {
+        return false;
+    }
+    for (int i = 0; i < POOL; i++) {
+        d->number[i] = -1;
+    }
+    d->base = ph_list_base(d->r);
+    return true;
+}
+
 /* Puts the corners of a piece on the list, unless they are there. False: there is no room. */
 static bool list_corners(struct division *d, const uint8_t corner[3], const struct ph_corner corners[3],
                          uint16_t number[3])
 {
     const uint32_t kind = d->kind | (ph_is_textured(d->material) ? PH_DRAW_UVS : 0);
+    has_moved(d);
     for (int i = 0; i < 3; i++) {
         int32_t *const known = &d->number[corner[i]];
         if (*known < 0) {
-            *known = ph_list_corners(d->r, d->material, kind, &corners[i], 1);
-            if (*known < 0) {
+            const int32_t first = ph_list_corners(d->r, d->material, kind, &corners[i], 1);
+            if (first < 0) {
                 return false;
             }
-            if (ph_list_base(d->r) != d->base) { /* all others count from elsewhere */
-                const int32_t first = *known;
-                for (int k = 0; k < POOL; k++) {
-                    d->number[k] = -1;
-                }
-                *known = first;
-                d->base = ph_list_base(d->r);
-                i = -1;
-                continue;
-            }
+            i = has_moved(d) ? -1 : i; /* then all three are listed again */
+            *known = first;
         }
-        number[i] = (uint16_t)*known;
+        if (i >= 0) {
+            number[i] = (uint16_t)*known;
+        }
     }
     return true;
 }
@@ -410,7 +418,7 @@ static bool list_piece(struct division *d, const uint8_t corner[3], const struct
     } else {
         d->r->stats.triangles_dropped++;
     }
-    if (ph_list_rewind(d->r, &mark)) {
+    if (ph_list_rewind(d->r, &mark) && !has_moved(d)) {
         for (int i = 0; i < 3; i++) {
             d->number[corner[i]] = before[i];
         }
