@@ -46,11 +46,18 @@ uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
     return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
 }
 
+/* A triangle's reference and its share of the corners. */
+static uint32_t triangle_bytes(const struct demo_level *level)
+{
+    const uint32_t n = level->triangle_max > 0 ? level->triangle_max : 1;
+    return PH_REFERENCE_BYTES + (level->corner_max * PH_VERTEX_BYTES_32 + n - 1) / n;
+}
+
 /* The list of a frame: vertices, corners, references, and so many slots. The same on every machine. */
 static uint64_t list_bytes(const struct demo_level *level, uint32_t triangle_max, uint32_t slots)
 {
-    return ROUND8(((uint64_t)level->vertex_max + level->corner_max) * PH_VERTEX_BYTES_32 +
-                  (uint64_t)triangle_max * PH_REFERENCE_BYTES + (uint64_t)slots * PH_SLOT_BYTES_32);
+    return ROUND16((uint64_t)level->vertex_max * PH_VERTEX_BYTES_32 + (uint64_t)slots * PH_SLOT_BYTES_32 +
+                   (uint64_t)triangle_max * triangle_bytes(level));
 }
 
 /* What a level of a demo takes on a 32-bit target with so many triangles. */
@@ -91,7 +98,7 @@ static struct scene_memory scene_within(const struct demo *demo, const struct pi
         const uint32_t room = smaller((budget - whole - ROUND8(s.scratch_bytes)) / PH_SLOT_BYTES_32, SLOTS_USUAL);
         s.slots += most > SLOTS_LEAST ? smaller(room, most - SLOTS_LEAST) : 0;
     } else if (meshes < budget) {
-        s.triangle_max = (uint32_t)((budget - meshes) / PH_REFERENCE_BYTES);
+        s.triangle_max = (uint32_t)((budget - meshes) / triangle_bytes(&level));
     }
     s.list_bytes = (size_t)list_bytes(&level, s.triangle_max, s.slots);
     s.bytes_32 = level_bytes_32(&level, s.triangle_max, s.slots) + ROUND8(s.scratch_bytes);

@@ -39,6 +39,7 @@ struct ph_draw {
     uint32_t base;        /* place of corner 0 */
     uint32_t lens;        /* place of the camera's lens */
     uint32_t kind;        /* enum ph_draw_kind, combined by OR */
+    uint32_t unused[sizeof(void *) == 4 ? 3 : 1]; /* a draw has 40 bytes on every machine: the same fits everywhere */
 };
 
 /* What a place names. */
