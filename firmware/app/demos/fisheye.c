@@ -100,8 +100,8 @@ const struct demo demo_fisheye = {
                    MODEL_FLOOR_BYTES(CELLS),
                4904),
     .vertex_max = WALLS * MODEL_GROUND_VERTICES(CELLS) + THINGS * MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS),
-    .triangle_max = 2200,
-    .corner_max = 3000,
+    .triangle_max = 2640,
+    .corner_max = 2940,
     .init = fisheye_init,
     .frame = fisheye_frame,
 };

@@ -79,13 +79,10 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
     return any;
 }
 
-void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
-                     const struct ph_clip_vertex in[3])
+/* ph_draw_clipped without a fisheye. */
+static NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                                   const struct ph_clip_vertex in[3])
 {
-    if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_triangle(r, material, kind, in);
-        return;
-    }
     struct ph_clip_vertex out[PH_CLIP_MAX];
     struct ph_corner corners[PH_CLIP_MAX];
     const int n = ph_clip(&r->lens, in, 3, out);
@@ -94,6 +91,16 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
         corners[i] = project_corner(&r->lens, &out[i]);
     }
     r->stats.triangles_culled += n < 3 || !ph_list_fan(r, material, kind, corners, (uint32_t)n);
+}
+
+void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                     const struct ph_clip_vertex in[3])
+{
+    if (r->lens.kind == PH_FISHEYE) {
+        ph_fisheye_triangle(r, material, kind, in);
+    } else {
+        clip_triangle(r, material, kind, in);
+    }
 }
 
 static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
