@@ -5,6 +5,7 @@
 #define BUFFERS_MIN 2U   /* one is drawn while the other is sent */
 #define SLOTS_LEAST 16U  /* for triangles that go on from band to band */
 #define SLOTS_USUAL 160U /* with more there is nothing to gain */
+#define LIST_LEAST  4096U
 
 #define ROUND8(n)  (((n) + 7) & ~(uint64_t)7)
 #define ROUND16(n) (((n) + 15) & ~(uint64_t)15)
@@ -46,24 +47,17 @@ uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
     return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
 }
 
-/* A triangle's reference and its share of the corners. */
-static uint32_t triangle_bytes(const struct demo_level *level)
-{
-    const uint32_t n = level->triangle_max > 0 ? level->triangle_max : 1;
-    return PH_REFERENCE_BYTES + (level->corner_max * PH_VERTEX_BYTES_32 + n - 1) / n;
-}
-
 /* The list of a frame: vertices, corners, references, and so many slots. The same on every machine. */
-static uint64_t list_bytes(const struct demo_level *level, uint32_t triangle_max, uint32_t slots)
+static uint64_t list_bytes(const struct demo_level *level, uint32_t slots)
 {
-    return ROUND16((uint64_t)level->vertex_max * PH_VERTEX_BYTES_32 + (uint64_t)slots * PH_SLOT_BYTES_32 +
-                   (uint64_t)triangle_max * triangle_bytes(level));
+    return ROUND16(((uint64_t)level->vertex_max + level->corner_max) * PH_VERTEX_BYTES_32 +
+                   (uint64_t)level->triangle_max * PH_REFERENCE_BYTES + (uint64_t)slots * PH_SLOT_BYTES_32);
 }
 
-/* What a level of a demo takes on a 32-bit target with so many triangles. */
-static uint64_t level_bytes_32(const struct demo_level *level, uint32_t triangle_max, uint32_t slots)
+/* What a level of a demo takes on a 32-bit target. */
+static uint64_t level_bytes_32(const struct demo_level *level, uint32_t slots)
 {
-    return ROUND8(level->arena_bytes_32) + list_bytes(level, triangle_max, slots);
+    return ROUND8(level->arena_bytes_32) + list_bytes(level, slots);
 }
 
 static void place_scene(struct scene_memory *s)
@@ -72,36 +66,36 @@ static void place_scene(struct scene_memory *s)
     s->scratch_at = s->arena_at + (size_t)ROUND8(s->arena_bytes);
 }
 
-static uint32_t smaller(uint64_t a, uint32_t b)
+/* Slots for a level that fits whole, in what it leaves. */
+static uint32_t slots_of(const struct demo_level *level, uint64_t left)
 {
-    return a < b ? (uint32_t)a : b;
+    const uint32_t most = level->triangle_max < SLOTS_USUAL ? level->triangle_max : SLOTS_USUAL;
+    const uint64_t slots = SLOTS_LEAST + left / PH_SLOT_BYTES_32;
+    return most < SLOTS_LEAST ? SLOTS_LEAST : slots < most ? (uint32_t)slots : most;
 }
 
-/* The finest level that fits whole; if none does, as many triangles of the coarsest as fit. */
+/* The finest level that fits whole; if none does, the coarsest with as many of its triangles as the list has room for,
+ * about. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
     struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
                                demo->corner_max};
-    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, level.triangle_max, SLOTS_LEAST) > budget;
-         i++) {
+    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, SLOTS_LEAST) > budget; i++) {
         level = demo->coarser[i];
     }
-    struct scene_memory s = {.arena_bytes = level.arena_bytes, .slots = SLOTS_LEAST};
-    const uint64_t meshes = level_bytes_32(&level, 0, SLOTS_LEAST),
-                   whole = level_bytes_32(&level, level.triangle_max, SLOTS_LEAST);
-    s.whole = whole <= budget;
+    const uint64_t whole = level_bytes_32(&level, SLOTS_LEAST), arena = ROUND8(level.arena_bytes_32);
+    struct scene_memory s = {.arena_bytes = level.arena_bytes, .whole = whole <= budget};
     if (s.whole) {
         const size_t scratch = demo_scratch_bytes(demo, p->width, p->lines);
         s.triangle_max = level.triangle_max;
         s.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
-        const uint32_t most = level.triangle_max < SLOTS_USUAL ? level.triangle_max : SLOTS_USUAL;
-        const uint32_t room = smaller((budget - whole - ROUND8(s.scratch_bytes)) / PH_SLOT_BYTES_32, SLOTS_USUAL);
-        s.slots += most > SLOTS_LEAST ? smaller(room, most - SLOTS_LEAST) : 0;
-    } else if (meshes < budget) {
-        s.triangle_max = (uint32_t)((budget - meshes) / triangle_bytes(&level));
+        s.lacks_scratch = s.scratch_bytes < scratch;
+        s.list_bytes = (size_t)list_bytes(&level, slots_of(&level, budget - whole - ROUND8(s.scratch_bytes)));
+    } else if (arena + LIST_LEAST <= budget) {
+        s.list_bytes = (size_t)(budget - arena) & ~(size_t)15;
+        s.triangle_max = (uint32_t)(level.triangle_max * (uint64_t)s.list_bytes / list_bytes(&level, SLOTS_LEAST));
     }
-    s.list_bytes = (size_t)list_bytes(&level, s.triangle_max, s.slots);
-    s.bytes_32 = level_bytes_32(&level, s.triangle_max, s.slots) + ROUND8(s.scratch_bytes);
+    s.bytes_32 = arena + s.list_bytes + ROUND8(s.scratch_bytes);
     place_scene(&s);
     return s;
 }
@@ -125,7 +119,7 @@ static struct memory_plan plan_in_own_bands(const struct runner_config *config, 
     struct picture_memory *p = &plan.picture;
     p->buffers = queue ? config->board->band_buffers : BUFFERS_MIN;
     plan.scene = scene_beside(config, demo, p);
-    while (!plan.scene.whole && p->buffers > BUFFERS_MIN) {
+    while ((!plan.scene.whole || plan.scene.lacks_scratch) && p->buffers > BUFFERS_MIN) {
         p->buffers--;
         plan.scene = scene_beside(config, demo, p);
     }
@@ -179,5 +173,5 @@ uint64_t runner_whole_bytes(const struct runner_config *config)
     const struct picture_memory p = memory_plan_picture(config, config->board->band_height);
     const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
                                      demo->corner_max};
-    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, level.triangle_max, SLOTS_LEAST);
+    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, SLOTS_LEAST);
 }

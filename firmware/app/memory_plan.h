@@ -10,8 +10,7 @@
  *
  * The plan is made in the sizes of a 32-bit target on every machine. So a board's simulator leaves out what the board
  * itself has to leave out, and the pictures are the same bytes. If a scene does not fit, its coarser levels (demo.h)
- * are tried; if the coarsest does not fit either, its list of triangles is cut, and the renderer counts the triangles
- * that are lost. Only a scene that fits whole gets memory for a blur.
+ * are tried; if the coarsest does not fit either, its list is cut, and the renderer counts the triangles that are lost. Only a scene that fits whole gets memory for a blur.
  *
  * Where the backend keeps a queue (bus_queue) a demo gets as many band buffers as fit beside it, so that the next scene
  * is made while they are sent. A demo that hardly fits gets two.
@@ -47,8 +46,9 @@ struct picture_memory {
 
 /* A scene's memory behind it: list of the frame, arena, scratch. Offsets and bytes are this machine's. */
 struct scene_memory {
-    bool whole;                        /* no triangle need be left out */
-    uint32_t triangle_max, slots; /* triangle_max 0: not even the meshes fit */
+    bool whole;            /* no triangle need be left out */
+    bool lacks_scratch;    /* the demo wants scratch memory, and there is no room */
+    uint32_t triangle_max; /* 0: there is no room for a list */
     size_t list_bytes, arena_bytes, scratch_bytes;
     size_t arena_at, scratch_at; /* bytes from the start of the scene, where the list is */
     uint64_t bytes_32;           /* all of it on a 32-bit target */

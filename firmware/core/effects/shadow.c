@@ -198,7 +198,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     c.draw.base = n <= r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
     if (c.draw.base == UINT32_MAX || !ph_list_draw(r, &c.draw)) {
         r->stats.vertices_dropped += n;
-        return PH_ERR_NOMEM;
+        return n > r->config.vertex_max ? PH_ERR_NOMEM : PH_OK;
     }
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
