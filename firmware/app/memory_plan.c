@@ -5,7 +5,7 @@
 #define BUFFERS_MIN 2U   /* one is drawn while the other is sent */
 #define SLOTS_LEAST 16U  /* for triangles that go on from band to band */
 #define SLOTS_USUAL 160U /* with more there is nothing to gain */
-#define LIST_LEAST  4096U
+#define LIST_LEAST  2048U /* beside the vertices; with less a demo is not shown at all */
 
 #define ROUND8(n)  (((n) + 7) & ~(uint64_t)7)
 #define ROUND16(n) (((n) + 15) & ~(uint64_t)15)
@@ -91,7 +91,7 @@ static struct scene_memory scene_within(const struct demo *demo, const struct pi
         s.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
         s.lacks_scratch = s.scratch_bytes < scratch;
         s.list_bytes = (size_t)list_bytes(&level, slots_of(&level, budget - whole - ROUND8(s.scratch_bytes)));
-    } else if (arena + LIST_LEAST <= budget) {
+    } else if (arena + (uint64_t)level.vertex_max * PH_VERTEX_BYTES_32 + LIST_LEAST <= budget) {
         s.list_bytes = (size_t)(budget - arena) & ~(size_t)15;
         s.triangle_max = (uint32_t)(level.triangle_max * (uint64_t)s.list_bytes / list_bytes(&level, SLOTS_LEAST));
     }

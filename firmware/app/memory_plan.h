@@ -48,7 +48,7 @@ struct picture_memory {
 struct scene_memory {
     bool whole;            /* no triangle need be left out */
     bool lacks_scratch;    /* the demo wants scratch memory, and there is no room */
-    uint32_t triangle_max; /* 0: there is no room for a list */
+    uint32_t triangle_max; /* 0: not even the meshes fit */
     size_t list_bytes, arena_bytes, scratch_bytes;
     size_t arena_at, scratch_at; /* bytes from the start of the scene, where the list is */
     uint64_t bytes_32;           /* all of it on a 32-bit target */
