@@ -1,10 +1,10 @@
 /* See memory_plan.h. */
 #include "memory_plan.h"
 
-#define WIRE_MAX    4096 /* bytes of scratch memory for the panel driver */
-#define BUFFERS_MIN 2U   /* one is drawn while the other is sent */
-#define SLOTS_LEAST 16U  /* for triangles that go on from band to band */
-#define SLOTS_USUAL 160U /* with more there is nothing to gain */
+#define WIRE_MAX    4096  /* bytes of scratch memory for the panel driver */
+#define BUFFERS_MIN 2U    /* one is drawn while the other is sent */
+#define SLOTS_LEAST 16U   /* for triangles that go on from band to band */
+#define SLOTS_USUAL 160U  /* with more there is nothing to gain */
 #define LIST_LEAST  2048U /* beside the vertices; with less a demo is not shown at all */
 
 #define ROUND8(n)  (((n) + 7) & ~(uint64_t)7)

@@ -10,7 +10,8 @@
  *
  * The plan is made in the sizes of a 32-bit target on every machine. So a board's simulator leaves out what the board
  * itself has to leave out, and the pictures are the same bytes. If a scene does not fit, its coarser levels (demo.h)
- * are tried; if the coarsest does not fit either, its list is cut, and the renderer counts the triangles that are lost. Only a scene that fits whole gets memory for a blur.
+ * are tried; if the coarsest does not fit either, its list is cut, and the renderer counts the triangles that are lost.
+ * Only a scene that fits whole gets memory for a blur.
  *
  * Where the backend keeps a queue (bus_queue) a demo gets as many band buffers as fit beside it, so that the next scene
  * is made while they are sent. A demo that hardly fits gets two.

@@ -403,8 +403,8 @@ static const char *const views[] = {"head", "outside", NULL};
 #define VERTICES 2181 /* of all bodies of a frame */
 
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = VERTICES,
-                                           .triangle_max = 860, .corner_max = 96};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = VERTICES, .triangle_max = 860,
+                                           .corner_max = 96};
 
 const struct demo demo_snake = {
     .name = "snake",

@@ -220,7 +220,8 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 #define VERTICES (3 * STARS + 3 * MODEL_ICOSPHERE_VERTICES(2))
 
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = VERTICES, .triangle_max = 656, .corner_max = 200};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = VERTICES, .triangle_max = 656,
+                                           .corner_max = 200};
 
 const struct demo demo_solar = {
     .name = "solar",

@@ -6,10 +6,10 @@
 
 /*
  * ph_cull lists the triangles whose corners have no clip codes, run counter-clockwise and cover a centre of a pixel. It
- * marks their corners for the light: code gets PH_LIT, and light, where code had it not, becomes 0. It passes over those
- * that cannot be seen, and stops behind a triangle at which the caller must look: some of its corners have codes, but
- * they do not share one; or it is less than 2 px wide; or the references have no room. Corners without codes are at most
- * 2^18 apart each way.
+ * marks their corners for the light: code gets PH_LIT, and light, where code had it not, becomes 0. It passes over
+ * those that cannot be seen, and stops behind a triangle at which the caller must look: some of its corners have codes,
+ * but they do not share one; or it is less than 2 px wide; or the references have no room. Corners without codes are at
+ * most 2^18 apart each way.
  *
  * Two cores may mark the corners of two runs at a time: both would write the same.
  */

@@ -124,8 +124,7 @@ static void find_draw(struct feed *f, uint32_t ref)
     const struct ph_renderer *const r = f->r;
     while (ref >= f->next_first) {
         f->draw = ph_at(r, f->draw == NULL ? r->list.first : f->draw->next);
-        f->next_first =
-            f->draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(r, f->draw->next))->first;
+        f->next_first = f->draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(r, f->draw->next))->first;
     }
 }
 

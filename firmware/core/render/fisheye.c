@@ -16,8 +16,7 @@
  */
 #include "fisheye.h"
 
-#include "mesh.h"
-#include "setup.h"
+#include "list.h"
 
 #define LONG        20                     /* edges longer than this part of a turn are divided always */
 #define SHORT       ((int64_t)1 << 48)     /* shorter edges, below 2^-5 radian, never are; squared Q29 */
@@ -552,7 +551,7 @@ static void draw_line_piece(struct ph_renderer *r, const struct ph_material *mat
     const struct ph_corner corners[2] = {clipped_corner(&r->lens, &ends[0], &beyond),
                                          clipped_corner(&r->lens, &ends[1], &beyond)};
     if (!beyond) {
-        ph_draw_segment(r, material, corners);
+        ph_list_segment(r, material, corners);
     }
 }
 

@@ -3,8 +3,8 @@
 #include "fisheye.h"
 #include "list.h"
 
-/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as many
- * vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
+/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as
+ * many vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
 const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref);
 _Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
@@ -40,8 +40,8 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     if (config->bin_max < bands) {
         return PH_ERR_NOMEM;
     }
-    *r = (struct ph_renderer){
-        .config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands};
+    *r =
+        (struct ph_renderer){.config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands};
     ph_list_begin(r);
     return PH_OK;
 }

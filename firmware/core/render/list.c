@@ -2,8 +2,6 @@
 #include "list.h"
 
 #include "edge.h"
-#include "setup.h"
-#include "triangle.h"
 
 enum { OWN, VERTICES, TRIANGLES };
 
@@ -211,7 +209,8 @@ void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph
     }
 }
 
-/* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1. */
+/* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1.
+ */
 static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
 {
     if (last == NULL || last->uvs != NULL) {
@@ -249,4 +248,37 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
         }
     }
     return ph_list_draw(r, &draw) ? (int32_t)number : -1;
+}
+
+bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                 const struct ph_corner *corners, uint32_t n)
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, kind | (ph_is_textured(material) ? PH_DRAW_UVS : 0), corners, n);
+    bool any = false;
+    if (first < 0) {
+        r->stats.triangles_dropped += n - 2;
+        return true;
+    }
+    for (uint32_t i = 2; i < n; i++) {
+        const uint16_t number[3] = {(uint16_t)first, (uint16_t)((uint32_t)first + i - 1),
+                                    (uint16_t)((uint32_t)first + i)};
+        const struct ph_vertex *const v[3] = {&corners[0].at, &corners[i - 1].at, &corners[i].at};
+        any |= ph_list_triangle(r, number, v, material->two_sided != 0);
+    }
+    ph_list_rewind(r, &mark);
+    return any;
+}
+
+void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2])
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
+    if (first < 0) {
+        r->stats.triangles_dropped += 2;
+        return;
+    }
+    const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
+    ph_list_line(r, number, &ends[0].at, &ends[1].at, material->two_sided != 0);
+    ph_list_rewind(r, &mark);
 }

@@ -25,20 +25,20 @@ struct ph_ref {
 #define PH_LINK_FAR UINT16_MAX /* that far or further */
 
 enum ph_draw_kind {
-    PH_DRAW_SMALL = 1,  /* small triangles take the way of small triangles */
-    PH_DRAW_UVS = 2,    /* the corners are struct ph_corner, else struct ph_vertex */
-    PH_DRAW_LINES = 4,  /* the references are lines */
+    PH_DRAW_SMALL = 1, /* small triangles take the way of small triangles */
+    PH_DRAW_UVS = 2,   /* the corners are struct ph_corner, else struct ph_vertex */
+    PH_DRAW_LINES = 4, /* the references are lines */
 };
 
 /* What references have in common. */
 struct ph_draw {
     const struct ph_material *material;
-    const fx_t (*uvs)[2]; /* of the vertices of a mesh, or NULL */
-    uint32_t first;       /* number of the first reference */
-    uint32_t next;        /* place of the next draw, PH_NONE at the end */
-    uint32_t base;        /* place of corner 0 */
-    uint32_t lens;        /* place of the camera's lens */
-    uint32_t kind;        /* enum ph_draw_kind, combined by OR */
+    const fx_t (*uvs)[2];                         /* of the vertices of a mesh, or NULL */
+    uint32_t first;                               /* number of the first reference */
+    uint32_t next;                                /* place of the next draw, PH_NONE at the end */
+    uint32_t base;                                /* place of corner 0 */
+    uint32_t lens;                                /* place of the camera's lens */
+    uint32_t kind;                                /* enum ph_draw_kind, combined by OR */
     uint32_t unused[sizeof(void *) == 4 ? 3 : 1]; /* a draw has 40 bytes on every machine: the same fits everywhere */
 };
 
@@ -117,5 +117,19 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
 
 /* Corner k of half 0 or 1 of a line that is one pixel wide. */
 void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, struct ph_vertex out[3]);
+
+/* Lists a convex polygon of n >= 3 corners. False if none of it can be seen. */
+bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                 const struct ph_corner *corners, uint32_t n);
+
+/* Lists a line whose ends are projected. */
+void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2]);
+
+/* Whether pixels are taken from a texture. */
+static inline bool ph_is_textured(const struct ph_material *material)
+{
+    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT) &&
+           material->texture != NULL;
+}
 
 #endif

@@ -58,27 +58,6 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
     return (struct ph_corner){v, {in->uv[0], in->uv[1]}};
 }
 
-/* Lists a polygon, which is convex, as a fan. False if nothing of it can be seen. */
-bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
-                 const struct ph_corner *corners, uint32_t n)
-{
-    const struct ph_mark mark = ph_list_mark(r);
-    const int32_t first = ph_list_corners(r, material, kind | (ph_is_textured(material) ? PH_DRAW_UVS : 0), corners, n);
-    bool any = false;
-    if (first < 0) {
-        r->stats.triangles_dropped += n - 2;
-        return true;
-    }
-    for (uint32_t i = 2; i < n; i++) {
-        const uint16_t number[3] = {(uint16_t)first, (uint16_t)((uint32_t)first + i - 1),
-                                    (uint16_t)((uint32_t)first + i)};
-        const struct ph_vertex *const v[3] = {&corners[0].at, &corners[i - 1].at, &corners[i].at};
-        any |= ph_list_triangle(r, number, v, material->two_sided != 0);
-    }
-    ph_list_rewind(r, &mark);
-    return any;
-}
-
 /* ph_draw_clipped without a fisheye. */
 static NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                                    const struct ph_clip_vertex in[3])
@@ -291,19 +270,6 @@ static void draw_triangles(const struct part_context *c, const struct ph_part *p
     c->r->stats.triangles_culled += part->count - seen;
 }
 
-void ph_draw_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2])
-{
-    const struct ph_mark mark = ph_list_mark(r);
-    const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
-    if (first < 0) {
-        r->stats.triangles_dropped += 2;
-        return;
-    }
-    const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
-    ph_list_line(r, number, &ends[0].at, &ends[1].at, material->two_sided != 0);
-    ph_list_rewind(r, &mark);
-}
-
 static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material,
                            const struct ph_clip_vertex ends[2])
 {
@@ -314,7 +280,7 @@ static void draw_clip_line(struct ph_renderer *r, const struct ph_material *mate
     struct ph_clip_vertex out[PH_CLIP_MAX];
     if (ph_clip(&r->lens, ends, 2, out) == 2) {
         const struct ph_corner corners[2] = {project_corner(&r->lens, &out[0]), project_corner(&r->lens, &out[1])};
-        ph_draw_segment(r, material, corners);
+        ph_list_segment(r, material, corners);
     }
 }
 

@@ -10,11 +10,4 @@
 void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                      const struct ph_clip_vertex in[3]);
 
-/* Lists a convex polygon of n >= 3 corners. False if none of it can be seen. */
-bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
-                 const struct ph_corner *corners, uint32_t n);
-
-/* Lists a line whose ends are projected. */
-void ph_draw_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2]);
-
 #endif

@@ -33,12 +33,6 @@ static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_verte
     }
 }
 
-int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
-{
-    const int64_t area = fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
-    return (int32_t)(area >> 32) | (area > 0);
-}
-
 /* Rows and edges. */
 static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
@@ -165,12 +159,6 @@ static NOINLINE void setup_other(const struct ph_setting *s, const struct ph_ver
     }
 }
 
-bool ph_is_textured(const struct ph_material *material)
-{
-    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT) &&
-           material->texture != NULL;
-}
-
 void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
@@ -179,8 +167,8 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->r = r;
     s->draw = *draw;
     s->base = ph_at(r, draw->base);
-    s->is_small = (draw->kind & PH_DRAW_SMALL) != 0 && !ph_is_textured(material) &&
-                  r->stats.depth_format <= PH_DEPTH_FLOAT16;
+    s->is_small =
+        (draw->kind & PH_DRAW_SMALL) != 0 && !ph_is_textured(material) && r->stats.depth_format <= PH_DEPTH_FLOAT16;
     s->ramp = lit ? material->ramp : &material->colour;
     s->shading = lit ? material->shading : PH_SHADE_UNLIT;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
@@ -189,8 +177,8 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
                         : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
 }
 
-/* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material has
- * no texture. */
+/* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
+ * has no texture. */
 static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
                         const struct ph_sides *sides, struct ph_triangle *t)
 {

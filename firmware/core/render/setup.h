@@ -5,21 +5,6 @@
 #include "list.h"
 #include "triangle.h"
 
-/* A number with the sign of ph_wide_area. */
-int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2);
-
-/* The sides and the area of a triangle whose corners are projected. */
-static inline struct ph_sides ph_sides(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
-{
-    const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
-    const bool is_short = ph_sides_are_short(dx1, dy1, dx2, dy2);
-    const int32_t area = is_short ? dx2 * dy1 - dx1 * dy2 : ph_wide_area_sign(dx1, dy1, dx2, dy2);
-    return (struct ph_sides){dx1, dy1, dx2, dy2, area, is_short};
-}
-
-/* Whether pixels are taken from a texture. */
-bool ph_is_textured(const struct ph_material *material);
-
 /* What the triangles of a draw have in common at set-up. */
 struct ph_setting {
     const struct ph_renderer *r;

@@ -27,7 +27,8 @@ static inline bool cull_until(struct ph_cull_run *run, bool coded)
     const uint16_t(*index)[3] = run->index, (*const end)[3] = run->end;
     for (; index < end; index++) {
         struct ph_vertex *const v[3] = {&vertices[(*index)[0]], &vertices[(*index)[1]], &vertices[(*index)[2]]};
-        const unsigned a = coded ? ph_code_of(v[0]) : 0, b = coded ? ph_code_of(v[1]) : 0, c = coded ? ph_code_of(v[2]) : 0;
+        const unsigned a = coded ? ph_code_of(v[0]) : 0, b = coded ? ph_code_of(v[1]) : 0,
+                       c = coded ? ph_code_of(v[2]) : 0;
         int32_t row = 0;
         enum answer answer = (a & b & c & PH_REJECT) != 0 ? PASS : LOOK;
         if (((a | b | c) & (PH_REJECT | PH_GUARD)) == 0) {
