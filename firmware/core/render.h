@@ -3,9 +3,10 @@
  *
  *   ph_renderer_init(r, config)                            once: size of the picture, memory
  *   ph_frame_begin(r, view, projection, light, background) camera, lights and background of this frame
- *   ph_draw_mesh(r, mesh, to_world) ...                    transforms, lights, culls, clips, sets up, lists triangles
+ *   ph_draw_mesh(r, mesh, to_world) ...                    transforms, lights, culls, clips, lists triangles
  *   ph_frame_bands(r)                                      sorts the list into bands
- *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clears and rasterizes the bands from top to bottom
+ *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clears the bands from top to bottom, sets up their triangles
+ *                                                          and rasterizes them
  *
  * A band is band_height lines of the picture; the last one may be shorter. The caller owns its colour and depth buffer
  * and all other memory (struct ph_config). The picture does not depend on the band height.
@@ -71,7 +72,8 @@ struct ph_part {
     uint16_t material;     /* index into mesh->materials */
 };
 
-/* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash. */
+/* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash.
+ * Materials (with ramps and textures) and uvs must stay until the last band is drawn; all else only while it is drawn. */
 struct ph_mesh {
     const struct fx_vec3 *positions;
     const int16_t (*normals)[3]; /* Q1.14: 16384 = 1; NULL where nothing is lit */
@@ -134,8 +136,8 @@ struct ph_stats {
     uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
     uint32_t triangles_clipped; /* of these: crossed a clip plane */
     uint32_t triangles_drawn;   /* listed; a clipped or curved one may give several, a line gives two */
-    uint32_t triangles_dropped; /* left out: did not fit the triangle budget */
-    uint32_t vertices_dropped;  /* of meshes left out: did not fit the vertex budget */
+    uint32_t triangles_dropped; /* left out: did not fit the budgets */
+    uint32_t vertices_dropped;  /* of meshes left out: did not fit the budgets */
     uint32_t fragments;         /* pixels depth-tested */
     uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
 };
@@ -160,7 +162,8 @@ struct ph_config {
     uint16_t band_height;   /* 1 .. height */
     uint8_t depth_format;   /* enum ph_depth_format */
 
-    void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit; 4-byte aligned, 8 on 64 bits */
+    void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit. What all meshes of a frame need
+                       beside it comes from the triangle budget; 4-byte aligned, 8 on 64 bits */
     uint32_t vertex_max;
     void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above. It may be `vertices`: then both share
                         that memory, ph_vertex_bytes for each of vertex_max, as they need it */
@@ -169,8 +172,9 @@ struct ph_config {
     uint32_t bin_max;
     void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
 
-    /* Optional, both or none: a second core, which draws the lower half of each band. other_core starts run on it and
-     * returns false if it is busy; other_core_join returns when run has returned. */
+    /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set up,
+     * and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when run has
+     * returned. The picture is the same, whichever core is faster. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
 };
@@ -256,7 +260,8 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
 
 /*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
- * Errors: PH_ERR_NOMEM: the mesh does not fit the vertex budget; it is left out and counted.
+ * Errors: PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
+ *         have taken the room, it is counted, too, but that is no error.)
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 

@@ -1,4 +1,4 @@
-# RP2040; firmware/firmware.mk explains these variables. CORES=2 gives the second core half of each band.
+# RP2040; firmware/firmware.mk explains these variables. CORES=2 gives the second core half of the work.
 PORT_CPU = armv6m
 PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
