@@ -6,9 +6,9 @@ CPU ?= $(if $(findstring __x86_64__,$(shell $(CC) $(CFLAGS) -dM -E -x c /dev/nul
 B ?= build
 V ?= 0
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
-PREFIX ?= /usr/local
 BOARD_DIR ?=
-BUDGET_CORE_BYTES ?= 47616
+PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+BUDGET_CORE_BYTES ?= 41984
 
 # A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
 OPEN := (
@@ -28,6 +28,8 @@ STD = -std=c11 $(WARN)
 have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
 ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
+GIF ?= $(if $(wildcard /usr/include/gif_lib.h /usr/local/include/gif_lib.h),gif,nogif)
+GIF := $(GIF)
 SDL ?= $(if $(call have,sdl2),sdl,nosdl)
 ASSIMP := $(ASSIMP)
 PNG := $(PNG)
@@ -37,13 +39,14 @@ USB ?= $(if $(call have,libusb-1.0),usb,nousb)
 GPIOD := $(GPIOD)
 USB := $(USB)
 GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags libgpiod))
-# meshoptimizer has no pkg-config file; without model files there is nothing for it to do.
+# meshoptimizer has no pkg-config file (giflib has none, either); without model files there is nothing for it to do.
 MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h)),meshopt,nomeshopt)
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
             $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
+            $(if $(filter gif,$(GIF)),-lgif) \
             $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
             $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
@@ -70,8 +73,8 @@ $(if $(BOARDS_ODD),$(error BOARD_DIR=$(BOARD_DIR): $(BOARDS_ODD): a board's name
 $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DIR=$(BOARD_DIR): $(b) is a board of Pinhole: take another name)))
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
-ROOMS := common controllers model $(patsubst host-sim/%/,%,$(dir $(MAINS)))
-HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(PNG) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) picture/$(PNG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 HOST := $(filter-out $(MAINS),$(HOST))
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
@@ -94,7 +97,7 @@ INC_CPU = $(if $(filter-out portable,$(CPU)),-I$(KERNELS)/$(CPU)) -I$(KERNELS)/p
 INC_CORE = $(INC_CPU) -Ifirmware/core
 INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
 INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
-INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common
+INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
           -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS))) $(call rooms,tests,support oracle)
@@ -115,6 +118,7 @@ $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
 $(B)/host-sim/depth/depth_budget_measure.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render)
+$(B)/host-sim/depth/depth_layers.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,host-sim,model)
 $(B)/host-sim/flash/%.o: INC = $(INC_HOST) $(call rooms,host-sim,flash)
 $(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
@@ -122,7 +126,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 ALL_FLAGS = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC_ALL) $(GPIOD_CFLAGS) $(LDFLAGS) $(SIM_LIBS) $(LIB) $(BOARDS_MORE)
 COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 
-.PHONY: all demo check test test-exhaustive lint bench size depth gallery golden install uninstall clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
+.PHONY: all demo check test test-exhaustive lint bench size depth gallery golden clean help core-objects firmware-objects test-programs long-programs fuzz-programs FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -172,6 +176,7 @@ $(PROGRAMS): $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
+$(B)/pinhole-depth: LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
@@ -185,7 +190,7 @@ test-programs: $(TESTS) $(FUZZ)
 long-programs: $(LONG)
 fuzz-programs: $(FUZZ)
 
--include firmware/firmware.mk
+-include firmware/firmware.mk firmware/package/package.mk
 
 demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
 	$(Q)B='$(B)' sh host-sim/demo.sh
@@ -205,7 +210,7 @@ lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc 
 bench: ## instructions a frame of the five scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
-size: ## code size of the core on a Cortex-M0+, module by module; fails over the budget. BOARD=x: of its image
+size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image
 	+$(Q)$(if $(BOARD),$(image_make) image-size,B='$(B)' BUDGET=$(BUDGET_CORE_BYTES) tests/tools/size.sh)
 
 depth: all ## measures what depth resolves for the default camera: a report in build/depth/ (plots need gnuplot)
@@ -217,23 +222,11 @@ gallery: all ## makes the README's pictures again
 golden: all ## writes the frame CRCs that the tests compare with again (look at the pictures first)
 	$(Q)B='$(B)' tests/tools/golden.sh
 
-RULES = $(DESTDIR)$(PREFIX)/lib/udev/rules.d
-UNITS = $(DESTDIR)$(PREFIX)/lib/systemd/system
-
-install: all ## programs into $(DESTDIR)$(PREFIX)/bin, udev rules and systemd unit into .../lib
-	install -d '$(DESTDIR)$(PREFIX)/bin' '$(RULES)' '$(UNITS)'
-	install -m 755 $(PROGRAMS) '$(DESTDIR)$(PREFIX)/bin'
-	install -m 644 boards/udev/60-pinhole.rules '$(RULES)'
-	sed 's|/usr/local/|$(PREFIX)/|' boards/systemd/pinhole.service >'$(UNITS)/pinhole.service'
-
-uninstall: ## takes them away again
-	rm -f $(PROGRAMS:$(B)/%='$(DESTDIR)$(PREFIX)/bin/%') '$(RULES)/60-pinhole.rules' '$(UNITS)/pinhole.service'
-
 clean: ## removes build/
 	rm -rf '$(B)'
 
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %firmware.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR BOARD_DIR'
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d)

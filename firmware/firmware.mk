@@ -9,7 +9,7 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CORES=1|2                                     how many cores the image uses
-#   VERSION=1.0                                   what picotool info shows as its version (RP2040)
+#   VERSION=1.0                                   what picotool info shows as its version (RP2040); Pinhole's by default
 #
 # A microcontroller board has, beside board.c (its data), a boards/NAME/board.mk with
 #   PORT              a folder of hal/
@@ -43,7 +43,7 @@ HOSTCC ?= cc
 APP ?= demos
 FRAMES ?= 4
 CORES ?= 1
-VERSION ?= 1.0
+VERSION ?= $(PINHOLE_VERSION)
 SCENE ?=
 SCENE_TRIANGLES ?= fit
 SCENE_TEXTURE ?= 256

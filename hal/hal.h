@@ -29,7 +29,7 @@ struct board;
 enum hal_dc { HAL_COMMAND, HAL_DATA };
 enum hal_pin { HAL_PIN_RESET, HAL_PIN_BACKLIGHT };
 
-/* Buttons, as bits of hal_buttons(). */
+/* Buttons, as bits of what buttons() below returns. */
 enum hal_button {
     HAL_BUTTON_UP = 1,
     HAL_BUTTON_DOWN = 2,

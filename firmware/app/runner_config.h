@@ -26,6 +26,7 @@ struct runner_config {
                                    Without a queue in the backend tiles are not used: every frame is sent whole */
     void *memory;               /* 8-byte aligned; the runner's until runner_close */
     size_t memory_bytes;        /* runner_bytes() or more */
+    uint8_t depth_exponent;     /* see struct ph_config */
 };
 
 #endif

@@ -27,6 +27,10 @@
 
 #include "render.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define PH_BLUR_RADIUS_MAX 7
 
 /* Scratch memory: three bytes for each pixel of two bands and 2 radius lines. */
@@ -68,5 +72,9 @@ int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scrat
 
 /* Gives band number `band` as ph_draw_band does: call it for all bands in order, each once. Returns its lines. */
 uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band, uint16_t *pixels);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

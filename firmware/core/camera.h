@@ -10,7 +10,9 @@
  *   PH_LMU        right    -z            z (negative)        +1 -> -1             coordinates, n > f   up
  *   PH_REVERSED   right    -z            -z                   1 -> 0              distances            down
  *
- * Matrices are written as in the sources: rows first, applied to column vectors, in Q16.16, each element rounded once.
+ * Matrices are written as in the sources: rows first, applied to column vectors, in Q16.16. Each element is rounded
+ * once from the fields of the view or projection; geom.h says how these are rounded. So at any field of view the
+ * element of cot(fov / 2) is within 0.54 LSB, and that of cot(fov / 2) / aspect within 0.54 + 0.04 / aspect.
  *
  * Sources: GL: gluPerspective, glFrustum, glOrtho; EECE 478, viewing and projection; K. Juenemann, HAW Hamburg, chapter
  * 9, camera models and the view pipeline; S.-E. Yoon, Rendering, KAIST, ch. 4. D3D: course 4600, notes 4.1, virtual
@@ -21,6 +23,10 @@
 
 #include "geom.h"
 #include "status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 enum ph_convention { PH_GL, PH_D3D, PH_LMU, PH_REVERSED };
 
@@ -116,5 +122,9 @@ int ph_nodes_world(const struct ph_node *nodes, uint32_t count, struct ph_xform 
  * Errors: PH_ERR_INVAL: a parent does not come before its child, or there is no such camera.
  */
 int ph_nodes_seen(const struct ph_node *nodes, uint32_t count, uint32_t camera, struct ph_xform *seen);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

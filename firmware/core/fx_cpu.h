@@ -4,6 +4,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #ifndef FX_DIVIDES_64 /* 1: a 64-bit division is one instruction */
 #define FX_DIVIDES_64 0
 #endif
@@ -34,5 +38,9 @@ static inline uint32_t fx_rcp16(uint32_t d)
 {
     return 0x7fffffffu / d; /* NOLINT(clang-analyzer-core.DivideZero): d > 0, see fx.h */
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

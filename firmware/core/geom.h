@@ -18,6 +18,10 @@
 
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct fx_vec3 {
     fx_t x, y, z;
 };
@@ -111,9 +115,10 @@ struct ph_projection {
 };
 
 /*
- * Set *p to a view volume.
- * Errors: PH_ERR_INVAL: the volume is impossible, and *p stays as it was. That is near <= 0 (perspective), far <= near,
- *         left >= right, bottom >= top, fov outside 0 .. 180 degrees, aspect <= 0, or a scale that does not fit Q12.20.
+ * Set *p to a view volume. A perspective's scale_y is cot(fov / 2) within 0.501 LSB, its scale_x scale_y / aspect
+ * within 0.5 LSB more. Errors: PH_ERR_INVAL: the volume is impossible, and *p stays as it was. That is near <= 0
+ * (perspective), far <= near, left >= right, bottom >= top, fov outside 0 .. 180 degrees, aspect <= 0, or a scale that
+ * does not fit Q12.20.
  */
 int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspect, fx_t near_z, fx_t far_z);
 int ph_projection_frustum(struct ph_projection *p, fx_t left, fx_t right, fx_t bottom, fx_t top, fx_t near_z,
@@ -128,5 +133,9 @@ int ph_projection_ortho(struct ph_projection *p, fx_t left, fx_t right, fx_t bot
  *         2400 at 240.
  */
 int ph_projection_fisheye(struct ph_projection *p, fx_t fov_deg, fx_t near_z, fx_t far_z);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

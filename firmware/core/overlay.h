@@ -15,6 +15,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define PH_FONT_WIDTH  6 /* px, a cell: 5 pixels and a gap */
 #define PH_FONT_HEIGHT 8 /* px, 7 pixels and a gap */
 
@@ -44,5 +48,9 @@ int32_t ph_overlay_width(const char *text, uint8_t scale);
 
 /* Writes "16.7 MS 1152 TRI": milliseconds, rounded to a tenth, and triangles. Returns the length. */
 uint32_t ph_overlay_stats(char text[PH_OVERLAY_STATS_SIZE], uint32_t frame_us, uint32_t triangles);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

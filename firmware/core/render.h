@@ -31,6 +31,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* ---- what is drawn ------------------------------------------------------------------------------------- */
 
 enum ph_shading {
@@ -109,9 +113,9 @@ struct ph_scene_light {
 enum ph_depth_format {
     PH_DEPTH_AUTO,     /* the format that ph_depth_choose() takes for the frame's camera */
     PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
-    PH_DEPTH_FLOAT16,  /* the same as an unsigned float: 4 bits of exponent, 12 of mantissa */
+    PH_DEPTH_FLOAT16,  /* the same as an unsigned float: 3 .. 6 bits of exponent, the rest mantissa */
     PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
-    PH_DEPTH_FLOAT24,  /* as FLOAT16, 20 bits of mantissa */
+    PH_DEPTH_FLOAT24,  /* as FLOAT16, 24 bits */
     PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits; slow: a reciprocal per pixel */
 };
 
@@ -130,6 +134,15 @@ size_t ph_depth_bytes(unsigned format);
 #define PH_DEPTH_FIXED16_RATIO 64
 enum ph_depth_format ph_depth_choose(const struct ph_projection *projection);
 
+/*
+ * Bits of exponent with which a float resolves most where it resolves least: 3 for an orthographic projection and where
+ * far <= PH_DEPTH_EXPONENT3_RATIO near, 4 where far <= PH_DEPTH_EXPONENT4_RATIO near, else 5. Every Q16.16 lens does
+ * with 5. See depth.h.
+ */
+#define PH_DEPTH_EXPONENT3_RATIO 64
+#define PH_DEPTH_EXPONENT4_RATIO 16384
+unsigned ph_depth_choose_exponent(const struct ph_projection *projection);
+
 struct ph_stats {
     uint32_t vertices;          /* transformed */
     uint32_t triangles_in;      /* of all meshes drawn */
@@ -140,7 +153,18 @@ struct ph_stats {
     uint32_t vertices_dropped;  /* of meshes left out: did not fit the budgets */
     uint32_t fragments;         /* pixels depth-tested */
     uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
+    uint8_t depth_exponent;     /* of this frame: bits of exponent of a float format, 3 .. 6; 0 for the others */
 };
+
+/* How ph_show hands out pixels. */
+enum ph_pixel_order {
+    PH_PIXELS_WIRE,   /* RGB565, the high byte first: as SPI displays take them */
+    PH_PIXELS_NATIVE, /* RGB565 as uint16_t of this machine: as LVGL and most drawing libraries have them */
+    PH_PIXELS_RGB888, /* 3 bytes: red, green, blue; 31 of 5 bits and 63 of 6 bits become 255 */
+};
+
+/* Bytes of a pixel: 2, or 3 for PH_PIXELS_RGB888. */
+size_t ph_pixel_bytes(unsigned order);
 
 struct ph_vertex;   /* a transformed vertex, see vertex.h */
 struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
@@ -177,6 +201,13 @@ struct ph_config {
      * returned. The picture is the same, whichever core is faster. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
+
+    /* Optional, for ph_show. */
+    void *pixels;        /* width * band_height * ph_pixel_bytes(pixel_order); aligned to 2 bytes */
+    uint16_t *shown;     /* width * height: what was shown last; with it only what changed is sent. Or NULL */
+    uint8_t pixel_order; /* enum ph_pixel_order */
+
+    uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
 };
 
 /* How linear-w turns 1/w into a code, see depth.h. The unit of w puts the far plane just below 2^31. */
@@ -202,7 +233,8 @@ struct ph_lens {
     fx_t near_z, far_z;
     uint32_t depth_scale; /* perspective: near plane, normalised; orthographic: 1 / (far - near), normalised */
     uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
-    int8_t far_s;
+    int8_t far_s;         /* not negative; the next byte is read with it */
+    uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
     struct ph_linear linear;
     uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
     uint32_t chord_min2; /* fisheye: (1/256 px)^2; shorter edges are not divided */
@@ -233,6 +265,7 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint16_t background;
+    bool is_shown; /* config.shown holds what the display shows */
 };
 
 /*
@@ -277,6 +310,18 @@ uint32_t ph_frame_bands(struct ph_renderer *r);
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
+/* Takes a rectangle of the picture. Its pixels lie row behind row, in config.pixel_order, and may change after the
+ * return. Returns 0, or any other number to stop the frame. */
+typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint32_t height, const void *pixels);
+
+/*
+ * Shows the frame: sorts, draws every band and gives it to flush. This is ph_frame_bands and ph_draw_band in one call.
+ * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
+ * it was; the first frame, and the one after a frame that was stopped, are given whole.
+ * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
+ */
+int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
+
 /* ---- colours ---------------------------------------------------------------------------------------------- */
 
 /* RGB 0 .. 255 to RGB565 in wire order. */
@@ -287,5 +332,9 @@ uint16_t ph_rgb565(uint8_t red, uint8_t green, uint8_t blue);
  * colour fades to white. Each colour is rounded to nearest.
  */
 void ph_material_ramp(uint16_t ramp[PH_RAMP_SIZE], uint8_t red, uint8_t green, uint8_t blue, fx_t specular);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -15,6 +15,10 @@
 
 #include "render.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The plane normal . p + d = 0 in world space. The light shines on its side normal . p + d > 0. */
 struct ph_plane_equation {
     struct fx_vec3 normal_q30; /* unit vector, Q2.30 */
@@ -39,5 +43,9 @@ struct ph_plane_equation {
  */
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

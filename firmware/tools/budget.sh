@@ -39,5 +39,6 @@ fi
         line("flash", code, flash, "")
         line("RAM", memory, ram, sprintf(", stack included; %d %% of the chip", 100 * memory / chip))
         line("stack", worst, stack, ", the deepest path")
+        if (ram > chip) { print elf ": the board asks for " ram " bytes of RAM, but the chip has " chip > "/dev/stderr"; exit 1 }
         if (over != "") { print elf ": over the budget of" over > "/dev/stderr"; exit 1 }
     }'

@@ -24,6 +24,7 @@ BEGIN {
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
+    rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
 }
 function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }
 function after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }

@@ -227,7 +227,7 @@ static int run(const struct asset_options *o)
 int main(int argc, char *argv[])
 {
     struct asset_options options;
-    complain_as("pinhole-asset");
+    complain_begin("pinhole-asset", argc, argv);
     int status = asset_options_read(&options, argc, argv);
     if (status != 0) {
         return complain_exit(status);

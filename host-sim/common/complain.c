@@ -1,20 +1,16 @@
 #define _XOPEN_SOURCE 700 /* SIGXFSZ */
 
 #include "complain.h"
+#include "version.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *program_name = "pinhole";
-
-void complain_as(const char *program)
-{
-    program_name = program;
-    signal(SIGXFSZ, SIG_IGN);
-}
 
 void complain_clean(char *text)
 {
@@ -65,4 +61,14 @@ int complain_exit(int status)
         status = complain("stdout cannot be written: %s", strerror(errno));
     }
     return status == 0 ? 0 : status == PH_ERR_INVAL ? 2 : 1;
+}
+
+void complain_begin(const char *program, int argc, char *const argv[])
+{
+    program_name = program;
+    signal(SIGXFSZ, SIG_IGN);
+    if (argc == 2 && strcmp(argv[1], "--version") == 0) {
+        printf("%s %s\n", program, PH_VERSION);
+        exit(complain_exit(0));
+    }
 }

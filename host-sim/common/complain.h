@@ -26,8 +26,9 @@ void complain_note(const char *format, ...) __attribute__((format(printf, 1, 2))
 int complain_exit(int status);
 
 /* Call this first: it sets the name that starts each line (the text must stay). From then on a write to a file that may
- * not grow further (SIGXFSZ) fails and does not end the program. */
-void complain_as(const char *program);
+ * not grow further (SIGXFSZ) fails and does not end the program. With --version as the only word it prints name and
+ * version, and ends the program. */
+void complain_begin(const char *program, int argc, char *const argv[]);
 
 /* Replaces control characters of text by '?'. */
 void complain_clean(char *text);

@@ -90,4 +90,5 @@ void option_table_help(const struct option_table *table)
             printf("        takes: %s\n", row->allowed);
         }
     }
+    puts("  --version\n        as the only word: prints the version"); /* complain_begin() answers it */
 }

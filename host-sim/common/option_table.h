@@ -35,7 +35,7 @@ int option_table_read(const struct option_table *table, void *options, int argc,
 int option_table_words(const struct option_table *table, void *options, int argc, char *const argv[],
                        const char *words[], int most);
 
-/* Prints the rows as --help shows them. */
+/* Prints the rows, and --version, as --help shows them. */
 void option_table_help(const struct option_table *table);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "render.h"
 
+#include <stdio.h>
 #include <string.h>
 
 static const char *read_digits(const char *text, uint32_t max, uint32_t *out)
@@ -83,20 +84,61 @@ bool option_text_turns(const char *text, uint8_t *out)
     return turns >= 0;
 }
 
+bool option_text_camera(const char *text, struct fx_vec3 *eye, struct fx_vec3 *target, struct fx_vec3 *up)
+{
+    static const char *const keys[] = {"eye=", "target=", "up="};
+    struct fx_vec3 read[] = {*eye, *target, *up};
+    bool seen[3] = {false, false, false};
+    for (;;) {
+        int key = 0;
+        while (key < 3 && (seen[key] || strncmp(text, keys[key], strlen(keys[key])) != 0)) {
+            key++;
+        }
+        fx_t xyz[3];
+        if (key == 3 || !option_text_fx_list(text + strlen(keys[key]), xyz, 3, &text)) {
+            return false;
+        }
+        read[key] = (struct fx_vec3){xyz[0], xyz[1], xyz[2]};
+        seen[key] = true;
+        if (*text == '\0' && seen[0]) {
+            *eye = read[0];
+            *target = read[1];
+            *up = read[2];
+        }
+        if (*text++ != ',') {
+            return text[-1] == '\0' && seen[0];
+        }
+    }
+}
+
 static const char *const depth_names[PH_DEPTH_FORMATS] = {
     [PH_DEPTH_AUTO] = "auto",       [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",
     [PH_DEPTH_FIXED24] = "fixed24", [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w"};
 
-bool option_text_depth(const char *text, uint8_t *out)
+bool option_text_depth(const char *text, struct option_depth *out)
 {
-    const int format = option_text_choice(text, depth_names, PH_DEPTH_FORMATS);
-    *out = format >= 0 ? (uint8_t)format : *out;
-    return format >= 0;
+    char name[OPTION_DEPTH_NAME] = "";
+    const char *const end = strstr(text, "-e");
+    const size_t n = end != NULL ? (size_t)(end - text) : strlen(text);
+    if (n >= sizeof name || (end != NULL && (end[2] < '3' || end[2] > '6' || end[3] != '\0'))) {
+        return false;
+    }
+    memcpy(name, text, n);
+    const int format = option_text_choice(name, depth_names, PH_DEPTH_FORMATS);
+    if (format < 0 || (end != NULL && format != PH_DEPTH_FLOAT16 && format != PH_DEPTH_FLOAT24)) {
+        return false;
+    }
+    *out = (struct option_depth){(uint8_t)format, (uint8_t)(end != NULL ? end[2] - '0' : 0)};
+    return true;
 }
 
-const char *option_text_depth_name(uint8_t format)
+const char *option_text_depth_name(struct option_depth depth, char text[OPTION_DEPTH_NAME])
 {
-    return depth_names[format];
+    const int n = snprintf(text, OPTION_DEPTH_NAME, "%s", depth_names[depth.format]);
+    if (depth.exponent != 0) {
+        snprintf(text + n, (size_t)(OPTION_DEPTH_NAME - n), "-e%u", (unsigned)depth.exponent);
+    }
+    return text;
 }
 
 bool option_text_ends(const char *name, const char *ending)

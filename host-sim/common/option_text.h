@@ -25,9 +25,23 @@ int option_text_choice(const char *text, const char *const names[], int count);
 /* "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
-/* A value of --depth as enum ph_depth_format, and the name of such a format. */
-bool option_text_depth(const char *text, uint8_t *out);
-const char *option_text_depth_name(uint8_t format);
+/* eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z] in any order, each at most once; what is not given stays. */
+bool option_text_camera(const char *text, struct fx_vec3 *eye, struct fx_vec3 *target, struct fx_vec3 *up);
+#define OPTION_CAMERA_VALUES                                                                                           \
+    "eye=X,Y,Z and, optionally, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99"
+
+/* What --depth takes: enum ph_depth_format, and bits of exponent of a float ("float16-e5"), 0: as the lens needs. */
+struct option_depth {
+    uint8_t format, exponent;
+};
+
+bool option_text_depth(const char *text, struct option_depth *out);
+
+#define OPTION_DEPTH_NAME 16 /* room for a format's name */
+const char *option_text_depth_name(struct option_depth depth, char text[OPTION_DEPTH_NAME]);
+
+/* The values of --depth, in words. */
+#define OPTION_DEPTH_VALUES "auto, fixed16, fixed24, linear-w, float16, float24, or a float with -e3 .. -e6 behind it"
 
 /* Returns whether the name of a file has this ending and something before it. */
 bool option_text_ends(const char *name, const char *ending);

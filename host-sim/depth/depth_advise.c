@@ -1,9 +1,12 @@
 /*
- * advise: which near plane, format and bits separate two planes, and what a near plane separates. A solution comes from
- * the formula of the format (see lab.h); then it is drawn and measured.
+ * advise: which near plane, format and bits separate two parallel planes, and what a near plane separates. A solution
+ * comes from the formula of the format (see lab.h); then it is drawn and measured, with planes that face the camera and
+ * with planes that lean (depth_planes_count.h), which the sub-pixel grid moves. For a scene see depth_advise_scene.c.
  */
 #include "complain.h"
-#include "depth_lab.h"
+#include "depth_advise_scene.h"
+#include "depth_budget_terms.h"
+#include "depth_planes_count.h"
 #include "lab_num.h"
 #include "lab_search.h"
 
@@ -11,13 +14,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LSB     (1 / 65536.0)
-#define OCTAVES 16 /* of a float format */
+#define LSB        (1 / 65536.0)
+#define TILT_DEG   60.0 /* without --tilt */
+#define NEAR_LEAST 256  /* LSBs: before it a step of Q16.16 is more than 1/256 of the distance */
 
 struct question {
     const struct depth_lab *lab;
     FILE *text; /* sentences, as remarks */
     fx_t z, separate;
+    double tilt_deg;
     struct lab_probe probe;
     struct lab_search search;
 };
@@ -27,6 +32,8 @@ struct reach {
     uint32_t at_z;
     uint32_t to_z; /* at every distance from the near plane to z */
 };
+
+#define NEVER UINT32_MAX /* no separation does */
 
 /* The answer for one format; 0: there is no such near plane, or it was not asked for. */
 struct answer {
@@ -50,64 +57,118 @@ static uint32_t around(struct question *q, fx_t z)
     return most;
 }
 
-static bool is_float(const struct lab_format *format)
+/* N of depth.h over the near plane. */
+static double head_of(int exponent)
 {
-    return format->format == PH_DEPTH_FLOAT16 || format->format == PH_DEPTH_FLOAT24;
+    return 1 - ldexp(1, exponent > 4 ? exponent - 13 : -9);
+}
+
+/* The separation of leaning planes, the farthest row of which is at z, in LSBs; without room for them, predicted. */
+static uint32_t leaning(const struct question *q, const struct lab_format *format, fx_t near_z, fx_t z)
+{
+    struct depth_lab lab = *q->lab;
+    struct planes_canvas canvas;
+    double metres = HUGE_VAL;
+    lab.near_z = near_z;
+    lab.exponent = format->exponent;
+    if (depth_planes_open(&canvas, &lab, (enum ph_depth_format)format->format) == 0) {
+        const struct planes_lean lean = {z * LSB, q->tilt_deg, depth_metres(lab.azimuth_deg)};
+        const enum ph_depth_format drawn = (enum ph_depth_format)format->format;
+        metres = depth_planes_sweep(&canvas, drawn, lean).measured_m;
+        metres = isfinite(metres) ? metres : depth_planes_predicted_m(&lab, drawn, z * LSB, 0, q->tilt_deg);
+    }
+    depth_planes_close(&canvas);
+    return metres < 16384 ? (uint32_t)ceil(metres / LSB) : NEVER;
 }
 
 /* Measures. The step of a fixed format grows up to z, and that of linear-w is the same everywhere. The step of a float
- * grows inside each octave of its d = N/z - N/f, N = n (1 - 2^-9), so the far end of each octave is measured, too. */
+ * grows inside each octave of its d = N/z - N/f, so the far end of each octave is measured, too. */
 static struct reach measured(struct question *q, const struct lab_format *format, fx_t near_z)
 {
     struct reach reach = {0, 0};
+    const int exponent = lab_exponent(format, near_z, q->lab->far_z);
+    fx_t worst = q->z;
     if (lab_probe_open(&q->probe, format, near_z, q->lab->far_z) != 0) {
         return reach;
     }
     lab_search_open(&q->search, &q->probe);
     reach.at_z = reach.to_z = around(q, q->z);
-    const double head = near_z * (511 / 512.0);
-    for (int octave = 1; is_float(format) && octave <= OCTAVES; octave++) {
+    const double head = near_z * head_of(exponent);
+    for (int octave = 1; exponent != 0 && octave < 1 << exponent; octave++) {
         const double end = floor(head / (exp2(-octave) + head / q->lab->far_z));
         if (end > near_z && end < q->z) {
             const uint32_t there = around(q, (fx_t)end);
+            worst = there > reach.to_z ? (fx_t)end : worst;
             reach.to_z = there > reach.to_z ? there : reach.to_z;
         }
     }
+    if (q->tilt_deg != 0) {
+        const uint32_t at_z = leaning(q, format, near_z, q->z);
+        const uint32_t at_worst = worst != q->z ? leaning(q, format, near_z, worst) : at_z;
+        reach.at_z = at_z > reach.at_z ? at_z : reach.at_z;
+        reach.to_z = at_worst > reach.to_z ? at_worst : reach.to_z;
+        reach.to_z = reach.at_z > reach.to_z ? reach.at_z : reach.to_z;
+    }
     return reach;
+}
+
+/* The smallest near plane, in metres, with which a float of so many bits of exponent has steps of at most s up to z.
+ * The step is at most z (1 - z / f) 2^-mantissa for any n but in the lowest octave; it is largest at f / 2. */
+static double solve_float(const struct lab_format *format, int exponent, double z, double s, double far_z)
+{
+    const double middle = fmin(z, far_z / 2);
+    const int mantissa = format->bits - exponent;
+    const double lowest = z * z / (head_of(exponent) * s * exp2(mantissa + (1 << exponent) - 1));
+    return middle * (1 - middle / far_z) * exp2(-mantissa) > s ? INFINITY : lowest;
 }
 
 /* Returns the smallest near plane, in metres, whose step is at most s up to z by formula; INFINITY: there is none. */
 static double solve(const struct lab_format *format, double z, double s, double far_z)
 {
-    const double head = 511 / 512.0, far_step = z * z / head,
-                 middle = fmin(z, far_z / 2); /* d is N/z - N/f, N = n (1 - 2^-9) */
-    const int mantissa = format->bits - 4;
+    double least = INFINITY;
     switch (format->format) {
     case PH_DEPTH_LINEAR_W:
-        return fmax(far_z - s * 65536 * head, LSB);
+        return fmax(far_z - s * 65536 * head_of(0), LSB);
     case PH_DEPTH_FLOAT16:
-    case PH_DEPTH_FLOAT24:
-        /* The step is at most z (1 - z / f) 2^-mantissa for any n but in the lowest octave; it is largest at f / 2. */
-        return middle * (1 - middle / far_z) * exp2(-mantissa) > s ? INFINITY : far_step / (s * exp2(mantissa + 15));
+    case PH_DEPTH_FLOAT24: /* the renderer takes the best, but for the sawtooth of a float */
+        for (int exponent = 3; exponent <= 5; exponent++) {
+            least = fmin(least, solve_float(format, format->exponent != 0 ? format->exponent : exponent, z, s, far_z));
+        }
+        return least;
     default:
-        return far_step / (s * exp2(format->bits));
+        return z * z / (head_of(0) * s * exp2(format->bits));
     }
+}
+
+/* What leaning planes leave for the depth step of a separation s, in LSBs: along the ray, less the sub-pixel grid. */
+static double left_for_step(const struct question *q, fx_t s)
+{
+    const double angle = depth_radians(fabs(q->tilt_deg));
+    const double moved = depth_subpixel_m(q->lab, DEPTH_SUBPIXEL_BITS, q->z * LSB) / (2 * sqrt(2)) * sin(angle) / LSB;
+    return s <= moved ? 0 : fmin((s - moved) / cos(angle), s);
+}
+
+static bool separates(struct question *q, const struct lab_format *format, fx_t near_z, fx_t s)
+{
+    const uint32_t needs = measured(q, format, near_z).to_z;
+    return needs != 0 && needs <= (uint32_t)s;
 }
 
 /* Returns the smallest near plane that separates s at every distance up to z, as drawn; 0: none below z does. */
 static fx_t least_near(struct question *q, const struct lab_format *format, fx_t s)
 {
-    const double n = solve(format, (q->z + (double)s) * LSB, fmax(s - 1, 0.5) * LSB, q->lab->far_z * LSB);
-    if (n * 65536 >= q->z) {
+    const double step = left_for_step(q, s),
+                 most = q->tilt_deg != 0 ? q->z / 2.0 : q->z; /* planes that lean need room */
+    const double n = solve(format, (q->z + (double)s) * LSB, fmax(step - 1, 0.5) * LSB, q->lab->far_z * LSB);
+    if (step == 0 || n * 65536 >= most || (q->tilt_deg != 0 && !separates(q, format, (fx_t)(most / 2), s))) {
         return 0;
     }
-    double near_lsb = ceil(n * 65536);
-    for (int tries = 0; tries < 200 && near_lsb < q->z; tries++) { /* a little more, for the rounding of the planes */
-        const uint32_t separates = measured(q, format, (fx_t)near_lsb).to_z;
-        if (separates != 0 && separates <= (uint32_t)s) {
+    double near_lsb = fmax(ceil(n * 65536), NEAR_LEAST);
+    for (int tries = 0; tries < 200 && near_lsb < most; tries++) { /* a little more, for the rounding of the planes */
+        if (separates(q, format, (fx_t)near_lsb, s)) {
             return (fx_t)near_lsb;
         }
-        near_lsb = floor(near_lsb * 1.01) + 1;
+        near_lsb = floor(near_lsb * (q->tilt_deg != 0 ? 1.05 : 1.01)) + 1;
     }
     return 0;
 }
@@ -141,14 +202,15 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     if (a->safe != 0) {
         lab_fx_text(a->safe, safe);
     }
-    if (a->separates.at_z != 0) {
+    if (a->separates.at_z != 0 && a->separates.to_z != NEVER) {
         char at_z[LAB_TEXT_SIZE], to_z[LAB_TEXT_SIZE];
         lab_fx_text(lab->near_z, near_text);
-        snprintf(separates, sizeof separates, "%s,%s", metres_of(a->separates.at_z, at_z),
-                 metres_of(a->separates.to_z, to_z));
+        lab_length_text(a->separates.at_z, at_z);
+        lab_length_text(a->separates.to_z, to_z);
+        snprintf(separates, sizeof separates, "%s,%s", at_z, to_z);
     }
-    fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s\n", format->name, format->bits, metres(lab->far_z, far_text),
-            metres(q->z, z), s, least, safe, near_text, separates);
+    fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s,%g\n", format->name, format->bits, metres(lab->far_z, far_text),
+            metres(q->z, z), s, least, safe, near_text, separates, q->tilt_deg);
 }
 
 static void say_forward(const struct question *q, const struct lab_format *format, const struct answer *a)
@@ -174,8 +236,8 @@ static void say_backward(const struct question *q, const struct lab_format *form
     char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE];
     fprintf(q->text, "# With the near plane at %s m, %s (%d bits) ", metres(q->lab->near_z, n), format->name,
             format->bits);
-    if (a->separates.at_z == 0) {
-        fprintf(q->text, "cannot be drawn.\n");
+    if (a->separates.at_z == 0 || a->separates.to_z == NEVER) {
+        fprintf(q->text, a->separates.at_z == 0 ? "cannot be drawn.\n" : "separates nothing up to there.\n");
         return;
     }
     fprintf(q->text, "separates %s m at %s m", metres_of(a->separates.at_z, s), metres(q->z, z));
@@ -206,23 +268,56 @@ static bool better(const struct question *q, const struct lab_format *f, const s
     return cost_of(f) != cost_of(g) ? cost_of(f) < cost_of(g) : a->least < b->least;
 }
 
+/* The answer, which stands before the table. */
 static void conclude(const struct question *q, const struct lab_format *format, const struct answer *a)
 {
     char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE], largest[LAB_TEXT_SIZE];
     metres(q->separate, s);
     metres(q->z, z);
+    const double moved =
+        depth_subpixel_m(q->lab, DEPTH_SUBPIXEL_BITS, q->z * LSB) / sqrt(2) * sin(depth_radians(fabs(q->tilt_deg)));
+    if (format == NULL && moved > q->separate * LSB) {
+        fprintf(q->text,
+                "#! No format separates %s m up to %s m at a tilt of %g degrees: the sub-pixel grid of a picture %u "
+                "lines high alone moves planes there by up to %.3g m. More lines or a narrower --fov help.\n",
+                s, z, q->tilt_deg, (unsigned)q->lab->height, moved);
+        return;
+    }
     if (format == NULL) {
-        fprintf(q->text, "# No format separates %s m up to %s m: make the separation larger, or bring far nearer.\n", s,
-                z);
+        fprintf(q->text,
+                "#! No format separates %s m up to %s m at a tilt of %g degrees: make the separation larger, or bring "
+                "far nearer.\n",
+                s, z, q->tilt_deg);
         return;
     }
     fprintf(q->text,
-            "# Take %s (%d bits), and the largest near plane that the scene allows: from %s m on it is enough; ",
+            "#! Take %s (%d bits), and the largest near plane that the scene allows: from %s m on it is enough, ",
             format->name, format->bits, metres(a->least, n));
-    if (a->safe != 0) {
-        fprintf(q->text, "from %s m on it leaves a margin; ", metres(a->safe, n));
+    if (a->safe == a->least) {
+        fprintf(q->text, "with a margin, ");
+    } else if (a->safe != 0) {
+        fprintf(q->text, "from %s m on it leaves a margin, ", metres(a->safe, n));
     }
     fprintf(q->text, "beyond %s m it cuts the nearer of the two planes off.\n", metres(q->z - q->separate, largest));
+}
+
+/* The answer where no separation was asked for: what the renderer takes by itself. */
+static void say_auto(struct question *q)
+{
+    const struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = q->lab->near_z, .far_z = q->lab->far_z};
+    const enum ph_depth_format chosen = ph_depth_choose(&p);
+    char s[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], n[LAB_TEXT_SIZE];
+    const struct lab_format *format = lab_formats;
+    while (format->format != chosen) {
+        format++;
+    }
+    const struct reach reach = measured(q, format, q->lab->near_z);
+    if (reach.to_z != 0 && reach.to_z != NEVER) {
+        fprintf(q->text,
+                "#! With the near plane at %s m auto takes %s, which separates %s m up to %s m at any tilt up "
+                "to %g degrees.\n",
+                metres(q->lab->near_z, n), format->name, metres_of(reach.to_z, s), metres(q->z, z), fabs(q->tilt_deg));
+    }
 }
 
 static bool is_asked(const struct depth_lab *lab, uint32_t i)
@@ -261,14 +356,19 @@ static int answer_all(struct question *q)
     }
     if (q->separate != 0 && asked > 0) {
         conclude(q, best, &best_answer);
+    } else if (asked > 0) {
+        say_auto(q);
     }
     return asked > 0 ? 0 : complain_usage("advise: none of these formats is drawn by the renderer; see --help");
 }
 
 int depth_advise(const struct depth_lab *lab)
 {
+    if (lab->demo != NULL || lab->model != NULL) {
+        return depth_advise_scene(lab);
+    }
     if (lab->at_count != 1) {
-        return complain_usage("advise needs --at Z, one distance, and --separate S or --near N");
+        return complain_usage("advise needs --at Z, one distance, and --separate S or --near N; or --model or --demo");
     }
     struct question *q = malloc(sizeof *q);
     if (q == NULL) {
@@ -282,7 +382,9 @@ int depth_advise(const struct depth_lab *lab)
     q->text = lab->rows;
     q->z = lab->at[0];
     q->separate = lab->separate;
-    fputs("format,bits,far,z_m,separate_m,near_least_m,near_safe_m,near,separates_m,separates_to_z_m\n", lab->rows);
+    q->tilt_deg = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEG;
+    fputs("format,bits,far,z_m,separate_m,near_least_m,near_safe_m,near,separates_m,separates_to_z_m,tilt_deg\n",
+          lab->rows);
     const int status = answer_all(q);
     free(q);
     return status;

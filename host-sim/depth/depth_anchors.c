@@ -1,4 +1,9 @@
-/* anchors: published numbers, computed again. */
+/*
+ * anchors: the numbers that the depth lab is held against, computed again. Each says where it comes from:
+ *   published   it stands in the publication that is named
+ *   reproduced  it is what the published program or method gives; the publication itself has other digits, or none
+ *   ours        a formula or a measurement of ours
+ */
 #include "complain.h"
 #include "depth_ieee.h"
 #include "lab_search.h"
@@ -21,11 +26,18 @@ enum how {
     MEASURED,  /* on code that runs */
 };
 
-#define ANCHOR_COUNT 66 /* for the progress bar */
+#define ANCHOR_COUNT 103 /* for the progress bar */
 
-static void put(struct run *run, const char *name, const char *published, double here, enum how how, bool pass)
+static const char faq[] = "published: OpenGL FAQ 12.050", blog[] = "published: outerra.blogspot.com 2009-08",
+                  reversed_z[] = "published: Golubev 2020", jiao[] = "published: Lapidous and Jiao 1999",
+                  article[] = "published: Reed 2015 at reedbeta.com",
+                  program[] = "reproduced: Reed 2015 at gist Reedbeta/ae437a9acb5dc137eabf",
+                  after_akeley[] = "ours: formula after Akeley and Su 2006", own[] = "ours";
+
+static void put(struct run *run, const char *name, const char *source, const char *stated, double here, enum how how,
+                bool pass)
 {
-    fprintf(run->rows, "%s,%s,%.9g,%s,%s\n", name, published, here, how == PREDICTED ? "predicted" : "measured",
+    fprintf(run->rows, "%s,%s,%s,%.9g,%s,%s\n", name, source, stated, here, how == PREDICTED ? "predicted" : "measured",
             pass ? "pass" : "FAIL");
     run->failed += !pass;
     progress_show("anchors", ++run->done < ANCHOR_COUNT ? run->done : ANCHOR_COUNT - 1, ANCHOR_COUNT);
@@ -47,9 +59,9 @@ static bool same_digits(const char *published, double here)
     return here > value - unit * 0.5000001 && here < value + unit;
 }
 
-static void to_the_digit(struct run *run, const char *name, const char *published, double here)
+static void to_the_digit(struct run *run, const char *name, const char *source, const char *stated, double here)
 {
-    put(run, name, published, here, PREDICTED, same_digits(published, here));
+    put(run, name, source, stated, here, PREDICTED, same_digits(stated, here));
 }
 
 /* ---- OpenGL FAQ 12, Outerra, Golubev ---------------------------------------------------------------------- */
@@ -62,9 +74,9 @@ static double faq_distance(double n, double f, double s, double code)
 
 static void opengl_faq(struct run *run)
 {
-    to_the_digit(run, "OpenGL FAQ 12: distance of code 1 (n .01 f 1000 s 65535)", "0.01000015",
+    to_the_digit(run, "OpenGL FAQ 12: distance of code 1 (n .01 f 1000 s 65535)", faq, "0.01000015",
                  faq_distance(.01, 1000, 65535, 1));
-    to_the_digit(run, "OpenGL FAQ 12: distance of code s - 1", "395.90054", faq_distance(.01, 1000, 65535, 65534));
+    to_the_digit(run, "OpenGL FAQ 12: distance of code s - 1", faq, "395.90054", faq_distance(.01, 1000, 65535, 65534));
 }
 
 /* Step of log(C w + 1) / log(C far + 1) in 24 bits. */
@@ -81,9 +93,9 @@ static void outerra(struct run *run)
     for (int i = 0; i < 8; i++) {
         char name[96];
         snprintf(name, sizeof name, "Outerra 2009: log depth step at %.0f m (C 1)", w);
-        to_the_digit(run, name, one[i], outerra_step(1, w));
+        to_the_digit(run, name, blog, one[i], outerra_step(1, w));
         snprintf(name, sizeof name, "Outerra 2009: log depth step at %.0f m (C .001)", w);
-        to_the_digit(run, name, thousandth[i], outerra_step(.001, w));
+        to_the_digit(run, name, blog, thousandth[i], outerra_step(.001, w));
         w *= 10;
     }
 }
@@ -108,15 +120,15 @@ static bool open_probe(struct run *run, const char *name, int bits, double n, do
 static void golubev(struct run *run)
 {
     const double n = .1, f = 1e4, share = (1 / n - 1) / (1 / n - 1 / f);
-    put(run, "Golubev 2020: share of the codes below 1 m (n .1 f 1e4 24 bits)", "over 0.9", share, PREDICTED,
-        share > .9);
+    put(run, "Golubev 2020: share of the codes below 1 m (n .1 f 1e4 24 bits)", reversed_z, "over 0.9", share,
+        PREDICTED, share > .9);
     double drawn = 0;
     if (open_probe(run, "fixed24", 24, n, f)) {
         const double near_code = lab_code(&run->probe, run->probe.near_z);
         const double far_code = lab_code(&run->probe, run->probe.far_z);
         drawn = (near_code - lab_code(&run->probe, FX_ONE)) / (near_code - far_code);
     }
-    put(run, "Golubev 2020: the same of fixed24 as it is drawn", "over 0.9", drawn, MEASURED, drawn > .9);
+    put(run, "Golubev 2020: the same of fixed24 as it is drawn", own, "over 0.9", drawn, MEASURED, drawn > .9);
 }
 
 /* ---- Lapidous & Jiao, Akeley & Su ------------------------------------------------------------------------- */
@@ -143,7 +155,7 @@ static void lapidous(struct run *run)
     for (int i = 0; i < 4; i++) {
         sum += complementary_over_linear(ratios[i]);
     }
-    put(run, "Lapidous & Jiao 1999: mean error of complementary z over w-buffer (far/near 100 500 1000 5000)",
+    put(run, "Lapidous & Jiao 1999: mean error of complementary z over w-buffer (far/near 100 500 1000 5000)", jiao,
         "about 2", sum / 4, PREDICTED, sum / 4 > 1.5 && sum / 4 < 2.5);
 }
 
@@ -151,12 +163,22 @@ static void akeley(struct run *run)
 {
     const double n = .5, f = 100, z = 100, pixel = 2 * tan(acos(-1.0) / 6) / 240;
     const double s_z = z * z * (f - n) / (f * n * 16777215), s_xy = sqrt(2) / 16 * pixel * z;
-    to_the_digit(run, "Akeley & Su 2006: S_min of 24-bit z alone in mm (n .5 f 100 z 100)", "1.2", s_z * 1000);
-    to_the_digit(run, "Akeley & Su 2006: with 4 sub-pixel bits in mm (240 px fov 60)", "42",
+    to_the_digit(run, "Akeley & Su 2006: S_min of 24-bit z alone in mm (n .5 f 100 z 100)", after_akeley, "1.2",
+                 s_z * 1000);
+    to_the_digit(run, "Akeley & Su 2006: with 4 sub-pixel bits in mm (240 px fov 60)", after_akeley, "42",
                  sqrt(s_xy * s_xy + s_z * s_z) * 1000);
 }
 
 /* ---- Reed --------------------------------------------------------------------------------------------------- */
+
+static uint32_t ieee_format(const char *name)
+{
+    uint32_t format = 0;
+    while (strcmp(depth_ieee_name(format), name) != 0) {
+        format++;
+    }
+    return format;
+}
 
 static void reed(struct run *run)
 {
@@ -165,22 +187,52 @@ static void reed(struct run *run)
         uint32_t equal, swap;
     } published[] = {
         {"ieee32-standard", 7720, 1}, {"ieee32-infinite", 7575, 1},       {"ieee32-reversed", 0, 0},
-        {"int24-reversed", 7577, 0},  {"ieee32-infinite-reversed", 0, 0}, {"int24-infinite-reversed", 7578, 0},
-        {"ieee32-gl", 7734, 0},       {"ieee32-gl-infinite", 7663, 0}};
+        {"int24-standard", 7720, 1},  {"int24-infinite", 7575, 1},        {"int24-reversed", 7577, 0},
+        {"ieee32-gl", 7734, 0},       {"ieee32-infinite-reversed", 0, 0}, {"int24-infinite-reversed", 7578, 0},
+        {"int24-gl", 7734, 0},        {"ieee32-gl-infinite", 7663, 0},    {"int24-gl-infinite", 7663, 0}};
     for (size_t i = 0; i < sizeof published / sizeof published[0]; i++) {
-        uint32_t format = 0;
+        const uint32_t format = ieee_format(published[i].name);
         struct depth_ieee_count found = {0, 0, 0};
-        while (strcmp(depth_ieee_name(format), published[i].name) != 0) {
-            format++;
-        }
         depth_ieee_pairs(format, .1, 10000, LAB_LINEAR_SPACED, 10000, &found);
         char name[96], text[16];
-        snprintf(name, sizeof name, "Reed 2015: %s: equal (n .1 f 1e4 10000 pairs)", published[i].name);
+        snprintf(name, sizeof name, "Reed: %s: equal (n .1 f 1e4 10000 pairs)", published[i].name);
         snprintf(text, sizeof text, "%u", (unsigned)published[i].equal);
-        put(run, name, text, found.equal, MEASURED, found.equal == published[i].equal);
-        snprintf(name, sizeof name, "Reed 2015: %s: swapped", published[i].name);
+        put(run, name, program, text, found.equal, MEASURED, found.equal == published[i].equal);
+        snprintf(name, sizeof name, "Reed: %s: swapped", published[i].name);
         snprintf(text, sizeof text, "%u", (unsigned)published[i].swap);
-        put(run, name, text, found.swap, MEASURED, found.swap == published[i].swap);
+        put(run, name, program, text, found.swap, MEASURED, found.swap == published[i].swap);
+    }
+}
+
+/*
+ * The percentages of the article, equal and swapped, with view and projection in one matrix and one after the other.
+ * Where the far plane is finite and the matrix is one, how many of the wrong pairs are equal and how many are swapped
+ * depends on the order of the float32 sums: the sum of both is compared, to 5 of 100.
+ */
+static void reed_article(struct run *run)
+{
+    static const struct {
+        const char *name;
+        int composed[2], separate[2];
+    } article_rows[] = {
+        {"standard", {45, 18}, {77, 0}},       {"infinite", {45, 18}, {76, 0}}, {"reversed", {0, 0}, {0, 0}},
+        {"infinite-reversed", {0, 0}, {0, 0}}, {"gl", {56, 12}, {77, 0}},       {"gl-infinite", {59, 10}, {77, 0}},
+    };
+    for (size_t i = 0; i < 4 * (sizeof article_rows / sizeof article_rows[0]); i++) {
+        const bool composed = i & 1, whole = i & 2, reversed = strstr(article_rows[i / 4].name, "reversed") != NULL;
+        static const int reversed_int24[2] = {76, 0};
+        const int *stated = composed ? article_rows[i / 4].composed : article_rows[i / 4].separate;
+        char format[40], name[160], text[32];
+        struct depth_ieee_count found;
+        stated = reversed && whole ? reversed_int24 : stated;
+        snprintf(format, sizeof format, "%s-%s", whole ? "int24" : "ieee32", article_rows[i / 4].name);
+        depth_ieee_view_pairs(ieee_format(format), .1, 10000, 10000, composed, &found);
+        const double here = (found.equal + found.swap) / 100.0;
+        snprintf(name, sizeof name, "Reed: %s %s: %.0f + %.0f %% equal + swapped (n .1 f 1e4)", format,
+                 composed ? "view and projection in one" : "view then projection", found.equal / 100.0,
+                 found.swap / 100.0);
+        snprintf(text, sizeof text, "%d + %d", stated[0], stated[1]);
+        put(run, name, article, text, here, MEASURED, fabs(here - stated[0] - stated[1]) <= 5);
     }
 }
 
@@ -189,11 +241,11 @@ static void reed(struct run *run)
 /* Rows of the table in metres, each for n .1 f 1000 and n .5 f 100 with 16 bits, n .1 f 1000 and n 1 f 1000 with 24. */
 static const struct reach {
     const char *name[2]; /* with 16, with 24 bits */
-    const char *published[4];
+    const char *stated[4];
     bool ours; /* what the renderer stores */
 } table[] = {
     {{"ndc-q16", "ndc-q16"}, {"181", ".301", "117", "14.8"}, false},
-    {{"recip-q16", "recip-q16"}, {"750", "22.8", "750", "750"}, false},
+    {{"recip-q16", "recip-q16"}, {"988", "23.3", "988", "931"}, false},
     {{"clip-q16", "clip-q16"}, {"126", ".304", "64", "6.1"}, false},
     {{"fixed16", "fixed24"}, {"126", ".303", ".596", ".060"}, true},
     {{"linear-w", "linear-w"}, {".0153", ".0015", "6e-5", "6e-5"}, true},
@@ -205,24 +257,17 @@ static const struct reach {
 /* Ours: at most 5 % worse. Others: within 5 %, or the same digits. */
 static bool reaches(const struct reach *row, int column, double here)
 {
-    const char *published = row->published[column];
-    const double value = strtod(published, NULL);
+    const char *stated = row->stated[column];
+    const double value = strtod(stated, NULL);
     if (row->ours) {
         return here > 0 && here <= value * 1.05;
     }
-    return (here >= value * .95 && here <= value * 1.05) || same_digits(published, here);
+    return (here >= value * .95 && here <= value * 1.05) || same_digits(stated, here);
 }
 
-/*
- * In metres. The table looked at distances from a quarter of far on: the 750 m of the Q16.16 reciprocal are those from
- * 250 to 1000 m, to the last step of Q16.16. From the near plane on it is wrong over 988 m, as `resolve` says. All
- * other worst cases lie behind that quarter. (Its 22.8 m are 23.3 m when no distance is left out.)
- */
+/* In metres, over the whole range. */
 static double worst(struct run *run)
 {
-    if (!lab_is_monotone(run->probe.format)) {
-        run->probe.near_z = run->probe.far_z / 4; /* the search begins there; the code's constants stay */
-    }
     lab_search_open(&run->search, &run->probe);
     return lab_search_worst(&run->search, &run->probe) / 65536.0;
 }
@@ -240,7 +285,7 @@ static void reached(struct run *run)
             }
             snprintf(name, sizeof name, "Q16.16 reaches: S_worst in m of %s (%d bits n %g f %g)",
                      table[i].name[column / 2], column / 2 == 0 ? 16 : 24, n, f);
-            put(run, name, table[i].published[column], here, MEASURED, reaches(&table[i], column, here));
+            put(run, name, own, table[i].stated[column], here, MEASURED, reaches(&table[i], column, here));
         }
     }
 }
@@ -253,13 +298,14 @@ int depth_anchors(const struct depth_lab *lab)
     }
     run->rows = lab->rows;
     run->failed = run->done = 0;
-    fputs("anchor,published,here,how,verdict\n", lab->rows);
+    fputs("anchor,source,stated,here,how,verdict\n", lab->rows);
     opengl_faq(run);
     outerra(run);
     golubev(run);
     lapidous(run);
     akeley(run);
     reed(run);
+    reed_article(run);
     reached(run);
     progress_show("anchors", 1, 1);
     const uint32_t failed = run->failed;

@@ -22,20 +22,16 @@ static void predict(const struct depth_lab *lab, enum ph_depth_format format, do
     }
 }
 
-/* Predicts all parts together on planes whose farthest row is at z, for the row that needs most. */
+/* All parts together, on planes whose farthest row is at z: the tilt that needs most. */
 static void sweep_tilts(struct planes_canvas *canvas, enum ph_depth_format format, double z, struct budget *budget)
 {
     static const double tilts[] = {0, 40, 75};
-    double s_min = 0, measured = 0;
+    budget->predicted_m[ALL] = budget->measured_m[ALL] = 0;
     for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
-        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, z, tilts[i]);
-        s_min = fmax(s_min, sweep.s_min_m);
-        measured = fmax(measured, sweep.measured_m);
+        const struct planes_sweep sweep = depth_planes_sweep(canvas, format, (struct planes_lean){z, tilts[i], 0});
+        budget->predicted_m[ALL] = fmax(budget->predicted_m[ALL], sweep.bound_m);
+        budget->measured_m[ALL] = fmax(budget->measured_m[ALL], sweep.measured_m);
     }
-    budget->predicted_m[ALL] = s_min + budget->predicted_m[DEPTH_SHARE_INPUT] +
-                               budget->predicted_m[DEPTH_SHARE_MATRIX] + budget->predicted_m[DEPTH_SHARE_DIVIDE] +
-                               budget->predicted_m[DEPTH_SHARE_INTERPOLATION];
-    budget->measured_m[ALL] = measured;
 }
 
 /* Measures S_eff at z of planes that face the camera, as `resolve` does. 0 or COMPLAINED. */
@@ -80,9 +76,13 @@ static void print_budget(const struct depth_lab *lab, const struct lab_format *f
 {
     const int dominant = largest(budget->measured_m);
     for (int i = 0; i <= DEPTH_SHARES; i++) {
-        fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%s,%.4g,%.4g,%s\n", format->name, format->bits,
-                depth_metres(lab->near_z), depth_metres(lab->far_z), z, i < ALL ? depth_share_names[i] : "all",
-                budget->predicted_m[i], budget->measured_m[i], i == dominant ? "dominates" : "");
+        fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%.10g,", format->name, format->bits, depth_metres(lab->near_z),
+                depth_metres(lab->far_z), z, i < ALL ? depth_share_names[i] : "all", budget->predicted_m[i]);
+        if (isfinite(budget->measured_m[i])) {
+            fprintf(lab->rows, "%.10g,%s\n", budget->measured_m[i], i == dominant ? "dominates" : "");
+        } else {
+            fputs("none,\n", lab->rows);
+        }
     }
 }
 
@@ -127,8 +127,9 @@ int depth_budget(const struct depth_lab *lab)
     fputs("format,bits,near,far,z_m,part,predicted_m,measured_m,dominant\n", lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         progress_show("budget", i, lab_format_count);
-        status = (rows >> i & 1) != 0 ? budget_format(lab, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
+        status = (rows >> i & 1) != 0 ? budget_format(&own, i, lab->at_count > 0 ? lab->at : distances, count) : 0;
     }
     progress_show("budget", 1, 1);
     return status;

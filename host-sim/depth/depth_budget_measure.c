@@ -1,13 +1,14 @@
 #include "depth_budget_measure.h"
 
+#include "depth.h"
 #include "transform.h"
+#include "setup.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #define TRIES       2000
-#define TILT_DEG    45.0
-#define ROLLS       8
+#define ROLLS       96
+#define GRID_PX     4
 #define ROLL_TURN32 0x14f1bbcdu /* 29.5 degrees: no multiple of anything on the screen */
 
 /* The range of a set of values. */
@@ -77,8 +78,10 @@ double depth_budget_matrix_m(struct planes_canvas *canvas, double z)
         struct ph_xform turned = ph_xform_mul(&ry, &rx);
         double row[3];
         third_row(a, b, row);
-        const struct fx_vec3 p = {to_fx(z * next_signed(&random) / 2), to_fx(z * next_signed(&random) / 2),
-                                  to_fx(z * next_signed(&random) / 2)};
+        const uint32_t corner = next_random(&random); /* of a cube, where the errors of the elements meet */
+        const double half = z * (1 - fabs(next_signed(&random)) / 16) / 2;
+        const struct fx_vec3 p = {to_fx(corner & 1 ? half : -half), to_fx(corner & 2 ? half : -half),
+                                  to_fx(corner & 4 ? half : -half)};
         const double turned_z = row[0] * p.x + row[1] * p.y + row[2] * p.z;
         turned.t.z = to_fx(-z - turned_z / 65536);
         const struct ph_clip_matrix matrix = ph_clip_matrix(&canvas->renderer.lens, &turned);
@@ -126,11 +129,6 @@ double depth_budget_subpixel_m(struct planes_canvas *canvas, double z)
 
 /* ---- interpolation -------------------------------------------------------------------------------------- */
 
-struct sample {
-    double distance;
-    uint32_t code;
-};
-
 /* A corner as the rasterizer sees it, and 1 / w. */
 struct corner {
     double x, y, inverse;
@@ -160,86 +158,66 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
     }
 }
 
-/* Takes distance and code of every pixel of the quad. Corners 0 and 2 are the diagonal. */
-static uint32_t take_samples(const struct planes_canvas *canvas, const struct corner c[4], struct sample *samples)
+/* The code that a triangle's plane has at a pixel, before it is cut off. */
+static double code_of(const struct depth_lab *lab, const struct ph_triangle *t, enum ph_depth_format format, uint32_t x,
+                      uint32_t y)
 {
-    const uint32_t width = canvas->lab->width, height = canvas->lab->height;
-    uint32_t n = 0;
-    for (uint32_t i = 0; i < width * height; i++) {
-        if (canvas->pixels[i] == PLANES_NONE) {
-            continue;
-        }
-        const double x = i % width * 256.0 + 128, y = (double)(i / width) * 256 + 128;
-        const double side = (c[2].x - c[0].x) * (y - c[0].y) - (x - c[0].x) * (c[2].y - c[0].y);
-        const double other = (c[2].x - c[0].x) * (c[1].y - c[0].y) - (c[1].x - c[0].x) * (c[2].y - c[0].y);
-        const struct corner *const third = side * other > 0 ? &c[1] : &c[3];
-        samples[n].distance = 1 / plane_at(&c[0], &c[2], third, x, y);
-        samples[n++].code = depth_planes_code(canvas, i);
+    const uint32_t value = ph_plane_at(&t->depth, x, y);
+    const double signed_value = value < UINT32_MAX - 65535 ? value : value - 4294967296.0; /* a little beyond far */
+    if (t->block == PH_BLOCK_LINEAR) {
+        return ph_depth_linear(&t->linear, value) / 65536.0;
     }
-    return n;
+    return t->block != PH_BLOCK_NONE
+               ? depth_code_of_float(format, lab, ldexp(signed_value, -32 - ph_block_exponent(t->block)))
+               : value / (ph_depth_bytes(format) == 4 ? 256.0 : 65536.0);
 }
 
-static int compare_samples(const void *a, const void *b)
+/* Widens by the errors of the planes on a grid of pixels, in metres. Corners 0 and 2 are the diagonal. */
+static void take_errors(const struct planes_canvas *canvas, const struct corner c[4], struct spread *error)
 {
-    const double x = ((const struct sample *)a)->distance, y = ((const struct sample *)b)->distance;
-    return (x > y) - (x < y);
-}
-
-/* Returns the largest distance from a sample to one behind it that has a larger code, and so looks nearer. */
-static double largest_inversion(struct sample *samples, uint32_t n)
-{
-    double largest = 0;
-    uint32_t first = 0;
-    qsort(samples, n, sizeof *samples, compare_samples);
-    uint32_t *const least = malloc(((size_t)n + 1) * sizeof *least); /* index of the least code up to here */
-    for (uint32_t i = 0; i < n && least != NULL; i++) {
-        first = samples[i].code < samples[first].code ? i : first;
-        least[i] = first;
-        uint32_t low = 0, high = i;
-        while (low < high) { /* the first one before i with a smaller code */
-            const uint32_t middle = (low + high) / 2;
-            if (samples[least[middle]].code < samples[i].code) {
-                high = middle;
-            } else {
-                low = middle + 1;
+    const struct depth_lab *lab = canvas->lab;
+    const enum ph_depth_format format = (enum ph_depth_format)canvas->renderer.config.depth_format;
+    struct ph_triangle triangles[2];
+    ph_setup_number(&canvas->renderer, 0, &triangles[0]);
+    ph_setup_number(&canvas->renderer, 1, &triangles[1]);
+    for (uint32_t row = GRID_PX / 2; row < lab->height; row += GRID_PX) {
+        for (uint32_t column = GRID_PX / 2; column < lab->width; column += GRID_PX) {
+            if (canvas->pixels[row * lab->width + column] == PLANES_NONE) {
+                continue;
+            }
+            const double x = column * 256.0 + 128, y = row * 256.0 + 128;
+            const double side = (c[2].x - c[0].x) * (y - c[0].y) - (x - c[0].x) * (c[2].y - c[0].y);
+            const double other = (c[2].x - c[0].x) * (c[1].y - c[0].y) - (c[1].x - c[0].x) * (c[2].y - c[0].y);
+            const int second = side * other <= 0;
+            const double distance = 1 / plane_at(&c[0], &c[2], &c[second ? 3 : 1], x, y);
+            if (distance <= depth_metres(lab->far_z)) { /* a snapped corner may lead beyond, where codes end */
+                widen(error,
+                      (code_of(lab, &triangles[second], format, column, row) - depth_code_at(format, lab, distance)) *
+                          depth_step_m(format, lab, distance));
             }
         }
-        if (low < i) {
-            largest = fmax(largest, samples[i].distance - samples[least[low]].distance);
-        }
     }
-    const bool is_done = least != NULL;
-    free(least);
-    return is_done ? largest : NAN;
-}
-
-/* Rolls the camera a little further each time; the samples of all turns must agree. */
-static uint32_t roll_and_sample(struct planes_canvas *canvas, const struct planes_quad *quad, struct sample *samples)
-{
-    uint32_t n = 0;
-    for (uint32_t i = 1; i <= ROLLS; i++) {
-        struct corner corners[4];
-        canvas->view = ph_xform_rotate_z(i * ROLL_TURN32);
-        depth_planes_draw(canvas, quad, NULL);
-        snapped_corners(canvas, quad, corners);
-        n += take_samples(canvas, corners, samples + n);
-    }
-    canvas->view = ph_xform_identity;
-    return n;
 }
 
 double depth_budget_interpolation_m(struct planes_canvas *canvas, double z)
 {
-    const struct depth_lab *lab = canvas->lab;
-    struct planes_place place = depth_planes_whole(lab, z, TILT_DEG, 1.0 / 65536);
+    struct planes_place place =
+        depth_planes_whole(canvas->lab, (struct planes_lean){z, DEPTH_BUDGET_TILT_DEG, 0}, 1.0 / 65536);
     struct planes_pair pair;
+    struct spread error = nothing;
     place.slope_high = 0;
-    struct sample *const samples = malloc((size_t)lab->width * lab->height * ROLLS * sizeof *samples);
-    if (samples == NULL || !depth_planes_make(lab, &place, &pair)) {
-        free(samples);
+    if (!depth_planes_make(canvas->lab, &place, &pair)) {
         return NAN;
     }
-    const double inversion = largest_inversion(samples, roll_and_sample(canvas, &pair.behind, samples));
-    free(samples);
-    return inversion;
+    for (uint32_t i = 1; i <= ROLLS; i++) { /* the camera rolls: the same plane from other corners and gradients */
+        struct corner corners[4];
+        canvas->view = ph_xform_rotate_z(i * ROLL_TURN32);
+        depth_planes_draw(canvas, &pair.behind, NULL);
+        if (canvas->renderer.stats.triangles_drawn == 2 && canvas->renderer.stats.triangles_clipped == 0) {
+            snapped_corners(canvas, &pair.behind, corners);
+            take_errors(canvas, corners, &error);
+        }
+    }
+    canvas->view = ph_xform_identity;
+    return error.most >= error.least ? error.most - error.least : NAN;
 }

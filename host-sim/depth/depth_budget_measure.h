@@ -5,8 +5,8 @@
  *   input          how far w moves for the next vertex position
  *   matrix         w of the same distance for many objects and cameras, turned and moved: its spread about the exact w
  *   divide         N/w for many w from z on: its spread about the exact quotient
- *   interpolation  one tilted plane, rolled so that no two pixels are equally far: the largest distance between two of
- *                  its pixels whose codes are in the wrong order (given the corners as they were snapped)
+ *   interpolation  one tilted plane, rolled: the spread of the codes of its triangles' planes, before they are cut off,
+ *                  about the exact plane through the corners as they were snapped, in metres
  *   sub-pixel      the snapped position of many vertices at z: its spread about the exact one
  *
  * `pinhole-depth resolve` measures `store`, and `pinhole-depth planes` all parts together.

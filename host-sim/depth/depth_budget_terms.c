@@ -21,61 +21,118 @@ double depth_pixel_slope(const struct depth_lab *lab)
     return 2 * tan(depth_radians(depth_metres(lab->fov_deg) / 2)) / lab->height;
 }
 
-/* The code of an unsigned float of d, as a real number: 2^mantissa codes an octave, the lowest two alike. */
-static double float_code(double d, int mantissa)
+void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double *along, double *across)
 {
+    const double half_h = depth_pixel_slope(lab) * lab->height / 2, half_w = half_h * lab->width / lab->height;
+    const double c = fabs(cos(depth_radians(azimuth_deg))), s = fabs(sin(depth_radians(azimuth_deg)));
+    *along = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_h * c + half_w * s;
+    *across = isnan(azimuth_deg) ? hypot(half_h, half_w) : half_w * c + half_h * s;
+}
+
+static bool is_float(enum ph_depth_format format)
+{
+    return format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+}
+
+/* A float's bits of exponent. */
+static int bits_of(const struct depth_lab *lab)
+{
+    const struct ph_projection p = {.kind = PH_PERSPECTIVE, .near_z = lab->near_z, .far_z = lab->far_z};
+    return lab->exponent != 0 ? lab->exponent : (int)ph_depth_choose_exponent(&p);
+}
+
+/* N of depth.h, in metres. */
+static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
+{
+    const int bits = is_float(format) ? bits_of(lab) : 0;
+    return depth_metres(lab->near_z) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
+}
+
+static bool has_24_bits(enum ph_depth_format format)
+{
+    return format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24;
+}
+
+/* d = N/w - N/f at distance z. */
+static double depth_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
+{
+    const double f = depth_metres(lab->far_z);
+    return head_m(format, lab) * (f - z) / (z * f);
+}
+
+/* F of depth.h: an unsigned float; and its inverse. */
+static double float_of(const struct depth_lab *lab, double d)
+{
+    const int bits = bits_of(lab), top = (1 << bits) - 1;
     int exponent;
     const double fraction = frexp(d, &exponent); /* d = fraction 2^exponent, fraction in 1/2 .. 1 */
-    if (d <= 0 || exponent <= -15) {
-        return ldexp(d, 15 + mantissa);
-    }
-    return ldexp(2 * fraction - 1, mantissa) + ldexp(exponent + 15, mantissa);
+    return ldexp(d <= 0 || exponent <= -top ? ldexp(d, top) : 2 * fraction - 1 + exponent + top, 16 - bits);
+}
+
+static double of_float(const struct depth_lab *lab, double code)
+{
+    const int bits = bits_of(lab), top = (1 << bits) - 1;
+    const double octaves = ldexp(code, bits - 16), octave = floor(octaves);
+    return octave < 1 ? ldexp(octaves, -top) : ldexp(1 + octaves - octave, (int)octave - top - 1);
+}
+
+double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d)
+{
+    return (float_of(lab, d) + 8) * (has_24_bits(format) ? 256 : 1);
 }
 
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
-    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
-    const double d = n * (f - z) / (z * f);           /* complementary: n/z - n/f */
-    const double fixed = n * (f - z) / (z * (f - n)); /* the same, 1 at the near plane */
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), d = depth_at(format, lab, z);
     switch (format) {
     case PH_DEPTH_FIXED24:
-        return fixed * 16777215;
+        return ldexp(d, 24) + 4160;
     case PH_DEPTH_FLOAT16:
-        return float_code(d, 12);
     case PH_DEPTH_FLOAT24:
-        return float_code(d, 20);
+        return depth_code_of_float(format, lab, d);
     case PH_DEPTH_LINEAR_W:
-        return (f - z) / (f - n) * 65535;
+        return 65408 * (f - z) / (f - n) + 16;
     default:
-        return fixed * 65535;
+        return ldexp(d, 16) + 16.25;
     }
 }
 
-/* For a float this is the step of the octave of z. */
-static double float_step(const struct depth_lab *lab, double z, int mantissa)
+/* The distance that has this code; beyond the far plane it may be negative or infinite. */
+static double distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code)
 {
-    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), over_far = head_m(format, lab) / f;
+    switch (format) {
+    case PH_DEPTH_FIXED24:
+        return head_m(format, lab) / (ldexp(code - 4160, -24) + over_far);
+    case PH_DEPTH_FLOAT16:
+        return head_m(format, lab) / (of_float(lab, code - 8) + over_far);
+    case PH_DEPTH_FLOAT24:
+        return head_m(format, lab) / (of_float(lab, code / 256 - 8) + over_far);
+    case PH_DEPTH_LINEAR_W:
+        return f - (code - 16) * (f - n) / 65408;
+    default:
+        return head_m(format, lab) / (ldexp(code - 16.25, -16) + over_far);
+    }
+}
+
+/* d of the last bit of the code at d. For a float this is that of the octave of d. */
+static double bit_of(enum ph_depth_format format, const struct depth_lab *lab, double d)
+{
     int exponent;
-    frexp(n * (f - z) / (z * f), &exponent);
-    const int octave = z >= f || exponent < -14 ? -14 : exponent;
-    return ldexp(z * z / n, octave - 1 - mantissa);
+    if (!is_float(format)) {
+        return ldexp(1, has_24_bits(format) ? -24 : -16);
+    }
+    frexp(d, &exponent);
+    const int bits = bits_of(lab), lowest = 2 - (1 << bits);
+    return ldexp(1, (d <= 0 || exponent < lowest ? lowest : exponent) - (has_24_bits(format) ? 25 : 17) + bits);
 }
 
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
-    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
-    switch (format) {
-    case PH_DEPTH_FIXED24:
-        return z * z * (f - n) / (f * n * 16777215);
-    case PH_DEPTH_FLOAT16:
-        return float_step(lab, z, 12);
-    case PH_DEPTH_FLOAT24:
-        return float_step(lab, z, 20);
-    case PH_DEPTH_LINEAR_W:
-        return (f - n) / 65535;
-    default:
-        return z * z * (f - n) / (f * n * 65535);
+    if (format == PH_DEPTH_LINEAR_W) {
+        return (depth_metres(lab->far_z) - depth_metres(lab->near_z)) / 65408;
     }
+    return z * z / head_m(format, lab) * bit_of(format, lab, depth_at(format, lab, z));
 }
 
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z)
@@ -83,13 +140,150 @@ double depth_subpixel_m(const struct depth_lab *lab, int bits, double z)
     return sqrt(2) * ldexp(depth_pixel_slope(lab), -bits) * z;
 }
 
-/*
- * Two gradients, each wrong by half a unit of the last guard bit, stepped from one corner of the picture to the other.
- */
-static double interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+/* ---- bounds ----------------------------------------------------------------------------------------------- */
+
+/* N, 1/w and their product are cut to 30 bits or more. */
+static double divide_m(double z)
 {
-    const int guard_bits = format == PH_DEPTH_FIXED24 || format == PH_DEPTH_FLOAT24 ? 8 : 16;
-    return ldexp(lab->width + lab->height, -guard_bits) * depth_step_m(format, lab, z);
+    return 3 * ldexp(z, -30);
+}
+
+/* How far the border of two codes may lie from where the formula has it. linear-w takes a second reciprocal. */
+static double border_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+{
+    const double unit = format == PH_DEPTH_LINEAR_W ? ldexp(z, -26) + ldexp(depth_metres(lab->far_z), -29)
+                        : is_float(format)          ? ldexp(z, -29)
+                                                    : ldexp(z * z / head_m(format, lab), -31);
+    return divide_m(z) + unit;
+}
+
+/* The length of the plateau of a code between near and far plane. */
+static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab, double code)
+{
+    const double f = depth_metres(lab->far_z), last = distance_of(format, lab, code);
+    return (last < 0 || last > f ? f : last) - fmax(distance_of(format, lab, code + 1), depth_metres(lab->near_z));
+}
+
+/*
+ * The plateaus that z may lie on, and their neighbours where near or far plane cuts one: what lab_search.h measures.
+ */
+static double store_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+{
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), slack = border_m(format, lab, z) + GRID_M;
+    double first = floor(depth_code_at(format, lab, fmin(z + slack, f)));
+    double last = floor(depth_code_at(format, lab, fmax(z - slack, n))), longest = 0;
+    first -= last >= floor(depth_code_at(format, lab, n + slack));
+    last += first <= floor(depth_code_at(format, lab, f - slack));
+    for (int i = 0; i < 4 && first + i <= last; i++) { /* more of them are shorter than the slack */
+        longest = fmax(longest, plateau_m(format, lab, first + i));
+    }
+    return longest + 2 * border_m(format, lab, z) + GRID_M;
+}
+
+/* The focal length, 1 / p, lies below a power of two that reaches over the picture (lens_focal of frame.c): its log2.
+ */
+static int focal_log2(const struct depth_lab *lab)
+{
+    const int longest = lab->width > lab->height ? lab->width : lab->height;
+    const int focal = (int)ceil(-log2(depth_pixel_slope(lab))), reach = (int)ceil(log2(longest)) - 1;
+    return focal > reach ? focal : reach;
+}
+
+/* For x and y together: they are rounded to 2^-16 of 2^focal_log2 px at a distance of 1 m, to 2^-25 of it on the
+ * screen, then to 1/256 px.
+ */
+static double subpixel_m(const struct depth_lab *lab, double z)
+{
+    const double p = depth_pixel_slope(lab), reach = ldexp(p, focal_log2(lab));
+    return depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) + sqrt(2) * (ldexp(reach, -16) + ldexp(reach * z, -24));
+}
+
+/* A plane through the whole picture: its edges, on the grid of its corners, and the corners' distance from the middle
+ * of the picture in pixels. */
+struct whole_plane {
+    double nearest, farthest, corner;
+};
+
+static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes_lean lean)
+{
+    const double pixel = depth_pixel_slope(lab), part = PLANES_PARTS * GRID_M;
+    double along, across;
+    depth_planes_extent(lab, lean.azimuth_deg, &along, &across);
+    struct whole_plane plane;
+    plane.nearest =
+        fmax(lean.at_m / (1 + along * tan(depth_radians(lean.tilt_deg))), depth_metres(lab->near_z) + 3 * GRID_M);
+    plane.nearest = floor(plane.nearest / GRID_M + 0.5) * GRID_M;
+    plane.farthest = plane.nearest + floor((lean.at_m - plane.nearest) / part) * part;
+    plane.corner = hypot(across * fmin(lean.at_m / plane.nearest, 4), along) / pixel;
+    return plane;
+}
+
+/* The exponent of the octave of d; all below the lowest count as one. */
+static int octave_of(const struct depth_lab *lab, double d)
+{
+    int exponent;
+    frexp(fmax(d, ldexp(1, 1 - (1 << bits_of(lab)))), &exponent);
+    return exponent;
+}
+
+/* Sides below 64 px: differences are rounded to 16 bits, their product with a reciprocal to 2^-15 twice. */
+static double short_units(const struct depth_lab *lab, double difference)
+{
+    const bool is_short = lab->width < 96 && lab->height < 96 && difference < ldexp(1, 30);
+    return is_short ? ldexp(difference, -14) + ldexp(1, ilogb(difference) - 14) + 1100 : 0;
+}
+
+/* A plane from d at `nearest` to d at `farthest`: its unit, and how far off its end is in units (see below). */
+struct plane_error {
+    double unit, units;
+};
+
+/* In one octave a float steps its codes, across octaves d in a block. float16 rounds a plane across one to four octaves
+ * to 8 units, so that its gradients are 4 off (round_depth of planes.c). */
+static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth_format format, double nearest,
+                                      double farthest, double way)
+{
+    const int first = octave_of(lab, depth_at(format, lab, nearest)),
+              last = octave_of(lab, depth_at(format, lab, farthest));
+    int over;
+    frexp(head_m(format, lab) / nearest, &over);
+    if (first == last) {
+        const double unit = ldexp(1, last - 33 + bits_of(lab));
+        const double difference = (depth_at(format, lab, nearest) - depth_at(format, lab, farthest)) / unit;
+        return (struct plane_error){unit, has_24_bits(format) ? 2 * way + 4
+                                                              : fmax(2 * way + 514, short_units(lab, difference))};
+    }
+    const bool rounded = format == PH_DEPTH_FLOAT16 && first - last <= 4;
+    return (struct plane_error){ldexp(1, over < 0 ? over - 31 : -32),
+                                (rounded ? 1 + ldexp(1, bits_of(lab) - 1) : 1) * 2 * way + 12};
+}
+
+/*
+ * A plane through the whole picture, from `nearest` to its far edge. A triangle's gradients are half a unit off at
+ * most, 2^-32 or its block's, so at the end of its longest way, from the corner off the screen to the pixel in the
+ * opposite one, d is off by `way` units either way. The hang of the plane costs 2 x 255 units in the formats of 16 bits
+ * and 3 in the others. N/w at the corners is right to 2^-29 of itself. linear-w has N/w below 2^29, and then a
+ * reciprocal, a product and a difference in units of 2^-30 of the far plane.
+ */
+double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
+                             double z)
+{
+    const struct whole_plane plane = whole_plane(lab, lean);
+    const double over = head_m(format, lab) / plane.nearest,
+                 way = (lab->width + lab->height) / 4.0 + plane.corner / sqrt(2);
+    struct plane_error error = {ldexp(1, -32), 2 * way + 4};
+    double late = 0;
+    if (is_float(format)) {
+        error = float_error(lab, format, plane.nearest, plane.farthest, way);
+    } else if (format == PH_DEPTH_LINEAR_W) {
+        error = (struct plane_error){ldexp(1, ilogb(over) - 28), 2 * way + 8};
+        late = 2 * ldexp(depth_metres(lab->far_z), -30);
+    } else if (format == PH_DEPTH_FIXED16) {
+        const double difference =
+            ldexp(depth_at(format, lab, plane.nearest) - depth_at(format, lab, plane.farthest), 32);
+        error.units = fmax(2 * way + 514, short_units(lab, difference));
+    }
+    return (error.units * error.unit + ldexp(over, -29)) * z * z / head_m(format, lab) + late;
 }
 
 double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z)
@@ -97,16 +291,17 @@ double depth_share_m(enum depth_share share, enum ph_depth_format format, const 
     switch (share) {
     case DEPTH_SHARE_INPUT:
         return GRID_M;
-    case DEPTH_SHARE_MATRIX: /* one rounding, and a third of an element each from x, y and z */
-        return GRID_M + ldexp(z, -28);
-    case DEPTH_SHARE_DIVIDE: /* N, 1/w and their product, each cut to 30 bits or more */
-        return 3 * ldexp(z, -30);
+    case DEPTH_SHARE_MATRIX: /* one rounding; three elements, half of 2^-28 off, and 3/4 of it by the rotation, times
+                                z/2 */
+        return GRID_M + ldexp(2.6 * z, -28);
+    case DEPTH_SHARE_DIVIDE:
+        return divide_m(z);
     case DEPTH_SHARE_STORE:
-        return depth_step_m(format, lab, z);
+        return store_m(format, lab, z);
     case DEPTH_SHARE_INTERPOLATION:
-        return interpolation_m(format, lab, z);
+        return depth_interpolation_m(format, lab, (struct planes_lean){z, DEPTH_BUDGET_TILT_DEG, 0}, z);
     default:
-        return depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
+        return subpixel_m(lab, z);
     }
 }
 

@@ -45,16 +45,29 @@ static float rounded(float value)
     return stored;
 }
 
-static float depth_of(const struct ieee *p, float z, float scale, float bias)
+/* The 24-bit code nearest to d in 0 .. 1: in double, which holds each step exactly. A float32 above 2^23 has no half.
+ */
+static float int24_of(float d)
 {
-    float d = rounded(rounded(rounded(z * scale) + bias) / z);
+    return (float)floor((double)d * 16777215 + 0.5);
+}
+
+/* From clip z and w to what is compared; larger is farther. */
+static float stored_of(const struct ieee *p, float z, float w)
+{
+    float d = rounded(z / w);
     if (p->gl) {
         d = rounded(rounded(d * 0.5f) + 0.5f);
     }
     if (p->int24) {
-        d = floorf(rounded(rounded(d * 16777215.0f) + 0.5f));
+        d = int24_of(d);
     }
     return p->reversed ? -d : d;
+}
+
+static float depth_of(const struct ieee *p, float z, float scale, float bias)
+{
+    return stored_of(p, rounded(rounded(z * scale) + bias), z);
 }
 
 static float distance_of(double n, double f, uint8_t spacing, uint32_t i, uint32_t count)
@@ -109,4 +122,66 @@ int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spaci
     out->max_wrong = widest(z, most, least, count);
     free(z);
     return 0;
+}
+
+/* ---- with a view ------------------------------------------------------------------------------------------ */
+
+/* View space to world: v -> v r + t, turned about x, then about y. */
+struct view {
+    double r[3][3], t[3];
+};
+
+static struct view reed_view(void)
+{
+    const double pitch = 0.474747, yaw = 1.23123123;
+    const double sp = sin(pitch), cp = cos(pitch), sy = sin(yaw), cy = cos(yaw);
+    return (struct view){{{cy, 0, sy}, {-sp * sy, cp, sp * cy}, {-cp * sy, -sp, cp * cy}},
+                         {14.9914, 0.832148, 29.7142128}};
+}
+
+/* -1 .. 1, the same on every machine. */
+static double next_signed(uint64_t *state)
+{
+    *state = *state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(*state >> 11) / 4503599627370496.0 - 1;
+}
+
+/* A point in float32, times a column of a matrix in float32; its fourth coordinate is 1. Summed in pairs, as vector
+ * units do: one sum after the other would give z and w the same errors where the scale is 1. */
+static float column_mul(const float point[3], const float column[4])
+{
+    const float xy = rounded(rounded(point[0] * column[0]) + rounded(point[1] * column[1]));
+    return rounded(xy + rounded(rounded(point[2] * column[2]) + column[3]));
+}
+
+void depth_ieee_view_pairs(uint32_t format, double near_z, double far_z, uint32_t count, bool composed,
+                           struct depth_ieee_count *out)
+{
+    const struct ieee *p = &formats[format];
+    const struct view view = reed_view();
+    const double half_y = tan(0.65), half_x = half_y * 16 / 9;
+    float scale, bias, distance[4], clip[4]; /* columns: w, and z of view and projection in one */
+    uint64_t random = 1;
+    constants(p, near_z, far_z, &scale, &bias);
+    distance[3] = (float)-(view.t[0] * view.r[2][0] + view.t[1] * view.r[2][1] + view.t[2] * view.r[2][2]);
+    for (int i = 0; i < 3; i++) {
+        distance[i] = (float)view.r[2][i];
+        clip[i] = rounded(distance[i] * scale);
+    }
+    clip[3] = rounded(rounded(distance[3] * scale) + bias);
+    *out = (struct depth_ieee_count){0, 0, 0};
+    float before = 0;
+    for (uint32_t i = 0; i <= count; i++) {
+        const double z = near_z + (far_z - near_z) * i / count;
+        const double at[3] = {next_signed(&random) * half_x * z, next_signed(&random) * half_y * z, z};
+        float point[3];
+        for (int k = 0; k < 3; k++) {
+            point[k] = (float)(at[0] * view.r[0][k] + at[1] * view.r[1][k] + at[2] * view.r[2][k] + view.t[k]);
+        }
+        const float w = column_mul(point, distance);
+        const float d = composed ? stored_of(p, column_mul(point, clip), w) : depth_of(p, w, scale, bias);
+        out->equal += i > 0 && d == before;
+        out->swap += i > 0 && d < before;
+        before = d;
+    }
 }

@@ -18,6 +18,15 @@ struct depth_ieee_count {
     double max_wrong; /* largest distance that is ordered wrongly */
 };
 
+/*
+ * Reed's experiment in full: the distances are vertices in a random direction each, inside a lens of 16:9, that a view
+ * (turned about x and y, and moved) has placed in the world in double precision. From there on all is float32: vertex,
+ * matrix, and the products of both. composed: one matrix of view and projection; else the view first. Linear spacing.
+ * Fills equal and swap alone.
+ */
+void depth_ieee_view_pairs(uint32_t format, double near_z, double far_z, uint32_t count, bool composed,
+                           struct depth_ieee_count *out);
+
 /* 0 or PH_ERR_NOMEM. near and far are in metres. */
 int depth_ieee_pairs(uint32_t format, double near_z, double far_z, uint8_t spacing, uint32_t count,
                      struct depth_ieee_count *out);

@@ -4,10 +4,19 @@
 
 #include "complain.h"
 
+const char *const depth_shading_names[PH_SHADE_WIRE] = {"unlit", "flat", "gouraud", "texture", "texture-lit"};
+
 int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection)
 {
     return ph_projection_perspective(projection, lab->fov_deg, (fx_t)(((uint32_t)lab->width << 16) / lab->height),
                                      lab->near_z, lab->far_z);
+}
+
+struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row)
+{
+    struct depth_lab own = *lab;
+    own.exponent = lab_formats[row].exponent;
+    return own;
 }
 
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv)

@@ -1,7 +1,7 @@
 /*
  * depth_lab: what the commands of pinhole-depth share. A command writes CSV to lab->rows; its first line is the names
  * of the columns. The program shows it as a table, or passes it on (--csv). Lines that start with '#' are remarks: they
- * stand below the table and are no part of the CSV.
+ * stand below the table, with '#!' above it, and are no part of the CSV.
  */
 #ifndef DEPTH_LAB_H
 #define DEPTH_LAB_H
@@ -11,11 +11,12 @@
 
 #include <stdio.h>
 
-#define DEPTH_AT_MAX 64
+#define DEPTH_AT_MAX 512
 
 struct depth_lab {
     fx_t near_z, far_z;     /* --near, --far: 0 < near_z < far_z */
     uint32_t formats;       /* --format: bit i is row i of lab_formats */
+    bool format_set;        /* --format was given */
     uint32_t host_formats;  /* --format: bit i is row i of depth_ieee_formats (pairs alone) */
     fx_t fov_deg;           /* --fov, vertical */
     uint16_t width, height; /* --size */
@@ -28,12 +29,19 @@ struct depth_lab {
     fx_t separate;          /* --separate, 0: not given */
     fx_t tilt_deg;          /* --tilt, -89 .. 89 */
     bool tilt_set;          /* --tilt was given */
+    fx_t azimuth_deg;       /* --azimuth, -360 .. 360 */
+    uint8_t shading;        /* --shading, enum ph_shading below PH_SHADE_WIRE */
     bool far_set;           /* --far was given; likewise near_set */
     bool near_set;
+    uint8_t exponent; /* bits of exponent of the float that is measured; 0: as many as the renderer takes */
     uint32_t bits;    /* --bits, 0: not given */
     const char *out;  /* --out: a file or directory, or NULL */
-    const char *kind; /* plot's KIND, or NULL */
-    FILE *rows;       /* where the command writes; it is thrown away after an error */
+    const char *kind; /* plot's KIND or compare's FILE, or NULL */
+    const char *demo, *view, *model; /* advise: a scene; NULL: not given */
+    bool camera_set, fov_set;        /* --camera, --fov were given */
+    struct fx_vec3 eye, target, up;
+    uint32_t start, frames;
+    FILE *rows; /* where the command writes; it is thrown away after an error */
 };
 
 /* The commands return 0, COMPLAINED or PH_ERR_INVAL. */
@@ -44,12 +52,21 @@ int depth_advise(const struct depth_lab *lab);
 int depth_anchors(const struct depth_lab *lab);
 int depth_budget(const struct depth_lab *lab);
 int depth_planes(const struct depth_lab *lab);
+int depth_slopes(const struct depth_lab *lab);
+int depth_scenes(const struct depth_lab *lab);
+int depth_compare(const struct depth_lab *lab);
 int depth_plot(const struct depth_lab *lab);
 int depth_report(const struct depth_lab *lab); /* `all` */
+
+/* unlit, flat, gouraud, texture, texture-lit. */
+extern const char *const depth_shading_names[PH_SHADE_WIRE];
 
 /* Gets the perspective of the lab's camera. 0, or PH_ERR_INVAL for an impossible one (the options are checked for
  * that). */
 int depth_lab_projection(const struct depth_lab *lab, struct ph_projection *projection);
+
+/* The lab for a row of lab_formats. */
+struct depth_lab depth_lab_of(const struct depth_lab *lab, uint32_t row);
 
 /* Runs a command with its rows into memory and returns its status. *csv is a string to free(), also after an error. */
 int depth_lab_capture(const struct depth_lab *lab, int (*run)(const struct depth_lab *), char **csv);

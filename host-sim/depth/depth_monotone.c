@@ -38,7 +38,7 @@ static void put_row(const struct depth_lab *lab, const struct lab_format *format
     char near_text[LAB_TEXT_SIZE], far_text[LAB_TEXT_SIZE], longest[LAB_TEXT_SIZE];
     lab_fx_text(lab->near_z, near_text);
     lab_fx_text(lab->far_z, far_text);
-    lab_num_text(lab_num_scaled(found.longest, -16), longest);
+    lab_length_text(found.longest, longest);
     fprintf(lab->rows, "%s,%d,%s,%s,%llu,%lu,%lu,%s,%s\n", format->name, format->bits, near_text, far_text,
             (unsigned long long)found.distances, (unsigned long)found.codes, (unsigned long)found.rises, longest,
             found.rises == 0 ? "pass" : "fail");

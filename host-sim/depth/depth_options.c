@@ -31,7 +31,8 @@ static bool add_format(struct depth_lab *lab, const char *name, size_t length)
     const bool all = length == 3 && memcmp(name, "all", 3) == 0;
     bool found = all;
     for (uint32_t i = 0; i < lab_format_count; i++) {
-        if (all || (strlen(lab_formats[i].name) == length && memcmp(lab_formats[i].name, name, length) == 0)) {
+        const bool every = all && (lab_formats[i].exponent == 0 || lab_formats[i].kind != LAB_DRAWN);
+        if (every || (strlen(lab_formats[i].name) == length && memcmp(lab_formats[i].name, name, length) == 0)) {
             lab->formats |= (uint32_t)1 << i;
             found = true;
         }
@@ -50,6 +51,7 @@ static bool set_format(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     lab->formats = lab->host_formats = 0;
+    lab->format_set = true;
     for (;;) {
         const size_t length = strcspn(value, ",");
         if (!add_format(lab, value, length)) {
@@ -65,6 +67,7 @@ static bool set_format(void *to, const char *value)
 static bool set_fov(void *to, const char *value)
 {
     struct depth_lab *lab = to;
+    lab->fov_set = true;
     return set_fx(&lab->fov_deg, value) && lab->fov_deg >= FX_ONE && lab->fov_deg <= FX_INT(170);
 }
 
@@ -117,18 +120,42 @@ static bool set_tilt(void *to, const char *value)
     return set_fx(&lab->tilt_deg, value) && lab->tilt_deg >= FX_INT(-89) && lab->tilt_deg <= FX_INT(89);
 }
 
+static bool set_camera(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    lab->camera_set = option_text_camera(value, &lab->eye, &lab->target, &lab->up);
+    return lab->camera_set;
+}
+
+static bool set_azimuth(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    return set_fx(&lab->azimuth_deg, value) && lab->azimuth_deg >= FX_INT(-360) && lab->azimuth_deg <= FX_INT(360);
+}
+
+static bool set_shading(void *to, const char *value)
+{
+    struct depth_lab *lab = to;
+    const int shading = option_text_choice(value, depth_shading_names, PH_SHADE_WIRE);
+    lab->shading = (uint8_t)(shading < 0 ? 0 : shading);
+    return shading >= 0;
+}
+
 static bool set_bits(void *to, const char *value)
 {
     struct depth_lab *lab = to;
     return option_text_u32(value, 1, 24, &lab->bits) && (lab->bits == 16 || lab->bits == 24);
 }
 
+#define STEP_TEXT "a number of at least one step of Q16.16, 1/65536 = 0.000016, and at most 32767.99"
+
 static const struct option_row rows[] = {
-    {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
+    {"near", "N", "distance of the near plane; 0.5 by default", STEP_TEXT, .set = set_near},
     {"far", "F", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
-    {"format", "NAME[,NAME...]|all", "formats, listed below; all by default", "names that --help lists, or all",
-     .set = set_format},
+    {"format", "NAME[,NAME...]|all",
+     "formats, listed below; all by default, but for floats with -eN bits of exponent behind the name",
+     "names that --help lists, or all", .set = set_format},
     {"fov", "DEG",
      "vertical field of view; 60 by default. It does not matter for planes that face the camera, as pairs, resolve,\n"
      "        monotone and advise measure them",
@@ -142,12 +169,31 @@ static const struct option_row rows[] = {
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",
      .set = set_spacing},
     {"at", "Z[,Z...]", "distances; by default a few in each decade from near to far",
-     "at most 64 numbers, each from near to far", .set = set_at},
-    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs",
-     "a number, more than 0", .set = set_separation},
-    {"tilt", "DEG", "angle between the planes and the screen", "degrees, -89 .. 89", .set = set_tilt},
-    {"separate", "S", "separation that must be ordered right", "a number, more than 0", .set = set_separate},
+     "at most 512 numbers, each from near to far", .set = set_at},
+    {"separation", "S", "distance between the two planes; by default half of what the coarsest format needs", STEP_TEXT,
+     .set = set_separation},
+    {"tilt", "DEG", "angle between the planes and the screen; 60 by default for advise", "degrees, -89 .. 89",
+     .set = set_tilt},
+    {"azimuth", "DEG", "direction in which the planes lean: 0, the default, away at the top, 90 at the right",
+     "degrees, -360 .. 360", .set = set_azimuth},
+    {"shading", "NAME", "how the planes are drawn; unlit by default", "unlit, flat, gouraud, texture or texture-lit",
+     .set = set_shading},
+    {"separate", "S", "separation that must be ordered right", STEP_TEXT, .set = set_separate},
     {"bits", "B", "bits of the depth buffer; both by default", "16 or 24", .set = set_bits},
+    {"demo", "NAME",
+     "a built-in scene in place of planes; with its own lens unless --camera, --fov, --near or --far is given",
+     "a name that pinhole-sim --list shows", .at = offsetof(struct depth_lab, demo)},
+    {"view", "NAME", "one of the demo's views; the first by default", "a name that pinhole-sim --list shows",
+     .at = offsetof(struct depth_lab, view)},
+    {"model", "FILE", "a model file on the turntable in place of planes", "an OBJ, STL, PLY, glTF or GLB file",
+     .at = offsetof(struct depth_lab, model)},
+    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
+     "target is the origin and up is the y axis by default; without it the demo has its own view", OPTION_CAMERA_VALUES,
+     .set = set_camera},
+    {"start", "N", "number of the first frame of the scene; 0 by default", "a whole number, 0 .. 1000000000",
+     .at = offsetof(struct depth_lab, start), .least = 0, .most = 1000000000},
+    {"frames", "N", "frames of the scene; 1 by default", "a whole number, 1 .. 1000000",
+     .at = offsetof(struct depth_lab, frames), .least = 1, .most = 1000000},
     {"out", "FILE|DIR", "where to write", "a file or directory", .at = offsetof(struct depth_lab, out)},
 };
 
@@ -213,12 +259,27 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
             return complain_usage("--at %s: must lie from --near to --far", text);
         }
     }
+    if (lab->demo != NULL && lab->model != NULL) {
+        return complain_usage("--demo and --model exclude each other");
+    }
+    const bool scene = lab->demo != NULL || lab->model != NULL;
+    if (!scene && (lab->view != NULL || lab->camera_set || lab->start != 0 || lab->frames != 1)) {
+        return complain_usage("--view, --camera, --start, --frames: belong to a scene; give --demo or --model");
+    }
+    if (scene && (lab->at_count > 0 || lab->separate != 0 || lab->tilt_set)) {
+        return complain_usage("--at, --separate, --tilt: belong to planes; a scene has its own distances and slopes");
+    }
+    const uint32_t every = ((uint32_t)1 << DEPTH_IEEE_FORMATS) - 1;
+    if (lab->host_formats != 0 && (lab->host_formats != every || lab->formats == 0) && command->run != depth_pairs) {
+        return complain_usage("--format: %s measures no float32 format; pairs does", command->name);
+    }
     struct ph_projection projection;
     if (depth_lab_projection(lab, &projection) != 0) {
         return complain_usage("--fov, --size: no camera can have both; make the picture less wide or high");
     }
     if (strstr(command->options, " kind ") != NULL && lab->kind == NULL) {
-        return complain_usage("%s needs a KIND; --help lists them", command->name);
+        return complain_usage("%s needs a %s; see --help", command->name,
+                              command->run == depth_compare ? "FILE" : "KIND");
     }
     return 0;
 }
@@ -236,8 +297,14 @@ static bool asks_for_help(int argc, char *const argv[])
 int depth_options_read(struct depth_lab *lab, const struct depth_command **command, const struct depth_command *table,
                        uint32_t count, int argc, char *const argv[])
 {
-    *lab = (struct depth_lab){
-        .near_z = FX_HALF, .far_z = FX_INT(100), .fov_deg = FX_INT(60), .width = 240, .height = 240, .count = 10000};
+    *lab = (struct depth_lab){.near_z = FX_HALF,
+                              .far_z = FX_INT(100),
+                              .fov_deg = FX_INT(60),
+                              .width = 240,
+                              .height = 240,
+                              .count = 10000,
+                              .up = {0, FX_ONE, 0},
+                              .frames = 1};
     *command = NULL;
     add_format(lab, "all", 3);
     if (asks_for_help(argc, argv)) {
@@ -251,7 +318,7 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
         return complain_usage("%s: no such command; --help lists them", argv[1]);
     }
     int i = 2;
-    if (i < argc && argv[i][0] != '-' && strstr((*command)->options, " kind ") != NULL) {
+    if (i < argc && (argv[i][0] != '-' || argv[i][1] == '\0') && strstr((*command)->options, " kind ") != NULL) {
         lab->kind = argv[i++];
     }
     while (i < argc) {

@@ -16,7 +16,7 @@ static int ieee_row(const struct depth_lab *lab, uint32_t format)
     if (depth_ieee_pairs(format, near_z, far_z, lab->spacing, lab->count, &found) != 0) {
         return complain("out of memory; make --count smaller");
     }
-    fprintf(lab->rows, "%s,%d,%s,%s,%s,%u,%u,%u,%.6g\n", depth_ieee_name(format), format < 6 ? 32 : 24, near_text,
+    fprintf(lab->rows, "%s,%d,%s,%s,%s,%u,%u,%u,%.10g\n", depth_ieee_name(format), format < 6 ? 32 : 24, near_text,
             far_text, lab->spacing == LAB_LINEAR_SPACED ? "linear" : "log", (unsigned)lab->count, (unsigned)found.equal,
             (unsigned)found.swap, found.max_wrong);
     return 0;

@@ -71,49 +71,35 @@ static int octave_of(double distance_m)
     return octave < 0 ? 0 : octave >= OCTAVES ? OCTAVES - 1 : octave;
 }
 
-/* Adds the codes of a row, which lies at one distance. */
-static void add_row(struct band *band, const struct planes_canvas *canvas, uint32_t y, uint32_t *codes)
-{
-    const uint32_t width = canvas->lab->width;
-    for (uint32_t i = y * width; i < (y + 1) * width; i++) {
-        if (canvas->verdicts[i] != PLANES_UNCOUNTED) {
-            codes[band->samples++] = depth_planes_code(canvas, i);
-            band->wrong += canvas->verdicts[i] == PLANES_WRONG;
-        }
-    }
-}
-
-/* Prints one octave of distance, or all (-1), of the plane behind, which was drawn last and alone. */
+/* Counts one octave of distance, or all (-1), of the plane behind, which was drawn last and alone. codes: room for two
+ * a pixel. */
 static struct band count_band(const struct planes_canvas *canvas, const struct planes_quad *behind, int octave,
                               uint32_t *codes)
 {
     const struct depth_lab *lab = canvas->lab;
+    const enum ph_depth_format format = (enum ph_depth_format)canvas->renderer.config.depth_format;
+    const uint32_t area = (uint32_t)lab->width * lab->height;
+    uint32_t *const predicted = codes + area;
     struct band band = {.nearest_m = HUGE_VAL};
-    double last = -1;
-    for (uint32_t y = 0; y < lab->height; y++) {
-        const uint32_t before = band.samples;
-        const double distance = depth_planes_distance_m(canvas, behind, y);
-        if (!(distance > 0) || (octave >= 0 && octave_of(distance) != octave)) {
-            continue;
-        }
-        add_row(&band, canvas, y, codes);
-        if (band.samples > before) {
-            const double code =
-                floor(depth_code_at((enum ph_depth_format)canvas->renderer.config.depth_format, lab, distance));
-            band.predicted += code != last;
-            last = code;
+    for (uint32_t i = 0; i < area; i++) {
+        const double distance = depth_planes_distance_m(canvas, behind, i);
+        if (canvas->verdicts[i] != PLANES_UNCOUNTED && (octave < 0 || octave_of(distance) == octave)) {
+            predicted[band.samples] = (uint32_t)fmax(depth_code_at(format, lab, distance), 0);
+            codes[band.samples++] = depth_planes_code(canvas, i);
+            band.wrong += canvas->verdicts[i] == PLANES_WRONG;
             band.nearest_m = fmin(band.nearest_m, distance);
             band.farthest_m = fmax(band.farthest_m, distance);
         }
     }
     band.codes = distinct(codes, band.samples);
+    band.predicted = distinct(predicted, band.samples);
     return band;
 }
 
 static int show_bands(struct planes_canvas *canvas, const struct lab_format *format, const struct planes_pair *pair)
 {
     const struct depth_lab *lab = canvas->lab;
-    uint32_t *const codes = malloc((size_t)lab->width * lab->height * sizeof *codes);
+    uint32_t *const codes = malloc((size_t)lab->width * lab->height * 2 * sizeof *codes);
     if (codes == NULL) {
         return complain("planes: no memory for a picture of %ux%u", lab->width, lab->height);
     }
@@ -137,6 +123,8 @@ static int show_format(const struct depth_lab *lab, const struct lab_format *for
     struct planes_canvas canvas;
     int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     if (status == 0) {
+        canvas.shading = lab->shading;
+        depth_planes_turn(&canvas, depth_metres(lab->azimuth_deg));
         depth_planes_count(&canvas, pair, canvas.verdicts);
         paint(picture, lab, canvas.verdicts);
         status = show_bands(&canvas, format, pair);
@@ -151,8 +139,9 @@ static double half_too_small(const struct depth_lab *lab, double at, double tilt
     const uint32_t rows = depth_drawn_formats(lab);
     double most = 0;
     for (uint32_t i = 0; i < lab_format_count; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         if ((rows >> i & 1) != 0) {
-            most = fmax(most, depth_planes_predicted_m(lab, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
+            most = fmax(most, depth_planes_predicted_m(&own, (enum ph_depth_format)lab_formats[i].format, at, 0, tilt));
         }
     }
     return fmax(most / 2, 2.0 / 65536);
@@ -162,7 +151,8 @@ static int make_pair(const struct depth_lab *lab, struct planes_pair *pair)
 {
     const double at = at_default(lab, 0), tilt = lab->tilt_set ? depth_metres(lab->tilt_deg) : TILT_DEFAULT;
     const double separation = lab->separation != 0 ? depth_metres(lab->separation) : half_too_small(lab, at, tilt);
-    const struct planes_place place = depth_planes_whole(lab, at, tilt, separation);
+    const struct planes_lean lean = {at, tilt, depth_metres(lab->azimuth_deg)};
+    const struct planes_place place = depth_planes_whole(lab, lean, separation);
     if (!depth_planes_make(lab, &place, pair)) {
         return complain_usage("--at %g, --tilt %g, --separation %g: no such planes between --near and --far", at, tilt,
                               separation);
@@ -218,7 +208,8 @@ static int show_pictures(const struct depth_lab *lab)
         }
     }
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        status = (rows >> i & 1) != 0 ? show_format(lab, &lab_formats[i], &pair, &picture) : 0;
+        const struct depth_lab own = depth_lab_of(lab, i);
+        status = (rows >> i & 1) != 0 ? show_format(&own, &lab_formats[i], &pair, &picture) : 0;
     }
     if (status == 0) {
         status = save_picture(lab, &picture);
@@ -230,12 +221,23 @@ static int show_pictures(const struct depth_lab *lab)
 /* ---- the sweep ------------------------------------------------------------------------------------------ */
 
 static void sweep_row(const struct depth_lab *lab, const struct lab_format *format, struct planes_canvas *canvas,
-                      double at, double tilt)
+                      struct planes_lean lean)
 {
-    const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, at, tilt);
-    fprintf(lab->rows, "%s,%u,%.6g,%.6g,%.6g,%g,%.4g,%.4g,%.4g,%.3f\n", format->name, format->bits,
-            depth_metres(lab->near_z), depth_metres(lab->far_z), at, tilt, sweep.s_min_m, sweep.at_tilt_m,
-            sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
+    const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, lean);
+    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%g,%.4g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
+            depth_metres(lab->far_z), lean.at_m, lean.tilt_deg, sweep.s_min_m, sweep.at_tilt_m);
+    if (isfinite(sweep.measured_m)) {
+        fprintf(lab->rows, "%.10g,%.3f,", sweep.measured_m, sweep.measured_m / sweep.at_tilt_m);
+    } else {
+        fputs("none,none,", lab->rows);
+    }
+    fprintf(lab->rows, "%g,%s\n", lean.azimuth_deg, depth_shading_names[lab->shading]);
+    if (!isfinite(sweep.measured_m)) {
+        fprintf(lab->rows,
+                "# none: %s at %g m, tilted by %g degrees: no separation is right in every place, or the planes have "
+                "no room (their corners lie within 16384 m)\n",
+                format->name, lean.at_m, lean.tilt_deg);
+    }
 }
 
 static int sweep_format(const struct depth_lab *lab, const struct lab_format *format)
@@ -245,8 +247,11 @@ static int sweep_format(const struct depth_lab *lab, const struct lab_format *fo
     struct planes_canvas canvas;
     const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
     for (uint32_t i = 0; status == 0 && (i < lab->at_count || i == 0); i++) {
+        canvas.shading = lab->shading;
         for (uint32_t k = 0; k < tilt_count; k++) {
-            sweep_row(lab, format, &canvas, at_default(lab, i), lab->tilt_set ? depth_metres(lab->tilt_deg) : tilts[k]);
+            const double tilt = lab->tilt_set ? depth_metres(lab->tilt_deg) : tilts[k];
+            sweep_row(lab, format, &canvas,
+                      (struct planes_lean){at_default(lab, i), tilt, depth_metres(lab->azimuth_deg)});
         }
     }
     depth_planes_close(&canvas);
@@ -262,11 +267,14 @@ int depth_planes(const struct depth_lab *lab)
     if (rows == 0) {
         return complain_usage("--format: planes draws with the renderer's own formats; --help lists them");
     }
-    fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio\n", lab->rows);
+    fputs("format,bits,near,far,z_m,tilt_deg,s_min_predicted_m,at_tilt_predicted_m,measured_m,ratio,azimuth_deg,"
+          "shading\n",
+          lab->rows);
     int status = 0;
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
         progress_show("planes", i, lab_format_count);
-        status = (rows >> i & 1) != 0 ? sweep_format(lab, &lab_formats[i]) : 0;
+        status = (rows >> i & 1) != 0 ? sweep_format(&own, &lab_formats[i]) : 0;
     }
     progress_show("planes", 1, 1);
     return status != 0 ? status : show_pictures(lab);

@@ -5,12 +5,14 @@
 #include <math.h>
 #include <string.h>
 
-#define PLACES   24     /* tried for each separation */
-#define SIDE_PX  12.0   /* half the side of a small plane */
-#define MARGIN   1.25   /* room for a separation, and for moving in front */
-#define STEP     0.0625 /* log2 of a step of the sweep */
-#define UP_MAX   128    /* steps above S_min that are tried before giving up */
-#define DOWN_MAX 192    /* steps below it */
+#define PLACES    24     /* tried for each separation */
+#define SIDE_PX   12.0   /* half the side of a small plane, */
+#define TINY_PX   3.0    /* and of a tiny one */
+#define MARGIN    1.25   /* room for a separation, and for moving in front */
+#define STEP      0.0625 /* log2 of a step of the sweep */
+#define SHIFT_MAX 3      /* parts of a plane by which the one in front is moved within itself */
+#define UP_MAX    128    /* steps above S_min that are tried before giving up */
+#define DOWN_MAX  192    /* steps below it */
 
 static uint32_t area_of(const struct planes_canvas *canvas)
 {
@@ -49,20 +51,23 @@ static double spread(int i, double by)
 
 /* Place number i of the sweep. Its upper edge is at at_m, or its lower one where the planes lean towards us. In three
  * of four places the plane in front is moved within itself, towards us. */
-static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
-                                    double tilt_deg, int i)
+static struct planes_place place_of(const struct planes_canvas *canvas, enum ph_depth_format format,
+                                    struct planes_lean lean, int i)
 {
     const struct depth_lab *lab = canvas->lab;
-    const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, at_m), at_m / 16);
-    const double most = SIDE_PX * pixel;
-    struct planes_place place = depth_planes_whole(lab, at_m - 2 * step * spread(i, 0.6180339887), tilt_deg, 4 * step);
+    const double pixel = depth_pixel_slope(lab), step = fmin(depth_step_m(format, lab, lean.at_m), lean.at_m / 16);
+    const double room = 4 * step + lean.at_m * SHIFT_MAX / PLANES_PARTS * MARGIN;
+    const double most = (i % 8 == 6 ? TINY_PX : SIDE_PX) * pixel;
+    lean.at_m -= 2 * step * spread(i, 0.6180339887);
+    lean.azimuth_deg = isnan(lean.azimuth_deg) ? 360 * spread(i, 0.5698402909) : lean.azimuth_deg;
+    struct planes_place place = depth_planes_whole(lab, lean, room);
     const double side = i % 2 == 0 ? fmin(most, place.slope_side) : place.slope_side;
     const double low = i % 2 == 0 ? fmax(-most, place.slope_low / MARGIN) : place.slope_low / MARGIN;
     const double high = i % 2 == 0 ? fmin(most, place.slope_high / MARGIN) : place.slope_high / MARGIN;
-    place.slope_low = tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : 0;
-    place.slope_high = tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.7548776662);
+    place.slope_low = lean.tilt_deg >= 0 ? low + pixel * spread(i, 0.7548776662) : 0;
+    place.slope_high = lean.tilt_deg > 0 ? 0 : high - pixel * spread(i, 0.7548776662);
     place.slope_side = side - pixel * spread(i, 0.8191725134);
-    place.shift = tilt_deg >= 0 ? -(i / 2 % 4) : i / 2 % 4;
+    place.shift = (lean.tilt_deg >= 0 ? -1 : 1) * (i / 2 % (SHIFT_MAX + 1));
     return place;
 }
 
@@ -83,14 +88,15 @@ static bool is_wrong(struct planes_canvas *canvas, const struct planes_pair *pai
 
 /* Is any pixel of any place wrong at this separation? IMPOSSIBLE: the separation rounds to 0, or has no room. *real_m:
  * the largest separation of a place after rounding. */
-static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_format format, double at_m, double tilt_deg,
+static enum verdict try_places(struct planes_canvas *canvas, enum ph_depth_format format, struct planes_lean lean,
                                double separation_m, double *real_m)
 {
     *real_m = 0;
     for (int i = 0; i < PLACES; i++) {
         struct planes_pair pair;
-        struct planes_place place = place_of(canvas, format, at_m, tilt_deg, i);
+        struct planes_place place = place_of(canvas, format, lean, i);
         place.separation_m = separation_m;
+        depth_planes_turn(canvas, place.lean.azimuth_deg);
         if (!depth_planes_make(canvas->lab, &place, &pair) || !depth_planes_front_is_nearer(&pair)) {
             return IMPOSSIBLE;
         }
@@ -118,39 +124,62 @@ double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_forma
            depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) / sqrt(2) * fabs(sin(angle));
 }
 
+/*
+ * A bound of what planes need where their ray has this slope: all that moves the depth, along their normal, and a
+ * sub-pixel step up. Their corners stand on the grid and the camera only rolls, so input and matrix cost nothing. The
+ * sweep finds it to one of its steps.
+ */
+static double bound_of_row(const struct depth_lab *lab, enum ph_depth_format format, struct planes_lean lean,
+                           double slope)
+{
+    const double angle = depth_radians(lean.tilt_deg), z = lean.at_m / (1 - slope * tan(angle));
+    const double turn = depth_radians(lean.azimuth_deg);
+    const double along = depth_share_m(DEPTH_SHARE_STORE, format, lab, z) +
+                         depth_share_m(DEPTH_SHARE_DIVIDE, format, lab, z) +
+                         (lean.tilt_deg != 0 ? depth_interpolation_m(format, lab, lean, z) : 0);
+    const double up = depth_share_m(DEPTH_SHARE_SUBPIXEL, format, lab, z) / sqrt(2) *
+                      (isnan(turn) ? sqrt(2) : fabs(cos(turn)) + fabs(sin(turn)));
+    return exp2(STEP) * (along * fabs(cos(angle) - slope * sin(angle)) + up * fabs(sin(angle)));
+}
+
 /* Predicts for the row that needs most: the steps of a float get coarser at the near end of each octave. */
-static void predict(const struct depth_lab *lab, enum ph_depth_format format, double at_m, double tilt_deg,
+static void predict(const struct depth_lab *lab, enum ph_depth_format format, struct planes_lean lean,
                     struct planes_sweep *sweep)
 {
-    const double lean = tan(depth_radians(fabs(tilt_deg))), tan_phi = tan_phi_max(lab);
-    const struct planes_place whole = depth_planes_whole(lab, at_m, fabs(tilt_deg), 0);
+    lean.tilt_deg = fabs(lean.tilt_deg);
+    const double rise = tan(depth_radians(lean.tilt_deg)), tan_phi = tan_phi_max(lab);
+    const struct planes_place whole = depth_planes_whole(lab, lean, 0);
     const double pixel = depth_pixel_slope(lab);
     for (int row = 0; row * pixel <= -whole.slope_low / MARGIN; row++) {
         const double slope = -row * pixel;
-        const double z = at_m / (1 - slope * lean), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
+        const double z = lean.at_m / (1 - slope * rise), s_xy = depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z);
         sweep->s_min_m = fmax(sweep->s_min_m, depth_s_min_m(s_xy, depth_step_m(format, lab, z), tan_phi));
-        sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, fabs(tilt_deg)));
+        sweep->bound_m = fmax(sweep->bound_m, bound_of_row(lab, format, lean, slope));
+        sweep->at_tilt_m = fmax(sweep->at_tilt_m, depth_planes_predicted_m(lab, format, z, slope, lean.tilt_deg));
     }
 }
 
-struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
-                                       double tilt_deg)
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format,
+                                       struct planes_lean lean)
 {
-    struct planes_sweep sweep = {0, 0, HUGE_VAL};
-    predict(canvas->lab, format, at_m, tilt_deg, &sweep);
+    struct planes_sweep sweep = {0, 0, 0, HUGE_VAL};
+    predict(canvas->lab, format, lean, &sweep);
     double real_m;
     int step = 16, by = 4; /* from twice S_min, in large steps first */
-    enum verdict verdict = SOME_WRONG;
+    enum verdict verdict = try_places(canvas, format, lean, sweep.s_min_m * exp2(step * STEP), &real_m);
+    while (verdict == IMPOSSIBLE && step > -DOWN_MAX) { /* steep planes so far apart do not fit before the eye */
+        step -= 16;
+        verdict = try_places(canvas, format, lean, sweep.s_min_m * exp2(step * STEP), &real_m);
+    }
     while (verdict == SOME_WRONG && step <= UP_MAX) {
-        verdict = try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m);
-        step += verdict == SOME_WRONG ? 16 : 0;
+        step += 16;
+        verdict = try_places(canvas, format, lean, sweep.s_min_m * exp2(step * STEP), &real_m);
     }
     while (verdict == ALL_RIGHT) {
         sweep.measured_m = real_m;
         step -= by;
-        verdict = step > -DOWN_MAX
-                      ? try_places(canvas, format, at_m, tilt_deg, sweep.s_min_m * exp2(step * STEP), &real_m)
-                      : IMPOSSIBLE;
+        verdict = step > -DOWN_MAX ? try_places(canvas, format, lean, sweep.s_min_m * exp2(step * STEP), &real_m)
+                                   : IMPOSSIBLE;
         if (verdict != ALL_RIGHT && by > 1) { /* back to the last that was right, and on in small ones */
             step += by;
             by = 1;

@@ -25,15 +25,17 @@ double depth_planes_predicted_m(const struct depth_lab *lab, enum ph_depth_forma
 struct planes_sweep {
     double s_min_m;    /* predicted: S_min, whatever the tilt */
     double at_tilt_m;  /* predicted at this tilt */
+    double bound_m;    /* the same with all parts of the budget: no larger separation is ever wrong */
     double measured_m; /* smallest separation from which on no pixel was wrong; HUGE_VAL: none found */
 };
 
 /*
- * Finds the smallest separation of planes that lean tilt_deg to the screen and whose farthest row is at at_m. It goes
- * from well above S_min down in steps of 2^(1/16). Each separation is tried in 24 places that differ by parts of a
- * pixel and of a depth step; half of them are small in the middle of the picture, half as wide as the picture.
+ * Finds the smallest separation of planes that lean so and whose farthest point is at lean.at_m. It goes from well
+ * above S_min down in steps of 2^(1/16). Each separation is tried in 24 places that differ by parts of a pixel and of a
+ * depth step; half of them are as wide as the picture, the others small (24 px) or tiny (6 px) in its middle. If
+ * lean.azimuth_deg is NAN each place has an azimuth of its own.
  */
-struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format, double at_m,
-                                       double tilt_deg);
+struct planes_sweep depth_planes_sweep(struct planes_canvas *canvas, enum ph_depth_format format,
+                                       struct planes_lean lean);
 
 #endif

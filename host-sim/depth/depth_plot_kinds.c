@@ -10,7 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define POINTS    48 /* at most DEPTH_AT_MAX */
+#define POINTS    400 /* at most DEPTH_AT_MAX: enough for the saw-tooth of float16 */
+#define FEW       240 /* where a point takes longer */
 #define CURVE     400
 #define BINS      24
 #define CELLS_MAX 12
@@ -28,8 +29,10 @@ static struct style style_of(const struct lab_format *format)
         [PH_DEPTH_FIXED16] = {"#e69f00", 5}, [PH_DEPTH_FLOAT16] = {"#0072b2", 7},  [PH_DEPTH_FIXED24] = {"#d55e00", 4},
         [PH_DEPTH_FLOAT24] = {"#009e73", 6}, [PH_DEPTH_LINEAR_W] = {"#cc79a7", 9},
     };
+    static const char *const widths[] = {"#332288", "#117733", "#999933", "#882255"}; /* 3 .. 6 bits of exponent */
     if (format->kind == LAB_DRAWN) {
-        return drawn[format->format];
+        const int mark = drawn[format->format].mark;
+        return format->exponent != 0 ? (struct style){widths[format->exponent - 3], mark} : drawn[format->format];
     }
     static const struct style others[] = {
         [LAB_NDC_Q16] = {"#777777", 0}, [LAB_RECIP_Q16] = {"#b2182b", 0}, [LAB_CLIP_Q16] = {"#762a83", 0},
@@ -54,7 +57,7 @@ static void put_style(FILE *script, const struct lab_format *format, bool marks)
 {
     const struct style style = style_of(format);
     if (format->kind == LAB_DRAWN && marks) {
-        fprintf(script, "linespoints pt %d ps 0.6 pi 4 lw 2.2", style.mark);
+        fprintf(script, "linespoints pt %d ps 0.6 pi 24 lw 2.2", style.mark);
     } else if (format->kind == LAB_DRAWN) {
         fputs("lines lw 2.4", script);
     } else {
@@ -63,8 +66,8 @@ static void put_style(FILE *script, const struct lab_format *format, bool marks)
     fprintf(script, " lc '%s' ", style.colour);
 }
 
-/* The names in the order of the tables; the order of drawing does not matter. */
-static void put_legend(const struct depth_lab *lab, FILE *script, bool marks)
+/* The names in the order of the tables, with a percentage each or NULL; the order of drawing does not matter. */
+static void put_legend(const struct depth_lab *lab, FILE *script, bool marks, const double *percent)
 {
     for (uint32_t i = 0; i < lab_format_count; i++) {
         if ((lab->formats >> i & 1) != 0) {
@@ -73,6 +76,9 @@ static void put_legend(const struct depth_lab *lab, FILE *script, bool marks)
             fprintf(script, "title '%s", lab_formats[i].name);
             if (has_twin(i)) {
                 fprintf(script, " %u bits", lab_formats[i].bits);
+            }
+            if (percent != NULL) {
+                fprintf(script, ": %.3g %% of all", percent[i]);
             }
             fputc('\'', script);
         }
@@ -160,13 +166,13 @@ static int write_g(const struct depth_lab *lab, FILE *script)
 /* ---- resolve -------------------------------------------------------------------------------------------- */
 
 /* Distances evenly spread over the logarithm, near and far plane among them. */
-static void spread_distances(struct depth_lab *lab)
+static void spread_distances(struct depth_lab *lab, int points)
 {
     const double range = log((double)lab->far_z / lab->near_z);
     lab->at_count = 0;
-    for (int i = 0; i < POINTS; i++) {
-        const double z = lab->near_z * exp(range * i / (POINTS - 1));
-        lab->at[lab->at_count++] = i == POINTS - 1 ? lab->far_z : (fx_t)floor(z + 0.5);
+    for (int i = 0; i < points; i++) {
+        const double z = lab->near_z * exp(range * i / (points - 1));
+        lab->at[lab->at_count++] = i == points - 1 ? lab->far_z : (fx_t)floor(z + 0.5);
     }
 }
 
@@ -243,10 +249,10 @@ static void put_resolve_upper(const struct depth_lab *lab, FILE *script)
 {
     fprintf(script,
             "set multiplot\nset logscale xy\nset lmargin at screen 0.11\nset rmargin at screen 0.97\n"
-            "set xrange [%g:%g]\nset tmargin at screen 0.95\nset bmargin at screen 0.49\nset yrange [1e-6:%g]\n"
+            "set xrange [%g:%g]\nset tmargin at screen 0.95\nset bmargin at screen 0.45\nset yrange [1e-6:%g]\n"
             "set format y '10^{%%T}'\nset format x ''\nset ylabel 'separation [m]'\nset key off\nset grid front\n"
             "set title 'Smallest separation ordered right: measured, and ideal (thin dots); ",
-            depth_metres(lab->near_z), depth_metres(lab->far_z), depth_metres(lab->far_z));
+            depth_metres(lab->near_z), depth_metres(lab->far_z), 3 * depth_metres(lab->far_z));
     put_camera(lab, script);
     fputs("'\n", script);
     put_bands(lab, script);
@@ -262,22 +268,33 @@ static void put_resolve_upper(const struct depth_lab *lab, FILE *script)
 
 static void put_resolve_lower(const struct depth_lab *lab, FILE *script)
 {
-    fputs("unset label\nunset title\nset tmargin at screen 0.45\nset bmargin at screen 0.27\nset format x '%g'\n"
+    fputs("unset label\nunset title\nset tmargin at screen 0.41\nset bmargin at screen 0.21\nset format x '%g'\n"
           "set xlabel 'distance z [m]'\nset ylabel 'measured / ideal'\nset yrange [0.5:1000]\n"
-          "set key at screen 0.54,0.19 center top horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
+          "set key at screen 0.54,0.14 center top horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
           "notitle",
           script);
     put_resolve_curves(lab, script, 4);
-    put_legend(lab, script, true);
+    put_legend(lab, script, true, NULL);
     fputs("unset multiplot\n", script);
 }
 
-static int write_resolve(const struct depth_lab *lab, FILE *script)
+/* Few curves can be read: without --format those that the renderer draws, and some to compare with. */
+static uint32_t formats_of(const struct depth_lab *lab, uint32_t others)
+{
+    return lab->format_set ? lab->formats : depth_drawn_formats(lab) | others;
+}
+
+static uint32_t row_of(const char *name, const char *bits)
+{
+    return (uint32_t)1 << find_row(name, bits);
+}
+
+static int draw_resolve(struct depth_lab *lab, FILE *script, int points)
 {
     struct depth_lab spread = *lab;
     char *csv;
     if (lab->at_count == 0) {
-        spread_distances(&spread);
+        spread_distances(&spread, points);
     }
     const int status = depth_lab_capture(&spread, depth_resolve, &csv);
     if (status == 0) {
@@ -287,6 +304,24 @@ static int write_resolve(const struct depth_lab *lab, FILE *script)
     }
     free(csv);
     return status;
+}
+
+static int write_resolve(const struct depth_lab *lab, FILE *script)
+{
+    struct depth_lab own = *lab;
+    own.formats = formats_of(lab, row_of("log", "16"));
+    return draw_resolve(&own, script, POINTS);
+}
+
+/* What is done elsewhere in Q16.16, with 24 bits, beside two of the renderer's formats. */
+static int write_others(const struct depth_lab *lab, FILE *script)
+{
+    struct depth_lab own = *lab;
+    if (!lab->format_set) {
+        own.formats = row_of("float16", "16") | row_of("fixed24", "24") | row_of("ndc-q16", "24") |
+                      row_of("recip-q16", "24") | row_of("clip-q16", "24");
+    }
+    return draw_resolve(&own, script, FEW);
 }
 
 /* ---- adjacent pairs ---------------------------------------------------------------------------------------- */
@@ -315,7 +350,7 @@ static void fill_bins(const struct depth_lab *lab, struct lab_probe *probe, stru
     }
 }
 
-static int put_pairs(const struct depth_lab *lab, FILE *script, uint32_t row)
+static int put_pairs(const struct depth_lab *lab, FILE *script, uint32_t row, double *percent)
 {
     struct lab_probe probe;
     struct bin bins[BINS] = {{0, 0, 0}};
@@ -324,22 +359,27 @@ static int put_pairs(const struct depth_lab *lab, FILE *script, uint32_t row)
     }
     fill_bins(lab, &probe, bins);
     const double ratio = (double)lab->far_z / lab->near_z;
+    *percent = 0;
     fprintf(script, "$p%u << EOD\n", (unsigned)row);
     for (int i = 0; i < BINS; i++) {
         const double from = depth_metres(lab->near_z) * pow(ratio, (double)i / BINS);
         const double to = depth_metres(lab->near_z) * pow(ratio, (i + 1.0) / BINS);
         const double share = bins[i].pairs > 0 ? 100.0 * (bins[i].equal + bins[i].swapped) / bins[i].pairs : 0;
         fprintf(script, "%.6g %.6g\n%.6g %.6g\n", from, share, to, share);
+        *percent += 100.0 * (bins[i].equal + bins[i].swapped) / lab->count;
     }
     fputs("EOD\n", script);
     return 0;
 }
 
-static int write_pairs(const struct depth_lab *lab, FILE *script)
+static int write_pairs(const struct depth_lab *all, FILE *script)
 {
+    struct depth_lab own = *all, *const lab = &own;
+    double percent[32] = {0}; /* of each row of lab_formats */
     int status = 0;
+    own.formats = formats_of(all, row_of("recip-q16", "24"));
     for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
-        status = (lab->formats >> i & 1) != 0 ? put_pairs(lab, script, i) : 0;
+        status = (lab->formats >> i & 1) != 0 ? put_pairs(lab, script, i, &percent[i]) : 0;
     }
     fprintf(script, "set title '%u pairs of neighbours, %s spacing, that the codes do not order; ",
             (unsigned)lab->count, lab->spacing == LAB_LINEAR_SPACED ? "linear" : "log");
@@ -347,8 +387,8 @@ static int write_pairs(const struct depth_lab *lab, FILE *script)
     fprintf(script,
             "'\nset logscale x\nset xrange [%g:%g]\nset yrange [-2:102]\nset xlabel 'distance z [m]'\n"
             "set ylabel 'equal or swapped [%% of the pairs there]'\n"
-            "set bmargin at screen 0.37\nset lmargin at screen 0.09\nset rmargin at screen 0.97\n"
-            "set key at screen 0.53,0.25 center top horizontal maxcols 4 width -1 samplen 3\nplot -5 notitle",
+            "set bmargin at screen 0.32\nset lmargin at screen 0.09\nset rmargin at screen 0.97\n"
+            "set key at screen 0.53,0.20 center top horizontal maxcols 4 width -1 samplen 3\nplot -5 notitle",
             depth_metres(lab->near_z), depth_metres(lab->far_z));
     for (uint32_t i = 0; i < lab_format_count; i++) {
         if ((lab->formats >> i & 1) != 0) {
@@ -357,7 +397,7 @@ static int write_pairs(const struct depth_lab *lab, FILE *script)
             fputs("notitle", script);
         }
     }
-    put_legend(lab, script, false);
+    put_legend(lab, script, false, percent);
     return status;
 }
 
@@ -416,11 +456,11 @@ static int count_bits(uint32_t bits)
 
 static void budget_distances(struct depth_lab *lab)
 {
-    enum { FEW = 6 };
+    enum { POINTS_OF_BUDGET = 8 };
     const double range = log((double)lab->far_z / lab->near_z);
-    for (lab->at_count = 0; lab->at_count < FEW; lab->at_count++) {
-        const double z = lab->near_z * exp(range * (lab->at_count + 1) / FEW);
-        lab->at[lab->at_count] = lab->at_count == FEW - 1 ? lab->far_z : (fx_t)floor(z + 0.5);
+    for (lab->at_count = 0; lab->at_count < POINTS_OF_BUDGET; lab->at_count++) {
+        const double z = lab->near_z * exp(range * (lab->at_count + 1) / POINTS_OF_BUDGET);
+        lab->at[lab->at_count] = lab->at_count == POINTS_OF_BUDGET - 1 ? lab->far_z : (fx_t)floor(z + 0.5);
     }
 }
 
@@ -441,7 +481,7 @@ static int write_budget(const struct depth_lab *lab, FILE *script)
     fprintf(script,
             "set multiplot\nset logscale xy\nset format y '10^{%%T}'\nset xrange [%g:%g]\nset yrange [1e-9:%g]\n",
             depth_metres(few.at[0]), depth_metres(few.at[few.at_count - 1]), depth_metres(lab->far_z) / 10);
-    fputs("set label 'Each part alone, and all together: measured (marks), predicted (dots)' at screen 0.53,0.98 "
+    fputs("set label 'Each part alone, and all together: measured (marks), bound (dots)' at screen 0.53,0.98 "
           "center\n",
           script);
     for (uint32_t i = 0; i < lab_format_count; i++) {
@@ -462,6 +502,7 @@ const struct depth_plot_kind depth_plot_kinds[] = {
     {"ndc", "z_ndc over z_c, as the source document draws it", 800, 480, write_ndc},
     {"g", "g(z), as the source document draws it", 800, 480, write_g},
     {"resolve", "Smallest separation over distance", 860, 800, write_resolve},
+    {"others", "Smallest separation of what others do in Q16.16", 860, 800, write_others},
     {"pairs", "Adjacent pairs that are not ordered, over distance", 860, 560, write_pairs},
     {"budget", "What each part of the pipeline costs, over distance", 860, 980, write_budget},
 };

@@ -8,30 +8,38 @@
 #include "depth_table.h"
 #include "file_save.h"
 #include "lab_num.h"
+#include "lab_search.h"
 
 #include <errno.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 struct section {
-    const char *command, *title, *plot; /* plot: kind of plot that shows it, or NULL */
-    const char *options;                /* of the camera beside near and far: "fov size"; NULL: no camera */
+    const char *command, *title, *plots[2]; /* kinds of plots that show it, or NULL */
+    const char *options;                    /* of the camera beside near and far: "fov size"; NULL: no camera */
     const char *headings;
     const char *text;
     int (*run)(const struct depth_lab *lab);
 };
 
 static const struct section sections[] = {
-    {"advise", "In short", NULL, "",
+    {"advise",
+     "In short",
+     {NULL, NULL},
+     "",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
-     "[m],separates at z [m] (measured),up to z [m] (measured)",
+     "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
      "The separation that the renderer's formats keep with this camera up to the far plane, and the near plane from "
      "which on they separate a thousandth of that distance. Coarser steps lead to z-fighting. Formats of 16 "
      "bits take two bytes a pixel, formats of 24 bits four; linear-w takes a division a pixel, too.",
      depth_advise},
-    {"resolve", "Smallest separation", "resolve", "",
+    {"resolve",
+     "Smallest separation",
+     {"resolve", "others"},
+     "",
      "format,bits,near [m],far [m],z [m],ideal step [m] (predicted),S_eff [m] (measured),ratio",
      "The smallest separation of two surfaces facing the camera that is ordered right at a distance, and its worst "
      "over all distances. fixed16, float16, fixed24, float24 and linear-w with 16 bits are the renderer's. The others "
@@ -39,33 +47,69 @@ static const struct section sections[] = {
      "as a float (over-w), and the logarithm. A step finer than that of Q16.16 is measured as one step of Q16.16, "
      "0.0000153 m.",
      depth_resolve},
-    {"pairs", "Adjacent pairs", "pairs", "",
+    {"pairs",
+     "Adjacent pairs",
+     {"pairs", NULL},
+     "",
      "format,bits,near [m],far [m],spacing,pairs,equal (measured),swapped (measured),largest wrong [m] (measured)",
      "Distances in order from near to far: how many neighbours get the same code, or codes in the wrong order.",
      depth_pairs},
-    {"budget", "Who limits it", "budget", "fov size",
-     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
-     "The separation that each part of the pipeline alone keeps, and all of them together. A part is measured in its "
-     "worst case. All together are measured on drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases "
-     "seldom meet: so they may measure less than a part alone.",
+    {"budget",
+     "Who limits it",
+     {"budget", NULL},
+     "fov size",
+     "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
+     "The separation that each part of the pipeline alone may confuse, and all of them together. The prediction is a "
+     "bound: what is measured never exceeds it. A part is measured in its worst case. All together are measured on "
+     "drawn planes, tilted by 0, 40 and 75 degrees, where the worst cases seldom meet: so they may measure less than a "
+     "part alone.",
      depth_budget},
-    {"planes", "Two planes", NULL, "fov size",
+    {"planes",
+     "Two planes",
+     {NULL, NULL},
+     "fov size",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted",
+     "from [m] (measured),measured / predicted,azimuth [deg],shading",
      "Two parallel planes drawn by the renderer, compared with exact arithmetic pixel by pixel. S_min holds for every "
      "tilt.",
      depth_planes},
-    {"monotone", "Monotonicity", NULL, "",
+    {"slopes",
+     "Every slope and shading",
+     {NULL, NULL},
+     "fov size",
+     "format,bits,near [m],far [m],z [m],shading,tilt [deg],bound [m] (predicted),no pixel wrong from [m] "
+     "(measured),bound / measured",
+     "The worst over all azimuths, from tiny planes to those that fill the picture. One triangle has one depth in "
+     "every "
+     "shading, so their rows agree. The bound is never exceeded.",
+     depth_slopes},
+    {"scenes",
+     "Surfaces that meet",
+     {NULL, NULL},
+     "fov size",
+     "format,bits,near [m],far [m],scene,shading,pixels (measured),wrong (measured),largest wrong [m] (measured),at "
+     "[m],step there [m] (predicted)",
+     "Floors before walls, tiles with cards, triangles from near to far that cross, and a sphere drawn in each shading "
+     "and then once more over it. A pixel is wrong if what shows there lies behind the other surface on its exact ray.",
+     depth_scenes},
+    {"monotone",
+     "Monotonicity",
+     {NULL, NULL},
+     "",
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      "The code at every distance that Q16.16 has: it must never rise. The renderer's formats pass. They have no Q16.16 "
      "reciprocal because it fails (recip-q16).",
      depth_monotone},
-    {"anchors", "Published numbers", NULL, NULL, "anchor,published,here,how,verdict",
-     "Numbers that others have published about depth, computed again; this camera does not matter. One passes if it "
-     "has the published digits. Of what Q16.16 reaches (from a quarter of far on for recip-q16), the renderer's "
-     "formats "
-     "pass with at most 5 % more, the others within 5 %.",
+    {"anchors",
+     "Numbers to hold it against",
+     {NULL, NULL},
+     NULL,
+     "anchor,source,stated,here,how,verdict",
+     "Numbers about depth, computed again; this camera does not matter. Each says whether it stands in a publication, "
+     "is reproduced with a published program, or is ours. One passes if it has the stated digits; Reed's percentages "
+     "pass if their sum is within 5 of 100, as they depend on the order of float32 sums. Of what Q16.16 reaches, the "
+     "renderer's formats pass with at most 5 % more, the others within 5 %.",
      depth_anchors},
 };
 
@@ -110,7 +154,7 @@ static void put_remarks(FILE *report, const char *csv, bool sentences)
     bool first = true;
     for (const char *line = strchr(csv, '\n'); line != NULL && line[1] != '\0'; line = strchr(line + 1, '\n')) {
         if (line[1] == '#') {
-            const char *const text = line + 2 + (line[2] == ' ');
+            const char *const text = line + 2 + strspn(line + 2, "!") + 1; /* "# " or "#! " */
             fprintf(report, "%s%s%s%.*s\n", first ? "\n" : "", first ? fence : "", sentences ? "- " : "",
                     (int)strcspn(text, "\n"), text);
             first = false;
@@ -231,11 +275,53 @@ static int put_section(const struct depth_lab *lab, FILE *report, const struct s
               "Orange: the plane behind shows. One picture a format, in the order of the table.\n",
               report);
     }
-    if (status == 0 && section->plot != NULL) {
-        status = put_plot(lab, report, section->plot, section->options, can_plot);
+    for (int i = 0; i < 2 && status == 0 && section->plots[i] != NULL; i++) {
+        status = put_plot(lab, report, section->plots[i], section->options, can_plot);
     }
     free(csv);
     return status;
+}
+
+/* The smallest separation that a format orders right at every distance, in metres; NAN: it cannot be measured. */
+static double worst_m(const struct depth_lab *lab, const struct lab_format *format)
+{
+    struct work {
+        struct lab_probe probe;
+        struct lab_search search;
+    } *const work = malloc(sizeof *work);
+    double worst = NAN;
+    if (work != NULL && lab_probe_open(&work->probe, format, lab->near_z, lab->far_z) == PH_OK) {
+        lab_search_open(&work->search, &work->probe);
+        worst = lab_search_worst(&work->search, &work->probe) / 65536.0;
+    }
+    free(work);
+    return worst;
+}
+
+/* One line: the cheapest format that separates a thousandth of the far plane's distance, or the finest. The formats of
+ * 16 bits that step in one multiplication come first. */
+static void put_answer(const struct depth_lab *lab, FILE *report)
+{
+    static const uint8_t order[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16, PH_DEPTH_FIXED24, PH_DEPTH_FLOAT24};
+    const double enough = depth_metres(lab->far_z) / 1000;
+    const struct lab_format *best = NULL;
+    double best_m = HUGE_VAL;
+    for (size_t i = 0; i < sizeof order && !(best_m <= enough); i++) {
+        const struct lab_format *format = lab_formats;
+        while (format->kind != LAB_DRAWN || format->format != order[i]) {
+            format++;
+        }
+        const double worst = worst_m(lab, format);
+        best = worst < best_m ? format : best;
+        best_m = fmin(worst, best_m);
+    }
+    if (best != NULL) {
+        fprintf(
+            report,
+            "\n**Take `%s` (%u bits): with the near plane at %.4g m it keeps surfaces that face the camera apart from "
+            "%.3g m on, at every distance up to %.4g m.**\n",
+            best->name, best->bits, depth_metres(lab->near_z), best_m, depth_metres(lab->far_z));
+    }
 }
 
 static int put_report(const struct depth_lab *lab, FILE *report)
@@ -244,8 +330,10 @@ static int put_report(const struct depth_lab *lab, FILE *report)
     struct depth_lab documents = *lab; /* with the near and far planes that the documents have */
     int status = 0;
     documents.near_set = documents.far_set = false;
-    fprintf(report, "# What depth resolves: near %.4g m, far %.4g m, %g degrees, %ux%u\n\nMade by `pinhole-depth all",
-            depth_metres(lab->near_z), depth_metres(lab->far_z), depth_metres(lab->fov_deg), lab->width, lab->height);
+    fprintf(report, "# What depth resolves: near %.4g m, far %.4g m, %g degrees, %ux%u\n", depth_metres(lab->near_z),
+            depth_metres(lab->far_z), depth_metres(lab->fov_deg), lab->width, lab->height);
+    put_answer(lab, report);
+    fputs("\nMade by `pinhole-depth all", report);
     put_camera(lab, report, "fov size");
     fputs(" --out DIR`.\n", report);
     for (size_t i = 0; i < sizeof sections / sizeof sections[0] && status == 0; i++) {

@@ -42,6 +42,17 @@ static const char *next_line(const char *line)
     return end != NULL ? end + 1 : line + strlen(line);
 }
 
+/* Prints the remarks that begin with this mark, without it. */
+static void print_remarks(FILE *file, const char *csv, const char *mark)
+{
+    for (const char *line = csv; *line != '\0'; line = next_line(line)) {
+        if (strncmp(line, mark, strlen(mark)) == 0) {
+            const char *text = line + strlen(mark) + strspn(line + strlen(mark), " ");
+            fprintf(file, "%.*s\n", (int)strcspn(text, "\n"), text);
+        }
+    }
+}
+
 void depth_table_print(FILE *file, const char *csv, const char *headings)
 {
     size_t width[COLUMNS_MAX] = {0};
@@ -54,6 +65,7 @@ void depth_table_print(FILE *file, const char *csv, const char *headings)
             measure(line, width);
         }
     }
+    print_remarks(file, csv, "#!");
     if (headings != NULL) {
         print_line(file, headings, width);
     }
@@ -62,12 +74,7 @@ void depth_table_print(FILE *file, const char *csv, const char *headings)
             print_line(file, line, width);
         }
     }
-    for (const char *line = rows; *line != '\0'; line = next_line(line)) {
-        if (*line == '#') {
-            const char *text = line + strspn(line, "# ");
-            fprintf(file, "%.*s\n", (int)strcspn(text, "\n"), text);
-        }
-    }
+    print_remarks(file, csv, "# ");
 }
 
 void depth_table_drop_remarks(char *csv)

@@ -21,23 +21,38 @@ static const struct depth_command commands[] = {
      "format,bits,near [m],far [m],distances (measured),codes (measured),rises (measured),longest plateau [m] "
      "(measured),verdict",
      depth_monotone},
-    {"advise", "which near plane, format and bits separate S at Z; and the separation at Z with this near plane",
-     " near far format fov size at separate bits csv ",
+    {"advise",
+     "which near plane, format and bits separate S at Z; the separation at Z with this near plane; or what fights in\n"
+     "            the frames of a model or demo",
+     " near far format fov size at separate tilt bits demo view model camera start frames csv ",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
-     "[m],separates at z [m] (measured),up to z [m] (measured)",
+     "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
      depth_advise},
-    {"anchors", "every published number that the depth lab is based on, computed again", " csv ",
-     "anchor,published,here,how,verdict", depth_anchors},
+    {"anchors", "the numbers that the depth lab is held against, published, reproduced or ours, computed again",
+     " csv ", "anchor,source,stated,here,how,verdict", depth_anchors},
     {"planes", "two parallel planes through the renderer: from which separation on none shows through the other",
-     " near far format fov size at tilt separation out csv ",
+     " near far format fov size at tilt azimuth shading separation out csv ",
      "format,bits,near [m],far [m],z [m],tilt [deg],S_min [m] (predicted),at this tilt [m] (predicted),no pixel wrong "
-     "from [m] (measured),measured / predicted",
+     "from [m] (measured),measured / predicted,azimuth [deg],shading",
      depth_planes},
+    {"slopes", "S_worst of planes by format, shading and tilt, over all azimuths and from tiny to screen-filling",
+     " near far format fov size at csv ",
+     "format,bits,near [m],far [m],z [m],shading,tilt [deg],bound [m] (predicted),no pixel wrong from [m] "
+     "(measured),bound / measured",
+     depth_slopes},
+    {"scenes", "floor and wall, tiles, crossing triangles, a sphere drawn twice: pixels that show the wrong surface",
+     " near far format fov size csv ",
+     "format,bits,near [m],far [m],scene,shading,pixels (measured),wrong (measured),largest wrong [m] (measured),at "
+     "[m],step there [m] (predicted)",
+     depth_scenes},
     {"budget", "what each part of the pipeline costs at each distance, and which part dominates",
      " near far format fov size at csv ",
-     "format,bits,near [m],far [m],z [m],part,separation [m] (predicted),separation [m] (measured),largest (measured)",
+     "format,bits,near [m],far [m],z [m],part,bound [m] (predicted),separation [m] (measured),largest (measured)",
      depth_budget},
-    {"plot", "draws one of the KINDs ndc, g, resolve, pairs, budget through gnuplot",
+    {"compare",
+     "FILE|-: a log of the image of the depth lab (make firmware APP=depth) against this machine, byte for byte",
+     " kind csv ", "near [m],far [m],format,lines (measured),verdict", depth_compare},
+    {"plot", "draws one of the KINDs ndc, g, resolve, others, pairs, budget through gnuplot",
      " kind near far format fov size at count spacing out ", NULL, depth_plot},
     {"all", "a report in Markdown: all of these for one camera, with tables, plots and the command that made each",
      " near far fov size out ", NULL, depth_report},
@@ -48,7 +63,8 @@ static const struct depth_command commands[] = {
 static int show(const struct depth_command *command, const struct depth_lab *lab, char *csv)
 {
     if (lab->csv == NULL) {
-        depth_table_print(stdout, csv, command->headings);
+        const bool scene = lab->demo != NULL || lab->model != NULL; /* advise then has other columns */
+        depth_table_print(stdout, csv, scene ? NULL : command->headings);
         return 0;
     }
     depth_table_drop_remarks(csv);
@@ -63,7 +79,7 @@ int main(int argc, char *argv[])
 {
     struct depth_lab lab;
     const struct depth_command *command;
-    complain_as("pinhole-depth");
+    complain_begin("pinhole-depth", argc, argv);
     int status = depth_options_read(&lab, &command, commands, COMMAND_COUNT, argc, argv);
     if (status != 0) {
         return complain_exit(status);

@@ -75,7 +75,7 @@ static int read_arguments(struct request *r, int argc, char *argv[])
 
 static int show(void *context, uint32_t frame, const struct ppm *picture)
 {
-    const struct request *r = context;
+    struct request *r = context;
     printf("frame %u crc32 %08X\n", (unsigned)frame,
            (unsigned)crc32_update(0, picture->rgb, (size_t)picture->width * picture->height * 3));
     fflush(stdout);
@@ -97,19 +97,19 @@ static int run(struct request *r)
         status = key_script_read(&keys, r->keys);
     }
     if (status == 0) {
-        status = frame_out_open(&r->frames_out, r->out, true);
+        status = frame_out_open(&r->frames_out, r->out, true, r->frames);
     }
     if (status == 0) {
         status = r->machine == 0 ? emulate_screen(&e) : emulate_trace(&e);
     }
     key_script_free(&keys);
-    return status;
+    return frame_out_close(&r->frames_out, status);
 }
 
 int main(int argc, char *argv[])
 {
     struct request request = {.machine = -1, .frames = 4};
-    complain_as("pinhole-emulate");
+    complain_begin("pinhole-emulate", argc, argv);
     int status = read_arguments(&request, argc, argv);
     if (status == 0 && request.help) {
         print_help();

@@ -154,7 +154,7 @@ static int run(const struct request *r)
 int main(int argc, char *argv[])
 {
     struct request request = {.path = NULL};
-    complain_as("pinhole-flash");
+    complain_begin("pinhole-flash", argc, argv);
     int status = read_arguments(&request, argc, argv);
     signal_stop_catch(); /* a command that is cut off would leave a board that takes no other before it is unplugged */
     if (status == 0 && request.help) {

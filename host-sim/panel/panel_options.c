@@ -153,8 +153,8 @@ static const struct option_row rows[] = {
      .at = offsetof(struct panel_options, refresh), .least = 1, .most = FRAME_LIMIT},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct panel_options, band), .least = 1, .most = LINES_LIMIT},
-    {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim",
-     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+    {"depth", "FORMAT", "what the depth buffer holds; auto by default, as in pinhole-sim", OPTION_DEPTH_VALUES,
+     .set = set_depth},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct panel_options, overlay)},
     {"stats", NULL, "frames a second, bytes and bus share, once a second on stderr", NULL,
@@ -213,7 +213,7 @@ static int check_together(const struct panel_options *o)
 
 int panel_options_read(struct panel_options *o, int argc, char *const argv[])
 {
-    *o = (struct panel_options){.depth = PH_DEPTH_AUTO};
+    *o = (struct panel_options){.depth = {PH_DEPTH_AUTO, 0}};
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {

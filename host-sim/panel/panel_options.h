@@ -3,6 +3,7 @@
 #define PANEL_OPTIONS_H
 
 #include "board.h"
+#include "option_text.h"
 
 #define PANEL_KITS_MAX 4
 
@@ -41,9 +42,9 @@ struct panel_options {
     uint32_t start, frames;          /* frames 0: until it is stopped */
     uint32_t fps;                    /* 0: as fast as it goes */
     uint32_t band;                   /* lines, 0: the board's own */
-    uint8_t depth;                   /* enum ph_depth_format */
-    bool diff;                       /* send only what changed */
-    uint32_t refresh;                /* and all of it every so many frames; 0: never */
+    struct option_depth depth;
+    bool diff;        /* send only what changed */
+    uint32_t refresh; /* and all of it every so many frames; 0: never */
     bool stats, overlay;
 };
 

@@ -77,7 +77,8 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
     const struct board *board = d->board;
     struct runner_config config = {.board = board,
                                    .rotation = board->rotation,
-                                   .depth_format = scene->depth,
+                                   .depth_format = scene->depth.format,
+                                   .depth_exponent = scene->depth.exponent,
                                    .band_height = scene->band != 0 ? scene->band : board->band_height,
                                    .budget_bytes = runner_budget(board),
                                    .demo = scene->demo,

@@ -5,6 +5,7 @@
 #ifndef PANEL_SHOW_H
 #define PANEL_SHOW_H
 
+#include "option_text.h"
 #include "runner.h"
 
 #include <signal.h>
@@ -33,7 +34,7 @@ struct panel_scene {
     uint32_t start, frames; /* frames 0: until stopped */
     uint32_t fps;           /* 0: as fast as it goes */
     uint16_t band;          /* 0: the board's */
-    uint8_t depth;          /* enum ph_depth_format */
+    struct option_depth depth;
     bool diff, overlay, stats;
     uint32_t refresh;
     const volatile sig_atomic_t *stop; /* not 0: stop after this frame */

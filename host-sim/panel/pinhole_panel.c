@@ -291,7 +291,7 @@ static int obey(struct stage *stage, const struct panel_options *o)
 int main(int argc, char *argv[])
 {
     struct panel_options options;
-    complain_as("pinhole-panel");
+    complain_begin("pinhole-panel", argc, argv);
     int status = panel_options_read(&options, argc, argv);
     if (status != 0) {
         return complain_exit(status);

@@ -1,18 +1,19 @@
 /*
- * pinhole-sheet: puts PPM pictures of any sizes on one sheet, in rows of at most a given width, with the same gap
+ * pinhole-sheet: puts pictures of any sizes on one sheet, in rows of at most a given width, with the same gap
  * everywhere. A row is as high as its highest picture; the pictures stand in its middle.
  */
 #include "complain.h"
+#include "frame_out.h"
 #include "option_table.h"
 #include "option_text.h"
-#include "ppm.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 struct sheet {
     const char *out;
-    bool streamed, help;
+    bool help;
+    struct frame_out frames;
     uint32_t width, gap; /* pixels */
     uint32_t count;
     struct ppm *pictures;
@@ -88,12 +89,15 @@ static bool set_out(void *to, const char *value)
 {
     struct sheet *s = to;
     s->out = value;
-    s->streamed = strcmp(value, "-") == 0;
-    return s->streamed || option_text_ends(value, ".ppm");
+    return strcmp(value, "-") == 0 || option_text_ends(value, ".ppm") || option_text_ends(value, ".png") ||
+           option_text_ends(value, ".gif");
 }
 
 static const struct option_row rows[] = {
-    {"out", "SHEET.ppm", "where the sheet goes, - is stdout", "a file that ends in .ppm, or -", .set = set_out},
+    {"out", "SHEET.png", "where the sheet goes; - is stdout (PPM)", "a file that ends in .png, .ppm or .gif, or -",
+     .set = set_out},
+    {"scale", "N", "makes every pixel of the sheet N x N pixels", "a whole number, 1 .. 16",
+     .at = offsetof(struct sheet, frames.scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
     {"width", "PX", "width of the sheet; 1024 by default (wider where a picture is)", "a whole number, 1 .. 16384",
      .at = offsetof(struct sheet, width), .least = 1, .most = PPM_SIDE_MAX},
     {"gap", "PX", "gap around each picture; 12 by default", "a whole number, 0 .. 1024",
@@ -105,7 +109,7 @@ static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
 static void print_help(void)
 {
-    puts("pinhole-sheet --out SHEET.ppm [options] FILE.ppm...: puts pictures of any sizes on one sheet.\n");
+    puts("pinhole-sheet --out SHEET.png [options] FILE...: puts pictures (PPM, PNG) of any sizes on one sheet.\n");
     option_table_help(&table);
     puts("\nExit status: 0 done; 1 failed; 2 wrong usage.");
 }
@@ -120,9 +124,9 @@ static int read_arguments(struct sheet *s, int argc, char *argv[])
                 return i;
             }
         } else {
-            const int status = ppm_load(argv[i], &s->pictures[s->count]);
+            const int status = frame_out_load(argv[i], &s->pictures[s->count]);
             if (status != 0) {
-                return complain("%s: cannot be read as a PPM: %s", argv[i], strerror(-status));
+                return status;
             }
             s->count++;
             i++;
@@ -130,7 +134,7 @@ static int read_arguments(struct sheet *s, int argc, char *argv[])
     }
     return s->help || (s->out != NULL && s->count > 0)
                ? 0
-               : complain_usage("--out and at least one FILE.ppm are needed; see --help");
+               : complain_usage("--out and at least one FILE are needed; see --help");
 }
 
 static int make_sheet(struct sheet *s)
@@ -140,14 +144,17 @@ static int make_sheet(struct sheet *s)
         return status;
     }
     put_pictures(s);
-    status = s->streamed ? ppm_write(stdout, &s->paper) : ppm_save(s->out, &s->paper);
-    return status == 0 ? 0 : complain("%s: cannot be written: %s", s->streamed ? "stdout" : s->out, strerror(-status));
+    status = frame_out_open(&s->frames, s->out, false, 0);
+    if (status == 0) {
+        status = frame_out_put(&s->frames, 0, &s->paper);
+    }
+    return frame_out_close(&s->frames, status);
 }
 
 int main(int argc, char *argv[])
 {
     struct sheet sheet = {.width = 1024, .gap = 12};
-    complain_as("pinhole-sheet");
+    complain_begin("pinhole-sheet", argc, argv);
     sheet.pictures = calloc((size_t)argc, sizeof *sheet.pictures);
     int status = sheet.pictures != NULL ? read_arguments(&sheet, argc, argv) : complain("not enough memory");
     if (status == 0 && sheet.help) {

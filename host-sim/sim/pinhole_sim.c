@@ -6,7 +6,9 @@
 
 #include "complain.h"
 #include "crc32.h"
+#include "frame_check.h"
 #include "frame_out.h"
+#include "json_text.h"
 #include "key_script.h"
 #include "model.h"
 #include "progress.h"
@@ -23,6 +25,7 @@
 #define DEFAULT_DEMO "turntable"
 #define DEFAULT_SIDE 240 /* pixels of the plain square panel that is used when no kit is named */
 
+#define FRAME_LIMIT 1000000000u        /* the highest number of a frame is below */
 #define SHORTEST_NS (1000000000u / 60) /* a window shows no more frames than most screens do */
 
 /* Names of the demo's views, with a space before each. */
@@ -52,6 +55,33 @@ static void print_list(void)
                  (unsigned)panel_height(panel, board_list[i]->rotation));
         printf("board  %-26s %-8s %s\n", board_list[i]->name, size, board_list[i]->title);
     }
+}
+
+/* `{"demos": [..], "boards": [..]}`. */
+static void print_json_list(void)
+{
+    fputs("{\"demos\": [", stdout);
+    for (uint32_t i = 0; i < demo_count; i++) {
+        const struct demo *const d = demo_list[i];
+        printf("%s\n  {\"name\": \"%s\", \"frames\": %u, \"summary\": ", i > 0 ? "," : "", d->name,
+               (unsigned)d->loop_frames);
+        json_text(stdout, d->summary);
+        fputs(", \"views\": [", stdout);
+        for (size_t k = 0; d->views != NULL && d->views[k] != NULL; k++) {
+            printf("%s\"%s\"", k > 0 ? ", " : "", d->views[k]);
+        }
+        fputs("]}", stdout);
+    }
+    fputs("\n ], \"boards\": [", stdout);
+    for (uint32_t i = 0; i < board_count; i++) {
+        const struct board *const b = board_list[i];
+        printf("%s\n  {\"name\": \"%s\", \"width\": %u, \"height\": %u, \"panel\": \"%s\", \"title\": ",
+               i > 0 ? "," : "", b->name, (unsigned)panel_width(b->panel, b->rotation),
+               (unsigned)panel_height(b->panel, b->rotation), b->panel->name);
+        json_text(stdout, b->title);
+        fputs("}", stdout);
+    }
+    fputs("\n ]}\n", stdout);
 }
 
 static int choose_board(const struct sim_options *o, struct sim_virtual *virtual_board, const struct board **board)
@@ -164,7 +194,7 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     }
     setup->rotation = o->rotate_set ? o->rotate : setup->board->rotation;
     setup->band_height = o->band != 0 ? o->band : setup->board->band_height;
-    setup->depth_format = o->depth;
+    setup->depth = o->depth;
     setup->overlay = o->overlay;
     status = choose_camera(o, setup, &setup->camera);
     return status != 0 ? status : choose_scene(o, chosen, setup);
@@ -191,11 +221,23 @@ static int show_matrices(const struct sim_options *o, const struct frame_out *ou
     return status == 0 ? 0 : complain_usage("--matrix: this demo's camera has no matrix; give a --projection");
 }
 
-static int show_frame(const struct sim_options *o, const struct frame_out *out, struct sim_player *p, uint32_t frame)
+/* Where the frames go, what they are compared with, and where the buttons come from. */
+struct stage {
+    struct frame_out out;
+    struct frame_check check;
+    struct key_script keys;
+    struct sim_window *window; /* NULL: none asked for */
+};
+
+static int show_frame(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint32_t frame)
 {
+    struct frame_out *const out = &stage->out;
     int status = sim_player_frame(p, frame);
     if (status == 0) {
         status = frame_out_put(out, frame, &p->picture);
+    }
+    if (status == 0) {
+        status = frame_check_put(&stage->check, frame, &p->picture);
     }
     if (status == 0 && o->crc) {
         const size_t n = (size_t)p->picture.width * p->picture.height * 3;
@@ -203,17 +245,10 @@ static int show_frame(const struct sim_options *o, const struct frame_out *out, 
                 (unsigned)crc32_update(0, p->picture.rgb, n));
     }
     if (status == 0 && o->stats) {
-        sim_player_print_stats(p, frame);
+        (o->json ? sim_player_print_json : sim_player_print_stats)(p, frame);
     }
     return status;
 }
-
-/* Where the frames go, and where the buttons come from. */
-struct stage {
-    struct frame_out out;
-    struct key_script keys;
-    struct sim_window *window; /* NULL: none asked for */
-};
 
 /* Sets the kit's buttons from script and keyboard. False: the window was closed. */
 static bool press(struct stage *stage, struct sim_player *p, uint32_t frame)
@@ -226,14 +261,15 @@ static bool press(struct stage *stage, struct sim_player *p, uint32_t frame)
 
 static int run_frames(const struct sim_options *o, struct stage *stage, struct sim_player *p)
 {
-    const bool drawn = o->out != NULL || o->crc || o->stats || o->show_window; /* --matrix alone draws none */
+    const bool drawn =
+        o->out != NULL || o->crc || o->stats || o->check != NULL || o->show_window; /* --matrix alone draws none */
     const bool bar = o->out != NULL && !o->crc && !o->stats && stage->out.kind != FRAME_OUT_STREAM;
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
         if (!press(stage, p, o->start + i)) {
             break;
         }
-        status = show_frame(o, &stage->out, p, o->start + i);
+        status = show_frame(o, stage, p, o->start + i);
         if (bar && (uint64_t)i * 100 / o->frames != (uint64_t)(i + 1) * 100 / o->frames) {
             progress_show("frames", i + 1, o->frames);
         }
@@ -250,15 +286,23 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
 
 static int run(const struct sim_options *o, const struct sim_player_setup *setup)
 {
-    struct stage stage = {.window = NULL};
+    struct stage stage = {.out = {.scale = o->scale},
+                          .check = {.reference = o->check,
+                                    .difference = o->difference != NULL ? o->difference : "difference.png",
+                                    .tolerance = o->tolerance,
+                                    .several = o->frames > 1}};
     struct sim_player player;
+    const uint32_t last = o->start + (o->frames == UINT32_MAX ? FRAME_LIMIT : o->frames - 1);
     int status = key_script_read(&stage.keys, o->keys);
     if (status == 0) {
-        status = frame_out_open(&stage.out, o->out, o->frames > 1);
+        status = frame_check_open(&stage.check, last);
+    }
+    if (status == 0) {
+        status = frame_out_open(&stage.out, o->out, o->frames > 1, last);
     }
     if (status != 0) {
         key_script_free(&stage.keys);
-        return status;
+        return frame_check_close(&stage.check, status);
     }
     status = sim_player_open(&player, setup);
     if (status == 0 && o->stats && sim_note(player.sim) != NULL) {
@@ -273,7 +317,8 @@ static int run(const struct sim_options *o, const struct sim_player_setup *setup
     sim_window_close(stage.window);
     key_script_free(&stage.keys);
     const int closed = sim_player_close(&player);
-    return status != 0 ? status : closed;
+    status = frame_out_close(&stage.out, status != 0 ? status : signal_stop != 0 ? COMPLAINED : closed);
+    return frame_check_close(&stage.check, status);
 }
 
 static int draw(const struct sim_options *o)
@@ -296,7 +341,7 @@ static int draw(const struct sim_options *o)
 int main(int argc, char *argv[])
 {
     struct sim_options options;
-    complain_as("pinhole-sim");
+    complain_begin("pinhole-sim", argc, argv);
     int status = sim_options_read(&options, argc, argv);
     if (status != 0) {
         return complain_exit(status);
@@ -304,7 +349,7 @@ int main(int argc, char *argv[])
     if (options.action == OPTION_HELP) {
         sim_options_help();
     } else if (options.action == OPTION_LIST) {
-        print_list();
+        (options.json ? print_json_list : print_list)();
     } else if (options.out != NULL && strcmp(options.out, "-") == 0 && isatty(STDOUT_FILENO)) {
         status = complain_usage("--out -: stdout is a terminal; pipe it into a program, or use --out FILE.ppm");
     } else {

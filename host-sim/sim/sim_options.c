@@ -1,6 +1,7 @@
 #include "sim_options.h"
 
 #include "complain.h"
+#include "frame_out.h"
 #include "option_table.h"
 #include "option_text.h"
 #include "render.h"
@@ -26,32 +27,11 @@ static bool set_rotate(void *to, const char *value)
     return option_text_turns(value, &o->rotate);
 }
 
-/* eye=x,y,z,target=x,y,z,up=x,y,z in any order, each at most once. */
 static bool set_camera(void *to, const char *value)
 {
     struct sim_options *o = to;
-    static const char *const keys[] = {"eye=", "target=", "up="};
-    struct fx_vec3 *const vectors[] = {&o->eye, &o->target, &o->up};
-    bool seen[3] = {false, false, false};
-    for (;;) {
-        int key = 0;
-        while (key < 3 && (seen[key] || strncmp(value, keys[key], strlen(keys[key])) != 0)) {
-            key++;
-        }
-        fx_t xyz[3];
-        if (key == 3 || !option_text_fx_list(value + strlen(keys[key]), xyz, 3, &value)) {
-            return false;
-        }
-        *vectors[key] = (struct fx_vec3){xyz[0], xyz[1], xyz[2]};
-        seen[key] = true;
-        if (*value == '\0') {
-            o->camera_set = seen[0];
-            return seen[0];
-        }
-        if (*value++ != ',') {
-            return false;
-        }
-    }
+    o->camera_set = option_text_camera(value, &o->eye, &o->target, &o->up);
+    return o->camera_set;
 }
 
 static bool set_distance(struct sim_options *o, fx_t *out, const char *value)
@@ -110,6 +90,12 @@ static bool set_depth(void *to, const char *value)
     return option_text_depth(value, &((struct sim_options *)to)->depth);
 }
 
+static bool set_difference(void *to, const char *value)
+{
+    ((struct sim_options *)to)->difference = value;
+    return option_text_ends(value, ".png") || option_text_ends(value, ".ppm");
+}
+
 static bool set_list(void *to, const char *value)
 {
     struct sim_options *o = to;
@@ -139,8 +125,21 @@ static const struct option_row rows[] = {
      .at = offsetof(struct sim_options, frames), .least = 1, .most = FRAME_LIMIT},
     {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",
      .at = offsetof(struct sim_options, start), .least = 0, .most = FRAME_LIMIT},
-    {"out", "DIR|FILE.ppm|-", "DIR/frame-NNNN.ppm; FILE.ppm (several frames: FILE-NNNN.ppm); - streams to stdout",
-     "a directory, a file that ends in .ppm, or -", .at = offsetof(struct sim_options, out)},
+    {"out", "DIR|FILE.png|FILE.gif|FILE.ppm|-",
+     "DIR/frame-NNNN.ppm; FILE.png or .ppm (several frames: FILE-NNNN.png); all frames as a GIF; - streams PPM to\n"
+     "        stdout",
+     FRAME_OUT_TAKES, .at = offsetof(struct sim_options, out)},
+    {"scale", "N", "makes every pixel of --out N x N pixels", "a whole number, 1 .. 16",
+     .at = offsetof(struct sim_options, scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
+    {"check", "REF",
+     "compares each frame with FILE.png or .ppm (several frames: FILE-NNNN.png), with a folder of such frames, or "
+     "with\n"
+     "        what --crc printed into a file; says what differs, draws it red into --difference, and exits 1",
+     "a picture, a folder or a file of CRCs", .at = offsetof(struct sim_options, check)},
+    {"tolerance", "N", "pixels may differ by so much in each channel; 0 by default", "a whole number, 0 .. 255",
+     .at = offsetof(struct sim_options, tolerance), .least = 0, .most = 255},
+    {"difference", "FILE.png", "where --check draws what differs; difference.png by default",
+     "a file that ends in .png or .ppm", .set = set_difference},
     {"rotate", "0|90|180|270",
      "how far the picture is turned clockwise in the controller's memory; 0 is the controller's own top; the\n"
      "        board's own by default. The glass is shown with the picture upright, as you would hold it: 90 and 270\n"
@@ -149,8 +148,7 @@ static const struct option_row rows[] = {
     {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
      "target is the origin and up is the y axis by default. Without this option the demo has its own view; it has\n"
      "        its own lens if none of --camera, --fov, --near, --far, --projection is given",
-     "eye=X,Y,Z and, optionally, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99",
-     .set = set_camera},
+     OPTION_CAMERA_VALUES, .set = set_camera},
     {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
      "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
     {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
@@ -162,12 +160,11 @@ static const struct option_row rows[] = {
     {"convention", "gl|d3d|lmu|reversed",
      "how the camera is written down; the picture is the same in all of them. gl by default: right-handed, along -z",
      "gl, d3d, lmu or reversed", .set = set_convention},
-    {"depth", "auto|fixed16|float16|fixed24|float24|linear-w",
+    {"depth", "auto|fixed16|float16[-eN]|fixed24|float24[-eN]|linear-w",
      "what the depth buffer holds; auto by default: fixed16 where far is at most 64 times near or the\n"
-     "        projection is parallel, else float16 (--stats names it). The 24-bit formats take twice the memory, "
-     "linear-w\n"
-     "        a reciprocal per pixel",
-     "auto, fixed16, float16, fixed24, float24 or linear-w", .set = set_depth},
+     "        projection is parallel, else float16. A float has N bits of exponent, by default those that the lens\n"
+     "        needs (--stats names them). The 24-bit formats take twice the memory, linear-w a reciprocal per pixel",
+     OPTION_DEPTH_VALUES, .set = set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
@@ -189,6 +186,8 @@ static const struct option_row rows[] = {
      "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
      "        wire, bus: bytes and time of the frame on the SPI bus",
      NULL, .at = offsetof(struct sim_options, stats)},
+    {"json", NULL, "prints --stats and --list as JSON; host-sim/README.md has the keys", NULL,
+     .at = offsetof(struct sim_options, json)},
     {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL,
      .set = set_list},
     {"help", NULL, "prints this, as does -h", NULL, .set = set_help},
@@ -212,8 +211,9 @@ static int check_together(const struct sim_options *o)
     if (o->board != NULL && o->width != 0) {
         return complain_usage("--board and --size exclude each other");
     }
-    if (o->action == OPTION_RUN && o->out == NULL && !o->crc && !o->stats && !o->matrix && !o->show_window) {
-        return complain_usage("nothing to do: give --out, --crc, --stats, --matrix or --window (see --help)");
+    if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
+        !o->show_window) {
+        return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix or --window (see --help)");
     }
     if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
         return complain_usage("--fov: must be less than 180 degrees; more only with --projection fisheye");

@@ -6,6 +6,7 @@
 #define SIM_OPTIONS_H
 
 #include "camera.h"
+#include "option_text.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -22,13 +23,17 @@ struct sim_options {
     uint16_t width, height; /* --size, 0: not given */
     uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */
     const char *keys;       /* path of a script of presses, or NULL */
-    const char *out;        /* directory, FILE.ppm, "-", or NULL */
+    const char *out;        /* directory, FILE.ppm, .png or .gif, "-", or NULL */
+    uint32_t scale;         /* 0: not given */
+    const char *check;      /* see frame_check.h, or NULL */
+    const char *difference; /* FILE.png, or NULL */
+    uint32_t tolerance;     /* 0 .. 255 */
     bool rotate_set;        /* else as the board is usually held */
     uint8_t rotate;         /* quarter turns, 0 .. 3 */
     uint32_t band;          /* lines, 0: the board's own */
-    uint8_t depth;          /* enum ph_depth_format */
-    uint8_t convention;     /* enum ph_convention */
-    bool crc, stats, overlay, matrix, show_window;
+    struct option_depth depth;
+    uint8_t convention; /* enum ph_convention */
+    bool crc, stats, json, overlay, matrix, show_window;
 
     bool camera_set;
     struct fx_vec3 eye, target, up;

@@ -1,7 +1,6 @@
 #include "sim_player.h"
 
 #include "complain.h"
-#include "option_text.h"
 
 #include <stdlib.h>
 
@@ -26,7 +25,8 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
     }
     struct runner_config config = {.board = board,
                                    .rotation = (uint8_t)setup->rotation,
-                                   .depth_format = setup->depth_format,
+                                   .depth_format = setup->depth.format,
+                                   .depth_exponent = setup->depth.exponent,
                                    .band_height = setup->band_height,
                                    .budget_bytes = runner_budget(board),
                                    .demo = setup->demo,
@@ -104,9 +104,15 @@ uint64_t sim_player_bus_ns(const struct sim_player *p)
     return sim_counters(p->sim).bus_ns - p->counters.bus_ns;
 }
 
+static const char *depth_name(const struct ph_stats *s, char text[OPTION_DEPTH_NAME])
+{
+    return option_text_depth_name((struct option_depth){s->depth_format, s->depth_exponent}, text);
+}
+
 void sim_player_print_stats(const struct sim_player *p, uint32_t frame)
 {
     const struct ph_stats *s = &p->runner.renderer.stats;
+    char depth[OPTION_DEPTH_NAME];
     const struct sim_counters now = sim_counters(p->sim);
     const double bus_us = (double)sim_player_bus_ns(p) / 1000;
     fprintf(stderr, "frame %u: vertices %u, triangles in %u, culled %u, clipped %u, drawn %u, dropped %u; ",
@@ -115,9 +121,30 @@ void sim_player_print_stats(const struct sim_player *p, uint32_t frame)
     fprintf(stderr,
             "vertices dropped %u; fragments %u, depth %s; wire %llu bytes, writes %u, bus %.0f us at %u Hz, %.1f "
             "frames/s\n",
-            (unsigned)s->vertices_dropped, (unsigned)s->fragments, option_text_depth_name(s->depth_format),
+            (unsigned)s->vertices_dropped, (unsigned)s->fragments, depth_name(s, depth),
             (unsigned long long)(now.bytes - p->counters.bytes), (unsigned)(now.writes - p->counters.writes), bus_us,
             (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
+}
+
+void sim_player_print_json(const struct sim_player *p, uint32_t frame)
+{
+    const struct ph_stats *s = &p->runner.renderer.stats;
+    char depth[OPTION_DEPTH_NAME];
+    const struct sim_counters now = sim_counters(p->sim);
+    const double bus_us = (double)sim_player_bus_ns(p) / 1000;
+    fprintf(
+        stderr,
+        "{\"frame\": %u, \"vertices\": %u, \"triangles_in\": %u, \"triangles_culled\": %u, \"triangles_clipped\": %u, "
+        "\"triangles_drawn\": %u, \"triangles_dropped\": %u, \"vertices_dropped\": %u, ",
+        (unsigned)frame, (unsigned)s->vertices, (unsigned)s->triangles_in, (unsigned)s->triangles_culled,
+        (unsigned)s->triangles_clipped, (unsigned)s->triangles_drawn, (unsigned)s->triangles_dropped,
+        (unsigned)s->vertices_dropped);
+    fprintf(stderr,
+            "\"fragments\": %u, \"depth\": \"%s\", \"wire_bytes\": %llu, \"writes\": %u, \"bus_us\": %.0f, "
+            "\"clock_hz\": %u, "
+            "\"fps\": %.1f}\n",
+            (unsigned)s->fragments, depth_name(s, depth), (unsigned long long)(now.bytes - p->counters.bytes),
+            (unsigned)(now.writes - p->counters.writes), bus_us, (unsigned)now.clock_hz, bus_us > 0 ? 1e6 / bus_us : 0);
 }
 
 static uint32_t print_complaints(const struct sim *sim)

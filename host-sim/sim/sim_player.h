@@ -6,6 +6,7 @@
 #ifndef SIM_PLAYER_H
 #define SIM_PLAYER_H
 
+#include "option_text.h"
 #include "ppm.h"
 #include "runner.h"
 #include "sim.h"
@@ -14,7 +15,7 @@ struct sim_player_setup {
     const struct board *board;
     unsigned rotation;    /* enum panel_rotation */
     uint16_t band_height; /* lines; at most the whole picture is taken */
-    uint8_t depth_format; /* enum ph_depth_format */
+    struct option_depth depth;
     const struct demo *demo;
     void *state;      /* what the demo finds in context->state, or NULL */
     const char *view; /* one of the demo's views, or NULL: the first */
@@ -48,6 +49,9 @@ uint64_t sim_player_bus_ns(const struct sim_player *p);
 
 /* Prints the cost of the last frame in one line on stderr. */
 void sim_player_print_stats(const struct sim_player *p, uint32_t frame);
+
+/* The same as an object of JSON on a line of its own; host-sim/README.md has its keys, which stay. */
+void sim_player_print_json(const struct sim_player *p, uint32_t frame);
 
 /* Turns the display off, prints each of the controller's complaints on stderr and frees the memory. 0, or COMPLAINED if
  * there were any. */

@@ -36,7 +36,7 @@ struct request {
 
 static int show_frame(void *context, uint32_t frame, const uint8_t *rgb)
 {
-    const struct request *r = context;
+    struct request *r = context;
     const size_t n = (size_t)r->width * r->height * 3;
     uint8_t *copy = malloc(n);
     if (copy == NULL) {
@@ -108,8 +108,11 @@ static const struct option_row rows[] = {
     {"board", "NAME", "the kit", "a name that pinhole-sim --list shows", .set = set_board},
     {"rotate", "0|90|180|270", "the rotation of the picture; the board's own by default", "0, 90, 180 or 270 degrees",
      .set = set_rotate},
-    {"out", "DIR|FILE.ppm", "pictures as DIR/frame-NNNN.ppm, or one FILE.ppm",
-     "a directory or a file that ends in .ppm", .at = offsetof(struct request, out)},
+    {"out", "DIR|FILE.png|FILE.gif|FILE.ppm",
+     "pictures as DIR/frame-NNNN.ppm; FILE-NNNN.png or .ppm (with --last FILE.png); all frames as a GIF",
+     FRAME_OUT_TAKES, .at = offsetof(struct request, out)},
+    {"scale", "N", "makes every pixel of --out N x N pixels", "a whole number, 1 .. 16",
+     .at = offsetof(struct request, frames.scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
     {"last", NULL, "only the last picture that was seen: for streams that send only what changed", NULL,
      .at = offsetof(struct request, wire.last)},
     {"notes", NULL, "a frame ends at each note `frame`, also if not all of it was written", NULL,
@@ -230,7 +233,7 @@ static int run(struct request *r)
     r->wire.board = &r->board;
     r->width = panel_width(panel, r->wire.rotation);
     r->height = panel_height(panel, r->wire.rotation);
-    int status = frame_out_open(&r->frames, r->out, !r->wire.last);
+    int status = frame_out_open(&r->frames, r->out, !r->wire.last, 0);
     if (status != 0) {
         return status;
     }
@@ -243,14 +246,14 @@ static int run(struct request *r)
     if (r->in != NULL) {
         fclose(in);
     }
-    return status;
+    return frame_out_close(&r->frames, status);
 }
 
 int main(int argc, char *argv[])
 {
     struct request request = {
         .in = NULL, .wire = {.frame = show_frame, .step = show_step, .resent = show_complaint, .context = &request}};
-    complain_as("pinhole-wire");
+    complain_begin("pinhole-wire", argc, argv);
     int status = read_arguments(&request, argc, argv);
     if (status == 0 && request.help) {
         print_help();

@@ -20,15 +20,17 @@ static const char *const names[PH_DEPTH_FORMATS] = {
 };
 
 /* The lens of a frame, as the renderer makes it. */
-static int lens_of(const struct camera *camera, struct ph_lens *lens)
+static int lens_of(const struct camera *camera, enum ph_depth_format format, int exponent, struct ph_lens *lens)
 {
     struct ph_renderer r;
     struct ph_projection p;
     uint32_t bin;
-    uint16_t depth;
+    uint32_t depth;
     const struct ph_config config = {.width = 1,
                                      .height = 1,
                                      .band_height = 1,
+                                     .depth_format = (uint8_t)format,
+                                     .depth_exponent = (uint8_t)exponent,
                                      .vertices = &r,
                                      .triangles = &r,
                                      .bins = &bin,
@@ -43,10 +45,10 @@ static int lens_of(const struct camera *camera, struct ph_lens *lens)
     return 0;
 }
 
-static int check(const struct camera *camera, enum ph_depth_format format)
+static int check(const struct camera *camera, enum ph_depth_format format, int exponent)
 {
     struct ph_lens lens;
-    if (lens_of(camera, &lens) != 0) {
+    if (lens_of(camera, format, exponent, &lens) != 0) {
         fprintf(stderr, "exhaustive_depth: the renderer refuses the camera\n");
         return 1;
     }
@@ -62,8 +64,9 @@ static int check(const struct camera *camera, enum ph_depth_format format)
         codes += code != before;
         before = code;
     }
-    printf("%-8s near %.6g far %.8g: %u distances, %u codes, none rises\n", names[format], camera->near_z / 65536.,
-           camera->far_z / 65536., (unsigned)camera->far_z - (unsigned)camera->near_z + 1, (unsigned)codes);
+    printf("%-8s e%d near %.6g far %.8g: %u distances, %u codes, none rises\n", names[format], exponent,
+           camera->near_z / 65536., camera->far_z / 65536., (unsigned)camera->far_z - (unsigned)camera->near_z + 1,
+           (unsigned)codes);
     fflush(stdout);
     return 0;
 }
@@ -74,8 +77,11 @@ int main(void)
         {6554, FX_INT(1000), 1}, {FX_HALF, FX_INT(100), 1}, {FX_ONE, FX_INT(1000), 1}, {1, FX_MAX, 61}};
     for (size_t i = 0; i < sizeof cameras / sizeof cameras[0]; i++) {
         for (int format = 1; format < PH_DEPTH_FORMATS; format++) {
-            if (check(&cameras[i], (enum ph_depth_format)format) != 0) {
-                return EXIT_FAILURE;
+            const bool is_float = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+            for (int exponent = is_float ? 3 : 0; exponent <= (is_float ? 6 : 0); exponent++) {
+                if (check(&cameras[i], (enum ph_depth_format)format, exponent) != 0) {
+                    return EXIT_FAILURE;
+                }
             }
         }
     }

@@ -1,7 +1,6 @@
 /*
- * Every unary function of fx.h is checked over all its 2^32 raw inputs, on all processors at once.
- *
- * Usage: exhaustive_fx [--help] [NAME...]     all checks, or those named; with SHARE=K/N in the environment every N-th
+ * Every unary function of fx.h is checked over all its 2^32 raw inputs. exhaustive.h has the usage; SHARE=K/N runs every
+ * N-th check.
  *
  * Where a function is monotone, MPFR gives the input at which its rounded result changes next, and all inputs before it
  * must give the same result. Sine, cosine and tangent have 65536 distinct inputs. The sine in Q2.30 is compared with a
@@ -9,32 +8,15 @@
  */
 #include <mpfr.h>
 
+#include "exhaustive.h"
 #include "fx.h"
 #include "fx_armv6m.h"
 #include "fx_oracle.h"
 
-#include <inttypes.h>
-#include <pthread.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
-#define CHUNK_BITS 22
-#define CHUNKS     ((uint32_t)1 << (32 - CHUNK_BITS))
-#define RESEED     4096
-
-/* The raw inputs of one call of a check; both ends are included. */
-struct range {
-    uint32_t first, last;
-};
-
-struct check {
-    const char *name;
-    bool (*run)(struct range, uint32_t *wrong); /* false: *wrong is the first input with a wrong result */
-};
+#define RESEED 4096
 
 static int32_t sines[65536], cosines[65536], tangents[65536];
 
@@ -372,122 +354,17 @@ static const struct check checks[] = {
     {"atan2_of_quotient", check_atan2},
     {"text_round_trip", check_text},
 };
-#define CHECKS (sizeof checks / sizeof checks[0])
-
-struct run {
-    const struct check *check;
-    _Atomic uint32_t next;
-    atomic_bool failed;
-    _Atomic uint32_t wrong;
-};
-
-static void *worker(void *argument)
-{
-    struct run *run = argument;
-    for (uint32_t i; !run->failed && (i = run->next++) < CHUNKS;) {
-        const struct range r = {i << CHUNK_BITS, (i << CHUNK_BITS) | (((uint32_t)1 << CHUNK_BITS) - 1)};
-        uint32_t wrong = 0;
-        if (!run->check->run(r, &wrong)) {
-            run->wrong = wrong;
-            run->failed = true;
-        }
-        if (i % 16 == 15 && isatty(2) != 0) {
-            fprintf(stderr, "\r%s %3u %%  ", run->check->name, (i + 1) * 100 / CHUNKS);
-        }
-    }
-    mpfr_free_cache();
-    return NULL;
-}
-
-static bool run_check(const struct check *check, int number)
-{
-    enum { MOST = 64 };
-    pthread_t threads[MOST];
-    struct run run = {.check = check};
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    int n = 0;
-    while (n < MOST && n < (processors > 1 ? processors : 1) && pthread_create(&threads[n], NULL, worker, &run) == 0) {
-        n++;
-    }
-    if (n == 0) {
-        worker(&run);
-    }
-    for (int i = 0; i < n; i++) {
-        pthread_join(threads[i], NULL);
-    }
-    if (isatty(2) != 0) {
-        fprintf(stderr, "\r%40s\r", "");
-    }
-    if (run.failed) {
-        printf("not ok %d - %s # wrong at raw input 0x%08" PRIx32 "\n", number, check->name, run.wrong);
-    } else {
-        printf("ok %d - %s\n", number, check->name);
-    }
-    fflush(stdout);
-    return !run.failed;
-}
-
-static bool named(const char *name, int argc, char **argv)
-{
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], name) == 0) {
-            return true;
-        }
-    }
-    return argc == 1;
-}
-
-static int usage(int status)
-{
-    fprintf(status == 0 ? stdout : stderr, "usage: exhaustive_fx [--help] [NAME...]\nnames:");
-    for (size_t i = 0; i < CHECKS; i++) {
-        fprintf(status == 0 ? stdout : stderr, " %s", checks[i].name);
-    }
-    fprintf(status == 0 ? stdout : stderr, "\n");
-    return status;
-}
-
-static bool known(const char *name)
-{
-    for (size_t i = 0; i < CHECKS; i++) {
-        if (strcmp(checks[i].name, name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
 
 int main(int argc, char **argv)
 {
-    int passed = 0, failed = 0;
-    size_t part = 1, parts = 1;
-    const char *share = getenv("SHARE");
-    if (share != NULL && (sscanf(share, "%zu/%zu", &part, &parts) != 2 || part < 1 || part > parts)) {
-        return usage(2);
-    }
-    part--;
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0) {
-            return usage(0);
-        }
-        if (!known(argv[i])) {
-            return usage(2);
-        }
-    }
     for (int32_t i = 0; i < 65536; i++) {
         sines[i] = oracle_sin(i);
         cosines[i] = oracle_cos(i);
         tangents[i] = oracle_tan(i);
     }
-    for (size_t i = 0; i < CHECKS; i++) {
-        if (i % parts == part && named(checks[i].name, argc, argv)) {
-            *(run_check(&checks[i], passed + failed + 1) ? &passed : &failed) += 1;
-        }
-    }
-    printf("1..%d\n", passed + failed);
+    const int status = exhaustive_main(argc, argv, checks, sizeof checks / sizeof checks[0]);
     if (worst_sincos != 0) {
         printf("# sincos_q30: at most %.6f LSB\n", (double)worst_sincos / 0x1p24);
     }
-    printf("exhaustive: %d passed, %d failed, 0 skipped\n", passed, failed);
-    return failed != 0;
+    return status;
 }

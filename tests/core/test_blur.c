@@ -64,14 +64,21 @@ static void build_random(struct scene *s)
     }
 }
 
-static void draw(struct rig *rig, const struct scene *s, int band, enum ph_depth_format format)
+/* exponent: see struct ph_config. */
+static void draw_with(struct rig *rig, const struct scene *s, int band, enum ph_depth_format format, int exponent)
 {
     struct ph_projection p;
     rig_open(rig, WIDTH, HEIGHT, band, format, 4 * QUAD_MAX, 4 * QUAD_MAX);
+    rig->r.config.depth_exponent = (uint8_t)exponent;
     assert_int_equal(
         ph_projection_perspective(&p, FX_INT(50), ref_q16((double)WIDTH / HEIGHT), ref_q16(NEAR), ref_q16(FAR)), PH_OK);
     assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &p, NULL, ph_rgb565(90, 120, 200)), PH_OK);
     assert_int_equal(ph_draw_mesh(&rig->r, &s->mesh, &ph_xform_identity), PH_OK);
+}
+
+static void draw(struct rig *rig, const struct scene *s, int band, enum ph_depth_format format)
+{
+    draw_with(rig, s, band, format, 0);
 }
 
 /* Draws all bands through the blur, with exactly the memory that it asks for. */
@@ -147,17 +154,18 @@ static void picture_is_that_of_a_thin_lens(void **state)
     (void)state;
     assert_non_null(s);
     ref_seed(6);
-    for (int i = 0; i < 24; i++) {
+    for (int i = 0; i < 48; i++) {
         struct rig sharp, blurred;
         const struct ph_focus focus = {ref_q16(ref_uniform(1.2, 20)), ref_q16(ref_uniform(.5, 8)),
                                        (uint8_t)(1 + i % 7)};
         const enum ph_depth_format format = (enum ph_depth_format)(i % PH_DEPTH_FORMATS);
+        const int exponent = i < 24 ? 0 : 3 + i / PH_DEPTH_FORMATS % 4;
         double sum = 0;
         build_random(s);
-        draw(&sharp, s, HEIGHT, format);
+        draw_with(&sharp, s, HEIGHT, format, exponent);
         assert_true(rig_finish(&sharp));
         blur_reference(&sharp, &focus, want);
-        draw(&blurred, s, 9, format);
+        draw_with(&blurred, s, 9, format, exponent);
         finish_blurred(&blurred, &focus);
         for (int k = 0; k < PIXELS; k++) {
             double got[3];

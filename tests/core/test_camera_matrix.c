@@ -71,6 +71,42 @@ static void depth_runs_one_way_between_the_planes(void **state)
     }
 }
 
+/* The scales of every field of view from 1 degree on: cot(fov / 2) and the same by the aspect, which is rounded in
+ * Q12.20. */
+static void scales_of_narrow_and_wide_views_are_within_0_6_LSB(void **state)
+{
+    struct ph_projection p;
+    struct ph_mat4 m;
+    (void)state;
+    for (fx_t fov = FX_ONE; fov < FX_INT(180); fov += fov < FX_INT(10) ? 7 : 1009) {
+        const double cot = 65536 / tan(real(fov) * acos(-1) / 360);
+        assert_int_equal(ph_projection_perspective(&p, fov, FX_ONE / 4 * 3, FX_ONE, FX_INT(100)), PH_OK);
+        assert_int_equal(ph_matrix_projection(&m, &p, PH_GL), PH_OK);
+        assert_near(m.m[1][1], cot, .5 + .501 / 16);
+        assert_near(m.m[0][0], cot * 4 / 3, .6);
+    }
+}
+
+static void products_of_matrices_are_rounded_once(void **state)
+{
+    (void)state;
+    ref_seed(5);
+    for (int i = 0; i < 100000; i++) {
+        struct ph_mat4 a = {{{0}}};
+        struct ph_vec4 v;
+        fx_t *const row = a.m[i % 4], *const column[4] = {&v.x, &v.y, &v.z, &v.w};
+        __int128 sum = 1 << 15;
+        for (int k = 0; k < 4; k++) {
+            row[k] = (fx_t)(ref_uniform(-1, 1) * FX_INT(300));
+            *column[k] = (fx_t)(ref_uniform(-1, 1) * FX_INT(20));
+            sum += (__int128)row[k] * *column[k];
+        }
+        const struct ph_vec4 product = ph_mat4_apply(&a, v);
+        const fx_t got[4] = {product.x, product.y, product.z, product.w};
+        assert_int_equal(got[i % 4], (fx_t)(sum >> 16));
+    }
+}
+
 /* ---- refusals ------------------------------------------------------------------------------------------------ */
 
 static void impossible_cameras_are_refused_and_change_nothing(void **state)
@@ -216,6 +252,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(near_and_far_planes_have_the_depths_of_the_table),
         cmocka_unit_test(depth_runs_one_way_between_the_planes),
+        cmocka_unit_test(scales_of_narrow_and_wide_views_are_within_0_6_LSB),
+        cmocka_unit_test(products_of_matrices_are_rounded_once),
         cmocka_unit_test(impossible_cameras_are_refused_and_change_nothing),
         cmocka_unit_test(matrices_without_room_in_Q16_16_are_refused_and_change_nothing),
         cmocka_unit_test(matrices_of_extreme_cameras_are_rounded_once),

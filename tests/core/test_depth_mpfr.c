@@ -89,16 +89,37 @@ static void scale_add(struct exact *e, int up, int64_t add_q16)
     mpq_add(e->code, e->code, e->term);
 }
 
+/* A float's bits of exponent, 0 for other formats: the rule of render.h. */
+static int bits_of(const struct exact *e)
+{
+    const bool is_float = e->format->format == PH_DEPTH_FLOAT16 || e->format->format == PH_DEPTH_FLOAT24;
+    const int64_t ratio_up = ((int64_t)e->far_z + e->near_z - 1) / e->near_z;
+    return !is_float                  ? 0
+           : e->format->exponent != 0 ? e->format->exponent
+           : ratio_up <= 64           ? 3
+           : ratio_up <= 16384        ? 4
+                                      : 5;
+}
+
+/* N of depth.h, in units of 2^-9 LSBs. */
+static int64_t near512_of(const struct exact *e)
+{
+    const int bits = bits_of(e);
+    return e->near_z * (int64_t)(bits > 4 ? 512 - (1 << (bits - 4)) : 511);
+}
+
 /* F of depth.h, in 16-bit codes. */
 static void float_code(struct exact *e)
 {
     int octave = 0;
+    const int bits = bits_of(e), lowest = (1 << bits) - 2;
     mpq_set_si(e->term, 1, 2);
-    while (octave < 14 && mpq_cmp(e->d, e->term) < 0) {
+    while (octave < lowest && mpq_cmp(e->d, e->term) < 0) {
         octave++;
         mpq_div_2exp(e->term, e->term, 1);
     }
-    scale_add(e, 13 + octave, (int64_t)(14 - octave) * 4096 * 65536 + PH_DEPTH_BIAS_FLOAT16);
+    scale_add(e, 17 - bits + octave, (int64_t)(lowest - octave) * (65536 >> bits) * 65536 + PH_DEPTH_BIAS_FLOAT16);
+    e->doubt *= bits > 4 ? 2 : 1; /* N/f is as good, and so many octaves reach down to its last bits */
 }
 
 /* e->code: the code of a drawn format at w before it is rounded down. */
@@ -111,7 +132,7 @@ static void drawn_code(struct exact *e, fx_t w)
         e->doubt = 1 / 1024.0;
         return;
     }
-    set_ratio(e->d, 511 * n, f - w, 512 * (int64_t)w, f);
+    set_ratio(e->d, near512_of(e), f - w, 512 * (int64_t)w, f);
     const bool is_float = e->format->format == PH_DEPTH_FLOAT16 || e->format->format == PH_DEPTH_FLOAT24;
     if (is_float) {
         float_code(e);
@@ -379,13 +400,14 @@ static int64_t inverse(const struct exact *e, uint32_t code)
     const double biased = code / unit - (is_float ? PH_DEPTH_BIAS_FLOAT16 : PH_DEPTH_BIAS_FIXED16) / 65536.0;
     double d = biased / 65536;
     if (is_float) {
-        int octave = 14;
-        while (octave > 0 && biased >= (16 - octave) * 4096.0) {
+        const int bits = bits_of(e), lowest = (1 << bits) - 2;
+        int octave = lowest;
+        while (octave > 0 && biased >= ldexp(lowest + 2 - octave, 16 - bits)) {
             octave--;
         }
-        d = (biased - (14 - octave) * 4096.0) / (double)((int64_t)1 << (13 + octave));
+        d = ldexp(biased - ldexp(lowest - octave, 16 - bits), bits - 17 - octave);
     }
-    const double near512 = e->near_z * (511 / 512.0);
+    const double near512 = (double)near512_of(e) / 512;
     return d <= 0 ? e->far_z : (int64_t)(near512 / (d + near512 / e->far_z));
 }
 

@@ -328,7 +328,7 @@ static void every_boundary_of_the_arctangent_is_within_2_to_the_minus_40(void **
     (void)state;
     mpfr_init2(den, ORACLE_BITS);
     for (uint32_t k = 1; k < 16384; k++) {
-        const struct fx_ratio r = fx_tangent_ratio(k);
+        const struct fx_ratio r = fx_tangent_ratio((uint64_t)k << 49);
         oracle_angle(v, k, 17);
         mpfr_tan(v, v, MPFR_RNDN);
         mpfr_set_ui_2exp(den, r.den, 0, MPFR_RNDN);

@@ -292,9 +292,11 @@ static int print_table(void **state)
     for (int i = 0; i < REF_SCENES * SOURCES * FORMATS; i++) {
         int scene = i / (SOURCES * FORMATS), source = i / FORMATS % SOURCES, format = 1 + i % FORMATS;
         const struct quality *q = &table[source][scene][format];
+        char name[OPTION_DEPTH_NAME];
         printf("%-10s %-5s %-8s %8.4f %% %6.0f %6.0f %10.2e %10.2e %6.3f %% %7.2f\n", names[scene],
-               source == DEMO ? "demo" : "own", option_text_depth_name((uint8_t)format), coverage_percent(q), q->twice,
-               q->holes, depth_rms(q), distance_rms(q), q->texels > 0 ? wrong_percent(q) : 0,
+               source == DEMO ? "demo" : "own", option_text_depth_name((struct option_depth){(uint8_t)format, 0}, name),
+               coverage_percent(q), q->twice, q->holes, depth_rms(q), distance_rms(q),
+               q->texels > 0 ? wrong_percent(q) : 0,
                scene == REF_CUBE || scene == REF_FILL ? 0 : sqrt(q->colour_square / q->smooth));
     }
     return 0;

@@ -60,7 +60,7 @@ binary_info() { # of an RP2040 image
 }
 
 binary_info_is_there() { # as picotool shows it; see tests/debian13
-    firmware BOARD=pico-display >/dev/null && binary_info pico-display-demos | diff - <(printf '%s\n' 'name Pinhole demos' 'version 1.0' 'board pico-display' \
+    firmware BOARD=pico-display >/dev/null && binary_info pico-display-demos | diff - <(printf '%s\n' 'name Pinhole demos' "version $(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)" 'board pico-display' \
         'boot2 boot2.S, command 03h' 'attribute CORES=1 CHANGES=1' "end $((0x10000000 + $(stat -c %s "$B/firmware/pico-display-demos.bin")))" \
         'pin 0 function 2' 'pin 1 function 2' 'pin 18 function 1' 'pin 19 function 1' 'pin 18 clock' 'pin 19 data' 'pin 17 chip select' \
         'pin 16 D/C' 'pin 20 backlight' 'pin 12 button up' 'pin 13 button down' 'pin 14 button left' 'pin 15 button right')
@@ -89,6 +89,12 @@ over() { # pair, word
     local said
     said=$(budget "$1") && echo "accepts $1" && return 1
     grep -q "over the budget of.* $2" <<<"$said" || { echo "$said" && return 1; }
+}
+
+more_than_the_chip_has() {
+    local said
+    said=$(budget ram=200000) && echo "accepts it" && return 1
+    grep -q "asks for 200000 bytes of RAM, but the chip has 196608" <<<"$said" || { echo "$said" && return 1; }
 }
 
 refuses() { # pattern in its one line, C text
@@ -213,6 +219,7 @@ check "within_the_budget_it_passes" budget
 check "over_the_flash_it_fails" over flash=90000 flash
 check "over_the_RAM_it_fails" over ram=100000 RAM
 check "over_the_stack_it_fails" over stack=4000 stack
+check "a_board_with_more_RAM_than_its_chip_fails" more_than_the_chip_has
 check "floating_point_is_refused" refuses 'floating point, heap' 'volatile float x = 2; int main(void) { x = x * x; return 0; }'
 check "a_heap_is_refused" refuses 'floating point, heap' '#include <stdlib.h>
 void *_sbrk(int n); void *_sbrk(int n) { (void)n; return 0; }

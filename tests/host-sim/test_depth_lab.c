@@ -54,6 +54,22 @@ static void text_is_plain(void **state)
     }
 }
 
+/* CSV tells every length from its neighbours, on the far side of 10 m, too. */
+static void a_length_is_told_from_the_next(void **state)
+{
+    (void)state;
+    for (uint32_t k = 0; k < 32; k++) {
+        for (uint32_t v = ((uint32_t)1 << k) - (k > 0); v - ((uint32_t)1 << k) + 1 < 1000; v++) {
+            char text[LAB_TEXT_SIZE];
+            lab_length_text(v, text);
+            assert_int_equal(lround(strtod(text, NULL) * 65536), v);
+        }
+    }
+    char text[LAB_TEXT_SIZE];
+    lab_length_text(INT32_MAX, text);
+    assert_string_equal(text, "32767.99998");
+}
+
 /* Read back it is the same number, and no decimal with one digit less is. */
 static void the_decimal_of_a_distance_is_the_shortest(void **state)
 {
@@ -142,6 +158,21 @@ static void wrong_input_is_refused_before_a_word_is_said(void **state)
     assert_true(said > 0);
 }
 
+/* An int24 rounds what a float32 holds, and in 1/2 .. 1 a float32 has just as many steps: the counts are the same. */
+static void int24_keeps_the_order_of_its_float32(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < DEPTH_IEEE_FORMATS / 2; i++) {
+        struct depth_ieee_count real, whole;
+        assert_int_equal(depth_ieee_pairs(i, .1, 10000, LAB_LINEAR_SPACED, 10000, &real), 0);
+        assert_int_equal(depth_ieee_pairs(i + DEPTH_IEEE_FORMATS / 2, .1, 10000, LAB_LINEAR_SPACED, 10000, &whole), 0);
+        if (strstr(depth_ieee_name(i), "reversed") == NULL) {
+            assert_int_equal(whole.equal, real.equal);
+            assert_int_equal(whole.swap, real.swap);
+        }
+    }
+}
+
 /* Widest wrong order of the float32 test: against every pair. */
 static void the_self_test_is_in_order_where_depth_is_reversed(void **state)
 {
@@ -162,10 +193,12 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(six_digits_are_those_of_printf),
         cmocka_unit_test(text_is_plain),
+        cmocka_unit_test(a_length_is_told_from_the_next),
         cmocka_unit_test(the_decimal_of_a_distance_is_the_shortest),
         cmocka_unit_test(quotients_and_products_are_good_to_62_bits),
         cmocka_unit_test(the_logarithm_is_that_of_libm),
         cmocka_unit_test(wrong_input_is_refused_before_a_word_is_said),
+        cmocka_unit_test(int24_keeps_the_order_of_its_float32),
         cmocka_unit_test(the_self_test_is_in_order_where_depth_is_reversed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -65,7 +65,18 @@ reed() { # name, equal, swap
 
 reed_published_these() {
     reed ieee32-standard 7720 1 32 && reed ieee32-infinite 7575 1 32 && reed ieee32-reversed 0 0 32 && reed ieee32-infinite-reversed 0 0 32 &&
-        reed ieee32-gl 7734 0 32 && reed ieee32-gl-infinite 7663 0 32 && reed int24-reversed 7577 0 24 && reed int24-infinite-reversed 7578 0 24
+        reed ieee32-gl 7734 0 32 && reed ieee32-gl-infinite 7663 0 32 && reed int24-standard 7720 1 24 && reed int24-infinite 7575 1 24 && reed int24-gl 7734 0 24 && reed int24-gl-infinite 7663 0 24 &&
+        reed int24-reversed 7577 0 24 && reed int24-infinite-reversed 7578 0 24
+}
+
+# At .1 .. 10000 a float with 4 bits of exponent cannot tell 4,020 of 10,000 pairs apart, one with 5 bits 64; the renderer takes 5.
+widths_tell_these_pairs_apart() {
+    reed float16-e3 9364 0 16 && reed float16-e4 4020 0 16 && reed float16-e5 64 0 16 && reed float16-e6 2016 0 16 && reed float16 64 0 16 &&
+        reed float24-e3 2327 0 24 && reed float24-e4 0 0 24 && reed float24-e5 0 0 24 && reed float24-e6 0 0 24 && reed float24 0 0 24
+}
+
+widths_are_rows_only_by_name() {
+    ! csv pairs --count 10 | grep -q -- '-e[3-6],' && [ "$(csv pairs --count 10 --format float24-e3,fixed16 | cut -d, -f1 | tr '\n' ' ')" = "format fixed16 float24-e3 " ]
 }
 
 # Ours are never swapped, those of a Q16.16 reciprocal are.
@@ -93,7 +104,18 @@ monotone_sees_swaps() { csv monotone --near .5 --far 20 --format recip-q16 | gre
 
 every_anchor_holds() {
     csv anchors >"$dir/anchors" || { grep FAIL "$dir/anchors" && return 1; }
-    [ "$(grep -c ',pass$' "$dir/anchors")" -ge 65 ] && ! grep -q FAIL "$dir/anchors"
+    [ "$(grep -c ',pass$' "$dir/anchors")" = 103 ] && ! grep -q FAIL "$dir/anchors"
+}
+
+# Each number names its source; what is ours is not called published; recip-q16 is searched from the near plane on.
+anchors_name_their_sources() {
+    [ "$(awk -F, 'NR > 1 { print $2 }' "$dir/anchors" | cut -d: -f1 | sort | uniq -c | awk '{ printf "%s %s ", $2, $1 }')" = "ours 35 published 44 reproduced 24 " ] &&
+        ! awk -F, '/^(Akeley|Q16.16)/ && $2 !~ /^ours/' "$dir/anchors" | grep . && grep -q 'recip-q16 (16 bits n 0.1 f 1000),ours,988,988.27713,' "$dir/anchors"
+}
+
+# View and projection one after the other: the article's percentages to the digit.
+reed_with_a_view_has_his_percentages() {
+    [ "$(grep -c 'view then projection' "$dir/anchors")" = 12 ] && awk -F, '/view then projection/ { split($3, stated, " "); d = $4 - stated[1]; if (d > .5 || d < -.5) { print; bad = 1 } } END { exit bad }' "$dir/anchors"
 }
 
 columns_say_predicted_or_measured() {
@@ -104,9 +126,9 @@ columns_say_predicted_or_measured() {
 # Distances from near to z, evenly spread over the logarithm, z among them.
 up_to() { awk -v n="$1" -v z="$2" 'BEGIN { for (i = 1; i <= 60; i++) { w = n * exp(log(z / n) * i / 61); if (w > n + 1e-4) printf "%.5f,", w } print z }'; }
 
-# What advise promises, resolve measures: at every distance up to Z with that near plane and format.
+# What advise promises, resolve measures (test_depth_advise.sh: planes that lean): at every distance up to Z with that near plane and format.
 promise() { # separate, z, far
-    csv advise --separate "$1" --at "$2" --far "$3" | tail -n +2 >"$dir/advice"
+    csv advise --separate "$1" --at "$2" --far "$3" --tilt 0 | tail -n +2 >"$dir/advice"
     [ "$(wc -l <"$dir/advice")" -ge 5 ] || return 1
     local format bits far z s least safe rest asked=0
     while IFS=, read -r format bits far z s least safe rest; do
@@ -125,14 +147,14 @@ advice_is_kept() { promise .05 100 100 && promise .01 30 100 && promise .5 400 1
 # With the least near plane halved, a fixed format no longer separates: the advice is not just safe but tight.
 advice_is_tight() {
     local near
-    near=$(field 6 fixed16 advise --separate .05 --at 90 --format fixed16)
+    near=$(field 6 fixed16 advise --separate .05 --at 90 --tilt 0 --format fixed16)
     field 7 fixed16,.*,90, resolve --near "$(awk "BEGIN { print $near / 2 }")" --at 90 --format fixed16 | awk '{ exit !($1 > .05) }'
 }
 
 # advise looks at the plateaus beside that of Z too, so it may say a little more than resolve.
 advice_works_backwards() {
     local said found
-    said=$(field 9 float16 advise --near .2 --at 50 --format float16)
+    said=$(field 9 float16 advise --near .2 --at 50 --tilt 0 --format float16)
     found=$(field 7 float16,.*,50, resolve --near .2 --at 50 --format float16)
     awk -v said="$said" -v found="$found" 'BEGIN { exit !(found > 0 && said >= found && said <= found * 1.02) }' || { echo "$said, $found" && return 1; }
 }
@@ -142,7 +164,7 @@ advice_to_far_is_s_worst() {
     local format near far said worst
     for format in fixed16 float16 fixed24 float24 linear-w; do
         while read -r near far; do
-            said=$(field 10 "$format" advise --near "$near" --far "$far" --at "$far" --format "$format")
+            said=$(field 10 "$format" advise --near "$near" --far "$far" --at "$far" --tilt 0 --format "$format")
             worst=$(field 7 "$format,.*,S_worst," resolve --near "$near" --far "$far" --at "$far" --format "$format" | head -n 1)
             awk -v said="$said" -v worst="$worst" 'BEGIN { exit !(worst > 0 && said <= worst && said >= worst * .98 - .0000153) }' ||
                 { echo "$format $near $far: $said, $worst" && return 1; }
@@ -152,20 +174,69 @@ advice_to_far_is_s_worst() {
 
 advice_is_in_sentences() {
     "$lab" advise --separate .05 --at 100 --near .5 >"$dir/text" && grep -q '^To separate 0.05 m at every distance up to 100 m with float16 (16 bits): the near plane at ' "$dir/text" &&
-        grep -q '^With the near plane at 0.5 m, fixed16 (16 bits) separates ' "$dir/text" && grep -q '^Take float16 (16 bits)' "$dir/text"
+        grep -q '^With the near plane at 0.5 m, fixed16 (16 bits) separates ' "$dir/text" && head -n 1 "$dir/text" | grep -q '^Take float16 (16 bits)'
 }
 
 twice_the_same() { csv resolve --format float16,clip-q16 >"$dir/one" && csv resolve --format float16,clip-q16 >"$dir/two" && cmp "$dir/one" "$dir/two"; }
 
+# Planes seen edge-on have a separation too, or say in words that none is right.
+edge_on_planes_have_a_number() {
+    local tilt z
+    for tilt in 85 89 -89; do
+        for z in 2 50 99; do
+            csv planes --tilt "$tilt" --at "$z" --size 120x120 >"$dir/planes" || return 1
+            [ "$(awk -F, 'NR > 1 && $9 + 0 > 0 && $9 < $7 + .0001' "$dir/planes" | wc -l)" = 5 ] || { cat "$dir/planes" && return 1; }
+        done
+    done
+    csv planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 >"$dir/planes" && ! grep -iE 'inf|nan' "$dir/planes" && grep -q ',none,none,0,unlit$' "$dir/planes" &&
+        "$lab" planes --tilt 89 --near .1 --far 1000 --at .2 --format linear-w --size 120x120 | grep -q '^none: linear-w at 0.19'
+}
+
+# Far from the eye a step of Q16.16 is in the ninth digit.
+csv_keeps_the_last_bit() {
+    csv resolve --near .5 --far 1000 --format ndc-q16,recip-q16,clip-q16,fixed16 --at 999.99 | tail -n +2 | cut -d, -f7 |
+        awk '{ lsbs = $1 * 65536; if (lsbs - int(lsbs + .5) > .01 || int(lsbs + .5) - lsbs > .01) { print; bad = 1 } } END { exit bad || NR < 14 }' || return 1
+    [ "$(field 7 "recip-q16,16,.*S_worst" resolve --near .1 --far 1000 --at 1000 --format recip-q16 | head -n 1)" = 988.2771301 ]
+}
+
+# Floors before walls, at every place and in every shading; where a pixel is wrong it is by less than a step.
+scenes_are_in_order() {
+    csv scenes >"$dir/scenes" && [ "$(wc -l <"$dir/scenes")" = 126 ] || return 1
+    awk -F, 'NR > 1 && ($7 < 200 || ($5 != "crossing" && $8 > 0) || $8 > 4 || $9 > $11) { print; bad = 1 } END { exit bad }' "$dir/scenes" || return 1
+    csv scenes --near .1 --far 1000 | awk -F, 'NR > 1 && ($9 > $11 || ($5 == "sphere twice" && $8 > 0)) { print; bad = 1 } $1 == "fixed16" && $5 == "tiles" { coarse += $8 }
+        END { exit bad || coarse < 1000 }'
+}
+
+slopes_stay_below_their_bounds() {
+    csv slopes --size 120x90 --format float16,fixed24,linear-w --at 20 >"$dir/slopes" && [ "$(wc -l <"$dir/slopes")" = 91 ] &&
+        awk -F, 'NR > 1 && !($9 > 0 && $9 <= $8 && $8 < 4 * $9) { print; bad = 1 } END { exit bad }' "$dir/slopes"
+}
+
+# One triangle has one depth, whatever its shading.
+shadings_need_the_same() {
+    cut -d, -f1-5,7- "$dir/slopes" | sort | uniq -c | awk '$1 != 5 && !/format/ { print; bad = 1 } END { exit bad }'
+}
+
+check "floors, walls, tiles and spheres are in order in every shading" scenes_are_in_order
+check "planes of every slope and azimuth stay below their bounds" slopes_stay_below_their_bounds
+check "every shading needs the same separation" shadings_need_the_same
+check "--azimuth has an effect" differ planes --tilt 60 --azimuth 30 --format float16 -- planes --tilt 60 --format float16
+check "--shading has an effect" differ planes --tilt 60 --shading gouraud --format float16 -- planes --tilt 60 --format float16
+check "planes seen edge-on have a number or a word" edge_on_planes_have_a_number
+check "CSV keeps the last bit of Q16.16" csv_keeps_the_last_bit
 check "pairs prints the promised columns" pairs_has_the_columns
 check "resolve prints the promised columns, S_worst last" resolve_has_the_columns
 check "every promised format has a row" every_format_has_a_row
 check "float32 counts are those that N. Reed published" reed_published_these
+check "the bits of a float's exponent tell these pairs apart" widths_tell_these_pairs_apart
+check "formats with a number of bits are measured by name alone" widths_are_rows_only_by_name
 check "the renderer never swaps two distances; a Q16.16 reciprocal does" swaps
 check "S_worst of the renderer's formats is the computed one or better" ours_reach_the_table
 check "every distance from .5 to 20 m is in order, in every format of the renderer" monotone_passes
 check "monotone sees what is not" monotone_sees_swaps
 check "every anchor holds" every_anchor_holds
+check "anchors name their sources" anchors_name_their_sources
+check "Reed with a view has the percentages of his article" reed_with_a_view_has_his_percentages
 check "columns say what is predicted and what is measured" columns_say_predicted_or_measured
 check "what advise promises is measured by resolve" advice_is_kept
 check "half of the near plane that advise names is not enough" advice_is_tight
@@ -180,7 +251,7 @@ writes_csv_to_a_file() { "$lab" pairs --count 10 --csv "$dir/out.csv" && csv pai
 help_names_everything() {
     "$lab" --help >"$dir/help" || return 1
     local word
-    for word in pairs resolve monotone advise anchors planes budget plot all --near --far --format --fov --size --csv --count --spacing --at --separate --separation --tilt --bits --out --help float24 ieee32-gl; do
+    for word in pairs resolve monotone advise anchors planes slopes scenes budget plot all --near --far --format --fov --size --csv --count --spacing --at --separate --separation --tilt --azimuth --shading --bits --out --help float24 ieee32-gl; do
         grep -q -- "$word" "$dir/help" || { echo "$word" && return 1; }
     done
 }
@@ -226,7 +297,10 @@ check "an unknown command is wrong" refuses "no such command" resolv
 check "an unknown option is wrong" refuses "no such option" pairs --depth 16
 check "an option of another command is wrong" refuses "does not take it" resolve --count 10
 check "near 0 is wrong" refuses "near '0'" pairs --near 0
-check "a near plane below half an LSB is wrong" refuses "near" pairs --near .000001
+check "a near plane below half a step is wrong, and the step is named" refuses "near '.000001'.*at least one step of Q16.16, 1/65536" pairs --near .000001
+check "a separation below half a step is wrong" refuses "separation.*step of Q16.16" planes --separation .000001
+check "float32 formats are for pairs" refuses "resolve measures no float32 format; pairs does" resolve --format ieee32-standard
+check "a float32 format among others is for pairs" refuses "monotone measures no float32" monotone --format fixed16,int24-gl
 check "a negative near plane is wrong" refuses "near" pairs --near -1
 check "near over far is wrong" refuses "less than --far" pairs --near 5 --far 4
 check "near equal to far is wrong" refuses "less than --far" pairs --near 4 --far 4
@@ -238,6 +312,8 @@ check "a missing value is wrong" refuses "needs a value" pairs --near
 check "0 pairs are wrong" refuses "count" pairs --count 0
 check "absurdly many pairs are wrong" refuses "count" pairs --count 99999999999
 check "an unknown spacing is wrong" refuses "spacing" pairs --spacing cubic
+check "an unknown shading is wrong" refuses "shading" planes --shading wire
+check "an azimuth of more than a turn is wrong" refuses "azimuth" planes --azimuth 361
 check "an unknown format is wrong" refuses "format" pairs --format fixed17
 check "a distance in front of the near plane is wrong" refuses "from --near to --far" resolve --at .1
 check "a list of distances with a hole is wrong" refuses "at" resolve --at 1,,2

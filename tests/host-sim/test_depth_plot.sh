@@ -17,6 +17,7 @@ quick() {
     case $1 in
     budget) echo "${small[*]} --format fixed16,float16 --at 2,8" ;;
     resolve) echo '--near 1 --far 8 --format fixed16,float16,ndc-q16 --at 1,2,4,8' ;;
+    others) echo '--near 1 --far 8 --at 1,2,4,8' ;;
     pairs) echo '--near 1 --far 8 --count 1000' ;;
     *) : ;;
     esac
@@ -32,7 +33,8 @@ words_of() { # what must stand in the SVG, a pattern a line
     ndc) printf '%s\n' 'n = 0.5 m, f = 10 m' 'n = 1 m, f = 10 m' ;;
     g) printf '%s\n' 'n = 1 m, f = 3 m' 'g(z)' ;;
     resolve) printf '%s\n' 'separation \[m\]' 'distance z \[m\]' 'ripe for z-fighting' 'very good' fixed16 'ndc-q16 16 bits' ;;
-    pairs) printf '%s\n' '1000 pairs' '\[% of the pairs there\]' float24 ;;
+    others) printf '%s\n' 'recip-q16 24 bits' 'clip-q16 24 bits' float16 ;;
+    pairs) printf '%s\n' '1000 pairs' '\[% of the pairs there\]' float24 'recip-q16 24 bits' 'fixed16: [0-9.]* % of all' ;;
     budget) printf '%s\n' 'sub-pixel' interpolation 'all together' 'separation \[m\]' float16 ;;
     esac
 }
@@ -107,11 +109,19 @@ error_picture_shows_what_is_counted() {
 report_has_it_all() {
     "$depth" all --near 1 --far 4 --size 24x24 --out "$dir/report" 2>"$dir/stderr" || { cat "$dir/stderr" && return 1; }
     local name
-    for name in advise resolve pairs budget planes monotone; do
+    for name in advise resolve pairs budget planes slopes scenes monotone; do
         [ -s "$dir/report/$name.csv" ] && grep -q "pinhole-depth $name --near 1 --far 4" "$dir/report/report.md" || { echo "$name" && return 1; }
     done
     [ -s "$dir/report/planes.png" ] || return 1
+    # shellcheck disable=SC2016 # backquotes of Markdown
+    sed -n 3p "$dir/report/report.md" | grep -qE '^\*\*Take `[a-z0-9]+` \((16|24) bits\): with the near plane at 1 m .* from [0-9.e-]+ m on' || { echo "no answer" && return 1; }
     grep -oE '\]\([^)]+' "$dir/report/report.md" | cut -c3- | while read -r name; do [ -s "$dir/report/$name" ] || { echo "$name" && exit 1; }; done
+}
+
+# Few curves: without --format those of the renderer and some to compare with; float16's saw-tooth is sampled.
+plots_can_be_read() {
+    "$depth" plot resolve --near 1 --far 4 --out "$dir/few.svg" && [ "$(grep -c 'recip-q16\|over-w\|clip-q16' "$dir/few.svg")" = 0 ] || return 1
+    [ "$(grep -oE ' L?[0-9.]+,[0-9.]+' "$dir/few.svg" | wc -l)" -gt 1500 ]
 }
 
 report_says_why_it_has_no_directory() {
@@ -156,9 +166,10 @@ readme_millimetres_are_measured() {
 }
 
 if command -v gnuplot >/dev/null; then
-    for kind in ndc g resolve pairs budget; do
+    for kind in ndc g resolve others pairs budget; do
         check "plot_${kind}_is_a_picture_with_its_titles" every_plot_is_a_picture "$kind"
     done
+    check "plots_have_few_curves_and_many_samples" plots_can_be_read
     check "a_plot_is_the_same_bytes_twice" twice_the_same_bytes
     check "near_and_far_change_the_curve" near_and_far_change_the_curve
     check "halves_are_those_of_the_formula" halves_are_those_of_the_formula

@@ -135,11 +135,12 @@ static void each_setting_has_its_effect(void **state)
     volatile sig_atomic_t stop = 0;
     struct panel_scene scene = scene_of(2, &stop);
     scene.band = 128;
-    scene.depth = PH_DEPTH_FLOAT24;
+    scene.depth = (struct option_depth){PH_DEPTH_FLOAT24, 5};
     const uint32_t writes = counters_of(&scene, &d).writes;
     assert_int_equal(d.runner.renderer.stats.depth_format, PH_DEPTH_FLOAT24);
+    assert_int_equal(d.runner.renderer.stats.depth_exponent, 5);
     scene.band = 8;
-    scene.depth = PH_DEPTH_FIXED16;
+    scene.depth = (struct option_depth){PH_DEPTH_FIXED16, 0};
     assert_int_equal(counters_of(&scene, &d).writes, writes + 2 * 15); /* 16 bands a frame for one */
     assert_int_equal(d.runner.renderer.stats.depth_format, PH_DEPTH_FIXED16);
     scene.demo = demo_find("testcard"); /* nothing moves */

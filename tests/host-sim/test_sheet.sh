@@ -64,7 +64,7 @@ wrong_pictures_are_refused() {
 wrong_usage_is_refused() {
     refuses 2 && refuses 2 "$dir/a.ppm" && refuses 2 --out "$dir/x.ppm" && refuses 2 --out && refuses 2 --gap x --out "$dir/x.ppm" "$dir/a.ppm" &&
         refuses 2 --width 0 --out "$dir/x.ppm" "$dir/a.ppm" && refuses 2 --nonsense &&
-        refuses 2 --out "$dir/x.png" "$dir/a.ppm" && refuses 1 --out "$dir/no/x.ppm" "$dir/a.ppm"
+        refuses 2 --out "$dir/x.jpg" "$dir/a.ppm" && refuses 1 --out "$dir/no/x.ppm" "$dir/a.ppm"
 }
 
 demo_leaves_what_it_says() {

@@ -58,9 +58,21 @@ depth_in_use() { # format, options...
 }
 
 depth_auto_is_fixed16_up_to_64_times_near() {
-    depth_in_use fixed16 --near 1 --far 64 && depth_in_use float16 --near 1 --far 64.001 &&
-        depth_in_use fixed16 --near .01 --far 100 --projection ortho && depth_in_use float16 --depth float16 --near 1 --far 2 &&
-        depth_in_use linear-w --depth linear-w && depth_in_use float24 --depth float24 && depth_in_use fixed24 --depth fixed24
+    depth_in_use fixed16 --near 1 --far 64 && depth_in_use float16-e4 --near 1 --far 64.001 &&
+        depth_in_use fixed16 --near .01 --far 100 --projection ortho && depth_in_use float16-e3 --depth float16 --near 1 --far 2 &&
+        depth_in_use linear-w --depth linear-w && depth_in_use float24-e4 --depth float24 && depth_in_use fixed24 --depth fixed24
+}
+
+depth_exponent_is_what_the_lens_needs_or_as_asked() {
+    depth_in_use float16-e4 --near .5 --far 8192 && depth_in_use float16-e5 --near .5 --far 8192.01 && depth_in_use float24-e5 --depth float24 --near .1 --far 10000 &&
+        depth_in_use float16-e6 --depth float16-e6 && depth_in_use float24-e3 --depth float24-e3 --near .1 --far 10000
+}
+
+depth_of_other_widths_is_refused() {
+    local depth
+    for depth in float16-e2 float16-e7 float16-e float16-e5x float16-e05 fixed16-e4 linear-w-e4 float16-E4; do
+        refuses 2 "depth '$depth': must be" --crc --depth "$depth" || return 1
+    done
 }
 
 help_names_every_option() {
@@ -363,7 +375,7 @@ names_with_a_dot_are_directories_when_they_say_so() {
     mkdir -p "$dir/v1.5" && "$sim" --demo cube "${small[@]}" --out "$dir/v1.5" && [ -s "$dir/v1.5/frame-0000.ppm" ] &&
         "$sim" --demo cube "${small[@]}" --out "$dir/v1.6/" && [ -s "$dir/v1.6/frame-0000.ppm" ] &&
         "$sim" --demo cube "${small[@]}" --out "$dir/.hidden" && [ -s "$dir/.hidden/frame-0000.ppm" ] &&
-        refuses 2 'only .ppm pictures' --out "$dir/foo.png" --demo cube && [ ! -e "$dir/foo.png" ]
+        refuses 2 "pictures are written" --out "$dir/foo.jpg" --demo cube && [ ! -e "$dir/foo.jpg" ]
 }
 
 a_signal_leaves_no_part_of_a_file() { # signal, exit status
@@ -463,6 +475,8 @@ for format in float16 fixed24 float24 linear-w; do
 done
 check depth_is_auto_by_default same "${deep[@]}" -- "${deep[@]}" --depth auto
 check depth_auto_is_fixed16_up_to_64_times_near depth_auto_is_fixed16_up_to_64_times_near
+check depth_exponent_is_what_the_lens_needs_or_as_asked depth_exponent_is_what_the_lens_needs_or_as_asked
+check depth_of_other_widths_is_refused depth_of_other_widths_is_refused
 check rotations_show_the_same_upright_picture rotations_show_the_same_upright_picture
 check bands_do_not_change_the_picture bands_do_not_change_the_picture
 check bands_are_what_is_sent_at_a_time bands_are_what_is_sent_at_a_time
@@ -558,8 +572,8 @@ exclude|--board x --size 8x8 --crc
 --near, --far: near must|--near 5 --far 5 --crc
 --near, --far: near must|--near 5 --far 4 --crc
 --projection, --fov|--projection frustum=1,1,0,1 --crc
-only .ppm pictures|--out foo.png
-only .ppm pictures|--out foo.PPM
+.gif pictures are written|--out foo.jpg
+.gif pictures are written|--out foo.PNG
 --projection|--projection frustum=0,1,0 --crc
 --projection|--projection frustum=0,1,0,1x --crc
 --projection|--projection perspective=0,1,0,1 --crc

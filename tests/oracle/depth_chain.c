@@ -20,15 +20,17 @@ uint32_t depth_chain(const struct ph_lens *lens, enum ph_depth_format format, fx
     if (!is_float(format)) {
         return (ph_depth_at(lens, quotient, 0) + PH_DEPTH_BIAS_FIXED16) >> down;
     }
-    const int block = quotient.s > 2 ? quotient.s - 2 : 0;
+    const int block = quotient.s > 2 ? quotient.s - 2 : 0, float_down = lens->float_down;
     const uint32_t d = ph_depth_at(lens, quotient, block);
-    const int octave = ph_depth_octave(d, block);
-    return (ph_depth_float16_value(d, octave) + ph_depth_float16_offset(octave, block)) >> down;
+    const int octave = ph_depth_octave(d, ph_depth_lowest(block, float_down));
+    return (ph_depth_float16_value(d, octave - float_down) + ph_depth_float16_offset(octave, block, float_down)) >>
+           down;
 }
 
 double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, double w)
 {
-    const double head_room = 1 - 1. / 512, near_z = lens->near_z, far_z = lens->far_z;
+    const int bits = is_float(format) ? lens->float_down + 1 : 4; /* of exponent */
+    const double head_room = 1 - ldexp(1, bits > 4 ? bits - 13 : -9), near_z = lens->near_z, far_z = lens->far_z;
     if (format == PH_DEPTH_LINEAR_W) {
         return 65536 * head_room * (far_z - w) / (far_z - near_z) + 16;
     }
@@ -36,8 +38,8 @@ double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, doub
     if (!is_float(format)) {
         return unit * (65536 * d + 16.25);
     }
-    const int exponent = d < ldexp(1, -15) ? 1 : ilogb(d) + 16;
-    return unit * (ldexp(d, 28 - exponent) + 4096 * (exponent - 1) + 8);
+    const int top = (1 << bits) - 1, octave = d < ldexp(1, 1 - top) ? top - 1 : -1 - ilogb(d);
+    return unit * (ldexp(d, 17 - bits + octave) + ldexp(top - octave - 1, 16 - bits) + 8);
 }
 
 double depth_tolerance(enum ph_depth_format format)

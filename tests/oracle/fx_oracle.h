@@ -142,4 +142,89 @@ static inline uint32_t oracle_turn32_from_deg(int32_t deg)
     return (uint32_t)q;
 }
 
+/* f(a) where f is one of MPFR's functions; a takes the place of the result. */
+static inline int32_t oracle_of(int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), int32_t a)
+{
+    mpfr_t v;
+    oracle_load(v, a);
+    f(v, v, MPFR_RNDN);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_exp2(int32_t a)
+{
+    return oracle_of(mpfr_exp2, a);
+}
+
+static inline int32_t oracle_exp(int32_t a)
+{
+    return oracle_of(mpfr_exp, a);
+}
+
+static inline int32_t oracle_log2(int32_t a)
+{
+    return a <= 0 ? INT32_MIN : oracle_of(mpfr_log2, a);
+}
+
+static inline int32_t oracle_log(int32_t a)
+{
+    return a <= 0 ? INT32_MIN : oracle_of(mpfr_log, a);
+}
+
+/* 1 / (2 pi) times the angle that f gives for a, which is clamped to -1 .. 1. */
+static inline int32_t oracle_arc(int (*f)(mpfr_t, const mpfr_t, mpfr_rnd_t), int32_t a)
+{
+    mpfr_t v, pi;
+    oracle_load(v, a < -65536 ? -65536 : a > 65536 ? 65536 : a);
+    mpfr_init2(pi, ORACLE_BITS);
+    f(v, v, MPFR_RNDN);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    mpfr_div(v, v, pi, MPFR_RNDN);
+    mpfr_div_2ui(v, v, 1, MPFR_RNDN);
+    mpfr_clear(pi);
+    return oracle_take(v);
+}
+
+static inline int32_t oracle_asin(int32_t a)
+{
+    return oracle_arc(mpfr_asin, a);
+}
+
+static inline int32_t oracle_acos(int32_t a)
+{
+    return oracle_arc(mpfr_acos, a);
+}
+
+/* a (2 pi)^power, power = 1 or -1, times 2^bits, rounded to nearest, before any clamp. */
+static inline int64_t oracle_radians(int32_t a, int power, int bits)
+{
+    mpfr_t v, twice_pi;
+    oracle_load(v, a);
+    oracle_angle(twice_pi, 1, 0);
+    (power > 0 ? mpfr_mul : mpfr_div)(v, v, twice_pi, MPFR_RNDN);
+    mpfr_mul_2si(v, v, bits, MPFR_RNDN);
+    mpfr_rint(v, v, MPFR_RNDN);
+    const int64_t result = mpfr_get_si(v, MPFR_RNDN);
+    mpfr_clears(v, twice_pi, (mpfr_ptr)0);
+    return result;
+}
+
+/* Whether got is within 0.501 LSB of cot(deg / 2) in Q12.20, with the values of fx_math.h outside. */
+static inline int oracle_is_cot_half(int32_t deg, int32_t got)
+{
+    mpfr_t v;
+    if (deg <= 0 || deg >= 180 * 65536) {
+        return got == (deg <= 0 ? INT32_MAX : 0);
+    }
+    oracle_angle(v, deg, 16);
+    mpfr_div_ui(v, v, 720, MPFR_RNDN);
+    mpfr_cot(v, v, MPFR_RNDN);
+    mpfr_mul_2ui(v, v, 20, MPFR_RNDN);
+    const int outside = mpfr_cmp_si(v, INT32_MAX) >= 0;
+    mpfr_sub_si(v, v, got, MPFR_RNDN);
+    const double error = mpfr_get_d(v, MPFR_RNDN);
+    mpfr_clear(v);
+    return outside ? got == INT32_MAX : error <= 0.501 && error >= -0.501;
+}
+
 #endif

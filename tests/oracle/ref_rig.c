@@ -109,31 +109,32 @@ void rig_rgb(const struct rig *rig, int x, int y, double rgb[3])
     rgb[2] = (code & 31) * 255. / 31;
 }
 
-/* See depth.h: N/z - N/f of an unsigned float, or of a fixed-point number, from its code in units of fixed16's. */
-static double complementary(bool is_float, double code)
+/* See depth.h: N/z - N/f of an unsigned float, or (0 bits of exponent) of a fixed-point number, from its code in units
+ * of fixed16's. */
+static double complementary(int bits, double code)
 {
-    if (!is_float) {
+    if (bits == 0) {
         return (code - 16.25) / 65536;
     }
-    double f = code - 8;
-    int exponent = (int)floor(f / 4096);
-    return exponent < 1 ? ldexp(f, -27) : ldexp(f - 4096 * (exponent - 1), exponent - 28);
+    double f = code - 8, octave = ldexp(1, 16 - bits);
+    int exponent = (int)fmax(floor(f / octave), 1);
+    return ldexp(f / octave - (exponent - 1), exponent - (1 << bits));
 }
 
-double rig_format_distance(enum ph_depth_format format, double code, double near_z, double far_z)
+double rig_format_distance(enum ph_depth_format format, int bits, double code, double near_z, double far_z)
 {
-    double n = near_z * (1 - 1. / 512);
+    double n = near_z * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
     if (format == PH_DEPTH_LINEAR_W) {
         return far_z - (code - 16) / (65536 * (1 - 1. / 512)) * (far_z - near_z);
     }
     double unit = ph_depth_bytes(format) == 4 ? 256 : 1;
-    bool is_float = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
-    return n / (complementary(is_float, code / unit) + n / far_z);
+    return n / (complementary(bits, code / unit) + n / far_z);
 }
 
 double rig_distance(const struct rig *rig, uint32_t code, double near_z, double far_z)
 {
-    return rig_format_distance((enum ph_depth_format)rig->r.stats.depth_format, code + .5, near_z, far_z);
+    const struct ph_stats *s = &rig->r.stats;
+    return rig_format_distance((enum ph_depth_format)s->depth_format, s->depth_exponent, code + .5, near_z, far_z);
 }
 
 uint16_t rig_fill_colour(int quad)

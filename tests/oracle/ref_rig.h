@@ -33,7 +33,7 @@ void rig_begin(struct rig *rig);
 void rig_rgb(const struct rig *rig, int x, int y, double rgb[3]);
 
 /* The distance at which a perspective's depth code would be exactly this number (see depth.h), computed in double. */
-double rig_format_distance(enum ph_depth_format format, double code, double near_z, double far_z);
+double rig_format_distance(enum ph_depth_format format, int bits, double code, double near_z, double far_z);
 
 /* The distance along the view that a depth code stands for: the middle of what it covers; code not 0. */
 double rig_distance(const struct rig *rig, uint32_t code, double near_z, double far_z);

@@ -9,7 +9,7 @@ B=${B:-build}
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb "$@"; }
+run() { make -j2 B="$B/make" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod USB=nousb "$@"; }
 
 help_names_the_targets() {
     local target text
@@ -69,7 +69,7 @@ boards_come_from_elsewhere() {
     rm -rf "${B:?}/make-boards" # a folder that was used before names boards that are gone
     mkdir -p "$dir/kits/my-kit" "$dir/empty"
     sed 's/"rpi-pirate-audio"/"my-kit"/; s/board_rpi_pirate_audio/board_my_kit/' boards/rpi-pirate-audio/board.c >"$dir/kits/my-kit/board.c"
-    make -s -j2 B="$B/make-boards" ASSIMP=noassimp PNG=nopng SDL=nosdl GPIOD=nogpiod USB=nousb CFLAGS=-O0 \
+    make -s -j2 B="$B/make-boards" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod USB=nousb CFLAGS=-O0 \
         BOARD_DIR="$dir/kits" "$B/make-boards/pinhole-sim" || return 1
     "$B/make-boards/pinhole-sim" --list | grep '^board  my-kit ' &&
         "$B/make-boards/pinhole-sim" --board my-kit --demo testcard --crc | grep 'frame 0' || return 1
@@ -97,6 +97,10 @@ size_fails_over_the_budget() {
     make size B="$B/make" && ! make size B="$B/make" BUDGET_CORE_BYTES=1000
 }
 
+size_counts_what_is_linked() { # less than there is, and of a function that no demo calls nothing
+    make size B="$B/make" | awk '$1 == "all" { seen = $2 > 0 && $2 < $7 } $1 == "fx/fx_pow" { none = $2 == 0 && $3 > 0 } END { exit !(seen && none) }'
+}
+
 check "help_names_every_target" help_names_the_targets
 check "everything_builds_without_optional_libraries" builds
 check "a_second_make_does_nothing" a_second_make_does_nothing
@@ -112,7 +116,9 @@ check "a folder without boards, odd names, names that are taken and wrong defini
 check "without_the_libraries_none_is_linked" needs_no_library
 if command -v arm-none-eabi-gcc >/dev/null; then
     check "size_fails_over_the_budget" size_fails_over_the_budget
+    check "size_counts_what_is_linked" size_counts_what_is_linked
 else
     skip "size_fails_over_the_budget" "no arm-none-eabi-gcc"
+    skip "size_counts_what_is_linked" "no arm-none-eabi-gcc"
 fi
 tap_end

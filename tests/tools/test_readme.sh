@@ -22,13 +22,13 @@ block() { # language, pattern: the first fenced block of that language in which 
 program_prints_what_is_shown() { # built by the command that stands below it
     block c 'int main' >"$dir/hello.c"
     block text '####' >"$dir/expected"
-    local command
-    command=$(block sh '-o hello' | sed "s#^cc#cc -std=c11 -Wall -Wextra -Werror#; s#hello\.c#$dir/hello.c#; s#build/#$B/#; s#-o hello.*#-o $dir/hello#")
-    if [ ! -s "$dir/hello.c" ] || [ ! -s "$dir/expected" ] || [ -z "$command" ]; then
-        echo "no program, no command or no output in README.md"
+    local commands
+    commands=$(block sh '-o hello' | sed "s|^sudo make install|make -s install-dev PREFIX=$dir/usr|; s|^cc|cc -std=c11 -Wall -Wextra -Werror|")
+    if [ ! -s "$dir/hello.c" ] || [ ! -s "$dir/expected" ] || [ -z "$commands" ]; then
+        echo "no program, no commands or no output in README.md"
         return 1
     fi
-    make -s B="$B" all && bash -c "$command" && "$dir/hello" >"$dir/printed" && diff "$dir/expected" "$dir/printed"
+    bash -e -c "${commands%%cc*}" && (cd "$dir" && PKG_CONFIG_PATH=$dir/usr/lib/pkgconfig bash -e -c "cc${commands#*cc}") >"$dir/printed" && diff "$dir/expected" "$dir/printed"
 }
 
 # What the README's board.c and show() do on a simulated kit: the whole glass gets the background, nobody complains.
@@ -47,8 +47,9 @@ int main(void)
     static uint16_t depth[SIDE * BAND], pixels[SIDE * BAND];
     static uint8_t seen[SIDE * SIDE * 3];
     uint32_t bins[BANDS], red = 0;
-    const struct ph_config config = {SIDE, SIDE, BAND, PH_DEPTH_FIXED16, malloc(3 * ph_vertex_bytes), 3,
-                                     malloc(ph_triangle_bytes), 1, bins, BANDS, depth, NULL, NULL};
+    const struct ph_config config = {.width = SIDE, .height = SIDE, .band_height = BAND, .depth_format = PH_DEPTH_FIXED16,
+                                     .vertices = malloc(3 * ph_vertex_bytes), .vertex_max = 3, .triangles = malloc(ph_triangle_bytes),
+                                     .triangle_max = 1, .bins = bins, .bin_max = BANDS, .depth = depth};
     struct ph_projection lens;
     struct ph_renderer r;
     struct hal hal;
@@ -116,7 +117,7 @@ every_paper_is_linked() { # a README.md that README.md does not name is not foun
 targets_exist() {
     local target
     while read -r target; do
-        grep -qh "^$target:.*##" Makefile firmware/firmware.mk || { echo "make $target" && return 1; }
+        grep -qh "^$target:.*##" Makefile firmware/firmware.mk firmware/package/package.mk || { echo "make $target" && return 1; }
     done < <(grep -ohE '(^|`)make [a-z][a-z-]*' "${readmes[@]}" | cut -d' ' -f2 | sort -u)
 }
 

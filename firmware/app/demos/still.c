@@ -1,4 +1,4 @@
-/* demo_still: see demo.h. */
+/* demo_still_init, demo_still_frame: see demo.h. */
 #include "demo_scene.h"
 
 struct still {

@@ -48,6 +48,13 @@ static void put_num(const struct lab *lab, struct lab_num v)
     put_field(lab, text);
 }
 
+static void put_length(const struct lab *lab, uint32_t lsbs)
+{
+    char text[LAB_TEXT_SIZE];
+    lab_length_text(lsbs, text);
+    put_field(lab, text);
+}
+
 /* format,bits,near,far */
 static void put_head(const struct lab *lab, const struct lab_format *format)
 {
@@ -119,7 +126,7 @@ static void pairs_row(const struct lab *lab, struct work *work)
     put_u32(lab, lab->count);
     put_u32(lab, equal);
     put_u32(lab, swap);
-    put_num(lab, lab_num_scaled(widest(lab, least, most), -16));
+    put_length(lab, widest(lab, least, most));
     lab->put(lab->context, "\n");
 }
 
@@ -130,27 +137,22 @@ static bool is_linear(const struct lab_format *format)
     return format->kind == LAB_LINEAR || (format->kind == LAB_DRAWN && format->format == PH_DEPTH_LINEAR_W);
 }
 
-/* Mantissa bits of a float format, or 0. */
-static int mantissa_of(const struct lab_format *format)
-{
-    const bool drawn =
-        format->kind == LAB_DRAWN && (format->format == PH_DEPTH_FLOAT16 || format->format == PH_DEPTH_FLOAT24);
-    return drawn || format->kind == LAB_OVER_W ? format->bits - 4 : 0;
-}
-
 /* A float format holds d = N/w - F (depth.h). near512 is N in units of 2^-9 LSBs; complement: F is not 0. */
 struct mapping {
     uint64_t near512;
     bool complement;
+    int mantissa; /* bits; 0: no float */
+    int lowest;   /* octave, which reaches down to 0 */
 };
 
 static struct mapping mapping_of(const struct lab *lab, const struct lab_format *format)
 {
     const bool complement = format->kind == LAB_DRAWN;
-    return (struct mapping){(uint64_t)lab->near_z * (complement ? 511 : 512), complement};
+    const int exponent = lab_exponent(format, lab->near_z, lab->far_z),
+              mantissa = exponent ? format->bits - exponent : 0;
+    const uint64_t head_room = !complement ? 0 : exponent > 4 ? (uint64_t)1 << (exponent - 4) : 1;
+    return (struct mapping){(uint64_t)lab->near_z * (512 - head_room), complement, mantissa, (1 << exponent) - 2};
 }
-
-#define OCTAVES 15 /* of a float format; the last one reaches down to 0 */
 
 /* The octave of d at w; octave 0 is d in 1/2 .. 1. */
 static int octave_of(const struct lab *lab, struct mapping mapping, fx_t w)
@@ -160,16 +162,16 @@ static int octave_of(const struct lab *lab, struct mapping mapping, fx_t w)
     const struct lab_num far = lab_num_div(near, lab_num_of((uint64_t)lab->far_z));
     uint64_t d = (at.e <= -64 ? 0 : at.m >> -at.e) - (far.e <= -64 || !mapping.complement ? 0 : far.m >> -far.e);
     int octave = 0;
-    for (; octave < OCTAVES - 1 && d < (uint64_t)1 << 59; d <<= 1) {
+    for (; octave < mapping.lowest && d < (uint64_t)1 << 59; d <<= 1) {
         octave++;
     }
     return octave;
 }
 
 /* The last bit of d times z^2 / N, all in LSBs. */
-static struct lab_num float_step(struct mapping mapping, struct lab_num z, int mantissa, int octave)
+static struct lab_num float_step(struct mapping mapping, struct lab_num z, int octave)
 {
-    const struct lab_num bit = lab_num_scaled(512, -(mantissa + 1 + octave));
+    const struct lab_num bit = lab_num_scaled(512, -(mapping.mantissa + 1 + octave));
     return lab_num_div(lab_num_mul(lab_num_mul(z, z), bit), lab_num_of(mapping.near512));
 }
 
@@ -186,9 +188,9 @@ static struct lab_num ideal_step(const struct lab *lab, const struct lab_format 
     if (is_linear(format)) {
         return lab_num_div(lab_num_of(f - n), largest);
     }
-    if (mantissa_of(format) != 0) {
-        const struct mapping mapping = mapping_of(lab, format);
-        return float_step(mapping, z, mantissa_of(format), octave_of(lab, mapping, w));
+    const struct mapping mapping = mapping_of(lab, format);
+    if (mapping.mantissa != 0) {
+        return float_step(mapping, z, octave_of(lab, mapping, w));
     }
     const struct lab_num range = lab_num_mul(lab_num_mul(z, z), lab_num_of(f - n));
     return lab_num_div(range, lab_num_mul(lab_num_of(f * n), largest));
@@ -206,10 +208,11 @@ static struct lab_num ideal_worst(const struct lab *lab, const struct lab_format
     const uint64_t f = (uint64_t)lab->far_z, n = mapping.near512 << 15; /* 2^-24 LSBs */
     struct lab_num worst = ideal_step(lab, format, lab->far_z);
     const int first = octave_of(lab, mapping, lab->near_z), last = octave_of(lab, mapping, lab->far_z);
-    for (int k = first; mantissa_of(format) != 0 && k < last; k++) {
-        const uint64_t below = (f << (9 + 14 - k)) + (mapping.complement ? n : 0); /* f times (d + N/f) */
+    for (int k = first; mapping.mantissa != 0 && k < last; k++) {
+        const uint64_t d = k < 23 ? f << (23 - k) : f >> (k - 23),
+                       below = d + (mapping.complement ? n : 0); /* f (d + N/f) */
         const struct lab_num z = lab_num_div(lab_num_mul(lab_num_of(f), lab_num_of(n)), lab_num_of(below));
-        worst = larger(worst, float_step(mapping, z, mantissa_of(format), k));
+        worst = larger(worst, float_step(mapping, z, k));
     }
     return worst;
 }
@@ -228,7 +231,7 @@ static void resolve_row(const struct lab *lab, struct work *work, fx_t z)
         put_field(lab, "S_worst");
     }
     put_num(lab, (struct lab_num){ideal.m, ideal.e - 16});
-    put_num(lab, lab_num_scaled(measured, -16));
+    put_length(lab, measured);
     put_num(lab, lab_num_div(lab_num_of(measured), ideal));
     lab->put(lab->context, "\n");
 }

@@ -21,13 +21,17 @@ enum lab_kind { LAB_DRAWN, LAB_NDC_Q16, LAB_RECIP_Q16, LAB_CLIP_Q16, LAB_LINEAR,
 
 struct lab_format {
     const char *name;
-    uint8_t kind;   /* enum lab_kind */
-    uint8_t bits;   /* of the stored code */
-    uint8_t format; /* LAB_DRAWN: enum ph_depth_format */
+    uint8_t kind;     /* enum lab_kind */
+    uint8_t bits;     /* of the stored code */
+    uint8_t format;   /* LAB_DRAWN: enum ph_depth_format */
+    uint8_t exponent; /* a float's bits of exponent; 0: as many as the renderer takes for the lens, or no float */
 };
 
 /* The rows of the tables, in the order in which they are printed. A name appears twice if a kind has two widths. */
 extern const struct lab_format lab_formats[];
 extern const uint32_t lab_format_count; /* at most 32 */
+
+/* A float's bits of exponent between these planes; 0: the format is no float. */
+int lab_exponent(const struct lab_format *format, fx_t near_z, fx_t far_z);
 
 #endif

@@ -75,17 +75,17 @@ static struct lab_num times_ten(struct lab_num v, int n)
     return v;
 }
 
-/* v rounded to an integer, a tie up; v below 2^32. */
-static uint32_t nearest(struct lab_num v)
+/* v rounded to an integer, a tie up; v below 2^63. */
+static uint64_t nearest(struct lab_num v)
 {
     if (v.m == 0 || v.e < -64) {
         return 0;
     }
     const uint64_t half = (uint64_t)1 << (-v.e - 1);
-    return (uint32_t)((-v.e == 64 ? 0 : v.m >> -v.e) + ((v.m & half) != 0));
+    return (-v.e == 64 ? 0 : v.m >> -v.e) + ((v.m & half) != 0);
 }
 
-static char *put_digits(char *to, uint32_t v, int digits)
+static char *put_digits(char *to, uint64_t v, int digits)
 {
     for (int i = digits; i-- > 0; v /= 10) {
         to[i] = (char)('0' + v % 10);
@@ -93,8 +93,8 @@ static char *put_digits(char *to, uint32_t v, int digits)
     return to + digits;
 }
 
-/* Writes digits[0 .. 5], the first of which has the weight 10^exponent, without the zeros at their end. */
-static void place_point(char *to, const char digits[6], int count, int exponent)
+/* Writes digits[0 .. count - 1], the first of which has the weight 10^exponent. */
+static void place_point(char *to, const char *digits, int count, int exponent)
 {
     for (int i = exponent < 0 ? exponent : 0; i < count || i <= exponent; i++) {
         if (i == exponent + 1 && i > 0) {
@@ -108,7 +108,7 @@ static void place_point(char *to, const char digits[6], int count, int exponent)
     *to = '\0';
 }
 
-static void exponent_form(char *to, const char digits[6], int count, int exponent)
+static void exponent_form(char *to, const char *digits, int count, int exponent)
 {
     *to++ = digits[0];
     if (count > 1) {
@@ -123,7 +123,10 @@ static void exponent_form(char *to, const char digits[6], int count, int exponen
     *to = '\0';
 }
 
-void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE])
+#define DIGITS_MAX 10
+
+/* So many significant digits, up to DIGITS_MAX, without the zeros at their end. */
+static void put_number(struct lab_num v, int places, char text[LAB_TEXT_SIZE])
 {
     if (v.m == 0) {
         text[0] = '0';
@@ -131,20 +134,34 @@ void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE])
         return;
     }
     int exponent = (v.e + 63) * 301 / 1000; /* about log10 */
-    uint32_t value = nearest(times_ten(v, 5 - exponent));
-    while (value < 100000) {
-        value = nearest(times_ten(v, 5 - --exponent));
+    uint64_t least = 1;
+    for (int i = 1; i < places; i++) {
+        least *= 10;
     }
-    while (value >= 1000000) {
-        value = nearest(times_ten(v, 5 - ++exponent));
+    uint64_t value = nearest(times_ten(v, places - 1 - exponent));
+    while (value < least) {
+        value = nearest(times_ten(v, places - 1 - --exponent));
     }
-    char digits[6];
-    put_digits(digits, value, 6);
-    int count = 6;
+    while (value >= least * 10) {
+        value = nearest(times_ten(v, places - 1 - ++exponent));
+    }
+    char digits[DIGITS_MAX];
+    put_digits(digits, value, places);
+    int count = places;
     while (count > 1 && digits[count - 1] == '0') {
         count--;
     }
     (exponent < -4 || exponent > 8 ? exponent_form : place_point)(text, digits, count, exponent);
+}
+
+void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE])
+{
+    put_number(v, 6, text);
+}
+
+void lab_length_text(uint32_t lsbs, char text[LAB_TEXT_SIZE])
+{
+    put_number(lab_num_scaled(lsbs, -16), DIGITS_MAX, text);
 }
 
 void lab_u32_text(uint32_t v, char text[LAB_TEXT_SIZE])

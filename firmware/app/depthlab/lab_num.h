@@ -29,6 +29,9 @@ uint64_t lab_log2_q56(uint32_t v);
 /* Six significant digits, the last rounded to nearest: "0.0742188", "181", "5.96046e-08" below 1e-4. */
 void lab_num_text(struct lab_num v, char text[LAB_TEXT_SIZE]);
 
+/* A length in LSBs of Q16.16 as metres with ten digits, which tell every two lengths apart: "0.07421875". */
+void lab_length_text(uint32_t lsbs, char text[LAB_TEXT_SIZE]);
+
 /* The shortest decimal that stands for v in Q16.16: "0.1" for 6554. v >= 0. */
 void lab_fx_text(fx_t v, char text[LAB_TEXT_SIZE]);
 

@@ -17,6 +17,7 @@ static int open_renderer(struct lab_probe *p)
                                      .height = 1,
                                      .band_height = 1,
                                      .depth_format = p->format->format,
+                                     .depth_exponent = p->format->exponent,
                                      .vertices = p->vertices,
                                      .vertex_max = 3,
                                      .triangles = p->triangles,

@@ -36,8 +36,11 @@ static inline int32_t depth_of(const struct ph_blur *b, uint32_t code)
     if (b->depth_format == PH_DEPTH_LINEAR_W) {
         return depth_of_linear(b, code);
     }
-    const uint32_t f = code > 8 ? code - 8 : 0, exponent = f >> 12;
-    return (int32_t)(exponent == 0 ? f >> 7 : ((f & 4095) + 4096) << (exponent - 1) >> 7);
+    const int mantissa = 15 - b->lens.float_down, least = (2 << b->lens.float_down) + mantissa - 21;
+    const uint32_t f = code > 8 ? code - 8 : 0, exponent = f >> mantissa, octave = exponent > 1 ? exponent - 1 : 0;
+    const int up = (int)octave - least;
+    const uint32_t value = f - (octave << mantissa); /* with the leading one, except in the lowest octave */
+    return (int32_t)(up >= 0 ? value << up : up > -32 ? value >> -up : 0);
 }
 
 static inline int8_t blur_of(const struct ph_blur *b, uint32_t code)
@@ -64,7 +67,8 @@ static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struc
     b->focal_d = (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
     const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
     const int64_t over = parallel ? FX_ONE : z, under = parallel ? FX_ONE : lens->near_z;
-    const int64_t per_d = (int64_t)focus->strength * over / (under - (under >> 9)) >> 8; /* 256 per px */
+    const int64_t per_d =
+        (int64_t)focus->strength * over / (under - (under >> ph_depth_head(lens))) >> 8; /* 256 per px */
     b->per_d = per_d < 1 ? 1 : per_d > 1 << 24 ? 1 << 24 : (uint32_t)per_d;
     b->most = (uint8_t)(16 * focus->radius + 15);
     b->limit = ((uint32_t)b->most << 24) / b->per_d;

@@ -18,7 +18,7 @@ static const int32_t arctangent[67] = {
 /* Whether lo / hi is at least the tangent of k 2^-17 turn. */
 static int at_least(uint32_t lo, uint32_t hi, uint32_t k)
 {
-    const struct fx_ratio r = fx_tangent_ratio(k);
+    const struct fx_ratio r = fx_tangent_ratio((uint64_t)k << 49);
     const uint64_t left_low = fx_mul_wide_u(lo, (uint32_t)r.den);
     const uint64_t right_low = fx_mul_wide_u(hi, (uint32_t)r.num);
     const uint64_t left = fx_mul_wide_u(lo, (uint32_t)(r.den >> 32)) + (left_low >> 32);

@@ -70,3 +70,25 @@ fx_t fx_rsqrt_sat(fx_t a)
     const uint32_t r = rsqrt_norm((uint32_t)a << shift) >> drop;
     return (fx_t)(r + (fx_mul_wide_u(2 * r + 1, 2 * r + 1) * (uint32_t)a <= (uint64_t)1 << 50)); /* above r + 1/2 */
 }
+
+/*
+ * floor(sqrt(v)). The estimate is 2^-24 off in relation to the root; Newton's step leaves less than 1, and the
+ * remainder decides.
+ */
+uint32_t fx_sqrt_u64(uint64_t v)
+{
+    if (v == 0) {
+        return 0;
+    }
+    const uint32_t high = (uint32_t)(v >> 32);
+    const int shift = (high != 0 ? fx_clz32(high) : 32 + fx_clz32((uint32_t)v)) & ~1;
+    const uint64_t w = v << shift; /* 2^62 .. 2^64 */
+    const uint32_t y = rsqrt_norm((uint32_t)(w >> 32));
+    const uint32_t estimate = fx_mulhi_u32((uint32_t)(w >> 32), y); /* 2^-3 sqrt(w), 2^28 .. 2^29 */
+    uint32_t r = (estimate >> 29 != 0 ? ((uint32_t)1 << 29) - 1 : estimate) << 3;
+    const int64_t error = (int64_t)(w - fx_mul_wide_u(r, r));               /* |error| < 2^41 */
+    r += (uint32_t)(fx_mul_wide((int32_t)(error >> 11), (int32_t)y) >> 51); /* error / (2 r), y is 2^61 / r */
+    const int64_t rest = (int64_t)(w - fx_mul_wide_u(r, r));
+    r += rest < 0 ? (uint32_t)-1 : rest > 2 * (int64_t)r;
+    return r >> (shift / 2);
+}

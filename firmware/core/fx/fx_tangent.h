@@ -1,4 +1,4 @@
-/* fx_tangent: the tangent as a ratio, for fx_tan_sat and fx_atan2. */
+/* fx_tangent: the tangent as a ratio, for fx_atan2 and fx_cot_half_q20. */
 #ifndef FX_TANGENT_H
 #define FX_TANGENT_H
 
@@ -8,7 +8,8 @@ struct fx_ratio {
     uint64_t num, den;
 };
 
-/* num / den is the tangent of k 2^-17 turn, 0 < k < 16384 (below 45 degrees), with a relative error < 2^-40. */
-struct fx_ratio fx_tangent_ratio(uint32_t k);
+/* num / den is the tangent of `eighth` 2^-63 eighth turns, eighth < 2^63 (45 degrees), with a relative error < 2^-40.
+ */
+struct fx_ratio fx_tangent_ratio(uint64_t eighth);
 
 #endif

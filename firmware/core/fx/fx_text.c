@@ -1,18 +1,14 @@
 /* fx_text: decimal text to Q16.16 and back, both exact. See fx.h. */
 #include "fx.h"
+#include "fx_text.h"
 #include "status.h"
 
 #include <stddef.h>
 #include <stdbool.h>
 
-int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
+int fx_text_whole(uint32_t whole, char *text)
 {
-    const uint32_t v = fx_magnitude(a);
     int n = 0;
-    if (a < 0) {
-        text[n++] = '-';
-    }
-    uint32_t whole = v >> 16;
     uint32_t unit = 10000;
     while (unit > 1 && whole < unit) {
         unit /= 10;
@@ -21,6 +17,17 @@ int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
         text[n++] = (char)('0' + whole / unit);
         whole %= unit;
     }
+    return n;
+}
+
+int fx_to_text(fx_t a, char text[FX_TEXT_SIZE])
+{
+    const uint32_t v = fx_magnitude(a);
+    int n = 0;
+    if (a < 0) {
+        text[n++] = '-';
+    }
+    n += fx_text_whole(v >> 16, &text[n]);
     uint32_t part = v & 0xffff; /* 65536ths: at most sixteen digits, as each one removes a factor 2 */
     if (part != 0) {
         text[n++] = '.';

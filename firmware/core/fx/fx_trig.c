@@ -1,6 +1,5 @@
-/* fx_trig: sine, cosine, tangent. See fx.h. */
+/* fx_trig: sine and cosine. See fx.h. */
 #include "fx.h"
-#include "fx_tangent.h"
 
 #include <stdbool.h>
 
@@ -73,64 +72,4 @@ fx_t fx_cos(fx_t turns)
     int32_t s, c;
     rounded((uint32_t)turns << 16, 20, &s, &c);
     return c;
-}
-
-/* High 64 bits of the 128-bit product; at most 1 too small. */
-static uint64_t mulhi64(uint64_t a, uint64_t b)
-{
-    const uint32_t ah = (uint32_t)(a >> 32);
-    const uint32_t bh = (uint32_t)(b >> 32);
-    const uint64_t m1 = fx_mul_wide_u(ah, (uint32_t)b);
-    const uint64_t m2 = fx_mul_wide_u((uint32_t)a, bh);
-    const uint64_t low = fx_mulhi_u32((uint32_t)a, (uint32_t)b);
-    const uint64_t middle = low + (uint32_t)m1 + (uint32_t)m2;
-    return fx_mul_wide_u(ah, bh) + (m1 >> 32) + (m2 >> 32) + (middle >> 32);
-}
-
-/* Lambert's continued fraction x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a ratio without division. */
-struct fx_ratio fx_tangent_ratio(uint32_t k)
-{
-    const uint64_t x = mulhi64((uint64_t)k << 49, 0xc90fdaa22168c234u); /* the factor is pi/4 in 2^-64; x is in 2^-63 */
-    const uint64_t xx = mulhi64(x, x) << 1;                             /* 2^-63 */
-    uint64_t a = (uint64_t)25 << 54;
-    uint64_t b = (uint64_t)1 << 54;
-    for (int n = 23; n > 0; n -= 2) {
-        if (a >> 58 != 0) { /* makes room for the factor n */
-            a >>= 5;
-            b >>= 5;
-        }
-        const uint64_t next = (uint32_t)n * a - (mulhi64(xx, b) << 1);
-        b = a;
-        a = next;
-    }
-    return (struct fx_ratio){mulhi64(x, b) << 1, a};
-}
-
-fx_t fx_tan_sat(fx_t turns)
-{
-    const uint32_t half_turn = (uint32_t)turns & 0x7fff;
-    const uint32_t k = half_turn <= 16384 ? half_turn : 32768 - half_turn; /* mirrored into the first quarter */
-    uint32_t t;
-    if (k == 0) {
-        return 0;
-    }
-    if (k == 16384) {
-        return ((uint32_t)turns & 0x8000) != 0 ? FX_MIN : FX_MAX;
-    }
-    if (k == 8192) {
-        t = FX_ONE;
-    } else {
-        struct fx_ratio r = fx_tangent_ratio(2 * (k < 8192 ? k : 16384 - k));
-        if (k > 8192) {
-            r = (struct fx_ratio){r.den, r.num};
-        }
-        while (r.den >= (uint64_t)1 << 46) {
-            r.num >>= 1;
-            r.den >>= 1;
-        }
-        const uint64_t whole = r.num / r.den;
-        const uint64_t part = ((r.num % r.den) << 17) / r.den;
-        t = (uint32_t)(((whole << 17) + part + 1) >> 1);
-    }
-    return half_turn <= 16384 ? (fx_t)t : -(fx_t)t;
 }

@@ -1,12 +1,14 @@
 /* 4 x 4 matrices as the textbooks write them: see camera.h. */
 #include "camera.h"
+#include "fx_math.h"
+#include "geom_sum.h"
 
-/* A row times a vector. The products are up to 2^62, so each loses its low two bits before the sum. */
+/* A row times a vector, rounded once. */
 static fx_t row_times(const fx_t row[4], fx_t x, fx_t y, fx_t z, fx_t w)
 {
-    const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
-                            (fx_mul_wide(row[2], z) >> 2) + (fx_mul_wide(row[3], w) >> 2);
-    return fx_sat64((quarter >> 14) + ((quarter >> 13) & 1));
+    const int64_t products[] = {fx_mul_wide(row[0], x), fx_mul_wide(row[1], y), fx_mul_wide(row[2], z),
+                                fx_mul_wide(row[3], w)};
+    return fx_sat64(geom_sum_rounded(products, 4, 16));
 }
 
 struct ph_mat4 ph_mat4_mul(const struct ph_mat4 *a, const struct ph_mat4 *b)
@@ -26,18 +28,13 @@ struct ph_vec4 ph_mat4_apply(const struct ph_mat4 *a, struct ph_vec4 v)
                             row_times(a->m[2], v.x, v.y, v.z, v.w), row_times(a->m[3], v.x, v.y, v.z, v.w)};
 }
 
-static fx_t from_q30(int32_t v)
-{
-    return (fx_t)(((int64_t)v + (1 << 13)) >> 14);
-}
-
 struct ph_mat4 ph_mat4_xform(const struct ph_xform *a)
 {
     const fx_t t[3] = {a->t.x, a->t.y, a->t.z};
     struct ph_mat4 m = {{{0}}};
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            m.m[i][j] = from_q30(a->r[i][j]);
+            m.m[i][j] = fx_from_q30(a->r[i][j]);
         }
         m.m[i][3] = t[i];
     }
@@ -140,6 +137,8 @@ struct ph_mat4 ph_matrix_viewport(uint16_t width, uint16_t height, enum ph_conve
 
 struct ph_mat4 ph_matrix_plane(struct fx_vec3 normal, fx_t d)
 {
-    return (struct ph_mat4){
-        {{d, 0, 0, 0}, {0, d, 0, 0}, {0, 0, d, 0}, {-from_q30(normal.x), -from_q30(normal.y), -from_q30(normal.z), 0}}};
+    return (struct ph_mat4){{{d, 0, 0, 0},
+                             {0, d, 0, 0},
+                             {0, 0, d, 0},
+                             {-fx_from_q30(normal.x), -fx_from_q30(normal.y), -fx_from_q30(normal.z), 0}}};
 }

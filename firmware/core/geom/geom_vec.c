@@ -1,5 +1,6 @@
 /* Vectors and quaternions: see geom.h. */
 #include "geom.h"
+#include "geom_sum.h"
 
 struct fx_vec3 fx_vec3_add_sat(struct fx_vec3 a, struct fx_vec3 b)
 {
@@ -21,11 +22,10 @@ struct fx_vec3 fx_vec3_lerp_sat(struct fx_vec3 a, struct fx_vec3 b, fx_t t)
     return (struct fx_vec3){fx_lerp_sat(a.x, b.x, t), fx_lerp_sat(a.y, b.y, t), fx_lerp_sat(a.z, b.z, t)};
 }
 
-/* a b - c d of Q16.16 numbers, rounded once. The products are halved, so that their difference fits. */
+/* a b - c d of Q16.16 numbers, rounded once. */
 static fx_t cross_term(fx_t a, fx_t b, fx_t c, fx_t d)
 {
-    const int64_t half_sum = (fx_mul_wide(a, b) >> 1) - (fx_mul_wide(c, d) >> 1);
-    return fx_sat64((half_sum + (1 << 14)) >> 15);
+    return fx_sat64(geom_sum_rounded((const int64_t[]){fx_mul_wide(a, b), -fx_mul_wide(c, d)}, 2, 16));
 }
 
 struct fx_vec3 fx_vec3_cross_sat(struct fx_vec3 a, struct fx_vec3 b)
@@ -36,31 +36,15 @@ struct fx_vec3 fx_vec3_cross_sat(struct fx_vec3 a, struct fx_vec3 b)
 
 fx_t fx_vec3_dot_sat(struct fx_vec3 a, struct fx_vec3 b)
 {
-    /* The sum of three products of up to 2^62 does not fit 64 bits, so each loses its low two bits. */
-    const int64_t quarter = (fx_mul_wide(a.x, b.x) >> 2) + (fx_mul_wide(a.y, b.y) >> 2) + (fx_mul_wide(a.z, b.z) >> 2);
-    return fx_sat64((quarter + (1 << 13)) >> 14);
-}
-
-/* floor(sqrt(v)), bit by bit. */
-static uint32_t sqrt_u64(uint64_t v)
-{
-    uint64_t root = 0;
-    for (uint64_t bit = (uint64_t)1 << 62; bit != 0; bit >>= 2) {
-        const uint64_t trial = root + bit;
-        root >>= 1;
-        if (v >= trial) {
-            v -= trial;
-            root += bit;
-        }
-    }
-    return (uint32_t)root;
+    const int64_t products[] = {fx_mul_wide(a.x, b.x), fx_mul_wide(a.y, b.y), fx_mul_wide(a.z, b.z)};
+    return fx_sat64(geom_sum_rounded(products, 3, 16));
 }
 
 fx_t fx_vec3_length_sat(struct fx_vec3 a)
 {
     const uint32_t x = fx_magnitude(a.x), y = fx_magnitude(a.y), z = fx_magnitude(a.z);
     const uint64_t sum = fx_mul_wide_u(x, x) + fx_mul_wide_u(y, y) + fx_mul_wide_u(z, z); /* <= 3 * 2^62 */
-    const uint32_t root = sqrt_u64(sum);
+    const uint32_t root = fx_sqrt_u64(sum);
     const bool up = sum - fx_mul_wide_u(root, root) > root; /* nearer to root + 1 */
     return root >= (uint32_t)FX_MAX ? FX_MAX : (fx_t)(root + up);
 }
@@ -95,7 +79,7 @@ static bool unit_q30(const int64_t *in, int32_t *out, int n)
         sum += fx_mul_wide_u(fx_magnitude(out[i]), fx_magnitude(out[i])); /* <= 4 * 2^58 */
     }
     /* The root has 32 bits: it is the length in 2^-2 units of the components. */
-    const int64_t length = sqrt_u64(sum << 4);
+    const int64_t length = fx_sqrt_u64(sum << 4);
     for (int i = 0; i < n; i++) {
         const int64_t scaled = (int64_t)((uint64_t)(int64_t)out[i] << 33);
         out[i] = (int32_t)((scaled / length + 1) >> 1);

@@ -1,15 +1,16 @@
 /* Transforms, the look-at camera and projections: see geom.h. */
 #include "geom.h"
+#include "fx_math.h"
+#include "geom_sum.h"
 #include "status.h"
 
 const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 
-/* A row in Q2.30 times (x, y, z), plus c. Products are up to 2^62, so each loses its low two bits before the sum. */
+/* A row in Q2.30 times (x, y, z), plus c, rounded once. */
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
-    const int64_t quarter = (fx_mul_wide(row[0], x) >> 2) + (fx_mul_wide(row[1], y) >> 2) +
-                            (fx_mul_wide(row[2], z) >> 2) + (int64_t)c * (1 << 28);
-    return fx_sat64((quarter + (1 << 27)) >> 28);
+    const int64_t products[] = {fx_mul_wide(row[0], x), fx_mul_wide(row[1], y), fx_mul_wide(row[2], z)};
+    return fx_sat64(geom_sum_rounded(products, 3, 30) + c);
 }
 
 struct ph_xform ph_xform_rotate_x(uint32_t turn32)
@@ -46,10 +47,10 @@ struct ph_xform ph_xform_scale(fx_t s)
     return (struct ph_xform){{{k, 0, 0}, {0, k, 0}, {0, 0, k}}, {0, 0, 0}};
 }
 
-/* 2 (a b + c d) of Q2.30 numbers, in Q2.30. */
+/* 2 (a b + c d) of Q2.30 numbers, in Q2.30, rounded once. */
 static int32_t twice_sum(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    return fx_sat64(((fx_mul_wide(a, b) >> 1) + (fx_mul_wide(c, d) >> 1) + (1 << 27)) >> 28);
+    return fx_sat64(geom_sum_rounded((const int64_t[]){fx_mul_wide(a, b), fx_mul_wide(c, d)}, 2, 29));
 }
 
 struct ph_xform ph_xform_quat(struct fx_quat q, struct fx_vec3 t)
@@ -172,11 +173,9 @@ int ph_projection_perspective(struct ph_projection *p, fx_t fov_y_deg, fx_t aspe
     if (fov_y_deg <= 0 || fov_y_deg >= FX_INT(180) || aspect <= 0 || near_z <= 0 || far_z <= near_z) {
         return PH_ERR_INVAL;
     }
-    int32_t s, c;
-    fx_sincos_q30(fx_turn32_from_deg(fov_y_deg) / 2, &s, &c);
-    const int32_t scale_y = s > 0 ? ratio(c, 20, s) : 0;
+    const int32_t scale_y = fx_cot_half_q20(fov_y_deg);
     const int32_t scale_x = ratio(scale_y, 16, aspect);
-    if (scale_x <= 0 || scale_y <= 0) {
+    if (scale_x <= 0 || scale_y <= 0 || scale_y == INT32_MAX) {
         return PH_ERR_INVAL;
     }
     *p = (struct ph_projection){PH_PERSPECTIVE, scale_x, scale_y, 0, 0, near_z, far_z};

@@ -15,12 +15,21 @@ enum ph_depth_format ph_depth_choose(const struct ph_projection *projection)
     return PH_DEPTH_FLOAT16;
 }
 
-/* (f - z) / (f - n) as a quotient with s = 0, q = 0 .. 2^30 (1 - 2^-9). */
+unsigned ph_depth_choose_exponent(const struct ph_projection *projection)
+{
+    const int64_t near_z = projection->near_z;
+    if (projection->kind == PH_ORTHOGRAPHIC || projection->far_z <= near_z * PH_DEPTH_EXPONENT3_RATIO) {
+        return 3;
+    }
+    return projection->far_z <= near_z * PH_DEPTH_EXPONENT4_RATIO ? 4 : 5;
+}
+
+/* (f - z) / (f - n) as a quotient with s = 0, q = 0 .. 2^30 less the head room. */
 static struct ph_quotient ortho_quotient(const struct ph_lens *lens, fx_t z)
 {
     const uint32_t behind_far = (uint32_t)lens->far_z - (uint32_t)z; /* z is between near and far */
     const uint32_t d = fx_mulhi_u32(behind_far << lens->near_shift, lens->depth_scale);
-    return (struct ph_quotient){d - (d >> 9), 0};
+    return (struct ph_quotient){d - (d >> ph_depth_head(lens)), 0};
 }
 
 struct ph_quotient ph_depth_quotient(const struct ph_lens *lens, fx_t w)

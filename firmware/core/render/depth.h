@@ -3,7 +3,7 @@
  *
  * Depth is complementary: d = N/w - N/f with N = n (1 - 2^-9), n and f being the near and the far plane. It is about 1
  * at the near plane and 0 at the far plane. It is linear in screen space, so it is interpolated there. (Orthographic:
- * d = (1 - 2^-9) (f - z) / (f - n).)
+ * d = (1 - 2^-9) (f - z) / (f - n).) With 5 or 6 bits of exponent (below) 2^-8 or 2^-7 stands for 2^-9: 16 codes.
  * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31. It comes from a reciprocal
  * that is exact to one unit in 2^30 and monotone over every w. No constant of a projection matrix is rounded on the
  * way.
@@ -15,10 +15,10 @@
  * The rasterizer steps 32 bits; the code is their high 16 (16 guard bits) or 24 (8 guard bits). With an exact d:
  *   fixed16:  code = floor(2^16 d + 16 1/4)      fixed24: floor(2^24 d + 4160)
  *   float16:  code = floor(F(d) + 8)             float24: floor(256 (F(d) + 8))
- *             F is an unsigned float with 4 bits of exponent and 12 of mantissa, in full precision:
- *             F = 2^13 d + 14 * 4096 in 1/2 .. 1, and twice as steep with each octave towards 0; F = 2^27 d below
- *             2^-15. F is continuous and piecewise linear: inside one octave a float span is a fixed span with another
- *             slope. All that "float" costs is to split spans where d crosses a power of two.
+ *             F is an unsigned float with e = 3 .. 6 bits of exponent and m = 16 - e of mantissa, in full precision:
+ *             F = 2^(m + 1) d + (2^e - 2) 2^m in 1/2 .. 1, and twice as steep with each octave towards 0, down to
+ *             2^(1 - 2^e). F is continuous and piecewise linear: inside one octave a float span is a fixed span with
+ *             another slope. All that "float" costs is to split spans where d crosses a power of two.
  *   linear-w: code = floor(65408 (f - w) / (f - n) + 16). N/w is stepped, below 2^29 in the triangle, and each pixel
  *             takes a reciprocal and a product of it: 40 to 90 instructions more. Orthographic: as fixed16.
  * The biases and the 2^-9 are head room: planes overshoot their triangle by less, so nothing wraps. The quarter evens
@@ -33,7 +33,11 @@
  *   float24        .000305            .000031           .000244           everywhere; twice the memory
  *   linear-w       .0153              .00153            .0153             far away; near by it is the coarsest
  * AUTO takes fixed16 up to f = 64 n. Its relative step is largest at the far plane, f / (65408 n): 1/1000 there, from
- * which on surfaces begin to fight for pixels (T. Ulrich). float16 stays at some 1/4096 everywhere, up to f = 32768 n.
+ * which on surfaces begin to fight for pixels (T. Ulrich). A float's relative step is at most 2^-m; its longest step is
+ * f 2^(-2 - m), near f / 2, or that of its lowest octave at the far plane, f^2 / n 2^(1 - 2^e - m). So
+ * ph_depth_choose_exponent() takes 3 bits up to f = 64 n, 4 up to 16384 n, else 5; 6 are better above 2^30 n alone
+ * (Lapidous and Jiao, 1999: complementary z, the width of its exponent fitted to f / n). At n = .1 f = 10000 the
+ * longest step is 7.5 m with 4 bits and 1.1 m with 5.
  *
  * Limits. Screen positions have 8 sub-pixel bits. They move a leaning surface by up to sqrt(2)/256 of the change of its
  * distance from pixel to pixel; with 24 bits this is the larger part (measured by the same test). The 8 guard
@@ -43,9 +47,9 @@
  * A triangle has one depth: at one pixel it has one code in every shading. (Textured ones may differ by a code near a
  * border of octaves: in float24, and in float16 if they cross more than five.) Up to a slope of 1/4 of the range of d
  * per pixel a code is off the exact plane through the projected corners by at most 2.5, in float24 by at most 64 where
- * a triangle crosses many octaves; at any slope it leaves the range of the corners by at most 1 (measured:
- * tests/core/test_depth_slopes.c). Steeper than 1/2 of the range per pixel a triangle is flattened: it is less than 2
- * px thin then, as a face seen edge-on.
+ * a triangle crosses many octaves (by twice that with 3 bits of exponent, whose codes are half as wide); at any slope
+ * it leaves the range of the corners by at most 1 (measured: tests/core/test_depth_slopes.c). Steeper than 1/2 of the
+ * range per pixel a triangle is flattened: it is less than 2 px thin then, as a face seen edge-on.
  */
 #ifndef PH_DEPTH_H
 #define PH_DEPTH_H
@@ -54,6 +58,12 @@
 
 #define PH_DEPTH_BIAS_FIXED16 ((uint32_t)65 << 14)
 #define PH_DEPTH_BIAS_FLOAT16 ((uint32_t)8 << 16)
+
+/* The head room of d is 2^-this: 2^-9, or what 16 codes take where a float has more bits of exponent. */
+static inline int ph_depth_head(const struct ph_lens *lens)
+{
+    return lens->float_down > 3 ? 12 - lens->float_down : 9;
+}
 
 /* Quotient of N/w for a view distance; see above. */
 struct ph_quotient {
@@ -88,37 +98,43 @@ static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far
 /* Both steps in one. */
 uint32_t ph_depth_at(const struct ph_lens *lens, struct ph_quotient quotient, int block);
 
-/* Octave of a d in units of 2^-(32 + block): its leading zeros. All octaves below 2^-15 count as one with 2^-15 ..
- * 2^-14. The result is negative if the whole block lies below 2^-15. */
-static inline int ph_depth_octave(uint32_t d, int block)
+/* The lowest octave of a float in units of 2^-(32 + block): e bits of exponent count all that is below 2^-(2^e - 2) as
+ * one. It is negative if the whole block lies below. down: e - 1. */
+static inline int ph_depth_lowest(int block, int down)
+{
+    const int lowest = (2 << down) - 2 - block;
+    return lowest < 31 ? lowest : 31;
+}
+
+/* Octave of a d in units of 2^-(32 + block): its leading zeros. */
+static inline int ph_depth_octave(uint32_t d, int lowest)
 {
     const int zeros = fx_clz32(d);
-    return zeros + block < 14 ? zeros : 14 - block;
+    return zeros < lowest ? zeros : lowest;
 }
 
 /* Whether d lies in that octave. This is cheaper than to compute its own. */
-static inline bool ph_depth_in_octave(uint32_t d, int octave, int block)
+static inline bool ph_depth_in_octave(uint32_t d, int octave, int lowest)
 {
-    const uint32_t lowest = octave + block >= 14;
-    return (d >> (octave > 0 ? 31 - octave : 31) | lowest) == 1;
+    return (d >> (octave > 0 ? 31 - octave : 31) | (uint32_t)(octave >= lowest)) == 1;
 }
 
-/* A d of that octave as a 16.16 code of a float, but for the octave's constant. Below it: a gradient of d. */
-static inline uint32_t ph_depth_float16_value(uint32_t d, int octave)
+/* A d of an octave as a 16.16 code of a float, but for the octave's constant; up: octave - down. Below it: a gradient
+ * of d. */
+static inline uint32_t ph_depth_float16_value(uint32_t d, int up)
 {
-    return octave >= 3 ? d << (octave - 3) : d >> (3 - octave);
+    return up >= 0 ? d << up : d >> -up;
 }
 
-static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int octave)
+static inline uint32_t ph_depth_float16_slope(uint32_t gradient, int up)
 {
-    return octave >= 3 ? gradient << (octave - 3)
-                       : (uint32_t)(((int32_t)gradient + ((int32_t)1 << (2 - octave))) >> (3 - octave));
+    return up >= 0 ? gradient << up : (uint32_t)(((int32_t)gradient + ((int32_t)1 << (-up - 1))) >> -up);
 }
 
 /* The octave's constant plus the bias. */
-static inline uint32_t ph_depth_float16_offset(int octave, int block)
+static inline uint32_t ph_depth_float16_offset(int octave, int block, int down)
 {
-    return ((uint32_t)(14 - octave - block) << 28) + PH_DEPTH_BIAS_FLOAT16;
+    return ((uint32_t)((2 << down) - 2 - octave - block) << (31 - down)) + PH_DEPTH_BIAS_FLOAT16;
 }
 
 /* The struct ph_linear of a camera, for the lowest exponent `least` = 0. */

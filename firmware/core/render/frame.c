@@ -11,9 +11,14 @@ _Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
                    sizeof(struct ph_vertex) + sizeof(struct ph_ref) == PH_TRIANGLE_BYTES_32,
                "see render.h");
 
+static bool is_exponent(unsigned bits)
+{
+    return bits == 0 || (bits >= 3 && bits <= 6);
+}
+
 static bool depth_is_usable(const struct ph_config *config)
 {
-    return config->depth != NULL && config->depth_format < PH_DEPTH_FORMATS &&
+    return config->depth != NULL && config->depth_format < PH_DEPTH_FORMATS && is_exponent(config->depth_exponent) &&
            (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
@@ -85,14 +90,16 @@ static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
     shift = fx_clz32((uint32_t)p->near_z);
     const uint32_t norm = (uint32_t)p->near_z << shift;
     lens->near_shift = (int8_t)shift;
-    lens->depth_scale = norm - (norm >> 9);
+    lens->depth_scale = norm - (norm >> ph_depth_head(lens));
     const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
     lens->far_q = far.q;
     lens->far_s = far.s;
     lens->linear = ph_depth_linear_of(lens);
 }
 
-int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)
+/* exponent: as in ph_stats. */
+static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
+                      unsigned exponent)
 {
     const int32_t width = r->config.width, height = r->config.height;
     const struct ph_projection *p = projection;
@@ -103,7 +110,7 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
     if (p->shift_x > 2 * FX_ONE || p->shift_x < -2 * FX_ONE || p->shift_y > 2 * FX_ONE || p->shift_y < -2 * FX_ONE) {
         return PH_ERR_RANGE;
     }
-    struct ph_lens lens = {.kind = (uint8_t)p->kind};
+    struct ph_lens lens = {.kind = (uint8_t)p->kind, .float_down = (uint8_t)(exponent != 0 ? exponent - 1 : 3)};
     if (p->kind == PH_FISHEYE) {
         ph_fisheye_lens(&lens, p, height);
     } else if (lens_focal(&lens, p, width, height) != PH_OK) {
@@ -119,22 +126,39 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
     return PH_OK;
 }
 
+int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)
+{
+    return set_camera(r, view, projection, r->stats.depth_exponent);
+}
+
+/* Format and bits of exponent, as in ph_stats. */
+static unsigned choose_format(const struct ph_config *config, const struct ph_projection *projection,
+                              unsigned *exponent)
+{
+    const unsigned format = config->depth_format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : config->depth_format;
+    const bool is_float = format == PH_DEPTH_FLOAT16 || format == PH_DEPTH_FLOAT24;
+    *exponent = !is_float                     ? 0
+                : config->depth_exponent != 0 ? config->depth_exponent
+                                              : ph_depth_choose_exponent(projection);
+    return format;
+}
+
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background)
 {
     if (light != NULL && light->count > PH_LIGHTS_MAX) {
         return PH_ERR_INVAL;
     }
-    const int status = ph_frame_camera(r, view, projection);
+    unsigned exponent;
+    const unsigned format = choose_format(&r->config, projection, &exponent);
+    const int status = set_camera(r, view, projection, exponent);
     if (status != PH_OK) {
         return status;
     }
     static const struct ph_scene_light full = {.ambient = FX_ONE};
     r->light = light != NULL ? *light : full;
     r->background = background;
-    const unsigned format = r->config.depth_format;
-    r->stats =
-        (struct ph_stats){.depth_format = (uint8_t)(format == PH_DEPTH_AUTO ? ph_depth_choose(projection) : format)};
+    r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
     ph_list_begin(r);
     return PH_OK;
 }

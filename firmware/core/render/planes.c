@@ -221,22 +221,23 @@ static int largest_block(const struct ph_vertex *const v[3])
 
 int ph_octaves_between(const uint32_t d[3], int block)
 {
-    const int a = ph_depth_octave(d[0], block), b = ph_depth_octave(d[1], block), c = ph_depth_octave(d[2], block);
+    const int low = ph_depth_lowest(ph_block_exponent(block), ph_block_down(block));
+    const int a = ph_depth_octave(d[0], low), b = ph_depth_octave(d[1], low), c = ph_depth_octave(d[2], low);
     return ph_max(ph_max(a, b), c) - ph_min(ph_min(a, b), c);
 }
 
 NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
                                  uint32_t d[3])
 {
-    const int block = largest_block(v);
+    const int block = largest_block(v), down = r->lens.float_down, lowest = ph_depth_lowest(block, down);
     depths_in_block(r, v, block, d);
-    const int octave = ph_depth_octave(d[0], block);
-    if (!ph_depth_in_octave(d[1], octave, block) || !ph_depth_in_octave(d[2], octave, block)) {
-        return (uint8_t)block;
+    const int octave = ph_depth_octave(d[0], lowest);
+    if (!ph_depth_in_octave(d[1], octave, lowest) || !ph_depth_in_octave(d[2], octave, lowest)) {
+        return ph_block_of(block, down);
     }
-    const uint32_t offset = ph_depth_float16_offset(octave, block) + (bias << 13);
+    const uint32_t offset = ph_depth_float16_offset(octave, block, down) + (bias << 13);
     for (int i = 0; i < 3; i++) { /* in one octave a float is a fixed number with another slope */
-        d[i] = ph_depth_float16_value(d[i], octave) + offset;
+        d[i] = ph_depth_float16_value(d[i], octave - down) + offset;
     }
     return PH_BLOCK_NONE;
 }
@@ -249,9 +250,9 @@ NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_ve
 static void round_depth(struct ph_plane *plane, const uint32_t d[3], int block)
 {
     if (ph_octaves_between(d, block) <= 4) {
-        plane->base = (plane->base + 4) & ~(uint32_t)7;
-        plane->gx = (plane->gx + 4) & ~(uint32_t)7;
-        plane->gy = (plane->gy + 4) & ~(uint32_t)7;
+        plane->base = ph_block_rounded(plane->base, block);
+        plane->gx = ph_block_rounded(plane->gx, block);
+        plane->gy = ph_block_rounded(plane->gy, block);
     }
 }
 
@@ -262,9 +263,9 @@ static NOINLINE void setup_float(const struct ph_renderer *r, const struct plane
     uint32_t d[3];
     t->block = ph_block_depths(r, v, bias, d);
     int halved = depth_plane(r, s, d, t);
-    for (int block = largest_block(v); halved > 0 && (t->block == PH_BLOCK_NONE || t->block > 0);) {
+    for (int block = largest_block(v); halved > 0 && (t->block == PH_BLOCK_NONE || block > 0);) {
         block = t->block == PH_BLOCK_NONE ? block : ph_max(block - halved, 0);
-        t->block = (uint8_t)block;
+        t->block = ph_block_of(block, r->lens.float_down);
         depths_in_block(r, v, block, d);
         halved = depth_plane(r, s, d, t);
     }

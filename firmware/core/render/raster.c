@@ -170,9 +170,9 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
         d + from * gd - octave->bottom; /* the first row may be empty, and d there below the octave */
     const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
     r->gd = octave->slope;
-    r->d_dy = ph_depth_float16_slope(d_dy, octave->octave);
-    r->d = ph_depth_float16_value(octave->bottom, octave->octave) + octave->offset +
-           ph_depth_float16_slope(above, octave->octave) - from * r->gd;
+    r->d_dy = ph_depth_float16_slope(d_dy, octave->up);
+    r->d = ph_depth_float16_value(octave->bottom, octave->up) + octave->offset +
+           ph_depth_float16_slope(above, octave->up) - from * r->gd;
     r->upper_rows = (uint16_t)rows;
     r->lower_rows = 0;
     const uint32_t count = ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);

@@ -111,7 +111,7 @@ static NOINLINE void finish_depth(struct ph_triangle *t, const struct ph_rendere
     struct ph_small_triangle *const small = &t->small;
     struct ph_triangle any;
     if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_octaves_between(d, t->block) <= 1) {
-        small->d = (small->d + 4) & ~(uint32_t)7; /* rounded: see planes.c; the gradients are multiples of 256 */
+        small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
         return;
     }
     any.block = PH_BLOCK_NONE;
@@ -250,4 +250,15 @@ void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_tr
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
     setup_front(s, v, uv, &sides, t);
+}
+
+void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t)
+{
+    const struct ph_draw *draw = ph_at(r, r->list.first);
+    while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= number) {
+        draw = ph_at(r, draw->next);
+    }
+    struct ph_setting setting;
+    ph_setting_of(&setting, r, draw);
+    ph_setup(&setting, ph_ref_at(r, number), t);
 }

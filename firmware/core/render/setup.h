@@ -23,4 +23,7 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
 /* Sets up a triangle of the draw. */
 void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
 
+/* Sets up the reference of that number, wherever its draw is; the lens of r must be its own. For the depth lab. */
+void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t);
+
 #endif

@@ -100,11 +100,11 @@ static inline void ph_span_gouraud_linear(uint16_t *pixels, uint16_t *depth, uin
 
 /* How many of the next `left` pixels stay in the octave of d (units of 2^-(32 + block)); at least 1. A d just below 0
  * wraps to the top of the range; it belongs to the lowest octave until it comes back. */
-static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int block, uint32_t left)
+static inline uint32_t ph_octave_pixels(uint32_t d, uint32_t gd, int octave, int lowest, uint32_t left)
 {
-    const bool lowest = octave >= 14 - block, wrapped = d >= PH_DEPTH_WRAPPED;
+    const bool wrapped = d >= PH_DEPTH_WRAPPED;
     const uint32_t top = octave <= 0 ? PH_DEPTH_WRAPPED - 1 : UINT32_MAX >> octave; /* last d of the octave */
-    const uint32_t bottom = lowest ? 0 : ((uint32_t)1 << 31) >> octave;
+    const uint32_t bottom = octave >= lowest ? 0 : ((uint32_t)1 << 31) >> octave;
     uint32_t room;
     if ((int32_t)gd >= 0) {
         room = gd == 0 ? left : wrapped ? (0u - d - 1) / gd + 1 : (top - d) / gd + 1;
@@ -127,40 +127,42 @@ static inline struct ph_piece ph_depth_piece(const struct ph_triangle *t, uint32
         return (struct ph_piece){d, t->depth.gx};
     }
     const bool wrapped = d >= PH_DEPTH_WRAPPED;
-    const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
+    const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
+    const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
     const uint32_t bias = (uint32_t)t->material->depth_bias << 13;
     const uint32_t last = d + t->depth.gx * (*n - 1);
     if (wrapped || last >= PH_DEPTH_WRAPPED ||
-        !ph_depth_in_octave(last, octave, t->block)) { /* only this takes a division */
-        *n = ph_octave_pixels(d, t->depth.gx, octave, t->block, *n);
+        !ph_depth_in_octave(last, octave, lowest)) { /* only this takes a division */
+        *n = ph_octave_pixels(d, t->depth.gx, octave, lowest, *n);
     }
-    return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave) +
-                                 ph_depth_float16_offset(octave, t->block) + bias,
-                             wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave)};
+    return (struct ph_piece){ph_depth_float16_value(wrapped ? 0 : d, octave - down) +
+                                 ph_depth_float16_offset(octave, block, down) + bias,
+                             wrapped ? 0 : ph_depth_float16_slope(t->depth.gx, octave - down)};
 }
 
 /* An octave of a triangle's d, bottom .. bottom + size - 1. It is kept: the next row mostly lies in it, too. */
 struct ph_octave {
     uint32_t bottom, size, offset, slope;
-    int octave;
+    int up; /* from d to codes; a nearer octave has a smaller one */
 };
 
 /* The octave in which d lies; its size is 0 if d has wrapped. Without octaves to cross it is the whole range. */
 static inline void ph_octave_of(struct ph_octave *o, const struct ph_triangle *t, uint32_t d, uint32_t gd)
 {
     if (t->block >= PH_BLOCK_LINEAR) {
-        *o = (struct ph_octave){0, UINT32_MAX, 0, gd, 3};
+        *o = (struct ph_octave){0, UINT32_MAX, 0, gd, 0};
         return;
     }
     const bool wrapped = d >= PH_DEPTH_WRAPPED;
-    const int octave = ph_depth_octave(wrapped ? 0 : d, t->block);
+    const int block = ph_block_exponent(t->block), down = ph_block_down(t->block);
+    const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(wrapped ? 0 : d, lowest);
     const uint32_t half = octave <= 0 ? (uint32_t)1 << 31 : ((uint32_t)1 << 31) >> octave;
     const uint32_t end = octave <= 0 ? PH_DEPTH_WRAPPED : 2 * half;
-    o->bottom = octave >= 14 - t->block ? 0 : half;
+    o->bottom = octave >= lowest ? 0 : half;
     o->size = wrapped ? 0 : end - o->bottom;
-    o->offset = ph_depth_float16_offset(octave, t->block) + ((uint32_t)t->material->depth_bias << 13);
-    o->slope = ph_depth_float16_slope(gd, octave);
-    o->octave = octave;
+    o->offset = ph_depth_float16_offset(octave, block, down) + ((uint32_t)t->material->depth_bias << 13);
+    o->up = octave - down;
+    o->slope = ph_depth_float16_slope(gd, o->up);
 }
 
 static inline bool ph_octave_holds(const struct ph_octave *o, uint32_t first, uint32_t last)
@@ -171,7 +173,7 @@ static inline bool ph_octave_holds(const struct ph_octave *o, uint32_t first, ui
 /* The code of a d in the octave; a d that has wrapped counts as 0. */
 static inline uint32_t ph_depth_float16_code(const struct ph_octave *o, uint32_t d)
 {
-    return ph_depth_float16_value(o->size > 0 ? d : 0, o->octave) + o->offset;
+    return ph_depth_float16_value(o->size > 0 ? d : 0, o->up) + o->offset;
 }
 
 #endif

@@ -286,9 +286,9 @@ static void draw_rows_in_octave(const struct tile_kind *k, struct ph_texel_rows 
 {
     const struct ph_octave *const octave = &depth->octaves[near];
     const uint32_t d = r->d, gd = r->gd, rows = r->rows;
-    r->d_dy = ph_depth_float16_slope(depth->d_dy, octave->octave);
-    r->d = ph_depth_float16_value(octave->bottom, octave->octave) + octave->offset +
-           ph_depth_float16_slope(depth->d - octave->bottom, octave->octave) + row * r->d_dy;
+    r->d_dy = ph_depth_float16_slope(depth->d_dy, octave->up);
+    r->d = ph_depth_float16_value(octave->bottom, octave->up) + octave->offset +
+           ph_depth_float16_slope(depth->d - octave->bottom, octave->up) + row * r->d_dy;
     r->gd = octave->slope;
     draw_plain_rows(k, r);
     r->d = d + rows * depth->d_dy;
@@ -410,7 +410,7 @@ static bool tile_depth(const struct ph_triangle *t, const struct tile *tile, str
     depth->d_dy = t->depth.gy;
     ph_octave_of(least_in, t, least, t->depth.gx);
     ph_octave_of(most_in, t, most, t->depth.gx);
-    return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->octave - most_in->octave < 2;
+    return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->up - most_in->up < 2;
 }
 
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
@@ -434,7 +434,7 @@ static void draw_half(const struct tile_kind *k, const struct ph_band *rows, int
         draw_plain_rows(k, r);
     } else if (!k->plain || !tile_depth(t, tile, &depth)) {
         draw_rows_in_pieces(k, r);
-    } else if (depth.octaves[0].octave == depth.octaves[1].octave) {
+    } else if (depth.octaves[0].up == depth.octaves[1].up) {
         draw_rows_in_octave(k, r, &depth, false, row);
     } else {
         draw_rows_in_two(k, r, &depth, row);

@@ -59,7 +59,7 @@ struct ph_triangle {
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid */
     uint8_t kind;                   /* enum ph_kind */
     uint8_t long_left;              /* the long edge is the left one */
-    uint8_t block;      /* float formats: block exponent of a depth that crosses octaves; or one of PH_BLOCK_... */
+    uint8_t block;      /* float formats, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
     uint8_t range_log2; /* texture: |u|, |v| are below 2^this */
     uint16_t colour;    /* flat: wire order; texture: light 0 .. 32 */
     const struct ph_material *material;
@@ -82,7 +82,30 @@ struct ph_triangle {
 
 #define PH_NONE          UINT32_MAX
 #define PH_SMALL_COLUMNS 32
-#define PH_BLOCK_NONE    127 /* depth is stepped in 16.16 codes */
-#define PH_BLOCK_LINEAR  126 /* linear-w: 1/w is stepped */
+#define PH_BLOCK_NONE    255 /* depth is stepped in 16.16 codes */
+#define PH_BLOCK_LINEAR  254 /* linear-w: 1/w is stepped */
+
+/* A block exponent, 0 .. 61, and the float's bits of exponent less 1 (ph_lens.float_down, 2 .. 5), in a byte. */
+static inline uint8_t ph_block_of(int exponent, int down)
+{
+    return (uint8_t)(exponent + 64 * (down - 2));
+}
+
+static inline int ph_block_exponent(int block)
+{
+    return block & 63;
+}
+
+static inline int ph_block_down(int block)
+{
+    return 2 + (block >> 6);
+}
+
+/* A d or a gradient of it, rounded so that no bit of it is lost on its way down to codes. */
+static inline uint32_t ph_block_rounded(uint32_t d, int block)
+{
+    const int down = ph_block_down(block);
+    return (d + ((uint32_t)1 << down >> 1)) >> down << down;
+}
 
 #endif

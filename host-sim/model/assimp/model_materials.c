@@ -1,6 +1,6 @@
 #include "model_materials.h"
 
-#include "model_png.h"
+#include "png_in.h"
 #include "model_texture.h"
 
 #include <assimp/material.h>
@@ -86,7 +86,7 @@ static const char *why_unread(const uint8_t *bytes, size_t n)
     if (n >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
         return "is JPEG: only PNG is read";
     }
-    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? model_png_reason : "is no PNG: only PNG is read";
+    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? png_in_reason : "is no PNG: only PNG is read";
 }
 
 static const char *why_file_unread(const char *path)
@@ -110,14 +110,14 @@ static const char *load_picture(const struct aiScene *scene, const char *model_p
         if (embedded->mHeight != 0) {
             return "is raw: only PNG is read";
         }
-        const int status = model_png_memory(embedded->pcData, embedded->mWidth, picture);
+        const int status = png_in_memory(embedded->pcData, embedded->mWidth, picture);
         return status == 0 ? NULL : why_unread((const uint8_t *)embedded->pcData, embedded->mWidth);
     }
     char path[PATH_BYTES];
     if (!beside(path, model_path, name)) {
         return "has too long a name";
     }
-    return model_png_file(path, picture) == 0 ? NULL : why_file_unread(path);
+    return png_in_file(path, picture) == 0 ? NULL : why_file_unread(path);
 }
 
 static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)

@@ -138,7 +138,9 @@ static uint32_t try_setup_small(uint32_t h)
 /* Corners in front of a far plane, mostly near each other. */
 static uint32_t try_float(uint32_t h)
 {
-    struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = (int8_t)(1 + below(30))};
+    struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2,
+                           .far_s = (int8_t)(1 + below(30)),
+                           .float_down = (uint8_t)(2 + below(4))};
     const uint32_t near = below((uint32_t)lens.far_s), down = below(31);
     struct ph_vertex corner[3];
     for (int i = 0; i < 3; i++) {

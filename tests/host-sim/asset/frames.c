@@ -32,7 +32,7 @@ static size_t picture_bytes(const struct sim_player *p)
 
 /* other: NULL, or a player whose frames must be the same. */
 static int draw(struct sim_player *p, struct sim_player *other, uint32_t frames, uint32_t step,
-                const struct frame_out *out)
+                struct frame_out *out)
 {
     for (uint32_t i = 0; i < frames; i++) {
         const uint32_t frame = i * step;
@@ -95,10 +95,10 @@ int main(int argc, char *argv[])
     struct asset asset;
     struct model *model;
     struct demo demo, file_demo;
-    complain_as("frames");
+    complain_begin("frames", argc, argv);
     const struct board *board = argc >= 4 ? board_find(argv[1]) : NULL;
     if (board == NULL || open_player(&scene, board, &demo_scene, NULL) != 0 ||
-        (argc > 4 && strcmp(argv[4], "-") != 0 && frame_out_open(&out, argv[4], true) != 0)) {
+        (argc > 4 && strcmp(argv[4], "-") != 0 && frame_out_open(&out, argv[4], true, 0) != 0)) {
         return 2;
     }
     const bool is_compared = argc == 9;

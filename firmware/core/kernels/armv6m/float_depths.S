@@ -1,6 +1,7 @@
 @ ph_float_depths of kernels.h for ARMv6-M. A triangle takes some 80 instructions.
 @
-@ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s; r12 corners, lr octave + 2.
+@ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s + 256 float_down; r12 corners,
+@ lr octave + 2. Shifts take the low byte of a register.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
@@ -29,7 +30,8 @@
     cmp r7, #1
     bne none
     lsls r6, r0
-    lsrs r6, r6, #3
+    lsrs r0, r5, #8
+    lsrs r6, r0
     adds r6, r6, r2
     str r6, [r3, #4 * \at]
     .endm
@@ -38,8 +40,7 @@
     push {r4-r7, lr}
     mov r12, r1
     ldr r4, [r0, #lens_far_q]
-    adds r0, #lens_far_s
-    ldrb r5, [r0]
+    ldrh r5, [r0, #lens_far_s]
     ldr r0, [r1]
     own_depth
     ldr r1, =fx_clz_table
@@ -47,15 +48,18 @@
     beq 2f
     ldrb r0, [r1, r0]
 1:  adds r7, r7, r0
-    cmp r7, #16
-    bhs none
     mov lr, r7
-    movs r1, #16
-    subs r1, r1, r7
-    lsls r1, r1, #28
-    adds r2, r2, r1
     lsls r6, r0
-    lsrs r6, r6, #3
+    lsrs r0, r5, #8
+    lsrs r6, r0
+    movs r1, r7
+    lsrs r1, r0
+    cmp r1, #2
+    bhs none
+    movs r1, #31
+    subs r1, r1, r0
+    lsls r7, r1
+    subs r2, r2, r7
     adds r6, r6, r2
     str r6, [r3]
     corner 1
@@ -63,9 +67,17 @@
     movs r0, #1
     pop {r4-r7, pc}
 2:  lsrs r0, r6, #16
-    beq none @ 16 leading zeros or more: the lowest octave
+    beq 3f
     ldrb r0, [r1, r0]
     adds r0, #8
+    b 1b
+3:  lsrs r0, r6, #8
+    beq 4f
+    ldrb r0, [r1, r0]
+    adds r0, #16
+    b 1b
+4:  ldrb r0, [r1, r6]
+    adds r0, #24
     b 1b
 none:
     movs r0, #0

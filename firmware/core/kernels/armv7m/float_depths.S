@@ -1,7 +1,7 @@
 @ ph_float_depths of kernels.h for ARMv7-M. A triangle takes some 50 instructions.
 @
 @ Registers: r2 the bias, then the offset of the octave; r3 results; r4 far_q, r5 far_s, r6 d and r7 s of a corner, r8
-@ octave + 2.
+@ octave + 2, r12 float_down.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
@@ -25,7 +25,8 @@
     cmp r0, #1
     bne none
     lsls r6, r6, r7
-    add r6, r2, r6, lsr #3
+    lsr r6, r6, r12
+    add r6, r6, r2
     str r6, [r3, #4 * \at]
     .endm
 
@@ -33,16 +34,20 @@
     push {r4-r8, lr}
     ldr r4, [r0, #lens_far_q]
     ldrb r5, [r0, #lens_far_s]
+    ldrb r12, [r0, #lens_float_down]
     ldr r0, [r1]
     own_depth
     clz r0, r6
     add r8, r7, r0
-    cmp r8, #16
+    lsr r7, r8, r12
+    cmp r7, #2
     bhs none
-    rsb r7, r8, #16
-    add r2, r2, r7, lsl #28
+    rsb r7, r12, #31
+    lsl r7, r8, r7
+    subs r2, r2, r7
     lsls r6, r6, r0
-    add r6, r2, r6, lsr #3
+    lsr r6, r6, r12
+    add r6, r6, r2
     str r6, [r3]
     corner 1
     corner 2

@@ -21,14 +21,32 @@ static inline uint32_t own_depth(const struct ph_lens *lens, const struct ph_ver
     return in_front(v->q, far_at(lens, v->s));
 }
 
-/* The code of a d with the octave's offset; false if d is not in the octave. octave: see ph_depth_octave. */
-static bool code_in_octave(const struct ph_vertex *v, uint32_t d, int octave, uint32_t offset, uint32_t *code)
+/* An octave with its offset; below: how many octaves it is below the range of q, 2 more than in ph_depth_octave. */
+struct octave {
+    int below, down; /* down: ph_lens.float_down */
+    uint32_t offset;
+};
+
+/* 2^32 - below 2^(31 - down): with e bits of exponent, 2^e is the `below` of which the exponent would be 0. */
+static inline struct octave octave_of(const struct ph_lens *lens, int below, uint32_t bias)
 {
-    const uint32_t up = (uint32_t)(octave + 2 - v->s);
+    const int down = lens->float_down;
+    return (struct octave){below, down, bias - ((uint32_t)below << (31 - down))};
+}
+
+static inline bool is_lowest(const struct octave *octave)
+{
+    return octave->below >> octave->down >= 2;
+}
+
+/* The code of a d with the octave's offset; false if d is not in the octave. */
+static bool code_in_octave(const struct ph_vertex *v, uint32_t d, const struct octave *octave, uint32_t *code)
+{
+    const uint32_t up = (uint32_t)(octave->below - v->s);
     if (up > 31 || d >> (31 - up) != 1) {
         return false;
     }
-    *code = (d << up >> 3) + offset;
+    *code = (d << up >> octave->down) + octave->offset;
     return true;
 }
 
@@ -39,14 +57,14 @@ static inline bool depths_alike(const struct ph_lens *lens, const struct ph_vert
     const int s = v[0]->s;
     const uint32_t far = far_at(lens, s);
     const uint32_t d0 = in_front(v[0]->q, far), d1 = in_front(v[1]->q, far), d2 = in_front(v[2]->q, far);
-    const int up = fx_clz32(d0), octave = up - 2 + s;
-    if (octave >= 14 || d0 == 0 || ((d0 ^ d1) | (d0 ^ d2)) >> (31 - up) != 0) {
+    const int up = fx_clz32(d0);
+    const struct octave octave = octave_of(lens, up + s, bias);
+    if (is_lowest(&octave) || d0 == 0 || ((d0 ^ d1) | (d0 ^ d2)) >> (31 - up) != 0) {
         return false;
     }
-    const uint32_t offset = ((uint32_t)(14 - octave) << 28) + bias;
-    d[0] = (d0 << up >> 3) + offset;
-    d[1] = (d1 << up >> 3) + offset;
-    d[2] = (d2 << up >> 3) + offset;
+    d[0] = (d0 << up >> octave.down) + octave.offset;
+    d[1] = (d1 << up >> octave.down) + octave.offset;
+    d[2] = (d2 << up >> octave.down) + octave.offset;
     return true;
 }
 
@@ -56,9 +74,8 @@ bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v
         return depths_alike(lens, v, bias, d);
     }
     const uint32_t d0 = own_depth(lens, v[0]);
-    const int octave = fx_clz32(d0) - 2 + v[0]->s;
-    const uint32_t offset = ((uint32_t)(14 - octave) << 28) + bias;
-    return octave < 14 && code_in_octave(v[0], d0, octave, offset, &d[0]) &&
-           code_in_octave(v[1], own_depth(lens, v[1]), octave, offset, &d[1]) &&
-           code_in_octave(v[2], own_depth(lens, v[2]), octave, offset, &d[2]);
+    const struct octave octave = octave_of(lens, fx_clz32(d0) + v[0]->s, bias);
+    return !is_lowest(&octave) && code_in_octave(v[0], d0, &octave, &d[0]) &&
+           code_in_octave(v[1], own_depth(lens, v[1]), &octave, &d[1]) &&
+           code_in_octave(v[2], own_depth(lens, v[2]), &octave, &d[2]);
 }

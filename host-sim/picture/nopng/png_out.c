@@ -1,3 +1,4 @@
+/* PNG without a library. Sources: PNG (ISO/IEC 15948), RFC 1950 (zlib), RFC 1951 (deflate: stored blocks). */
 #include "png_out.h"
 
 #include "crc32.h"

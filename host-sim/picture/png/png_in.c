@@ -1,4 +1,4 @@
-#include "model_png.h"
+#include "png_in.h"
 
 #include "status.h"
 
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char model_png_reason[] = "is a PNG that cannot be read: broken or too large";
+const char png_in_reason[] = "is a PNG that cannot be read: broken or too large";
 
 /* Drops alpha: the renderer has no transparency. */
 static int finish(png_image *image, struct ppm *picture)
@@ -31,13 +31,13 @@ static int finish(png_image *image, struct ppm *picture)
     return result;
 }
 
-int model_png_file(const char *path, struct ppm *picture)
+int png_in_file(const char *path, struct ppm *picture)
 {
     png_image image = {.version = PNG_IMAGE_VERSION};
     return png_image_begin_read_from_file(&image, path) ? finish(&image, picture) : PH_ERR_INVAL;
 }
 
-int model_png_memory(const void *bytes, size_t n, struct ppm *picture)
+int png_in_memory(const void *bytes, size_t n, struct ppm *picture)
 {
     png_image image = {.version = PNG_IMAGE_VERSION};
     return png_image_begin_read_from_memory(&image, bytes, n) ? finish(&image, picture) : PH_ERR_INVAL;

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Usage: VERSION=x firmware/package/dist.sh      `make dist` calls it
+# Writes, of git's HEAD, into $B/dist:
+#   pinhole-x.tar.gz            the whole tree; `make check` passes where it is unpacked
+#   Pinhole-x-arduino.zip       the renderer as a library for Arduino and PlatformIO
+#   pinhole-x-esp-idf.zip       the renderer as a component of ESP-IDF
+# Environment: B (build directory).
+set -eu
+cd "$(dirname "$0")/../.."
+B=${B:-build}
+: "${VERSION:?}"
+dist=$(realpath -m "$B/dist")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for tool in git zip; do
+    command -v $tool >/dev/null || { echo "make dist: no $tool: apt-get install $tool" >&2 && exit 1; }
+done
+git rev-parse --verify -q HEAD >/dev/null || { echo "make dist: this is no git repository; it packs what git has" >&2 && exit 1; }
+mkdir -p "$dist" "$work/tree"
+git archive HEAD firmware LICENSE | tar -x -C "$work/tree"
+core=$work/tree/firmware/core
+here=$work/tree/firmware/package
+
+fill() { sed "s|@VERSION@|$VERSION|g" "$1"; } # template
+
+# ---- ESP-IDF: the sources as they are, and the public headers once more as <pinhole/...> -----------------------------
+
+esp_idf() {
+    local to=$work/esp/pinhole
+    mkdir -p "$to/include/pinhole" "$to/examples"
+    cp -r "$core" "$work/tree/LICENSE" "$to"
+    cp "$here"/examples/{esp_lcd.c,lvgl.c,triangle.h} "$to/examples"
+    cp "$core"/*.h "$to/include/pinhole"
+    fill "$here/idf_component.yml.in" >"$to/idf_component.yml"
+    cp "$here/esp_idf.cmake" "$to/CMakeLists.txt"
+    (cd "$work/esp" && zip -qr -X "$1" pinhole)
+}
+
+# ---- Arduino: it compiles all that it finds below src/, with src/ as its only folder of headers ----------------------
+# So all sources lie in one folder, where they find each other. A kernel that a CPU has of its own becomes one file that
+# takes the CPU's text (.inc, which is not compiled).
+
+guard_of() { # folder of core/kernels
+    case $1 in
+    armv6m) echo 'defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)' ;;
+    armv7m) echo 'defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__) || defined(__ARM_ARCH_8M_MAIN__)' ;;
+    esac
+}
+
+flat() { sed -E 's|#include "\.\./(armv[67]m)/([a-z_]+\.S)"|#include "\1_\2.inc"|; s|#include "(\.\./)+|#include "|; s|#include <(matvec.h)>|#include "\1"|' "$1"; } # file
+
+# The text of one folder of core/kernels, if it is there, as a file that is not compiled; prints the line that takes it.
+take() { # folder, name, folder that it goes to
+    local of=$core/kernels/$1/$2
+    [ "$1" != portable ] || [ -e "$of" ] || of=$core/$2 # fx_cpu.h
+    [ ! -e "$of" ] || { flat "$of" >"$3/$1_$2.inc" && echo "#include \"$1_$2.inc\""; }
+}
+
+# Prints a file NAME that takes the text of the CPU that it is compiled for; where the CPU has none it takes the portable one,
+# but not beside the CPU's assembly.
+choose() { # name, folder that its texts go to
+    local cpu word='#if'
+    for cpu in armv6m armv7m; do
+        echo "$word $(guard_of $cpu)"
+        word='#elif'
+        if [ -e "$core/kernels/$cpu/$1" ]; then
+            take $cpu "$1" "$2"
+        elif [ ! -e "$core/kernels/$cpu/${1%.*}.S" ]; then
+            take portable "$1" "$2"
+        fi
+    done
+    echo '#else'
+    take portable "$1" "$2"
+    echo '#endif'
+}
+
+arduino() {
+    local to=$work/arduino/Pinhole src name
+    src=$to/src/pinhole
+    mkdir -p "$src" "$to/examples/Hello"
+    cp "$core"/{fx,geom,render,effects}/*.[ch] "$core"/*.h "$core"/kernels/*.inc "$src"
+    for name in "$core"/kernels/*.h; do flat "$name" >"$src/${name##*/}"; done
+    for name in $(find "$core"/kernels/{portable,armv6m,armv7m} -type f -printf '%f\n' | sort -u); do
+        if [ "$(find "$core"/kernels/{portable,armv6m,armv7m} -name "$name" | wc -l)" = 1 ] && [[ $name == *.inc || $name == *_plain.h ]]; then
+            cp "$core"/kernels/*/"$name" "$src" # what the texts of one folder share
+        else
+            choose "$name" "$src" >"$work/text" && mv "$work/text" "$src/$name"
+        fi
+    done
+    printf '/* Pinhole %s: all public headers. */\n' "$VERSION" >"$to/src/Pinhole.h"
+    for name in "$core"/*.h; do
+        [ "${name##*/}" = fx_cpu.h ] || echo "#include \"pinhole/${name##*/}\"" >>"$to/src/Pinhole.h"
+    done
+    fill "$here/library.properties.in" >"$to/library.properties"
+    fill "$here/library.json.in" >"$to/library.json"
+    cp "$work/tree/LICENSE" "$to"
+    cp "$here"/examples/{Hello.ino,triangle.h} "$to/examples/Hello"
+    (cd "$work/arduino" && zip -qr -X "$1" Pinhole)
+}
+
+rm -f "$dist"/*
+git archive --format=tar.gz --prefix="pinhole-$VERSION/" -o "$dist/pinhole-$VERSION.tar.gz" HEAD
+esp_idf "$dist/pinhole-$VERSION-esp-idf.zip"
+arduino "$dist/Pinhole-$VERSION-arduino.zip"
+find "$dist" -type f -printf "$B/dist/%f\n" | sort

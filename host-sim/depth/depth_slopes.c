@@ -1,0 +1,53 @@
+/* pinhole-depth slopes: S_worst of planes by format, shading and tilt, over all azimuths. See depth_planes_count.h. */
+#include "complain.h"
+#include "depth_budget_terms.h"
+#include "depth_planes_count.h"
+#include "progress.h"
+
+#include <math.h>
+
+static void put_row(const struct depth_lab *lab, const struct lab_format *format, struct planes_canvas *canvas,
+                    struct planes_lean lean)
+{
+    const struct planes_sweep sweep = depth_planes_sweep(canvas, (enum ph_depth_format)format->format, lean);
+    fprintf(lab->rows, "%s,%u,%.10g,%.10g,%.10g,%s,%g,%.4g,", format->name, format->bits, depth_metres(lab->near_z),
+            depth_metres(lab->far_z), lean.at_m, depth_shading_names[canvas->shading], lean.tilt_deg, sweep.bound_m);
+    if (isfinite(sweep.measured_m)) {
+        fprintf(lab->rows, "%.10g,%.3f\n", sweep.measured_m, sweep.bound_m / sweep.measured_m);
+    } else {
+        fputs("none,none\n", lab->rows);
+    }
+}
+
+static int put_format(const struct depth_lab *lab, const struct lab_format *format, double at_m)
+{
+    static const double tilts[] = {0, 30, 60, 75, 85, 89};
+    struct planes_canvas canvas;
+    const int status = depth_planes_open(&canvas, lab, (enum ph_depth_format)format->format);
+    for (unsigned shading = 0; shading < PH_SHADE_WIRE && status == 0; shading++) {
+        canvas.shading = (uint8_t)shading;
+        for (size_t i = 0; i < sizeof tilts / sizeof tilts[0]; i++) {
+            put_row(lab, format, &canvas, (struct planes_lean){at_m, tilts[i], NAN});
+        }
+    }
+    depth_planes_close(&canvas);
+    return status;
+}
+
+int depth_slopes(const struct depth_lab *lab)
+{
+    const uint32_t rows = depth_drawn_formats(lab);
+    const double middle = (depth_metres(lab->near_z) + depth_metres(lab->far_z)) / 2;
+    int status =
+        rows != 0 ? 0 : complain_usage("--format: slopes draws with the renderer's own formats; --help lists them");
+    fputs("format,bits,near,far,z_m,shading,tilt_deg,bound_m,measured_m,ratio\n", lab->rows);
+    for (uint32_t i = 0; i < lab_format_count && status == 0; i++) {
+        const struct depth_lab own = depth_lab_of(lab, i);
+        progress_show("slopes", i, lab_format_count);
+        for (uint32_t k = 0; (rows >> i & 1) != 0 && status == 0 && (k < lab->at_count || k == 0); k++) {
+            status = put_format(&own, &lab_formats[i], lab->at_count > 0 ? depth_metres(lab->at[k]) : middle);
+        }
+    }
+    progress_show("slopes", 1, 1);
+    return status;
+}
