@@ -77,7 +77,8 @@ struct ph_part {
 };
 
 /* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash.
- * Materials (with ramps and textures) and uvs must stay until the last band is drawn; all else only while it is drawn. */
+ * Materials (with ramps and textures) and uvs must stay until the last band is drawn; all else only while it is drawn.
+ */
 struct ph_mesh {
     const struct fx_vec3 *positions;
     const int16_t (*normals)[3]; /* Q1.14: 16384 = 1; NULL where nothing is lit */
@@ -196,9 +197,9 @@ struct ph_config {
     uint32_t bin_max;
     void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
 
-    /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set up,
-     * and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when run has
-     * returned. The picture is the same, whichever core is faster. */
+    /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set
+     * up, and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when
+     * run has returned. The picture is the same, whichever core is faster. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
 
