@@ -180,7 +180,7 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
  * again in each band. */
 #define PH_REFERENCE_BYTES 8
 #define PH_SLOT_BYTES_32   96
-#define PH_OWN_BYTES       1024 /* of the renderer's own, for scenes of few triangles */
+#define PH_OWN_BYTES       960 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */
