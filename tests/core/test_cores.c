@@ -199,6 +199,22 @@ static void no_delay_between_the_cores_changes_a_byte(void **state)
     }
 }
 
+/* Without slots a triangle is set up again in each band, in its place in drawing order. */
+static void the_number_of_slots_changes_no_byte(void **state)
+{
+    static const char *const names[] = {"turntable", "ground", "cube", "fill", "zfight", "focus", "conventions"};
+    static const uint16_t lines[] = {1, 7, 16};
+    (void)state;
+    for (uint32_t i = 0; i < 3 * sizeof names / sizeof names[0]; i++) {
+        const struct demo *const demo = demo_find(names[i / 3]);
+        struct film *with = shoot(demo, lines[i % 3], PH_DEPTH_AUTO, 0, false);
+        struct film *without = shoot(demo, lines[i % 3], PH_DEPTH_AUTO, demo->triangle_max, false);
+        assert_memory_equal(with, without, sizeof *with);
+        free(with);
+        free(without);
+    }
+}
+
 /* What does not fit is left out alike, and counted alike. */
 static void two_cores_leave_out_what_one_does(void **state)
 {
@@ -221,6 +237,7 @@ int main(void)
         cmocka_unit_test(two_cores_draw_every_demo_as_one_does),
         cmocka_unit_test(also_with_other_bands_and_depths),
         cmocka_unit_test(no_delay_between_the_cores_changes_a_byte),
+        cmocka_unit_test(the_number_of_slots_changes_no_byte),
         cmocka_unit_test(two_cores_leave_out_what_one_does),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
