@@ -47,7 +47,8 @@ struct demo_context {
 struct demo_level {
     size_t arena_bytes;
     uint32_t arena_bytes_32;
-    uint32_t vertex_max, triangle_max;
+    uint32_t vertex_max, triangle_max; /* of a whole frame: vertices of all meshes, triangles that can be seen */
+    uint32_t corner_max;               /* corners that clipping and curves add, and all else in their place: 16 bytes */
 };
 
 /* On a 32-bit target it does not compile if the size there is another. */
@@ -60,9 +61,9 @@ struct demo {
     const char *summary;      /* one line for --list */
     const char *const *views; /* names of its views, NULL at the end; NULL: it has one view */
     uint32_t loop_frames;     /* the animation repeats after this many frames */
-    size_t arena_bytes;       /* these four are a struct demo_level, the finest */
+    size_t arena_bytes;       /* these five are a struct demo_level, the finest */
     uint32_t arena_bytes_32;
-    uint32_t vertex_max, triangle_max;
+    uint32_t vertex_max, triangle_max, corner_max;
     const struct demo_level
         *coarser; /* levels for smaller arenas, or for pictures at most 16:9 wide; the finest first */
     uint32_t coarser_count;
@@ -112,8 +113,8 @@ extern const struct demo demo_scene;
  * Coordinates may be some thousandths to some thousands of units; a radius of about 1 is best.
  *
  * init uses the size in context, takes less than DEMO_TURNTABLE_BYTES of its arena, and sets context->state; the meshes
- * are not copied. Budgets: the vertices of the largest mesh, at least DEMO_TURNTABLE_VERTICES; all triangles (5/8 of
- * them for a closed mesh) and DEMO_TURNTABLE_TRIANGLES for the platter below them. In an arena of
+ * are not copied. Budgets: all vertices and DEMO_TURNTABLE_VERTICES; all triangles (5/8 of them for a closed mesh) and
+ * DEMO_TURNTABLE_TRIANGLES for the platter below them. In an arena of
  * DEMO_TURNTABLE_BARE_BYTES there is no platter, and it needs no budgets.
  */
 #define DEMO_TURNTABLE_BYTES      4096

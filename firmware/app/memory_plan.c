@@ -1,10 +1,14 @@
 /* See memory_plan.h. */
 #include "memory_plan.h"
 
-#define WIRE_MAX    4096 /* bytes of scratch memory for the panel driver */
-#define BUFFERS_MIN 2U   /* one is drawn while the other is sent */
+#define WIRE_MAX    4096  /* bytes of scratch memory for the panel driver */
+#define BUFFERS_MIN 2U    /* one is drawn while the other is sent */
+#define SLOTS_LEAST 16U   /* for triangles that go on from band to band */
+#define SLOTS_USUAL 160U  /* with more there is nothing to gain */
+#define LIST_LEAST  2048U /* beside the vertices; with less a demo is not shown at all */
 
-#define ROUND8(n) (((n) + 7) & ~(uint64_t)7)
+#define ROUND8(n)  (((n) + 7) & ~(uint64_t)7)
+#define ROUND16(n) (((n) + 15) & ~(uint64_t)15)
 
 static bool sender_copies(const struct runner_config *config)
 {
@@ -43,38 +47,55 @@ uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
     return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
 }
 
-/* What a level of a demo takes on a 32-bit target with so many triangles. */
-static uint64_t level_bytes_32(const struct demo_level *level, uint32_t triangle_max)
+/* The list of a frame: vertices, corners, references, and so many slots. The same on every machine. */
+static uint64_t list_bytes(const struct demo_level *level, uint32_t slots)
 {
-    return ROUND8(level->arena_bytes_32) + ROUND8((uint64_t)level->vertex_max * PH_VERTEX_BYTES_32) +
-           ROUND8((uint64_t)triangle_max * PH_TRIANGLE_BYTES_32);
+    return ROUND16(((uint64_t)level->vertex_max + level->corner_max) * PH_VERTEX_BYTES_32 +
+                   (uint64_t)level->triangle_max * PH_REFERENCE_BYTES + (uint64_t)slots * PH_SLOT_BYTES_32);
+}
+
+/* What a level of a demo takes on a 32-bit target. */
+static uint64_t level_bytes_32(const struct demo_level *level, uint32_t slots)
+{
+    return ROUND8(level->arena_bytes_32) + list_bytes(level, slots);
 }
 
 static void place_scene(struct scene_memory *s)
 {
-    s->triangles_at = (size_t)ROUND8((uint64_t)s->vertex_max * ph_vertex_bytes);
-    s->arena_at = s->triangles_at + (size_t)ROUND8((uint64_t)s->triangle_max * ph_triangle_bytes);
+    s->arena_at = (size_t)ROUND16(s->list_bytes);
     s->scratch_at = s->arena_at + (size_t)ROUND8(s->arena_bytes);
 }
 
-/* The finest level that fits whole; if none does, as many triangles of the coarsest as fit. */
+/* Slots for a level that fits whole, in what it leaves. */
+static uint32_t slots_of(const struct demo_level *level, uint64_t left)
+{
+    const uint32_t most = level->triangle_max < SLOTS_USUAL ? level->triangle_max : SLOTS_USUAL;
+    const uint64_t slots = SLOTS_LEAST + left / PH_SLOT_BYTES_32;
+    return most < SLOTS_LEAST ? SLOTS_LEAST : slots < most ? (uint32_t)slots : most;
+}
+
+/* The finest level that fits whole; if none does, the coarsest with as many of its triangles as the list has room for,
+ * about. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
-    struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
-    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, level.triangle_max) > budget; i++) {
+    struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
+                               demo->corner_max};
+    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, SLOTS_LEAST) > budget; i++) {
         level = demo->coarser[i];
     }
-    struct scene_memory s = {.arena_bytes = level.arena_bytes, .vertex_max = level.vertex_max};
-    const uint64_t meshes = level_bytes_32(&level, 0), whole = level_bytes_32(&level, level.triangle_max);
-    s.whole = whole <= budget;
+    const uint64_t whole = level_bytes_32(&level, SLOTS_LEAST), arena = ROUND8(level.arena_bytes_32);
+    struct scene_memory s = {.arena_bytes = level.arena_bytes, .whole = whole <= budget};
     if (s.whole) {
         const size_t scratch = demo_scratch_bytes(demo, p->width, p->lines);
         s.triangle_max = level.triangle_max;
         s.scratch_bytes = whole + ROUND8(scratch) <= budget ? scratch : 0;
-    } else if (meshes < budget) {
-        s.triangle_max = (uint32_t)(((budget - meshes) & ~(uint64_t)7) / PH_TRIANGLE_BYTES_32);
+        s.lacks_scratch = s.scratch_bytes < scratch;
+        s.list_bytes = (size_t)list_bytes(&level, slots_of(&level, budget - whole - ROUND8(s.scratch_bytes)));
+    } else if (arena + (uint64_t)level.vertex_max * PH_VERTEX_BYTES_32 + LIST_LEAST <= budget) {
+        s.list_bytes = (size_t)(budget - arena) & ~(size_t)15;
+        s.triangle_max = (uint32_t)(level.triangle_max * (uint64_t)s.list_bytes / list_bytes(&level, SLOTS_LEAST));
     }
-    s.bytes_32 = level_bytes_32(&level, s.triangle_max) + ROUND8(s.scratch_bytes);
+    s.bytes_32 = arena + s.list_bytes + ROUND8(s.scratch_bytes);
     place_scene(&s);
     return s;
 }
@@ -98,7 +119,7 @@ static struct memory_plan plan_in_own_bands(const struct runner_config *config, 
     struct picture_memory *p = &plan.picture;
     p->buffers = queue ? config->board->band_buffers : BUFFERS_MIN;
     plan.scene = scene_beside(config, demo, p);
-    while (!plan.scene.whole && p->buffers > BUFFERS_MIN) {
+    while ((!plan.scene.whole || plan.scene.lacks_scratch) && p->buffers > BUFFERS_MIN) {
         p->buffers--;
         plan.scene = scene_beside(config, demo, p);
     }
@@ -150,6 +171,7 @@ uint64_t runner_whole_bytes(const struct runner_config *config)
 {
     const struct demo *demo = config->demo;
     const struct picture_memory p = memory_plan_picture(config, config->board->band_height);
-    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max};
-    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, level.triangle_max);
+    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
+                                     demo->corner_max};
+    return memory_plan_picture_bytes(&p) + level_bytes_32(&level, SLOTS_LEAST);
 }

@@ -2,12 +2,16 @@
  * memory_plan: who gets how many bytes of the memory that the runner (runner.h) is given.
  *
  *   picture   depth and bins of one band, the panel driver's scratch memory, and the band buffers
- *   scene     the demo's vertices and triangles, its arena, and scratch memory for a blur
+ *   scene     the list of a frame (vertices and references to triangles), the demo's arena, and scratch memory for a
+ *             blur
+ *
+ * A scene that fits whole gets more slots for triangles that go on from band to band, as far as there is room; they
+ * change the speed, not the picture.
  *
  * The plan is made in the sizes of a 32-bit target on every machine. So a board's simulator leaves out what the board
  * itself has to leave out, and the pictures are the same bytes. If a scene does not fit, its coarser levels (demo.h)
- * are tried; if the coarsest does not fit either, its list of triangles is cut, and the renderer counts the triangles
- * that are lost. Only a scene that fits whole gets memory for a blur.
+ * are tried; if the coarsest does not fit either, its list is cut, and the renderer counts the triangles that are lost.
+ * Only a scene that fits whole gets memory for a blur.
  *
  * Where the backend keeps a queue (bus_queue) a demo gets as many band buffers as fit beside it, so that the next scene
  * is made while they are sent. A demo that hardly fits gets two.
@@ -18,7 +22,7 @@
 #include "runner_config.h"
 
 /* What an image needs beside the runner's memory: stack and variables. A board's budget is without it. */
-#define RUNNER_OTHER_BYTES 8192
+#define RUNNER_OTHER_BYTES 9216
 
 #define RUNNER_BANDS_MAX 16 /* band buffers */
 
@@ -41,13 +45,14 @@ struct picture_memory {
     uint32_t depth_bytes, bin_bytes, wire_bytes, band_bytes; /* multiples of 8 */
 };
 
-/* A scene's memory behind it: vertices, triangles, arena, scratch. Offsets and bytes are this machine's. */
+/* A scene's memory behind it: list of the frame, arena, scratch. Offsets and bytes are this machine's. */
 struct scene_memory {
-    bool whole;                        /* no triangle need be left out */
-    uint32_t vertex_max, triangle_max; /* triangle_max 0: not even the meshes fit */
-    size_t arena_bytes, scratch_bytes;
-    size_t triangles_at, arena_at, scratch_at; /* bytes from the start of the scene */
-    uint64_t bytes_32;                         /* all of it on a 32-bit target */
+    bool whole;            /* no triangle need be left out */
+    bool lacks_scratch;    /* the demo wants scratch memory, and there is no room */
+    uint32_t triangle_max; /* 0: not even the meshes fit */
+    size_t list_bytes, arena_bytes, scratch_bytes;
+    size_t arena_at, scratch_at; /* bytes from the start of the scene, where the list is */
+    uint64_t bytes_32;           /* all of it on a 32-bit target */
 };
 
 struct memory_plan {

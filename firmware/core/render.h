@@ -3,9 +3,10 @@
  *
  *   ph_renderer_init(r, config)                            once: size of the picture, memory
  *   ph_frame_begin(r, view, projection, light, background) camera, lights and background of this frame
- *   ph_draw_mesh(r, mesh, to_world) ...                    transforms, lights, culls, clips, sets up, lists triangles
+ *   ph_draw_mesh(r, mesh, to_world) ...                    transforms, lights, culls, clips, lists triangles
  *   ph_frame_bands(r)                                      sorts the list into bands
- *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clears and rasterizes the bands from top to bottom
+ *   ph_draw_band(r, 0, pixels), ph_draw_band(r, 1, ..) ..  clears the bands from top to bottom, sets up their triangles
+ *                                                          and rasterizes them
  *
  * A band is band_height lines of the picture; the last one may be shorter. The caller owns its colour and depth buffer
  * and all other memory (struct ph_config). The picture does not depend on the band height.
@@ -81,7 +82,9 @@ struct ph_part {
     uint16_t material;     /* index into mesh->materials */
 };
 
-/* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash. */
+/* Triangles are counter-clockwise seen from outside. There are at most 65536 vertices. All data may lie in flash.
+ * Materials (with ramps and textures) and uvs must stay until the last band is drawn; all else only while it is drawn.
+ */
 struct ph_mesh {
     const struct fx_vec3 *positions;
     const int16_t (*normals)[3]; /* Q1.14: 16384 = 1; NULL where nothing is lit */
@@ -153,8 +156,8 @@ struct ph_stats {
     uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
     uint32_t triangles_clipped; /* of these: crossed a clip plane */
     uint32_t triangles_drawn;   /* listed; a clipped or curved one may give several, a line gives two */
-    uint32_t triangles_dropped; /* left out: did not fit the triangle budget */
-    uint32_t vertices_dropped;  /* of meshes left out: did not fit the vertex budget */
+    uint32_t triangles_dropped; /* left out: did not fit the budgets */
+    uint32_t vertices_dropped;  /* of meshes left out: did not fit the budgets */
     uint32_t fragments;         /* pixels depth-tested */
     uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
     uint8_t depth_exponent;     /* of this frame: bits of exponent of a float format, 3 .. 6; 0 for the others */
@@ -177,23 +180,32 @@ struct ph_triangle; /* a triangle set up for the rasterizer, see triangle.h */
 extern const size_t ph_vertex_bytes, ph_triangle_bytes;
 /* The same sizes where pointers have 32 bits, for budgets that are the same on every machine. */
 #define PH_VERTEX_BYTES_32   16
-#define PH_TRIANGLE_BYTES_32 116
+#define PH_TRIANGLE_BYTES_32 24
+/* What these bytes become: of each triangle that can be seen a reference, of the rest vertices of further meshes and
+ * corners that clipping makes, and slots for triangles that go on from band to band. Without slots a triangle is set up
+ * again in each band. */
+#define PH_REFERENCE_BYTES 8
+#define PH_SLOT_BYTES_32   148
+#define PH_OWN_BYTES       960 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {
     uint16_t width, height; /* 1 .. 1024 */
     uint16_t band_height;   /* 1 .. height */
     uint8_t depth_format;   /* enum ph_depth_format */
 
-    void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit; 4-byte aligned, 8 on 64 bits */
+    void *vertices; /* vertex budget: ph_vertex_bytes each; the largest mesh must fit. What all meshes of a frame need
+                       beside it comes from the triangle budget; 4-byte aligned, 8 on 64 bits */
     uint32_t vertex_max;
-    void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above */
+    void *triangles; /* triangle budget: ph_triangle_bytes each; aligned as above. It may be `vertices`: then both share
+                        that memory, ph_vertex_bytes for each of vertex_max, as they need it */
     uint32_t triangle_max;
     uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
     void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
 
-    /* Optional, both or none: a second core, which draws the lower half of each band. other_core starts run on it and
-     * returns false if it is busy; other_core_join returns when run has returned. */
+    /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set
+     * up, and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when
+     * run has returned. The picture is the same, whichever core is faster. */
     bool (*other_core)(void (*run)(void *argument), void *argument);
     void (*other_core_join)(void);
 
@@ -236,13 +248,14 @@ struct ph_lens {
     int32_t chord_max;   /* fisheye: 1/256 px; longer edges are always divided */
 };
 
-/* What the small triangles of a part have in common: see ph_setup_part. */
-struct ph_small {
-    const struct ph_material *material; /* NULL: none are drawn as such */
-    const uint16_t *ramp;               /* the material's, or its colour as the only entry */
-    uint32_t far, bias;                 /* N/f in units of fixed16; what is added to the codes of the format */
-    bool floats;                        /* float16, else fixed16 */
-    uint8_t shading;                    /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
+/* Where the list of a frame stands, see list.h. Private to the renderer. */
+struct ph_ref;
+struct ph_list {
+    struct ph_ref *top, *to, *end; /* references go down from top; the last one is at `to`; there is room until end */
+    uint32_t used[3];              /* bytes taken from own, vertices, triangles */
+    uint32_t first, last, lens;    /* places of the first and the last draw, and of the camera in use */
+    uint32_t band_scale;           /* 2^20 / band_height, rounded up */
+    uint64_t own[PH_OWN_BYTES / 8];
 };
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */
@@ -253,12 +266,11 @@ struct ph_renderer {
     struct ph_projection projection; /* as given; lens is made from it */
     struct ph_xform view;            /* world to view */
     struct ph_scene_light light;
-    struct ph_small small;
+    struct ph_list list;
+    struct ph_triangle *carried, *slots; /* triangles that continue in the next band; slots that are free again */
+    uint32_t slots_used[2];              /* bytes behind list.used of vertices and triangles that are slots */
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
-    uint32_t triangle_count;
-    uint32_t exact_first; /* entries of the list from here on hold exact depths, see render/exact.h */
-    uint32_t carried;     /* list of the triangles that continue in the next band */
     uint16_t background;
     bool is_shown; /* config.shown holds what the display shows */
 };
@@ -288,7 +300,8 @@ int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const st
 
 /*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
- * Errors: PH_ERR_NOMEM: the mesh does not fit the vertex budget; it is left out and counted.
+ * Errors: PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
+ *         have taken the room, it is counted, too, but that is no error.)
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 

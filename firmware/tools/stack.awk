@@ -20,9 +20,11 @@ BEGIN {
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
     rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
+    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|set_up_fresh|draw_share)(\\..*)?$"
+    rule("firmware/core/(render|effects)/[a-z]*\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
+    rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
+    rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
-    rule("firmware/core/render/raster\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
-    rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", "firmware/core/render/raster\\.c:draw_share(\\..*)?$")
 }
 function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }
 function after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }

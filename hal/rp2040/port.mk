@@ -1,4 +1,4 @@
-# RP2040; firmware/firmware.mk explains these variables. CORES=2 gives the second core half of each band.
+# RP2040; firmware/firmware.mk explains these variables. CORES=2 gives the second core half of the work.
 PORT_CPU = armv6m
 PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
@@ -8,7 +8,7 @@ PORT_INFO = hal/rp2040/binary_info.c
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
 PORT_LD = hal/rp2040/rp2040.ld
 PORT_STACK_BYTES = 6656
-PORT_RAM_BYTES = 57344 # code that runs from RAM, and the stack of core 1
+PORT_RAM_BYTES = 63488 # code that runs from RAM, and the stack of core 1
 PORT_STACK_EXTRA = 32 # one interrupt puts 8 words on the stack; the handlers take none
 PORT_FINISH = hal/rp2040/boot2_seal.sh '$(HOSTCC)' '$(CROSS)' "$$1"
 UF2_FAMILY = 0xe48bff56

@@ -102,10 +102,10 @@ struct demo asset_demo(const struct asset *asset)
     demo.triangle_max = asset->listed;
     if (asset->model.has_camera) {
         demo.arena_bytes = demo.arena_bytes_32 = DEMO_STILL_BYTES;
-        demo.vertex_max = asset->model.vertex_max;
+        demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
     } else if (asset->is_bare) {
         demo.arena_bytes = demo.arena_bytes_32 = DEMO_TURNTABLE_BARE_BYTES;
-        demo.vertex_max = asset->model.vertex_max;
+        demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
     }
     return demo;
 }

@@ -3,7 +3,7 @@
 #include "depth.h"
 #include "exact.h"
 #include "transform.h"
-#include "triangle.h"
+#include "setup.h"
 
 #include <math.h>
 
@@ -183,7 +183,9 @@ static void take_errors(const struct planes_canvas *canvas, const struct corner 
 {
     const struct depth_lab *lab = canvas->lab;
     const enum ph_depth_format format = (enum ph_depth_format)canvas->renderer.config.depth_format;
-    const struct ph_triangle *const triangles = ph_triangles(&canvas->renderer);
+    struct ph_triangle triangles[2];
+    ph_setup_number(&canvas->renderer, 0, &triangles[0]);
+    ph_setup_number(&canvas->renderer, 1, &triangles[1]);
     for (uint32_t row = GRID_PX / 2; row < lab->height; row += GRID_PX) {
         for (uint32_t column = GRID_PX / 2; column < lab->width; column += GRID_PX) {
             if (canvas->pixels[row * lab->width + column] == PLANES_NONE) {
@@ -217,7 +219,7 @@ double depth_budget_interpolation_m(struct planes_canvas *canvas, double z)
         struct corner corners[4];
         canvas->view = ph_xform_rotate_z(i * ROLL_TURN32);
         depth_planes_draw(canvas, &pair.behind, NULL);
-        if (canvas->renderer.triangle_count == 2 && canvas->renderer.stats.triangles_clipped == 0) {
+        if (canvas->renderer.stats.triangles_drawn == 2 && canvas->renderer.stats.triangles_clipped == 0) {
             snapped_corners(canvas, &pair.behind, corners);
             take_errors(canvas, corners, &error);
         }

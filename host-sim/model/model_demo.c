@@ -30,14 +30,17 @@ static int camera_frame(struct demo_context *context, struct ph_renderer *r, uin
 
 struct demo model_demo(const struct model *model)
 {
-    const uint32_t vertices = model->vertex_max;
+    uint32_t vertices = 0;
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        vertices += model->meshes[m].vertex_count;
+    }
     return (struct demo){.name = "model",
                          .summary = "a model file",
                          .views = model->has_camera ? views : NULL,
                          .loop_frames = demo_find("turntable")->loop_frames,
                          .arena_bytes = DEMO_TURNTABLE_BYTES,
                          .arena_bytes_32 = DEMO_TURNTABLE_BYTES,
-                         .vertex_max = vertices > DEMO_TURNTABLE_VERTICES ? vertices : DEMO_TURNTABLE_VERTICES,
+                         .vertex_max = vertices + DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
                          .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES,
                          .init = model->has_camera ? camera_init : turntable_init,

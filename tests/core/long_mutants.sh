@@ -36,15 +36,15 @@ the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
 the last of equal texels wins            | kernels/portable/texture_tile_plain.h | s/code > \*depth/code >= *depth/              | test_texture
 the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
-triangles not carried to the next band   | render/raster.c  | s/y_bottom > rows->y1)/y_bottom > rows->y1 + 1)/     | test_raster
+triangles not carried to the next band   | render/bands.c   | s/y_bottom <= rows->y1)/y_bottom <= rows->y1 + 1)/   | test_raster
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
-triangles not carried by two cores       | render/raster.c  | s/y_bottom > y1)/y_bottom > y1 + 1)/                 | test_cores
-triangles drawn in reverse               | render/frame.c   | s/uint32_t i = r->triangle_count; i-- > 0;/uint32_t i = 0; i < r->triangle_count; i++/ | test_raster
-depth not cleared                        | render/raster.c  | s/ph_fill(rows->depth.*//                            | test_raster
+triangles not carried by two cores       | render/bands.c   | s/y_bottom <= y1)/y_bottom <= y1 + 1)/               | test_cores
+triangles drawn in reverse               | render/list.h    | s/return r->list.top - 1 - n;/return r->list.to + n;/ | test_raster
+depth not cleared                        | render/bands.c   | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
 no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
-one triangle over the budget             | render/setup.c   | s/n < r->exact_first ||/n <= r->exact_first ||/ | test_frame
-dropped triangles not counted            | render/setup.c   | s/r->stats.triangles_dropped++;//                    | test_frame
+one triangle over the budget             | render/list.c    | s/most : r->config.triangle_max/most : r->config.triangle_max + 1/ | test_frame
+dropped triangles not counted            | render/list.h    | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | render/planes.c  | s/v\[1\]->light - v/v[0]->light - v/                 | test_frame
 a small triangle's edge depends on it    | kernels/portable/setup_small.c | s/set_edge(o.top, o.low, o.row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
 a small triangle's slope depends on it   | kernels/portable/setup_small.c | s/set_edge(o.top, o.low, o.row_top, &long_edge);/& long_edge.dx \&= ~15;/ | test_quality
@@ -53,7 +53,7 @@ a small triangle's depth to fewer bits   | kernels/portable/setup_small.c | s/(u
 a small triangle without its lower half  | kernels/portable/setup_small.c | s/set_edge(o.mid, o.low, o.row_mid, &small->lower);/& small->lower.dx = 0;/ | test_quality
 vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->round_\([xy]\) + //                           | test_quality
 6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
-lines too thin                           | render/setup.c   | s/x_major ? 0 : 128/x_major ? 0 : 64/              | test_frame
+lines too thin                           | render/list.c    | s/x_major ? 0 : 128/x_major ? 0 : 64/              | test_frame
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
 texture slope left out                   | render/texture.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
@@ -61,11 +61,10 @@ attenuation lost                         | render/light.c   | s/if (reach <= 0)/
 highlight to another power               | render/light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
-steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, n, v, sides);//                    | test_depth_slopes
+steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, t, v, sides);//                    | test_depth_slopes
 thin triangles left to 15 bits           | kernels/portable/setup_small.c | s/ROUGH_DEPTH = 11/ROUGH_DEPTH = -40/           | test_depth_slopes
 depth beyond the corners                 | render/exact.c   | s/const bool clamped = .*/const bool clamped = false;/ | test_depth_slopes
-exact depth of another octave             | render/exact.c   | s/27 - octave)) + offset/26 - octave)) + offset/     | test_depth_slopes
-exact planes that do not give way        | render/setup.c   | s/ || ph_free_exact(r) ? / ? /                       | test_depth_slopes
+exact depth of another octave             | render/exact.c   | s/e->unit - octave;/e->unit - 1 - octave;/           | test_depth_slopes
 the slope's bias ignored                 | render/exact.c   | s/t->material->depth_bias_slope != 0/false/          | test_depth_slopes
 light of a texture ignored               | render/planes.c  | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
 red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame

@@ -465,38 +465,6 @@ static void a_decal_lies_on_a_surface_that_leans_away(void **state)
     }
 }
 
-/* ---- a full list --------------------------------------------------------------------------------------------------
- */
-
-static void exact_planes_give_way_to_triangles(void **state)
-{
-    static const struct fx_vec3 floor[4] = {{FX_INT(-3), FX_INT(-2), FX_INT(-3)},
-                                            {FX_INT(3), FX_INT(-2), FX_INT(-3)},
-                                            {FX_INT(300), FX_INT(-2), FX_INT(-900)},
-                                            {FX_INT(-300), FX_INT(-2), FX_INT(-900)}};
-    static uint32_t roomy[WIDTH * HEIGHT];
-    (void)state;
-    for (uint32_t room = 4; room >= 1; room--) { /* both have a plane of their own, one has, none has; one is dropped */
-        const struct ph_material material = material_of(PH_SHADE_UNLIT, NULL, 1);
-        struct rig rig;
-        int alike = 0, drawn = 0;
-        rig_open(&rig, WIDTH, HEIGHT, 16, PH_DEPTH_FLOAT24, 4, room);
-        begin(&rig, &(struct lens){.1, 1000});
-        draw_polygon(&rig, floor, 4, &material);
-        assert_int_equal(rig.r.stats.triangles_dropped, room == 1);
-        rig_finish(&rig);
-        for (int i = 0; i < WIDTH * HEIGHT; i++) {
-            roomy[i] = room == 4 ? rig.depth[i] : roomy[i];
-            drawn += rig.depth[i] != 0;
-            alike += rig.depth[i] != 0 && rig.depth[i] == roomy[i];
-            assert_true(room == 1 || (rig.depth[i] != 0) == (roomy[i] != 0));
-            assert_true(rig.depth[i] == 0 || abs((int)rig.depth[i] - (int)roomy[i]) < 64);
-        }
-        assert_true(room == 4 ? alike == drawn : alike < drawn);
-        rig_close(&rig);
-    }
-}
-
 /* ---- a sphere drawn twice -----------------------------------------------------------------------------------------
  */
 
@@ -584,7 +552,6 @@ int main(void)
         cmocka_unit_test(every_slope_is_right_and_the_same_in_all_shadings),
         cmocka_unit_test(no_floor_covers_a_wall_in_front_of_it),
         cmocka_unit_test(a_decal_lies_on_a_surface_that_leans_away),
-        cmocka_unit_test(exact_planes_give_way_to_triangles),
         cmocka_unit_test(of_a_sphere_drawn_twice_only_the_first_shows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -226,6 +226,7 @@ const struct demo demo_ball = {
                5272),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
     .triangle_max = 300,
+    .corner_max = 128,
     .init = ball_init,
     .frame = ball_frame,
 };

@@ -246,6 +246,7 @@ const struct demo demo_ground = {
     DEMO_ARENA(BENCH_BYTES + MODEL_BYTES(441, 800), 13096),
     .vertex_max = 441,
     .triangle_max = 480,
+    .corner_max = 224,
     .init = ground_init,
     .frame = ground_frame,
 };

@@ -96,7 +96,7 @@ const struct demo demo_conventions = {
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
                4416),
-    .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
+    .vertex_max = 4 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = 660,
     .init = conventions_init,
     .frame = conventions_frame,

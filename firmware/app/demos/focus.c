@@ -96,17 +96,19 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
 
 #define ARENA MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
+#define VERTICES (MODEL_GROUND_VERTICES(CELLS) + SKITTLES * MODEL_LATHE_VERTICES(SIDES, POINTS))
+
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12752), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
-                                           .triangle_max = 824};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12752), .vertex_max = VERTICES, .triangle_max = 824};
 
 const struct demo demo_focus = {
     .name = "focus",
     .summary = "a row of skittles through a lens whose focus wanders: depth of field",
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(ARENA, 12752),
-    .vertex_max = MODEL_GROUND_VERTICES(CELLS),
+    .vertex_max = VERTICES,
     .triangle_max = 1000,
+    .corner_max = 24,
     .coarser = &narrower,
     .coarser_count = 1,
     .blur_radius = RADIUS,

@@ -118,17 +118,21 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(TOP_SIDES, TOP_POINTS, TOP_STRIPES) +                   \
         MODEL_LATHE_BYTES(COLUMN_SIDES, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
+#define VERTICES                                                                                                       \
+    (MODEL_GROUND_VERTICES(CELLS) + MODEL_LATHE_VERTICES(TOP_SIDES, TOP_POINTS) +                                      \
+     2 * PAIRS * MODEL_LATHE_VERTICES(COLUMN_SIDES, COLUMN_POINTS))
+
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14056), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
-                                           .triangle_max = 848};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14056), .vertex_max = VERTICES, .triangle_max = 848};
 
 const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(ARENA, 14056),
-    .vertex_max = MODEL_GROUND_VERTICES(CELLS),
+    .vertex_max = VERTICES,
     .triangle_max = 1000,
+    .corner_max = 40,
     .coarser = &narrower,
     .coarser_count = 1,
     .init = hitchcock_init,

@@ -127,8 +127,9 @@ const struct demo demo_parallel = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct parallel)) + 2 * (MODEL_ROUND8(sizeof(struct ph_part)) + MODEL_BOX_BYTES),
                2744),
-    .vertex_max = 24,
+    .vertex_max = 672,
     .triangle_max = 160,
+    .corner_max = 64,
     .init = parallel_init,
     .frame = parallel_frame,
 };

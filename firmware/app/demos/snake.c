@@ -400,9 +400,11 @@ static const char *const views[] = {"head", "outside", NULL};
     MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +                               \
         MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
 
+#define VERTICES 2181 /* of all bodies of a frame */
+
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = MODEL_GROUND_VERTICES(CELLS),
-                                           .triangle_max = 860};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = VERTICES, .triangle_max = 860,
+                                           .corner_max = 96};
 
 const struct demo demo_snake = {
     .name = "snake",
@@ -410,8 +412,9 @@ const struct demo demo_snake = {
     .views = views,
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(ARENA, 7320),
-    .vertex_max = MODEL_GROUND_VERTICES(CELLS),
+    .vertex_max = VERTICES,
     .triangle_max = 1600,
+    .corner_max = 96,
     .coarser = &narrower,
     .coarser_count = 1,
     .init = snake_init,

@@ -217,8 +217,11 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
     MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +                                        \
         MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2))
 
+#define VERTICES (3 * STARS + 3 * MODEL_ICOSPHERE_VERTICES(2))
+
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = 3 * STARS, .triangle_max = 656};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = VERTICES, .triangle_max = 656,
+                                           .corner_max = 200};
 
 const struct demo demo_solar = {
     .name = "solar",
@@ -226,8 +229,9 @@ const struct demo demo_solar = {
     .views = views,
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(ARENA, 12256),
-    .vertex_max = 3 * STARS,
+    .vertex_max = VERTICES,
     .triangle_max = 720,
+    .corner_max = 200,
     .coarser = &narrower,
     .coarser_count = 1,
     .init = solar_init,

@@ -170,8 +170,10 @@ static int turntable_init(struct demo_context *context)
 #define ARENA(n, around)                                                                                               \
     (MODEL_ROUND8(sizeof(struct pot)) + (around) + MODEL_ROUND8(sizeof(struct ph_part)) +                              \
      MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)))
-#define LISTED(n)       (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8)
-#define WITH_PLATTER(n) .vertex_max = MODEL_TEAPOT_VERTICES(n), .triangle_max = LISTED(n) + DEMO_TURNTABLE_TRIANGLES
+#define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8)
+#define WITH_PLATTER(n)                                                                                                \
+    .vertex_max = MODEL_TEAPOT_VERTICES(n) + DEMO_TURNTABLE_VERTICES,                                                  \
+    .triangle_max = LISTED(n) + DEMO_TURNTABLE_TRIANGLES
 
 static const struct demo_level coarser[] = {
     {DEMO_ARENA(ARENA(4, FULL_BYTES), 19912), WITH_PLATTER(4)},

@@ -80,7 +80,7 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
      MODEL_EDGES_BYTES(MODEL_TEAPOT_QUAD_EDGES(n)))
 #define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + 2 * MODEL_TEAPOT_QUAD_EDGES(n))
 
-static const struct demo_level coarser = {DEMO_ARENA(ARENA(2), 8104), .vertex_max = MODEL_TEAPOT_VERTICES(2),
+static const struct demo_level coarser = {DEMO_ARENA(ARENA(2), 8104), .vertex_max = 2 * MODEL_TEAPOT_VERTICES(2),
                                           .triangle_max = LISTED(2)};
 
 const struct demo demo_wireframe = {
@@ -88,7 +88,7 @@ const struct demo demo_wireframe = {
     .summary = "the teapot as lines, hidden ones removed",
     .loop_frames = 256,
     DEMO_ARENA(ARENA(SEGMENTS), 17648),
-    .vertex_max = MODEL_TEAPOT_VERTICES(SEGMENTS),
+    .vertex_max = 2 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = LISTED(SEGMENTS),
     .coarser = &coarser,
     .coarser_count = 1,

@@ -3,7 +3,6 @@
 
 #include "fisheye.h"
 #include "mesh.h"
-#include "setup.h"
 #include "transform.h"
 
 #define OUTSIDE     PH_LIT /* clip code: not between plane and light; the bit is free, as shadows are not lit */
@@ -19,6 +18,7 @@ struct cast {
     int64_t light_height, highest; /* heights of the light, and of the highest point that casts a shadow */
     struct ph_clip_matrix matrix;  /* world to clip coordinates, moved towards the viewer */
     struct ph_vertex *vertices;
+    struct ph_draw draw;
 };
 
 /* A point of the object and its height above the plane. */
@@ -130,8 +130,9 @@ static void draw_clipped(const struct cast *c, const uint16_t index[3])
     c->r->stats.triangles_culled += n < 3;
     for (int i = 2; i < n; i++) {
         const struct ph_clip_vertex fan[3] = {corners[0], corners[i - 1], corners[i]};
-        ph_draw_clipped(c->r, c->material, fan);
+        ph_draw_clipped(c->r, c->material, 0, fan);
     }
+    ph_list_draw(c->r, &c->draw);
 }
 
 /* ---- triangles ------------------------------------------------------------------------------------------------ */
@@ -149,7 +150,7 @@ static void draw_triangle(const struct cast *c, const uint16_t index[3])
         draw_clipped(c, index);
         return;
     }
-    c->r->stats.triangles_culled += !ph_setup_triangle(c->r, c->material, v, NULL);
+    c->r->stats.triangles_culled += !ph_list_triangle(c->r, index, v, c->material->two_sided != 0);
 }
 
 /*
@@ -191,13 +192,17 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     if (c.light_height <= 0 || (material->two_sided == 0 && !sees_lit_side(r, plane))) {
         return PH_OK;
     }
-    if (mesh->vertex_count > r->config.vertex_max) {
-        r->stats.vertices_dropped += mesh->vertex_count;
-        return PH_ERR_NOMEM;
+    const struct ph_mark mark = ph_list_mark(r);
+    const uint32_t n = mesh->vertex_count;
+    c.draw = (struct ph_draw){.material = material};
+    c.draw.base = n <= r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
+    if (c.draw.base == UINT32_MAX || !ph_list_draw(r, &c.draw)) {
+        r->stats.vertices_dropped += n;
+        return n > r->config.vertex_max ? PH_ERR_NOMEM : PH_OK;
     }
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
-    c.vertices = r->config.vertices;
+    c.vertices = ph_at(r, c.draw.base);
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
@@ -209,5 +214,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
             draw_triangle(&c, mesh->triangles[part->first + k]);
         }
     }
+    ph_list_rewind(r, &mark);
+    r->stats.triangles_drawn = ph_ref_count(r);
     return PH_OK;
 }

@@ -12,6 +12,12 @@ struct ph_band {
     int32_t y0, y1, width;
 };
 
+/* Draws what of a triangle lies in the band. Returns the pixels tested. */
+uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band);
+
+/* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
+void ph_step_below(struct ph_triangle *t, int32_t y1);
+
 /* A depth buffer from pixel n on. */
 static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
 {

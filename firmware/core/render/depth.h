@@ -52,9 +52,7 @@
  * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside the
  * corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more is
  * clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves than
- * the format has bits for, or because depth_bias_slope lifts it, takes a second entry of the list of triangles
- * (exact.h). If the list is full it has the plane of 32 bits: too steep ones are flattened then, and far ends have fewer
- * bits.
+ * the format has bits for, or because depth_bias_slope lifts it, has 64 bits (exact.h).
  */
 #ifndef PH_DEPTH_H
 #define PH_DEPTH_H

@@ -108,13 +108,10 @@ static void lift(struct ph_exact *e, struct ph_linear *linear, uint32_t slope)
     store(e->low, low + up);
 }
 
-void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides)
+void ph_set_exact(const struct ph_renderer *r, struct ph_triangle *t, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides)
 {
-    if (n + 1 >= r->exact_first) {
-        return;
-    }
-    struct ph_triangle *const t = &ph_triangles(r)[n];
-    struct ph_exact *const e = &ph_triangles(r)[--r->exact_first].exact;
+    struct ph_exact *const e = &t->exact;
     int64_t d[3];
     set_codes(e, r, ph_depth_bias(t->material));
     for (int i = 0; i < 3; i++) {
@@ -126,23 +123,7 @@ void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *con
     if (t->material->depth_bias_slope != 0) {
         lift(e, &t->linear, t->material->depth_bias_slope);
     }
-    e->owner = n;
-    e->plane = t->depth;
-    e->block = t->block;
-    t->depth.base = r->exact_first - n;
     t->block = PH_BLOCK_EXACT;
-}
-
-bool ph_free_exact(struct ph_renderer *r)
-{
-    if (r->exact_first >= r->config.triangle_max) {
-        return false;
-    }
-    const struct ph_exact *const e = &ph_triangles(r)[r->exact_first++].exact;
-    struct ph_triangle *const t = &ph_triangles(r)[e->owner];
-    t->depth = e->plane;
-    t->block = e->block;
-    return true;
 }
 
 /* Depths that become codes with one slope: bottom .. bottom + size. */
@@ -192,7 +173,7 @@ static inline uint32_t in_codes(uint64_t d, int down, uint64_t halves)
 static void set_run(const struct ph_triangle *t, uint64_t d, int octave, uint32_t x, uint32_t y,
                     struct ph_triangle *run)
 {
-    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const struct ph_exact *const e = &t->exact;
     const uint32_t offset = e->offset + (e->kind == FLOAT ? ph_depth_float16_offset(octave, 0, e->down) : 0);
     const int down = e->unit - octave;
     const uint32_t gx = in_codes(load(e->gx), down, 1), gy = in_codes(load(e->gy), down, 1);
@@ -221,7 +202,7 @@ static int32_t column_below(struct ph_edge edge, int32_t rows)
 
 bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
 {
-    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const struct ph_exact *const e = &t->exact;
     const int32_t more = strip->y_end - 1 - strip->y;
     const int32_t left = strip->left.x >> 16, left_end = column_below(strip->left, more);
     const int32_t right = strip->right.x >> 16, right_end = column_below(strip->right, more);
@@ -258,7 +239,7 @@ static uint32_t pixels_in(const struct range *range, uint64_t d, uint64_t gd, ui
 
 int32_t ph_exact_run(const struct ph_triangle *t, int32_t x, int32_t x_end, int32_t y, struct ph_triangle *run)
 {
-    const struct ph_exact *const e = &t[t->depth.base].exact;
+    const struct ph_exact *const e = &t->exact;
     const uint64_t low = load(e->low), size = load(e->size);
     const uint32_t n = (uint32_t)ph_min(x_end - x, PH_EXACT_RUN);
     uint64_t d = depth_at(e, (uint32_t)x, (uint32_t)y);

@@ -1,9 +1,7 @@
 /*
  * exact: depth of triangles whose plane does not fit 32 bits. Private to firmware/core.
  *
- * Such a triangle is nearly edge-on, or crosses many octaves of a float. Its plane has 64 bits. It stands in an entry
- * of its own at the end of the list of triangles. When the list is full the last such entry gives way to a triangle,
- * whose owner then has the plane of 32 bits, flattened if it is too steep.
+ * Such a triangle is nearly edge-on, or crosses many octaves of a float. Its plane has 64 bits.
  *
  * The sum is exact modulo 2^64 however steep the plane is. Only at a centre that lies outside the corners by the
  * rounding of an edge may it be far off; so it is clamped to the corners' range.
@@ -21,11 +19,9 @@
 #define PH_EXACT_RUN  512 /* pixels; the rounded step of a run is half a 24-bit code off at its ends */
 #define PH_EXACT_ROWS 16  /* a strip of rows begins at each multiple */
 
-/* Gives triangle number n, the next of the list, an exact plane if there is room. */
-void ph_set_exact(struct ph_renderer *r, uint32_t n, const struct ph_vertex *const v[3], const struct ph_sides *sides);
-
-/* Makes room for a triangle. False if no exact plane is there. */
-bool ph_free_exact(struct ph_renderer *r);
+/* Gives a triangle an exact plane. */
+void ph_set_exact(const struct ph_renderer *r, struct ph_triangle *t, const struct ph_vertex *const v[3],
+                  const struct ph_sides *sides);
 
 /* Rows y .. y_end - 1 of one half of a triangle, and its edges at row y. */
 struct ph_exact_strip {

@@ -16,7 +16,7 @@
  */
 #include "fisheye.h"
 
-#include "setup.h"
+#include "list.h"
 
 #define LONG        20                     /* edges longer than this part of a turn are divided always */
 #define SHORT       ((int64_t)1 << 48)     /* shorter edges, below 2^-5 radian, never are; squared Q29 */
@@ -273,7 +273,10 @@ struct piece {
 struct division {
     struct ph_renderer *r;
     const struct ph_material *material;
+    uint32_t kind; /* enum ph_draw_kind */
     struct vertex pool[POOL];
+    int32_t number[POOL]; /* of the pool's vertices as corners on the list, -1: not there yet */
+    uint32_t base;        /* from which they count */
     struct piece stack[DEPTH + 1];
     bool any, clipped;
 };
@@ -319,6 +322,7 @@ static struct piece divide_piece(struct division *d, struct piece *p, int edge)
 {
     const int from = next_corner[edge], to = next_corner[edge + 1];
     const uint8_t middle = p->used++;
+    d->number[middle] = -1;
     d->pool[middle] = divide(&d->r->lens, &d->pool[p->corner[from]], &d->pool[p->corner[to]]);
     struct piece other = *p;
     p->corner[to] = middle;
@@ -359,12 +363,69 @@ static void clip_piece(struct division *d, const struct vertex *const v[3])
     for (int i = 0; i < n; i++) {
         corners[i] = clipped_corner(&d->r->lens, &polygon[i], &beyond);
     }
-    for (int i = 2; i < n && !beyond; i++) {
-        d->any |= ph_setup_corners(d->r, d->material, &corners[0], &corners[i - 1], &corners[i]);
+    if (n >= 3 && !beyond) {
+        d->any |= ph_list_fan(d->r, d->material, d->kind, corners, (uint32_t)n);
     }
 }
 
-static void draw_piece(struct division *d, const struct vertex *const v[3])
+/* If corners count from elsewhere now, those on the list have lost their numbers. */
+static bool has_moved(struct division *d)
+{
+    if (ph_list_base(d->r) == d->base) {
+        return false;
+    }
+    for (int i = 0; i < POOL; i++) {
+        d->number[i] = -1;
+    }
+    d->base = ph_list_base(d->r);
+    return true;
+}
+
+/* Puts the corners of a piece on the list, unless they are there. False: there is no room. */
+static bool list_corners(struct division *d, const uint8_t corner[3], const struct ph_corner corners[3],
+                         uint16_t number[3])
+{
+    const uint32_t kind = d->kind | (ph_is_textured(d->material) ? PH_DRAW_UVS : 0);
+    has_moved(d);
+    for (int i = 0; i < 3; i++) {
+        int32_t *const known = &d->number[corner[i]];
+        if (*known < 0) {
+            const int32_t first = ph_list_corners(d->r, d->material, kind, &corners[i], 1);
+            if (first < 0) {
+                return false;
+            }
+            i = has_moved(d) ? -1 : i; /* then all three are listed again */
+            *known = first;
+        }
+        if (i >= 0) {
+            number[i] = (uint16_t)*known;
+        }
+    }
+    return true;
+}
+
+/* Lists a piece. False if it cannot be seen. */
+static bool list_piece(struct division *d, const uint8_t corner[3], const struct ph_corner corners[3])
+{
+    const struct ph_mark mark = ph_list_mark(d->r);
+    const struct ph_vertex *const v[3] = {&corners[0].at, &corners[1].at, &corners[2].at};
+    const int32_t before[3] = {d->number[corner[0]], d->number[corner[1]], d->number[corner[2]]};
+    uint16_t number[3];
+    bool seen = true;
+    if (list_corners(d, corner, corners, number)) {
+        seen = ph_list_triangle(d->r, number, v, d->material->two_sided != 0);
+    } else {
+        d->r->stats.triangles_dropped++;
+    }
+    if (ph_list_rewind(d->r, &mark) && !has_moved(d)) {
+        for (int i = 0; i < 3; i++) {
+            d->number[corner[i]] = before[i];
+        }
+    }
+    return seen;
+}
+
+static void draw_piece(struct division *d, const struct vertex *const v[3], const uint8_t corner[3])
 {
     const struct ph_lens *lens = &d->r->lens;
     struct ph_corner corners[3];
@@ -385,7 +446,7 @@ static void draw_piece(struct division *d, const struct vertex *const v[3])
     for (int i = 0; i < 3 && !beyond; i++) {
         corners[i] = corner_of(lens, &v[i]->clip, &v[i]->at);
     }
-    d->any |= !beyond && ph_setup_corners(d->r, d->material, &corners[0], &corners[1], &corners[2]);
+    d->any |= !beyond && list_piece(d, corner, corners);
 }
 
 /* Draws the piece on top of the stack, or divides it into top[0] and top[1]; then it returns true. */
@@ -409,7 +470,7 @@ static bool take_piece(struct division *d, struct piece *top)
         edge = edge_to_divide(lens, top, v);
     }
     if (edge < 0 || top->used == POOL) {
-        draw_piece(d, v);
+        draw_piece(d, v, top->corner);
         return false;
     }
     top[1] = divide_piece(d, top, edge);
@@ -448,7 +509,8 @@ static bool faces_away(const struct ph_clip_vertex in[3])
     return fx_mul_wide(a[0], n[0]) + fx_mul_wide(a[1], n[1]) + fx_mul_wide(a[2], n[2]) >= 0; /* y points down */
 }
 
-void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3])
+void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                         const struct ph_clip_vertex in[3])
 {
     if (material->two_sided == 0 && faces_away(in)) {
         r->stats.triangles_culled++;
@@ -457,9 +519,12 @@ void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *materi
     struct division d;
     d.r = r;
     d.material = material;
+    d.kind = kind;
+    d.base = ph_list_base(r);
     d.any = d.clipped = false;
     for (int i = 0; i < 3; i++) {
         d.pool[i] = vertex_of(&r->lens, &in[i]);
+        d.number[i] = -1;
     }
     d.stack[0] = (struct piece){{0, 1, 2}, 0, 3};
     int waiting = 1, left = SPLITS_MAX;
@@ -483,10 +548,10 @@ static void draw_line_piece(struct ph_renderer *r, const struct ph_material *mat
         return;
     }
     bool beyond = false;
-    const struct ph_corner from = clipped_corner(&r->lens, &ends[0], &beyond);
-    const struct ph_corner to = clipped_corner(&r->lens, &ends[1], &beyond);
+    const struct ph_corner corners[2] = {clipped_corner(&r->lens, &ends[0], &beyond),
+                                         clipped_corner(&r->lens, &ends[1], &beyond)};
     if (!beyond) {
-        ph_setup_line(r, material, &from, &to);
+        ph_list_segment(r, material, corners);
     }
 }
 

@@ -19,10 +19,11 @@ bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, 
                          const struct ph_vertex *c);
 
 /*
- * Subdivide, clip and set up a triangle, or a line. Corners have their position in x, y, w; their z is not read.
+ * Subdivide, clip and list a triangle, or a line. Corners have their position in x, y, w; their z is not read.
  * Statistics count as in ph_draw_clipped.
  */
-void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3]);
+void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                         const struct ph_clip_vertex in[3]);
 void ph_fisheye_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex ends[2]);
 
 #endif

@@ -1,11 +1,14 @@
-/* Renderer and frame set-up: see render.h. */
+/* Renderer and camera: see render.h. */
 #include "edge.h"
 #include "fisheye.h"
+#include "list.h"
 
+/* A triangle that can be seen takes a reference of 8 bytes. Of a closed mesh half can be seen, and there are half as
+ * many vertices as triangles: so another 16 bytes hold as many vertices, however many meshes there are. */
 const size_t ph_vertex_bytes = sizeof(struct ph_vertex);
-const size_t ph_triangle_bytes = sizeof(struct ph_triangle);
-_Static_assert(sizeof(void *) != 4 || (sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
-                                       sizeof(struct ph_triangle) == PH_TRIANGLE_BYTES_32),
+const size_t ph_triangle_bytes = sizeof(struct ph_vertex) + sizeof(struct ph_ref);
+_Static_assert(sizeof(struct ph_vertex) == PH_VERTEX_BYTES_32 &&
+                   sizeof(struct ph_vertex) + sizeof(struct ph_ref) == PH_TRIANGLE_BYTES_32,
                "see render.h");
 
 static bool is_exponent(unsigned bits)
@@ -42,8 +45,9 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     if (config->bin_max < bands) {
         return PH_ERR_NOMEM;
     }
-    *r = (struct ph_renderer){
-        .config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands, .carried = PH_NONE};
+    *r =
+        (struct ph_renderer){.config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands};
+    ph_list_begin(r);
     return PH_OK;
 }
 
@@ -116,6 +120,7 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
     lens.centre_y = centre_of(height, p->shift_y);
     lens_depth(&lens, p);
     r->lens = lens;
+    r->list.lens = PH_NONE;
     r->projection = *projection;
     r->view = *view;
     return PH_OK;
@@ -154,23 +159,6 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     r->light = light != NULL ? *light : full;
     r->background = background;
     r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
-    r->triangle_count = 0;
-    r->exact_first = r->config.triangle_max;
-    r->carried = PH_NONE;
+    ph_list_begin(r);
     return PH_OK;
-}
-
-uint32_t ph_frame_bands(struct ph_renderer *r)
-{
-    struct ph_triangle *triangles = ph_triangles(r);
-    for (uint32_t i = 0; i < r->band_count; i++) {
-        r->config.bins[i] = PH_NONE;
-    }
-    r->carried = PH_NONE;
-    for (uint32_t i = r->triangle_count; i-- > 0;) { /* from the last, so that each list is in drawing order */
-        uint32_t *bin = &r->config.bins[(uint32_t)triangles[i].y_top / r->config.band_height];
-        triangles[i].next = *bin;
-        *bin = i;
-    }
-    return r->band_count;
 }

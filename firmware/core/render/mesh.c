@@ -1,6 +1,7 @@
-/* Meshes and lines: triangles are rejected, culled, lit, clipped, and handed on to set-up. See mesh.h, render.h. */
+/* Meshes and lines: triangles are rejected, culled, lit, clipped and listed. See mesh.h, list.h, render.h. */
 #include "mesh.h"
 
+#include "cores.h"
 #include "cull.h"
 #include "edge.h"
 #include "fisheye.h"
@@ -8,32 +9,32 @@
 #include "setup.h"
 #include "transform.h"
 
+#define BLOCK 128u /* triangles that two cores cull at a time where some may have to be clipped */
+
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of a loop */
 
 /* What is the same for all triangles of a part. */
 struct part_context {
     struct ph_renderer *r;
     const struct ph_mesh *mesh;
-    const struct ph_material *material;
+    const struct ph_material *material, *lit_as; /* lit_as: of the part whose light the vertices have, or NULL */
     const struct ph_clip_matrix *matrix;
     struct ph_vertex *vertices;
+    struct ph_draw draw;
     struct ph_local_lights lights;
     uint32_t codes; /* clip codes of all vertices, combined by OR */
     bool lit, two_sided, curved;
+    bool mixed; /* the vertices have the lights of several materials */
 };
 
-static FX_APART void light_vertex(const struct part_context *c, uint32_t index)
-{
-    struct ph_vertex *v = &c->vertices[index];
-    v->light = ph_light_vertex(&c->lights, c->mesh->normals[index], &c->mesh->positions[index]);
-    v->code |= PH_LIT;
-}
-
+/* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
 static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
 {
     for (int i = 0; c->lit && i < 3; i++) {
-        if (v[i]->code < PH_LIT) {
-            light_vertex(c, index[i]);
+        struct ph_vertex *const corner = &c->vertices[index[i]];
+        if (v[i]->code < PH_LIT || v[i]->light == 0) {
+            corner->light = ph_light_vertex(&c->lights, c->mesh->normals[index[i]], &c->mesh->positions[index[i]]);
+            corner->code |= PH_LIT;
         }
     }
 }
@@ -61,28 +62,28 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
     return (struct ph_corner){v, {in->uv[0], in->uv[1]}};
 }
 
-void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, const struct ph_clip_vertex in[3])
+/* ph_draw_clipped without a fisheye. */
+static NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                                   const struct ph_clip_vertex in[3])
 {
-    if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_triangle(r, material, in);
-        return;
-    }
     struct ph_clip_vertex out[PH_CLIP_MAX];
+    struct ph_corner corners[PH_CLIP_MAX];
     const int n = ph_clip(&r->lens, in, 3, out);
     r->stats.triangles_clipped++;
-    if (n < 3) {
-        r->stats.triangles_culled++;
-        return;
+    for (int i = 0; i < n; i++) {
+        corners[i] = project_corner(&r->lens, &out[i]);
     }
-    bool any = false;
-    const struct ph_corner first = project_corner(&r->lens, &out[0]);
-    struct ph_corner last = project_corner(&r->lens, &out[1]);
-    for (int i = 2; i < n; i++) {
-        const struct ph_corner next = project_corner(&r->lens, &out[i]);
-        any |= ph_setup_corners(r, material, &first, &last, &next);
-        last = next;
+    r->stats.triangles_culled += n < 3 || !ph_list_fan(r, material, kind, corners, (uint32_t)n);
+}
+
+void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                     const struct ph_clip_vertex in[3])
+{
+    if (r->lens.kind == PH_FISHEYE) {
+        ph_fisheye_triangle(r, material, kind, in);
+    } else {
+        clip_triangle(r, material, kind, in);
     }
-    r->stats.triangles_culled += !any;
 }
 
 static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
@@ -96,28 +97,14 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
     if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }
-    ph_draw_clipped(c->r, c->material, in);
-}
-
-/* Lights and sets up a triangle that needs no clipping. False if it cannot be seen. */
-static FX_APART bool draw_whole(const struct part_context *c, const uint16_t index[3],
-                                const struct ph_vertex *const v[3], const struct ph_sides *sides)
-{
-    const fx_t *of_corners[3], *const *uv = NULL;
-    light_corners(c, index, v);
-    if (c->mesh->uvs != NULL) {
-        for (int i = 0; i < 3; i++) {
-            of_corners[i] = c->mesh->uvs[index[i]];
-        }
-        uv = of_corners;
-    }
-    return sides->area > 0 ? ph_setup_front(c->r, c->material, v, uv, sides)
-                           : ph_setup_triangle(c->r, c->material, v, uv);
+    ph_draw_clipped(c->r, c->material, PH_DRAW_SMALL, in);
+    ph_list_draw(c->r, &c->draw);
 }
 
 /* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
-static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
+static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3])
 {
+    const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
     if ((all & PH_REJECT) != 0) {
         return false;
@@ -126,8 +113,11 @@ static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index
         draw_clipped(c, index, v);
         return true;
     }
-    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    return (sides.area > 0 || c->two_sided) && draw_whole(c, index, v, &sides);
+    const bool seen = ph_list_triangle(c->r, index, v, c->two_sided);
+    if (seen) {
+        light_corners(c, index, v);
+    }
+    return seen;
 }
 
 /* Draws all triangles of a part, one by one: where ph_cull cannot judge them. Returns how many can be seen. */
@@ -135,28 +125,152 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
 {
     uint32_t seen = 0;
     for (; index < end; index++) {
-        const struct ph_vertex *const v[3] = {&c->vertices[(*index)[0]], &c->vertices[(*index)[1]],
-                                              &c->vertices[(*index)[2]]};
-        seen += draw_any(c, *index, v);
+        seen += draw_any(c, *index);
     }
     return seen;
 }
 
-/* The same with ph_cull, which passes over the triangles that cannot be seen. */
-static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+/* Triangles that one core lists, and where. */
+struct cull_share {
+    const struct part_context *c;
+    struct ph_cull_run run;
+    bool must_clip; /* it met a triangle that must be clipped, and stopped */
+};
+
+static struct ph_cull_run cull_run(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
-    struct ph_cull_run run = {.vertices = c->vertices, .index = index, .end = end, .codes = c->codes};
+    const struct ph_list *const list = &c->r->list;
+    return (struct ph_cull_run){.vertices = c->vertices,
+                                .index = index,
+                                .end = end,
+                                .codes = c->codes,
+                                .to = list->to,
+                                .limit = list->end,
+                                .band_scale = list->band_scale,
+                                .mark = c->lit ? PH_LIT : 0};
+}
+
+/* Lists a triangle at which ph_cull stopped, in a list of its own. False if it must be clipped. */
+static bool list_stopped(const struct part_context *c, struct ph_cull_run *run)
+{
+    const uint16_t *const index = run->index[-1];
+    const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
+    if (((ph_code_of(v[0]) | ph_code_of(v[1]) | ph_code_of(v[2])) & PH_CLIP) != 0) {
+        return false;
+    }
+    const int32_t row = ph_sides(v[0], v[1], v[2]).area > 0 ? ph_first_row_of(c->r, v) : -1;
+    if (row >= 0) {
+        *--run->to = (struct ph_ref){{index[0], index[1], index[2]}, ph_band_of(c->r, row)};
+        for (int i = 0; c->lit && i < 3; i++) {
+            ph_mark(&c->vertices[index[i]]);
+        }
+    }
+    return true;
+}
+
+static void cull_share(void *argument)
+{
+    struct cull_share *const s = argument;
+    while (!s->must_clip && ph_cull(&s->run)) {
+        s->must_clip = !list_stopped(s->c, &s->run);
+    }
+}
+
+/* Lists triangles on two cores, each into its own half of the room. False if one must be clipped: then nothing is
+ * listed. */
+static bool cull_both(const struct part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
+{
+    struct ph_list *const list = &c->r->list;
+    const uint32_t half = count / 2;
+    struct cull_share mine = {.c = c, .run = cull_run(c, index, index + half)};
+    struct cull_share others = {.c = c, .run = cull_run(c, index + half, index + count)};
+    others.run.to -= half;
+    ph_run_both(c->r, cull_share, &mine, &others);
+    if (mine.must_clip || others.must_clip) {
+        return false;
+    }
+    const struct ph_ref *from = list->to - half;
+    *seen += (uint32_t)(list->to - mine.run.to) + (uint32_t)(from - others.run.to);
+    for (list->to = mine.run.to; from > others.run.to;) {
+        *--list->to = *--from;
+    }
+    return true;
+}
+
+/* The same with ph_cull, which lists most of the triangles. */
+static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    struct ph_list *const list = &c->r->list;
+    struct ph_cull_run run = cull_run(c, index, end);
     uint32_t seen = 0;
     while (ph_cull(&run)) {
-        seen += run.codes == 0 ? draw_whole(c, run.index[-1], run.v, &run.sides) : draw_any(c, run.index[-1], run.v);
+        seen += (uint32_t)(list->to - run.to);
+        list->to = run.to;
+        seen += draw_any(c, run.index[-1]);
+        run.to = list->to;
+        run.limit = list->end;
     }
+    seen += (uint32_t)(list->to - run.to);
+    list->to = run.to;
     return seen;
+}
+
+static uint32_t draw_facing(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    const struct ph_list *const list = &c->r->list;
+    uint32_t seen = 0;
+    while (index < end && c->r->config.other_core != NULL) {
+        const uint32_t room = (uint32_t)(list->to - list->end), left = (uint32_t)(end - index);
+        const uint32_t most = c->codes != 0 && left > BLOCK ? BLOCK : left, count = most < room ? most : room;
+        if (count < PH_SHARED_LEAST) {
+            break;
+        }
+        if (!cull_both(c, index, count, &seen)) {
+            seen += cull_alone(c, index, index + count);
+        }
+        index += count;
+    }
+    return seen + cull_alone(c, index, end);
+}
+
+/* Vertices that one core lights. */
+struct light_share {
+    const struct part_context *c;
+    uint32_t from, end;
+};
+
+/* Lights the vertices that ph_cull has marked. */
+static void light_share(void *argument)
+{
+    const struct light_share *const s = argument;
+    const struct part_context *const c = s->c;
+    for (uint32_t i = s->from; i < s->end; i++) {
+        struct ph_vertex *const v = &c->vertices[i];
+        if (v->light == 0) {
+            v->light = ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
+        }
+    }
+}
+
+static void light_marked(const struct part_context *c)
+{
+    const uint32_t n = c->mesh->vertex_count;
+    struct light_share mine = {c, 0, n / 2}, others = {c, n / 2, n};
+    if (n < PH_SHARED_LEAST || c->r->config.other_core == NULL) {
+        mine.end = n;
+        light_share(&mine);
+    } else {
+        ph_run_both(c->r, light_share, &mine, &others);
+    }
 }
 
 static void draw_triangles(const struct part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
     const uint32_t seen = c->curved || c->two_sided ? draw_each(c, index, end) : draw_facing(c, index, end);
+    if (c->lit) {
+        light_marked(c);
+    }
     c->r->stats.triangles_culled += part->count - seen;
 }
 
@@ -169,8 +283,8 @@ static void draw_clip_line(struct ph_renderer *r, const struct ph_material *mate
     }
     struct ph_clip_vertex out[PH_CLIP_MAX];
     if (ph_clip(&r->lens, ends, 2, out) == 2) {
-        const struct ph_corner a = project_corner(&r->lens, &out[0]), b = project_corner(&r->lens, &out[1]);
-        ph_setup_line(r, material, &a, &b);
+        const struct ph_corner corners[2] = {project_corner(&r->lens, &out[0]), project_corner(&r->lens, &out[1])};
+        ph_list_segment(r, material, corners);
     }
 }
 
@@ -183,49 +297,127 @@ static NOINLINE void draw_edges(const struct part_context *c)
         if ((v0->code & v1->code & PH_REJECT) != 0) {
             continue;
         }
+        if (((v0->code | v1->code) & PH_CLIP) == 0 && c->r->lens.kind != PH_FISHEYE) {
+            ph_list_line(c->r, edge, v0, v1, c->material->two_sided != 0);
+            continue;
+        }
         const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
         draw_clip_line(c->r, c->material, ends);
+        ph_list_draw(c->r, &c->draw);
     }
+}
+
+/* Whether the light of a vertex is the same in both materials. */
+static bool is_lit_alike(const struct ph_material *a, const struct ph_material *b)
+{
+    return a->ambient == b->ambient && a->diffuse == b->diffuse && a->specular == b->specular &&
+           a->shininess_log2 == b->shininess_log2;
+}
+
+/* Gives a part that needs another light of its vertices than the part before a copy of them. */
+static bool copy_vertices(struct part_context *c)
+{
+    const uint32_t n = c->mesh->vertex_count, place = ph_list_vertices(c->r, n);
+    if (place == PH_NONE) {
+        return false;
+    }
+    struct ph_vertex *const to = ph_at(c->r, place);
+    for (uint32_t i = 0; i < n; i++) {
+        to[i] = c->vertices[i];
+        to[i].code &= (uint8_t)~PH_LIT;
+    }
+    c->vertices = to;
+    c->draw.base = place;
+    return true;
+}
+
+/* Whether the part has vertices that are lit already. */
+static bool shares_light(const struct part_context *c, const struct ph_part *part)
+{
+    for (uint32_t i = part->first; i < part->first + part->count; i++) {
+        const uint16_t *const index = c->mesh->triangles[i];
+        if ((c->vertices[index[0]].code | c->vertices[index[1]].code | c->vertices[index[2]].code) >= PH_LIT) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Prepares the light of a part. False if there is no room for another light of its vertices. */
+static bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+{
+    const struct ph_material *const material = c->material, *const before = c->lit_as;
+    c->lit = c->mesh->normals != NULL && material->shading != PH_SHADE_UNLIT && material->shading != PH_SHADE_TEXTURE;
+    if (!c->lit) {
+        return true;
+    }
+    const bool alike = before != NULL && is_lit_alike(before, material);
+    c->lit_as = material;
+    if (!alike) {
+        ph_light_prepare(&c->lights, c->r, to_world, material);
+    }
+    if (before == NULL || (alike && !c->mixed)) {
+        return true;
+    }
+    c->mixed = !shares_light(c, part);
+    return c->mixed || copy_vertices(c);
 }
 
 static void draw_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
 {
     struct ph_renderer *r = c->r;
     c->material = &c->mesh->materials[part->material];
-    const uint8_t shading = c->material->shading;
-    if (shading == PH_SHADE_WIRE) {
-        draw_edges(c);
+    const bool wire = c->material->shading == PH_SHADE_WIRE, room = wire || light_part(c, part, to_world);
+    c->draw.material = c->material;
+    c->draw.uvs = ph_is_textured(c->material) ? c->mesh->uvs : NULL;
+    c->draw.kind = wire ? PH_DRAW_LINES : PH_DRAW_SMALL;
+    r->stats.triangles_in += wire ? 0 : part->count;
+    if (!room || !ph_list_draw(r, &c->draw)) {
+        r->stats.triangles_dropped += wire ? 2 * c->mesh->edge_count : part->count;
         return;
     }
-    c->lit = c->mesh->normals != NULL && shading != PH_SHADE_UNLIT && shading != PH_SHADE_TEXTURE;
-    if (c->lit) {
-        ph_light_prepare(&c->lights, r, to_world, c->material);
-    }
-    ph_setup_part(r, c->material);
-    r->stats.triangles_in += part->count;
     c->curved = r->lens.kind == PH_FISHEYE;
     c->two_sided = c->material->two_sided != 0;
-    draw_triangles(c, part);
+    if (wire) {
+        draw_edges(c);
+    } else {
+        draw_triangles(c, part);
+    }
+}
+
+/* Counts a mesh for whose vertices there is no room. It is an error if there never is. */
+static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
+{
+    r->stats.vertices_dropped += mesh->vertex_count;
+    if (mesh->vertex_count > r->config.vertex_max) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const bool wire = mesh->materials[mesh->parts[i].material].shading == PH_SHADE_WIRE;
+        r->stats.triangles_in += wire ? 0 : mesh->parts[i].count;
+        r->stats.triangles_dropped += wire ? 2 * mesh->edge_count : mesh->parts[i].count;
+    }
+    return PH_OK;
 }
 
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
-    if (mesh->vertex_count > r->config.vertex_max) {
-        r->stats.vertices_dropped += mesh->vertex_count;
-        return PH_ERR_NOMEM;
+    const struct ph_mark mark = ph_list_mark(r);
+    const uint32_t n = mesh->vertex_count, place = n <= r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
+    if (place == PH_NONE) {
+        return leave_out(r, mesh);
     }
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
-    struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = r->config.vertices};
+    struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = ph_at(r, place)};
+    c.draw.base = place;
     c.codes = ph_transform_mesh(r, &matrix, mesh, c.vertices);
-    r->stats.vertices += mesh->vertex_count;
+    r->stats.vertices += n;
     for (uint32_t i = 0; i < mesh->part_count; i++) {
-        for (uint32_t k = 0; i > 0 && k < mesh->vertex_count; k++) { /* another material, another light */
-            c.vertices[k].code &= (uint8_t)~PH_LIT;
-        }
         draw_part(&c, &mesh->parts[i], to_world);
     }
-    r->small.material = NULL; /* the caller may change it */
+    ph_list_rewind(r, &mark);
+    r->stats.triangles_drawn = ph_ref_count(r);
     return PH_OK;
 }
 
@@ -234,4 +426,5 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     draw_clip_line(r, material, ends);
+    r->stats.triangles_drawn = ph_ref_count(r);
 }

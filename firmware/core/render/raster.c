@@ -1,5 +1,5 @@
 /*
- * Rasterizer: a band is cleared, its triangles are walked down their edges, and their spans are drawn. See render.h.
+ * Rasterizer: a triangle is walked down its edges, as far as they lie in the band, and its spans are drawn. See band.h.
  *
  * What a triangle gives at a pixel depends on the triangle and the pixel alone, because planes are exact modulo 2^32.
  * So the picture does not depend on where a band begins.
@@ -395,7 +395,7 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
     return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
 }
 
-static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *band)
+uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
@@ -413,135 +413,12 @@ static inline uint32_t draw(const struct ph_triangle *t, const struct ph_band *b
     return walk(t, band);
 }
 
-/* Two lists are in drawing order: takes the triangle that comes first off its list. */
-static uint32_t take_first(const struct ph_triangle *triangles, uint32_t *a, uint32_t *b)
-{
-    uint32_t *from = *a < *b ? a : b; /* PH_NONE is the largest */
-    const uint32_t first = *from;
-    *from = triangles[first].next;
-    return first;
-}
-
-/* Clears the rows of a band. */
-static void clear(const struct ph_band *rows, uint16_t background)
-{
-    const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
-    ph_fill(rows->pixels, background, area);
-    ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
-}
-
 /* Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
  * octaves stays as it is, since its depth is rounded at its first row. */
-static FX_APART void step_below(struct ph_triangle *t, int32_t y1)
+void ph_step_below(struct ph_triangle *t, int32_t y1)
 {
     if (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE) {
         skip_rows(&t->small, (uint32_t)(y1 - t->y_top));
         t->y_top = (int16_t)y1;
     }
-}
-
-/* Draws a band with one core. In one pass the triangles that were carried over are merged with the fresh ones of this
- * band, drawn, and carried over if they go on below. */
-static void draw_alone(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
-{
-    struct ph_triangle *triangles = ph_triangles(r);
-    uint32_t begun = r->carried, *carry = &r->carried;
-    clear(rows, r->background);
-    while (begun != PH_NONE || fresh != PH_NONE) {
-        const uint32_t i = take_first(triangles, &begun, &fresh);
-        struct ph_triangle *const t = &triangles[i];
-        r->stats.fragments += draw(t, rows);
-        if (t->y_bottom > rows->y1) { /* it goes on in the next band */
-            step_below(t, rows->y1);
-            *carry = i;
-            carry = &t->next;
-        }
-    }
-    *carry = PH_NONE;
-}
-
-/* The rows that one of two cores draws. Nobody changes the list meanwhile. */
-struct share {
-    const struct ph_triangle *triangles;
-    uint32_t first;
-    uint32_t fragments;
-    uint16_t background;
-    struct ph_band rows;
-};
-
-static void draw_share(void *argument)
-{
-    struct share *const s = argument;
-    s->fragments = 0;
-    clear(&s->rows, s->background);
-    for (uint32_t i = s->first; i != PH_NONE; i = s->triangles[i].next) {
-        const struct ph_triangle *t = &s->triangles[i];
-        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
-            s->fragments += draw(t, &s->rows);
-        }
-    }
-}
-
-/* Merges two lists in drawing order into one. */
-static uint32_t merge(struct ph_triangle *triangles, uint32_t a, uint32_t b)
-{
-    uint32_t first = PH_NONE, *link = &first;
-    while (a != PH_NONE || b != PH_NONE) {
-        const uint32_t i = take_first(triangles, &a, &b);
-        *link = i;
-        link = &triangles[i].next;
-    }
-    *link = PH_NONE;
-    return first;
-}
-
-/* Keeps the triangles of a list that go on below row y1. */
-static uint32_t keep_below(struct ph_triangle *triangles, uint32_t list, int32_t y1)
-{
-    uint32_t first = PH_NONE, *link = &first;
-    for (uint32_t i = list; i != PH_NONE; i = triangles[i].next) {
-        if (triangles[i].y_bottom > y1) {
-            step_below(&triangles[i], y1);
-            *link = i;
-            link = &triangles[i].next;
-        }
-    }
-    *link = PH_NONE;
-    return first;
-}
-
-/* Draws a band of 2 rows or more in two halves, the lower one on the other core. */
-static void draw_with_other(struct ph_renderer *r, uint32_t fresh, const struct ph_band *rows)
-{
-    struct ph_triangle *triangles = ph_triangles(r);
-    const uint32_t list = merge(triangles, r->carried, fresh);
-    struct share upper = {triangles, list, 0, r->background, *rows}, lower = upper;
-    upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
-    const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
-    lower.rows.pixels += above;
-    lower.rows.depth = (uint8_t *)rows->depth + above * (rows->depth24 ? sizeof(uint32_t) : sizeof(uint16_t));
-    const bool both = r->config.other_core(draw_share, &lower);
-    draw_share(&upper);
-    if (both) {
-        r->config.other_core_join();
-    } else {
-        draw_share(&lower);
-    }
-    r->stats.fragments += upper.fragments + lower.fragments;
-    r->carried = keep_below(triangles, list, rows->y1);
-}
-
-uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
-{
-    const int32_t lines = r->config.band_height, height = r->config.height;
-    const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
-    const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
-    rows.pixels = pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
-    if (r->config.other_core != NULL && y1 - y0 >= 2) {
-        draw_with_other(r, r->config.bins[band], &rows);
-    } else {
-        draw_alone(r, r->config.bins[band], &rows);
-    }
-    return (uint32_t)(y1 - y0);
 }

@@ -1,5 +1,5 @@
 /*
- * Triangle set-up: edges, which way a triangle takes, the list. See setup.h.
+ * Triangle set-up: edges, and which way a triangle takes. See setup.h.
  *
  * Most triangles of a mesh are small Gouraud ones: ph_setup_small of kernels.h does these. All others take setup_any.
  */
@@ -35,30 +35,13 @@ static FX_APART void setup_edge(const struct ph_vertex *a, const struct ph_verte
     }
 }
 
-/* No column of pixel centres lies within the triangle, or none of these lies in the picture. */
-static inline bool misses_columns(int32_t width, const struct ph_vertex *const v[3])
-{
-    const int32_t a = v[0]->x, b = v[1]->x, c = v[2]->x;
-    const int32_t from = ph_first_row(ph_min(ph_min(a, b), c)), to = ph_first_row(ph_max(ph_max(a, b), c));
-    return from >= to || to <= 0 || from >= width;
-}
-
-int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
-{
-    const int64_t area = fx_mul_wide(dx2, dy1) - fx_mul_wide(dx1, dy2);
-    return (int32_t)(area >> 32) | (area > 0);
-}
-
-/* Rows and edges; false if no row of the picture is covered. */
-static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
+/* Rows and edges. */
+static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const struct ph_outline o = ph_outline(v);
     const int32_t y_top = ph_max(o.row_top, 0), y_bottom = ph_min(o.row_low, height);
     const int32_t y_mid = ph_max(ph_min(o.row_mid, height), 0);
     t->long_left = o.long_left;
-    if (y_top >= y_bottom) {
-        return false;
-    }
     t->y_top = (int16_t)y_top;
     t->y_mid = (int16_t)y_mid;
     t->y_bottom = (int16_t)y_bottom;
@@ -69,20 +52,16 @@ static FX_APART bool setup_outline(int32_t height, const struct ph_vertex *const
     if (y_bottom > y_mid) {
         setup_edge(o.mid, o.low, y_mid, &t->lower);
     }
-    return true;
 }
 
-/* Edges and planes of any triangle; *fits: 32 bits do for its depth. */
-static NOINLINE bool setup_any(struct ph_renderer *r, const struct ph_material *material,
+/* Edges and planes of any triangle. False if 32 bits do not do for its depth. */
+static NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_material *material,
                                const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                               const struct ph_sides *sides, struct ph_triangle *t, bool *fits)
+                               const struct ph_sides *sides, struct ph_triangle *t)
 {
-    if (misses_columns(r->config.width, v) || !setup_outline(r->config.height, v, t)) {
-        return false;
-    }
+    setup_outline(r->config.height, v, t);
     t->material = material;
-    *fits = ph_set_planes(t, r, v, uv, sides);
-    return true;
+    return ph_set_planes(t, r, v, uv, sides);
 }
 
 /* Whether all three coordinates keep a pixel away from the borders. */
@@ -109,35 +88,30 @@ static inline bool is_small(const struct ph_sides *s)
 }
 
 /* Whether a triangle that is not small can be drawn as one, because it is textured, as narrow, and has short sides. */
-static NOINLINE bool is_narrow(const struct ph_renderer *r, const struct ph_sides *s,
+static NOINLINE bool is_narrow(const struct ph_setting *s, const struct ph_sides *sides,
                                const struct ph_vertex *const v[3])
 {
-    const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy = (uint32_t)(s->dy2 - s->dy1);
-    return r->small.shading == PH_SHADE_TEXTURE && s->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
+    const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
+    return s->shading == PH_SHADE_TEXTURE && sides->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
            ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL &&
-           is_between(v[0]->x, v[1]->x, v[2]->x, r->config.width) &&
-           is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height);
-}
-
-/* A triangle that is less than 2 px wide may miss the centres of all columns. */
-static inline bool is_thin(const struct ph_sides *s)
-{
-    return (((uint32_t)s->dx1 + 256) | ((uint32_t)s->dx2 + 256)) < 512;
+           is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) &&
+           is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height);
 }
 
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
-static inline bool small_depths(const struct ph_renderer *r, const struct ph_material *material,
-                                const struct ph_vertex *const v[3], uint32_t d[3], uint8_t *block)
+static inline bool small_depths(const struct ph_setting *s, const struct ph_vertex *const v[3], uint32_t d[3],
+                                uint8_t *block)
 {
+    const struct ph_renderer *r = s->r;
     *block = PH_BLOCK_NONE;
-    if (r->small.floats) {
-        if (!ph_float_depths(&r->lens, v, r->small.bias, d)) {
-            *block = ph_block_depths(r, v, ph_depth_bias(material), d);
+    if (s->floats) {
+        if (!ph_float_depths(&r->lens, v, s->bias, d)) {
+            *block = ph_block_depths(r, v, ph_depth_bias(s->draw.material), d);
         }
         return true;
     }
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(ph_depth_of(v[i]), r->small.far, 0) + r->small.bias;
+        d[i] = ph_depth_before(ph_depth_of(v[i]), s->far, 0) + s->bias;
     }
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
@@ -204,20 +178,20 @@ static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rendere
 
 /* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has.
  * False if 32 bits do not do. */
-static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_renderer *r,
+static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
                                       const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
 {
     struct ph_triangle other;
     uint32_t d[3];
     other.material = t->material;
-    if (!small_depths(r, t->material, v, d, &other.block)) {
+    if (!small_depths(s, v, d, &other.block)) {
         return fits;
     }
     const enum ph_small_setup done = ph_setup_small(&other, v, sides, d);
     if (done == PH_SMALL_NO_ROW) {
         return true;
     }
-    if ((done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) && !finish_depth(&other, r, v, sides, d, done)) {
+    if ((done == PH_SMALL_STEEP || other.block != PH_BLOCK_NONE) && !finish_depth(&other, s->r, v, sides, d, done)) {
         return false;
     }
     const struct ph_small_triangle *const small = &other.small;
@@ -226,135 +200,134 @@ static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_ren
     return true;
 }
 
-/* Sets up and lists any triangle that ph_setup_small cannot take. */
-static NOINLINE bool setup_listed(struct ph_renderer *r, const struct ph_material *material,
-                                  const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                                  const struct ph_sides *sides, bool small)
+/* Sets up any triangle that ph_setup_small cannot take. */
+static NOINLINE void setup_other(const struct ph_setting *s, const struct ph_vertex *const v[3],
+                                 const fx_t *const uv[3], const struct ph_sides *sides, bool small,
+                                 struct ph_triangle *t)
 {
-    const uint32_t n = r->triangle_count;
-    struct ph_triangle no_room, *const t = n < r->exact_first || ph_free_exact(r) ? &ph_triangles(r)[n] : &no_room;
-    bool fits;
-    if (!setup_any(r, material, v, uv, sides, t, &fits)) {
-        return false;
-    }
-    if (t == &no_room) {
-        r->stats.triangles_dropped++;
-        return true;
-    }
-    if (material->depth_bias_slope != 0) {
+    const struct ph_renderer *r = s->r;
+    bool fits = setup_any(r, s->draw.material, v, uv, sides, t);
+    if (s->draw.material->depth_bias_slope != 0) {
         fits = false;
     } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
-        fits = take_small_depth(t, r, v, sides, fits);
+        fits = take_small_depth(t, s, v, sides, fits);
     }
-    if (!fits) {
-        if (is_empty(t)) {
-            return false;
-        }
-        ph_set_exact(r, n, v, sides);
+    if (!fits && !is_empty(t)) {
+        ph_set_exact(r, t, v, sides);
     }
-    r->triangle_count = n + 1;
-    r->stats.triangles_drawn++;
-    return true;
 }
 
-void ph_setup_part(struct ph_renderer *r, const struct ph_material *material)
+void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
-    const unsigned format = r->stats.depth_format, shading = material->shading;
-    const bool textured = (shading == PH_SHADE_TEXTURE || shading == PH_SHADE_TEXTURE_LIT) && material->texture != NULL;
+    const struct ph_material *const material = draw->material;
+    const unsigned shading = material->shading;
     const bool lit = (shading == PH_SHADE_GOURAUD || shading == PH_SHADE_FLAT) && material->ramp != NULL;
-    const bool fits = format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture));
-    r->small.material = fits && material->depth_bias_slope == 0 ? material : NULL;
-    r->small.ramp = lit ? material->ramp : &material->colour;
-    r->small.shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
-    r->small.floats = format == PH_DEPTH_FLOAT16;
-    r->small.far = ph_depth_far(&r->lens, 0);
-    r->small.bias = r->small.floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
-                                    : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
+    const bool textured = ph_is_textured(material);
+    s->r = r;
+    s->draw = *draw;
+    s->base = ph_at(r, draw->base);
+    s->is_small = (draw->kind & PH_DRAW_SMALL) != 0 && material->depth_bias_slope == 0 &&
+                  r->stats.depth_format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture));
+    s->ramp = lit ? material->ramp : &material->colour;
+    s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
+    s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
+    s->far = ph_depth_far(&r->lens, 0);
+    s->bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
+                        : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
 }
 
-bool ph_setup_front(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
-                    const fx_t *const uv[3], const struct ph_sides *sides)
+/* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
+ * has no texture. */
+static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
+                        const struct ph_sides *sides, struct ph_triangle *t)
 {
-    const uint32_t n = r->triangle_count;
+    const struct ph_renderer *r = s->r;
     const bool small = is_small(sides) && is_inside(r, v);
-    if ((!small && !is_narrow(r, sides, v)) || material != r->small.material ||
-        (n >= r->exact_first && !ph_free_exact(r))) {
-        return setup_listed(r, material, v, uv, sides, small);
-    }
-    struct ph_triangle *const t = &ph_triangles(r)[n];
     uint32_t d[3];
-    t->kind = PH_KIND_SMALL;
-    t->material = material;
-    t->small.ramp = r->small.ramp;
-    if (!small_depths(r, material, v, d, &t->block)) {
-        return setup_listed(r, material, v, uv, sides, false);
+    if (!s->is_small || (!small && !is_narrow(s, sides, v))) {
+        setup_other(s, v, uv, sides, small, t);
+        return;
     }
-    if (is_thin(sides) && misses_columns(r->config.width, v)) {
-        return false;
+    t->kind = PH_KIND_SMALL;
+    t->material = s->draw.material;
+    t->small.ramp = s->ramp;
+    if (!small_depths(s, v, d, &t->block)) {
+        setup_other(s, v, uv, sides, false, t);
+        return;
     }
     const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
-    if (done == PH_SMALL_NO_ROW || (done == PH_SMALL_STEEP && small_is_empty(&t->small))) {
-        return false;
+    if (done == PH_SMALL_STEEP && small_is_empty(&t->small)) {
+        t->small.d = t->small.gd = t->small.d_dy = 0; /* no pixel asks for it */
+        return;
     }
     if ((done == PH_SMALL_STEEP || t->block != PH_BLOCK_NONE || !small) && /* narrow: depth as in other shadings */
         !finish_depth(t, r, v, sides, d, small ? done : PH_SMALL_STEEP)) {
-        return setup_listed(r, material, v, uv, sides, false);
+        setup_other(s, v, uv, sides, false, t);
+        return;
     }
-    if (r->small.shading == PH_SHADE_TEXTURE) {
+    if (s->shading == PH_SHADE_TEXTURE) {
         if (!ph_setup_texels(t, r, v, uv, sides)) {
-            return setup_listed(r, material, v, uv, sides, small);
+            setup_other(s, v, uv, sides, small, t);
         }
-    } else if (r->small.shading != PH_SHADE_GOURAUD) {
-        t->small.light = r->small.shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
+    } else if (s->shading != PH_SHADE_GOURAUD) {
+        t->small.light = s->shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
         t->small.glight = t->small.light_dy = 0;
     }
-    r->triangle_count = n + 1;
-    r->stats.triangles_drawn++;
-    return true;
 }
 
-bool ph_setup_triangle(struct ph_renderer *r, const struct ph_material *material, const struct ph_vertex *const v[3],
-                       const fx_t *const uv[3])
+/* Sets up a half of a line, or a triangle whose corners have their texture coordinates beside them. */
+static NOINLINE void setup_special(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
+    struct ph_vertex corners[3];
+    const fx_t *of_corners[3], *const *uv = NULL;
+    const struct ph_vertex *v[3] = {&corners[0], &corners[1], &corners[2]};
+    if ((s->draw.kind & PH_DRAW_LINES) != 0) {
+        const struct ph_vertex *const base = s->base;
+        ph_line_half(&base[ref->corner[0]], &base[ref->corner[1]], ref->corner[2], corners);
+    } else {
+        const struct ph_corner *const base = s->base;
+        for (int i = 0; i < 3; i++) {
+            v[i] = &base[ref->corner[i]].at;
+            of_corners[i] = base[ref->corner[i]].uv;
+        }
+        uv = of_corners;
+    }
     struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    if (sides.area > 0) {
-        return ph_setup_front(r, material, v, uv, &sides);
+    if (sides.area < 0) { /* a line that is seen from behind */
+        const struct ph_vertex *const turned = v[1];
+        v[1] = v[2];
+        v[2] = turned;
+        sides = ph_sides(v[0], v[1], v[2]);
     }
-    if (sides.area == 0 || material->two_sided == 0) {
-        return false;
-    }
-    const struct ph_vertex *const turned[3] = {v[0], v[2], v[1]};
-    sides = ph_sides(v[0], v[2], v[1]);
-    if (uv == NULL) {
-        return ph_setup_front(r, material, turned, NULL, &sides);
-    }
-    const fx_t *const uv_turned[3] = {uv[0], uv[2], uv[1]};
-    return ph_setup_front(r, material, turned, uv_turned, &sides);
+    setup_front(s, v, uv, &sides, t);
 }
 
-bool ph_setup_corners(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                      const struct ph_corner *b, const struct ph_corner *c)
+void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_vertex *const v[3] = {&a->at, &b->at, &c->at};
-    const fx_t *const uv[3] = {a->uv, b->uv, c->uv};
-    return ph_setup_triangle(r, material, v, uv);
+    if ((s->draw.kind & (PH_DRAW_LINES | PH_DRAW_UVS)) != 0) {
+        setup_special(s, ref, t);
+        return;
+    }
+    const struct ph_vertex *const base = s->base;
+    const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
+    const fx_t *of_corners[3], *const *uv = NULL;
+    if (s->draw.uvs != NULL) {
+        for (int i = 0; i < 3; i++) {
+            of_corners[i] = s->draw.uvs[ref->corner[i]];
+        }
+        uv = of_corners;
+    }
+    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
+    setup_front(s, v, uv, &sides, t);
 }
 
-/* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
- * the longer axis) or row, and needs no raster code of its own. */
-void ph_setup_line(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner *a,
-                   const struct ph_corner *b)
+void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t)
 {
-    const bool x_major = fx_abs_sat(b->at.x - a->at.x) >= fx_abs_sat(b->at.y - a->at.y);
-    const int32_t side_x = x_major ? 0 : 128, side_y = 128 - side_x;
-    const bool turned = x_major ? b->at.x > a->at.x : b->at.y < a->at.y; /* so that it faces the viewer */
-    const struct ph_corner *const from = turned ? b : a, *const to = turned ? a : b;
-    struct ph_corner quad[4] = {*from, *to, *to, *from};
-    for (int i = 0; i < 4; i++) {
-        const int32_t sign = i < 2 ? -1 : 1;
-        quad[i].at.x += sign * side_x;
-        quad[i].at.y += sign * side_y;
+    const struct ph_draw *draw = ph_at(r, r->list.first);
+    while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= number) {
+        draw = ph_at(r, draw->next);
     }
-    ph_setup_corners(r, material, &quad[0], &quad[1], &quad[2]);
-    ph_setup_corners(r, material, &quad[0], &quad[2], &quad[3]);
+    struct ph_setting setting;
+    ph_setting_of(&setting, r, draw);
+    ph_setup(&setting, ph_ref_at(r, number), t);
 }

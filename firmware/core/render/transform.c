@@ -6,6 +6,7 @@
  */
 #include "transform.h"
 
+#include "cores.h"
 #include "fisheye.h"
 #include "vertices.h"
 
@@ -151,13 +152,24 @@ struct ph_clip_vertex ph_clip_place(const struct ph_lens *lens, const struct ph_
     return (struct ph_clip_vertex){.x = x, .y = y, .w = w, .z = z};
 }
 
-uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
-                           struct ph_vertex *vertices)
+/* Vertices that one core transforms. */
+struct part_of_mesh {
+    const struct ph_renderer *r;
+    const struct ph_clip_matrix *m;
+    const struct fx_vec3 *from, *end;
+    struct ph_vertex *to;
+    uint32_t codes;
+};
+
+static void transform_part(void *argument)
 {
+    struct part_of_mesh *const p = argument;
+    const struct ph_renderer *const r = p->r;
+    const struct ph_clip_matrix *const m = p->m;
     struct ph_vertex_run run;
-    run.from = mesh->positions;
-    run.end = mesh->positions + mesh->vertex_count;
-    run.to = vertices;
+    run.from = p->from;
+    run.end = p->end;
+    run.to = p->to;
     run.codes = 0;
     const bool usual = start_run(&run, r, m);
     while (run.from < run.end) {
@@ -175,5 +187,20 @@ uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_mat
         run.from++;
         run.to++;
     }
-    return run.codes;
+    p->codes = run.codes;
+}
+
+uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
+                           struct ph_vertex *vertices)
+{
+    const uint32_t n = mesh->vertex_count, half = n >= PH_SHARED_LEAST ? n / 2 : n;
+    struct part_of_mesh mine = {r, m, mesh->positions, mesh->positions + half, vertices, 0};
+    struct part_of_mesh others = {r, m, mesh->positions + half, mesh->positions + n, vertices + half, 0};
+    if (half == n || r->config.other_core == NULL) {
+        mine.end = others.end;
+        transform_part(&mine);
+        return mine.codes;
+    }
+    ph_run_both(r, transform_part, &mine, &others);
+    return mine.codes | others.codes;
 }

@@ -1,4 +1,4 @@
-/* triangle: a triangle after set-up, in the list from which the bands are drawn. Private to firmware/core. */
+/* triangle: a triangle after set-up. Private to firmware/core. */
 #ifndef PH_TRIANGLE_H
 #define PH_TRIANGLE_H
 
@@ -51,9 +51,6 @@ struct ph_exact {
     uint32_t base[2], gx[2], gy[2]; /* as in struct ph_plane */
     uint32_t low[2], size[2];       /* range of the corners */
     uint32_t offset;                /* added to the codes */
-    uint32_t owner;                 /* index of the triangle */
-    struct ph_plane plane;          /* depth and block that it has in 32 bits */
-    uint8_t block;
     uint8_t kind;
     uint8_t unit; /* codes are as steep as a depth in 2^-(56 - unit) is in octave 0 */
     int8_t down;  /* linear-w: that of the lens; floats: bits of exponent less 1 */
@@ -73,7 +70,7 @@ struct ph_curve {
 enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE };
 
 struct ph_triangle {
-    uint32_t next;                  /* in its band's list, PH_NONE at the end */
+    uint32_t order;                 /* number of its reference */
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid; PH_KIND_SMALL_TEXTURE:
                                        y_mid is the column from which u and v count */
     uint8_t kind;                   /* enum ph_kind */
@@ -94,21 +91,22 @@ struct ph_triangle {
                     struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` holds then */
                 };
             };
+            struct ph_exact exact; /* PH_BLOCK_EXACT */
         };
         struct {
             struct ph_small_triangle small; /* PH_KIND_SMALL; textured: the plane of light is the linear part of u */
             struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
             struct ph_curve curves[2];      /* of u, v */
         };
-        struct ph_exact exact; /* an entry at the end of the list */
     };
+    struct ph_triangle *next; /* slot: carried on or free */
 };
 
 #define PH_NONE          UINT32_MAX
 #define PH_SMALL_COLUMNS 32
 #define PH_BLOCK_NONE    255 /* depth is stepped in 16.16 codes */
 #define PH_BLOCK_LINEAR  254 /* linear-w: 1/w is stepped */
-#define PH_BLOCK_EXACT   253 /* depth stands depth.base entries after the triangle */
+#define PH_BLOCK_EXACT   253 /* depth stands in `exact` */
 
 /* A block exponent, 0 .. 60, and the float's bits of exponent less 1 (ph_lens.float_down, 2 .. 5), in a byte. */
 static inline uint8_t ph_block_of(int exponent, int down)
@@ -131,11 +129,6 @@ static inline uint32_t ph_block_rounded(uint32_t d, int block)
 {
     const int down = ph_block_down(block);
     return (d + ((uint32_t)1 << down >> 1)) >> down << down;
-}
-
-static inline struct ph_triangle *ph_triangles(const struct ph_renderer *r)
-{
-    return (struct ph_triangle *)r->config.triangles;
 }
 
 #endif

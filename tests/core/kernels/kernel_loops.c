@@ -303,28 +303,30 @@ static uint32_t try_cull(uint32_t h)
     enum { VERTICES = 12, TRIANGLES = 40 };
     struct ph_vertex vertices[VERTICES];
     uint16_t triangles[TRIANGLES][3];
+    struct ph_ref refs[TRIANGLES];
     const uint32_t size = 4u << below(17), coded = below(2), at = below(1 << 10);
+    memset(vertices, 0, sizeof vertices);
+    memset(refs, 0, sizeof refs);
     for (int i = 0; i < VERTICES; i++) {
         vertices[i] = (struct ph_vertex){.x = (int32_t)(at + below(size)), .y = (int32_t)(at + below(size))};
         vertices[i].code = coded > 0 ? any_code() : 0;
+        vertices[i].light = (uint16_t)bits();
     }
     for (int i = 0; i < TRIANGLES; i++) {
         for (int k = 0; k < 3; k++) {
             triangles[i][k] = (uint16_t)below(VERTICES);
         }
     }
-    struct ph_cull_run run = {vertices, triangles, triangles + below(TRIANGLES + 1), coded, {NULL}, {.area = 0}};
+    struct ph_cull_run run = {.vertices = vertices, .index = triangles, .end = triangles + below(TRIANGLES + 1)};
+    run.codes = coded;
+    run.to = refs + TRIANGLES;
+    run.limit = refs + (below(2) > 0 ? 0 : TRIANGLES - below(8));
+    run.band_scale = ((1 << 20) + 15) / (1 + below(16));
+    run.mark = below(2) * PH_LIT;
     while (ph_cull(&run)) {
-        h = word(h, (uint32_t)(run.index - triangles));
-        for (int k = 0; k < 3; k++) {
-            h = word(h, (uint32_t)(run.v[k] - vertices));
-        }
-        const struct ph_sides *s = &run.sides;
-        if (((run.v[0]->code | run.v[1]->code | run.v[2]->code) & (PH_REJECT | PH_GUARD)) != 0) {
-            continue;
-        }
-        h = word(word(word(word(word(word(h, s->dx1), s->dy1), s->dx2), s->dy2), s->area), s->is_short);
+        h = word(word(h, (uint32_t)(run.index - triangles)), (uint32_t)(run.to - refs));
     }
+    h = hash(hash(h, refs, sizeof refs), vertices, sizeof vertices);
     return word(h, (uint32_t)(run.index - triangles));
 }
 

@@ -1,8 +1,8 @@
-@ ph_cull (see cull.h) for ARMv6-M. A triangle without clip codes takes 29 instructions (38 if it is 16 px high or
-@ more), a triangle that may have codes 36, a call some 65.
+@ ph_cull (see cull.h) for ARMv6-M. A triangle without clip codes that faces away takes 29 instructions (38 if it is 16 px
+@ high or more), one that may have codes 36; to list one takes some 75 more.
 @
 @ Registers: r0 vertices, r1 index; r3 r4 r5 the corners a, b, c; then their x, y: a in r3 r6, b in r4 r7, c in r2 r5;
-@ r8 end, r9 2^12, r10 the struct ph_cull_run.
+@ r8 end, r9 2^12, r10 the struct ph_cull_run, r11 a row.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
@@ -60,12 +60,24 @@
     cmp r1, r8
     .endm
 
+    @ Marks a corner for the light; r6 is PH_LIT, r7 is 0.
+    .macro mark corner
+    ldrb r2, [\corner, #vertex_code]
+    tst r2, r6
+    bne 5f
+    orrs r2, r6
+    strb r2, [\corner, #vertex_code]
+    strh r7, [\corner, #vertex_light]
+5:
+    .endm
+
     function ph_cull @ r0: struct ph_cull_run
     push {r4-r7, lr}
-    mov r4, r8
-    mov r5, r9
-    mov r6, r10
-    push {r4-r6}
+    mov r3, r8
+    mov r4, r9
+    mov r5, r10
+    mov r6, r11
+    push {r3-r6}
     mov r10, r0
     ldmia r0, {r0-r3}
     mov r8, r2
@@ -103,7 +115,7 @@ coded:
     ands r2, r6
     ands r2, r7
     lsls r2, #26 @ do they share one of the six planes?
-    beq some
+    beq look
     cmp r1, r8
     bne coded
 none:
@@ -111,52 +123,90 @@ none:
     mov r2, r10
     str r1, [r2, #cull_index]
     b out
-some:
+look: @ the caller must look at this triangle
     movs r0, #1
     mov r2, r10
     str r1, [r2, #cull_index]
-    adds r2, #cull_v
-    stmia r2!, {r3-r5}
-    b out
+out:
+    pop {r3-r6}
+    mov r8, r3
+    mov r9, r4
+    mov r10, r5
+    mov r11, r6
+    pop {r4-r7, pc}
 found:
     subs r1, #6
     corners
+    ldr r2, [r3, #vertex_y] @ the first row of the highest corner in r2, of the lowest in r6
+    ldr r6, [r4, #vertex_y]
+    ldr r7, [r5, #vertex_y]
+    cmp r2, r6
+    ble 1f
+    eors r2, r6
+    eors r6, r2
+    eors r2, r6
+1:  cmp r7, r2
+    bge 2f
+    mov r2, r7
+2:  cmp r7, r6
+    ble 3f
+    mov r6, r7
+3:  adds r2, #127
+    asrs r2, #8
+    adds r6, #127
+    asrs r6, #8
+    cmp r2, r6
+    bge next
+    mov r11, r2
+    ldr r6, [r3] @ is it less than 2 px wide?
+    ldr r7, [r4]
+    ldr r2, [r5]
+    subs r7, r6
+    subs r2, r6
+    movs r6, #1
+    lsls r6, #8
+    adds r7, r6
+    adds r2, r6
+    orrs r2, r7
+    lsrs r2, #9
+    beq look
     mov r2, r10
-    str r1, [r2, #cull_index]
-    adds r2, #cull_v
-    stmia r2!, {r3-r5}
-    ldmia r3!, {r0, r1}
-    ldmia r4, {r3, r4}
-    ldmia r5, {r5, r6}
-    subs r3, r0
-    subs r4, r1
-    subs r5, r0
-    subs r6, r1
-    stmia r2!, {r3-r6}
-    movs r0, #1 @ is -2^14 <= d < 2^14 for each difference? Then the sides are short.
-    lsls r0, #14
-    adds r1, r3, r0
-    adds r7, r4, r0
-    orrs r1, r7
-    adds r7, r5, r0
-    orrs r1, r7
-    adds r7, r6, r0
-    orrs r1, r7
-    movs r0, #1
-    lsrs r1, #15
-    beq 3f
-    movs r1, #0
-    b 4f
-3:  muls r5, r4
-    muls r3, r6
-    subs r0, r5, r3
-    movs r1, #1
-4:  stmia r2!, {r0, r1}
-    movs r0, #1
-out:
-    pop {r4-r6}
-    mov r8, r4
-    mov r9, r5
-    mov r10, r6
-    pop {r4-r7, pc}
+    ldr r6, [r2, #cull_to]
+    ldr r7, [r2, #cull_limit]
+    cmp r6, r7
+    beq look
+    subs r6, #8
+    str r6, [r2, #cull_to]
+    ldr r7, [r2, #cull_band_scale]
+    mov r2, r11
+    muls r2, r7
+    lsrs r2, #20
+    strh r2, [r6, #6]
+    subs r1, #6
+    ldrh r2, [r1]
+    strh r2, [r6]
+    ldrh r2, [r1, #2]
+    strh r2, [r6, #2]
+    ldrh r2, [r1, #4]
+    strh r2, [r6, #4]
+    adds r1, #6
+    mov r2, r10
+    ldr r6, [r2, #cull_mark]
+    cmp r6, #0
+    beq next
+    movs r7, #0
+    mark r3
+    mark r4
+    mark r5
+next:
+    mov r2, r10
+    ldr r2, [r2, #cull_codes]
+    cmp r2, #0
+    bne 4f
+    cmp r1, r8
+    beq none
+    b plain
+4:  cmp r1, r8
+    beq none
+    b coded
     .size ph_cull, . - ph_cull

@@ -1,5 +1,5 @@
-@ ph_cull (see cull.h) for ARMv7-M. A triangle without clip codes takes 19 instructions, one that may have codes 28, a
-@ call some 35.
+@ ph_cull (see cull.h) for ARMv7-M. A triangle without clip codes that faces away takes 19 instructions, one that may have
+@ codes 28; to list one takes some 55 more.
 @
 @ Registers: r0 vertices, r1 index, r2 end, lr the struct ph_cull_run; r3 r4 r5 the corners a, b, c; r6 r7 r12 scratch.
 #include "../thumb.inc"
@@ -28,6 +28,17 @@
     smull r6, r7, r8, r11
     smlal r6, r7, r10, r9
     cmp r7, #0
+    .endm
+
+    @ Marks a corner for the light; r7 is PH_LIT, r8 is 0.
+    .macro mark corner
+    ldrb r6, [\corner, #vertex_code]
+    tst r6, r7
+    bne 3f
+    orrs r6, r7
+    strb r6, [\corner, #vertex_code]
+    strh r8, [\corner, #vertex_light]
+3:
     .endm
 
     function ph_cull @ r0: struct ph_cull_run
@@ -65,34 +76,62 @@ none:
 1:  ands r6, r7
     and r6, r8
     tst r6, #0x3f @ do they share one of the six planes?
-    beq some
+    beq look
     cmp r1, r2
     bne coded
     b none
-some:
-    add r0, lr, #cull_v
+look: @ the caller must look at this triangle
     str r1, [lr, #cull_index]
-    stmia r0, {r3-r5}
     movs r0, #1
     pop {r4-r11, pc}
-found:
-    add r0, lr, #cull_v
-    str r1, [lr, #cull_index]
-    rsb r10, r10, #0
-    add r1, r8, #0x4000 @ is -2^14 <= d < 2^14 for each difference? Then the sides are short.
-    add r2, r9, #0x4000
-    orrs r1, r2
-    add r2, r10, #0x4000
-    orrs r1, r2
-    add r2, r11, #0x4000
-    orrs r1, r2
-    lsrs r1, #15
-    ite eq
-    rsbeq r12, r6, #0
-    movne r12, #1
-    clz r1, r1
-    lsr lr, r1, #5
-    stmia r0, {r3-r5, r8-r12, lr}
-    movs r0, #1
-    pop {r4-r11, pc}
+found: @ r8, r9: b - a; r10: (a - c).x; r11: (c - a).y. The rows of the highest and the lowest corner, from a
+    ldr r12, [r3, #vertex_y]
+    cmp r9, r11
+    ite lt
+    movlt r6, r9
+    movge r6, r11
+    ite lt
+    movlt r7, r11
+    movge r7, r9
+    and r6, r6, r6, asr #31 @ the least of it and 0
+    bic r7, r7, r7, asr #31 @ the most
+    add r6, r12
+    add r7, r12
+    adds r6, #127
+    asr r6, #8
+    adds r7, #127
+    cmp r6, r7, asr #8
+    bge next
+    add r8, #256 @ is it less than 2 px wide?
+    rsb r10, r10, #256
+    orr r8, r10
+    lsrs r8, #9
+    beq look
+    ldrd r7, r8, [lr, #cull_to]
+    cmp r7, r8
+    beq look
+    ldr r8, [lr, #cull_band_scale]
+    mul r6, r8, r6
+    lsrs r6, #20
+    strh r6, [r7, #-2]!
+    ldrh r6, [r1, #-2]
+    strh r6, [r7, #-2]!
+    ldrh r6, [r1, #-4]
+    strh r6, [r7, #-2]!
+    ldrh r6, [r1, #-6]
+    strh r6, [r7, #-2]!
+    str r7, [lr, #cull_to]
+    ldr r7, [lr, #cull_mark]
+    movs r8, #0
+    cbz r7, next
+    mark r3
+    mark r4
+    mark r5
+next:
+    ldr r6, [lr, #cull_codes]
+    cmp r1, r2
+    beq none
+    cmp r6, #0
+    beq plain
+    b coded
     .size ph_cull, . - ph_cull

@@ -1,43 +1,49 @@
 /* See cull.h. */
 #include "cull.h"
 
-static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
+#include "edge.h"
+
+enum answer { PASS, LIST, LOOK };
+
+/* What to do with a triangle whose corners have no clip codes. */
+static inline enum answer judge(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
+                                int32_t *row)
 {
     const int32_t dx1 = b->x - a->x, dx2 = c->x - a->x, dy1 = b->y - a->y, dy2 = c->y - a->y;
-    const bool small = ph_sides_are_short(dx1, dy1, dx2, dy2);
-    return (struct ph_sides){dx1, dy1, dx2, dy2, small ? dx2 * dy1 - dx1 * dy2 : 1, small};
-}
-
-/* Whether corners without clip codes run counter-clockwise. */
-static inline bool faces_viewer(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
-{
-    return fx_mul_wide(c->x - a->x, b->y - a->y) > fx_mul_wide(b->x - a->x, c->y - a->y);
-}
-
-/* Whether a triangle may be seen. A corner with a clip code may have no x and y: then the caller must look closer. */
-static inline bool is_candidate(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c,
-                                bool coded)
-{
-    if (coded && ((a->code | b->code | c->code) & (PH_REJECT | PH_GUARD)) != 0) {
-        return (a->code & b->code & c->code & PH_REJECT) == 0;
+    if (fx_mul_wide(dx2, dy1) <= fx_mul_wide(dx1, dy2)) {
+        return PASS;
     }
-    return faces_viewer(a, b, c);
+    *row = ph_first_row(ph_min(ph_min(a->y, b->y), c->y));
+    if (*row >= ph_first_row(ph_max(ph_max(a->y, b->y), c->y))) {
+        return PASS;
+    }
+    return (((uint32_t)dx1 + 256) | ((uint32_t)dx2 + 256)) < 512 ? LOOK : LIST;
 }
 
 /* `coded` is a constant at each call, so that meshes that lie wholly in the picture have a loop of their own. */
 static inline bool cull_until(struct ph_cull_run *run, bool coded)
 {
-    const struct ph_vertex *const vertices = run->vertices;
+    struct ph_vertex *const vertices = run->vertices;
     const uint16_t(*index)[3] = run->index, (*const end)[3] = run->end;
     for (; index < end; index++) {
-        const struct ph_vertex *const a = &vertices[(*index)[0]], *const b = &vertices[(*index)[1]],
-                                      *const c = &vertices[(*index)[2]];
-        if (is_candidate(a, b, c, coded)) {
+        struct ph_vertex *const v[3] = {&vertices[(*index)[0]], &vertices[(*index)[1]], &vertices[(*index)[2]]};
+        const unsigned a = coded ? ph_code_of(v[0]) : 0, b = coded ? ph_code_of(v[1]) : 0,
+                       c = coded ? ph_code_of(v[2]) : 0;
+        int32_t row = 0;
+        enum answer answer = (a & b & c & PH_REJECT) != 0 ? PASS : LOOK;
+        if (((a | b | c) & (PH_REJECT | PH_GUARD)) == 0) {
+            answer = judge(v[0], v[1], v[2], &row);
+        }
+        if (answer == LOOK || (answer == LIST && run->to == run->limit)) {
             run->index = index + 1;
-            run->v[0] = a;
-            run->v[1] = b;
-            run->v[2] = c;
             return true;
+        }
+        if (answer == LIST) {
+            const uint16_t band = (uint16_t)((uint32_t)row * run->band_scale >> 20);
+            *--run->to = (struct ph_ref){{(*index)[0], (*index)[1], (*index)[2]}, band};
+            for (int i = 0; run->mark != 0 && i < 3; i++) {
+                ph_mark(v[i]);
+            }
         }
     }
     run->index = end;
@@ -46,10 +52,5 @@ static inline bool cull_until(struct ph_cull_run *run, bool coded)
 
 bool ph_cull(struct ph_cull_run *run)
 {
-    const bool coded = run->codes != 0;
-    if (!(coded ? cull_until(run, true) : cull_until(run, false))) {
-        return false;
-    }
-    run->sides = sides_of(run->v[0], run->v[1], run->v[2]);
-    return true;
+    return run->codes != 0 ? cull_until(run, true) : cull_until(run, false);
 }

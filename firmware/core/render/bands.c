@@ -1,0 +1,404 @@
+/*
+ * Bands: the list of a frame is sorted into bands, and each band sets up and draws its triangles. See list.h, render.h.
+ *
+ * A triangle is set up in the band where it begins. If it goes on below, it is carried on in its slot; if there is no
+ * slot for it, its reference moves to the next band, where it is set up again. That gives the same pixels, because what
+ * a triangle gives at a pixel depends on the triangle and the pixel alone: planes are exact modulo 2^32. So the number
+ * of slots changes the speed, and nothing else.
+ */
+#include "band.h"
+#include "cores.h"
+#include "edge.h"
+#include "kernels.h"
+#include "setup.h"
+
+/* The references of a band, one after the other. */
+struct feed {
+    struct ph_renderer *r;
+    uint32_t ref, band;         /* ref: PH_NONE at the end */
+    const struct ph_draw *draw; /* of the last reference that was looked up; NULL before the first */
+    uint32_t next_first;        /* first reference of the draw after that */
+    struct ph_setting setting;
+};
+
+uint32_t ph_frame_bands(struct ph_renderer *r)
+{
+    uint32_t *const bins = r->config.bins;
+    for (uint32_t i = 0; i < r->band_count; i++) {
+        bins[i] = PH_NONE;
+    }
+    for (uint32_t i = ph_ref_count(r); i-- > 0;) { /* from the last, so that each list is in drawing order */
+        struct ph_ref *const ref = ph_ref_at(r, i);
+        uint32_t *const bin = &bins[ref->link];
+        const uint32_t further = *bin - i;
+        ref->link = (uint16_t)(*bin == PH_NONE ? 0 : further < PH_LINK_FAR ? further : PH_LINK_FAR);
+        *bin = i;
+    }
+    r->carried = r->slots = NULL;
+    r->slots_used[0] = r->list.used[1];
+    r->slots_used[1] = r->list.used[2];
+    return r->band_count;
+}
+
+/* ---- the list of a band ----------------------------------------------------------------------------------------- */
+
+/* Whether a triangle has rows in the band. Only asked where a list leaps over very many references. */
+static bool touches(const struct feed *f, const struct ph_draw *draw, const struct ph_ref *ref)
+{
+    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const uint8_t *const base = ph_at(f->r, draw->base);
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 : 0;
+    const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
+    int32_t top = INT32_MAX, low = INT32_MIN;
+    for (int i = 0; i < n; i++) {
+        const int32_t y = ((const struct ph_vertex *)(const void *)(base + ref->corner[i] * size))->y;
+        top = ph_min(top, y);
+        low = ph_max(low, y);
+    }
+    return ph_first_row(top - wide) < y0 + height && ph_first_row(low + wide) > y0;
+}
+
+/* The next reference of the band's list when it is PH_LINK_FAR or further away: the next one that has rows in the band.
+ * It may be carried already; then it is drawn twice, and the second time changes nothing. */
+static __attribute__((noinline)) uint32_t far_next(const struct feed *f, uint32_t ref)
+{
+    const struct ph_renderer *const r = f->r;
+    const uint32_t count = ph_ref_count(r);
+    const struct ph_draw *draw = ph_at(r, r->list.first);
+    for (uint32_t i = ref + PH_LINK_FAR; i < count; i++) {
+        while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= i) {
+            draw = ph_at(r, draw->next);
+        }
+        if (touches(f, draw, ph_ref_at(r, i))) {
+            return i;
+        }
+    }
+    return PH_NONE;
+}
+
+static inline uint32_t next_of(const struct feed *f, uint32_t ref)
+{
+    const uint32_t link = ph_ref_at(f->r, ref)->link;
+    return link == 0 ? PH_NONE : link < PH_LINK_FAR ? ref + link : far_next(f, ref);
+}
+
+static inline void set_next(struct ph_renderer *r, uint32_t ref, uint32_t next)
+{
+    const uint32_t further = next - ref;
+    ph_ref_at(r, ref)->link = (uint16_t)(next == PH_NONE ? 0 : further < PH_LINK_FAR ? further : PH_LINK_FAR);
+}
+
+/* Puts a reference into the list of the band below; *after is the one put there before, or PH_NONE. */
+static __attribute__((noinline)) void put_below(const struct feed *f, uint32_t ref, uint32_t *after)
+{
+    const struct feed below = {.r = f->r, .band = f->band + 1};
+    uint32_t *const bin = &f->r->config.bins[below.band], before = *after;
+    uint32_t next = before == PH_NONE ? *bin : next_of(&below, before);
+    while (next < ref) {
+        before = next;
+        next = next_of(&below, next);
+    }
+    set_next(f->r, ref, next);
+    if (before == PH_NONE) {
+        *bin = ref;
+    } else {
+        set_next(f->r, before, ref);
+    }
+    *after = ref;
+}
+
+/* ---- set-up ----------------------------------------------------------------------------------------------------- */
+
+static void start(struct feed *f, struct ph_renderer *r, uint32_t band)
+{
+    f->r = r;
+    f->band = band;
+    f->ref = r->config.bins[band];
+    f->draw = NULL;
+    f->next_first = 0;
+}
+
+/* Finds the draw of a reference that is behind the current draw. */
+static void find_draw(struct feed *f, uint32_t ref)
+{
+    const struct ph_renderer *const r = f->r;
+    while (ref >= f->next_first) {
+        f->draw = ph_at(r, f->draw == NULL ? r->list.first : f->draw->next);
+        f->next_first = f->draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(r, f->draw->next))->first;
+    }
+}
+
+/* Takes the lens of a draw for what is set up next. */
+static void take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+{
+    if (draw->lens != r->list.lens) {
+        r->lens = *(const struct ph_lens *)ph_at(r, draw->lens);
+        r->list.lens = draw->lens;
+    }
+}
+
+/* Sets up the next triangle. */
+static void set_up(struct feed *f, struct ph_triangle *t)
+{
+    const uint32_t ref = f->ref;
+    if (ref >= f->next_first) {
+        find_draw(f, ref);
+        take_lens(f->r, f->draw);
+        ph_setting_of(&f->setting, f->r, f->draw);
+    }
+    ph_setup(&f->setting, ph_ref_at(f->r, ref), t);
+    t->order = ref;
+    f->ref = next_of(f, ref);
+}
+
+/* ---- slots ------------------------------------------------------------------------------------------------------ */
+
+/* A free slot, or NULL. */
+static struct ph_triangle *take_slot(struct ph_renderer *r)
+{
+    struct ph_triangle *t = r->slots;
+    if (t != NULL) {
+        r->slots = t->next;
+        return t;
+    }
+    const struct ph_config *c = &r->config;
+    uint8_t *const bases[2] = {c->vertices, c->triangles};
+    const size_t refs = (size_t)((const uint8_t *)r->list.to - bases[1]);
+    const size_t room[2] = {bases[0] == bases[1] ? 0 : c->vertex_max * ph_vertex_bytes, refs};
+    for (int i = 1; i >= 0; i--) {
+        const size_t at = r->slots_used[i];
+        if (at + sizeof *t <= room[i]) {
+            r->slots_used[i] = (uint32_t)(at + sizeof *t);
+            return (struct ph_triangle *)(void *)(bases[i] + at);
+        }
+    }
+    return NULL;
+}
+
+static inline void free_slot(struct ph_renderer *r, struct ph_triangle *t)
+{
+    t->next = r->slots;
+    r->slots = t;
+}
+
+/* ---- drawing ---------------------------------------------------------------------------------------------------- */
+
+/* Clears the rows of a band. */
+static void clear(const struct ph_band *rows, uint16_t background)
+{
+    const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
+    ph_fill(rows->pixels, background, area);
+    ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
+}
+
+/* Draws all triangles of a band that are left: each is set up, drawn, and carried on if it goes on below. begun: those
+ * that were carried on; carry: where the first is linked that is carried on from here. */
+static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_triangle *begun, struct ph_triangle **carry)
+{
+    struct ph_renderer *const r = f->r;
+    struct ph_triangle scratch, *slot = NULL;
+    uint32_t put = PH_NONE;
+    while (begun != NULL || f->ref != PH_NONE) {
+        struct ph_triangle *t = begun;
+        if (t != NULL && t->order < f->ref) {
+            begun = t->next;
+        } else {
+            slot = slot != NULL ? slot : take_slot(r);
+            t = slot != NULL ? slot : &scratch;
+            set_up(f, t);
+        }
+        r->stats.fragments += ph_draw_triangle(t, rows);
+        if (t->y_bottom <= rows->y1) {
+            if (t != slot && t != &scratch) {
+                free_slot(r, t);
+            }
+        } else if (t == &scratch) {
+            put_below(f, t->order, &put);
+        } else {
+            slot = t == slot ? NULL : slot;
+            ph_step_below(t, rows->y1);
+            *carry = t;
+            carry = &t->next;
+        }
+    }
+    *carry = NULL;
+    if (slot != NULL) {
+        free_slot(r, slot);
+    }
+}
+
+/* ---- two cores -------------------------------------------------------------------------------------------------- */
+
+/* Every second triangle of a list: one of two cores sets them up. */
+struct fresh {
+    struct ph_renderer *r;
+    struct ph_triangle *first;
+};
+
+static void set_up_fresh(void *argument)
+{
+    const struct fresh *const s = argument;
+    struct feed f = {.r = s->r};
+    for (struct ph_triangle *t = s->first; t != NULL; t = t->next != NULL ? t->next->next : NULL) {
+        if (t->order >= f.next_first) {
+            find_draw(&f, t->order);
+            ph_setting_of(&f.setting, f.r, f.draw);
+        }
+        ph_setup(&f.setting, ph_ref_at(f.r, t->order), t);
+    }
+}
+
+/* The rows that one of two cores draws. */
+struct share {
+    const struct ph_renderer *r;
+    const struct ph_triangle *first;
+    uint32_t fragments;
+    bool clears;
+    struct ph_band rows;
+};
+
+/* Nobody changes the list meanwhile. */
+static void draw_share(void *argument)
+{
+    struct share *const s = argument;
+    s->fragments = 0;
+    if (s->clears) {
+        clear(&s->rows, s->r->background);
+    }
+    for (const struct ph_triangle *t = s->first; t != NULL; t = t->next) {
+        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
+            s->fragments += ph_draw_triangle(t, &s->rows);
+        }
+    }
+}
+
+/* Takes slots for the next triangles of the band, as many as there are, and of one camera. */
+static struct ph_triangle *take_chunk(struct ph_renderer *r, struct feed *f)
+{
+    struct ph_triangle *first = NULL, **link = &first;
+    while (f->ref != PH_NONE) {
+        if (f->ref >= f->next_first) {
+            find_draw(f, f->ref);
+        }
+        if (first == NULL) {
+            take_lens(r, f->draw);
+        }
+        struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot(r) : NULL;
+        if (t == NULL) {
+            break;
+        }
+        t->order = f->ref;
+        *link = t;
+        link = &t->next;
+        f->ref = next_of(f, f->ref);
+    }
+    *link = NULL;
+    return first;
+}
+
+/* Merges two lists in drawing order: all of a, and of *b what comes before `end`. */
+static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, uint32_t end)
+{
+    struct ph_triangle *first = NULL, **link = &first;
+    for (;;) {
+        struct ph_triangle *t = a;
+        if (*b != NULL && (*b)->order < (a != NULL ? a->order : end)) {
+            t = *b;
+            *b = t->next;
+        } else if (a != NULL) {
+            a = a->next;
+        } else {
+            break;
+        }
+        *link = t;
+        link = &t->next;
+    }
+    *link = NULL;
+    return first;
+}
+
+/* Carries on the triangles of a list that go on below the band. Returns where the next one is to be linked. */
+static struct ph_triangle **keep_below(struct ph_renderer *r, struct ph_triangle *list, int32_t y1,
+                                       struct ph_triangle **carry)
+{
+    while (list != NULL) {
+        struct ph_triangle *const t = list;
+        list = t->next;
+        if (t->y_bottom <= y1) {
+            free_slot(r, t);
+            continue;
+        }
+        ph_step_below(t, y1);
+        *carry = t;
+        carry = &t->next;
+    }
+    return carry;
+}
+
+/* Draws a list of triangles in two halves of the band, the lower one on the other core. */
+static void draw_list(struct ph_renderer *r, const struct ph_triangle *list, const struct ph_band *rows, bool clears)
+{
+    struct share upper = {.r = r, .first = list, .clears = clears, .rows = *rows}, lower = upper;
+    upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
+    const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
+    lower.rows.pixels += above;
+    lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
+    ph_run_both(r, draw_share, &upper, &lower);
+    r->stats.fragments += upper.fragments + lower.fragments;
+}
+
+/* Sets up a list of triangles, every second one on the other core. */
+static void set_up_list(struct ph_renderer *r, struct ph_triangle *list)
+{
+    struct fresh even = {r, list}, odd = {r, list->next};
+    if (list->next == NULL) {
+        set_up_fresh(&even);
+    } else {
+        ph_run_both(r, set_up_fresh, &even, &odd);
+    }
+}
+
+/* Draws a band of 2 rows or more with two cores, as many triangles at a time as there are slots. */
+static void draw_with_other(struct ph_renderer *r, struct feed *f, const struct ph_band *rows)
+{
+    struct ph_triangle *begun = r->carried, **carry = &r->carried;
+    bool clears = true;
+    while (clears || begun != NULL || f->ref != PH_NONE) {
+        struct ph_triangle *const fresh = take_chunk(r, f);
+        if (fresh == NULL && f->ref != PH_NONE) { /* there is no slot */
+            if (clears) {
+                clear(rows, r->background);
+            }
+            f->draw = NULL;
+            f->next_first = 0; /* its setting is not there yet */
+            draw_rest(f, rows, begun, carry);
+            return;
+        }
+        if (fresh != NULL) {
+            set_up_list(r, fresh);
+        }
+        struct ph_triangle *const list = merge(fresh, &begun, f->ref);
+        draw_list(r, list, rows, clears);
+        carry = keep_below(r, list, rows->y1, carry);
+        clears = false;
+    }
+    *carry = NULL;
+}
+
+uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const int32_t lines = r->config.band_height, height = r->config.height;
+    const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
+    const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
+    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
+    rows.pixels = pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
+    struct feed f;
+    start(&f, r, band);
+    if (r->config.other_core != NULL && y1 - y0 >= 2) {
+        draw_with_other(r, &f, &rows);
+    } else {
+        clear(&rows, r->background);
+        draw_rest(&f, &rows, r->carried, &r->carried);
+    }
+    return (uint32_t)(y1 - y0);
+}

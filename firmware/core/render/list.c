@@ -1,0 +1,284 @@
+/* See list.h. */
+#include "list.h"
+
+#include "edge.h"
+
+enum { OWN, VERTICES, TRIANGLES };
+
+#define GRAIN 8u /* bytes */
+
+/* Whether vertices and triangles share one piece of memory: then it is that of the vertices. */
+static bool is_shared(const struct ph_renderer *r)
+{
+    return r->config.vertices == r->config.triangles;
+}
+
+/* Bytes of a piece, without the references. */
+static size_t room_of(const struct ph_renderer *r, int piece)
+{
+    const struct ph_config *c = &r->config;
+    const uint8_t *const refs = (const uint8_t *)r->list.to;
+    return piece == OWN         ? sizeof r->list.own
+           : piece == TRIANGLES ? (size_t)(refs - (const uint8_t *)c->triangles)
+           : is_shared(r)       ? 0
+                                : c->vertex_max * ph_vertex_bytes;
+}
+
+/* How far references may go down. */
+static void set_end(struct ph_renderer *r)
+{
+    struct ph_list *const list = &r->list;
+    const uint8_t *const base = (const uint8_t *)r->config.triangles;
+    const size_t most = ((size_t)((const uint8_t *)list->top - base) - list->used[TRIANGLES]) / sizeof(struct ph_ref);
+    list->end = list->top - (most < r->config.triangle_max ? most : r->config.triangle_max);
+}
+
+void ph_list_begin(struct ph_renderer *r)
+{
+    struct ph_list *const list = &r->list;
+    const struct ph_config *c = &r->config;
+    const size_t bytes = is_shared(r) ? c->vertex_max * ph_vertex_bytes : c->triangle_max * ph_triangle_bytes;
+    list->top = (struct ph_ref *)(void *)((uint8_t *)c->triangles + (bytes & ~(size_t)7));
+    list->to = list->top;
+    list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
+    list->first = list->last = list->lens = PH_NONE;
+    list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
+    set_end(r);
+}
+
+/* Takes bytes from a piece, or PH_NONE. */
+static uint32_t take(struct ph_renderer *r, int piece, size_t bytes)
+{
+    const size_t all = (bytes + GRAIN - 1) & ~(size_t)(GRAIN - 1), used = r->list.used[piece], room = room_of(r, piece);
+    if (used > room || all > room - used || used + all > 0x3fffffff) {
+        return PH_NONE;
+    }
+    r->list.used[piece] = (uint32_t)(used + all);
+    if (piece == TRIANGLES) {
+        set_end(r);
+    }
+    return (uint32_t)piece << 30 | (uint32_t)used;
+}
+
+/* Takes bytes from the first of two pieces, or else from the renderer's own. */
+static uint32_t take_any(struct ph_renderer *r, int first, int second, size_t bytes)
+{
+    uint32_t place = take(r, first, bytes);
+    place = place == PH_NONE ? take(r, second, bytes) : place;
+    return place == PH_NONE ? take(r, OWN, bytes) : place;
+}
+
+uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
+{
+    return take_any(r, VERTICES, TRIANGLES, n * sizeof(struct ph_vertex));
+}
+
+static struct ph_draw *draw_at(const struct ph_renderer *r, uint32_t place)
+{
+    return (struct ph_draw *)ph_at(r, place);
+}
+
+/* The place of the camera in use. */
+static uint32_t place_lens(struct ph_renderer *r)
+{
+    if (r->list.lens == PH_NONE) {
+        const uint32_t place = take_any(r, OWN, TRIANGLES, sizeof r->lens);
+        if (place != PH_NONE) {
+            *(struct ph_lens *)ph_at(r, place) = r->lens;
+        }
+        r->list.lens = place;
+    }
+    return r->list.lens;
+}
+
+bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
+{
+    struct ph_list *const list = &r->list;
+    struct ph_draw *last = list->last == PH_NONE ? NULL : draw_at(r, list->last);
+    const uint32_t lens = place_lens(r), count = ph_ref_count(r);
+    if (last != NULL && last->material == draw->material && last->uvs == draw->uvs && last->base == draw->base &&
+        last->kind == draw->kind && last->lens == lens) {
+        return true;
+    }
+    if (last == NULL || last->first != count) { /* a draw without references gives its room to the next one */
+        const uint32_t place = lens == PH_NONE ? PH_NONE : take_any(r, OWN, TRIANGLES, sizeof *last);
+        if (place == PH_NONE) {
+            return false;
+        }
+        *(last != NULL ? &last->next : &list->first) = place;
+        list->last = place;
+        last = draw_at(r, place);
+    }
+    *last = *draw;
+    last->first = count;
+    last->next = PH_NONE;
+    last->lens = lens;
+    return true;
+}
+
+struct ph_mark ph_list_mark(struct ph_renderer *r)
+{
+    place_lens(r);
+    const uint32_t *const used = r->list.used;
+    return (struct ph_mark){{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r)};
+}
+
+bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
+{
+    if (ph_ref_count(r) != mark->count) {
+        return false;
+    }
+    for (int piece = 0; piece < 3; piece++) {
+        r->list.used[piece] = mark->used[piece];
+    }
+    *(mark->last != PH_NONE ? &draw_at(r, mark->last)->next : &r->list.first) = PH_NONE;
+    r->list.last = mark->last;
+    set_end(r);
+    return true;
+}
+
+uint32_t ph_list_base(const struct ph_renderer *r)
+{
+    return r->list.last != PH_NONE ? draw_at(r, r->list.last)->base : PH_NONE;
+}
+
+/* ---- triangles -------------------------------------------------------------------------------------------------- */
+
+int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+{
+    const int32_t xa = v[0]->x, xb = v[1]->x, xc = v[2]->x, ya = v[0]->y, yb = v[1]->y, yc = v[2]->y;
+    const int32_t left = ph_first_row(ph_min(ph_min(xa, xb), xc)), right = ph_first_row(ph_max(ph_max(xa, xb), xc));
+    const int32_t top = ph_max(ph_first_row(ph_min(ph_min(ya, yb), yc)), 0);
+    const int32_t low = ph_min(ph_first_row(ph_max(ph_max(ya, yb), yc)), r->config.height);
+    return left >= right || right <= 0 || left >= r->config.width || top >= low ? -1 : top;
+}
+
+/* Lists three numbers as a triangle that begins in this row, if it begins anywhere. */
+static bool list_at(struct ph_renderer *r, unsigned a, unsigned b, unsigned c, int32_t row)
+{
+    if (row < 0) {
+        return false;
+    }
+    struct ph_ref *const ref = ph_list_next(r);
+    if (ref != NULL) {
+        *ref = (struct ph_ref){{(uint16_t)a, (uint16_t)b, (uint16_t)c}, ph_band_of(r, row)};
+    }
+    return true;
+}
+
+bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const struct ph_vertex *const v[3],
+                      bool two_sided)
+{
+    const int32_t area = ph_sides(v[0], v[1], v[2]).area;
+    if (area == 0 || (area < 0 && !two_sided)) {
+        return false;
+    }
+    return area > 0 ? list_at(r, corner[0], corner[1], corner[2], ph_first_row_of(r, v))
+                    : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
+}
+
+/* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
+ * the longer axis) or row, and needs no raster code of its own. */
+void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, struct ph_vertex out[3])
+{
+    const bool x_major = fx_abs_sat(b->x - a->x) >= fx_abs_sat(b->y - a->y);
+    const int32_t side_x = x_major ? 0 : 128, side_y = 128 - side_x;
+    const bool turned = x_major ? b->x > a->x : b->y < a->y; /* so that it faces the viewer */
+    const struct ph_vertex *const from = turned ? b : a, *const to = turned ? a : b;
+    out[0] = *from;
+    out[1] = *to;
+    out[2] = half == 0 ? *to : *from;
+    for (int i = 0; i < 3; i++) {
+        const int32_t sign = i == 0 || (i == 1 && half == 0) ? -1 : 1;
+        out[i].x += sign * side_x;
+        out[i].y += sign * side_y;
+    }
+}
+
+void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b,
+                  bool two_sided)
+{
+    for (int half = 0; half < 2; half++) {
+        struct ph_vertex corners[3];
+        ph_line_half(a, b, half, corners);
+        const struct ph_vertex *const v[3] = {&corners[0], &corners[1], &corners[2]};
+        const int32_t area = ph_sides(v[0], v[1], v[2]).area;
+        if (area > 0 || (area < 0 && two_sided)) {
+            list_at(r, ends[0], ends[1], (unsigned)half, ph_first_row_of(r, v));
+        }
+    }
+}
+
+/* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1.
+ */
+static int32_t gap_behind(const struct ph_renderer *r, const struct ph_draw *last, uint32_t size, uint32_t n)
+{
+    if (last == NULL || last->uvs != NULL) {
+        return -1;
+    }
+    const uint32_t from = last->base & 0x3fffffff, behind = r->list.used[last->base >> 30] - from, odd = behind % size;
+    const uint32_t gap = odd != 0 ? size - odd : 0;
+    return (behind + gap) / size + n <= 65536 ? (int32_t)gap : -1;
+}
+
+int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                        const struct ph_corner *corners, uint32_t n)
+{
+    const struct ph_draw *const last = r->list.last == PH_NONE ? NULL : draw_at(r, r->list.last);
+    const uint32_t size = (kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const int32_t gap = gap_behind(r, last, size, n);
+    struct ph_draw draw = {.material = material, .kind = kind};
+    uint32_t place = gap >= 0 ? take(r, (int)(last->base >> 30), n * size + (uint32_t)gap) : PH_NONE, number = 0;
+    if (place != PH_NONE) {
+        draw.base = last->base;
+        place += (uint32_t)gap;
+        number = (place - draw.base) / size;
+    } else {
+        draw.base = place = take_any(r, TRIANGLES, VERTICES, n * size);
+    }
+    if (place == PH_NONE) {
+        return -1;
+    }
+    uint8_t *const to = ph_at(r, place);
+    for (uint32_t i = 0; i < n; i++) {
+        if (size == sizeof *corners) {
+            *(struct ph_corner *)(void *)(to + i * size) = corners[i];
+        } else {
+            *(struct ph_vertex *)(void *)(to + i * size) = corners[i].at;
+        }
+    }
+    return ph_list_draw(r, &draw) ? (int32_t)number : -1;
+}
+
+bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                 const struct ph_corner *corners, uint32_t n)
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, kind | (ph_is_textured(material) ? PH_DRAW_UVS : 0), corners, n);
+    bool any = false;
+    if (first < 0) {
+        r->stats.triangles_dropped += n - 2;
+        return true;
+    }
+    for (uint32_t i = 2; i < n; i++) {
+        const uint16_t number[3] = {(uint16_t)first, (uint16_t)((uint32_t)first + i - 1),
+                                    (uint16_t)((uint32_t)first + i)};
+        const struct ph_vertex *const v[3] = {&corners[0].at, &corners[i - 1].at, &corners[i].at};
+        any |= ph_list_triangle(r, number, v, material->two_sided != 0);
+    }
+    ph_list_rewind(r, &mark);
+    return any;
+}
+
+void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2])
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
+    if (first < 0) {
+        r->stats.triangles_dropped += 2;
+        return;
+    }
+    const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
+    ph_list_line(r, number, &ends[0].at, &ends[1].at, material->two_sided != 0);
+    ph_list_rewind(r, &mark);
+}

@@ -1,0 +1,135 @@
+/*
+ * list: what a frame keeps of its meshes until its bands are drawn. Private to firmware/core.
+ *
+ * Transformed vertices stay where they are, 16 bytes each. A triangle that can be seen is a reference of 8 bytes to its
+ * three corners. Neighbouring references share a draw record: material, first vertex, camera. A band sets up the
+ * triangles that begin in it (bands.c).
+ *
+ * Memory: the caller's `vertices` and `triangles`, and a little of the renderer's own for scenes of few triangles.
+ * References grow down from the end of `triangles`. All else is taken from the three pieces upwards, and is named by
+ * its place, so that the renderer holds no pointer into itself. What is left becomes slots for set-up triangles.
+ */
+#ifndef PH_LIST_H
+#define PH_LIST_H
+
+#include "sides.h"
+#include "triangle.h"
+
+/* A triangle. Its corners run counter-clockwise on the screen. */
+struct ph_ref {
+    uint16_t corner[3]; /* from the draw's base on; of a line: its two ends, and which of its triangles, 0 or 1 */
+    uint16_t link;      /* the band where it begins; after ph_frame_bands: how much further the next one of the band's
+                           list stands, 0 at the end, or PH_LINK_FAR */
+};
+
+#define PH_LINK_FAR UINT16_MAX /* that far or further */
+
+enum ph_draw_kind {
+    PH_DRAW_SMALL = 1, /* small triangles take the way of small triangles */
+    PH_DRAW_UVS = 2,   /* the corners are struct ph_corner, else struct ph_vertex */
+    PH_DRAW_LINES = 4, /* the references are lines */
+};
+
+/* What references have in common. */
+struct ph_draw {
+    const struct ph_material *material;
+    const fx_t (*uvs)[2];                         /* of the vertices of a mesh, or NULL */
+    uint32_t first;                               /* number of the first reference */
+    uint32_t next;                                /* place of the next draw, PH_NONE at the end */
+    uint32_t base;                                /* place of corner 0 */
+    uint32_t lens;                                /* place of the camera's lens */
+    uint32_t kind;                                /* enum ph_draw_kind, combined by OR */
+    uint32_t unused[sizeof(void *) == 4 ? 3 : 1]; /* a draw has 40 bytes on every machine: the same fits everywhere */
+};
+
+/* What a place names. */
+static inline void *ph_at(const struct ph_renderer *r, uint32_t place)
+{
+    const unsigned piece = place >> 30;
+    const uint8_t *const base = piece == 0   ? (const uint8_t *)r->list.own
+                                : piece == 1 ? (const uint8_t *)r->config.vertices
+                                             : (const uint8_t *)r->config.triangles;
+    return (void *)(uintptr_t)(base + (place & 0x3fffffff));
+}
+
+static inline uint32_t ph_ref_count(const struct ph_renderer *r)
+{
+    return (uint32_t)(r->list.top - r->list.to);
+}
+
+static inline struct ph_ref *ph_ref_at(const struct ph_renderer *r, uint32_t n)
+{
+    return r->list.top - 1 - n;
+}
+
+/* Empties the list. */
+void ph_list_begin(struct ph_renderer *r);
+
+/* Room for the vertices of a mesh: their place; PH_NONE if there is none. */
+uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n);
+
+/* Before something is drawn, and after it: gives back all room that was taken in between if nothing was listed. */
+struct ph_mark {
+    uint32_t used[3], last, count;
+};
+
+struct ph_mark ph_list_mark(struct ph_renderer *r);
+bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark); /* true: it was given back */
+
+/* Place of corner 0 of the current draw. */
+uint32_t ph_list_base(const struct ph_renderer *r);
+
+/* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
+bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
+
+/* The first row of a triangle in the picture; -1 if it covers no centre of a pixel of the picture. */
+int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3]);
+
+/* Lists a triangle of the current draw. False if it faces away (and is not two-sided) or covers no pixel centre; true
+ * also if there is no room: then it is counted. v: its corners. */
+bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const struct ph_vertex *const v[3],
+                      bool two_sided);
+
+/* Lists a line of the current draw, or what of it covers a pixel centre. */
+void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b,
+                  bool two_sided);
+
+/* Takes the next reference if there is room; else the triangle is counted. */
+static inline struct ph_ref *ph_list_next(struct ph_renderer *r)
+{
+    if (r->list.to == r->list.end) {
+        r->stats.triangles_dropped++;
+        return NULL;
+    }
+    return --r->list.to;
+}
+
+/* The band of a row. */
+static inline uint16_t ph_band_of(const struct ph_renderer *r, int32_t row)
+{
+    return (uint16_t)((uint32_t)row * r->list.band_scale >> 20);
+}
+
+/* Keeps n corners that are no vertices of the mesh, for references of this material, and makes it the current draw.
+ * Returns the number of the first; -1: there is no room. */
+int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                        const struct ph_corner *corners, uint32_t n);
+
+/* Corner k of half 0 or 1 of a line that is one pixel wide. */
+void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, struct ph_vertex out[3]);
+
+/* Lists a convex polygon of n >= 3 corners. False if none of it can be seen. */
+bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                 const struct ph_corner *corners, uint32_t n);
+
+/* Lists a line whose ends are projected. */
+void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2]);
+
+/* Whether pixels are taken from a texture. */
+static inline bool ph_is_textured(const struct ph_material *material)
+{
+    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT) &&
+           material->texture != NULL;
+}
+
+#endif
