@@ -29,7 +29,7 @@ static const struct section sections[] = {
     {"advise",
      "In short",
      {NULL, NULL},
-     "",
+     "fov size",
      "format,bits,far [m],z [m],to separate [m],near from [m] (measured),with a margin [m] (measured),with near "
      "[m],separates at z [m] (measured),up to z [m] (measured),tilt [deg]",
      "The separation that the renderer's formats keep with this camera up to the far plane, and the near plane from "

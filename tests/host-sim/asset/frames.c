@@ -19,7 +19,6 @@ static int open_player(struct sim_player *p, const struct board *board, const st
     const struct sim_player_setup setup = {.board = board,
                                            .rotation = board->rotation,
                                            .band_height = board->band_height,
-                                           .depth_format = PH_DEPTH_AUTO,
                                            .demo = demo,
                                            .state = state};
     return sim_player_open(p, &setup);
