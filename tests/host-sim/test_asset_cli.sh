@@ -132,7 +132,7 @@ as_said() { # what the lines above advise works; one line says what was done
 }
 
 little_room_gets_no_platter() { # on any board; here it is the flash
-    "$asset" "$dir/large.obj" --flash 7000 --board lm3s6965evb -o "$dir/small.c" --max-triangles fit 2>"$dir/err" && grep -q 'without a platter' "$dir/err" && grep -q 'arena_bytes_32 = 256' "$dir/small.c"
+    "$asset" "$dir/large.obj" --flash 6000 --board lm3s6965evb -o "$dir/small.c" --max-triangles fit 2>"$dir/err" && grep -q 'without a platter' "$dir/err" && grep -q 'arena_bytes_32 = 256' "$dir/small.c"
 }
 
 reports_every_board() {
