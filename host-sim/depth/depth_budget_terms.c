@@ -198,10 +198,10 @@ static double subpixel_m(const struct depth_lab *lab, double z)
     return depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) + sqrt(2) * (ldexp(reach, -16) + ldexp(reach * z, -24));
 }
 
-/* A plane through the whole picture: its edges, on the grid of its corners, and the corners' distance from the middle
- * of the picture in pixels. */
+/* A plane through the whole picture: its edges, on the grid of its corners, and how far the pixels that it covers lie
+ * from its first corner, which is at an end of the near edge: along its lean and across, in pixels. */
 struct whole_plane {
-    double nearest, farthest, corner;
+    double nearest, farthest, along, across;
 };
 
 static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes_lean lean)
@@ -214,7 +214,9 @@ static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes
         fmax(lean.at_m / (1 + along * tan(depth_radians(lean.tilt_deg))), depth_metres(lab->near_z) + 3 * GRID_M);
     plane.nearest = floor(plane.nearest / GRID_M + 0.5) * GRID_M;
     plane.farthest = plane.nearest + floor((lean.at_m - plane.nearest) / part) * part;
-    plane.corner = hypot(across * fmin(lean.at_m / plane.nearest, 4), along) / pixel;
+    const double edge = across * fmin(lean.at_m / plane.nearest, 4) / pixel;
+    plane.along = along / pixel;
+    plane.across = edge + fmin(edge, hypot(lab->width, lab->height) / 2);
     return plane;
 }
 
@@ -265,23 +267,24 @@ static double largest_unit_m(enum ph_depth_format format, const struct depth_lab
                  over_far = format == PH_DEPTH_LINEAR_W ? 0 : head / depth_metres(lab->far_z);
     double most = run_unit_m(format, lab, to);
     for (int octave = 0; octave < 64; octave++) {
-        const double end = head / (ldexp(1, -octave) + over_far);
+        const double end = head / (ldexp(1 + 1e-12, -octave) + over_far);
         most = end > from && end < to ? fmax(most, run_unit_m(format, lab, end)) : most;
     }
     return most;
 }
 
 /*
- * A plane of 64 bits (exact.c). The gradient is cut to 2^-48 per pixel, and towards 0: twice as much as rounding costs.
- * A run steps its own unit: the gradient is rounded to half of it and counts from the middle of 512 px and 16 rows; the
- * beginning of the run is cut off. Corners far away are cut to 2^-40.
+ * A plane of 64 bits (exact.c). Its gradients are cut to 2^-48 per pixel, towards 0. So d is too large along the lean,
+ * by a unit for each row and column of the way at most; across the two gradients err against each other, and the width
+ * counts for either. A run steps its own unit: a gradient is rounded to half of it and counts from the middle of 512 px
+ * and 16 rows, and the beginning of the run is cut off. Corners far away are cut to 2^-40.
  */
 static double exact_m(enum ph_depth_format format, const struct depth_lab *lab, const struct whole_plane *plane,
                       double way, double z)
 {
     const double run = fmin(lab->width, 512) / 2 + 8 + 1;
     return run * largest_unit_m(format, lab, plane->nearest, z) +
-           (ldexp(4 * way, -48) + ldexp(1, -40)) * z * z / head_m(format, lab);
+           (ldexp(2 * way + plane->across, -48) + ldexp(1, -40)) * z * z / head_m(format, lab);
 }
 
 /*
@@ -321,7 +324,7 @@ double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab
                              double z)
 {
     const struct whole_plane plane = whole_plane(lab, lean);
-    const double way = (lab->width + lab->height) / 4.0 + plane.corner / sqrt(2);
+    const double way = hypot(plane.along, plane.across) / sqrt(2);
     const double late = format == PH_DEPTH_LINEAR_W ? 2 * ldexp(depth_metres(lab->far_z), -30) : 0;
     struct plane_error error = {ldexp(1, -32), 2 * way + 4};
     if (is_exact(format, lab, &plane)) {
