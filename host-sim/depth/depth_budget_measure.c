@@ -1,5 +1,6 @@
 #include "depth_budget_measure.h"
 
+#include "band.h"
 #include "depth.h"
 #include "exact.h"
 #include "transform.h"
@@ -159,16 +160,35 @@ static void snapped_corners(const struct planes_canvas *canvas, const struct pla
     }
 }
 
+/* The run of a row that a pixel lies in, of a triangle whose plane has 64 bits. */
+static void find_run(const struct ph_triangle *triangle, int32_t width, int32_t x, int32_t y, struct ph_triangle *run)
+{
+    const struct ph_band row = {.y0 = y, .y1 = y + 1, .width = width};
+    const int half = y >= triangle->y_mid;
+    struct ph_edge left, right;
+    int32_t first, end, from = x, to = x + 1; /* a pixel on the diagonal may be the other triangle's */
+    if (ph_half_rows(triangle, &row, half, &first, &end, &left, &right) && left.x >> 16 <= x && right.x >> 16 > x) {
+        from = left.x < 0 ? 0 : left.x >> 16;
+        to = right.x >> 16 < width ? right.x >> 16 : width;
+    }
+    *run = *triangle;
+    while (from <= x) {
+        from += ph_exact_run(triangle, from, to, y, run);
+    }
+}
+
 /* The code that a triangle's plane has at a pixel, before it is cut off. */
 static double code_of(const struct depth_lab *lab, const struct ph_triangle *triangle, enum ph_depth_format format,
                       uint32_t x, uint32_t y)
 {
-    struct ph_triangle run = *triangle;
-    const struct ph_triangle *const t = &run;
-    if (triangle->block == PH_BLOCK_EXACT) {
-        ph_exact_run(triangle, (int32_t)x, (int32_t)x + 1, (int32_t)y, &run);
+    struct ph_triangle run;
+    const struct ph_triangle *const t = triangle->block == PH_BLOCK_EXACT ? &run : triangle;
+    if (t == &run) {
+        find_run(triangle, lab->width, (int32_t)x, (int32_t)y, &run);
     }
-    const uint32_t value = ph_plane_at(&t->depth, x, y);
+    const struct ph_small_triangle *const small = &t->small;
+    const struct ph_plane of_small = {small->d - (uint32_t)t->y_top * small->d_dy, small->gd, small->d_dy};
+    const uint32_t value = ph_plane_at(t->kind == PH_KIND_SMALL ? &of_small : &t->depth, x, y);
     const double signed_value = value < UINT32_MAX - 65535 ? value : value - 4294967296.0; /* a little beyond far */
     if (t->block == PH_BLOCK_LINEAR) {
         return ph_depth_linear(&t->linear, value) / 65536.0;
@@ -196,7 +216,8 @@ static void take_errors(const struct planes_canvas *canvas, const struct corner 
             const double other = (c[2].x - c[0].x) * (c[1].y - c[0].y) - (c[1].x - c[0].x) * (c[2].y - c[0].y);
             const int second = side * other <= 0;
             const double distance = 1 / plane_at(&c[0], &c[2], &c[second ? 3 : 1], x, y);
-            if (distance <= depth_metres(lab->far_z)) { /* a snapped corner may lead beyond, where codes end */
+            /* Outside the corners, by the rounding of an edge, codes end: at theirs or at the far plane's. */
+            if (distance >= 1 / c[0].inverse && distance <= 1 / c[2].inverse) {
                 widen(error,
                       (code_of(lab, &triangles[second], format, column, row) - depth_code_at(format, lab, distance)) *
                           depth_step_m(format, lab, distance));

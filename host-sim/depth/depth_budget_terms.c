@@ -198,10 +198,10 @@ static double subpixel_m(const struct depth_lab *lab, double z)
     return depth_subpixel_m(lab, DEPTH_SUBPIXEL_BITS, z) + sqrt(2) * (ldexp(reach, -16) + ldexp(reach * z, -24));
 }
 
-/* A plane through the whole picture: its edges, on the grid of its corners, and the corners' distance from the middle
- * of the picture in pixels. */
+/* A plane through the whole picture: its edges, on the grid of its corners, and how far the pixels that it covers lie
+ * from its first corner, which is at an end of the near edge: along its lean and across, in pixels. */
 struct whole_plane {
-    double nearest, farthest, corner;
+    double nearest, farthest, along, across;
 };
 
 static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes_lean lean)
@@ -214,7 +214,9 @@ static struct whole_plane whole_plane(const struct depth_lab *lab, struct planes
         fmax(lean.at_m / (1 + along * tan(depth_radians(lean.tilt_deg))), depth_metres(lab->near_z) + 3 * GRID_M);
     plane.nearest = floor(plane.nearest / GRID_M + 0.5) * GRID_M;
     plane.farthest = plane.nearest + floor((lean.at_m - plane.nearest) / part) * part;
-    plane.corner = hypot(across * fmin(lean.at_m / plane.nearest, 4), along) / pixel;
+    const double edge = across * fmin(lean.at_m / plane.nearest, 4) / pixel;
+    plane.along = along / pixel;
+    plane.across = edge + fmin(edge, hypot(lab->width, lab->height) / 2);
     return plane;
 }
 
@@ -238,52 +240,106 @@ struct plane_error {
     double unit, units;
 };
 
-/* In one octave a float steps its codes, across octaves d in a block. float16 rounds a plane across one to four octaves
- * to 8 units, so that its gradients are 4 off (round_depth of planes.c). */
-static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth_format format, double nearest,
-                                      double farthest, double way)
+/* Whether the plane takes 64 bits: it crosses more octaves than 32 bits serve (planes.c). */
+static bool is_exact(enum ph_depth_format format, const struct depth_lab *lab, const struct whole_plane *plane)
 {
-    const int first = octave_of(lab, depth_at(format, lab, nearest)),
-              last = octave_of(lab, depth_at(format, lab, farthest));
-    int over;
-    frexp(head_m(format, lab) / nearest, &over);
-    if (first == last) {
-        const double unit = ldexp(1, last - 33 + bits_of(lab));
-        const double difference = (depth_at(format, lab, nearest) - depth_at(format, lab, farthest)) / unit;
-        return (struct plane_error){unit, has_24_bits(format) ? 2 * way + 4
-                                                              : fmax(2 * way + 514, short_units(lab, difference))};
+    if (format == PH_DEPTH_LINEAR_W) {
+        const double head = head_m(format, lab);
+        return ilogb(head / plane->nearest) - ilogb(head / plane->farthest) > 4;
     }
-    const bool rounded = format == PH_DEPTH_FLOAT16 && first - last <= 4;
-    return (struct plane_error){ldexp(1, over < 0 ? over - 31 : -32),
-                                (rounded ? 1 + ldexp(1, bits_of(lab) - 1) : 1) * 2 * way + 12};
+    return is_float(format) && octave_of(lab, depth_at(format, lab, plane->nearest)) -
+                                       octave_of(lab, depth_at(format, lab, plane->farthest)) >
+                                   (format == PH_DEPTH_FLOAT16 ? 4 : 2);
+}
+
+/* The unit in which a run of a plane of 64 bits is stepped at distance z, in metres: of the float's octave, of 1/w. */
+static double run_unit_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+{
+    const double head = head_m(format, lab);
+    return format == PH_DEPTH_LINEAR_W ? z * z / head * ldexp(1, ilogb(head / z) - 28)
+                                       : ldexp(depth_step_m(format, lab, z), has_24_bits(format) ? -8 : -16);
+}
+
+/* The largest unit between two distances: it grows towards the far end of an octave. */
+static double largest_unit_m(enum ph_depth_format format, const struct depth_lab *lab, double from, double to)
+{
+    const double head = head_m(format, lab),
+                 over_far = format == PH_DEPTH_LINEAR_W ? 0 : head / depth_metres(lab->far_z);
+    double most = run_unit_m(format, lab, to);
+    for (int octave = 0; octave < 64; octave++) {
+        const double end = head / (ldexp(1 + 1e-12, -octave) + over_far);
+        most = end > from && end < to ? fmax(most, run_unit_m(format, lab, end)) : most;
+    }
+    return most;
 }
 
 /*
- * A plane through the whole picture, from `nearest` to its far edge. A triangle's gradients are half a unit off at
- * most, 2^-32 or its block's, so at the end of its longest way, from the corner off the screen to the pixel in the
+ * A plane of 64 bits (exact.c). Its gradients are cut to 2^-48 per pixel, towards 0. So d is too large along the lean,
+ * by a unit for each row and column of the way at most; across the two gradients err against each other, and the width
+ * counts for either. A run steps its own unit: a gradient is rounded to half of it and counts from the middle of 512 px
+ * and 16 rows, and the beginning of the run is cut off. Corners far away are cut to 2^-40.
+ */
+static double exact_m(enum ph_depth_format format, const struct depth_lab *lab, const struct whole_plane *plane,
+                      double way, double z)
+{
+    const double run = fmin(lab->width, 512) / 2 + 8 + 1;
+    return run * largest_unit_m(format, lab, plane->nearest, z) +
+           (ldexp(2 * way + plane->across, -48) + ldexp(1, -40)) * z * z / head_m(format, lab);
+}
+
+/*
+ * In one octave a float steps its codes, across a few octaves d in a block. Its gradients are rounded once more to a
+ * multiple of 2^down, with which no bit is lost in the slope of an octave (round_depth of planes.c): for float16 that
+ * of the first octave of all, for float24 that of the nearest corner's.
+ */
+static struct plane_error float_error(const struct depth_lab *lab, enum ph_depth_format format,
+                                      const struct whole_plane *plane, double way)
+{
+    const int first = octave_of(lab, depth_at(format, lab, plane->nearest)),
+              last = octave_of(lab, depth_at(format, lab, plane->farthest));
+    if (first == last) {
+        const double unit = ldexp(1, last - 33 + bits_of(lab));
+        const double difference =
+            (depth_at(format, lab, plane->nearest) - depth_at(format, lab, plane->farthest)) / unit;
+        return (struct plane_error){unit, has_24_bits(format) ? 2 * way + 4
+                                                              : fmax(2 * way + 514, short_units(lab, difference))};
+    }
+    int over;
+    frexp(head_m(format, lab) / plane->nearest, &over);
+    const int block = over < 0 ? -1 - over : 0, zeros = format == PH_DEPTH_FLOAT24 ? -first - block : 0;
+    const int down = bits_of(lab) - 1 - zeros;
+    const double rounded = down > 0 ? ldexp(1, down) : 0;
+    return (struct plane_error){ldexp(1, -32 - block), (1 + rounded) * 2 * way + 12 + rounded};
+}
+
+/*
+ * A plane through the whole picture, from `nearest` to its far edge. The corners' quotients are as right as `divide`
+ * says; inside the triangle so is what lies between them. A plane of 32 bits has gradients half a unit off at most,
+ * 2^-32 or its block's, so at the end of its longest way, from the corner off the screen to the pixel in the
  * opposite one, d is off by `way` units either way. The hang of the plane costs 2 x 255 units in the formats of 16 bits
- * and 3 in the others. N/w at the corners is right to 2^-29 of itself. linear-w has N/w below 2^29, and then a
- * reciprocal, a product and a difference in units of 2^-30 of the far plane.
+ * and 3 in the others. linear-w has N/w below 2^29, and then a reciprocal, a product and a difference in units of 2^-30
+ * of the far plane.
  */
 double depth_interpolation_m(enum ph_depth_format format, const struct depth_lab *lab, struct planes_lean lean,
                              double z)
 {
     const struct whole_plane plane = whole_plane(lab, lean);
-    const double over = head_m(format, lab) / plane.nearest,
-                 way = (lab->width + lab->height) / 4.0 + plane.corner / sqrt(2);
+    const double way = hypot(plane.along, plane.across) / sqrt(2);
+    const double late = format == PH_DEPTH_LINEAR_W ? 2 * ldexp(depth_metres(lab->far_z), -30) : 0;
     struct plane_error error = {ldexp(1, -32), 2 * way + 4};
-    double late = 0;
+    if (is_exact(format, lab, &plane)) {
+        return exact_m(format, lab, &plane, way, z) + divide_m(z) + late;
+    }
     if (is_float(format)) {
-        error = float_error(lab, format, plane.nearest, plane.farthest, way);
+        error = float_error(lab, format, &plane, way);
     } else if (format == PH_DEPTH_LINEAR_W) {
-        error = (struct plane_error){ldexp(1, ilogb(over) - 28), 2 * way + 8};
-        late = 2 * ldexp(depth_metres(lab->far_z), -30);
+        error = (struct plane_error){ldexp(1, ilogb(head_m(format, lab) / plane.nearest) - 28), 2 * way + 8};
     } else if (format == PH_DEPTH_FIXED16) {
         const double difference =
             ldexp(depth_at(format, lab, plane.nearest) - depth_at(format, lab, plane.farthest), 32);
         error.units = fmax(2 * way + 514, short_units(lab, difference));
     }
-    return (error.units * error.unit + ldexp(over, -29)) * z * z / head_m(format, lab) + late;
+    return error.units * error.unit * z * z / head_m(format, lab) + divide_m(z) + late;
 }
 
 double depth_share_m(enum depth_share share, enum ph_depth_format format, const struct depth_lab *lab, double z)
