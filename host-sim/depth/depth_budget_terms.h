@@ -8,8 +8,10 @@
  *   matrix         w and the object's place are rounded to 2^-16 m, the matrix's elements to 2^-28
  *   divide         N/w is exact to 2^-30 of itself, and scaled once more
  *   store          the longest plateau of the depth code that z may lie on
- *   interpolation  gradients are rounded to half a unit and stepped over the whole picture (triangles with sides below
- *                  64 px take shorter products: at most 8 times too large)
+ *   interpolation  what the corners' quotients leave, as in divide; gradients of 32 bits are rounded to half a unit, or
+ *                  across octaves of a float to half of 2 to 32 units, and stepped over the whole picture; planes of 64
+ *                  bits are rounded anew in each run (triangles with sides below 64 px take shorter products: at most 8
+ *                  times too large)
  *   sub-pixel      a vertex stands on a grid of 2^-8 px: s_xy = sqrt(2) 2^-8 p z, p the slope of a pixel; and x and y
  *                  on one of 2^-16 m before the divide
  * All of them: S_min = sqrt((s_xy + s_z tan phi)^2 + s_z^2), s_z the sum of those along z, phi the angle of the ray off
