@@ -11,5 +11,5 @@ const struct board board_pico_display_2 = {
     PICO_PIMORONI,
     .band_height = 16,
     .band_buffers = 5,
-    .ram_bytes = 140 * 1024,
+    .ram_bytes = 118 * 1024,
 };

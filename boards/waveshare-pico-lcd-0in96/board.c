@@ -12,5 +12,5 @@ const struct board board_waveshare_pico_lcd_0in96 = {
     PICO_WAVESHARE_JOYSTICK,
     .band_height = 16,
     .band_buffers = 5,
-    .ram_bytes = 140 * 1024,
+    .ram_bytes = 118 * 1024,
 };

@@ -12,5 +12,5 @@ const struct board board_waveshare_rp2040_lcd_1in28 = {
     PICO_WAVESHARE(25),
     .band_height = 16,
     .band_buffers = 6,
-    .ram_bytes = 140 * 1024,
+    .ram_bytes = 118 * 1024,
 };

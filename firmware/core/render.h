@@ -185,7 +185,7 @@ extern const size_t ph_vertex_bytes, ph_triangle_bytes;
  * corners that clipping makes, and slots for triangles that go on from band to band. Without slots a triangle is set up
  * again in each band. */
 #define PH_REFERENCE_BYTES 8
-#define PH_SLOT_BYTES_32   148
+#define PH_SLOT_BYTES_32   144
 #define PH_OWN_BYTES       960 /* of the renderer's own, for scenes of few triangles */
 
 struct ph_config {

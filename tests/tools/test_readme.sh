@@ -79,7 +79,7 @@ image_of_that_board_gets_its_memory() { # that of board.c, with a board.mk as th
     mkdir -p "$dir/kits/mine" && cp boards/pico-display/board.mk "$dir/kits/mine" && block c 'struct board board_mine' >"$dir/kits/mine/board.c"
     local bytes
     bytes=$(make -s B="$dir/b" BOARD_DIR="$dir/kits" BOARD=mine "$dir/b/board-facts" && "$dir/b/board-facts" ram_bytes)
-    [ "$bytes" = $((140 * 1024)) ] || { echo "board-facts says '$bytes'" && return 1; }
+    [ "$bytes" = $((118 * 1024)) ] || { echo "board-facts says '$bytes'" && return 1; }
 }
 
 commands_run() {
