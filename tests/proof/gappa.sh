@@ -130,18 +130,19 @@ END
 prove_quotient() {
     constants render/frame.c 'lens->depth_scale = norm - (norm >> ph_depth_head(lens));'
     constants render/depth.h 'return lens->float_down > # ? # - lens->float_down : #;'
-    local least=${n[0]} sum=${n[1]} room=${n[2]} down head
+    local least=${n[0]} sum=${n[1]} room=${n[2]} down head documented
     constants render/depth.h 'const uint32_t q = fx_mulhi_u32(lens->depth_scale, reciprocal);'
     for down in 2 3 4 5; do
         head=$((down > least ? sum - down : room))
+        documented=$((down == 5 ? 7 : down == 4 ? 8 : 9))
         gappa_agrees <<END
 @floor = fixed<0, dn>;
 scale = near - floor(near * 1b-$head);
 r = 1b62 / W - e;
 q = floor(scale * r * 1b-32);
-exact = near * (1 - 1b-$head) * 1b30 / W;
+exact = near * (1 - 1b-$documented) * 1b30 / W;
 { near in [1b31, 1b32] /\\ W in [1b31, 1b32] /\\ e in [0, 1] -> q - exact in [-2, 0.5] }
-q - exact -> (q - scale * r * 1b-32) - scale * e * 1b-32 + (near * 1b-$head - floor(near * 1b-$head)) * 1b30 / W;
+q - exact -> (q - scale * r * 1b-32) - scale * e * 1b-32 + (near * 1b-$documented - floor(near * 1b-$head)) * 1b30 / W;
 END
     done
 }

@@ -79,6 +79,13 @@ short | planes.plane_exact       | wide_gradient         |  4 | no overflow
 short | planes.depths            |                       |  4 | no overflow
 short | planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
 short | planes.setup_texture     | plane_through         |  4 | no overflow
+short | exact.in_40_bits         |                       |  1 | no overflow, below 1
+short | exact.divide             |                       |  1 | no overflow
+short | exact.set_plane          | divide                |  4 | no overflow, range below 1
+short | exact.set_run            |                       |  4 | no bad shift
+short | exact.linear_code        |                       |  1 | no bad shift
+short | exact.range_of           |                       |  1 | no bad shift
+short | exact.rows               | octave_of,range_of,set_run | 4 | no overflow
 short | setup_small.slopes       |                       |  4 | no overflow, slopes below 2^15
 short | setup_small.depth_gradient |                     |  4 | no overflow
 short | setup_small.light_gradient |                     |  1 | no overflow
