@@ -31,6 +31,7 @@ void proof_codes(void)
     const struct ph_quotient q = {nondet_u32(), (int8_t)i32_between(0, 31)};
     const int block = i32_between(0, q.s > 2 ? q.s - 2 : 0), down = i32_between(2, 5);
     const uint32_t d = ph_depth_at(&lens, q, block);
+    CLAIM(block == 0 || q.q >> 31 != 0 || d >> 31 == 0); /* a bit to spare */
     const int lowest = ph_depth_lowest(block, down), octave = ph_depth_octave(d, lowest);
     ph_depth_in_octave(d, octave, lowest);
     ph_depth_float16_value(d, octave - down);

@@ -32,13 +32,13 @@ a divide aligned too far           | render/transform.c | s/x << (shift - 4)/x <
 a guard band twice as wide         | render/transform.c | s/reciprocal) >> 32);/reciprocal) >> 31);/               | gappa.reach
 a code from too high a bit         | render/depth.h     | s/up = 2 + block - quotient.s/up = 12 + block - quotient.s/ | depth.codes
 a slope rounded beyond its range   | render/depth.h     | s/(int32_t)gradient >> -up)/((int32_t)gradient + 1) >> -up)/ | depth.codes
-a wide edge shifted out            | render/setup.c     | s/>> (53 - shift)/>> (73 - shift)/                       | setup.wide_edge
+a wide edge shifted out            | render/setup.c     | s/>> (53 - shift)/>> (93 - shift)/                       | setup.wide_edge
 rows outside the picture           | render/setup.c     | s/y_bottom = ph_min(o.row_low, height)/y_bottom = o.row_low/ | setup.setup_outline
 a gradient that changes its sign   | render/planes.c    | s/fx_sat64((px + half) >> down)/(int32_t)((px + half) >> down)/ | planes.wide_gradient
 a gradient that is not halved      | render/planes.c    | s/1 - fx_clz32(ph_without_sign(gx)/-1 - fx_clz32(ph_without_sign(gx)/ | planes.short_plane
 a far unit of linear-w             | render/exact.c     | s/fx_clz32(high), 30)/fx_clz32(high), 24)/               | exact.set_run
 a line of two pixels               | render/list.c      | s/x_major ? 0 : 128, /x_major ? 0 : 256, /               | list.line_half
-a small slope of one bit more      | kernels/slopes.h   | s/PH_SLOPE_BITS 15/PH_SLOPE_BITS 16/                     | setup_small.depth_gradient
+a small slope of one bit more      | render/slopes.h    | s/PH_SLOPE_BITS 15/PH_SLOPE_BITS 16/                     | setup_small.depth_gradient
 END
 }
 
