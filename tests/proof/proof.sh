@@ -33,7 +33,7 @@ short | fx.turn32_from_deg       |                       |  1 | no overflow
 short | fx.sqrt                  |                       |  3 | no overflow
 short | fx.rsqrt                 |                       |  3 | no overflow
 long  | fx.sincos                |                       |  1 | no overflow
-long  | fx.atan2                 |                       | 13 | no overflow
+long  | fx.atan2                 | fx_tangent_ratio      | 13 | no overflow
 long  | fx_math.exp2             |                       | 20 | no overflow
 long  | fx_math.exp              |                       | 20 | no overflow
 long  | fx_math.log2             |                       | 20 | no overflow
