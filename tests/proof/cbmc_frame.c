@@ -10,6 +10,8 @@ void proof_camera(void)
     struct ph_xform view;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
+    r.stats.depth_exponent = (uint8_t)u32_between(0, 6);
+    ASSUME(r.stats.depth_exponent == 0 || r.stats.depth_exponent >= 3);
     p.kind = u32_between(PH_PERSPECTIVE, PH_ORTHOGRAPHIC);
     if (ph_frame_camera(&r, &view, &p) == PH_OK) {
         const struct ph_lens *lens = &r.lens;
@@ -18,6 +20,7 @@ void proof_camera(void)
         CLAIM(lens->centre_x >= -512 * 256 && lens->centre_x <= 1536 * 256);
         CLAIM(lens->centre_y >= -512 * 256 && lens->centre_y <= 1536 * 256);
         CLAIM(lens->focal_x >= 0 && lens->focal_y >= 0);
+        CLAIM(lens->float_down >= 2 && lens->float_down <= 5);
         CLAIM(lens->near_z < lens->far_z);
     }
 }

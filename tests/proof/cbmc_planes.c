@@ -93,13 +93,17 @@ void proof_depths(void)
     uint32_t d[3];
     any_triangle(&t);
     r.lens = any_lens();
+    in_view(&r.lens, &t);
     corner_over_w(t.v[0], least_exponent(t.v));
     fixed_depths(&r, t.v, ph_depth_bias(&m), d);
     struct ph_plane plane;
     const int block = ph_block_depths(&r, t.v, ph_depth_bias(&m), d);
+    CLAIM(block == PH_BLOCK_NONE || (ph_block_exponent(block) <= 60 && ph_block_down(block) == r.lens.float_down));
     if (block != PH_BLOCK_NONE) {
-        round_depth(&plane, d, block);
+        ph_octaves_between(d, block);
+        ph_block_rounded(d[0], block);
     }
+    round_depth(&plane, i32_between(0, 5));
 }
 
 void proof_setup_depth(void)
@@ -110,6 +114,8 @@ void proof_setup_depth(void)
     const struct plane_base base = any_base(&t);
     struct ph_triangle out = {.material = &m};
     r.lens = any_lens();
+    in_view(&r.lens, &t);
+    r.stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
     setup_depth(&r, &base, t.v, &out);
 }
 
@@ -117,6 +123,7 @@ void proof_setup_texture(void)
 {
     struct triangle t;
     struct ph_renderer r;
+    r.lens = any_lens();
     struct ph_texture x;
     struct ph_material m = {.texture = &x};
     fx_t uv[3][2];

@@ -42,10 +42,11 @@ void proof_setup_outline(void)
     struct ph_triangle out;
     any_triangle(&t);
     const int32_t height = i32_between(1, 1024);
-    if (setup_outline(height, t.v, &out)) {
-        CLAIM(out.y_top >= 0 && out.y_top < out.y_bottom && out.y_bottom <= height);
-        CLAIM(out.y_mid >= out.y_top && out.y_mid <= out.y_bottom);
-    }
+    const struct ph_outline o = ph_outline(t.v);
+    ASSUME(o.row_top < o.row_low && o.row_top < height && o.row_low > 0); /* ph_first_row_of */
+    setup_outline(height, t.v, &out);
+    CLAIM(out.y_top >= 0 && out.y_top < out.y_bottom && out.y_bottom <= height);
+    CLAIM(out.y_mid >= out.y_top && out.y_mid <= out.y_bottom);
 }
 
 /* The sides of any triangle in reach, and the tests that choose its way. */
@@ -57,10 +58,10 @@ void proof_sides(void)
     struct ph_renderer r;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
+    const struct ph_setting setting = {.r = &r, .shading = (uint8_t)u32_between(PH_SHADE_FLAT, UINT8_MAX)};
     is_inside(&r, v);
     CLAIM(!is_small(&s) || s.is_short);
-    is_thin(&s);
-    misses_columns(r.config.width, v);
+    CLAIM(!is_narrow(&setting, &s, v) || s.is_short);
 }
 
 void proof_small_depths(void)
@@ -72,23 +73,26 @@ void proof_small_depths(void)
     uint8_t block;
     any_triangle(&t);
     r.lens = any_lens();
-    small_depths(&r, &material, t.v, d, &block);
+    in_view(&r.lens, &t);
+    const struct ph_setting s = {.r = &r,
+                                 .draw.material = &material,
+                                 .far = ph_depth_far(&r.lens, 0),
+                                 .bias = nondet_u32(),
+                                 .floats = nondet_i32() > 0};
+    small_depths(&s, t.v, d, &block);
 }
 
-void proof_setup_part(void)
+void proof_setting(void)
 {
     struct ph_renderer r;
-    struct ph_material material;
+    struct ph_texture texture;
+    struct ph_material material = {.texture = &texture};
+    const struct ph_draw draw = {.material = &material, .kind = nondet_u32()};
+    struct ph_setting s;
+    texture.log2_width = (uint8_t)u32_between(0, 10);
+    texture.log2_height = (uint8_t)u32_between(0, 10);
+    material.shading = nondet_u32();
+    r.stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
     r.lens = any_lens();
-    ph_setup_part(&r, &material);
-}
-
-void proof_setup_line(void)
-{
-    struct ph_renderer r;
-    struct ph_material material;
-    struct ph_corner a, b;
-    a.at = any_vertex();
-    b.at = any_vertex();
-    ph_setup_line(&r, &material, &a, &b);
+    ph_setting_of(&s, &r, &draw);
 }

@@ -125,20 +125,26 @@ q25 -> t * 1b25 + (q25 - t * 1b25);
 END
 }
 
-# ph_depth_quotient_of: q against the exact N/w in the same units, N = n (1 - 2^-9); near is n 2^near_shift, W is
+# ph_depth_quotient_of: q against the exact N/w in the same units, N = n (1 - 2^-head); near is n 2^near_shift, W is
 # w 2^shift. From -2 to 1/2, twice that if q is doubled: at most 2^-28 of the depth at the near plane.
 prove_quotient() {
-    constants render/frame.c 'lens->depth_scale = norm - (norm >> #);' && local room=${n[0]}
+    constants render/frame.c 'lens->depth_scale = norm - (norm >> ph_depth_head(lens));'
+    constants render/depth.h 'return lens->float_down > # ? # - lens->float_down : #;'
+    local least=${n[0]} sum=${n[1]} room=${n[2]} down head documented
     constants render/depth.h 'const uint32_t q = fx_mulhi_u32(lens->depth_scale, reciprocal);'
-    gappa_agrees <<END
+    for down in 2 3 4 5; do
+        head=$((down > least ? sum - down : room))
+        documented=$((down == 5 ? 7 : down == 4 ? 8 : 9))
+        gappa_agrees <<END
 @floor = fixed<0, dn>;
-scale = near - floor(near * 1b-$room);
+scale = near - floor(near * 1b-$head);
 r = 1b62 / W - e;
 q = floor(scale * r * 1b-32);
-exact = near * (1 - 1b-9) * 1b30 / W;
+exact = near * (1 - 1b-$documented) * 1b30 / W;
 { near in [1b31, 1b32] /\\ W in [1b31, 1b32] /\\ e in [0, 1] -> q - exact in [-2, 0.5] }
-q - exact -> (q - scale * r * 1b-32) - scale * e * 1b-32 + (near * 1b-9 - floor(near * 1b-9)) * 1b30 / W;
+q - exact -> (q - scale * r * 1b-32) - scale * e * 1b-32 + (near * 1b-$documented - floor(near * 1b-$head)) * 1b30 / W;
 END
+    done
 }
 
 # ph_depth_before, then the bias: d of a corner against the exact d in units of 2^-32, for each exponent of the vertex and

@@ -33,7 +33,7 @@ short | fx.turn32_from_deg       |                       |  1 | no overflow
 short | fx.sqrt                  |                       |  3 | no overflow
 short | fx.rsqrt                 |                       |  3 | no overflow
 long  | fx.sincos                |                       |  1 | no overflow
-long  | fx.atan2                 |                       | 13 | no overflow
+long  | fx.atan2                 | fx_tangent_ratio      | 13 | no overflow
 long  | fx_math.exp2             |                       | 20 | no overflow
 long  | fx_math.exp              |                       | 20 | no overflow
 long  | fx_math.log2             |                       | 20 | no overflow
@@ -66,8 +66,9 @@ short | setup.wide_edge          |                       |  1 | no overflow
 short | setup.short_edge         |                       |  1 | no overflow
 long  | setup.setup_outline      | wide_edge             |  4 | no overflow, rows within the picture
 short | setup.small_depths       | ph_float_depths,ph_block_depths | 4 | no overflow
-short | setup.setup_part         |                       |  1 | no overflow
-short | setup.setup_line         | ph_setup_corners,fx_abs_sat | 5 | no overflow
+short | setup.setting            | ph_at                 |  1 | no overflow
+short | list.line_half           | fx_abs_sat            |  4 | no overflow, in reach
+short | list.first_row           |                       |  4 | no overflow, a row of the picture
 short | planes.area              |                       |  7 | twice a triangle's area is below 2^42
 short | planes.plane_base        |                       |  4 | no overflow, ranges of the base
 long  | planes.wide_gradient     | wide_base             |  4 | no overflow, nothing lost
@@ -76,10 +77,18 @@ short | planes.plane_through     | short_plane,wide_plane | 4 | no overflow
 short | planes.plane_light       | short_plane,wide_plane | 4 | no overflow
 short | planes.plane_exact       | wide_gradient         |  4 | no overflow
 short | planes.depths            |                       |  4 | no overflow
-long  | planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
+short | planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
 short | planes.setup_texture     | plane_through         |  4 | no overflow
+short | exact.in_40_bits         |                       |  1 | no overflow, below 1
+short | exact.divide             |                       |  1 | no overflow
+short | exact.set_plane          | divide                |  4 | no overflow, range below 1
+short | exact.set_run            |                       |  4 | no bad shift
+short | exact.linear_code        |                       |  1 | no bad shift
+short | exact.range_of           |                       |  1 | no bad shift
+short | exact.rows               | octave_of,range_of,set_run | 4 | no overflow
 short | setup_small.slopes       |                       |  4 | no overflow, slopes below 2^15
 short | setup_small.depth_gradient |                     |  4 | no overflow
+short | setup_small.light_gradient |                     |  1 | no overflow
 long  | setup_small.setup_small  | set_planes            |  4 | no overflow
 short | setup_small.float_depths |                       |  4 | no overflow
 long  | gappa.rcp                |                       |    | fx_rcp_norm is the floor of 2^62 / d
@@ -101,7 +110,7 @@ options() { # name
 # What the solver found wrong, a line each; nothing when all holds. The last claim is that the end is not reached.
 cbmc_proof() { # name, functions, turns
     local module=${1%%.*} proof=${1#*.} at=$B/proof/$1 core=$proof_tree/firmware/core f regex='' remove=()
-    { cat "$proof_tree/tests/proof/cbmc_$module.c" && printf '\nvoid reach(void)\n{\n    proof_%s();\n    CLAIM(!"the end");\n}\n' "$proof"; } |
+    { cat "$proof_tree/tests/proof/cbmc_$module.c" && printf '\nvoid to_the_end(void)\n{\n    proof_%s();\n    CLAIM(!"the end");\n}\n' "$proof"; } |
         $CC -E -x c -iquote "$proof_tree/tests/proof" -I"$core"{,/render,/kernels,/kernels/portable} - -o "$at.i" || return
     tool goto-cc -c "$at.i" -o "$at.gb" || return
     for f in ${2//,/ }; do
@@ -113,7 +122,7 @@ cbmc_proof() { # name, functions, turns
             tool goto-instrument --generate-function-body "${regex#|}" --generate-function-body-options nondet-return "$at.cut" "$at.gb" >/dev/null || return
     fi
     # shellcheck disable=SC2046 # options are words
-    timeout "${PROOF_TIMEOUT:-900}" bash -c 'tool "$@"' - cbmc "$at.gb" --function reach --unwind "$3" $(options "$1") --drop-unused-functions \
+    timeout "${PROOF_TIMEOUT:-900}" bash -c 'tool "$@"' - cbmc "$at.gb" --function to_the_end --unwind "$3" $(options "$1") --drop-unused-functions \
         --no-standard-checks --signed-overflow-check --undefined-shift-check --div-by-zero-check --bounds-check --pointer-check >"$at.log" 2>&1
     grep -q '^VERIFICATION' "$at.log" || { echo "no answer: $(tail -n 1 "$at.log")" && return; }
     grep -q 'the end.*FAILURE' "$at.log" || echo "the end of the harness cannot be reached"

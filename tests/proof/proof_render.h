@@ -25,6 +25,8 @@ static inline uint32_t fx_rcp16(uint32_t d)
 
 #include "depth.h"
 
+#define LEAST_Q (((uint32_t)1 << 30) - ((uint32_t)1 << 23)) /* 2^30 (1 - 2^-7): Gappa, with 6 bits of exponent */
+
 #define REACH (PH_REACH + 128) /* a corner of a line is half a pixel beside it */
 
 #define ph_wide_area ph_wide_area_proved
@@ -45,8 +47,14 @@ static inline struct ph_lens lens_of(uint32_t kind)
     lens.near_z = i32_between(lens.kind == PH_ORTHOGRAPHIC ? INT32_MIN : 1, INT32_MAX - 1);
     lens.far_z = i32_between(lens.near_z + 1, INT32_MAX);
     lens.near_shift = (int8_t)fx_clz32((uint32_t)lens.near_z);
-    lens.far_q = u32_between((uint32_t)1 << 30, ((uint32_t)1 << 31) - 1);
+    lens.far_q = u32_between(LEAST_Q, ((uint32_t)1 << 31) - 1);
     lens.far_s = (int8_t)i32_between(0, 31);
+    if (lens.kind == PH_ORTHOGRAPHIC) {
+        lens.far_q = 0;
+        lens.far_s = 0;
+    }
+    lens.float_down = (uint8_t)u32_between(2, 5);
+    lens.linear.bias = PH_DEPTH_BIAS_FIXED16 >> 16;
     lens.linear.down = (int8_t)i32_between(lens.far_s + 3, lens.far_s + 4);
     return lens;
 }
@@ -61,8 +69,9 @@ static inline struct ph_vertex any_vertex(void)
     struct ph_vertex v;
     v.x = i32_between(-REACH, REACH);
     v.y = i32_between(-REACH, REACH);
-    v.q = u32_between((uint32_t)1 << 30, ((uint32_t)1 << 31) - 1);
+    v.q = u32_between(0, ((uint32_t)1 << 31) - 1);
     v.s = (int8_t)i32_between(0, 31);
+    ASSUME(v.q >= LEAST_Q || v.s == 0); /* orthographic: from 0 on */
     return v;
 }
 
@@ -85,6 +94,14 @@ static inline void any_triangle(struct triangle *t)
     s->is_short = ph_sides_are_short(s->dx1, s->dy1, s->dx2, s->dy2);
     s->area = s->is_short ? s->dx2 * s->dy1 - s->dx1 * s->dy2 : 1;
     ASSUME(s->area > 0);
+}
+
+/* Its corners are not behind the far plane: their exponents are not above that one's. */
+static inline void in_view(const struct ph_lens *lens, const struct triangle *t)
+{
+    for (int i = 0; i < 3; i++) {
+        ASSUME(t->at[i].s <= lens->far_s && (lens->kind == PH_ORTHOGRAPHIC || t->at[i].q >= LEAST_Q));
+    }
 }
 
 #endif

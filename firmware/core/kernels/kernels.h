@@ -30,11 +30,11 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
                      uint32_t glight, const uint16_t *ramp);
 
 /*
- * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL, and it
- * keeps a pixel or more away from the borders of the picture. d is the depth of its corners; no two are 2^31 apart.
- * Sets t->y_top, t->y_bottom and all of t->small but the ramp. If depth changes by more than 2^25 a pixel, or if the
- * triangle is thin, the 15 bits of a difference that are kept here would show: then small.d, gd and d_dy are left to
- * the caller.
+ * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL (those of
+ * a textured one below PH_SIDE_SHORT downwards), and it keeps a pixel or more away from the borders of the picture. d
+ * is the depth of its corners; no two are 2^31 apart. Sets t->y_top, t->y_bottom and all of t->small but the ramp. If
+ * depth changes by more than 2^25 a pixel, or if the triangle is thin, the 15 bits of a difference that are kept here
+ * would show: then small.d, gd and d_dy are left to the caller.
  */
 enum ph_small_setup {
     PH_SMALL_NO_ROW, /* the triangle has no row, and nothing is set */

@@ -72,11 +72,18 @@ static int lowest_of(const struct ph_exact *e)
     return ph_depth_lowest(0, e->down);
 }
 
-/* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. */
+/* The octave in which d becomes codes; 3 shifts d to the unit of the fixed formats. For linear-w it ends at 30: the
+ * exponent of a corner is 31 at most, and see scale_linear. */
 static int octave_of(const struct ph_exact *e, uint64_t d)
 {
     const uint32_t high = (uint32_t)(d >> 24);
-    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, lowest_of(e)) : ph_min(fx_clz32(high), 24);
+    return e->kind == FIXED ? 3 : e->kind == FLOAT ? ph_depth_octave(high, lowest_of(e)) : ph_min(fx_clz32(high), 30);
+}
+
+/* A depth or a gradient in the unit of codes, which is `down` bits larger. halves: 0 cuts it off, 1 rounds it. */
+static inline uint32_t in_codes(uint64_t d, int down, uint64_t halves)
+{
+    return down <= 0 ? (uint32_t)(d << -down) : (uint32_t)((int64_t)(d + (halves << (down - 1))) >> down);
 }
 
 /* 16.16 code of linear-w. */
@@ -85,7 +92,7 @@ static uint32_t linear_code(const struct ph_exact *e, const struct ph_linear *li
     struct ph_linear l = *linear;
     const int octave = octave_of(e, over_w);
     l.down = (int8_t)(e->down - (octave + 1));
-    return ph_depth_linear(&l, (uint32_t)(over_w >> (27 - octave)));
+    return ph_depth_linear(&l, in_codes(over_w, e->unit - octave, 0));
 }
 
 /* Moves the plane towards the viewer: see depth_bias_slope in render.h. */
@@ -146,7 +153,8 @@ static inline bool holds(const struct range *range, uint64_t d)
     return d - range->bottom <= range->size;
 }
 
-/* For linear-w: the unit of 1/w, and of u/w and v/w with it. */
+/* For linear-w: the unit of 1/w, and of u/w and v/w with it. It is not larger than that of t, which is the nearest
+ * corner's. */
 static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, int octave, struct ph_triangle *run)
 {
     run->block = PH_BLOCK_LINEAR;
@@ -161,12 +169,6 @@ static void scale_linear(const struct ph_exact *e, const struct ph_triangle *t, 
 static inline uint64_t depth_at(const struct ph_exact *e, uint32_t x, uint32_t y)
 {
     return load(e->base) + load(e->gx) * x + load(e->gy) * y;
-}
-
-/* A depth or a gradient in the unit of codes, which is `down` bits larger. halves: 0 cuts it off, 1 rounds it. */
-static inline uint32_t in_codes(uint64_t d, int down, uint64_t halves)
-{
-    return down <= 0 ? (uint32_t)(d << -down) : (uint32_t)((int64_t)(d + (halves << (down - 1))) >> down);
 }
 
 /* The plane of a run, through d at pixel (x, y). */

@@ -1,0 +1,85 @@
+/* Depth in 64 bits: no overflow and no bad shift, from any vertices of set-up. See proof.h. */
+#include "proof_render.h"
+
+#include "../../firmware/core/render/exact.c"
+
+#define DEPTHS POWER(40) /* N/w and N/f are below 1 */
+
+/* How a lens's depth becomes codes. */
+static void any_codes(struct ph_renderer *r, struct ph_exact *e)
+{
+    r->lens = any_lens();
+    r->stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
+    set_codes(e, r, u32_between(0, 56));
+}
+
+void proof_in_40_bits(void)
+{
+    const struct ph_vertex v = any_vertex();
+    ASSUME(v.s > 0 || v.q < (uint32_t)1 << 30);
+    const int64_t d = in_40_bits(v.q, v.s);
+    CLAIM(d >= 0 && d < DEPTHS);
+}
+
+void proof_divide(void)
+{
+    divide(i64_between(INT64_MIN, INT64_MAX), (uint64_t)i64_between(1, POWER(42) - 1), nondet_i32() > 0);
+}
+
+void proof_set_plane(void)
+{
+    struct triangle t;
+    struct ph_exact e;
+    const int64_t d[3] = {i64_between(0, DEPTHS - 1), i64_between(0, DEPTHS - 1), i64_between(0, DEPTHS - 1)};
+    any_triangle(&t);
+    set_plane(&e, d, t.v[0], &t.sides);
+    CLAIM(load(e.low) + load(e.size) < (uint64_t)DEPTHS << 16);
+}
+
+void proof_set_run(void)
+{
+    struct triangle t;
+    struct ph_renderer r;
+    struct ph_triangle from, run;
+    any_codes(&r, &from.exact);
+    any_triangle(&t);
+    in_view(&r.lens, &t);
+    const int a = t.at[0].s, b = t.at[1].s, c = t.at[2].s, ab = a < b ? a : b, least = ab < c ? ab : c;
+    const uint64_t d = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
+    ASSUME(d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
+    from.linear = r.lens.linear;
+    from.linear.down = (int8_t)(from.linear.down - least); /* setup_linear */
+    const int octave = octave_of(&from.exact, d);
+    CLAIM(octave >= 0 && octave <= 31);
+    set_run(&from, d, octave, u32_between(0, 1023), u32_between(0, 1023), &run);
+}
+
+void proof_linear_code(void)
+{
+    struct ph_renderer r;
+    struct ph_exact e;
+    struct ph_linear linear;
+    any_codes(&r, &e);
+    linear = r.lens.linear;
+    linear.up = (uint8_t)u32_between(0, 31);
+    linear_code(&e, &linear, (uint64_t)i64_between(0, (DEPTHS << 16) - 1));
+}
+
+void proof_range_of(void)
+{
+    struct ph_renderer r;
+    struct ph_exact e;
+    any_codes(&r, &e);
+    const uint64_t d = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
+    range_of(&e, octave_of(&e, d));
+}
+
+void proof_rows(void)
+{
+    struct ph_renderer r;
+    struct ph_triangle t, run;
+    any_codes(&r, &t.exact);
+    const int32_t y = i32_between(0, 1023);
+    const struct ph_exact_strip strip = {y, i32_between(y + 1, 1024), i32_between(1, 1024)};
+    ph_exact_rows(&t, &strip, &run);
+}
