@@ -132,7 +132,7 @@ whole_demos() { # board: how many demos it draws with nothing left out
 }
 
 numbers_are_those_of_the_checks() { # budgets and counts, as the papers write them
-    local paper number name missing=0 spelled=(none one two three four five six seven eight nine)
+    local paper number name missing=0 spelled=(none one two three four five six seven eight nine ten)
     while read -r paper number name; do
         grep -q "$(LC_ALL=C sed ':a; s/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/; ta' <<<"$number") $name" "$paper" || { echo "$paper: $number $name" && missing=1; }
     done <<EOF
