@@ -8,7 +8,7 @@
 #include "registers.h"
 #include "rp2040.h"
 
-#define STACK_BYTES      1408 /* 1272 by the call graph (set_up_fresh of bands.c), and the frame of a tick */
+#define STACK_BYTES      1600 /* 1528 by the call graph (set_up_fresh of bands.c), and the frame of a tick */
 #define GUARD_BYTES_LOG2 8    /* the MPU's least region */
 
 static _Alignas(1 << GUARD_BYTES_LOG2) uint64_t stack[((1 << GUARD_BYTES_LOG2) + STACK_BYTES) / 8];
