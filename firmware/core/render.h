@@ -255,6 +255,7 @@ struct ph_list {
     uint32_t used[3];              /* bytes taken from own, vertices, triangles */
     uint32_t first, last, lens;    /* places of the first and the last draw, and of the camera in use */
     uint32_t band_scale;           /* 2^20 / band_height, rounded up */
+    uint32_t is_closed;            /* 1: no more is listed in this frame */
     uint64_t own[PH_OWN_BYTES / 8];
 };
 

@@ -31,6 +31,15 @@ static void set_end(struct ph_renderer *r)
     const uint8_t *const base = (const uint8_t *)r->config.triangles;
     const size_t most = ((size_t)((const uint8_t *)list->top - base) - list->used[TRIANGLES]) / sizeof(struct ph_ref);
     list->end = list->top - (most < r->config.triangle_max ? most : r->config.triangle_max);
+    list->end = list->is_closed != 0 ? list->to : list->end;
+}
+
+void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw)
+{
+    if (!ph_list_draw(r, draw)) {
+        r->list.is_closed = 1;
+        set_end(r);
+    }
 }
 
 void ph_list_begin(struct ph_renderer *r)
@@ -42,6 +51,7 @@ void ph_list_begin(struct ph_renderer *r)
     list->to = list->top;
     list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
     list->first = list->last = list->lens = PH_NONE;
+    list->is_closed = 0;
     list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
     set_end(r);
 }
@@ -120,7 +130,11 @@ struct ph_mark ph_list_mark(struct ph_renderer *r)
 {
     place_lens(r);
     const uint32_t *const used = r->list.used;
-    return (struct ph_mark){{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r)};
+    struct ph_mark mark = {{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r), {0}};
+    if (mark.last != PH_NONE) {
+        mark.draw = *draw_at(r, mark.last);
+    }
+    return mark;
 }
 
 bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
@@ -131,7 +145,11 @@ bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
     for (int piece = 0; piece < 3; piece++) {
         r->list.used[piece] = mark->used[piece];
     }
-    *(mark->last != PH_NONE ? &draw_at(r, mark->last)->next : &r->list.first) = PH_NONE;
+    if (mark->last != PH_NONE) {
+        *draw_at(r, mark->last) = mark->draw;
+    } else {
+        r->list.first = PH_NONE;
+    }
     r->list.last = mark->last;
     set_end(r);
     return true;

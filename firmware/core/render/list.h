@@ -71,6 +71,7 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n);
 /* Before something is drawn, and after it: gives back all room that was taken in between if nothing was listed. */
 struct ph_mark {
     uint32_t used[3], last, count;
+    struct ph_draw draw; /* the last one: without references it gives its room to the next one */
 };
 
 struct ph_mark ph_list_mark(struct ph_renderer *r);
@@ -81,6 +82,9 @@ uint32_t ph_list_base(const struct ph_renderer *r);
 
 /* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
+
+/* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others' corners. */
+void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* The first row of a triangle in the picture; -1 if it covers no centre of a pixel of the picture. */
 int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *const v[3]);

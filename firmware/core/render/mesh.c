@@ -98,7 +98,7 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
         in[1].light = in[2].light = in[0].light;
     }
     ph_draw_clipped(c->r, c->material, PH_DRAW_SMALL, in);
-    ph_list_draw(c->r, &c->draw);
+    ph_list_again(c->r, &c->draw);
 }
 
 /* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
@@ -303,7 +303,7 @@ static NOINLINE void draw_edges(const struct part_context *c)
         }
         const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
         draw_clip_line(c->r, c->material, ends);
-        ph_list_draw(c->r, &c->draw);
+        ph_list_again(c->r, &c->draw);
     }
 }
 
