@@ -298,7 +298,7 @@ static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
     static const struct {
         const char *demo;
         uint32_t least, most;
-    } expected[] = {{"fill", 15, 15}, {"solar", 9, 11}, {"hitchcock", 7, 9}, {"fisheye", 2, 5}};
+    } expected[] = {{"fill", 12, 14}, {"solar", 5, 7}, {"hitchcock", 5, 7}, {"fisheye", 2, 5}};
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
         struct stage *s = stage_on(board, expected[i].demo, board->band_height);
         assert_in_range(s->runner.band_count, expected[i].least, expected[i].most);
