@@ -38,9 +38,9 @@ debian13_bootstrap() {
     # shellcheck disable=SC2086 # the packages' names are words
     timeout 900 mmdebstrap --variant=apt --include="$(echo $debian13_packages | tr ' ' ,)" \
         --aptopt='APT::Install-Recommends "false"' --aptopt='Acquire::http::Timeout "20"' --aptopt='Acquire::Retries "2"' \
-        trixie "$new/root" "$new"/sources/* >"$debian13_log" 2>&1 </dev/null &&
-        echo "$debian13_packages" >"$new/root/etc/pinhole-packages" &&
-        { [ ! -e "$debian13_root" ] || mv -T "$debian13_root" "$new/old"; } && mv -T "$new/root" "$debian13_root" || status=1
+        trixie "$new/system" "$new"/sources/* >"$debian13_log" 2>&1 </dev/null &&
+        echo "$debian13_packages" >"$new/system/etc/pinhole-packages" &&
+        { [ ! -e "$debian13_root" ] || mv -T "$debian13_root" "$new/old"; } && mv -T "$new/system" "$debian13_root" || status=1
     rm -rf "$new"
     return $status
 }

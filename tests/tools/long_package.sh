@@ -21,16 +21,16 @@ packages_are_clean() { make -s deb B="$B/package"; }
 
 packages_hold_what_is_needed() {
     local package
-    mkdir "$dir/root" && for package in "$B"/package/deb/{pinhole,libpinhole-dev}_*.deb; do dpkg-deb -x "$package" "$dir/root" || return 1; done
-    "$dir/root/usr/bin/pinhole-sim" --demo cube --crc | grep '^frame 0 crc32' &&
-        [ "$(dpkg-deb -f "$B"/package/deb/pinhole_*.deb Version)" = "$("$dir/root/usr/bin/pinhole-sim" --version | cut -d' ' -f2)-1" ] &&
-        zgrep -q pinhole-sim "$dir/root/usr/share/man/man1/pinhole-sim.1.gz"
+    mkdir "$dir/unpacked" && for package in "$B"/package/deb/{pinhole,libpinhole-dev}_*.deb; do dpkg-deb -x "$package" "$dir/unpacked" || return 1; done
+    "$dir/unpacked/usr/bin/pinhole-sim" --demo cube --crc | grep '^frame 0 crc32' &&
+        [ "$(dpkg-deb -f "$B"/package/deb/pinhole_*.deb Version)" = "$("$dir/unpacked/usr/bin/pinhole-sim" --version | cut -d' ' -f2)-1" ] &&
+        zgrep -q pinhole-sim "$dir/unpacked/usr/share/man/man1/pinhole-sim.1.gz"
 }
 
 packages_draw() {
     local lib
-    lib=$(dirname "$(find "$dir/root/usr/lib" -name pinhole.pc)") && sed -n '/^```c$/,/^```$/p' README.md | sed '1d;/^```$/,$d' >"$dir/hello.c" &&
-        cc "$dir/hello.c" $(PKG_CONFIG_PATH=$lib PKG_CONFIG_SYSROOT_DIR=$dir/root pkg-config --cflags --libs pinhole) -o "$dir/hello" &&
+    lib=$(dirname "$(find "$dir/unpacked/usr/lib" -name pinhole.pc)") && sed -n '/^```c$/,/^```$/p' README.md | sed '1d;/^```$/,$d' >"$dir/hello.c" &&
+        cc "$dir/hello.c" $(PKG_CONFIG_PATH=$lib PKG_CONFIG_SYSROOT_DIR=$dir/unpacked pkg-config --cflags --libs pinhole) -o "$dir/hello" &&
         "$dir/hello" | diff - <(sed -n '/^```text$/,/^```$/p' README.md | sed '1d;/^```$/,$d')
 }
 
