@@ -18,6 +18,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
 /* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
 void ph_step_below(struct ph_triangle *t, int32_t y1);
 
+/* Both for a triangle that goes on below the band, without a copy of a small one. No other core may look at it. */
+uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band);
+
 /* A depth buffer from pixel n on. */
 static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
 {

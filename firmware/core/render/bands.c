@@ -21,17 +21,23 @@ struct feed {
     struct ph_setting setting;
 };
 
+/* What a reference holds of the next one in its list: how much further it is. 0: there is none. */
+static inline uint16_t link_to(uint32_t next, uint32_t ref)
+{
+    const uint32_t further = next - ref;
+    return (uint16_t)(further < PH_LINK_FAR ? further : next == PH_NONE ? 0 : PH_LINK_FAR);
+}
+
 uint32_t ph_frame_bands(struct ph_renderer *r)
 {
     uint32_t *const bins = r->config.bins;
     for (uint32_t i = 0; i < r->band_count; i++) {
         bins[i] = PH_NONE;
     }
-    for (uint32_t i = ph_ref_count(r); i-- > 0;) { /* from the last, so that each list is in drawing order */
-        struct ph_ref *const ref = ph_ref_at(r, i);
+    struct ph_ref *ref = r->list.to;
+    for (uint32_t i = ph_ref_count(r); i-- > 0; ref++) { /* from the last, so that each list is in drawing order */
         uint32_t *const bin = &bins[ref->link];
-        const uint32_t further = *bin - i;
-        ref->link = (uint16_t)(*bin == PH_NONE ? 0 : further < PH_LINK_FAR ? further : PH_LINK_FAR);
+        ref->link = link_to(*bin, i);
         *bin = i;
     }
     r->carried = r->slots = NULL;
@@ -84,8 +90,7 @@ static inline uint32_t next_of(const struct feed *f, uint32_t ref)
 
 static inline void set_next(struct ph_renderer *r, uint32_t ref, uint32_t next)
 {
-    const uint32_t further = next - ref;
-    ph_ref_at(r, ref)->link = (uint16_t)(next == PH_NONE ? 0 : further < PH_LINK_FAR ? further : PH_LINK_FAR);
+    ph_ref_at(r, ref)->link = link_to(next, ref);
 }
 
 /* Puts a reference into the list of the band below; *after is the one put there before, or PH_NONE. */
@@ -207,16 +212,17 @@ static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_tria
             t = slot != NULL ? slot : &scratch;
             set_up(f, t);
         }
-        r->stats.fragments += ph_draw_triangle(t, rows);
         if (t->y_bottom <= rows->y1) {
+            r->stats.fragments += ph_draw_triangle(t, rows);
             if (t != slot && t != &scratch) {
                 free_slot(r, t);
             }
         } else if (t == &scratch) {
+            r->stats.fragments += ph_draw_triangle(t, rows);
             put_below(f, t->order, &put);
         } else {
+            r->stats.fragments += ph_draw_above(t, rows);
             slot = t == slot ? NULL : slot;
-            ph_step_below(t, rows->y1);
             *carry = t;
             carry = &t->next;
         }

@@ -422,3 +422,21 @@ void ph_step_below(struct ph_triangle *t, int32_t y1)
         t->y_top = (int16_t)y1;
     }
 }
+
+uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
+{
+    if (t->kind != PH_KIND_SMALL || t->block != PH_BLOCK_NONE || t->y_top < band->y0) {
+        const uint32_t count = ph_draw_triangle(t, band);
+        ph_step_below(t, band->y1);
+        return count;
+    }
+    struct ph_small_triangle *const small = &t->small;
+    const uint16_t upper_rows = small->upper_rows, lower_rows = small->lower_rows;
+    const struct place at = cut_rows(t, band, small);
+    const uint32_t count = ph_small_gouraud(small, at.depth, at.pixels, 2 * at.stride);
+    small->upper_rows = upper_rows;
+    small->lower_rows = lower_rows;
+    skip_rows(small, (uint32_t)(band->y1 - t->y_top));
+    t->y_top = (int16_t)band->y1;
+    return count;
+}
