@@ -8,8 +8,13 @@
 
 static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t from, uint32_t n)
 {
-    const struct ph_texel_target to = {r->depth + (int32_t)from, r->pixels + (int32_t)from, r->d + from * r->gd, r->gd,
-                                       r->u_mask,                r->v_mask,                 r->texels};
+    const struct ph_texel_target to = {r->depth + (int32_t)from,
+                                       r->pixels + (int32_t)from,
+                                       r->d + from * r->gd,
+                                       r->gd,
+                                       r->u_mask,
+                                       r->v_mask,
+                                       r->texels};
     ph_draw_texels(to, ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n),
                    ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n), n);
 }

@@ -41,8 +41,8 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     const uint32_t first = row->first;
-    const struct ph_texel_target to = {r->depth + first, r->pixels + first, r->d + first * r->gd, r->gd,
-                                       r->u_mask,        r->v_mask,         r->texels};
+    const struct ph_texel_target to = {r->depth + first, r->pixels + first, r->d + first * r->gd, r->gd, r->u_mask,
+                                       r->v_mask,        r->texels};
     ph_draw_texels(to, ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, first, row->n),
                    ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, first, row->n), row->n);
 }
