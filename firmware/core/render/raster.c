@@ -9,6 +9,7 @@
 #include "kernels.h"
 #include "line.h"
 #include "span.h"
+#include "small_texels.h"
 #include "texture.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
