@@ -44,8 +44,10 @@ static int bits_of(const struct depth_lab *lab)
 /* N of depth.h, in metres. */
 static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
 {
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
     const int bits = is_float(format) ? bits_of(lab) : 0;
-    return depth_metres(lab->near_z) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
+    const bool is_fixed = format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24;
+    return n * (is_fixed ? fmin(f / (f - n), 8) : 1) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
 }
 
 static bool has_24_bits(enum ph_depth_format format)
