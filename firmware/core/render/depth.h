@@ -37,8 +37,8 @@
  *   float24        .000305            .000031           .000244           everywhere; twice the memory
  *   linear-w       .0153              .00153            .0153             far away; near by it is the coarsest
  * AUTO takes fixed16 up to f = 64 n. Its relative step is largest at the far plane, (f - n) / (65408 n): 1/1000 there,
- * from which on surfaces begin to fight for pixels (T. Ulrich). A float's relative step is at most 2^-m; its longest step is
- * f 2^(-2 - m), near f / 2, or that of its lowest octave at the far plane, f^2 / n 2^(1 - 2^e - m). So
+ * from which on surfaces begin to fight for pixels (T. Ulrich). A float's relative step is at most 2^-m; its longest
+ * step is f 2^(-2 - m), near f / 2, or that of its lowest octave at the far plane, f^2 / n 2^(1 - 2^e - m). So
  * ph_depth_choose_exponent() takes 3 bits up to f = 64 n, 4 up to 16384 n, else 5; 6 are better above 2^30 n alone
  * (Lapidous and Jiao, 1999: complementary z, the width of its exponent fitted to f / n). At n = .1 f = 10000 the
  * longest step is 7.5 m with 4 bits and 1.1 m with 5.
@@ -52,10 +52,10 @@
  * the 40,000 triangles of exhaustive_depth_slopes.c):
  *   fixed16, float16: 3    fixed24: 2    float24: 8    linear-w: 1
  * (with 3 bits of exponent, whose codes are half as wide, twice as many). A pixel is drawn if its centre is inside the
- * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside the
- * corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more is
- * clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves than
- * the format has bits for, or because depth_bias_slope lifts it, has 64 bits (exact.h).
+ * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside
+ * the corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more
+ * is clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves
+ * than the format has bits for, or because depth_bias_slope lifts it, has 64 bits (exact.h).
  */
 #ifndef PH_DEPTH_H
 #define PH_DEPTH_H
