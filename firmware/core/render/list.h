@@ -83,7 +83,8 @@ uint32_t ph_list_base(const struct ph_renderer *r);
 /* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
 
-/* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others' corners. */
+/* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others'
+ * corners. */
 void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* The first row of a triangle in the picture; -1 if it covers no centre of a pixel of the picture. */
