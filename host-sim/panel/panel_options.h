@@ -27,6 +27,8 @@ struct panel_wiring {
     const char *lines[PANEL_LINES]; /* "-": not wired */
     bool usb;
     const char *serial; /* of the FT232H, or NULL: the only one */
+    bool drm;
+    const char *card; /* CARD[:CONNECTOR], or NULL: the first display that the kernel drives */
     bool mode_set;
     uint8_t mode; /* SPI mode, 0 or 3 */
     bool rotate_set;

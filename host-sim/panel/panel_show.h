@@ -16,6 +16,7 @@
 struct panel_display {
     const struct board *board;
     struct hal hal;                          /* not open */
+    struct panel_sender sender;              /* zeros: through the panel driver, whole or as differences */
     const char *(*why)(const void *context); /* what the backend says about its last error; NULL: nothing */
     const void *why_context;
 

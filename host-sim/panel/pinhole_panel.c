@@ -35,8 +35,8 @@ static int choose_kits(struct stage *stage, const struct panel_options *o)
         if (status != 0) {
             return status;
         }
-        stage->displays[stage->count] =
-            (struct panel_display){.board = &kit->board, .hal = kit->hal, .why = kit_error, .why_context = kit};
+        stage->displays[stage->count] = (struct panel_display){
+            .board = &kit->board, .hal = kit->hal, .sender = kit->sender, .why = kit_error, .why_context = kit};
     }
     return 0;
 }
@@ -103,6 +103,9 @@ static int show(struct stage *stage, const struct panel_options *o)
     }
     if (status == 0) {
         status = panel_show_run(stage->displays, stage->count, &scene);
+    }
+    for (int i = 0; i < stage->count; i++) {
+        panel_kit_release(&stage->kits[i]);
     }
     model_close(stage->model);
     return status;
@@ -251,6 +254,15 @@ static int probe(struct stage *stage, const struct panel_options *o)
     return complain("%s: %s", board->name, panel_show_text(d, status));
 }
 
+static void list_kms(const char *name, uint32_t width, uint32_t height)
+{
+    if (width > 0) {
+        printf("drm    %-22s %ux%u\n", name, (unsigned)width, (unsigned)height);
+    } else {
+        printf("drm    %-22s nothing is connected\n", name);
+    }
+}
+
 static int list(void)
 {
     for (uint32_t i = 0; i < board_count; i++) {
@@ -264,6 +276,7 @@ static int list(void)
         printf("panel  %-22s %-20s at most %.1f MHz\n", panel->name, panel->controller->name,
                panel->controller->write_hz / 1e6);
     }
+    kms_card_list(list_kms);
     return 0;
 }
 
