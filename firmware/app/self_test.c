@@ -4,7 +4,7 @@
 #include "version.h"
 
 #define RATE_US     1000000U /* turntable: so long, or */
-#define RATE_FRAMES 64U      /* so many frames */
+#define RATE_FRAMES 16U      /* so many frames */
 
 /* Frame 0 of the demos of known_demos. tests/tools/test_self_test.sh compares with pinhole-sim. */
 static const char *const known_demos[] = {"cube", "testcard"};

@@ -186,6 +186,7 @@ void panel_options_help(void)
          "  probe      asks the display which controller it has, if its data line back is wired\n"
          "  testcard   corner dots, ring, arrow up, colour bars: what is wrong with a panel\n"
          "  speedtest  shows the test card at one bus clock after the other\n"
+         "  report     shows the test card, compares drawn frames with known ones, and writes text to paste\n"
          "\n"
          "Options:");
     option_table_help(&table);
@@ -194,8 +195,8 @@ void panel_options_help(void)
 
 static bool read_command(struct panel_options *o, const char *word)
 {
-    static const char *const names[] = {"run", "list", "doctor", "probe", "testcard", "speedtest"};
-    const int found = option_text_choice(word, names, 6);
+    static const char *const names[] = {"run", "list", "doctor", "probe", "testcard", "speedtest", "report"};
+    const int found = option_text_choice(word, names, sizeof names / sizeof names[0]);
     o->command = found >= 0 ? (enum panel_command)found : PANEL_RUN;
     return found >= 0;
 }
@@ -215,9 +216,9 @@ static int check_drm(const struct panel_options *o)
     if (o->diff) {
         return complain_usage("--drm and --diff exclude each other: only what changed is given to the kernel anyway");
     }
-    return o->command == PANEL_RUN || o->command == PANEL_TESTCARD
+    return o->command == PANEL_RUN || o->command == PANEL_TESTCARD || o->command == PANEL_REPORT
                ? 0
-               : complain_usage("--drm is for showing a scene and for testcard, not for this command");
+               : complain_usage("--drm is for showing a scene, for testcard and report, not for this command");
 }
 
 static int check_together(const struct panel_options *o)
@@ -243,7 +244,8 @@ static int check_together(const struct panel_options *o)
                                 : complain_usage("no display: give --board NAME (`pinhole-panel list` shows "
                                                  "them), --panel NAME and its wiring, or --drm (see --help)");
     }
-    if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST) && o->kit_count != 1) {
+    if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST || o->command == PANEL_REPORT) &&
+        o->kit_count != 1) {
         return complain_usage("one display at a time: give one --board NAME, or --panel NAME and its wiring");
     }
     return 0;
@@ -255,7 +257,8 @@ int panel_options_read(struct panel_options *o, int argc, char *const argv[])
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {
-            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard or speedtest", argv[1]);
+            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard, speedtest or report",
+                                  argv[1]);
         }
         i = 2;
     }

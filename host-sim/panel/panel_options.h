@@ -14,6 +14,7 @@ enum panel_command {
     PANEL_PROBE,
     PANEL_TESTCARD,
     PANEL_SPEEDTEST,
+    PANEL_REPORT,
     PANEL_HELP,
 };
 

@@ -3,9 +3,11 @@
 #include "panel_show.h"
 
 #include "complain.h"
+#include "self_test.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/utsname.h>
 #include <time.h>
 
 #define SECOND_NS 1000000000u
@@ -239,5 +241,24 @@ int panel_show_run(struct panel_display *displays, int count, const struct panel
     for (int i = count; i-- > 0;) {
         close_display(&displays[i]);
     }
+    return status;
+}
+
+int panel_show_report(struct panel_display *display, const struct panel_scene *scene, void (*look)(void))
+{
+    char machine[sizeof(struct utsname)];
+    struct utsname system;
+    int status = open_display(display, scene);
+    if (status == 0) {
+        uname(&system);
+        snprintf(machine, sizeof machine, "%s %s %s, %s", system.sysname, system.release, system.machine,
+                 display->hal.ops->name);
+        status = self_test_report(&display->runner, machine);
+        look();
+        status = status < 0   ? fail(display, "", status)
+                 : status > 0 ? complain("%s: the picture is not the known one", display->board->name)
+                              : 0;
+    }
+    close_display(display);
     return status;
 }
