@@ -6,7 +6,7 @@
 #define RATE_US     1000000U /* turntable: so long, or */
 #define RATE_FRAMES 16U      /* so many frames */
 
-/* Frame 0 of the demos of known_demos. tests/tools/test_self_test.sh compares with pinhole-sim. */
+/* Frame 0 of the demos of known_demos. tests/host-sim/test_self_test.sh compares with pinhole-sim. */
 static const char *const known_demos[] = {"cube", "testcard"};
 #define DEMOS (sizeof known_demos / sizeof known_demos[0])
 

@@ -141,6 +141,7 @@ static int sender_begin(void *context, struct panel_driver *d)
     return HAL_OK;
 }
 
+/* A frame is shown with its last line: the next one may be long in coming. */
 static int sender_rows(void *context, struct panel_driver *d, const uint16_t *pixels, uint32_t lines)
 {
     struct kms *k = context;
@@ -157,17 +158,16 @@ static int sender_rows(void *context, struct panel_driver *d, const uint16_t *pi
     if (y1 > 0) {
         changed(k, d, x0, y0, x1 - 1, y1 - 1);
     }
-    return HAL_OK;
+    if (k->row < d->height || k->clip_count == 0) {
+        return HAL_OK;
+    }
+    k->whole = false;
+    return kms_card_show(k->card, k->clips, k->clip_count, k->error);
 }
 
 static int sender_end(void *context, struct panel_driver *d)
 {
-    struct kms *k = context;
-    if (k->row != d->height) {
-        return HAL_EINVAL;
-    }
-    k->whole = false;
-    return k->clip_count == 0 ? HAL_OK : kms_card_show(k->card, k->clips, k->clip_count, k->error);
+    return ((const struct kms *)context)->row == d->height ? HAL_OK : HAL_EINVAL;
 }
 
 struct panel_sender kms_sender(struct kms *k)

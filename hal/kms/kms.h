@@ -5,7 +5,7 @@
  *   static struct kms context = {.where = "card0:HDMI-A-1"};    NULL: the first display that is connected
  *   kms_find(&context);                                         chooses connector and mode: width and height are known
  *   struct hal hal = {&kms_ops, &context};                      no bus: what is written to it goes nowhere
- *   runner's sender = kms_sender(&context)                      draws, and shows a frame when it ends
+ *   runner's sender = kms_sender(&context)                      draws, and shows a frame with its last line
  *
  * The mode is the display's own (its preferred one). A picture has at most 1024 x 1024 pixels: on a larger display each
  * becomes a square of scale x scale, and the rest stays black around it. RGB565 becomes XRGB8888 by repeating the
