@@ -59,6 +59,17 @@ every_format_has_a_row() {
     done
 }
 
+# --json has the rows of --csv: json.awk, which `make bench` uses, makes the same of the CSV.
+json_is_the_csv() { # argument...
+    "$B/pinhole-depth" "$@" --json - >"$dir/json" && "$B/pinhole-depth" "$@" --csv - | awk -f firmware/tools/json.awk | cmp - "$dir/json" &&
+        grep -q '^{"format": "fixed16", "bits": 16, ' "$dir/json"
+}
+
+json_is_json() { # node reads it, and a file is as stdout
+    "$B/pinhole-depth" pairs --count 10 --json "$dir/file.json" && "$B/pinhole-depth" pairs --count 10 --json - | cmp - "$dir/file.json" || return 1
+    ! command -v node >/dev/null || [ "$(node -e 'const d = JSON.parse(require("fs").readFileSync(0)); console.log(d[0].format, d[0].count + 1)' <"$dir/file.json")" = "fixed16 11" ]
+}
+
 reed() { # name, equal, swap
     [ "$(csv pairs --near .1 --far 10000 --format "$1" | tail -n 1 | cut -d, -f1-8)" = "$1,$4,0.1,10000,linear,10000,$2,$3" ]
 }
@@ -322,4 +333,6 @@ check "12 bits are wrong" refuses "bits" advise --separate .1 --at 50 --bits 12
 check "a separation larger than the distance is wrong" refuses "less than --at" advise --separate 60 --at 50
 check "a size of 0 is wrong" refuses "size" pairs --size 0x5
 check "a field of view of 180 degrees is wrong" refuses "fov" pairs --fov 180
+check "json_has_the_rows_of_csv" eval 'json_is_the_csv pairs --count 10 && json_is_the_csv budget --at 1,10 && json_is_the_csv advise --near .5 --at 20'
+check "json_is_JSON" json_is_json
 tap_end
