@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # pinhole-panel --drm on displays that a real kernel drives: bochs (page flips) and virtio-gpu (DIRTYFB). What QEMU shows is
 # byte for byte what pinhole-sim draws, keys are buttons, and the console is back afterwards, however the program ends.
-# shellcheck disable=SC2317,SC2016 # functions are called by check; $GUEST is the guest's
+# shellcheck disable=SC2317,SC2016,SC2015 # functions are called by check; $GUEST is the guest's; `A && B || { cat; return 1; }`
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
@@ -71,6 +71,7 @@ obey() { # file with a command of the monitor
     local command
     command=$(cat "$1")
     echo "$command" >&3
+    # shellcheck disable=SC2086 # words
     set -- "$1" $command
     if [ "$2" = screendump ]; then
         until is_whole "$3"; do sleep 0.05; done

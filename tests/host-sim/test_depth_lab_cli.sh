@@ -61,12 +61,12 @@ every_format_has_a_row() {
 
 # --json has the rows of --csv: json.awk, which `make bench` uses, makes the same of the CSV.
 json_is_the_csv() { # argument...
-    "$B/pinhole-depth" "$@" --json - >"$dir/json" && "$B/pinhole-depth" "$@" --csv - | awk -f firmware/tools/json.awk | cmp - "$dir/json" &&
+    "$lab" "$@" --json - >"$dir/json" && "$lab" "$@" --csv - | awk -f firmware/tools/json.awk | cmp - "$dir/json" &&
         grep -q '^{"format": "fixed16", "bits": 16, ' "$dir/json"
 }
 
 json_is_json() { # node reads it, and a file is as stdout
-    "$B/pinhole-depth" pairs --count 10 --json "$dir/file.json" && "$B/pinhole-depth" pairs --count 10 --json - | cmp - "$dir/file.json" || return 1
+    "$lab" pairs --count 10 --json "$dir/file.json" && "$lab" pairs --count 10 --json - | cmp - "$dir/file.json" || return 1
     ! command -v node >/dev/null || [ "$(node -e 'const d = JSON.parse(require("fs").readFileSync(0)); console.log(d[0].format, d[0].count + 1)' <"$dir/file.json")" = "fixed16 11" ]
 }
 
