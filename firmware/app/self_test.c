@@ -24,9 +24,10 @@ static const struct known {
 
 /* ---- text --------------------------------------------------------------------------------------- */
 
-/* The number in this base, with `digits` digits at least. */
-static void put_number(uint32_t value, uint32_t base, uint32_t digits)
+/* The number with `digits` digits at least. */
+static void put_number(uint32_t value, bool hex, uint32_t digits)
 {
+    const uint32_t base = hex ? 16 : 10;
     char text[11];
     uint32_t i = sizeof text - 1;
     text[i] = '\0';
@@ -40,7 +41,7 @@ static void put_number(uint32_t value, uint32_t base, uint32_t digits)
 static void put_named(const char *name, uint32_t value)
 {
     self_test_put(name);
-    put_number(value, 10, 1);
+    put_number(value, false, 1);
 }
 
 static void put_size(const struct runner *runner)
@@ -77,7 +78,7 @@ static void put_tail(int result)
                   : result > 0 ? "self-test: FAILED"
                                : "self-test: did not end, error ");
     if (result < 0) {
-        put_number((uint32_t)-result, 10, 1);
+        put_number((uint32_t)-result, false, 1);
     }
     self_test_put("\n");
     self_test_put(
@@ -145,10 +146,10 @@ static int compare(struct runner *runner, uint32_t demo)
     self_test_put(known_demos[demo]);
     put_size(runner);
     self_test_put(" crc32 ");
-    put_number(crc, 16, 8);
+    put_number(crc, true, 8);
     self_test_put(known == NULL ? ", none is known for this size" : same ? ", as known" : ", but known is ");
     if (!same) {
-        put_number(known->crc[demo], 16, 8);
+        put_number(known->crc[demo], true, 8);
     }
     self_test_put("\n");
     return same ? 0 : 1;

@@ -22,9 +22,9 @@ struct kms_clip {
 
 /*
  * Opens the card, and finds a connected display on it and its own mode. where: see struct kms. Takes nothing yet.
- * Errors (HAL_E..) leave *card NULL and a line in error.
+ * Errors (HAL_E..) leave *out NULL and a line in error.
  */
-int kms_card_open(struct kms_card **card, const char *where, char error[KMS_ERROR_SIZE]);
+int kms_card_open(struct kms_card **out, const char *where, char error[KMS_ERROR_SIZE]);
 
 /* The size of its mode. */
 void kms_card_size(const struct kms_card *card, uint32_t *width, uint32_t *height);

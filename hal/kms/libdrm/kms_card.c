@@ -2,13 +2,13 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "../kms_card.h"
+#include "../kms_fail.h"
 
 #include "hal.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,37 +37,6 @@ struct kms_card {
     unsigned back;   /* the one that is drawn into */
     bool dirty, set; /* the driver has DIRTYFB; the display is ours */
 };
-
-static int fail(char *error, int number, const char *format, ...) __attribute__((format(printf, 3, 4)));
-
-/* Writes the line and returns the errno's name in hal.h. */
-static int fail(char *error, int number, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    const int n = vsnprintf(error, KMS_ERROR_SIZE, format, arguments);
-    va_end(arguments);
-    if (n >= 0 && n < KMS_ERROR_SIZE && (number == EACCES || number == EPERM)) {
-        snprintf(
-            error + n, KMS_ERROR_SIZE - (size_t)n,
-            ": no permission; join the group video, and stop what else draws there (a desktop: take a text console)");
-    } else if (n >= 0 && n < KMS_ERROR_SIZE && number != 0) {
-        snprintf(error + n, KMS_ERROR_SIZE - (size_t)n, ": %s", strerror(number));
-    }
-    switch (number) {
-    case EACCES:
-    case EPERM:
-        return HAL_EACCES;
-    case EBUSY:
-        return HAL_EBUSY;
-    case 0:
-    case ENOENT:
-    case ENODEV:
-        return HAL_ENODEV;
-    default:
-        return HAL_EIO;
-    }
-}
 
 /* ---- which display ------------------------------------------------------------------------------ */
 
@@ -164,9 +133,9 @@ static int find(struct kms_card *card, const char *where, char *error)
         const int number = n < (int)sizeof card->path ? try_card(card, connector) : ENOENT;
         return number == 0 ? 0
                : number == ENODEV
-                   ? fail(error, 0, "--drm %s: no such display is connected; `pinhole-panel list` shows what is there",
-                          where)
-                   : fail(error, number, "%s", card->path);
+                   ? kms_fail(error, 0,
+                              "--drm %s: no such display is connected; `pinhole-panel list` shows what is there", where)
+                   : kms_fail(error, number, "%s", card->path);
     }
     int denied = 0;
     for (int i = 0; i < CARDS; i++) {
@@ -178,9 +147,9 @@ static int find(struct kms_card *card, const char *where, char *error)
         denied = number == EACCES ? number : denied;
     }
     return denied != 0
-               ? fail(error, denied, "/dev/dri")
-               : fail(error, 0, "--drm: no card in /dev/dri has a display%s%s; the kernel needs a driver for it",
-                      connector != NULL ? " " : "", connector != NULL ? connector : "");
+               ? kms_fail(error, denied, "/dev/dri")
+               : kms_fail(error, 0, "--drm: no card in /dev/dri has a display%s%s; the kernel needs a driver for it",
+                          connector != NULL ? " " : "", connector != NULL ? connector : "");
 }
 
 int kms_card_open(struct kms_card **out, const char *where, char error[KMS_ERROR_SIZE])
@@ -188,7 +157,7 @@ int kms_card_open(struct kms_card **out, const char *where, char error[KMS_ERROR
     struct kms_card *card = calloc(1, sizeof *card);
     *out = NULL;
     if (card == NULL) {
-        return fail(error, ENOMEM, "--drm");
+        return kms_fail(error, ENOMEM, "--drm");
     }
     card->file = -1;
     const int status = find(card, where, error);
@@ -287,16 +256,17 @@ int kms_card_take(struct kms_card *card, char error[KMS_ERROR_SIZE])
 {
     card->before = drmModeGetCrtc(card->file, card->crtc);
     if (make_surface(card, &card->surface[0]) != 0) {
-        return fail(error, errno, "%s: no frame buffer of %ux%u", card->name, card->mode.hdisplay, card->mode.vdisplay);
+        return kms_fail(error, errno, "%s: no frame buffer of %ux%u", card->name, card->mode.hdisplay,
+                        card->mode.vdisplay);
     }
     if (set_mode(card, &card->surface[0]) != 0) {
-        return fail(error, errno, "%s: mode %ux%u", card->name, card->mode.hdisplay, card->mode.vdisplay);
+        return kms_fail(error, errno, "%s: mode %ux%u", card->name, card->mode.hdisplay, card->mode.vdisplay);
     }
     card->set = true;
     card->dirty = drmModeDirtyFB(card->file, card->surface[0].id, NULL, 0) == 0;
     card->back = card->dirty ? 0 : 1;
     if (!card->dirty && make_surface(card, &card->surface[1]) != 0) {
-        return fail(error, errno, "%s: no second frame buffer", card->name);
+        return kms_fail(error, errno, "%s: no second frame buffer", card->name);
     }
     return HAL_OK;
 }
@@ -335,10 +305,10 @@ static int flip(struct kms_card *card, char *error)
     bool done = false;
     if (drmModePageFlip(card->file, card->crtc, s->id, DRM_MODE_PAGE_FLIP_EVENT, &done) == 0) {
         if (!wait_flip(card, &done)) {
-            return fail(error, ETIMEDOUT, "%s: the page flip does not end", card->name);
+            return kms_fail(error, ETIMEDOUT, "%s: the page flip does not end", card->name);
         }
     } else if (set_mode(card, s) != 0) {
-        return fail(error, errno, "%s: page flip", card->name);
+        return kms_fail(error, errno, "%s: page flip", card->name);
     }
     card->back = 1 - card->back;
     return HAL_OK;
@@ -355,7 +325,7 @@ int kms_card_show(struct kms_card *card, const struct kms_clip *clips, uint32_t 
     memcpy(copy, clips, n * sizeof *copy);
     return drmModeDirtyFB(card->file, card->surface[0].id, n > 0 ? copy : NULL, n) == 0
                ? HAL_OK
-               : fail(error, errno, "%s: DIRTYFB", card->name);
+               : kms_fail(error, errno, "%s: DIRTYFB", card->name);
 }
 
 /* What was shown before is shown again; if that is gone (a console's buffer), the kernel restores its console. */

@@ -6,10 +6,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
-int kms_card_open(struct kms_card **card, const char *where, char error[KMS_ERROR_SIZE])
+int kms_card_open(struct kms_card **out, const char *where, char error[KMS_ERROR_SIZE])
 {
     (void)where;
-    *card = NULL;
+    *out = NULL;
     snprintf(error, KMS_ERROR_SIZE,
              "this pinhole-panel was built without libdrm: install libdrm-dev and run make again");
     return HAL_ENOSYS;
