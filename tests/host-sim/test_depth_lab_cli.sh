@@ -148,7 +148,9 @@ advice_is_kept() { promise .05 100 100 && promise .01 30 100 && promise .5 400 1
 advice_is_tight() {
     local near
     near=$(field 6 fixed16 advise --separate .05 --at 90 --tilt 0 --format fixed16)
-    field 7 fixed16,.*,90, resolve --near "$(awk "BEGIN { print $near / 2 }")" --at 90 --format fixed16 | awk '{ exit !($1 > .05) }'
+    field 7 fixed16,.*,90, resolve --near "$(awk "BEGIN { print $near / 2 }")" --at 90 --format fixed16 | awk '{ exit !($1 > .05) }' || return 1
+    near=$(field 6 fixed16 advise --separate .0001 --at 3 --far 3 --tilt 0 --format fixed16) # near ranges use all codes
+    awk -v near="$near" 'BEGIN { exit !(near > .9 && near < 1.2) }'
 }
 
 # advise looks at the plateaus beside that of Z too, so it may say a little more than resolve.
