@@ -2,6 +2,7 @@
 #include "small_texels.h"
 
 #include "texel_map.h"
+#include "texel_mix.h"
 
 /* u or v of a small triangle, n rows below the row from which they count. */
 static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
@@ -49,7 +50,12 @@ static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_tr
     struct ph_texel_rows *const r = &s->rows;
     s->kind = (struct ph_tile_kind){.triangle = t, .clamp = texture->wrap == PH_WRAP_CLAMP, .plain = true};
     ph_set_texel_kind(&s->kind, r, texture);
-    ph_set_texel_light(r, t, &t->small_shades, 0u - PH_TILE, (uint32_t)(y - t->y_top - t->range_log2 + 1));
+    ph_set_texel_light(r, t, &t->small_shades, s->kind.clamp ? 0u - PH_TILE : 0,
+                       (uint32_t)(y - t->y_top - t->range_log2 + 1));
+    if (s->kind.smooth && !s->kind.clamp) {
+        s->run.u.at -= (uint32_t)1 << 21;
+        s->run.v.at -= (uint32_t)1 << (s->kind.v_down - 1);
+    }
     r->stride_bytes = s->run.stride_bytes;
     r->columns = 2 * PH_TILE - 1;
 }
@@ -98,9 +104,49 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     return ph_texture_small(&r);
 }
 
-/* Draws the rows of a run that ph_texture_small cannot draw. Columns of a tile are not negative: they count from
+/* Draws the next row of a run with light or a filter, n pixels from column `from` on. */
+static inline void draw_special_row(struct ph_small_texels *s, struct ph_texel_row *row, uint32_t from, uint32_t n)
+{
+    const struct ph_texel_run *const run = &s->run;
+    row->depth = run->depth + (int32_t)from;
+    row->pixels = run->pixels + (int32_t)from;
+    row->n = n;
+    row->d = run->d + from * run->gd;
+    row->u = ph_texel_walk_from(run->u.at, run->u.step, run->u.bend, from, n);
+    row->v = ph_texel_walk_from(run->v.at, run->v.step, run->v.bend, from, n);
+    ph_draw_texel_row(&s->kind, row, s->rows.light + from * s->rows.glight, s->rows.glight);
+}
+
+/* Draws the rows of a run with light or a filter. */
+static FX_APART uint32_t draw_special(struct ph_small_texels *s)
+{
+    struct ph_texel_run *const run = &s->run;
+    struct ph_texel_row row = {.gd = run->gd, .u_mask = run->u_mask, .v_mask = run->v_mask, .texels = run->texels};
+    uint32_t count = 0;
+    row.v_down = (uint32_t)s->kind.v_down - 5;
+    do {
+        for (; run->rows > 0; run->rows--) {
+            const int32_t from = (int32_t)run->left >> 16, n = ((int32_t)run->right >> 16) - from;
+            if (n > 0) {
+                draw_special_row(s, &row, (uint32_t)from, (uint32_t)n);
+                count += (uint32_t)n;
+            }
+            run->left += run->left_dx;
+            run->right += run->right_dx;
+            run->d += run->d_dy;
+            s->rows.light += s->rows.light_dy;
+            run->depth = ph_row_below(run->depth, run->stride_bytes);
+            run->pixels = ph_row_below(run->pixels, run->stride_bytes);
+            ph_texel_line_down(&run->u);
+            ph_texel_line_down(&run->v);
+        }
+    } while (ph_texel_run_lower(run));
+    return count;
+}
+
+/* Draws the rows of a run that may leave a clamped texture. Columns of a tile are not negative: they count from
  * PH_TILE columns further left. */
-static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
+static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 {
     struct ph_texel_run *const run = &s->run;
     struct ph_texel_rows *const r = &s->rows;
@@ -132,7 +178,7 @@ static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
 
 static uint32_t draw_run_of(struct ph_small_texels *s)
 {
-    return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
+    return s->usual ? ph_texture_small(&s->run) : s->kind.clamp ? draw_clamped(s) : draw_special(s);
 }
 
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,

@@ -165,11 +165,10 @@ static FX_APART void clamp_light(uint32_t *light, uint32_t *glight, uint32_t n)
     *glight = n > 1 ? (uint32_t)((int32_t)(to - from) / (int32_t)(n - 1)) : 0;
 }
 
-/* Sets the light of n pixels from column i on. Returns the most, in 32nds. */
-static inline uint32_t set_row_light(struct ph_texel_row *row, const struct ph_texel_rows *r, uint32_t i, uint32_t n)
+/* Sets the light of a row. Returns the most, in 32nds. */
+static inline uint32_t set_row_light(struct ph_texel_row *row, uint32_t light, uint32_t glight)
 {
-    const uint32_t more = (n - 1) & 3; /* of the first four, behind the first */
-    uint32_t light = r->light + i * r->glight, glight = r->glight;
+    const uint32_t n = row->n, more = (n - 1) & 3; /* of the first four, behind the first */
     if (glight == 0) {
         row->level = light_of(light);
         row->light = light;
@@ -241,28 +240,18 @@ static uint32_t clamp_way(struct ph_texel_way *way, const struct border *b, uint
     return n;
 }
 
-/* Draws n columns of a row from column i on. */
-static void draw_rare_pixels(const struct ph_tile_kind *k, const struct ph_texel_rows *r, struct rare_row *row,
-                             uint32_t i, uint32_t n)
+void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight)
 {
-    struct ph_texel_row *const t = &row->texels;
-    t->depth = r->depth + i;
-    t->pixels = r->pixels + i;
-    t->n = n;
-    t->d = r->d + i * r->gd;
-    t->u = ph_texel_walk_from(row->u.at, row->u.step, row->u.bend, 0, n);
-    t->v = ph_texel_walk_from(row->v.at, row->v.step, row->v.bend, 0, n);
-    const bool shining = k->lit && set_row_light(t, r, i, n) > 32;
-    if (shining) {
-        draw_shining_row(t, k->smooth);
+    if (k->lit && set_row_light(row, light, glight) > 32) {
+        draw_shining_row(row, k->smooth);
     } else if (k->smooth && k->lit) {
-        ph_texel_row_smooth_lit(t);
+        ph_texel_row_smooth_lit(row);
     } else if (k->smooth) {
-        ph_texel_row_smooth(t);
+        ph_texel_row_smooth(row);
     } else if (k->lit) {
-        ph_texel_row_lit(t);
+        ph_texel_row_lit(row);
     } else {
-        ph_texel_row_nearest(t);
+        ph_texel_row_nearest(row);
     }
 }
 
@@ -294,7 +283,13 @@ static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
             n = clamp_way(&row.u, &u_border, n);
             n = clamp_way(&row.v, &v_border, n);
         }
-        draw_rare_pixels(k, r, &row, i, n);
+        row.texels.depth = r->depth + i;
+        row.texels.pixels = r->pixels + i;
+        row.texels.n = n;
+        row.texels.d = r->d + i * r->gd;
+        row.texels.u = ph_texel_walk_from(row.u.at, row.u.step, row.u.bend, 0, n);
+        row.texels.v = ph_texel_walk_from(row.v.at, row.v.step, row.v.bend, 0, n);
+        ph_draw_texel_row(k, &row.texels, r->light + i * r->glight, r->glight);
     }
 }
 

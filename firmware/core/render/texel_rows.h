@@ -2,6 +2,7 @@
 #ifndef PH_TEXEL_ROWS_H
 #define PH_TEXEL_ROWS_H
 
+#include "texel_row.h"
 #include "texture_tile.h"
 #include "triangle.h"
 
@@ -48,6 +49,9 @@ static inline void ph_set_texel_light(struct ph_texel_rows *r, const struct ph_t
     r->glight = shaded ? shades->gx : 0;
     r->light_dy = shaded ? shades->gy : 0;
 }
+
+/* Draws a row, of which all but light is set; light at its first pixel. */
+void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight);
 
 /* Draws rows whose depth is in codes, of a texture of up to 65,536 texels. */
 void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r);

@@ -130,22 +130,27 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
-    struct ph_tile_kind k = {.triangle = t, .depth24 = band->depth24};
+    struct ph_tile_kind k;
     struct ph_texel_rows r;
     r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;
     r.stride_bytes = 2 * width;
+    r.light = r.glight = r.light_dy = 0;
+    k.triangle = t;
+    k.depth24 = band->depth24;
     k.end = (int32_t)left;
     r.columns = left < columns ? left : columns;
     r.count = 0;
     r.d = ph_plane_at(&t->depth, tile->x, (uint32_t)rows.y0);
     r.gd = t->depth.gx;
     r.d_dy = t->depth.gy;
-    ph_set_texel_light(&r, t, &t->shades, tile->x, (uint32_t)rows.y0);
     if (t->material->texture->filter == PH_FILTER_MIPMAP) {
         set_mapped_texels(&k, tile, s, &r);
     } else {
         set_texels(&k, tile, s, t->material->texture, &r);
+    }
+    if (k.lit) {
+        ph_set_texel_light(&r, t, &t->shades, tile->x, (uint32_t)rows.y0);
     }
     for (int32_t skipped = y; skipped < rows.y0; skipped++) {
         ph_texel_way_down(&r.u);

@@ -39,7 +39,7 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
+static inline void ph_draw_tile_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
     const uint32_t first = row->first, n = row->n;
     const struct ph_texel_row pixels = {
@@ -65,7 +65,7 @@ static inline void ph_texture_tile_plain(struct ph_texel_rows *r)
             if (ph_is_outside(r, row.first, row.first + row.n - 1)) {
                 return;
             }
-            ph_draw_texel_row(r, &row);
+            ph_draw_tile_row(r, &row);
             r->count += row.n;
         }
         ph_row_down(r);
