@@ -133,7 +133,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 CORE_O3_armv6m := fisheye mesh raster
-CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_rows texture tile_depth tile_surface
+CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_row_nearest texel_row_lit texel_rows texture tile_depth tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
@@ -226,7 +226,7 @@ proof: ## proves by CBMC and Gappa that no sum overflows, and how far results ar
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh
 
-bench: ## instructions a frame of the six scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
+bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image
