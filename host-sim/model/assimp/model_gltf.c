@@ -83,7 +83,7 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
     if (mode < 4) {
         return true; /* points and lines */
     }
-    if (mode > 6 || p->material > materials) {
+    if (mode > 6 || (p->material >= materials && cJSON_GetObjectItemCaseSensitive(from, "material") != NULL)) {
         return gltf_file_failed(file, "a primitive has a mode or a material that is not there");
     }
     char name[24];
