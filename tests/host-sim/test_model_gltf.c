@@ -223,7 +223,7 @@ static void a_node_with_two_parents_is_refused(void **state)
     char text[4096] = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[";
     (void)state;
     for (int i = 1; i < 30; i++) {
-        snprintf(text + strlen(text), 32, "{\"children\":[%d,%d]},", i, i);
+        snprintf(text + strlen(text), 64, "{\"children\":[%d,%d]},", i, i);
     }
     strcat(text, "{\"mesh\":0}]," MESH "\"materials\":[{}]," ACCESSORS BUFFER);
     assert_refused(text, "has two parents");
