@@ -75,6 +75,8 @@ done
 check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r0/nop/'
 check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
 check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
+check "a_corner_of_another_octave_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/rsb r9, r7, #31/rsb r9, r7, #30/'
+check "a_wider_margin_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/movs r1, #33 /movs r1, #34 /'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/lsr #16$/lsr #15/'
 check "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'

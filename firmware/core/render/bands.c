@@ -142,18 +142,25 @@ static void take_lens(struct ph_renderer *r, const struct ph_draw *draw)
     }
 }
 
+/* Prepares the draw of a reference that is behind the current draw. */
+static __attribute__((noinline)) void enter_draw(struct feed *f, uint32_t ref)
+{
+    find_draw(f, ref);
+    take_lens(f->r, f->draw);
+    ph_setting_of(&f->setting, f->r, f->draw);
+}
+
 /* Sets up the next triangle. */
-static void set_up(struct feed *f, struct ph_triangle *t)
+static inline void set_up(struct feed *f, struct ph_triangle *t)
 {
     const uint32_t ref = f->ref;
+    const struct ph_ref *const at = ph_ref_at(f->r, ref);
     if (ref >= f->next_first) {
-        find_draw(f, ref);
-        take_lens(f->r, f->draw);
-        ph_setting_of(&f->setting, f->r, f->draw);
+        enter_draw(f, ref);
     }
-    ph_setup(&f->setting, ph_ref_at(f->r, ref), t);
+    ph_setup(&f->setting, at, t);
     t->order = ref;
-    f->ref = next_of(f, ref);
+    f->ref = at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : next_of(f, ref);
 }
 
 /* ---- slots ------------------------------------------------------------------------------------------------------ */

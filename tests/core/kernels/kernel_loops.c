@@ -107,9 +107,56 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
     return (struct ph_sides){dx1, dy1, dx2, dy2, dx2 * dy1 - dx1 * dy2, true};
 }
 
+static uint32_t hash_small(uint32_t h, const struct ph_triangle *t)
+{
+    const struct ph_small_triangle *const s = &t->small;
+    const uint32_t rows[] = {s->left_dx, s->right_dx, s->d_dy,  s->light_dy, s->gd,
+                             s->glight,  s->left,     s->right, s->d,        s->light};
+    h = hash(h, rows, sizeof rows);
+    h = s->lower_rows > 0 ? word(word(h, (uint32_t)s->lower.x), (uint32_t)s->lower.dx) : h;
+    h = word(word(word(h, s->upper_rows), s->lower_rows), s->lower_is_right);
+    return word(word(h, (uint32_t)t->y_top), (uint32_t)t->y_bottom);
+}
+
+/* A reference to a triangle that is mostly small, within a picture, and in one octave of depth. */
+static uint32_t try_setup_usual(uint32_t h)
+{
+    const struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = 8, .float_down = 3};
+    const uint32_t size = below(4) > 0 ? 5000 : below(2) > 0 ? 2 * PH_SIDE_SMALL : 40, depths = below(20);
+    struct ph_vertex corner[4];
+    for (int i = 0; i < 4; i++) {
+        corner[i].x = (int32_t)(40 * 256 + below(size));
+        corner[i].y = (int32_t)(40 * 256 + below(size));
+        corner[i].light = (uint16_t)bits();
+        corner[i].q = ((uint32_t)5 << 28) + (bits() >> (2 + depths));
+        corner[i].s = (int8_t)(below(16) > 0 ? 3 : 2 + below(3));
+    }
+    const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
+    const struct ph_usual usual = {.base = corner,
+                                   .lens = &lens,
+                                   .inner_x = 20000,
+                                   .inner_y = 1000 + below(20000),
+                                   .bias = below(1 << 20),
+                                   .ramp = ramp,
+                                   .material = &material};
+    const uint16_t first = (uint16_t)below(2), second = (uint16_t)(first + 1);
+    const struct ph_sides sides = sides_of(&corner[first], &corner[second], &corner[3]);
+    const struct ph_ref ref = {{first, sides.area > 0 ? second : 3, sides.area > 0 ? 3 : second}, 0};
+    struct ph_triangle t;
+    memset(&t, 0, sizeof t);
+    if (sides.area == 0 || ph_setup_usual(&usual, &ref, &t) != PH_SMALL_SET) {
+        return word(h, 0);
+    }
+    h = word(h, t.kind == PH_KIND_SMALL && t.block == PH_BLOCK_NONE && t.material == &material && t.small.ramp == ramp);
+    return hash_small(h, &t);
+}
+
 /* A triangle round a point within the picture; also without rows, as a sliver and steep. */
 static uint32_t try_setup_small(uint32_t h)
 {
+    if (below(3) == 0) {
+        return try_setup_usual(h);
+    }
     const uint32_t size = below(3) > 0 ? 2 * PH_SIDE_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
     struct ph_vertex corner[3];
     const uint32_t high = below(4) > 0 ? 0 : 1; /* textured ones may have twice as many rows */
@@ -129,12 +176,7 @@ static uint32_t try_setup_small(uint32_t h)
     if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
         return word(h, 0);
     }
-    const uint32_t rows[] = {t.small.left_dx, t.small.right_dx, t.small.d_dy,  t.small.light_dy, t.small.gd,
-                             t.small.glight,  t.small.left,     t.small.right, t.small.d,        t.small.light};
-    h = hash(h, rows, sizeof rows);
-    h = t.small.lower_rows > 0 ? word(word(h, (uint32_t)t.small.lower.x), (uint32_t)t.small.lower.dx) : h;
-    h = word(word(word(h, t.small.upper_rows), t.small.lower_rows), t.small.lower_is_right);
-    return word(word(h, (uint32_t)t.y_top), (uint32_t)t.y_bottom);
+    return hash_small(h, &t);
 }
 
 /* Corners in front of a far plane, mostly near each other. */
