@@ -16,7 +16,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud small_gouraud setup_small float_depths texture_tile texture_small vertices cull)
+loops=(fill span_flat span_gouraud small_gouraud small_knee setup_small float_depths texture_tile texture_small vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -73,6 +73,7 @@ for cpu in armv6m armv7m; do
     check "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
 done
 check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r0/nop/'
+check "a_knee_forgotten_for_armv7m_is_seen" change_is_seen armv7m small_knee 's/#small_knee/#small_light/'
 check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
 check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
 check "a_corner_of_another_octave_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/rsb r9, r7, #31/rsb r9, r7, #30/'

@@ -71,4 +71,7 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 
+/* small_knee.c: the same for PH_KIND_SMALL_KNEE. */
+uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
+
 #endif

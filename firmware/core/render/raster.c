@@ -353,12 +353,19 @@ static FX_APART struct place cut_rows(const struct ph_triangle *t, const struct 
     return (struct place){(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width};
 }
 
-/* Draws a small triangle that the band cuts. */
+/* Draws the rows of a small triangle that are left. */
+static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_small_triangle *r, const struct place *at)
+{
+    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride)
+                                    : ph_small_knee(r, at->depth, at->pixels, 2 * at->stride);
+}
+
+/* Draws a small triangle that the band cuts, or that has a knee. */
 static NOINLINE uint32_t draw_cut(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
     const struct place at = cut_rows(t, band, &r);
-    return ph_small_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
+    return draw_left(t, &r, &at);
 }
 
 /* Draws a small triangle that crosses octaves. */
@@ -400,6 +407,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
     }
+    if (t->kind == PH_KIND_SMALL_KNEE) {
+        return draw_cut(t, band);
+    }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE && ph_texels_are_usual(t) ? ph_draw_small_texels(t, band)
                                                                    : draw_small_texture(t, band);
@@ -413,11 +423,17 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     return walk(t, band);
 }
 
+/* Whether a triangle is small and has a plane of codes, with or without a knee. */
+static inline bool can_step(const struct ph_triangle *t)
+{
+    return t->kind == PH_KIND_SMALL_KNEE || (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE);
+}
+
 /* Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
  * octaves stays as it is, since its depth is rounded at its first row. */
 void ph_step_below(struct ph_triangle *t, int32_t y1)
 {
-    if (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE) {
+    if (can_step(t)) {
         skip_rows(&t->small, (uint32_t)(y1 - t->y_top));
         t->y_top = (int16_t)y1;
     }
@@ -425,7 +441,7 @@ void ph_step_below(struct ph_triangle *t, int32_t y1)
 
 uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind != PH_KIND_SMALL || t->block != PH_BLOCK_NONE || t->y_top < band->y0) {
+    if (!can_step(t) || t->y_top < band->y0) {
         const uint32_t count = ph_draw_triangle(t, band);
         ph_step_below(t, band->y1);
         return count;
@@ -433,7 +449,7 @@ uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
     struct ph_small_triangle *const small = &t->small;
     const uint16_t upper_rows = small->upper_rows, lower_rows = small->lower_rows;
     const struct place at = cut_rows(t, band, small);
-    const uint32_t count = ph_small_gouraud(small, at.depth, at.pixels, 2 * at.stride);
+    const uint32_t count = draw_left(t, small, &at);
     small->upper_rows = upper_rows;
     small->lower_rows = lower_rows;
     skip_rows(small, (uint32_t)(band->y1 - t->y_top));

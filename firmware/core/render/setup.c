@@ -267,6 +267,9 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             setup_other(s, v, uv, sides, small, t);
         }
     } else {
+        if (t->block != PH_BLOCK_NONE) {
+            ph_set_knee(t, d);
+        }
         ph_set_light(s, v[0], &t->small);
     }
 }

@@ -11,8 +11,6 @@
 #include "depth.h"
 #include "triangle.h"
 
-#define PH_DEPTH_WRAPPED 0xffc00000u /* d from here on has fallen below 0: the nearest d and its head room are less */
-
 /* Keeps the branch round the two stores of a pixel. Compilers for Thumb-2 would make the stores conditional instead,
  * and a hidden pixel would pay for instructions that do nothing. */
 #define PH_KEEP_BRANCH() __asm__ volatile("")

@@ -78,9 +78,11 @@ static uint32_t try_gouraud(uint32_t h)
     return h;
 }
 
-static uint32_t try_rows(uint32_t h)
+/* A small triangle, drawn by a kernel. */
+static uint32_t try_small(uint32_t h,
+                          uint32_t (*draw)(const struct ph_small_triangle *, uint16_t *, uint16_t *, uint32_t))
 {
-    struct ph_small_triangle r = {.ramp = ramp};
+    struct ph_small_triangle r = {.ramp = ramp, .knee = bits()};
     r.d = bits();
     r.light = bits();
     r.left = (40 << 16) + below(20 << 16);
@@ -98,7 +100,17 @@ static uint32_t try_rows(uint32_t h)
     r.lower.x = (int32_t)((r.lower_is_right ? r.left + below(20 << 16) : r.right - below(20 << 16)) + other);
     r.lower.dx = (int32_t)(r.lower_is_right ? r.left_dx : r.right_dx);
     const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
-    return word(h, ph_small_gouraud(&r, depth + at, pixels + pixels_at, stride_bytes));
+    return word(h, draw(&r, depth + at, pixels + pixels_at, stride_bytes));
+}
+
+static uint32_t try_rows(uint32_t h)
+{
+    return try_small(h, ph_small_gouraud);
+}
+
+static uint32_t try_knee(uint32_t h)
+{
+    return try_small(h, ph_small_knee);
 }
 
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
@@ -381,6 +393,7 @@ int main(void)
                  {"span_flat", try_flat},
                  {"span_gouraud", try_gouraud},
                  {"small_gouraud", try_rows},
+                 {"small_knee", try_knee},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},

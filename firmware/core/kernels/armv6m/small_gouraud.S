@@ -1,4 +1,4 @@
-@ ph_small_gouraud of kernels.h for ARMv6-M. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
 @ call some 40.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
@@ -17,11 +17,21 @@
     .equ triangle, 28   @ 0 when the lower edge has taken over
     .equ to_pixels, 32  @ from depth
     .equ stride, 36
-    .equ frame, 40
+    .equ knee, 40
+    .equ frame, 44
 
     .macro pixel at
     ldrh.n r5, [r0, #2 * \at]
+    .ifdef with_knee
+    ldr.n r6, [sp, #knee]
+    subs.n r6, r2, r6
+    bcc.n 2f
+    movs.n r6, #0
+2:  adds.n r6, r6, r2
+    lsrs r6, r6, #16
+    .else
     lsrs r6, r2, #16
+    .endif
     cmp r6, r5
     bls.n 1f
     strh.n r6, [r0, #2 * \at]
@@ -32,10 +42,19 @@
 1:  add r2, r8
     add r3, r9
     .endm
+    .ifdef with_knee
+    .equ pixel_bytes, 32
+    function ph_small_knee
+    .else
     .equ pixel_bytes, 22
-
-    function ph_small_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    function ph_small_gouraud
+    .endif
+    @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
+    .ifdef with_knee
+    ldr r4, [r0, #small_knee]
+    .endif
+    push {r4}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
     push {r0, r2, r3}
@@ -130,4 +149,8 @@ row:
 5:  ldr r0, [sp, #count]
     add sp, #frame
     restore_and_return
+    .ifdef with_knee
+    .size ph_small_knee, . - ph_small_knee
+    .else
     .size ph_small_gouraud, . - ph_small_gouraud
+    .endif

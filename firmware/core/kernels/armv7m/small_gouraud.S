@@ -1,4 +1,4 @@
-@ ph_small_gouraud of kernels.h for ARMv7-M. A row takes 23 instructions, a pixel that is drawn 10, a hidden one 6, a
+@ ph_small_gouraud of kernels.h for ARMv7-M; small_knee.S makes ph_small_knee of it. A row takes 23 instructions, a pixel that is drawn 10, a hidden one 6, a
 @ call 15 to 30.
 @
 @ Registers: r0 r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels, r9 left, r10 right, r11 d at
@@ -13,12 +13,22 @@
     .equ triangle, 16 @ 0 when the lower edge has taken over
     .equ to_pixels, 20 @ from depth
     .equ stride, 24
-    .equ frame, 28
+    .equ knee, 28
+    .equ frame, 32
 
     .macro pixel at
 pixel_\at:
     ldrh r1, [r7, #2 * \at]
+    .ifdef with_knee
+    ldr r0, [sp, #knee]
+    subs r0, r2, r0
+    it hs
+    movhs r0, #0
+    add r0, r2
+    lsrs r0, r0, #16
+    .else
     lsrs r0, r2, #16
+    .endif
     cmp r0, r1
     bls 1f
     strh r0, [r7, #2 * \at]
@@ -29,8 +39,17 @@ pixel_\at:
     add r3, r5
     .endm
 
-    function ph_small_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    .ifdef with_knee
+    function ph_small_knee
+    .else
+    function ph_small_gouraud
+    .endif
+    @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
+    .ifdef with_knee
+    ldr r4, [r0, #small_knee]
+    .endif
+    push {r4}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
     push {r0, r2, r3}
@@ -92,4 +111,8 @@ entries:
 5:  uxth r0, lr
     add sp, sp, #frame
     pop {r4-r11, pc}
+    .ifdef with_knee
+    .size ph_small_knee, . - ph_small_knee
+    .else
     .size ph_small_gouraud, . - ph_small_gouraud
+    .endif
