@@ -298,7 +298,7 @@ static NOINLINE void draw_edges(const struct part_context *c)
             continue;
         }
         if (((v0->code | v1->code) & PH_CLIP) == 0 && c->r->lens.kind != PH_FISHEYE) {
-            ph_list_line(c->r, edge, v0, v1, c->material->two_sided != 0);
+            ph_list_line(c->r, edge, v0, v1);
             continue;
         }
         const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
@@ -373,7 +373,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     c->draw.kind = wire ? PH_DRAW_LINES : PH_DRAW_SMALL;
     r->stats.triangles_in += wire ? 0 : part->count;
     if (!room || !ph_list_draw(r, &c->draw)) {
-        r->stats.triangles_dropped += wire ? 2 * c->mesh->edge_count : part->count;
+        r->stats.triangles_dropped += wire ? c->mesh->edge_count : part->count;
         return;
     }
     c->curved = r->lens.kind == PH_FISHEYE;
@@ -395,7 +395,7 @@ static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const bool wire = mesh->materials[mesh->parts[i].material].shading == PH_SHADE_WIRE;
         r->stats.triangles_in += wire ? 0 : mesh->parts[i].count;
-        r->stats.triangles_dropped += wire ? 2 * mesh->edge_count : mesh->parts[i].count;
+        r->stats.triangles_dropped += wire ? mesh->edge_count : mesh->parts[i].count;
     }
     return PH_OK;
 }
