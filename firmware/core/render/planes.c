@@ -289,20 +289,20 @@ void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
     const struct octaves at = octaves_of(d, t->block);
     const int down = ph_block_down(t->block), up = at.near - down;
     const uint32_t middle = ((uint32_t)1 << 31) >> at.near; /* where the near octave ends */
-    const uint32_t top = at.near == 0 ? PH_DEPTH_WRAPPED : 2 * middle;
     const uint32_t bottom = at.far == ph_depth_lowest(ph_block_exponent(t->block), down) ? 0 : middle / 2;
     /* A pixel may lie 2^-9 px outside, and its depth some codes beside the corners' plane. */
-    const uint32_t codes = up >= 0 ? KNEE_ROOM >> up : KNEE_ROOM << -up;
-    const uint32_t room =
-        (ph_without_sign((int32_t)small->gd) >> 8) + (ph_without_sign((int32_t)small->d_dy) >> 8) + codes;
+    const uint32_t gx = ph_without_sign((int32_t)small->gd), gy = ph_without_sign((int32_t)small->d_dy);
+    const uint32_t codes = up >= 0 ? KNEE_ROOM >> up : KNEE_ROOM << -up, room = (gx >> 8) + (gy >> 8) + codes;
+    if (at.near == 0 || at.far - at.near != 1 ||
+        (gx | gy) >> 28 != 0) { /* where the first row begins d has not wrapped */
+        return;
+    }
     for (int i = 0; i < 3; i++) {
-        if (d[i] < bottom + room || d[i] + room > top) {
+        if (d[i] < bottom + room || d[i] + room > 2 * middle) {
             return;
         }
     }
-    if (at.far - at.near == 1) {
-        bend_plane(t, at.near, middle);
-    }
+    bend_plane(t, at.near, middle);
 }
 
 NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,

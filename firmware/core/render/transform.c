@@ -72,8 +72,8 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
  * 2^focal_log2 / w) + centre, is compared with 0 and with size; both sides are multiplied by w. */
 static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
 {
-    const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + (int64_t)centre * w;
-    return (uint8_t)(at < 0 ? below : at > (int64_t)(size * 256) * w ? below * 2 : 0);
+    const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + fx_mul_wide(centre, w);
+    return (uint8_t)(at < 0 ? below : at > fx_mul_wide(size * 256, w) ? below * 2 : 0);
 }
 
 /* The same codes of a vertex that is projected. */

@@ -209,6 +209,26 @@ static uint32_t try_float(uint32_t h)
     return ph_float_depths(&lens, v, below(1 << 20), d) ? hash(h, d, sizeof d) : word(h, 0);
 }
 
+/* Rows that may begin and end outside of the picture. */
+static uint32_t try_wide(uint32_t h)
+{
+    struct ph_small_triangle r = {.ramp = ramp};
+    const uint32_t log2 = 18 + below(10);
+    r.left = below((uint32_t)1 << log2) - ((uint32_t)1 << log2 >> 1);
+    r.right = r.left + below((uint32_t)1 << log2) - (3 << 16);
+    r.left_dx = below(1 << 20) - (1 << 19);
+    r.right_dx = below(1 << 20) - (1 << 19);
+    r.d = bits();
+    r.light = bits();
+    r.d_dy = below(1 << 24);
+    r.light_dy = bits() >> 8;
+    r.gd = below(1 << 22);
+    r.glight = bits() >> 6;
+    r.upper_rows = (uint16_t)(1 + below(PH_WIDE_ROWS));
+    const uint32_t at = below(16), pixels_at = below(16);
+    return word(h, ph_wide_gouraud(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
+}
+
 static uint32_t spread(int log2)
 {
     return below((uint32_t)2 << log2) - ((uint32_t)1 << log2);
@@ -394,6 +414,7 @@ int main(void)
                  {"span_gouraud", try_gouraud},
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
+                 {"wide_gouraud", try_wide},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},

@@ -1,4 +1,5 @@
-@ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it,
+@ wide_gouraud.S ph_wide_gouraud. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
 @ call some 40.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
@@ -18,6 +19,7 @@
     .equ to_pixels, 32  @ from depth
     .equ stride, 36
     .equ knee, 40
+    .equ blocks, 40 @ of 32 pixels that are left in a wide row
     .equ frame, 44
 
     .macro pixel at
@@ -47,7 +49,11 @@
     function ph_small_knee
     .else
     .equ pixel_bytes, 22
+    .ifdef with_blocks
+    function ph_wide_gouraud
+    .else
     function ph_small_gouraud
+    .endif
     .endif
     @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
@@ -85,6 +91,16 @@ first:
     .error "pixel_bytes is wrong"
     .endif
 last:
+    .ifdef with_blocks
+    ldr r5, [sp, #blocks]
+    subs r5, #1
+    bmi row_end
+    str r5, [sp, #blocks]
+    adds r0, #64
+    adds r1, #64
+    b first
+row_end:
+    .endif
     ldr r0, [sp, #rows]
     subs r0, #1
     str r0, [sp, #rows]
@@ -96,20 +112,41 @@ row:
     mov r6, r11
     ldr r0, [sp, #right_dx]
     add r11, r0
+    .ifdef with_blocks
+    asrs r5, r5, #16 @ cut to the picture
+    asrs r6, r6, #16
+    asrs r0, r5, #31
+    bics r5, r0
+    ldr r0, [sp, #stride]
+    lsrs r0, r0, #1
+    cmp r6, r0
+    ble 1f
+    mov r6, r0
+1:
+    .else
     lsrs r5, r5, #16
     lsrs r6, r6, #16
+    .endif
     mov r2, r12
     ldr r0, [sp, #d_dy]
     add r12, r0
     mov r3, lr
     ldr r0, [sp, #light_dy]
     add lr, r0
+    .ifdef with_blocks
+    mov r0, r7
+    .else
     lsls r0, r6, #1
     adds r0, r0, r7
+    .endif
     ldr r1, [sp, #stride]
     adds r7, r7, r1
     subs r6, r6, r5
+    .ifdef with_blocks
+    ble row_end
+    .else
     ble last
+    .endif
     ldr r1, [sp, #count]
     adds r1, r1, r6
     str r1, [sp, #count]
@@ -119,6 +156,18 @@ row:
     mov r1, r9
     muls r1, r5
     adds r3, r3, r1
+    .ifdef with_blocks
+    lsls r5, r5, #1
+    adds r0, r0, r5
+    subs r6, #1
+    lsrs r5, r6, #5
+    str r5, [sp, #blocks]
+    lsls r6, r6, #27
+    lsrs r6, r6, #27
+    adds r6, #1 @ the first 1 to 32 pixels
+    lsls r5, r6, #1
+    adds r0, r0, r5
+    .endif
     movs r1, #pixel_bytes
     muls r6, r1
     ldr r5, [sp, #pixels_end]
@@ -152,5 +201,9 @@ row:
     .ifdef with_knee
     .size ph_small_knee, . - ph_small_knee
     .else
+    .ifdef with_blocks
+    .size ph_wide_gouraud, . - ph_wide_gouraud
+    .else
     .size ph_small_gouraud, . - ph_small_gouraud
+    .endif
     .endif
