@@ -19,10 +19,10 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
 /* Draws pixel (x, y) of the band, which is one of a flat triangle or a line of any depth format. */
 void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
 
-/* The same for a triangle that begins and ends in the band. */
+/* The same for a triangle that ends in the band. */
 static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind != PH_KIND_SMALL || t->block != PH_BLOCK_NONE) {
+    if (t->kind != PH_KIND_SMALL || t->block != PH_BLOCK_NONE || t->y_top < band->y0) {
         return ph_draw_triangle(t, band);
     }
     const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;

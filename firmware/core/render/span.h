@@ -54,27 +54,43 @@ static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
     if (code <= *depth) {
         return false;
     }
+    PH_KEEP_BRANCH();
     *depth = code;
     return true;
 }
 
+/* Two pixels in each turn. */
 static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                   uint16_t colour)
 {
-    for (; n > 0; n--, d += gd, pixels++, depth++) {
+    for (; n > 1; n -= 2, d += 2 * gd, pixels += 2, depth += 2) {
         if (ph_nearer24(depth, d)) {
             *pixels = colour;
         }
+        if (ph_nearer24(depth + 1, d + gd)) {
+            pixels[1] = colour;
+        }
+    }
+    if (n > 0 && ph_nearer24(depth, d)) {
+        *pixels = colour;
     }
 }
 
 static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                      uint32_t light, uint32_t glight, const uint16_t *ramp)
 {
-    for (; n > 0; n--, d += gd, light += glight, pixels++, depth++) {
+    for (; n > 1; n -= 2, d += 2 * gd, pixels += 2, depth += 2) {
         if (ph_nearer24(depth, d)) {
             *pixels = ramp[light >> 25];
         }
+        light += glight;
+        if (ph_nearer24(depth + 1, d + gd)) {
+            pixels[1] = ramp[light >> 25];
+        }
+        light += glight;
+    }
+    if (n > 0 && ph_nearer24(depth, d)) {
+        *pixels = ramp[light >> 25];
     }
 }
 

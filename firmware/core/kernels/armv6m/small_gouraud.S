@@ -1,5 +1,5 @@
 @ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it,
-@ wide_gouraud.S ph_wide_gouraud. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ wide_gouraud.S ph_wide_gouraud. A row takes 37 instructions, a pixel that is drawn 11, a hidden one 6, a
 @ call some 40.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
@@ -8,16 +8,16 @@
 #include "../offsets.inc"
 #include "registers.inc"
 
-    .equ count, 0 @ on the stack
-    .equ left_dx, 4
-    .equ right_dx, 8
-    .equ d_dy, 12
-    .equ light_dy, 16
-    .equ rows, 20
-    .equ pixels_end, 24 @ address in the code where the pixels of a row end
-    .equ triangle, 28   @ 0 when the lower edge has taken over
-    .equ to_pixels, 32  @ from depth
-    .equ stride, 36
+    .equ left_dx, 0 @ on the stack; five words that a row loads at once
+    .equ right_dx, 4
+    .equ d_dy, 8
+    .equ light_dy, 12
+    .equ stride, 16
+    .equ count, 20
+    .equ rows, 24
+    .equ pixels_end, 28 @ address in the code where the pixels of a row end
+    .equ triangle, 32   @ 0 when the lower edge has taken over
+    .equ to_pixels, 36  @ from depth
     .equ knee, 40
     .equ blocks, 40 @ of 32 pixels that are left in a wide row
     .equ frame, 44
@@ -63,13 +63,16 @@
     push {r4}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
-    push {r0, r2, r3}
+    push {r0, r2}
+    mov lr, r3
     ldrh r2, [r0, #small_upper_rows - small_gd]
     ldr r3, =last + 1
     push {r2, r3}
+    mov r2, lr
     movs r3, #0
-    push {r3-r7}
-    movs r7, r1
+    push {r2, r3}
+    push {r4-r7}
+    subs r7, r1, r2 @ the row above
     subs r7, #64 @ the last of the 32 unrolled pixels is the last pixel of the row
     ldmia r0!, {r1-r4}
     mov r8, r1
@@ -106,56 +109,47 @@ row_end:
     str r0, [sp, #rows]
     beq 2f
 row:
+    mov r0, sp
+    ldmia r0, {r0-r3, r5}
+    adds r7, r7, r5
     mov r5, r10
-    ldr r0, [sp, #left_dx]
     add r10, r0
-    mov r6, r11
-    ldr r0, [sp, #right_dx]
-    add r11, r0
+    mov r0, r11
+    add r11, r1
+    mov r1, r12
+    add r12, r2
+    mov r2, lr
+    add lr, r3
     .ifdef with_blocks
     asrs r5, r5, #16 @ cut to the picture
-    asrs r6, r6, #16
-    asrs r0, r5, #31
-    bics r5, r0
-    ldr r0, [sp, #stride]
-    lsrs r0, r0, #1
-    cmp r6, r0
+    asrs r0, r0, #16
+    asrs r3, r5, #31
+    bics r5, r3
+    ldr r3, [sp, #stride]
+    lsrs r3, r3, #1
+    cmp r0, r3
     ble 1f
-    mov r6, r0
-1:
-    .else
-    lsrs r5, r5, #16
-    lsrs r6, r6, #16
-    .endif
-    mov r2, r12
-    ldr r0, [sp, #d_dy]
-    add r12, r0
-    mov r3, lr
-    ldr r0, [sp, #light_dy]
-    add lr, r0
-    .ifdef with_blocks
+    mov r0, r3
+1:  subs r6, r0, r5
+    ble row_end
     mov r0, r7
     .else
-    lsls r0, r6, #1
+    lsrs r5, r5, #16
+    lsrs r0, r0, #16
+    subs r6, r0, r5
+    ble last
+    lsls r0, r0, #1
     adds r0, r0, r7
     .endif
-    ldr r1, [sp, #stride]
-    adds r7, r7, r1
-    subs r6, r6, r5
-    .ifdef with_blocks
-    ble row_end
-    .else
-    ble last
-    .endif
+    mov r3, r9
+    muls r3, r5
+    adds r3, r3, r2
+    mov r2, r8
+    muls r2, r5
+    adds r2, r2, r1
     ldr r1, [sp, #count]
     adds r1, r1, r6
     str r1, [sp, #count]
-    mov r1, r8
-    muls r1, r5
-    adds r2, r2, r1
-    mov r1, r9
-    muls r1, r5
-    adds r3, r3, r1
     .ifdef with_blocks
     lsls r5, r5, #1
     adds r0, r0, r5
