@@ -79,18 +79,10 @@ static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n,
 static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                      uint32_t light, uint32_t glight, const uint16_t *ramp)
 {
-    for (; n > 1; n -= 2, d += 2 * gd, pixels += 2, depth += 2) {
+    for (; n > 0; n--, d += gd, light += glight, pixels++, depth++) {
         if (ph_nearer24(depth, d)) {
             *pixels = ramp[light >> 25];
         }
-        light += glight;
-        if (ph_nearer24(depth + 1, d + gd)) {
-            pixels[1] = ramp[light >> 25];
-        }
-        light += glight;
-    }
-    if (n > 0 && ph_nearer24(depth, d)) {
-        *pixels = ramp[light >> 25];
     }
 }
 
