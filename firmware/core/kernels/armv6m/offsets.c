@@ -2,6 +2,7 @@
 #include "cull.h"
 #include "kernels.h"
 #include "matvec.h"
+#include "texel_row.h"
 #include "texture_small.h"
 #include "texture_tile.h"
 #include "triangle.h"
