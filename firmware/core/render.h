@@ -243,9 +243,11 @@ struct ph_lens {
     int8_t far_s;         /* not negative; the next byte is read with it */
     uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
     struct ph_linear linear;
-    uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
-    uint32_t chord_min2; /* fisheye: (1/256 px)^2; shorter edges are not divided */
-    int32_t chord_max;   /* fisheye: 1/256 px; longer edges are always divided */
+    uint32_t turn_px;             /* fisheye: pixels per turn, 16.16 */
+    uint32_t chord_min2;          /* fisheye: (1/256 px)^2; shorter edges are not divided */
+    int32_t chord_max;            /* fisheye: 1/256 px; longer edges are always divided */
+    uint32_t near_over, far_over; /* fisheye: 1 / near_z, 1 / far_z, normalised */
+    int32_t far_shift;            /* fisheye: leading zeros of far_z */
 };
 
 /* Where the list of a frame stands, see list.h. Private to the renderer. */
