@@ -10,9 +10,10 @@
  * there the direction is a + b, made a unit vector again, and 1 / distance, which is linear in direction, is the sum of
  * both over |a + b|. An edge is divided when its ends are more than 1/20 turn apart in the picture, or when the
  * dividing point is more than 1/2 px off the straight line. A chord of L px is at most k L^2 / 8 f px off, with k below
- * .96 where theta < 120 degrees; edges that are short enough by that are not tested; edges below 2^-5 radian are never
- * divided. All of this depends on the ends of the edge alone, so two triangles that share an edge divide it alike and
- * no crack opens. The longest edge is divided first: the triangle becomes two, and one of them waits on a stack.
+ * .96 where theta < 120 degrees, below 1.72 where it is < 150, and below 4.6 elsewhere; edges that are short enough by
+ * that are not tested; edges below 2^-5 radian are never divided. All of this depends on the ends of the edge alone, so
+ * two triangles that share an edge divide it alike and no crack opens. The longest edge is divided first: the triangle
+ * becomes two, and one of them waits on a stack.
  *
  * Depth is the distance from the eye, so the near and the far plane are spheres. N/distance is interpolated linearly
  * over a piece, as N/w is in a perspective; over 1/20 turn its error is below 1/80. The point straight behind the eye
@@ -34,7 +35,7 @@
 #define G_SHIFT     23 /* of c in Q29: 64 steps from 0 to 1 */
 
 /* theta / sin theta at c = cos theta = i / 64 (above 1: arcosh c / sinh arcosh c), Q30. */
-static const uint32_t g_table[67] = {
+static const uint32_t g_ahead[67] = {
     1686629713, 1670055691, 1653877572, 1638080253, 1622649420, 1607571492, 1592833580, 1578423437, 1564329419,
     1550540449, 1537045982, 1523835971, 1510900837, 1498231444, 1485819073, 1473655393, 1461732446, 1450042622,
     1438578639, 1427333530, 1416300618, 1405473507, 1394846067, 1384412416, 1374166909, 1364104129, 1354218869,
@@ -43,6 +44,37 @@ static const uint32_t g_table[67] = {
     1194465743, 1187290463, 1180218359, 1173247064, 1166374284, 1159597796, 1152915448, 1146325153, 1139824886,
     1133412686, 1127086648, 1120844925, 1114685724, 1108607304, 1102607974, 1096686094, 1090840067, 1085068344,
     1079369418, 1073741824, 1068184139, 1062694977,
+};
+
+/* The same behind the viewer, Q26: octave k, 34 entries, is at 1 + c = 2^-(k + 1) (1 + i / 32). */
+static const uint32_t g_behind[7 * 34] = {
+    162296020,  159280097,  156402440,  153652987,  151022669,  148503284,  146087397,  143768247,  141539672,
+    139396045,  137332210,  135343440,  133425387,  131574045,  129785716,  128056984,  126384682,  124765873,
+    123197830,  121678012,  120204055,  118773751,  117385037,  116035983,  114724782,  113449738,  112209261,
+    111001854,  109826111,  108680704,  107564385,  106475974,  105414357,  104378481,  245415114,  241034419,
+    236852325,  232854448,  229027818,  225360705,  221842469,  218463434,  215214781,  212088450,  209077059,
+    206173834,  203372543,  200667445,  198053239,  195525024,  193078259,  190708728,  188412517,  186185981,
+    184025722,  181928571,  179891562,  177911925,  175987060,  174114530,  172292048,  170517461,  168788745,
+    167103992,  165461403,  163859281,  162296020,  160770104,  365433112,  359134446,  353119122,  347366679,
+    341858664,  336578383,  331510694,  326641826,  321959221,  317451403,  313107861,  308918944,  304875777,
+    300970179,  297194597,  293542045,  290006049,  286580603,  283260124,  280039412,  276913624,  273878235,
+    270929020,  268062021,  265273530,  262560069,  259918372,  257345367,  254838161,  252394032,  250010409,
+    247684867,  245415114,  243198982,  537312397,  528317087,  519724396,  511505297,  503633612,  496085656,
+    488839943,  481876930,  475178796,  468729252,  462513378,  456517476,  450728943,  445136167,  439728421,
+    434495786,  429429068,  424519735,  419759857,  415142051,  410659432,  406305576,  402074475,  397960508,
+    393958405,  390063222,  386270317,  382575323,  378974130,  375462865,  372037875,  368695710,  365433112,
+    362246996,  782164709,  769372387,  757150881,  745459079,  734259896,  723519782,  713208299,  703297759,
+    693762915,  684580688,  675729937,  667191250,  658946773,  650980047,  643275871,  635820188,  628599967,
+    621603116,  614818393,  608235333,  601844179,  595635821,  589601743,  583733975,  578025046,  572467948,
+    567056095,  561783297,  556643726,  551631888,  546742604,  541970981,  537312397,  532762479,  1129852895,
+    1111706249, 1094367902, 1077779666, 1061889053, 1046648574, 1032015145, 1017949576, 1004416127, 991382131,
+    978817658,  966695232,  954989575,  943677387,  932737149,  922148957,  911894364,  901956250,  892318697,
+    882966889,  873887009,  865066160,  856492283,  848154090,  840041004,  832143100,  824451054,  816956097,
+    809649976,  802524912,  795573568,  788789016,  782164709,  775694454,  1622649420, 1596943874, 1572382187,
+    1548882037, 1526369161, 1504776372, 1484042713, 1464112734, 1444935871, 1426465901, 1408660478, 1391480725,
+    1374890873, 1358857955, 1343351523, 1328343412, 1313807521, 1299719622, 1286057194, 1272799268, 1259926294,
+    1247420019, 1235263381, 1223440406, 1211936126, 1200736493, 1189828314, 1179199179, 1168837408, 1158731993,
+    1148872549, 1139249272, 1129852895, 1120674654,
 };
 
 /* 1 / distance: m 2^(s - 62), m in 2^30 .. 2^31, for a distance in units of Q16.16. */
@@ -56,7 +88,7 @@ struct screen {
 };
 
 /* Flags of a vertex; CUT: it cannot be drawn as it is. */
-enum { NEAR = 1, FAR = 2, BLIND_SPOT = 4, CUT = 7, BEYOND = 8, BEFORE = 16 };
+enum { NEAR = 1, FAR = 2, BLIND_SPOT = 4, CUT = 7, BEYOND = 8, BEFORE = 16, ASIDE = 32 };
 
 /* A vertex of the subdivision. */
 struct vertex {
@@ -66,7 +98,7 @@ struct vertex {
     int32_t light;
     fx_t uv[2];
     unsigned flags; /* NEAR, FAR: beyond that sphere; BLIND_SPOT: behind 170 degrees; BEYOND: set-up cannot take the
-                       position; BEFORE: less than 120 degrees from the axis */
+                       position; BEFORE, ASIDE: less than 120 or 150 degrees from the axis */
 };
 
 /* The signed product's high word. */
@@ -102,27 +134,25 @@ static void unit_of(const int32_t v[3], int32_t unit[3], struct inverse *inverse
     *inverse = (struct inverse){2 * y, up + half};
 }
 
-/* g of c, Q26; a direction's x and y are needed behind the viewer, where g = pi / sin theta - g(-c). */
-static uint32_t g_of(const int32_t direction[3])
+/* Quadratic interpolation between g[0] and g[1]; both falls are positive, the second is the smaller one. */
+static inline uint32_t between(const uint32_t *g, uint32_t part_q32)
 {
-    const uint32_t c = fx_magnitude(direction[2]), i = c >> G_SHIFT < 64 ? c >> G_SHIFT : 64;
-    const uint32_t part = (c << (32 - G_SHIFT)), *const g = &g_table[i], part16 = part >> 16;
-    const uint32_t fall = g[0] - g[1], bend = fall - (g[1] - g[2]);
-    const uint32_t ahead =
-        (g[0] - fx_mulhi_u32(fall, part) - ((bend >> 2) * (part16 * (65536 - part16) >> 17) >> 14)) >> 4;
-    if (direction[2] >= 0) {
-        return ahead;
+    const uint32_t fall = g[0] - g[1], bend = fall - (g[1] - g[2]), part = part_q32 >> 16;
+    return g[0] - fx_mulhi_u32(fall, part_q32) - ((bend >> 8) * (part * (65536 - part) >> 17) >> 8);
+}
+
+/* g of c, Q26, 2^-18 off at most. */
+static uint32_t g_of(int32_t c)
+{
+    if (c >= 0) {
+        const int32_t i = c >> G_SHIFT < 64 ? c >> G_SHIFT : 64;
+        return between(&g_ahead[i], (uint32_t)c << (32 - G_SHIFT)) >> 4;
     }
-    const uint32_t x = fx_magnitude(direction[0]) << 2, y = fx_magnitude(direction[1]) << 2;
-    const uint32_t square = fx_mulhi_u32(x, x) + fx_mulhi_u32(y, y), least = (uint32_t)1 << 28; /* Q30 */
-    uint32_t high = square < 4 * least ? square : 4 * least - 1;
-    int up = 0;
-    for (; up < 3 && high < least; up++) {
-        high <<= 2;
-    }
-    const uint32_t over_sine = fx_rsqrt_norm((high < least ? least : high) << 2) >> 2 << up; /* Q27 */
-    const uint32_t most = ((uint32_t)1 << 30) - 1; /* that is behind 170 degrees */
-    return (fx_mulhi_u32((over_sine < most ? over_sine : most) << 2, 3373259426u) >> 1) - ahead; /* pi, Q30 */
+    const int32_t most = c + (1 << 29), least = 1 << 22; /* nobody looks further behind */
+    const uint32_t z = (uint32_t)(most > least ? most : least);
+    const int octave = fx_clz32(z) - 3;
+    const uint32_t scaled = z << octave; /* 2^28 .. 2^29 */
+    return between(&g_behind[34 * octave + (int32_t)(scaled >> G_SHIFT & 31)], scaled << (32 - G_SHIFT));
 }
 
 /* f in 16.16 px a radian. */
@@ -137,15 +167,21 @@ static inline int32_t offset(int32_t direction, uint32_t g, int32_t focal)
     return (int32_t)((fx_mul_wide(radians, focal) + ((int64_t)1 << 31)) >> 32);
 }
 
+/* BEFORE and ASIDE, from the larger coordinate of a point from the centre, 1/256 px. */
+static unsigned zone_of(uint32_t size, int32_t focal)
+{
+    const uint32_t aside = fx_mulhi_u32((uint32_t)focal, PART_Q32(1.851 / 256)); /* 5 pi / 6 / sqrt 2 */
+    return size >= aside ? 0 : size < aside - (aside >> 2) + (aside >> 5) ? BEFORE | ASIDE : ASIDE;
+}
+
 /* Sets the place in the picture and its flags. */
 static void place(const struct ph_lens *lens, struct vertex *v)
 {
-    const uint32_t g = g_of(v->direction);
+    const uint32_t g = g_of(v->direction[2]);
     const int32_t focal = focal_of(lens), x = offset(v->direction[0], g, focal), y = offset(v->direction[1], g, focal);
     const uint32_t size = fx_magnitude(x) > fx_magnitude(y) ? fx_magnitude(x) : fx_magnitude(y);
     v->at = (struct screen){lens->centre_x + x, lens->centre_y + y};
-    v->flags = (v->direction[2] < BLIND ? BLIND_SPOT : 0u) | (size > REACH ? BEYOND : 0u) |
-               (size < fx_mulhi_u32((uint32_t)focal, PART_Q32(1.48 / 256)) ? BEFORE : 0u); /* 2 pi / 3 / sqrt 2 */
+    v->flags = (v->direction[2] < BLIND ? BLIND_SPOT : 0u) | (size > REACH ? BEYOND : 0u) | zone_of(size, focal);
 }
 
 static inline bool is_less(struct inverse a, struct inverse b)
@@ -206,24 +242,23 @@ static inline uint32_t longest2(const struct ph_lens *lens)
     return half * half;
 }
 
-/* Shorter ones never are: they are less than 1/2 px off. `before`: both ends are BEFORE. */
-static inline uint32_t shortest2(const struct ph_lens *lens, bool before)
+/* Shorter ones never are: they are less than 1/2 px off. `zones`: what both ends have of BEFORE and ASIDE. */
+static inline uint32_t shortest2(const struct ph_lens *lens, unsigned zones)
 {
-    const uint32_t least = before ? lens->chord_min2 : lens->chord_min2 / 4, most = longest2(lens);
-    return least < most ? least : most;
+    const uint32_t f = lens->chord_min2, least = (zones & BEFORE) != 0 ? f : (zones & ASIDE) != 0 ? f / 2 : f / 4;
+    return least < longest2(lens) ? least : longest2(lens);
 }
 
-static bool is_before(const struct ph_lens *lens, const struct ph_vertex *v)
+static unsigned zone_at(const struct ph_lens *lens, const struct ph_vertex *v)
 {
-    const uint32_t reach = fx_mulhi_u32((uint32_t)focal_of(lens), PART_Q32(1.48 / 256));
-    return fx_magnitude(v->x - lens->centre_x) < reach && fx_magnitude(v->y - lens->centre_y) < reach;
+    const uint32_t x = fx_magnitude(v->x - lens->centre_x), y = fx_magnitude(v->y - lens->centre_y);
+    return zone_of(x > y ? x : y, focal_of(lens));
 }
 
 bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, const struct ph_vertex *b,
                          const struct ph_vertex *c)
 {
-    const bool before = is_before(lens, a) && is_before(lens, b) && is_before(lens, c);
-    const uint32_t limit = shortest2(lens, before);
+    const uint32_t limit = shortest2(lens, zone_at(lens, a) & zone_at(lens, b) & zone_at(lens, c));
     return chord2(a->x, a->y, b->x, b->y) <= limit && chord2(b->x, b->y, c->x, c->y) <= limit &&
            chord2(c->x, c->y, a->x, a->y) <= limit;
 }
@@ -326,8 +361,7 @@ static uint32_t long_angle(const struct ph_lens *lens, const struct vertex *a, c
 static uint32_t bent_angle(const struct ph_lens *lens, const struct vertex *a, const struct vertex *b, uint32_t chord,
                            struct vertex *m)
 {
-    const bool before = (a->flags & b->flags & BEFORE) != 0;
-    const uint32_t angle = chord > shortest2(lens, before) ? apart2(a, b) : 0;
+    const uint32_t angle = chord > shortest2(lens, a->flags & b->flags) ? apart2(a, b) : 0;
     if (angle < SHORT) {
         return 0;
     }
@@ -347,8 +381,8 @@ static unsigned sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int3
            (y > bottom ? PH_BOTTOM : 0u);
 }
 
-/* Whether all vertices are beyond one side of the picture. Edges are not long; if they are short, chords may be 17/32 f
- * behind the viewer: over half of these is the margin. */
+/* Whether all vertices are beyond one side of the picture. Edges are at most twice as long as the longest that are
+ * drawn; if they are short, chords may be 17/32 f behind the viewer: over half of these is the margin. */
 static bool misses_picture(const struct ph_renderer *r, const struct vertex *const v[], int n)
 {
     const int32_t margin = r->lens.chord_max;
@@ -409,8 +443,30 @@ static int32_t along(int32_t direction, int32_t distance)
     return (int32_t)(fx_mul_wide(direction, distance) >> 29);
 }
 
-/* Clips n = 2 or 3 vertices to near and far sphere and to the cone that is visible. Returns the corners left. What was
- * no end of v before is rounded to 30 bits, not to Q16.16: so the cut does not move where the scene is tiny. */
+/* A vertex as a corner, with its distance between both spheres: that is not linear along an edge, and a point that
+ * clipping has made may be 1/80 off its sphere. */
+static struct ph_corner cut_corner(const struct ph_lens *lens, const struct vertex *v)
+{
+    const struct inverse near = {lens->near_over, lens->near_shift}, far = {lens->far_over, lens->far_shift};
+    struct vertex corner = *v;
+    corner.inverse = is_less(near, v->inverse) ? near : is_less(v->inverse, far) ? far : v->inverse;
+    return corner_of(lens, &corner);
+}
+
+/* Clips a polygon to the cone that is visible, as to a far plane: z is -cosine. Returns the corners left. */
+static int clip_cone(const struct ph_lens *lens, struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out)
+{
+    static const struct ph_lens cone = {.kind = PH_FISHEYE, .near_z = FX_MIN, .far_z = -BLIND};
+    struct vertex at;
+    for (int i = 0; i < n; i++) {
+        set_vertex(lens, &in[i], &at);
+        in[i].z = -at.direction[2];
+    }
+    return ph_clip(&cone, in, n, out);
+}
+
+/* Clips n = 2 or 3 vertices to near and far sphere and to the cone. Returns the corners left. Coordinates are scaled so
+ * that the farthest has 29 bits: the cut is as fine where the scene is tiny. */
 static int clip_pieces(const struct ph_lens *lens, const struct vertex *const v[3], int n, struct ph_corner *out,
                        bool *beyond)
 {
@@ -419,23 +475,19 @@ static int clip_pieces(const struct ph_lens *lens, const struct vertex *const v[
     for (int i = 1; i < n; i++) {
         least = ph_min(least, v[i]->inverse.s);
     }
-    const int up = 3 - least; /* the farthest has 29 bits */
+    const int up = 3 - least;
     for (int i = 0; i < n; i++) {
         const int32_t distance = distance_of(v[i]->inverse, up), *const d = v[i]->direction;
-        in[i] =
-            (struct ph_clip_vertex){along(d[0], distance), along(d[1], distance),     along(d[2], distance), distance,
-                                    v[i]->light,           {v[i]->uv[0], v[i]->uv[1]}};
+        const struct ph_clip_vertex scaled_to = {along(d[0], distance), along(d[1], distance),
+                                                 along(d[2], distance), distance,
+                                                 v[i]->light,           {v[i]->uv[0], v[i]->uv[1]}};
+        in[i] = scaled_to;
     }
-    struct ph_lens spheres = {.kind = PH_FISHEYE, .near_z = scaled(lens->near_z, up), .far_z = scaled(lens->far_z, up)};
-    int count = ph_clip(&spheres, in, n, cut);
-    struct vertex at = {0};
-    for (int i = 0; i < count; i++) { /* the cone is clipped as a far plane: z is -cosine */
-        set_vertex(lens, &cut[i], &at);
-        cut[i].z = -at.direction[2];
-    }
-    const struct ph_lens cone = {.kind = PH_FISHEYE, .near_z = FX_MIN, .far_z = -BLIND};
-    count = ph_clip(&cone, cut, count, polygon);
+    const struct ph_lens spheres = {
+        .kind = PH_FISHEYE, .near_z = scaled(lens->near_z, up), .far_z = scaled(lens->far_z, up)};
+    const int count = clip_cone(lens, cut, ph_clip(&spheres, in, n, cut), polygon);
     for (int i = 0; i < count; i++) {
+        struct vertex at;
         const struct vertex *from = &at;
         set_vertex(lens, &polygon[i], &at);
         at.inverse.s -= up;
@@ -444,12 +496,7 @@ static int clip_pieces(const struct ph_lens *lens, const struct vertex *const v[
             from = same ? v[k] : from;
         }
         *beyond |= (from->flags & BEYOND) != 0;
-        at.inverse = from->inverse;
-        /* the distance is not linear along an edge: a clipped point may be 1/80 off its sphere */
-        const struct inverse near = {lens->near_over, lens->near_shift}, far = {lens->far_over, lens->far_shift};
-        struct vertex corner = *from;
-        corner.inverse = is_less(near, at.inverse) ? near : is_less(at.inverse, far) ? far : at.inverse;
-        out[i] = corner_of(lens, &corner);
+        out[i] = cut_corner(lens, from);
     }
     return count;
 }
@@ -567,21 +614,22 @@ static void list_piece(struct division *d, const struct vertex *const v[3], cons
 static int edge_to_divide(const struct ph_renderer *r, struct piece *p, const struct vertex *const v[3],
                           struct vertex *middle)
 {
-    uint32_t chord[3], most = 0;
+    uint32_t chord[3], most = 0, longest = 0;
     int edge = -1;
     for (int k = 0; k < 3; k++) {
         const struct vertex *const from = v[next_corner[k]], *const to = v[next_corner[k + 1]];
         chord[k] = chord_of(from, to);
+        longest = chord[k] > longest ? chord[k] : longest;
         const uint32_t angle = (p->straight >> k & 1) == 0 ? long_angle(&r->lens, from, to, chord[k]) : 0;
         edge = angle > most ? k : edge;
         most = angle > most ? angle : most;
     }
+    if ((edge < 0 || longest <= 4 * longest2(&r->lens)) && misses_picture(r, v, 3)) {
+        return -1;
+    }
     if (edge >= 0) {
         divide(&r->lens, v[next_corner[edge]], v[next_corner[edge + 1]], middle);
         return edge;
-    }
-    if (misses_picture(r, v, 3)) {
-        return -1;
     }
     for (int k = 0; k < 3; k++) {
         const struct vertex *const from = v[next_corner[k]], *const to = v[next_corner[k + 1]];
