@@ -97,7 +97,7 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
 #define VERTICES (WALLS * MODEL_GROUND_VERTICES(CELLS) + THINGS * MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS))
 
 /* For pictures of up to 320 x 240 pixels; a larger one has more pieces. */
-static const struct demo_level smaller = {DEMO_ARENA(ARENA, 4904), .vertex_max = VERTICES, .triangle_max = 2000,
+static const struct demo_level smaller = {DEMO_ARENA(ARENA, 4904), .vertex_max = VERTICES, .triangle_max = 2640,
                                           .corner_max = 2800};
 
 const struct demo demo_fisheye = {
