@@ -32,6 +32,14 @@ static const uint8_t rsqrt_table[192] = {
     132, 132, 132, 131, 131, 131, 130, 130, 130, 130, 129, 129, 129, 129, 128, 128,
 };
 
+/* By one Newton step from the table, in 32 bits. */
+uint32_t fx_rsqrt16(uint32_t m)
+{
+    const uint32_t y = rsqrt_table[(m >> 24) - 64];                            /* 2^23 / sqrt(m) */
+    const int32_t miss = (int32_t)(((uint32_t)1 << 30) - (m >> 16) * (y * y)); /* 1 - m y^2 in 2^-30 */
+    return (y << 8) + (uint32_t)(((int32_t)y * (miss >> 8)) >> 15);
+}
+
 /* By two Newton steps y += y (1 - m y^2) / 2. */
 uint32_t fx_rsqrt_norm(uint32_t m)
 {

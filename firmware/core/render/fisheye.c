@@ -192,7 +192,7 @@ static inline bool is_less(struct inverse a, struct inverse b)
 /* Compares the distance with both spheres. */
 static void set_spheres(const struct ph_lens *lens, struct vertex *v)
 {
-    const struct inverse near = {lens->near_over, lens->near_shift}, far = {lens->far_over, lens->far_shift};
+    const struct inverse near = {lens->near_over, lens->near_zeros}, far = {lens->far_over, lens->far_zeros};
     v->flags |= (is_less(near, v->inverse) ? NEAR : 0u) | (is_less(v->inverse, far) ? FAR : 0u);
 }
 
@@ -203,10 +203,11 @@ void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_
     lens->chord_min2 = lens->turn_px / 19 * 3;                                        /* f square pixels: over 2 pi */
     const uint32_t quarter_radian = lens->turn_px / (LONG * 256);
     lens->chord_max = (int32_t)(quarter_radian < 65536 ? quarter_radian : 65536);
-    int shift;
-    lens->near_over = fx_rcp_norm((uint32_t)p->near_z, &shift);
-    lens->far_over = fx_rcp_norm((uint32_t)p->far_z, &shift);
-    lens->far_shift = shift;
+    int zeros;
+    lens->near_over = fx_rcp_norm((uint32_t)p->near_z, &zeros);
+    lens->near_zeros = (int16_t)zeros;
+    lens->far_over = fx_rcp_norm((uint32_t)p->far_z, &zeros);
+    lens->far_zeros = (int16_t)zeros;
 }
 
 static struct ph_quotient depth_of(const struct ph_lens *lens, const struct vertex *v)
@@ -447,7 +448,7 @@ static int32_t along(int32_t direction, int32_t distance)
  * clipping has made may be 1/80 off its sphere. */
 static struct ph_corner cut_corner(const struct ph_lens *lens, const struct vertex *v)
 {
-    const struct inverse near = {lens->near_over, lens->near_shift}, far = {lens->far_over, lens->far_shift};
+    const struct inverse near = {lens->near_over, lens->near_zeros}, far = {lens->far_over, lens->far_zeros};
     struct vertex corner = *v;
     corner.inverse = is_less(near, v->inverse) ? near : is_less(v->inverse, far) ? far : v->inverse;
     return corner_of(lens, &corner);
