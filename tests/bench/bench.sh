@@ -2,7 +2,7 @@
 # Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f x86_64 rp2040, all by default
 # Instructions a frame of the eight scenes and what the same build's pictures are worth, next to the bars and the best
 # peer (bars.csv: both were measured once, on the same machine model, elsewhere); cycles on an emulated RP2040; how the
-# cost grows. Leaves $B/bench.csv, $B/bench-growth.csv, $B/bench-growth.png.
+# cost grows. Leaves $B/bench.csv, the same as $B/bench.json, $B/bench-growth.csv, $B/bench-growth.png.
 # Environment: B; FORMATS (depth formats of the Cortex-M cores; all of them by default).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -16,7 +16,7 @@ mkdir -p "$dir"
 : >"$dir/cliffs"
 : >"$dir/sizes"
 
-say() { [ ! -t 2 ] || printf 'bench: %s\n' "$1" >&2; }
+say() { printf 'bench: %s\n' "$1" >&2; }
 
 missing() { # core: what it needs and is not here
     case "$1" in
@@ -80,6 +80,7 @@ say "quality"
 "$B/tests/core/test_quality" >"$dir/quality"
 
 awk -v dir="$dir" -v csv="$B/bench.csv" -f tests/bench/tables.awk tests/bench/bars.csv "$dir/quality" "$dir/rp2040" "$dir/sizes" "$dir/cliffs" "$dir/lines"
+awk -f firmware/tools/json.awk "$B/bench.csv" >"$B/bench.json"
 case " $* " in *' m3 '*)
     say "growth"
     tests/bench/growth.sh m3 ;;
