@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PLENTY (1u << 20) /* bytes; a board with more has levels of its own for nobody */
+#define PLENTY (1u << 20)   /* bytes; a board with more is not short of memory */
+#define BLURS  (118u << 10) /* bytes, a Pico's; a board with less may show `focus` without its blur */
 
 static struct runner_config config_of(const struct board *board, const struct demo *demo)
 {
@@ -51,7 +52,9 @@ static void every_frame_of_every_demo_is_whole_on_every_kit(void **state)
             struct runner runner;
             struct runner_config config = config_of(board, demo_list[d]);
             const struct memory_plan plan = memory_plan(&config, demo_list[d]);
-            assert_true(plan.scene.whole && !plan.scene.lacks_scratch);
+            if (!plan.scene.whole || (plan.scene.lacks_scratch && board->ram_bytes >= BLURS)) {
+                fail_msg("%s on %s: %s", demo_list[d]->name, board->name, plan.scene.whole ? "no blur" : "not whole");
+            }
             config.memory_bytes = runner_bytes(&config);
             config.memory = malloc(config.memory_bytes);
             assert_non_null(config.memory);

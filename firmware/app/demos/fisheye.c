@@ -9,7 +9,7 @@
 #define CELLS        6
 #define CELLS_FEW    3 /* and the things' sides, where memory is small */
 #define SIDES_FEW    5
-#define FOV_FEW      FX_INT(96)
+#define FOV_FEW      FX_INT(84)
 #define WALLS        6
 #define ROOM         FX_INT(3) /* from the middle to each wall: CELLS / 2 */
 #define THINGS       4
@@ -108,8 +108,8 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
     (WALLS * MODEL_GROUND_VERTICES(cells) + THINGS * MODEL_LATHE_VERTICES(sides, THING_POINTS))
 
 static const struct demo_level coarser = {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 3008),
-                                          .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 560,
-                                          .corner_max = 620, .enough_px = 64};
+                                          .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 520,
+                                          .corner_max = 540, .enough_px = 64};
 
 const struct demo demo_fisheye = {
     .name = "fisheye",

@@ -17,7 +17,7 @@
 #define EYE_HEIGHT    (FX_ONE * 6 / 5)
 #define TOP_SIDES     16
 #define TOP_FEW       8 /* sides, columns' sides and cells where memory is small */
-#define COLUMN_FEW    5
+#define COLUMN_FEW    4
 #define CELLS_FEW     7
 #define TOP_STRIPES   4
 #define COLUMN_SIDES  8
@@ -135,7 +135,7 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
     {DEMO_ARENA(ARENA_FINE, 14064), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS), .triangle_max = 848},
-    {DEMO_ARENA(ARENA_FEW, 6656), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 448},
+    {DEMO_ARENA(ARENA_FEW, 6424), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 440},
 };
 
 const struct demo demo_hitchcock = {
