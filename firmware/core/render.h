@@ -44,15 +44,27 @@ enum ph_shading {
     PH_SHADE_TEXTURE,     /* texture, unlit */
     PH_SHADE_TEXTURE_LIT, /* texture times the light at the triangle's first vertex */
     PH_SHADE_WIRE,        /* edges of the mesh as lines in the material colour */
+    /* texture times light that is interpolated, and the highlight on top: as with GOURAUD, texels fade from black to
+     * their colour at an intensity of 1, and to white above it */
+    PH_SHADE_TEXTURE_GOURAUD,
 };
 
 enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 
-/* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. */
+enum ph_filter {
+    PH_FILTER_NEAREST,  /* the texel in which the pixel's centre lies */
+    PH_FILTER_BILINEAR, /* between the four texels around it */
+    PH_FILTER_MIPMAP,   /* the same in the level whose texels are nearest to pixels in size */
+};
+
+/* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. Each level
+ * has half the width and half the height of the one before, at least 1, and lies behind it in memory. */
 struct ph_texture {
     const uint16_t *texels;
     uint8_t log2_width, log2_height; /* 0 .. 10 */
     uint8_t wrap;                    /* enum ph_wrap */
+    uint8_t filter : 4;              /* enum ph_filter */
+    uint8_t levels : 4;              /* behind the texels, for PH_FILTER_MIPMAP */
 };
 
 #define PH_RAMP_SIZE 128 /* colours in a ramp; intensity 0 is at entry 4, full intensity at entry 123 */
@@ -243,9 +255,11 @@ struct ph_lens {
     int8_t far_s;         /* negative in the fixed formats only; floats read the next byte with it */
     uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
     struct ph_linear linear;
-    uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */
-    uint32_t chord_min2; /* fisheye: (1/256 px)^2; shorter edges are not divided */
-    int32_t chord_max;   /* fisheye: 1/256 px; longer edges are always divided */
+    uint32_t turn_px;              /* fisheye: pixels per turn, 16.16 */
+    uint32_t chord_min2;           /* fisheye: (1/256 px)^2; shorter edges are not divided */
+    int32_t chord_max;             /* fisheye: 1/256 px; longer edges are always divided */
+    uint32_t near_over, far_over;  /* fisheye: 1 / near_z, 1 / far_z, normalised */
+    int16_t near_zeros, far_zeros; /* their leading zeros */
 };
 
 /* Where the list of a frame stands, see list.h. Private to the renderer. */

@@ -96,8 +96,11 @@ static void put_colours(FILE *file, const char *name, uint32_t m, const uint16_t
 static void put_texture(FILE *file, const struct ph_texture *t, uint32_t m)
 {
     put_colours(file, "texels", m, t->texels, (size_t)1 << (t->log2_width + t->log2_height));
-    fprintf(file, "\nstatic const struct ph_texture texture_%u = {texels_%u, %u, %u, %s};\n", (unsigned)m, (unsigned)m,
-            t->log2_width, t->log2_height, t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT");
+    fprintf(file,
+            "\nstatic const struct ph_texture texture_%u = {.texels = texels_%u, .log2_width = %u, .log2_height = %u, "
+            ".wrap = %s};\n",
+            (unsigned)m, (unsigned)m, t->log2_width, t->log2_height,
+            t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT");
 }
 
 static void put_material(FILE *file, const struct model *model, uint32_t m)

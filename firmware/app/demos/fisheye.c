@@ -107,9 +107,13 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
 #define VERTICES(sides, cells)                                                                                         \
     (WALLS * MODEL_GROUND_VERTICES(cells) + THINGS * MODEL_LATHE_VERTICES(sides, THING_POINTS))
 
-static const struct demo_level coarser = {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 3008),
-                                          .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 520,
-                                          .corner_max = 540, .enough_px = 64};
+/* For pictures of up to 320 x 240 pixels (a larger one has more pieces), and for little memory. */
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA(THING_SIDES, CELLS), 4912), .vertex_max = VERTICES(THING_SIDES, CELLS), .triangle_max = 2640,
+     .corner_max = 2800},
+    {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 3008), .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 520,
+     .corner_max = 540, .enough_px = 64},
+};
 
 const struct demo demo_fisheye = {
     .name = "fisheye",
@@ -117,10 +121,10 @@ const struct demo demo_fisheye = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(ARENA(THING_SIDES, CELLS), 4912),
     .vertex_max = VERTICES(THING_SIDES, CELLS),
-    .triangle_max = 2640,
-    .corner_max = 2940,
-    .coarser = &coarser,
-    .coarser_count = 1,
+    .triangle_max = 4200,
+    .corner_max = 5200,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = fisheye_init,
     .frame = fisheye_frame,
 };

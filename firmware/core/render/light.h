@@ -9,7 +9,8 @@ struct ph_local_light {
     bool point;
     int16_t to_light[3], half[3]; /* directional: unit vectors, Q1.14 */
     struct fx_vec3 position;      /* point */
-    fx_t reach;
+    uint32_t fall;                /* point: 1 / reach^2 is this 2^(fall_down - 164); 0: it does not fall off */
+    int32_t fall_down;
     int32_t diffuse, specular; /* the light's intensity times the material's share, Q2.14 */
 };
 

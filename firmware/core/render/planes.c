@@ -14,7 +14,8 @@ enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
     FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
     FLOAT24_OCTAVES = 2,
-    LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
+    KNEE_ROOM = 8 << 16, /* 16.16 codes */
+    LINEAR_ZEROS = 7,    /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
 };
 
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
@@ -153,11 +154,11 @@ static NOINLINE int plane_through(struct ph_plane *out, const struct plane_base 
 }
 
 /* The plane through the light of the corners, in 2^-16. */
-static void plane_light(struct ph_plane *out, const struct plane_base *s, const struct ph_vertex *const v[3])
+static void plane_light(struct ph_plane *out, const struct plane_base *s, const int32_t light[3])
 {
-    const int32_t d1 = v[1]->light - v[0]->light, d2 = v[2]->light - v[0]->light;
+    const int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
     const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
-    out->base = (uint32_t)v[0]->light << 16;
+    out->base = (uint32_t)light[0] << 16;
     if (s->sides->is_short) {
         short_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop);
     } else {
@@ -264,6 +265,44 @@ int ph_octaves_between(const uint32_t d[3], int block)
 {
     const struct octaves octaves = octaves_of(d, block);
     return octaves.far - octaves.near;
+}
+
+/* The rest of a float small triangle's plane: d and its gradients are multiples of 2^down, so no shift loses a bit. */
+static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
+{
+    struct ph_small_triangle *const small = &t->small;
+    const int down = ph_block_down(t->block), up = octave - down;
+    const uint32_t from = small->left >> 16, above = small->d + from * small->gd - middle;
+    small->knee = ph_depth_float16_value(middle, up) +
+                  ph_depth_float16_offset(octave, ph_block_exponent(t->block), down) +
+                  (ph_depth_bias(t->material) << 13);
+    small->gd = ph_depth_float16_slope(small->gd, up);
+    small->d_dy = ph_depth_float16_slope(small->d_dy, up);
+    small->d = small->knee + ph_depth_float16_slope(above, up) - from * small->gd;
+    t->kind = PH_KIND_SMALL_KNEE;
+    t->block = PH_BLOCK_NONE;
+}
+
+void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
+{
+    const struct ph_small_triangle *const small = &t->small;
+    const struct octaves at = octaves_of(d, t->block);
+    const int down = ph_block_down(t->block), up = at.near - down;
+    const uint32_t middle = ((uint32_t)1 << 31) >> at.near; /* where the near octave ends */
+    const uint32_t bottom = at.far == ph_depth_lowest(ph_block_exponent(t->block), down) ? 0 : middle / 2;
+    /* A pixel may lie 2^-9 px outside, and its depth some codes beside the corners' plane. */
+    const uint32_t gx = ph_without_sign((int32_t)small->gd), gy = ph_without_sign((int32_t)small->d_dy);
+    const uint32_t codes = up >= 0 ? KNEE_ROOM >> up : KNEE_ROOM << -up, room = (gx >> 8) + (gy >> 8) + codes;
+    if (at.near == 0 || at.far - at.near != 1 ||
+        (gx | gy) >> 28 != 0) { /* where the first row begins d has not wrapped */
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (d[i] < bottom + room || d[i] + room > 2 * middle) {
+            return;
+        }
+    }
+    bend_plane(t, at.near, middle);
 }
 
 NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
@@ -399,6 +438,16 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
     t->range_log2 = (uint8_t)range;
 }
 
+/* The plane of the light of texels. */
+static NOINLINE void setup_shades(const struct plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t)
+{
+    int32_t light[3];
+    for (int i = 0; i < 3; i++) {
+        light[i] = ph_texel_light_of(t->material, v[i]) + PH_TEXEL_LIGHT_UP;
+    }
+    plane_light(&t->shades, s, light);
+}
+
 /* The colour of a light. */
 static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
 {
@@ -418,16 +467,21 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     case PH_SHADE_GOURAUD:
         if (material->ramp != NULL) {
             t->kind = PH_KIND_GOURAUD;
-            plane_light(&t->attribute[0], s, v);
+            const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
+            plane_light(&t->attribute[0], s, light);
             return;
         }
         break;
     case PH_SHADE_TEXTURE:
     case PH_SHADE_TEXTURE_LIT:
+    case PH_SHADE_TEXTURE_GOURAUD:
         if (material->texture != NULL) {
             t->kind = PH_KIND_TEXTURE;
             t->colour = ph_texture_light(material, v[0]);
             setup_texture(r, s, v, uv, t);
+            if ((t->colour & PH_TEXELS_SHADED) != 0) {
+                setup_shades(s, v, t);
+            }
             return;
         }
         break;
