@@ -328,7 +328,7 @@ static int snake_init(struct demo_context *context)
     s->buttons = 0;
     s->frame = UINT32_MAX;
     snake_colours(s);
-    if ((arena->size >= ARENA_FINE ? make_fine : make_coarse)(arena, s) != PH_OK) {
+    if ((arena->size >= ARENA_FINE ? make_fine(arena, s) : make_coarse(arena, s)) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     s->dark_ball = s->head = s->apple = s->light_ball;
