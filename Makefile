@@ -8,7 +8,7 @@ V ?= 0
 $(if $(strip $(B)),,$(error B= is empty: it names the build directory))
 BOARD_DIR ?=
 PINHOLE_VERSION := $(shell sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
-BUDGET_CORE_BYTES ?= 73728
+BUDGET_CORE_BYTES ?= 92160
 
 # A name with these would be taken apart by make or by the shell: what of them is in $(1), or its second word.
 OPEN := (
@@ -133,7 +133,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 CORE_O3_armv6m := fisheye mesh raster
-CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_row_nearest texel_row_lit texel_rows texture tile_depth tile_surface
+CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_row_nearest texel_rows texture tile_depth tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))

@@ -42,6 +42,12 @@ int model_open(struct model **model, const char *path);
 
 void model_close(struct model *model);
 
+/* The filter of that name: nearest, bilinear, mipmap. False if it is none. */
+bool model_filter_named(const char *name, uint8_t *filter);
+
+/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. */
+void model_set_filter(struct model *model, uint8_t filter);
+
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else the turntable alone. Its
  * context->state must be the model. */
 struct demo model_demo(const struct model *model);

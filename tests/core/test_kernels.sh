@@ -85,6 +85,8 @@ check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 check "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
 check "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
+check "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r7, r5, #24/lsrs r7, r5, #23/'
+check "light_of_other_pixels_for_armv7m_is_seen" change_is_seen armv7m texel_row_lit 's/adds r7, r6, #1/adds r7, r6, #2/'
 check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
 check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
