@@ -187,7 +187,7 @@ $(PROGRAMS): $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
-$(B)/pinhole-depth: LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
+$(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
