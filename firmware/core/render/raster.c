@@ -87,21 +87,15 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
     void *depth = ph_depth_from(band->depth, start, band->depth24);
     uint32_t d = t->depth.base + (uint32_t)y * t->depth.gy;
     uint32_t attribute = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
-    const bool flat =
-        t->block == PH_BLOCK_NONE && !band->depth24 && t->kind == PH_KIND_FLAT; /* else draw_row decides */
     struct ph_octave octave = {0};
     for (; y < y_end; y++) {
         const int32_t from = left.x < 0 ? 0 : left.x >> 16;
         const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
         if (from < to) {
             const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from), first_d = d + x * t->depth.gx;
-            if (flat) {
-                ph_span_flat(pixels + x, (uint16_t *)depth + x, n, first_d, t->depth.gx, t->colour);
-            } else {
-                const uint32_t light = attribute + x * t->attribute[0].gx;
-                const struct row row = {pixels + x, ph_depth_from(depth, x, band->depth24), n, first_d, light};
-                draw_row(t, band->depth24, &octave, &row);
-            }
+            const uint32_t light = attribute + x * t->attribute[0].gx;
+            const struct row row = {pixels + x, ph_depth_from(depth, x, band->depth24), n, first_d, light};
+            draw_row(t, band->depth24, &octave, &row);
             count += n;
         }
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
@@ -114,15 +108,43 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
     return count;
 }
 
+/* The same for one colour and depth codes of 16 bits that are linear along all of the triangle. */
+static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
+                               const struct ph_edge *left_edge, const struct ph_edge *right_edge)
+{
+    const int32_t width = band->width;
+    const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)width, gd = t->depth.gx, d_dy = t->depth.gy;
+    uint16_t *pixels = band->pixels + start, *depth = (uint16_t *)band->depth + start;
+    uint32_t d = t->depth.base + (uint32_t)y * d_dy, left = (uint32_t)left_edge->x, right = (uint32_t)right_edge->x;
+    uint32_t count = 0;
+    for (int32_t rows = y_end - y; rows > 0; rows--) {
+        const int32_t first = (int32_t)left >> 16, end = (int32_t)right >> 16;
+        const int32_t from = ph_max(first, 0), n = ph_min(end, width) - from;
+        if (n > 0) {
+            count += (uint32_t)n;
+            ph_span_flat(pixels + from, depth + from, (uint32_t)n, d + (uint32_t)from * gd, gd, t->colour);
+        }
+        left += (uint32_t)left_edge->dx;
+        right += (uint32_t)right_edge->dx;
+        d += d_dy;
+        pixels += width;
+        depth += width;
+    }
+    return count;
+}
+
 /* Draws both halves of a triangle, as far as they lie in the band. */
 static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
 {
+    const bool flat =
+        t->block == PH_BLOCK_NONE && !band->depth24 && t->kind == PH_KIND_FLAT; /* else draw_row decides */
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
         int32_t y, y_end;
         struct ph_edge left, right;
         if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
-            count += walk_rows(t, band, y, y_end, left, right);
+            count +=
+                flat ? walk_flat_rows(t, band, y, y_end, &left, &right) : walk_rows(t, band, y, y_end, left, right);
         }
     }
     return count;
