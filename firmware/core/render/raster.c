@@ -306,6 +306,10 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
         uint32_t n = is_empty ? 0 : rows_in_octave(r, &octave, at.stride);
         if (is_empty) {
             n = 1;
+            if (texels != NULL) { /* u and v step down, too */
+                const struct ph_row_piece none = {from, 0, 0, 0, true};
+                ph_small_texels_piece(texels, &none, at.depth, at.pixels);
+            }
         } else if (n > 0) {
             count += draw_rows_in_octave(r, &octave, n, &at, texels);
         } else {
