@@ -150,17 +150,10 @@ static __attribute__((noinline)) void enter_draw(struct feed *f, uint32_t ref)
     ph_setting_of(&f->setting, f->r, f->draw);
 }
 
-/* Sets up the next triangle. */
-static inline void set_up(struct feed *f, struct ph_triangle *t)
+/* Goes on to the next reference. */
+static inline void next_ref(struct feed *f, const struct ph_ref *at)
 {
-    const uint32_t ref = f->ref;
-    const struct ph_ref *const at = ph_ref_at(f->r, ref);
-    if (ref >= f->next_first) {
-        enter_draw(f, ref);
-    }
-    ph_setup(&f->setting, at, t);
-    t->order = ref;
-    f->ref = at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : next_of(f, ref);
+    f->ref = at->link - 1u < PH_LINK_FAR - 1u ? f->ref + at->link : next_of(f, f->ref);
 }
 
 /* ---- slots ------------------------------------------------------------------------------------------------------ */
@@ -217,40 +210,72 @@ static __attribute__((noinline)) uint32_t draw_carried(struct ph_renderer *r, st
     return ph_draw_above(t, rows);
 }
 
+/* What draw_rest keeps. */
+struct rest {
+    const struct ph_band *rows;
+    struct ph_triangle *begun;  /* those that were carried on, as far as they are not drawn */
+    struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
+    struct ph_triangle *slot;   /* for the next triangle, or NULL */
+    uint32_t put, fragments;    /* put: what put_below takes */
+};
+
+/* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
+ * for which there is something to do here; none at the end of the list. */
+static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest *rest)
+{
+    while (rest->begun != NULL && rest->begun->order < f->ref) {
+        struct ph_triangle *const t = rest->begun;
+        rest->begun = t->next;
+        rest->fragments += draw_carried(f->r, t, rest->rows, &rest->carry);
+    }
+    if (f->ref != PH_NONE && f->ref >= f->next_first) {
+        enter_draw(f, f->ref);
+    }
+    const uint32_t after = rest->begun != NULL ? rest->begun->order + 1 : PH_NONE;
+    return after < f->next_first ? after : f->next_first;
+}
+
+/* Draws a triangle that is set up in the slot, or in t without one, and goes on below the band. */
+static __attribute__((noinline)) void draw_beyond(struct feed *f, struct rest *rest, struct ph_triangle *t)
+{
+    if (rest->slot == NULL) {
+        rest->fragments += ph_draw_triangle(t, rest->rows);
+        put_below(f, t->order, &rest->put);
+        return;
+    }
+    rest->fragments += ph_draw_above(t, rest->rows);
+    *rest->carry = t;
+    rest->carry = &t->next;
+    rest->slot = take_slot(f->r);
+}
+
 /* Draws all triangles of a band that are left: each is set up, drawn, and carried on if it goes on below. begun: those
  * that were carried on; carry: where the first is linked that is carried on from here. */
 static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_triangle *begun, struct ph_triangle **carry)
 {
-    struct ph_renderer *const r = f->r;
-    struct ph_triangle scratch, *slot = take_slot(r);
-    uint32_t put = PH_NONE, fragments = 0;
-    for (;;) {
-        while (begun != NULL && begun->order < f->ref) {
-            struct ph_triangle *const t = begun;
-            begun = t->next;
-            fragments += draw_carried(r, t, rows, &carry);
-        }
-        if (f->ref == PH_NONE) {
-            break;
-        }
-        struct ph_triangle *const t = slot != NULL ? slot : &scratch;
-        set_up(f, t);
+    struct ph_triangle scratch;
+    struct rest rest = {rows, begun, carry, take_slot(f->r), PH_NONE, 0};
+    struct ph_triangle *t = rest.slot != NULL ? rest.slot : &scratch;
+    uint32_t fragments = 0;
+    for (uint32_t stop = draw_begun(f, &rest); f->ref != PH_NONE;) {
+        const struct ph_ref *const at = ph_ref_at(f->r, f->ref);
+        ph_setup(&f->setting, at, t);
+        t->order = f->ref;
+        next_ref(f, at);
         if (t->y_bottom <= rows->y1) {
             fragments += ph_draw_fresh(t, rows);
-        } else if (slot == NULL) {
-            fragments += ph_draw_triangle(t, rows);
-            put_below(f, t->order, &put);
         } else {
-            fragments += ph_draw_above(t, rows);
-            *carry = t;
-            carry = &t->next;
-            slot = take_slot(r);
+            draw_beyond(f, &rest, t);
+            t = rest.slot != NULL ? rest.slot : &scratch;
+        }
+        if (f->ref >= stop) {
+            stop = draw_begun(f, &rest);
         }
     }
-    *carry = NULL;
-    r->stats.fragments += fragments;
-    if (slot != NULL) {
-        free_slot(r, slot);
+    *rest.carry = NULL;
+    f->r->stats.fragments += fragments + rest.fragments;
+    if (rest.slot != NULL) {
+        free_slot(f->r, rest.slot);
     }
 }
 
