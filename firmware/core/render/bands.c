@@ -197,11 +197,11 @@ static void clear(const struct ph_band *rows, uint16_t background)
 }
 
 /* Draws a triangle that was carried on from above, and carries it on if it goes on below. Returns its pixels. */
-static __attribute__((noinline)) uint32_t draw_carried(struct ph_renderer *r, struct ph_triangle *t,
-                                                       const struct ph_band *rows, struct ph_triangle ***carry)
+static uint32_t draw_carried(struct ph_renderer *r, struct ph_triangle *t, const struct ph_band *rows,
+                             struct ph_triangle ***carry)
 {
     if (t->y_bottom <= rows->y1) {
-        const uint32_t count = ph_draw_triangle(t, rows);
+        const uint32_t count = ph_draw_fresh(t, rows);
         free_slot(r, t);
         return count;
     }
@@ -236,7 +236,7 @@ static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest
 }
 
 /* Draws a triangle that is set up in the slot, or in t without one, and goes on below the band. */
-static __attribute__((noinline)) void draw_beyond(struct feed *f, struct rest *rest, struct ph_triangle *t)
+static void draw_beyond(struct feed *f, struct rest *rest, struct ph_triangle *t)
 {
     if (rest->slot == NULL) {
         rest->fragments += ph_draw_triangle(t, rest->rows);
