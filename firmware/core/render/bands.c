@@ -223,15 +223,20 @@ struct rest {
  * for which there is something to do here; none at the end of the list. */
 static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest *rest)
 {
-    while (rest->begun != NULL && rest->begun->order < f->ref) {
-        struct ph_triangle *const t = rest->begun;
-        rest->begun = t->next;
-        rest->fragments += draw_carried(f->r, t, rest->rows, &rest->carry);
+    struct ph_triangle *t = rest->begun, **carry = rest->carry;
+    uint32_t fragments = 0;
+    while (t != NULL && t->order < f->ref) {
+        struct ph_triangle *const next = t->next;
+        fragments += draw_carried(f->r, t, rest->rows, &carry);
+        t = next;
     }
+    rest->begun = t;
+    rest->carry = carry;
+    rest->fragments += fragments;
     if (f->ref != PH_NONE && f->ref >= f->next_first) {
         enter_draw(f, f->ref);
     }
-    const uint32_t after = rest->begun != NULL ? rest->begun->order + 1 : PH_NONE;
+    const uint32_t after = t != NULL ? t->order + 1 : PH_NONE;
     return after < f->next_first ? after : f->next_first;
 }
 

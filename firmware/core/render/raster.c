@@ -587,12 +587,17 @@ uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
         return count;
     }
     struct ph_small_triangle *const small = &t->small;
-    const uint16_t upper_rows = small->upper_rows, lower_rows = small->lower_rows;
-    const struct place at = cut_rows(t, band, small);
+    const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows,
+                   width = (uint32_t)band->width;
+    const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * width;
+    const struct place at = {(uint16_t *)band->depth + start, band->pixels + start, width, false};
+    const bool in_upper = rows <= upper_rows;
+    small->upper_rows = (uint16_t)(in_upper ? rows : upper_rows);
+    small->lower_rows = (uint16_t)(in_upper ? 0 : rows - upper_rows);
     const uint32_t count = draw_left(t, small, &at);
-    small->upper_rows = upper_rows;
-    small->lower_rows = lower_rows;
-    skip_rows(small, (uint32_t)(band->y1 - t->y_top));
+    small->upper_rows = (uint16_t)upper_rows;
+    small->lower_rows = (uint16_t)lower_rows;
+    skip_rows(small, rows);
     t->y_top = (int16_t)band->y1;
     return count;
 }
