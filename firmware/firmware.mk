@@ -23,6 +23,7 @@
 #   PORT_STACK_BYTES  the stack's size; the linker script gets it as the symbol stack_bytes
 #   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
+#   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_INFO         optional: a .c file that tells about the image; it gets macros BOARD_... (firmware/tools/board_facts.c)
@@ -144,7 +145,7 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
 BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
-             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0)
+             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0)
 
 $(B)/board_here.flags: $(B)/board-facts
 	@ram=$$($< ram_bytes); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
