@@ -123,7 +123,7 @@ speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, w
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
-LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
+LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/cores$(CORES) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
@@ -160,7 +160,7 @@ $(PORT_INFO:%.c=$(B)/%.o): CPPFLAGS += -include $(B)/image_info.h
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
-$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
+$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/cores$(CORES)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \

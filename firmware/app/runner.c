@@ -5,6 +5,9 @@
 
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
+/* A scene of fewer vertices takes less time than the other core, once it has made it, waits for the next band. */
+#define AHEAD_LEAST 128
+
 /* ---- opening ------------------------------------------------------------------------------------ */
 
 static int open_panel(struct runner *runner, const struct picture_memory *p)
@@ -210,6 +213,7 @@ static void make_ahead(void *argument)
 static bool may_go_ahead(const struct runner *runner)
 {
     return runner->config.other_core != NULL && runner->config.ahead != NULL && runner->demo->blur_radius == 0 &&
+           runner->renderer.stats.vertices >= AHEAD_LEAST &&
            sizeof(struct runner_ahead) + runner->list_bytes <= runner->config.ahead_bytes;
 }
 
