@@ -62,7 +62,7 @@ static int open_demo(struct runner *runner, const struct demo *demo, const struc
 static void place_buffers(struct runner *runner, const struct picture_memory *p)
 {
     uint8_t *next = (uint8_t *)runner->bins + p->bin_bytes + p->wire_bytes;
-    runner->band_count = p->buffers;
+    runner->band_count = (uint16_t)p->buffers;
     runner->band_next = 0;
     for (uint32_t i = 0; i < p->buffers; i++, next += p->band_bytes) {
         runner->bands[i] = (uint16_t *)(void *)next;
@@ -96,7 +96,6 @@ static int open_scene(struct runner *runner, const struct demo *demo)
         return PH_ERR_NOMEM;
     }
     place_buffers(runner, &plan.picture);
-    runner->list_bytes = plan.scene.list_bytes;
     const struct panel_sender *sender = &runner->config.sender;
     if (sender->ops->forget != NULL) {
         sender->ops->forget(sender->context);
@@ -212,9 +211,10 @@ static void make_ahead(void *argument)
 /* A demo with a blur keeps the blur of a frame in its context until the bands are drawn. */
 static bool may_go_ahead(const struct runner *runner)
 {
+    const size_t list_bytes = runner->renderer.config.vertex_max * ph_vertex_bytes;
     return runner->config.other_core != NULL && runner->config.ahead != NULL && runner->demo->blur_radius == 0 &&
            runner->renderer.stats.vertices >= AHEAD_LEAST &&
-           sizeof(struct runner_ahead) + runner->list_bytes <= runner->config.ahead_bytes;
+           sizeof(struct runner_ahead) + list_bytes <= runner->config.ahead_bytes;
 }
 
 /* The buttons are taken to be as they were. */
@@ -299,7 +299,7 @@ static int frame_rows(struct runner *runner, uint32_t lines)
     if (queues(runner)) {
         runner->written[band] = runner->hal.ops->bus_written(runner->hal.context);
     }
-    runner->band_next = (band + 1) % runner->band_count;
+    runner->band_next = (uint16_t)((band + 1) % runner->band_count);
     return status;
 }
 

@@ -45,10 +45,9 @@ struct runner {
     void *depth;
     uint32_t *bins;
     uint8_t *scene; /* the rest of memory: lists, arena, scratch of the demo */
-    uint32_t band_count, band_next;
+    uint16_t band_count, band_next;
     uint32_t buttons;      /* held during the last frame */
     uint32_t edges_missed; /* frames that waited in vain for the tearing-effect edge, and were sent without it */
-    size_t list_bytes;     /* at the start of `scene` */
     bool ahead;            /* the other core makes a scene, or has made it */
     bool sending;          /* a frame's last bands may still be on the wire */
 };

@@ -23,7 +23,8 @@ const size_t image_memory_bytes = sizeof image_memory;
 uint32_t image_tiles[TILES_BYTES > 0 ? TILES_BYTES / sizeof(uint32_t) : 1];
 const size_t image_tiles_bytes = TILES_BYTES;
 
-uint64_t image_ahead[AHEAD_BYTES > 0 ? AHEAD_BYTES / sizeof(uint64_t) : 1];
+static uint64_t ahead[AHEAD_BYTES > 0 ? AHEAD_BYTES / sizeof(uint64_t) : 1];
+void *const image_ahead = AHEAD_BYTES > 0 ? ahead : NULL;
 const size_t image_ahead_bytes = AHEAD_BYTES;
 
 #endif

@@ -197,7 +197,7 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .budget_bytes = runner_budget(board_here),
                                          .other_core = second ? port_core_run : NULL,
                                          .other_core_join = second ? port_core_join : NULL,
-                                         .ahead = image_ahead_bytes > 0 ? image_ahead : NULL,
+                                         .ahead = image_ahead,
                                          .ahead_bytes = image_ahead_bytes,
                                          .demo = demo_here,
                                          .sender = sender(tiles),
