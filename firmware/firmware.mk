@@ -23,6 +23,7 @@
 #   PORT_STACK_BYTES  the stack's size; the linker script gets it as the symbol stack_bytes
 #   PORT_STACK_EXTRA  stack that the call graph does not show: frames of interrupts
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
+#   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_INFO         optional: a .c file that tells about the image; it gets macros BOARD_... (firmware/tools/board_facts.c)
@@ -122,7 +123,7 @@ speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, w
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
-LD_SEARCH := -L hal/$(PORT) -L hal/cortexm
+LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/cores$(CORES) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
@@ -144,7 +145,7 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
 BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
-             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0)
+             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0)
 
 $(B)/board_here.flags: $(B)/board-facts
 	@ram=$$($< ram_bytes); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@
@@ -159,7 +160,7 @@ $(PORT_INFO:%.c=$(B)/%.o): CPPFLAGS += -include $(B)/image_info.h
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
-$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld)
+$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/cores$(CORES)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \

@@ -28,8 +28,8 @@ void port_exit(int status);
 /* The most bytes of stack that were used since the start; 0 if that is not known. */
 uint32_t port_stack_used(void);
 
-/* Runs `run(argument)` on the other core; false: there is none or it is busy. port_core_join waits until it returned.
- */
+/* Runs `run(argument)` on the other core; false: there is none, or it has not yet returned from the run before.
+ * port_core_join waits until it has. */
 bool port_core_run(void (*run)(void *argument), void *argument);
 void port_core_join(void);
 

@@ -73,7 +73,9 @@ struct demo {
     /* Builds meshes. 0 or PH_ERR_NOMEM. */
     int (*init)(struct demo_context *context);
 
-    /* ph_frame_begin and ph_draw_* for frame number `frame` (any value). */
+    /* ph_frame_begin and ph_draw_* for frame number `frame` (any value; the same one may come again, with other
+     * buttons). Without blur_radius it may be called while the bands of the frame before are drawn: it changes no
+     * material, texture or context that they use. */
     int (*frame)(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
 
     /* As ph_draw_band, which NULL stands for. Call it through demo_draw_band(). */

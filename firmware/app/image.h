@@ -13,4 +13,8 @@ extern const size_t image_memory_bytes;
 extern uint32_t image_tiles[];
 extern const size_t image_tiles_bytes;
 
+/* Static memory for the scene of the next frame (see runner_config.h). NULL and 0 bytes with one core. */
+extern void *const image_ahead;
+extern const size_t image_ahead_bytes;
+
 #endif

@@ -5,6 +5,9 @@
 
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
+/* A scene of fewer vertices takes less time than the other core, once it has made it, waits for the next band. */
+#define AHEAD_LEAST 128
+
 /* ---- opening ------------------------------------------------------------------------------------ */
 
 static int open_panel(struct runner *runner, const struct picture_memory *p)
@@ -59,7 +62,7 @@ static int open_demo(struct runner *runner, const struct demo *demo, const struc
 static void place_buffers(struct runner *runner, const struct picture_memory *p)
 {
     uint8_t *next = (uint8_t *)runner->bins + p->bin_bytes + p->wire_bytes;
-    runner->band_count = p->buffers;
+    runner->band_count = (uint16_t)p->buffers;
     runner->band_next = 0;
     for (uint32_t i = 0; i < p->buffers; i++, next += p->band_bytes) {
         runner->bands[i] = (uint16_t *)(void *)next;
@@ -75,9 +78,19 @@ static void place_buffers(struct runner *runner, const struct picture_memory *p)
     }
 }
 
+/* Waits for the other core. The scene that it has made is lost. */
+static void drop_ahead(struct runner *runner)
+{
+    if (runner->ahead) {
+        runner->config.other_core_join();
+        runner->ahead = false;
+    }
+}
+
 /* Call it only while nothing is on the wire. */
 static int open_scene(struct runner *runner, const struct demo *demo)
 {
+    drop_ahead(runner);
     const struct memory_plan plan = memory_plan(&runner->config, demo);
     if (plan.scene.triangle_max == 0 || memory_plan_bytes(&plan) > runner->config.memory_bytes) {
         return PH_ERR_NOMEM;
@@ -166,13 +179,71 @@ int runner_buttons(struct runner *runner, uint32_t more)
     const bool select = (buttons & ~runner->buttons & HAL_BUTTON_SELECT) != 0; /* a held button selects once */
     runner->buttons = buttons;
     const int status = select ? select_next(runner) : PH_OK;
-    demo_input(&runner->context, buttons);
+    if (runner->ahead && buttons != ((const struct runner_ahead *)runner->config.ahead)->buttons) {
+        drop_ahead(runner);
+    }
+    if (!runner->ahead) {
+        demo_input(&runner->context, buttons);
+    }
     return status;
 }
 
 int runner_scene(struct runner *runner, uint32_t frame)
 {
-    return runner->demo->frame(&runner->context, &runner->renderer, frame);
+    const struct runner_ahead *const a = runner->config.ahead;
+    const bool ahead = runner->ahead;
+    drop_ahead(runner);
+    if (!ahead || a->frame != frame) {
+        return runner->demo->frame(&runner->context, &runner->renderer, frame);
+    }
+    runner->renderer = a->renderer;
+    runner->context = a->context;
+    return a->status;
+}
+
+static void make_ahead(void *argument)
+{
+    struct runner_ahead *const a = argument;
+    a->status = a->demo->frame(&a->context, &a->renderer, a->frame);
+    __atomic_store_n(&a->made, true, __ATOMIC_RELEASE);
+}
+
+/* A demo with a blur keeps the blur of a frame in its context until the bands are drawn. */
+static bool may_go_ahead(const struct runner *runner)
+{
+    const size_t list_bytes = runner->renderer.config.vertex_max * ph_vertex_bytes;
+    return runner->config.other_core != NULL && runner->config.ahead != NULL && runner->demo->blur_radius == 0 &&
+           runner->renderer.stats.vertices >= AHEAD_LEAST &&
+           sizeof(struct runner_ahead) + list_bytes <= runner->config.ahead_bytes;
+}
+
+/* The buttons are taken to be as they were. */
+void runner_ahead(struct runner *runner, uint32_t frame)
+{
+    struct runner_ahead *const a = runner->config.ahead;
+    if (!may_go_ahead(runner)) {
+        return;
+    }
+    struct ph_config config = runner->renderer.config;
+    config.vertices = config.vertices == runner->scene ? (void *)(a + 1) : runner->scene;
+    config.triangles = config.vertices;
+    config.other_core = NULL;
+    a->status = ph_renderer_init(&a->renderer, &config);
+    a->context = runner->context;
+    a->demo = runner->demo;
+    a->frame = frame;
+    a->buttons = runner->buttons;
+    a->made = false;
+    demo_input(&a->context, a->buttons);
+    runner->ahead = runner->config.other_core(make_ahead, a);
+}
+
+/* While the other core makes a scene it does not help. */
+static void share_bands(struct runner *runner)
+{
+    const struct runner_ahead *const a = runner->config.ahead;
+    const bool busy = runner->ahead && !__atomic_load_n(&a->made, __ATOMIC_ACQUIRE);
+    runner->renderer.config.other_core = busy ? NULL : runner->config.other_core;
 }
 
 /* ---- drawing and sending ------------------------------------------------------------------------- */
@@ -201,6 +272,7 @@ static uint32_t draw_band(struct runner *runner, uint32_t band)
     if (queues(runner)) {
         runner->hal.ops->bus_until(runner->hal.context, runner->written[runner->band_next]);
     }
+    share_bands(runner);
     const uint32_t lines = demo_draw_band(runner->demo, &runner->context, &runner->renderer, band, pixels);
     if (runner->config.overlay) {
         draw_overlay(runner, band, pixels, lines);
@@ -227,7 +299,7 @@ static int frame_rows(struct runner *runner, uint32_t lines)
     if (queues(runner)) {
         runner->written[band] = runner->hal.ops->bus_written(runner->hal.context);
     }
-    runner->band_next = (band + 1) % runner->band_count;
+    runner->band_next = (uint16_t)((band + 1) % runner->band_count);
     return status;
 }
 
@@ -305,11 +377,15 @@ int runner_frame(struct runner *runner, uint32_t frame)
 {
     int status = runner_buttons(runner, 0);
     status = status == PH_OK ? runner_scene(runner, frame) : status;
+    if (status == PH_OK) {
+        runner_ahead(runner, frame + 1);
+    }
     return status == PH_OK ? runner_send(runner) : status;
 }
 
 int runner_close(struct runner *runner)
 {
+    drop_ahead(runner);
     runner->sending = false;
     return panel_close(&runner->driver);
 }

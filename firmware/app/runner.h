@@ -10,6 +10,9 @@
  * runner_frame returns while the last bands are still on the wire, so that the next scene is made meanwhile. It calls
  * runner_buttons, runner_scene and runner_send; a caller who wants to know which of them failed calls them itself.
  *
+ * With a second core and memory for it, runner_frame has the other core make the next scene before it draws. The frames
+ * are the same: a scene whose buttons turn out to be others is made again.
+ *
  * runner_config.h has the configuration; memory_plan.h says how the memory is shared out, and how much a board needs.
  */
 #ifndef RUNNER_H
@@ -18,6 +21,16 @@
 #include "memory_plan.h"
 #include "panel_diff.h"
 #include "panel_tiles.h"
+
+/* The scene that the other core makes, at the start of the configuration's memory for it. Its list follows. */
+struct runner_ahead {
+    struct ph_renderer renderer;
+    struct demo_context context;
+    const struct demo *demo;
+    uint32_t frame, buttons;
+    int status;
+    bool made;
+};
 
 /* Read-only for the caller: demo, context, renderer.stats, driver. Holds no pointer into itself. */
 struct runner {
@@ -32,9 +45,10 @@ struct runner {
     void *depth;
     uint32_t *bins;
     uint8_t *scene; /* the rest of memory: lists, arena, scratch of the demo */
-    uint32_t band_count, band_next;
+    uint16_t band_count, band_next;
     uint32_t buttons;      /* held during the last frame */
     uint32_t edges_missed; /* frames that waited in vain for the tearing-effect edge, and were sent without it */
+    bool ahead;            /* the other core makes a scene, or has made it */
     bool sending;          /* a frame's last bands may still be on the wire */
 };
 
@@ -49,6 +63,7 @@ int runner_frame(struct runner *runner, uint32_t frame);
  * which some kits lack. Errors: it PH_ERR_NOMEM as runner_open, runner_scene PH_ERR_.., runner_send HAL_E... */
 int runner_buttons(struct runner *runner, uint32_t more);
 int runner_scene(struct runner *runner, uint32_t frame);
+void runner_ahead(struct runner *runner, uint32_t frame); /* this scene on the other core, if it can be */
 int runner_send(struct runner *runner);
 
 /* Takes another demo, as the select button does; the frame before is finished. PH_ERR_NOMEM: there is no room for it,

@@ -20,13 +20,17 @@ struct runner_config {
     struct demo_camera camera;
     bool (*other_core)(void (*run)(void *argument), void *argument); /* see struct ph_config; may be NULL */
     void (*other_core_join)(void);
-    bool overlay;               /* frame time of the bus and triangles over the picture */
+    void *ahead;            /* memory for the scene of the next frame, which the other core then makes while this one
+                               draws; 8-byte aligned, the runner's until runner_close. NULL: none. other_core must
+                               take a new run when the one before has returned, joined or not */
+    size_t ahead_bytes;     /* with too few for a demo's list it is made without */
+    bool overlay;           /* frame time of the bus and triangles over the picture */
+    uint8_t depth_exponent; /* see struct ph_config */
     struct panel_sender sender; /* zero: every frame whole. For panel_diff_sender() or panel_tiles_sender() call
                                    panel_diff_init() or panel_tiles_init() after runner_open(), before the first frame.
                                    Without a queue in the backend tiles are not used: every frame is sent whole */
     void *memory;               /* 8-byte aligned; the runner's until runner_close */
     size_t memory_bytes;        /* runner_bytes() or more */
-    uint8_t depth_exponent;     /* see struct ph_config */
 };
 
 #endif

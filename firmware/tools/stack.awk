@@ -15,6 +15,7 @@ BEGIN {
     rule("firmware/app/demos/parts\\.c:", demos "[a-z]*_band$")
     rule("firmware/app/runner\\.c:", demos "[a-z]*_(init|frame)$")
     rule("firmware/app/runner\\.c:", ops)
+    rule("firmware/app/runner\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/app/runner\\.c:", "hal/panel/[a-z_]*\\.c:sender_(begin|rows|end|forget)$")
     rule("firmware/app/self_test\\.c:", ops)
     rule("hal/panel/[a-z_]*\\.c:", ops)
@@ -25,6 +26,7 @@ BEGIN {
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
+    rule("hal/[a-z0-9]+/cores2\\.c:", "firmware/app/runner\\.c:make_ahead$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
 }
 function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }

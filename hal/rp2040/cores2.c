@@ -8,7 +8,7 @@
 #include "registers.h"
 #include "rp2040.h"
 
-#define STACK_BYTES      1600 /* 1528 by the call graph (set_up_fresh of bands.c), and the frame of a tick */
+#define STACK_BYTES      5632 /* by the call graph (a scene), and the frame of a tick */
 #define GUARD_BYTES_LOG2 8    /* the MPU's least region */
 
 static _Alignas(1 << GUARD_BYTES_LOG2) uint64_t stack[((1 << GUARD_BYTES_LOG2) + STACK_BYTES) / 8];
@@ -77,11 +77,20 @@ static void start_core1(void)
     core1.started = true;
 }
 
-bool port_core_run(void (*run)(void *argument), void *argument)
+void port_core_join(void)
 {
     if (core1.busy) {
+        (void)pull();
+        core1.busy = false;
+    }
+}
+
+bool port_core_run(void (*run)(void *argument), void *argument)
+{
+    if (core1.busy && (REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
         return false;
     }
+    port_core_join();
     if (!core1.started) {
         start_core1();
     }
@@ -89,12 +98,4 @@ bool port_core_run(void (*run)(void *argument), void *argument)
     push((uint32_t)argument);
     core1.busy = true;
     return true;
-}
-
-void port_core_join(void)
-{
-    if (core1.busy) {
-        (void)pull();
-        core1.busy = false;
-    }
 }

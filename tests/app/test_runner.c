@@ -215,16 +215,16 @@ static void no_buffer_is_touched_while_it_is_sent(void **state)
     stage_close(s);
 }
 
-/* 64 KB: the icosphere's meshes do not fit beside the bands. */
+/* 20 KB: the ground's meshes do not fit beside the bands. */
 static void select_takes_the_next_demo_that_fits(void **state)
 {
     (void)state;
     const struct board *board = board_find("lm3s6965evb");
-    struct stage *s = stage_open(board, runner_budget(board), 0);
+    struct stage *s = stage_open(board, 20000, 0);
     for (uint32_t i = 0; i < 2 * demo_count; i++) {
         s->bus.buttons = i % 2 == 0 ? HAL_BUTTON_SELECT : 0;
         assert_int_equal(runner_frame(&s->runner, i), 0);
-        assert_string_not_equal(s->runner.demo->name, "icosphere");
+        assert_string_not_equal(s->runner.demo->name, "ground");
     }
     stage_close(s);
 }
@@ -272,7 +272,7 @@ static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
 {
     (void)state;
     uint32_t dropped = UINT32_MAX;
-    for (uint32_t budget = 30000; dropped > 0; budget += 30000) {
+    for (uint32_t budget = 20000; dropped > 0; budget += 5000) {
         struct stage *s = stage_open(board_find("lm3s6965evb"), budget, 0);
         while (strcmp(s->runner.demo->name, "fisheye") != 0) {
             assert_int_equal(runner_buttons(&s->runner, HAL_BUTTON_SELECT), 0);
@@ -281,7 +281,7 @@ static void a_smaller_budget_leaves_out_more_and_counts_it(void **state)
         assert_int_equal(runner_frame(&s->runner, 0), 0);
         assert_true(s->runner.renderer.stats.triangles_dropped < dropped);
         dropped = s->runner.renderer.stats.triangles_dropped;
-        assert_true((budget == 30000) <= (dropped > 0)); /* the first has too little */
+        assert_true((budget == 20000) <= (dropped > 0)); /* the first has too little */
         stage_close(s);
     }
 }
@@ -298,7 +298,7 @@ static void a_demo_has_the_buffers_that_fit_beside_it(void **state)
     static const struct {
         const char *demo;
         uint32_t least, most;
-    } expected[] = {{"fill", 12, 14}, {"solar", 5, 7}, {"hitchcock", 5, 7}, {"fisheye", 2, 5}};
+    } expected[] = {{"fill", 12, 14}, {"solar", 5, 7}, {"hitchcock", 5, 7}, {"focus", 2, 5}};
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
         struct stage *s = stage_on(board, expected[i].demo, board->band_height);
         assert_in_range(s->runner.band_count, expected[i].least, expected[i].most);

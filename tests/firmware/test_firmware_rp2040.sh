@@ -22,6 +22,14 @@ every_demo() { # cores
     [ "$1" != 1 ] || cp "$dir/log" "$dir/every.log"
 }
 
+# 20 frames, each with delays of its own between the cores. By hand a thousand: FRAMES=1000 SEED=1 tests/firmware/test_firmware_rp2040.sh
+any_delays() {
+    local frames=${FRAMES:-20}
+    sweep 2
+    awk -v frames="$frames" '$1 < frames' "$dir/keys" >"$dir/some"
+    emulate "$board" 2 "$frames" "$dir/some" --delays "${SEED:-1}" --limit-ms 10000000 && expect "$board" "$frames" "$dir/some" && same "$frames"
+}
+
 both_cores_work() { # the second one a tenth of the time at least
     awk '{ load += $6 } END { print "# core 1: " load / NR " %"; exit !(load / NR >= 10) }' "$dir/out/report"
 }
@@ -188,6 +196,7 @@ check "every_demo_is_the_simulators" every_demo 1
 check "the_panel_is_dark_until_its_first_frame" order_is "$board" 'init [^;]*;first frame;display on;backlight [^;]*;$'
 check "two_cores_draw_the_same" every_demo 2
 check "both_cores_work" both_cores_work
+check "they_do_with_any_delays_between_them" any_delays
 check "a_frame_that_fits_the_bus_takes_no_longer" overlap
 check "the_speed_is_that_of_the_paper" speed_is_that_of_the_paper
 check "another_speed_than_that_of_the_paper_is_seen" other_speeds_are_seen

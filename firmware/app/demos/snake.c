@@ -82,7 +82,9 @@ struct steering {
 
 struct snake {
     struct steering steering;
-    uint32_t frame, buttons; /* of the frame before */
+    uint32_t frame, buttons; /* of the last frame */
+    struct steering before;  /* the steering, its frame and buttons before the last frame, which may come again */
+    uint32_t frame_before, buttons_before;
     fx_t lawn_scale;
     struct ph_mesh light_ball, dark_ball, head, apple, tree, floor;
     struct ph_material skin[2], face, red, leaves, tiles[2];
@@ -263,11 +265,15 @@ static void steer_on(struct steering *s)
 /* A frame drawn again changes nothing; a few left out are made up for; a jump (the loop's end) counts as one. */
 static void snake_input(struct snake *s, uint32_t frame, uint32_t buttons)
 {
-    const uint32_t passed = frame - s->frame;
-    const uint32_t pressed = buttons & ~s->buttons & (HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT);
-    if (passed == 0) {
-        return;
+    if (frame == s->frame) {
+        s->steering = s->before;
+    } else {
+        s->before = s->steering;
+        s->frame_before = s->frame;
+        s->buttons_before = s->buttons;
     }
+    const uint32_t passed = frame - s->frame_before;
+    const uint32_t pressed = buttons & ~s->buttons_before & (HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT);
     s->frame = frame;
     s->buttons = buttons;
     for (uint32_t i = 0; s->steering.on && i < (passed <= CELL_FRAMES ? passed : 1); i++) {
@@ -325,8 +331,9 @@ static int snake_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     memset(&s->steering, 0, sizeof(s->steering));
-    s->buttons = 0;
-    s->frame = UINT32_MAX;
+    s->buttons = s->buttons_before = 0;
+    s->frame = s->frame_before = UINT32_MAX;
+    s->before = s->steering;
     snake_colours(s);
     if ((arena->size >= ARENA_FINE ? make_fine(arena, s) : make_coarse(arena, s)) != PH_OK) {
         return PH_ERR_NOMEM;
@@ -431,8 +438,8 @@ static const char *const views[] = {"head", "outside", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 7328), .vertex_max = VERTICES, .triangle_max = 860, .corner_max = 96},
-    {DEMO_ARENA(ARENA_FEW, 3584), .vertex_max = 720, .triangle_max = 300, .corner_max = 48},
+    {DEMO_ARENA(ARENA_FINE, 7528), .vertex_max = VERTICES, .triangle_max = 860, .corner_max = 96},
+    {DEMO_ARENA(ARENA_FEW, 3784), .vertex_max = 720, .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_snake = {
@@ -440,7 +447,7 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 7328),
+    DEMO_ARENA(ARENA_FINE, 7528),
     .vertex_max = VERTICES,
     .triangle_max = 1600,
     .corner_max = 96,

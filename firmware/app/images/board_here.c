@@ -2,6 +2,7 @@
  * What an image is built for: see image.h, hal/port.h and demo.h. firmware.mk compiles this file with -D:
  *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
+ *   AHEAD_BYTES  memory for the next frame's scene, or 0
  */
 #include "demo.h"
 #include "image.h"
@@ -21,5 +22,9 @@ const size_t image_memory_bytes = sizeof image_memory;
 
 uint32_t image_tiles[TILES_BYTES > 0 ? TILES_BYTES / sizeof(uint32_t) : 1];
 const size_t image_tiles_bytes = TILES_BYTES;
+
+static uint64_t ahead[AHEAD_BYTES > 0 ? AHEAD_BYTES / sizeof(uint64_t) : 1];
+void *const image_ahead = AHEAD_BYTES > 0 ? ahead : NULL;
+const size_t image_ahead_bytes = AHEAD_BYTES;
 
 #endif

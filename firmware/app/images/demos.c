@@ -94,6 +94,9 @@ static int draw(struct runner *runner, const struct console *console, uint32_t f
     const struct demo *before = runner->demo;
     int status = runner_buttons(runner, console->buttons);
     status = status == 0 ? runner_scene(runner, frame) : status;
+    if (status == 0 && !console->holding) {
+        runner_ahead(runner, frame + 1);
+    }
     status = status == 0 ? runner_send(runner) : status;
     if (status == 0 && (console->holding || frame == 0)) {
         status = runner_finish(runner);
@@ -194,6 +197,8 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .budget_bytes = runner_budget(board_here),
                                          .other_core = second ? port_core_run : NULL,
                                          .other_core_join = second ? port_core_join : NULL,
+                                         .ahead = image_ahead,
+                                         .ahead_bytes = image_ahead_bytes,
                                          .demo = demo_here,
                                          .sender = sender(tiles),
                                          .memory = image_memory,

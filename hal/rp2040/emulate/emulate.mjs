@@ -18,11 +18,12 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --charge US         a pin reads low until US after its pull-up is turned on (0)
   --send FRAME:TEXT   to the image's UART when this frame begins
   --fault FRAME       a hard fault when this frame begins
-  --calls FRAME,WRITE,ROWS,SCENE  addresses (hexadecimal) of the functions that the image calls when it begins to send
+  --calls FRAME,WRITE,ROWS,SCENE,AHEAD  addresses (hexadecimal) of the functions that the image calls when it begins to send
                       a frame, to write to the bus (bus_write and bus_write_rows of hal.h), and to make the scene of
-                      a frame, whose number is their second argument. The events then have a note 'frame' where the
-                      last bit of one is out. Without them a frame begins with the command memory write, 2Ch
+                      a frame, here or on the other core: its number is the second argument. The events then have a
+                      note 'frame' where the last bit of one is out. Without them a frame begins with the command memory write, 2Ch
   --jump FRAME:N      the scene of this frame is that of number N, and the next ones follow; may be given several times
+  --delays SEED       each core waits now and then, for up to 30 us; frame N has the delays of SEED + N
   --free-wire         words take no time on the bus: the report has the cores' own time
   --free-flash        flash is as fast as RAM (it lies behind a cache, see flash.mjs)
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
@@ -35,7 +36,7 @@ const { values: options, positionals } = parseArgs({
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     jump: { type: 'string', multiple: true, default: [] },
-    charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
+    delays: { type: 'string' }, charge: { type: 'string', default: '0' }, fault: { type: 'string' }, calls: { type: 'string' },
     'free-wire': { type: 'boolean', default: false }, 'free-flash': { type: 'boolean', default: false }, 'limit-ms': { type: 'string', default: '60000' },
     help: { type: 'boolean', default: false },
   },
@@ -157,6 +158,23 @@ const machine = makeMachine(lib, {
 machine.freeWire = options['free-wire'];
 machine.freeFlash = options['free-flash'];
 machine.chargeUs = Number(options.charge);
+
+// A core waits for a random time after a random number of instructions.
+function addDelays(seed) {
+  let chance = 0;
+  const below = (n) => {
+    chance = (Math.imul(chance, 1664525) + 1013904223) >>> 0;
+    return (chance >>> 8) % n;
+  };
+  const left = new Map(machine.cores.map((own) => [own, 1]));
+  machine.delay = (own) => {
+    const n = left.get(own) - 1;
+    left.set(own, n > 0 ? n : 1 + below([10, 100, 3000, 30000][below(4)]));
+    return n > 0 ? 0 : below(30000);
+  };
+  return (frame) => { chance = Math.imul(seed + frame, 2654435761) >>> 0; };
+}
+const setDelays = options.delays === undefined ? () => {} : addDelays(Number(options.delays));
 const file = readFileSync(positionals[0]);
 machine.load(new DataView(file.buffer, file.byteOffset).getUint32(0, true) === 0x0a324655 ? unpackUf2(file) : file);
 
@@ -204,6 +222,7 @@ function beginFrame() {
   measure();
   frame++;
   setPins();
+  setDelays(frame);
   if (send.has(frame)) {
     Buffer.from(send.get(frame)).forEach((byte) => machine.mcu.uart[0].feedByte(byte));
   }
@@ -223,9 +242,13 @@ function endFrames() {
   }
 }
 
-let ahead = 0; // of the frame's number, that of its scene
+// The number of a frame's scene: the last jump says how far it is ahead.
+function sceneOf(number) {
+  const from = Math.max(...[...jump.keys()].filter((key) => key <= number));
+  return jump.has(from) ? number - from + Number(jump.get(from)) : number;
+}
 
-function addCalls([frameAt, writeAt, rowsAt, sceneAt]) {
+function addCalls([frameAt, writeAt, rowsAt, ...scenesAt]) {
   machine.calls.set(frameAt, () => {
     if (frame >= 0) {
       ends.push(given);
@@ -235,10 +258,9 @@ function addCalls([frameAt, writeAt, rowsAt, sceneAt]) {
   });
   machine.calls.set(writeAt, ([, , , n]) => { given += n; });
   machine.calls.set(rowsAt, ([, , n, , rows]) => { given += n * rows; });
-  machine.calls.set(sceneAt, () => { // its first instruction has been run, and has left its arguments
-    ahead = jump.has(frame + 1) ? jump.get(frame + 1) - machine.mcu.core.registers[1] : ahead;
-    machine.mcu.core.registers[1] += ahead;
-  });
+  scenesAt.forEach((at) => machine.calls.set(at, () => { // its first instruction has been run, and has left its arguments
+    machine.mcu.core.registers[1] = sceneOf(machine.mcu.core.registers[1]);
+  }));
 }
 
 if (options.calls !== undefined) {

@@ -9,7 +9,8 @@
 // the chip drives changes, onUart(byte), onTrouble(text): a core locked up or the watchdog reset the chip. machine.calls is a Map from an address to a function, which gets
 // r0 .. r3 and the word on the stack when core 0 comes there: the five arguments. With machine.freeWire words take no
 // time, as in rp2040js; the cores' own time is left. With machine.freeFlash flash is as fast as RAM. A pin reads low until machine.chargeUs after its pull-up was turned
-// on, as with a capacitor. machine.resting is the time in ns that all cores slept at once.
+// on, as with a capacitor. machine.resting is the time in ns that all cores slept at once. machine.delay(core) says how many
+// ns a core waits after an instruction (0).
 
 import { makeFlash } from './flash.mjs';
 
@@ -315,7 +316,7 @@ export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
   const { clock } = mcu;
   const machine = {
     mcu, warn, calls: new Map(), freeWire: false, freeFlash: false, resting: 0, misses: 0, chargeUs: 0, levels: 0, wordInFlight: false, ended: null, cores: [],
-    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {},
+    onWord() {}, onWordStart() {}, onLevels() {}, onUart() {}, onTrouble() {}, delay: () => 0,
     end(why) { machine.ended = why; },
     get time() { return clock.nanos; },
   };
@@ -406,6 +407,7 @@ export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
     }
     own.time += ((core.cycles - own.counted) * 1e9) / mcu.clkSys; // unlike the return value, all that the core waited for
     own.counted = core.cycles;
+    own.time += machine.delay(own);
     own.asleep = core.waiting;
     if (core.registers[13] < own.lowest) {
       own.lowest = core.registers[13];
