@@ -4,8 +4,8 @@
  * The model is triangulated, the transforms of its nodes are applied, and points and lines are left out. Missing
  * normals are made: smooth for OBJ and STL, with creases above 66 degrees; flat for PLY, glTF and other formats that
  * share vertices, as glTF asks. Meshes are split at 65535 vertices. The model is moved and scaled into the sphere of
- * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A PNG texture is
- * resampled to a power of two of at most 1024; one that cannot be used (JPEG, missing, broken) leaves the colour. A
+ * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A texture, PNG or JPEG, is
+ * resampled to a power of two of at most 1024; one that cannot be used (missing, broken) leaves the colour. A
  * note tells what was changed or ignored.
  *
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes

@@ -337,8 +337,8 @@ static void png_texture_is_resampled_to_a_power_of_two(void **state)
 static void a_texture_that_cannot_be_used_leaves_the_colour_and_a_note(void **state)
 {
     static const char *const names[] = {"missing.png", "not.png", "photo.jpg", "half.png"};
-    static const char *const reasons[] = {"cannot be opened", "is no PNG", "is JPEG: only PNG is read",
-                                          "is a PNG that"};
+    static const char *const reasons[] = {"cannot be opened", "is neither a PNG nor a JPEG",
+                                          "is a JPEG that cannot be read", "is a PNG that"};
     (void)state;
     file_bytes("half.png", "\x89PNG\r\n\x1a\n", 8);
     file_text("not.png", "this is no picture");

@@ -1,7 +1,6 @@
 #include "model_gltf.h"
 
 #include "model_surface.h"
-#include "png_in.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,12 +39,13 @@ static void multiply(struct ppm *picture, const double factor[3])
     }
 }
 
-/* Doubles the picture along u (0) or v (1), the second half mirrored. false: it would be too large. */
-static bool mirror(struct ppm *picture, int along)
+/* Doubles the picture along u (0) or v (1), the second half mirrored. false: no memory. */
+static bool mirror(struct picture_in *in, int along)
 {
+    struct ppm *picture = &in->picture;
     const uint32_t w = picture->width, h = picture->height, wide = along == 0 ? 2 * w : w,
                    high = along == 1 ? 2 * h : h;
-    uint8_t *rgb = wide <= PPM_SIDE_MAX && high <= PPM_SIDE_MAX ? malloc((size_t)wide * high * 3) : NULL;
+    uint8_t *rgb = malloc((size_t)wide * high * 3);
     if (rgb == NULL) {
         return false;
     }
@@ -57,6 +57,8 @@ static bool mirror(struct ppm *picture, int along)
     }
     free(picture->rgb);
     *picture = (struct ppm){wide, high, rgb};
+    in->width *= along == 0 ? 2 : 1;
+    in->height *= along == 1 ? 2 : 1;
     return true;
 }
 
@@ -79,8 +81,8 @@ static const char *load_picture(struct gltf_file *file, const struct cJSON *text
         file->error[0] = '\0'; /* a model without its picture is still a model */
         return "cannot be opened";
     }
-    const char *why =
-        png_in_memory(bytes.bytes, bytes.n, &to->picture) == 0 ? NULL : model_surface_why(bytes.bytes, bytes.n);
+    to->picture.most = 1u << TEXTURE_LOG2_MAX;
+    const char *why = picture_in_memory(&to->picture, bytes.bytes, bytes.n);
     if (uri != NULL) {
         free((void *)(uintptr_t)bytes.bytes);
     }
@@ -134,7 +136,7 @@ static void read_texture(struct model_shared *shared, struct gltf_file *file, co
         return;
     }
     if (factor[0] < 1 || factor[1] < 1 || factor[2] < 1) {
-        multiply(&to->picture, factor);
+        multiply(&to->picture.picture, factor);
     }
     read_transform(info, uv);
     read_wrap(shared, gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE)), to, uv);
