@@ -29,6 +29,12 @@ static void say_nothing(png_structp png, png_const_charp text)
     (void)text;
 }
 
+static void fail(png_structp png, png_const_charp text)
+{
+    (void)text;
+    png_longjmp(png, 1);
+}
+
 /* Leaves through png_error, to the caller's setjmp. An interlaced picture comes in 7 passes of some pixels each. */
 static void read_rows(struct picture_in *in, struct source *from, png_structp png, png_infop info)
 {
@@ -61,7 +67,7 @@ static void read_rows(struct picture_in *in, struct source *from, png_structp pn
 bool png_in_memory(struct picture_in *in, const void *bytes, size_t n)
 {
     struct source from = {bytes, n, NULL};
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, say_nothing);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, fail, say_nothing);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
     volatile bool is_done = false;
     if (info != NULL && setjmp(png_jmpbuf(png)) == 0) {
