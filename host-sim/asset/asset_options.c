@@ -57,6 +57,7 @@ static const struct option_row rows[] = {
      "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
     {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
      "a power of two, 1 .. 1024", .set = set_texture},
+    MODEL_OPTION_ROWS(struct asset_options, model_options),
     {"filter", "nearest|bilinear|mipmap",
      "how textures are drawn, nearest by default; mipmap: they have all levels, a third more flash",
      "nearest, bilinear or mipmap", .set = set_filter},

@@ -212,7 +212,7 @@ static int run_on(const struct model *model, const struct asset_options *o)
 static int run(const struct asset_options *o)
 {
     struct model *model;
-    int status = model_open(&model, o->model);
+    int status = model_open(&model, o->model, &o->model_options);
     if (status != 0) {
         return status;
     }

@@ -36,7 +36,7 @@ struct demo model_demo(const struct model *model)
     }
     return (struct demo){.name = "model",
                          .summary = "a model file",
-                         .views = model->has_camera ? views : NULL,
+                         .views = model->has_camera ? views : views + 1,
                          .loop_frames = demo_find("turntable")->loop_frames,
                          .arena_bytes = DEMO_TURNTABLE_BYTES,
                          .arena_bytes_32 = DEMO_TURNTABLE_BYTES,

@@ -119,7 +119,7 @@ static int read_in_child(struct model_shared *shared, const char *path)
     return complain("model %s: is broken, or too large for this machine: the reader crashed or hung on it", path);
 }
 
-int model_open(struct model **model, const char *path)
+int model_open(struct model **model, const char *path, const struct model_options *options)
 {
     *model = NULL;
     int status = check_file(path);
@@ -133,6 +133,7 @@ int model_open(struct model **model, const char *path)
     struct model_shared *shared = memory;
     const size_t head = (sizeof *shared + 15) & ~(size_t)15;
     shared->arena = (struct demo_arena){.base = (uint8_t *)memory + head, .size = SHARED_BYTES - head};
+    shared->options = options != NULL ? *options : (struct model_options){NULL, NULL, false};
     status = read_in_child(shared, path);
     if (status != 0) {
         munmap(memory, SHARED_BYTES);

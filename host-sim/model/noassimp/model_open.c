@@ -2,8 +2,9 @@
 
 #include "complain.h"
 
-int model_open(struct model **model, const char *path)
+int model_open(struct model **model, const char *path, const struct model_options *options)
 {
+    (void)options;
     *model = NULL;
     return complain("model %s: this program was built without assimp; install libassimp-dev and libcjson-dev (Debian) "
                     "and make again",
