@@ -51,7 +51,8 @@ static bool set_filter(void *to, const char *value)
 }
 
 static const struct option_row rows[] = {
-    {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", .set = set_out},
+    {"out", "FILE.c|FILE.phs", "where the C file goes, - is stdout, or the binary scene; also -o FILE", "a file",
+     .set = set_out},
     {"max-triangles", "N|all|fit",
      "simplifies to N triangles at most; fit: to what the board has room for. all by default",
      "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
@@ -78,8 +79,9 @@ static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
 void asset_options_help(void)
 {
-    puts("pinhole-asset MODEL [options]: makes a model file (OBJ, STL, PLY, glTF, GLB) into a C file of const data\n"
-         "that a display kit draws from its flash. `make firmware BOARD=x SCENE=MODEL` makes an image of it.\n");
+    puts("pinhole-asset MODEL [options]: makes a model file (OBJ, STL, PLY, glTF, GLB) into a C file of const data,\n"
+         "or a binary scene, that a display kit draws from its flash. `make firmware BOARD=x SCENE=MODEL` makes an "
+         "image of it.\n");
     option_table_help(&table);
     puts("\nExit status: 0 done; 1 failed; 2 wrong usage.");
 }

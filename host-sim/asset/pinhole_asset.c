@@ -5,7 +5,9 @@
 #include "asset_options.h"
 #include "complain.h"
 #include "file_save.h"
+#include "option_text.h"
 #include "runner.h"
+#include "scene_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -185,6 +187,23 @@ static int save(const struct asset *asset, const char *path)
     return status;
 }
 
+static int save_scene(const struct asset *asset, const char *path)
+{
+    if (asset->model.mesh_count > SCENE_FILE_MESHES) {
+        return complain("%s: a binary scene has at most %u meshes, not %u; write C", path, SCENE_FILE_MESHES,
+                        (unsigned)asset->model.mesh_count);
+    }
+    const size_t n = asset_scene(asset, NULL);
+    uint8_t *bytes = calloc(1, n);
+    if (bytes == NULL) {
+        return complain("not enough memory for the scene");
+    }
+    asset_scene(asset, bytes);
+    const int status = file_save_bytes(path, (const char *)bytes, n);
+    free(bytes);
+    return status;
+}
+
 static int run_on(const struct model *model, const struct asset_options *o)
 {
     struct asset asset = {.memory = NULL};
@@ -200,7 +219,7 @@ static int run_on(const struct model *model, const struct asset_options *o)
         tell(&asset, o);
     }
     if (status == 0 && o->out != NULL) {
-        status = save(&asset, o->out);
+        status = (option_text_ends(o->out, ".phs") ? save_scene : save)(&asset, o->out);
     }
     if (status == 0 && o->report) {
         status = asset_report(stdout, &asset, o->board);

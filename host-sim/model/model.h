@@ -1,5 +1,6 @@
 /*
  * model: a model file (OBJ, STL, PLY, glTF, GLB, and whatever assimp reads) as meshes for the renderer, and as a demo.
+ * A binary scene (.phs, scene_file.h) is drawn as it is: no option changes it.
  *
  * The model is triangulated, the transforms of its nodes are applied, and points and lines are left out. Missing
  * normals are made: smooth for OBJ and STL, with creases above 66 degrees; flat for PLY, glTF and other formats that
@@ -36,7 +37,8 @@ struct model {
     uint32_t triangle_count; /* of all meshes */
     bool has_camera;
     struct demo_eye camera;
-    const char *note; /* one line on what could not be used, or NULL */
+    const char *note;  /* one line on what could not be used, or NULL */
+    const void *scene; /* of a binary scene: its bytes, as scene_file.h says; else NULL */
 };
 
 /* How a file is read; all zero: as it says. */
@@ -69,7 +71,8 @@ void model_close(struct model *model);
 /* The filter of that name: nearest, bilinear, mipmap. False if it is none. */
 bool model_filter_named(const char *name, uint8_t *filter);
 
-/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. */
+/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. A binary scene keeps
+ * its own. */
 void model_set_filter(struct model *model, uint8_t filter);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its

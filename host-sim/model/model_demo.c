@@ -1,4 +1,5 @@
 #include "model.h"
+#include "scene_file.h"
 
 #include <string.h>
 
@@ -28,8 +29,22 @@ static int camera_frame(struct demo_context *context, struct ph_renderer *r, uin
     return (is_turntable(context) ? demo_turntable_frame : demo_still_frame)(context, r, frame);
 }
 
+/* The demo of a binary scene finds the scene's bytes as its state. */
+static int scene_init(struct demo_context *context)
+{
+    const struct model *model = context->state;
+    context->state = (void *)(uintptr_t)model->scene;
+    return scene_file_demo(model->scene).init(context);
+}
+
 struct demo model_demo(const struct model *model)
 {
+    if (model->scene != NULL) {
+        struct demo demo = scene_file_demo(model->scene);
+        demo.views = model->has_camera ? NULL : views + 1;
+        demo.init = scene_init;
+        return demo;
+    }
     uint32_t vertices = 0;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         vertices += model->meshes[m].vertex_count;

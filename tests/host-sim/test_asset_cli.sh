@@ -94,6 +94,24 @@ filters_are_in_the_file() { # and the simulator draws the same with --filter
         [ "$(sort -u "$dir"/{nearest,bilinear,mipmap}.sim | wc -l)" = 3 ] && cmp "$dir/nearest.crc" "$dir/nearest.sim" && cmp "$dir/bilinear.crc" "$dir/bilinear.sim"
 }
 
+unlit='{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
+    "materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0,1,0,1]},"extensions":{"KHR_materials_unlit":{}}}],"accessors":[{"componentType":5126,"count":3,"type":"VEC3",
+    "sparse":{"count":2,"indices":{"bufferView":0,"componentType":5121},"values":{"bufferView":0,"byteOffset":4,"componentType":5126}}}],
+    "bufferViews":[{"buffer":0,"byteLength":28}],"buffers":[{"byteLength":28,"uri":"data:;base64,AQIAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA=="}]}'
+
+the_three_forms_are_one_picture() { # the file, the C scene and the binary scene: turntable, camera and textures, unlit
+    local model
+    echo "$unlit" >"$dir/unlit.gltf"
+    for model in "$scene" "$dir/sphere.obj" "$dir/unlit.gltf"; do
+        "$asset" "$model" -o "$dir/3.c" && "$asset" "$model" -o "$dir/3.phs" && compile "$dir/3.c" "$dir/3" && "$dir/3" pico-display 4 32 | grep '^frame' | cut -d' ' -f4 >"$dir/3.compiled" &&
+            "$B/pinhole-sim" --model "$model" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.model" &&
+            "$B/pinhole-sim" --model "$dir/3.phs" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.binary" || return 1
+        cmp "$dir/3.model" "$dir/3.binary" && [ "$(wc -l <"$dir/3.compiled")" = 4 ] && cmp "$dir/3.compiled" <(awk 'NR % 32 == 1' "$dir/3.binary") || { echo "$model" && return 1; }
+    done
+    [ "$("$B/pinhole-sim" --model "$dir/3.phs" --view turntable --size 64x64 --crc | wc -l)" = 1 ] && truncate -s -4 "$dir/3.phs" &&
+        ! "$B/pinhole-sim" --model "$dir/3.phs" --crc 2>"$dir/said" && grep -q 'is not whole' "$dir/said" && [ "$(wc -l <"$dir/said")" = 1 ]
+}
+
 odd_names_stay_out_of_the_c_file() {
     local odd="$dir/a*%2f\"??.obj"
     odd=${odd/\%2f/\\}
@@ -163,6 +181,7 @@ an_image_too_large_is_not_made() {
         [ ! -e "$B/firmware/lm3s6965evb-sphere.elf" ]
 }
 
+check "the file, the C scene and the binary scene are one picture" the_three_forms_are_one_picture
 check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
 check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
 if [ -e /usr/include/meshoptimizer.h ]; then

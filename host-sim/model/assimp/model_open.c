@@ -3,6 +3,8 @@
 #include "model_read.h"
 
 #include "complain.h"
+#include "model_scene.h"
+#include "option_text.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -126,6 +128,9 @@ int model_open(struct model **model, const char *path, const struct model_option
     if (status != 0) {
         return status;
     }
+    if (option_text_ends(path, ".phs")) {
+        return model_scene_open(model, path);
+    }
     void *memory = mmap(NULL, SHARED_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) {
         return complain("model %s: not enough memory", path);
@@ -146,7 +151,9 @@ int model_open(struct model **model, const char *path, const struct model_option
 
 void model_close(struct model *model)
 {
-    if (model != NULL) {
+    if (model != NULL && model->scene != NULL) {
+        free(model);
+    } else if (model != NULL) {
         munmap(model, SHARED_BYTES);
     }
 }
