@@ -13,4 +13,8 @@ extern const size_t image_memory_bytes;
 extern uint32_t image_tiles[];
 extern const size_t image_tiles_bytes;
 
+/* Where in flash a binary scene (scene_file.h) may lie, and its largest size. 0 bytes: the image looks for none. */
+extern const void *const image_scene;
+extern const size_t image_scene_bytes;
+
 #endif

@@ -1,5 +1,6 @@
 /* Binary scenes: what is damaged is refused, whatever the damage. */
 #include "asset.h"
+#include "flash_scene.h"
 #include "model_files.h"
 #include "scene_file.h"
 
@@ -126,12 +127,31 @@ static void a_corner_that_is_not_there_is_seen(void **state)
     free(bytes);
 }
 
+/* pinhole-flash --at-scene writes its sectors and no other; a scene is refused as the image would refuse it. */
+static void it_becomes_an_image_behind_the_programs(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    char error[FLASH_ERROR_SIZE];
+    assert_int_equal(flash_scene_read(&image, file_bytes("scene.phs", whole, size), error), 0);
+    assert_int_equal(image.sectors, FLASH_SCENE / FLASH_SECTOR + (size + FLASH_SECTOR - 1) / FLASH_SECTOR);
+    assert_memory_equal(image.bytes + FLASH_SCENE, whole, size);
+    for (uint32_t i = 0; i < image.sectors; i++) {
+        assert_int_equal(image.used[i], i >= FLASH_SCENE / FLASH_SECTOR);
+    }
+    flash_image_free(&image);
+    assert_true(flash_scene_read(&image, file_bytes("half.phs", whole, size / 2), error) < 0);
+    assert_string_equal(error, "is not whole, or too large");
+    assert_true(flash_scene_read(&image, file_path("none.phs"), error) < 0);
+    assert_non_null(strstr(error, "cannot be read"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(its_checksum_is_that_of_ieee),       cmocka_unit_test(every_bit_that_changed_is_seen),
         cmocka_unit_test(what_is_cut_off_or_erased_is_seen),  cmocka_unit_test(no_number_leads_out_of_the_scene),
-        cmocka_unit_test(a_corner_that_is_not_there_is_seen),
+        cmocka_unit_test(a_corner_that_is_not_there_is_seen), cmocka_unit_test(it_becomes_an_image_behind_the_programs),
     };
     return cmocka_run_group_tests(tests, make_scene, drop_scene);
 }

@@ -2,6 +2,7 @@
  * What an image is built for: see image.h, hal/port.h and demo.h. firmware.mk compiles this file with -D:
  *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
+ *   SCENE_AT     where a binary scene may lie in flash, of at most SCENE_BYTES; 0: nowhere
  */
 #include "demo.h"
 #include "image.h"
@@ -21,5 +22,8 @@ const size_t image_memory_bytes = sizeof image_memory;
 
 uint32_t image_tiles[TILES_BYTES > 0 ? TILES_BYTES / sizeof(uint32_t) : 1];
 const size_t image_tiles_bytes = TILES_BYTES;
+
+const void *const image_scene = (const void *)(uintptr_t)(SCENE_AT);
+const size_t image_scene_bytes = SCENE_BYTES;
 
 #endif
