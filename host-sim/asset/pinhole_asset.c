@@ -6,6 +6,7 @@
 #include "complain.h"
 #include "file_save.h"
 #include "option_text.h"
+#include "progress.h"
 #include "runner.h"
 #include "scene_file.h"
 
@@ -92,6 +93,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
     uint32_t fitting = 0, too_many = model->triangle_count;
     int status = make(asset, model, o, UINT32_MAX, is_bare);
     for (int i = 0; i < TRIES && status == 0 && asset_can_simplify; i++) {
+        progress_show("fitting", (uint64_t)i, TRIES);
         if ((i == 0 && fits(asset, o)) || too_many < TRIANGLES_LEAST || too_many - fitting <= too_many / 32) {
             break;
         }
@@ -104,6 +106,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
             too_many = triangles;
         }
     }
+    progress_show("fitting", TRIES, TRIES);
     if (status == 0 && !fits(asset, o) && fitting >= TRIANGLES_LEAST) {
         asset_free(asset);
         status = make(asset, model, o, fitting, is_bare);
@@ -114,7 +117,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
 static int make_fitting(struct asset *asset, const struct model *model, const struct asset_options *o)
 {
     const int status = make_less(asset, model, o, false);
-    const bool is_full = fits(asset, o) && asset->model.triangle_count == model->triangle_count;
+    const bool is_full = fits(asset, o) && asset->way == ASSET_WHOLE;
     if (status != 0 || is_full || asset->model.has_camera || asset->model.triangle_count >= TRIANGLES_FEW) {
         return status;
     }
