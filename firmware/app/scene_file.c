@@ -100,7 +100,7 @@ const char *scene_file_wrong(const void *bytes, size_t room)
     if (scene_file_crc((const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
         return "has a wrong checksum: write it again";
     }
-    if (head->mesh_count > SCENE_FILE_MESHES || memchr(head->name, '\0', sizeof(head->name)) == NULL ||
+    if (head->mesh_count > SCENE_FILE_MESHES || head->name[SCENE_FILE_NAME - 1] != '\0' ||
         head->mesh_count * sizeof(struct scene_file_mesh) > head->bytes - sizeof(*head)) {
         return "is broken";
     }
