@@ -28,6 +28,8 @@ STD = -std=c11 $(WARN)
 have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
 ASSIMP ?= $(if $(and $(call have,assimp),$(call have,libcjson)),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
+JPEG ?= $(if $(and $(filter png,$(PNG)),$(call have,libjpeg)),jpeg,nojpeg)
+JPEG := $(JPEG)
 GIF ?= $(if $(wildcard /usr/include/gif_lib.h /usr/local/include/gif_lib.h),gif,nogif)
 GIF := $(GIF)
 SDL ?= $(if $(call have,sdl2),sdl,nosdl)
@@ -47,7 +49,7 @@ MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshopt
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
 SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp libcjson)) \
-            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
+            $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) $(if $(filter jpeg,$(JPEG)),$(shell pkg-config --libs libjpeg)) \
             $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
             $(if $(filter gif,$(GIF)),-lgif) \
             $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
@@ -78,7 +80,7 @@ $(foreach b,$(BOARDS_MORE),$(if $(wildcard boards/$(b)/board.c),$(error BOARD_DI
 # host-sim has one room a program, and common/ and controllers/ for all; a program's main() is in its pinhole_*.c.
 MAINS := $(wildcard host-sim/*/pinhole_*.c)
 ROOMS := common controllers model picture $(patsubst host-sim/%/,%,$(dir $(MAINS)))
-HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) picture/$(PNG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
+HOST := $(wildcard $(ROOMS:%=host-sim/%/*.c) $(patsubst %,host-sim/%/*.c,model/$(ASSIMP) model/$(ASSIMP:assimp=gltf) picture/$(PNG) picture/$(JPEG) picture/$(GIF) asset/$(MESHOPT) sim/$(SDL) flash/$(USB)))
 HOST := $(filter-out $(MAINS),$(HOST))
 PROGRAMS := $(patsubst %.c,$(B)/%,$(subst _,-,$(notdir $(if $(SPIDEV),$(MAINS),$(filter-out %/pinhole_panel.c,$(MAINS))))))
 
@@ -104,7 +106,7 @@ INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
-          -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS))) $(call rooms,tests,support oracle) $(DRM_CFLAGS)
+          -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(DRM_CFLAGS)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
@@ -118,7 +120,7 @@ $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 $(B)/host-sim/%.o: INC = $(INC_HOST)
 $(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model)
-$(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
+$(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/assimp model/gltf)
 $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)

@@ -5,6 +5,7 @@
 #   make firmware BOARD=pico-display SCENE=my.glb a model, through pinhole-asset: build/firmware/pico-display-my.elf
 #                                                 SCENE_TRIANGLES=N|all|fit, SCENE_TEXTURE=N, SCENE_FLAGS=--turntable
 #   make size BOARD=pico-display                  the image's size by module
+#   make flash BOARD=pico-display SCENE=my.phs    writes a binary scene (RP2040) behind the image that is there already
 #   make flash BOARD=pico-display                 builds the image and writes it into the flash (SERIAL=S: of which board)
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
@@ -26,6 +27,7 @@
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
+#   PORT_SCENE        optional: offset in flash of a binary scene, behind every image; it may fill the rest of the flash
 #   PORT_INFO         optional: a .c file that tells about the image; it gets macros BOARD_... (firmware/tools/board_facts.c)
 #                     and IMAGE_NAME, IMAGE_VERSION, IMAGE_ATTRIBUTES
 #   PORT_FINISH       optional: a shell command between linking and objcopy, e.g. for a checksum; "$1" is the ELF file
@@ -108,7 +110,7 @@ $(SCENE_C): $(B)/pinhole-asset FORCE
 	@if cmp -s '$@.new' '$@'; then rm '$@.new'; else mv '$@.new' '$@'; fi
 endif
 
-flash: firmware $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: builds an image and writes it into the flash of the board that is plugged in
+flash: $(if $(and $(PORT_SCENE),$(filter %.phs,$(SCENE))),,firmware) $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: builds an image and writes it into the flash of the board that is plugged in
 	$(Q)$(FLASH)
 
 emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: runs it in an emulator; frames go to build/emulate/x/
@@ -145,7 +147,8 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
 BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
-             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0)
+             -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0) \
+             $(if $(or $(SCENE_C),$(if $(PORT_SCENE),,none)),-DSCENE_AT=0 -DSCENE_BYTES=0,-DSCENE_AT=$(UF2_BASE)+$(PORT_SCENE) -DSCENE_BYTES=$(CHIP_FLASH_BYTES)-$(PORT_SCENE))
 
 $(B)/board_here.flags: $(B)/board-facts
 	@ram=$$($< ram_bytes); echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" | cmp -s - $@ || echo "$(BOARD_DEFS) -DRAM_BYTES=$$ram" >$@

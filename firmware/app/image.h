@@ -16,5 +16,8 @@ extern const size_t image_tiles_bytes;
 /* Static memory for the scene of the next frame (see runner_config.h). NULL and 0 bytes with one core. */
 extern void *const image_ahead;
 extern const size_t image_ahead_bytes;
+/* Where in flash a binary scene (scene_file.h) may lie, and its largest size. 0 bytes: the image looks for none. */
+extern const void *const image_scene;
+extern const size_t image_scene_bytes;
 
 #endif

@@ -6,6 +6,7 @@ PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c)
 PORT_CORES = 1 2
 PORT_INFO = hal/rp2040/binary_info.c
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
+PORT_SCENE = 524288 # FLASH_SCENE of host-sim/flash/flash_scene.h
 PORT_LD = hal/rp2040/rp2040.ld
 PORT_STACK_BYTES = 6656
 PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)
@@ -16,5 +17,5 @@ UF2_FAMILY = 0xe48bff56
 UF2_BASE = 0x10000000
 EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh
 SPEED = B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
-FLASH = '$(B)/pinhole-flash' '$(IMAGE).uf2' $(if $(SERIAL),--serial '$(SERIAL)')
+FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash

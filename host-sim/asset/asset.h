@@ -5,6 +5,7 @@
  *   asset_measure(&asset, board)           how long the renderer's list of triangles becomes on that board
  *   asset_demo(&asset)                     the demo that the written file defines
  *   asset_write(file, &asset)              that file, in C
+ *   asset_scene(&asset, bytes)             the same as a binary scene
  *
  * Simplifying and ordering are meshoptimizer's: meshopt/ has it, nomeshopt/ does without; the Makefile picks.
  */
@@ -84,6 +85,10 @@ uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
 
 /* Writes the C file; the same asset gives the same bytes. Errors stay in the stream. */
 void asset_write(FILE *file, const struct asset *asset);
+
+/* Writes the binary scene (scene_file.h), of at most SCENE_FILE_MESHES meshes, into bytes; NULL: only counts. Returns
+ * how many bytes it has. */
+size_t asset_scene(const struct asset *asset, uint8_t *bytes);
 
 /* Prints the need of flash, and of memory on one board or (NULL) on all. 0 or COMPLAINED. */
 int asset_report(FILE *file, const struct asset *asset, const struct board *board);

@@ -51,12 +51,14 @@ static bool set_filter(void *to, const char *value)
 }
 
 static const struct option_row rows[] = {
-    {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", .set = set_out},
+    {"out", "FILE.c|FILE.phs", "where the C file goes, - is stdout, or the binary scene; also -o FILE", "a file",
+     .set = set_out},
     {"max-triangles", "N|all|fit",
      "simplifies to N triangles at most; fit: to what the board has room for. all by default",
      "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
     {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
      "a power of two, 1 .. 1024", .set = set_texture},
+    MODEL_OPTION_ROWS(struct asset_options, model_options),
     {"filter", "nearest|bilinear|mipmap",
      "how textures are drawn, nearest by default; mipmap: they have all levels, a third more flash",
      "nearest, bilinear or mipmap", .set = set_filter},
@@ -77,8 +79,9 @@ static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
 void asset_options_help(void)
 {
-    puts("pinhole-asset MODEL [options]: makes a model file (OBJ, STL, PLY, glTF, GLB) into a C file of const data\n"
-         "that a display kit draws from its flash. `make firmware BOARD=x SCENE=MODEL` makes an image of it.\n");
+    puts("pinhole-asset MODEL [options]: makes a model file (OBJ, STL, PLY, glTF, GLB) into a C file of const data,\n"
+         "or a binary scene, that a display kit draws from its flash. `make firmware BOARD=x SCENE=MODEL` makes an "
+         "image of it.\n");
     option_table_help(&table);
     puts("\nExit status: 0 done; 1 failed; 2 wrong usage.");
 }

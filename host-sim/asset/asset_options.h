@@ -3,9 +3,11 @@
 #define ASSET_OPTIONS_H
 
 #include "board.h"
+#include "model.h"
 
 struct asset_options {
     const char *model, *out;
+    struct model_options model_options;
     const struct board *board; /* NULL: none named */
     uint32_t triangles;        /* UINT32_MAX: all */
     bool fit;                  /* as many as the board has room for */

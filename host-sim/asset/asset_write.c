@@ -107,15 +107,20 @@ static void put_texture(FILE *file, const struct ph_texture *t, uint32_t m)
 
 static void put_material(FILE *file, const struct model *model, uint32_t m)
 {
+    static const char *const shadings[] = {[PH_SHADE_UNLIT] = "PH_SHADE_UNLIT",
+                                           [PH_SHADE_FLAT] = "PH_SHADE_FLAT",
+                                           [PH_SHADE_GOURAUD] = "PH_SHADE_GOURAUD",
+                                           [PH_SHADE_TEXTURE] = "PH_SHADE_TEXTURE",
+                                           [PH_SHADE_TEXTURE_LIT] = "PH_SHADE_TEXTURE_LIT"};
     const struct ph_material *from = model->meshes[m].materials;
     fprintf(file,
             "\nstatic const struct ph_material material_%u = {\n"
             "    .shading = %s,\n    .two_sided = %s,\n    .shininess_log2 = %u,\n    .ambient = %" PRId32
             ",\n    .diffuse = %" PRId32 ",\n    .specular = %" PRId32
             ",\n    .colour = W(0x%04X),\n    .ramp = ramp_%u,\n",
-            (unsigned)m, from->shading == PH_SHADE_TEXTURE_LIT ? "PH_SHADE_TEXTURE_LIT" : "PH_SHADE_GOURAUD",
-            from->two_sided ? "true" : "false", from->shininess_log2, from->ambient, from->diffuse, from->specular,
-            number_of(from->colour), (unsigned)asset_first_ramp(model, m));
+            (unsigned)m, shadings[from->shading], from->two_sided ? "true" : "false", from->shininess_log2,
+            from->ambient, from->diffuse, from->specular, number_of(from->colour),
+            (unsigned)asset_first_ramp(model, m));
     if (from->texture != NULL) {
         fprintf(file, "    .texture = &texture_%u,\n", (unsigned)asset_first_texture(model, m));
     }

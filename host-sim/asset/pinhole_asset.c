@@ -5,7 +5,10 @@
 #include "asset_options.h"
 #include "complain.h"
 #include "file_save.h"
+#include "option_text.h"
+#include "progress.h"
 #include "runner.h"
+#include "scene_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -90,6 +93,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
     uint32_t fitting = 0, too_many = model->triangle_count;
     int status = make(asset, model, o, UINT32_MAX, is_bare);
     for (int i = 0; i < TRIES && status == 0 && asset_can_simplify; i++) {
+        progress_show("fitting", (uint64_t)i, TRIES);
         if ((i == 0 && fits(asset, o)) || too_many < TRIANGLES_LEAST || too_many - fitting <= too_many / 32) {
             break;
         }
@@ -102,6 +106,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
             too_many = triangles;
         }
     }
+    progress_show("fitting", TRIES, TRIES);
     if (status == 0 && !fits(asset, o) && fitting >= TRIANGLES_LEAST) {
         asset_free(asset);
         status = make(asset, model, o, fitting, is_bare);
@@ -112,7 +117,7 @@ static int make_less(struct asset *asset, const struct model *model, const struc
 static int make_fitting(struct asset *asset, const struct model *model, const struct asset_options *o)
 {
     const int status = make_less(asset, model, o, false);
-    const bool is_full = fits(asset, o) && asset->model.triangle_count == model->triangle_count;
+    const bool is_full = fits(asset, o) && asset->way == ASSET_WHOLE;
     if (status != 0 || is_full || asset->model.has_camera || asset->model.triangle_count >= TRIANGLES_FEW) {
         return status;
     }
@@ -185,6 +190,23 @@ static int save(const struct asset *asset, const char *path)
     return status;
 }
 
+static int save_scene(const struct asset *asset, const char *path)
+{
+    if (asset->model.mesh_count > SCENE_FILE_MESHES) {
+        return complain("%s: a binary scene has at most %u meshes, not %u; write C", path, SCENE_FILE_MESHES,
+                        (unsigned)asset->model.mesh_count);
+    }
+    const size_t n = asset_scene(asset, NULL);
+    uint8_t *bytes = calloc(1, n);
+    if (bytes == NULL) {
+        return complain("not enough memory for the scene");
+    }
+    asset_scene(asset, bytes);
+    const int status = file_save_bytes(path, (const char *)bytes, n);
+    free(bytes);
+    return status;
+}
+
 static int run_on(const struct model *model, const struct asset_options *o)
 {
     struct asset asset = {.memory = NULL};
@@ -200,7 +222,7 @@ static int run_on(const struct model *model, const struct asset_options *o)
         tell(&asset, o);
     }
     if (status == 0 && o->out != NULL) {
-        status = save(&asset, o->out);
+        status = (option_text_ends(o->out, ".phs") ? save_scene : save)(&asset, o->out);
     }
     if (status == 0 && o->report) {
         status = asset_report(stdout, &asset, o->board);
@@ -212,7 +234,7 @@ static int run_on(const struct model *model, const struct asset_options *o)
 static int run(const struct asset_options *o)
 {
     struct model *model;
-    int status = model_open(&model, o->model);
+    int status = model_open(&model, o->model, &o->model_options);
     if (status != 0) {
         return status;
     }

@@ -1,6 +1,7 @@
 #include "option_table.h"
 
 #include "complain.h"
+#include "nearest.h"
 #include "option_text.h"
 
 #include <stdio.h>
@@ -18,6 +19,31 @@ const struct option_row *option_table_find(const struct option_table *table, con
     return NULL;
 }
 
+/* Whether `words` with | between them has this one. */
+static bool has_word(const char *words, const char *word)
+{
+    for (const char *at = words; at != NULL; at = strchr(at, '|'), at += at != NULL) {
+        if (strcspn(at, "|") == strlen(word) && strncmp(at, word, strlen(word)) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static const char *row_name(const void *from, size_t i)
+{
+    const struct option_table *table = from;
+    return i < table->count ? table->rows[i].name : NULL;
+}
+
+/* "did you mean --NAME? ", or nothing. */
+static const char *suggest(const struct option_table *table, const char *text)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)(strcspn(text, "=") < 60 ? strcspn(text, "=") : 60), text);
+    return strncmp(name, "--", 2) == 0 ? nearest_text(name + 2, row_name, table) : "";
+}
+
 static bool store(const struct option_row *row, void *options, const char *value)
 {
     void *at = (char *)options + row->at;
@@ -32,7 +58,7 @@ static bool store(const struct option_row *row, void *options, const char *value
         return true;
     }
     *(const char **)at = value;
-    return *value != '\0';
+    return row->words != NULL ? has_word(row->words, value) : *value != '\0';
 }
 
 int option_table_read(const struct option_table *table, void *options, int argc, char *const argv[], int i)
@@ -40,7 +66,7 @@ int option_table_read(const struct option_table *table, void *options, int argc,
     const char *text = strcmp(argv[i], "-h") == 0 ? "--help" : argv[i];
     const struct option_row *row = option_table_find(table, text);
     if (row == NULL) {
-        return complain_usage("%s: no such option; --help lists them", text);
+        return complain_usage("%s: no such option; %s--help lists them", text, suggest(table, text));
     }
     const char *equals = strchr(text, '='), *value = equals != NULL ? equals + 1 : NULL;
     if (row->argument == NULL && value != NULL) {

@@ -18,6 +18,7 @@ struct option_row {
     size_t at; /* where `set` is NULL: offset in options of a bool (it takes no value), of a uint32_t (most is
                   not 0), or of a const char *, which may not be left out and not be empty */
     uint32_t least, most; /* of a whole number */
+    const char *words;    /* the only ones that a const char * may be, with | between them; NULL: any */
 };
 
 struct option_table {

@@ -2,6 +2,7 @@
 
 #include "complain.h"
 #include "model.h"
+#include "nearest.h"
 #include "progress.h"
 
 #include <math.h>
@@ -92,10 +93,11 @@ static int find(struct depth_layers *s, const struct depth_lab *lab)
     if (lab->model == NULL) {
         s->demo = demo_find(lab->demo);
         if (s->demo == NULL) {
-            return complain_usage("--demo '%s': no such demo; pinhole-sim --list shows them", lab->demo);
+            return complain_usage("--demo '%s': no such demo; %spinhole-sim --list shows them", lab->demo,
+                                  nearest_text(lab->demo, nearest_demo, NULL));
         }
     } else {
-        const int status = model_open(&s->model, lab->model);
+        const int status = model_open(&s->model, lab->model, NULL);
         if (status != 0) {
             return status;
         }

@@ -4,6 +4,7 @@
 #include "flash_file.h"
 #include "flash_job.h"
 #include "flash_pick.h"
+#include "flash_scene.h"
 #include "option_table.h"
 #include "progress.h"
 #include "signal_stop.h"
@@ -13,7 +14,7 @@
 
 struct request {
     const char *path, *serial;
-    bool list, help, no_verify, no_reboot;
+    bool list, help, no_verify, no_reboot, at_scene;
 };
 
 /* ---- the command line --------------------------------------------------------------------------- */
@@ -21,6 +22,8 @@ struct request {
 static const struct option_row rows[] = {
     {"serial", "S", "the board, where several are: its serial number, or BUS:ADDRESS as --list shows it",
      "a serial number or BUS:ADDRESS", .at = offsetof(struct request, serial)},
+    {"at-scene", NULL, "IMAGE is a binary scene (.phs): it goes to 0x10080000, and the image on the board shows it",
+     NULL, .at = offsetof(struct request, at_scene)},
     {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number", NULL,
      .at = offsetof(struct request, list)},
     {"no-verify", NULL, "does not read back and compare what was written", NULL,
@@ -132,7 +135,7 @@ static int run(const struct request *r)
     struct flash_board boards[FLASH_BOARDS_MAX];
     struct flash_image image = {.sectors = 0};
     char error[FLASH_ERROR_SIZE];
-    if (r->path != NULL && flash_file_read(&image, r->path, error) != 0) {
+    if (r->path != NULL && (r->at_scene ? flash_scene_read : flash_file_read)(&image, r->path, error) != 0) {
         return complain("%s: %s", r->path, error);
     }
     const int count = flash_usb_list(boards);

@@ -1,12 +1,15 @@
 /*
  * model: a model file (OBJ, STL, PLY, glTF, GLB, and whatever assimp reads) as meshes for the renderer, and as a demo.
+ * A binary scene (.phs, scene_file.h) is drawn as it is: no option changes it.
  *
  * The model is triangulated, the transforms of its nodes are applied, and points and lines are left out. Missing
  * normals are made: smooth for OBJ and STL, with creases above 66 degrees; flat for PLY, glTF and other formats that
  * share vertices, as glTF asks. Meshes are split at 65535 vertices. The model is moved and scaled into the sphere of
- * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A PNG texture is
- * resampled to a power of two of at most 1024; one that cannot be used (JPEG, missing, broken) leaves the colour. A
+ * radius 1 around the origin, which it touches. The diffuse colour of a material becomes its ramp. A texture, PNG or
+ * JPEG, is resampled to a power of two of at most 1024; one that cannot be used (missing, broken) leaves the colour. A
  * note tells what was changed or ignored.
+ *
+ * STL has z up, and is turned: y is up here. options say otherwise.
  *
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
@@ -14,8 +17,8 @@
  * Of glTF these are read, too: base colour factor times texture, emissive factor, unlit, mirrored textures and
  * KHR_texture_transform. A required extension that is not read is an error.
  *
- * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits of
- * time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the
+ * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits
+ * of time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the
  * program.
  */
 #ifndef MODEL_H
@@ -34,21 +37,45 @@ struct model {
     uint32_t triangle_count; /* of all meshes */
     bool has_camera;
     struct demo_eye camera;
-    const char *note; /* one line on what could not be used, or NULL */
+    const char *note;  /* one line on what could not be used, or NULL */
+    const void *scene; /* of a binary scene: its bytes, as scene_file.h says; else NULL */
 };
 
-/* Reads a file. 0 or COMPLAINED. */
-int model_open(struct model **model, const char *path);
+/* How a file is read; all zero: as it says. */
+struct model_options {
+    const char *up;      /* "y" or "z": the axis that points up; NULL: z of STL, y of other files */
+    const char *texture; /* a picture for all that has texture coordinates, or NULL */
+    bool two_sided;      /* all faces are drawn from behind, too */
+};
+
+/* The rows of a struct option_table that set model_options in struct `options`. */
+#define MODEL_OPTION_ROWS(options, member)                                                                             \
+    {"up",                                                                                                             \
+     "y|z",                                                                                                            \
+     "the axis of the model that points up; z of STL, y of other files by default",                                    \
+     "y or z",                                                                                                         \
+     .at = offsetof(options, member.up),                                                                               \
+     .words = "y|z"},                                                                                                  \
+        {"texture", "FILE", "a picture for all of the model that has texture coordinates", "a PNG or JPEG file",       \
+         .at = offsetof(options, member.texture)},                                                                     \
+    {                                                                                                                  \
+        "two-sided", NULL, "draws all faces of the model from behind, too", NULL,                                      \
+            .at = offsetof(options, member.two_sided)                                                                  \
+    }
+
+/* Reads a file; options may be NULL. 0 or COMPLAINED. */
+int model_open(struct model **model, const char *path, const struct model_options *options);
 
 void model_close(struct model *model);
 
 /* The filter of that name: nearest, bilinear, mipmap. False if it is none. */
 bool model_filter_named(const char *name, uint8_t *filter);
 
-/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. */
+/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. A binary scene keeps
+ * its own. */
 void model_set_filter(struct model *model, uint8_t filter);
 
-/* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else the turntable alone. Its
+/* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its
  * context->state must be the model. */
 struct demo model_demo(const struct model *model);
 

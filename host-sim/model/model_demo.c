@@ -1,4 +1,5 @@
 #include "model.h"
+#include "scene_file.h"
 
 #include <string.h>
 
@@ -28,15 +29,29 @@ static int camera_frame(struct demo_context *context, struct ph_renderer *r, uin
     return (is_turntable(context) ? demo_turntable_frame : demo_still_frame)(context, r, frame);
 }
 
+/* The demo of a binary scene finds the scene's bytes as its state. */
+static int scene_init(struct demo_context *context)
+{
+    const struct model *model = context->state;
+    context->state = (void *)(uintptr_t)model->scene;
+    return scene_file_demo(model->scene).init(context);
+}
+
 struct demo model_demo(const struct model *model)
 {
+    if (model->scene != NULL) {
+        struct demo demo = scene_file_demo(model->scene);
+        demo.views = model->has_camera ? NULL : views + 1;
+        demo.init = scene_init;
+        return demo;
+    }
     uint32_t vertices = 0;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         vertices += model->meshes[m].vertex_count;
     }
     return (struct demo){.name = "model",
                          .summary = "a model file",
-                         .views = model->has_camera ? views : NULL,
+                         .views = model->has_camera ? views : views + 1,
                          .loop_frames = demo_find("turntable")->loop_frames,
                          .arena_bytes = DEMO_TURNTABLE_BYTES,
                          .arena_bytes_32 = DEMO_TURNTABLE_BYTES,

@@ -92,7 +92,7 @@ bool model_filter_named(const char *name, uint8_t *filter)
 
 void model_set_filter(struct model *model, uint8_t filter)
 {
-    for (uint32_t m = 0; m < model->mesh_count; m++) {
+    for (uint32_t m = 0; m < model->mesh_count && model->scene == NULL; m++) {
         const struct ph_texture *const texture = model->meshes[m].materials->texture;
         if (texture != NULL) {
             ((struct ph_texture *)(uintptr_t)texture)->filter = filter & 15; /* it lies in the model's memory */

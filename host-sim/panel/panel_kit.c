@@ -1,6 +1,7 @@
 #include "panel_kit.h"
 
 #include "complain.h"
+#include "nearest.h"
 #include "panels.h"
 
 #include <stdio.h>
@@ -28,7 +29,8 @@ static int choose_board(const struct panel_wiring *w, const struct board **board
     const char *name = w->board != NULL ? w->board : plain;
     *board = board_find(name);
     if (*board == NULL) {
-        return complain_usage("--board '%s': no such board; `pinhole-panel list` shows them", name);
+        return complain_usage("--board '%s': no such board; %s`pinhole-panel list` shows them", name,
+                              nearest_text(name, nearest_board, NULL));
     }
     if (!panel_kit_has(*board)) {
         return complain_usage("--board '%s': no kit for this machine's SPI bus or USB; `pinhole-panel list` "

@@ -153,6 +153,7 @@ static const struct option_row rows[] = {
      .at = offsetof(struct panel_options, view)},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct panel_options, model)},
+    MODEL_OPTION_ROWS(struct panel_options, model_options),
     {"frames", "N", "ends after N frames; else when it is stopped (Ctrl-C)", "a whole number, 1 .. 1000000000",
      .at = offsetof(struct panel_options, frames), .least = 1, .most = FRAME_LIMIT},
     {"start", "N", "number of the first frame; 0 by default", "a whole number, 0 .. 1000000000",

@@ -3,6 +3,7 @@
 #define PANEL_OPTIONS_H
 
 #include "board.h"
+#include "model.h"
 #include "option_text.h"
 
 #define PANEL_KITS_MAX 4
@@ -42,9 +43,10 @@ struct panel_options {
     struct panel_wiring kits[PANEL_KITS_MAX];
     int kit_count;
     const char *demo, *view, *model; /* NULL: not given */
-    uint32_t start, frames;          /* frames 0: until it is stopped */
-    uint32_t fps;                    /* 0: as fast as it goes */
-    uint32_t band;                   /* lines, 0: the board's own */
+    struct model_options model_options;
+    uint32_t start, frames; /* frames 0: until it is stopped */
+    uint32_t fps;           /* 0: as fast as it goes */
+    uint32_t band;          /* lines, 0: the board's own */
     struct option_depth depth;
     bool diff;        /* send only what changed */
     uint32_t refresh; /* and all of it every so many frames; 0: never */

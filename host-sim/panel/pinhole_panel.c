@@ -2,6 +2,7 @@
 
 #include "complain.h"
 #include "model.h"
+#include "nearest.h"
 #include "panel_doctor.h"
 #include "panel_kit.h"
 #include "panel_probe.h"
@@ -56,7 +57,8 @@ static int choose_demo(const struct panel_options *o, const char *name, struct p
 {
     scene->demo = demo_find(name);
     if (scene->demo == NULL) {
-        return complain_usage("--demo '%s': no such demo; `pinhole-sim --list` shows them", name);
+        return complain_usage("--demo '%s': no such demo; %s`pinhole-sim --list` shows them", name,
+                              nearest_text(name, nearest_demo, NULL));
     }
     return choose_view(o, scene);
 }
@@ -69,7 +71,7 @@ static int choose_scene(struct stage *stage, const struct panel_options *o, stru
     if (o->model == NULL) {
         return choose_demo(o, o->demo != NULL ? o->demo : "turntable", scene);
     }
-    const int status = model_open(&stage->model, o->model);
+    const int status = model_open(&stage->model, o->model, &o->model_options);
     if (status != 0) {
         return status;
     }

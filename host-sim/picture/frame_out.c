@@ -6,7 +6,7 @@
 #include "file_save.h"
 #include "gif_out.h"
 #include "option_text.h"
-#include "png_in.h"
+#include "picture_in.h"
 #include "png_out.h"
 
 #include <errno.h>
@@ -198,12 +198,14 @@ int frame_out_close(struct frame_out *out, int status)
 
 int frame_out_load(const char *path, struct ppm *picture)
 {
-    int status = ppm_load(path, picture);
-    if (status == PH_ERR_INVAL && png_in_file(path, picture) == 0) {
+    struct picture_in in = {.most = PPM_SIDE_MAX};
+    const int status = ppm_load(path, picture);
+    if (status == PH_ERR_INVAL && picture_in_file(&in, path) == NULL) {
+        *picture = in.picture;
         return 0;
     }
     if (status == PH_ERR_INVAL) {
-        return complain("%s: is neither a binary PPM (P6) nor a PNG that can be read", path);
+        return complain("%s: is neither a binary PPM (P6) nor a PNG or JPEG that can be read", path);
     }
     return status == 0 ? 0 : complain("%s: cannot be read: %s", path, strerror(-status));
 }

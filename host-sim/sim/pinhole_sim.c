@@ -11,6 +11,7 @@
 #include "json_text.h"
 #include "key_script.h"
 #include "model.h"
+#include "nearest.h"
 #include "progress.h"
 #include "signal_stop.h"
 #include "sim_matrix.h"
@@ -88,7 +89,9 @@ static int choose_board(const struct sim_options *o, struct sim_virtual *virtual
 {
     if (o->board != NULL) {
         *board = board_find(o->board);
-        return *board != NULL ? 0 : complain_usage("--board '%s': no such board; --list shows them", o->board);
+        return *board != NULL ? 0
+                              : complain_usage("--board '%s': no such board; %s--list shows them", o->board,
+                                               nearest_text(o->board, nearest_board, NULL));
     }
     const uint16_t width = o->width != 0 ? o->width : DEFAULT_SIDE;
     const uint16_t height = o->width != 0 ? o->height : DEFAULT_SIDE;
@@ -171,9 +174,10 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
         const char *name = o->demo != NULL ? o->demo : DEFAULT_DEMO;
         setup->demo = demo_find(name);
         return setup->demo != NULL ? choose_view(o, setup)
-                                   : complain_usage("--demo '%s': no such demo; --list shows them", name);
+                                   : complain_usage("--demo '%s': no such demo; %s--list shows them", name,
+                                                    nearest_text(name, nearest_demo, NULL));
     }
-    const int status = model_open(&chosen->model, o->model);
+    const int status = model_open(&chosen->model, o->model, &o->model_options);
     if (status != 0) {
         return status;
     }

@@ -125,6 +125,7 @@ static const struct option_row rows[] = {
      .at = offsetof(struct sim_options, view)},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct sim_options, model)},
+    MODEL_OPTION_ROWS(struct sim_options, model_options),
     {"filter", "nearest|bilinear|mipmap", "how the textures of a model are drawn; nearest by default",
      "nearest, bilinear or mipmap", .set = set_filter},
     {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},

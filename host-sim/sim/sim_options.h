@@ -6,6 +6,7 @@
 #define SIM_OPTIONS_H
 
 #include "camera.h"
+#include "model.h"
 #include "option_text.h"
 
 #include <stdbool.h>
@@ -16,9 +17,10 @@ enum option_projection { OPTION_PERSPECTIVE, OPTION_FRUSTUM, OPTION_ORTHO, OPTIO
 
 struct sim_options {
     enum option_action action;
-    const char *demo;       /* NULL: none asked for */
-    const char *view;       /* of the demo, or NULL */
-    const char *model;      /* path of a model file, or NULL */
+    const char *demo;  /* NULL: none asked for */
+    const char *view;  /* of the demo, or NULL */
+    const char *model; /* path of a model file, or NULL */
+    struct model_options model_options;
     uint8_t filter;         /* of its textures: enum ph_filter */
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */

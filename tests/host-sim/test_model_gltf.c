@@ -120,6 +120,24 @@ static void emission_is_in_the_ramp_and_unlit_has_none(void **state)
     model_close(model);
 }
 
+static void a_texture_that_glows_on_black_is_drawn_unlit(void **state)
+{
+    (void)state;
+    write_picture("glow.png");
+    struct model *model = with_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0,0,0,1]},"
+                                        "\"emissiveFactor\":[1,0.2158605,0],\"emissiveTexture\":{\"index\":0}",
+                                        "glow.png", "");
+    const struct ph_material *material = model->meshes->materials;
+    assert_null(model->note);
+    assert_int_equal(material->shading, PH_SHADE_TEXTURE);
+    assert_int_equal(material->texture->texels[0], ph_rgb565(128, 61, 0));
+    model_close(model);
+    model = with_material("\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0}", "glow.png", "");
+    assert_string_equal(model->note, "emissive textures are ignored");
+    assert_int_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
+    model_close(model);
+}
+
 /* A mesh with a position accessor, a buffer of n bytes and what else is given. */
 static const char *with_accessor(const char *accessor, const char *views, const void *bytes, size_t n)
 {
@@ -206,7 +224,11 @@ static void what_cannot_be_read_is_refused_in_one_line(void **state)
                    "it needs the extension EXT_meshopt_compression");
     assert_refused(HEAD MESH "\"materials\":[{}]," ACCESSORS "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{}],"
                              "\"buffers\":[{\"byteLength\":36}]}",
-                   "buffer 0 has 0 bytes of 36"); /* the fallback buffer of a file with meshopt has no bytes */
+                   "buffer 0 has 0 bytes of 36");
+    assert_refused(HEAD MESH "\"materials\":[{}]," ACCESSORS "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{}],"
+                             "\"buffers\":[{\"byteLength\":36,\"extensions\":{\"EXT_meshopt_compression\":"
+                             "{\"fallback\":true}}}]}",
+                   "compressed (EXT_meshopt_compression)");
     assert_refused(HEAD MESH ACCESSORS BUFFER, "a material that is not there");
     assert_refused("{\"asset\":{\"version\":\"1.0\"}}", "no glTF of version 2");
     assert_refused(HEAD MESH "\"materials\":[{}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":"
@@ -236,6 +258,7 @@ int main(void)
         cmocka_unit_test(a_mirrored_texture_is_doubled),
         cmocka_unit_test(a_texture_transform_moves_turns_and_scales),
         cmocka_unit_test(emission_is_in_the_ramp_and_unlit_has_none),
+        cmocka_unit_test(a_texture_that_glows_on_black_is_drawn_unlit),
         cmocka_unit_test(every_component_type_is_read_interleaved),
         cmocka_unit_test(sparse_values_replace_zeros),
         cmocka_unit_test(what_cannot_be_read_is_refused_in_one_line),

@@ -3,6 +3,7 @@
 
 #include "complain.h"
 #include "model_files.h"
+#include "stderr_capture.h"
 
 #include <assimp/cimport.h> /* tests/run.sh skips this program where assimp or libpng are not installed */
 #include <png.h>
@@ -334,11 +335,65 @@ static void png_texture_is_resampled_to_a_power_of_two(void **state)
     model_close(model);
 }
 
+static struct model *open_with(const char *path, struct model_options options)
+{
+    struct model *model;
+    assert_int_equal(model_open(&model, path, &options), 0);
+    return model;
+}
+
+static void up_is_z_of_stl_y_of_others_and_as_it_is_told(void **state)
+{
+    static const char stl[] = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 3\n"
+                              "endloop\nendfacet\nendsolid s\n";
+    static const char *const names[2] = {"up.stl", "up.obj"}, *const ups[3] = {NULL, "y", "z"};
+    static const bool is_up[2][3] = {{true, false, true}, {false, false, true}}; /* whether (0, 0, 3) is above */
+    (void)state;
+    file_text("up.stl", stl);
+    file_text("up.obj", "v 0 0 0\nv 1 0 0\nv 0 0 3\nf 1 2 3\n");
+    for (int k = 0; k < 2; k++) {
+        for (int u = 0; u < 3; u++) {
+            struct model *model = open_with(file_path(names[k]), (struct model_options){.up = ups[u]});
+            fx_t highest = 0, nearest = 0;
+            for (uint32_t i = 0; i < 3; i++) {
+                const struct fx_vec3 *p = &model->meshes->positions[i];
+                highest = p->y > highest ? p->y : highest;
+                nearest = p->z > nearest ? p->z : nearest;
+            }
+            assert_in_range(is_up[k][u] ? highest : nearest, 62000, 62400); /* 3 / sqrt 10 */
+            assert_int_equal(is_up[k][u] ? nearest : highest, 0);
+            model_close(model);
+        }
+    }
+}
+
+static void a_texture_and_two_sides_are_given_to_all(void **state)
+{
+    struct model *model;
+    char said[1024];
+    struct stderr_capture c;
+    (void)state;
+    write_png("six.png");
+    const char *const obj = textured_obj("nowhere.png");
+    const struct model_options wrong = {.texture = file_path("none.png")};
+    model = open_with(obj, (struct model_options){.texture = file_path("six.png"), .two_sided = true});
+    assert_int_equal(model->meshes->materials->texture->texels[0], ph_rgb565(255, 0, 0));
+    assert_int_equal(model->meshes->materials->shading, PH_SHADE_TEXTURE_LIT);
+    assert_true(model->meshes->materials->two_sided);
+    model_close(model);
+    stderr_capture_begin(&c);
+    assert_int_equal(model_open(&model, obj, &wrong), COMPLAINED);
+    stderr_capture_end(&c);
+    snprintf(said, sizeof said, "%.1000s", c.text);
+    assert_non_null(strstr(said, "none.png: it cannot be opened"));
+    assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+}
+
 static void a_texture_that_cannot_be_used_leaves_the_colour_and_a_note(void **state)
 {
     static const char *const names[] = {"missing.png", "not.png", "photo.jpg", "half.png"};
-    static const char *const reasons[] = {"cannot be opened", "is no PNG", "is JPEG: only PNG is read",
-                                          "is a PNG that"};
+    static const char *const reasons[] = {"cannot be opened", "is neither a PNG nor a JPEG",
+                                          "is a JPEG that cannot be read", "is a PNG that"};
     (void)state;
     file_bytes("half.png", "\x89PNG\r\n\x1a\n", 8);
     file_text("not.png", "this is no picture");
@@ -623,6 +678,8 @@ int main(void)
         cmocka_unit_test(a_cube_of_any_size_is_fitted),
         cmocka_unit_test(a_missing_material_file_leaves_a_plain_model),
         cmocka_unit_test(png_texture_is_resampled_to_a_power_of_two),
+        cmocka_unit_test(up_is_z_of_stl_y_of_others_and_as_it_is_told),
+        cmocka_unit_test(a_texture_and_two_sides_are_given_to_all),
         cmocka_unit_test(a_texture_that_cannot_be_used_leaves_the_colour_and_a_note),
         cmocka_unit_test(a_texture_inside_the_model_file_is_used),
         cmocka_unit_test(meshes_are_split_at_65535_vertices),

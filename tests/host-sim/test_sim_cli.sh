@@ -514,7 +514,11 @@ while IFS='|' read -r pattern options; do
     check "wrong_usage: $options" refuses 2 "$pattern" "${words[@]}"
 done <<'LIST'
 nothing to do|
-no such option|--frame 3 --crc
+no such option; did you mean frames? |--frame 3 --crc
+no such demo; did you mean turntable? |--demo turntabel --crc
+no such board; did you mean pico-display? |--board pico-dislpay --crc
+no such demo; --list|--demo nothinglikeit --crc
+must be y or z|--model x.obj --up x --crc
 no such option|cube --crc
 no such option|-x
 no such option|--

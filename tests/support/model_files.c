@@ -106,7 +106,7 @@ int open_caught(struct model **model, const char *path, char said[1024])
 {
     struct stderr_capture c;
     stderr_capture_begin(&c);
-    const int status = model_open(model, path);
+    const int status = model_open(model, path, NULL);
     stderr_capture_end(&c);
     snprintf(said, 1024, "%.1023s", c.text);
     return status;

@@ -105,8 +105,9 @@ static void make_platter(struct platter *p, fx_t radius, fx_t y)
                                .part_count = 1};
 }
 
-int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
-                        struct fx_vec3 centre)
+/* gap: between the lowest point and the platter, in radii of the meshes. */
+static int stand(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count, struct fx_vec3 centre,
+                 fx_t gap)
 {
     struct turntable *const t = demo_alloc(&context->arena, sizeof(*t));
     if (!t) {
@@ -118,10 +119,18 @@ int demo_turntable_init(struct demo_context *context, const struct ph_mesh *mesh
     t->camera = demo_fit(context, meshes, mesh_count, centre);
     t->platter = demo_alloc(&context->arena, sizeof(*t->platter));
     if (t->platter) {
-        make_platter(t->platter, fx_mul_sat(t->camera.radius, FX_ONE * 9 / 10), t->camera.bottom);
+        make_platter(t->platter, fx_mul_sat(t->camera.radius, FX_ONE * 9 / 10),
+                     fx_sub_sat(t->camera.bottom, fx_mul_sat(t->camera.radius, gap)));
     }
     context->state = t;
     return PH_OK;
+}
+
+/* A flat floor of the meshes is nearer than the platter by more than any depth format mistakes. */
+int demo_turntable_init(struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
+                        struct fx_vec3 centre)
+{
+    return stand(context, meshes, mesh_count, centre, FX_ONE / 64);
 }
 
 int demo_turntable_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
@@ -160,7 +169,7 @@ static int turntable_init(struct demo_context *context)
         *arena = rest;
         if (model_teapot(arena, &pot->mesh, segments) == PH_OK &&
             model_material(arena, &pot->mesh, &pot->material) == PH_OK &&
-            demo_turntable_init(context, &pot->mesh, 1, (struct fx_vec3){0, 0, 0}) == PH_OK) {
+            stand(context, &pot->mesh, 1, (struct fx_vec3){0, 0, 0}, 0) == PH_OK) {
             return PH_OK;
         }
     }

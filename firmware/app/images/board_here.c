@@ -3,6 +3,7 @@
  *   BOARD_HERE   the board's symbol          RAM_BYTES     its ram_bytes (firmware/tools/board_facts.c reads it)
  *   DEMO_HERE    the first demo's symbol     TILES_BYTES   memory for signatures of tiles, or 0
  *   AHEAD_BYTES  memory for the next frame's scene, or 0
+ *   SCENE_AT     where a binary scene may lie in flash, of at most SCENE_BYTES; 0: nowhere
  */
 #include "demo.h"
 #include "image.h"
@@ -26,5 +27,7 @@ const size_t image_tiles_bytes = TILES_BYTES;
 static uint64_t ahead[AHEAD_BYTES > 0 ? AHEAD_BYTES / sizeof(uint64_t) : 1];
 void *const image_ahead = AHEAD_BYTES > 0 ? ahead : NULL;
 const size_t image_ahead_bytes = AHEAD_BYTES;
+const void *const image_scene = (const void *)(uintptr_t)(SCENE_AT);
+const size_t image_scene_bytes = SCENE_BYTES;
 
 #endif

@@ -12,6 +12,7 @@
 #include "image.h"
 #include "port.h"
 #include "runner.h"
+#include "scene_file.h"
 #include "self_test.h"
 
 #define SECOND_US 1000000U
@@ -178,6 +179,41 @@ static bool button_held(const struct hal *hal)
     return held;
 }
 
+/* Whether a scene is in flash that can be drawn. */
+static bool has_scene(void)
+{
+    const char *const wrong = image_scene_bytes > 0 ? scene_file_wrong(image_scene, image_scene_bytes) : "is missing";
+    if (wrong != NULL && image_scene_bytes > 0 && *(const uint32_t *)image_scene != UINT32_MAX) { /* not erased */
+        port_log("the scene in flash ");
+        port_log(wrong);
+        port_log("\r\n");
+    }
+    return wrong == NULL;
+}
+
+/* Opens with the scene in flash as the first demo; its struct demo takes the beginning of the memory. Without room for
+ * the scene the image's own demo is the first. */
+static int open_runner(struct runner *runner, const struct hal *hal, const struct runner_config *own)
+{
+    struct runner_config config = *own;
+    const size_t taken = (sizeof(struct demo) + 7) & ~(size_t)7;
+    if (has_scene()) {
+        struct demo *const demo = config.memory;
+        *demo = scene_file_demo(image_scene);
+        config.demo = demo;
+        config.state = (void *)(uintptr_t)image_scene;
+        config.memory = (uint8_t *)config.memory + taken;
+        config.memory_bytes -= taken;
+        config.budget_bytes -= taken;
+        const int status = runner_open(runner, hal, &config);
+        if (status != PH_ERR_NOMEM) {
+            return status;
+        }
+        port_log("the scene in flash needs more memory\r\n");
+    }
+    return runner_open(runner, hal, own);
+}
+
 static int open(struct runner *runner, struct panel_tiles *tiles)
 {
     const struct hal hal = port_hal();
@@ -203,7 +239,7 @@ static int open(struct runner *runner, struct panel_tiles *tiles)
                                          .sender = sender(tiles),
                                          .memory = image_memory,
                                          .memory_bytes = image_memory_bytes};
-    status = runner_open(runner, &hal, &config);
+    status = open_runner(runner, &hal, &config);
     if (status == 0 && runner->config.sender.context == tiles) {
         status = panel_tiles_init(tiles, &runner->driver, config.band_height, image_tiles, image_tiles_bytes);
     }

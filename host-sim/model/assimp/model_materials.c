@@ -1,6 +1,5 @@
 #include "model_materials.h"
 
-#include "png_in.h"
 #include "model_surface.h"
 
 #include <assimp/material.h>
@@ -70,35 +69,17 @@ void model_materials_note_missing(struct model_shared *shared, const char *model
     }
 }
 
-static const char *why_file_unread(const char *path)
-{
-    uint8_t bytes[4];
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        return "cannot be opened";
-    }
-    const size_t n = fread(bytes, 1, sizeof bytes, file);
-    fclose(file);
-    return model_surface_why(bytes, n);
-}
-
 /* NULL, or why there is no picture. */
 static const char *load_picture(const struct aiScene *scene, const char *model_path, const char *name,
-                                struct ppm *picture)
+                                struct picture_in *picture)
 {
     const struct aiTexture *embedded = find_embedded(scene, name);
     if (embedded != NULL) { /* a height of 0 marks a file in memory; its width is its bytes */
-        if (embedded->mHeight != 0) {
-            return "is raw: only PNG is read";
-        }
-        const int status = png_in_memory(embedded->pcData, embedded->mWidth, picture);
-        return status == 0 ? NULL : model_surface_why((const uint8_t *)embedded->pcData, embedded->mWidth);
+        return embedded->mHeight != 0 ? "is raw: only PNG and JPEG are read"
+                                      : picture_in_memory(picture, embedded->pcData, embedded->mWidth);
     }
     char path[PATH_BYTES];
-    if (!beside(path, model_path, name)) {
-        return "has too long a name";
-    }
-    return png_in_file(path, picture) == 0 ? NULL : why_file_unread(path);
+    return beside(path, model_path, name) ? picture_in_file(picture, path) : "has too long a name";
 }
 
 static uint8_t wrap_of(const struct aiMaterial *from, enum aiTextureType type)
@@ -119,6 +100,7 @@ static void read_texture(struct model_shared *shared, const struct aiScene *scen
         return;
     }
     snprintf(to->name, sizeof to->name, "%.100s", name.data);
+    to->picture.most = 1u << TEXTURE_LOG2_MAX;
     to->wrap[0] = to->wrap[1] = wrap_of(from, type);
     const char *why = load_picture(scene, model_path, name.data, &to->picture);
     if (why != NULL) {

@@ -149,6 +149,9 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
     to->parts = part;
     to->part_count = 1;
     to->materials = material;
+    if (shared->texture != NULL && from->mTextureCoords[0] == NULL) {
+        model_shared_note(shared, "what has no texture coordinates keeps its colour");
+    }
     if (material->texture == NULL || from->mTextureCoords[0] == NULL) {
         material->texture = NULL;
         return true;

@@ -3,6 +3,8 @@
 #include "model_read.h"
 
 #include "complain.h"
+#include "model_scene.h"
+#include "option_text.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -119,12 +121,15 @@ static int read_in_child(struct model_shared *shared, const char *path)
     return complain("model %s: is broken, or too large for this machine: the reader crashed or hung on it", path);
 }
 
-int model_open(struct model **model, const char *path)
+int model_open(struct model **model, const char *path, const struct model_options *options)
 {
     *model = NULL;
     int status = check_file(path);
     if (status != 0) {
         return status;
+    }
+    if (option_text_ends(path, ".phs")) {
+        return model_scene_open(model, path);
     }
     void *memory = mmap(NULL, SHARED_BYTES, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (memory == MAP_FAILED) {
@@ -133,6 +138,7 @@ int model_open(struct model **model, const char *path)
     struct model_shared *shared = memory;
     const size_t head = (sizeof *shared + 15) & ~(size_t)15;
     shared->arena = (struct demo_arena){.base = (uint8_t *)memory + head, .size = SHARED_BYTES - head};
+    shared->options = options != NULL ? *options : (struct model_options){NULL, NULL, false};
     status = read_in_child(shared, path);
     if (status != 0) {
         munmap(memory, SHARED_BYTES);
@@ -145,7 +151,9 @@ int model_open(struct model **model, const char *path)
 
 void model_close(struct model *model)
 {
-    if (model != NULL) {
+    if (model != NULL && model->scene != NULL) {
+        free(model);
+    } else if (model != NULL) {
         munmap(model, SHARED_BYTES);
     }
 }

@@ -3,6 +3,7 @@
 #include "model_gltf.h"
 #include "model_materials.h"
 #include "model_meshes.h"
+#include "model_surface.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
@@ -192,6 +193,19 @@ static bool check(struct model_shared *shared, const struct aiScene *scene)
     return true;
 }
 
+/* Turns what has z up: the root takes (x, y, z) to (x, z, -y). */
+static void turn_up(const struct model_shared *shared, const struct aiScene *scene, bool has_z_up)
+{
+    const char *up = shared->options.up;
+    struct aiMatrix4x4 *m = &scene->mRootNode->mTransformation;
+    if (up != NULL ? *up != 'z' : !has_z_up) {
+        return;
+    }
+    const struct aiMatrix4x4 was = *m;
+    m->b1 = was.c1, m->b2 = was.c2, m->b3 = was.c3, m->b4 = was.c4;
+    m->c1 = -was.b1, m->c2 = -was.b2, m->c3 = -was.b3, m->c4 = -was.b4;
+}
+
 static bool read_gltf(struct model_shared *shared, const char *path)
 {
     struct gltf_file file;
@@ -204,7 +218,11 @@ static bool read_gltf(struct model_shared *shared, const char *path)
         return model_shared_failed(shared, "needs too much memory");
     }
     const struct aiScene *scene = model_gltf_read(shared, &file, uvs);
-    return scene != NULL && check(shared, scene) && model_meshes_read(shared, scene, materials);
+    if (scene == NULL || !check(shared, scene)) {
+        return false;
+    }
+    turn_up(shared, scene, false);
+    return model_meshes_read(shared, scene, materials);
 }
 
 static bool read_by_assimp(struct model_shared *shared, const char *path)
@@ -232,11 +250,15 @@ static bool read_by_assimp(struct model_shared *shared, const char *path)
     if (materials == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
+    turn_up(shared, scene, is_stl);
     return model_meshes_read(shared, scene, materials);
 }
 
 bool model_read(struct model_shared *shared, const char *path)
 {
     const bool is_gltf = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
+    if (!model_surface_take_texture(shared)) {
+        return false;
+    }
     return is_gltf ? read_gltf(shared, path) : read_by_assimp(shared, path);
 }

@@ -7,8 +7,10 @@
 struct model_shared {
     struct model model;
     struct demo_arena arena; /* behind this struct */
-    char error[256];         /* why it failed, one line */
-    char note[512];          /* what was left out or changed; see model_shared_note */
+    struct model_options options;
+    const struct ph_texture *texture; /* of options.texture, once it is made */
+    char error[256];                  /* why it failed, one line */
+    char note[512];                   /* what was left out or changed; see model_shared_note */
 };
 
 /* Writes shared->error and returns false. */

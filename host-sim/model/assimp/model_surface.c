@@ -1,7 +1,6 @@
 #include "model_surface.h"
 
-#include "png_in.h"
-
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,19 +10,11 @@
 #define GLOSS          (FX_ONE / 4)
 #define SHININESS_LOG2 5
 
-const char *model_surface_why(const uint8_t *bytes, size_t n)
-{
-    if (n >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8) {
-        return "is JPEG: only PNG is read";
-    }
-    return n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0 ? png_in_reason : "is no PNG: only PNG is read";
-}
-
 /* Returns the texture of the picture, or NULL; a note says why. */
 static const struct ph_texture *make_texture(struct model_shared *shared, const struct model_surface *from)
 {
     struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
-    if (texture == NULL || model_texture_make(&shared->arena, &from->picture, texture) != 0) {
+    if (texture == NULL || model_texture_make(&shared->arena, &from->picture.picture, texture) != 0) {
         model_shared_note(shared, "texture %s is left out: no memory", from->name);
         return NULL;
     }
@@ -37,6 +28,23 @@ static const struct ph_texture *make_texture(struct model_shared *shared, const 
     }
     texture->wrap = from->wrap[0];
     return texture;
+}
+
+bool model_surface_take_texture(struct model_shared *shared)
+{
+    const char *path = shared->options.texture;
+    if (path == NULL) {
+        return true;
+    }
+    struct model_surface surface = {.picture.most = 1u << TEXTURE_LOG2_MAX};
+    snprintf(surface.name, sizeof surface.name, "%.100s", path);
+    const char *why = picture_in_file(&surface.picture, path);
+    if (why == NULL) {
+        shared->texture = make_texture(shared, &surface);
+        free(surface.picture.picture.rgb);
+    }
+    return shared->texture != NULL || model_shared_failed(shared, "cannot have the texture %.100s: it %s", path,
+                                                          why != NULL ? why : "is too large");
 }
 
 static uint8_t add(unsigned a, unsigned b)
@@ -64,8 +72,10 @@ bool model_surface_make(struct model_shared *shared, struct model_surface *from,
         return false;
     }
     const bool glows = (glow[0] | glow[1] | glow[2]) != 0 && !from->is_unlit;
-    const struct ph_texture *texture = from->picture.rgb != NULL ? make_texture(shared, from) : NULL;
-    free(from->picture.rgb);
+    const struct ph_texture *texture = shared->texture != NULL             ? shared->texture
+                                       : from->picture.picture.rgb != NULL ? make_texture(shared, from)
+                                                                           : NULL;
+    free(from->picture.picture.rgb);
     ph_material_ramp(ramp, c[0], c[1], c[2], GLOSS);
     if (glows) {
         add_glow(ramp, glow);
@@ -77,7 +87,7 @@ bool model_surface_make(struct model_shared *shared, struct model_surface *from,
         model_shared_note(shared, "emission of textured materials is ignored");
     }
     *to = (struct ph_material){.shading = from->is_unlit ? PH_SHADE_UNLIT : PH_SHADE_GOURAUD,
-                               .two_sided = from->two_sided,
+                               .two_sided = from->two_sided || shared->options.two_sided,
                                .shininess_log2 = SHININESS_LOG2,
                                .ambient = AMBIENT,
                                .diffuse = DIFFUSE,

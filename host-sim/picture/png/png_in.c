@@ -1,6 +1,4 @@
-#include "png_in.h"
-
-#include "status.h"
+#include "picture_in.h"
 
 #include <png.h>
 #include <stdlib.h>
@@ -8,37 +6,76 @@
 
 const char png_in_reason[] = "is a PNG that cannot be read: broken or too large";
 
-/* Drops alpha: the renderer has no transparency. */
-static int finish(png_image *image, struct ppm *picture)
+struct source {
+    const uint8_t *bytes;
+    size_t left;
+    uint8_t *row;
+};
+
+static void read_bytes(png_structp png, png_bytep to, size_t n)
 {
-    int result = PH_ERR_INVAL;
-    image->format = PNG_FORMAT_RGBA;
-    uint8_t *rgba = NULL;
-    if (image->width <= PPM_SIDE_MAX && image->height <= PPM_SIDE_MAX) {
-        rgba = malloc(PNG_IMAGE_SIZE(*image));
+    struct source *from = png_get_io_ptr(png);
+    if (n > from->left) {
+        png_error(png, "too short");
     }
-    if (rgba != NULL && png_image_finish_read(image, NULL, rgba, 0, NULL)) {
-        const size_t pixels = (size_t)image->width * image->height;
-        for (size_t i = 0; i < pixels; i++) {
-            memmove(rgba + i * 3, rgba + i * 4, 3);
+    memcpy(to, from->bytes, n);
+    from->bytes += n;
+    from->left -= n;
+}
+
+static void say_nothing(png_structp png, png_const_charp text)
+{
+    (void)png;
+    (void)text;
+}
+
+static void fail(png_structp png, png_const_charp text)
+{
+    (void)text;
+    png_longjmp(png, 1);
+}
+
+/* Leaves through png_error, to the caller's setjmp. An interlaced picture comes in 7 passes of some pixels each. */
+static void read_rows(struct picture_in *in, struct source *from, png_structp png, png_infop info)
+{
+    png_read_info(png, info);
+    png_set_expand(png);
+    png_set_scale_16(png);
+    png_set_gray_to_rgb(png);
+    png_set_strip_alpha(png);
+    png_read_update_info(png, info);
+    const uint32_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+    const bool is_interlaced = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
+    from->row = picture_in_begin(in, width, height) ? malloc(png_get_rowbytes(png, info) + 1) : NULL;
+    if (from->row == NULL) {
+        png_error(png, "too large");
+    }
+    for (uint32_t y = 0; y < height && !is_interlaced; y++) {
+        png_read_row(png, from->row, NULL);
+        picture_in_row(in, from->row, width, 0, 1, y);
+    }
+    for (int pass = 0; pass < PNG_INTERLACE_ADAM7_PASSES && is_interlaced; pass++) {
+        const uint32_t n = PNG_PASS_COLS(width, pass), rows = n > 0 ? PNG_PASS_ROWS(height, pass) : 0;
+        for (uint32_t y = 0; y < rows; y++) {
+            png_read_row(png, from->row, NULL);
+            picture_in_row(in, from->row, n, PNG_PASS_START_COL(pass), PNG_PASS_COL_OFFSET(pass),
+                           PNG_ROW_FROM_PASS_ROW(y, pass));
         }
-        *picture = (struct ppm){image->width, image->height, rgba};
-        rgba = NULL;
-        result = 0;
     }
-    free(rgba);
-    png_image_free(image);
-    return result;
 }
 
-int png_in_file(const char *path, struct ppm *picture)
+bool png_in_memory(struct picture_in *in, const void *bytes, size_t n)
 {
-    png_image image = {.version = PNG_IMAGE_VERSION};
-    return png_image_begin_read_from_file(&image, path) ? finish(&image, picture) : PH_ERR_INVAL;
-}
-
-int png_in_memory(const void *bytes, size_t n, struct ppm *picture)
-{
-    png_image image = {.version = PNG_IMAGE_VERSION};
-    return png_image_begin_read_from_memory(&image, bytes, n) ? finish(&image, picture) : PH_ERR_INVAL;
+    struct source from = {bytes, n, NULL};
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, fail, say_nothing);
+    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
+    volatile bool is_done = false;
+    if (info != NULL && setjmp(png_jmpbuf(png)) == 0) {
+        png_set_read_fn(png, &from, read_bytes);
+        read_rows(in, &from, png, info);
+        is_done = true;
+    }
+    free(from.row);
+    png_destroy_read_struct(&png, &info, NULL);
+    return is_done;
 }

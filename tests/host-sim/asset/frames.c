@@ -80,7 +80,7 @@ static int make(struct asset *asset, struct model **model, const struct board *b
                                         strcmp(argv[8], "turntable") == 0,
                                         false,
                                         argv[5]};
-    int status = model_open(model, argv[5]);
+    int status = model_open(model, argv[5], NULL);
     if (status == 0) {
         status = asset_make(asset, *model, &limits);
     }

@@ -165,6 +165,11 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
         gltf_file_failed(file, "buffer %u is missing, or has no length", i);
         return none();
     }
+    const struct cJSON *extensions = cJSON_GetObjectItemCaseSensitive(buffer, "extensions");
+    if (uri == NULL && cJSON_GetObjectItemCaseSensitive(extensions, "EXT_meshopt_compression") != NULL) {
+        gltf_file_failed(file, "it is compressed (EXT_meshopt_compression), which is not read: export it without");
+        return none();
+    }
     if (file->buffers[i].bytes == NULL) {
         file->buffers[i] = cJSON_IsString(uri) ? gltf_file_uri(file, uri->valuestring) : i == 0 ? file->glb : none();
     }

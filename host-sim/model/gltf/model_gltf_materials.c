@@ -1,7 +1,6 @@
 #include "model_gltf.h"
 
 #include "model_surface.h"
-#include "png_in.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -40,12 +39,13 @@ static void multiply(struct ppm *picture, const double factor[3])
     }
 }
 
-/* Doubles the picture along u (0) or v (1), the second half mirrored. false: it would be too large. */
-static bool mirror(struct ppm *picture, int along)
+/* Doubles the picture along u (0) or v (1), the second half mirrored. false: no memory. */
+static bool mirror(struct picture_in *in, int along)
 {
+    struct ppm *picture = &in->picture;
     const uint32_t w = picture->width, h = picture->height, wide = along == 0 ? 2 * w : w,
                    high = along == 1 ? 2 * h : h;
-    uint8_t *rgb = wide <= PPM_SIDE_MAX && high <= PPM_SIDE_MAX ? malloc((size_t)wide * high * 3) : NULL;
+    uint8_t *rgb = malloc((size_t)wide * high * 3);
     if (rgb == NULL) {
         return false;
     }
@@ -57,6 +57,8 @@ static bool mirror(struct ppm *picture, int along)
     }
     free(picture->rgb);
     *picture = (struct ppm){wide, high, rgb};
+    in->width *= along == 0 ? 2 : 1;
+    in->height *= along == 1 ? 2 : 1;
     return true;
 }
 
@@ -79,8 +81,8 @@ static const char *load_picture(struct gltf_file *file, const struct cJSON *text
         file->error[0] = '\0'; /* a model without its picture is still a model */
         return "cannot be opened";
     }
-    const char *why =
-        png_in_memory(bytes.bytes, bytes.n, &to->picture) == 0 ? NULL : model_surface_why(bytes.bytes, bytes.n);
+    to->picture.most = 1u << TEXTURE_LOG2_MAX;
+    const char *why = picture_in_memory(&to->picture, bytes.bytes, bytes.n);
     if (uri != NULL) {
         free((void *)(uintptr_t)bytes.bytes);
     }
@@ -122,7 +124,7 @@ static void read_wrap(struct model_shared *shared, const struct cJSON *sampler, 
 }
 
 static void read_texture(struct model_shared *shared, struct gltf_file *file, const struct cJSON *info,
-                         const double factor[4], struct model_surface *to, struct model_gltf_uv *uv)
+                         const double factor[3], struct model_surface *to, struct model_gltf_uv *uv)
 {
     if (info == NULL) {
         return;
@@ -133,11 +135,30 @@ static void read_texture(struct model_shared *shared, struct gltf_file *file, co
         model_shared_note(shared, "texture %s is left out: it %s", to->name, why);
         return;
     }
-    if (factor[0] < 1 || factor[1] < 1 || factor[2] < 1) {
-        multiply(&to->picture, factor);
+    if (factor[0] != 1 || factor[1] != 1 || factor[2] != 1) {
+        multiply(&to->picture.picture, factor);
     }
     read_transform(info, uv);
     read_wrap(shared, gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE)), to, uv);
+}
+
+/* Reads the picture of a material. What emits light by a picture and is black otherwise is that picture, unlit. */
+static void read_pictures(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
+                          const double factor[4], double glow[3], struct model_surface *to, struct model_gltf_uv *uv)
+{
+    const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness");
+    const struct cJSON *emissive = cJSON_GetObjectItemCaseSensitive(from, "emissiveTexture");
+    const bool glows = emissive != NULL && glow[0] + glow[1] + glow[2] > 0 && !to->is_unlit;
+    if (glows && factor[0] + factor[1] + factor[2] == 0) {
+        read_texture(shared, file, emissive, glow, to, uv);
+        to->is_unlit = to->picture.picture.rgb != NULL;
+        return;
+    }
+    if (glows) {
+        model_shared_note(shared, "emissive textures are ignored");
+        memset(glow, 0, 3 * sizeof *glow);
+    }
+    read_texture(shared, file, cJSON_GetObjectItemCaseSensitive(pbr, "baseColorTexture"), factor, to, uv);
 }
 
 static bool read_material(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
@@ -155,15 +176,14 @@ static bool read_material(struct model_shared *shared, struct gltf_file *file, c
                                     .is_unlit =
                                         cJSON_GetObjectItemCaseSensitive(extensions, "KHR_materials_unlit") != NULL,
                                     .is_transparent = mode != NULL && strcmp(mode, "OPAQUE") != 0};
-    if (cJSON_GetObjectItemCaseSensitive(from, "emissiveTexture") != NULL && glow[0] + glow[1] + glow[2] > 0) {
-        model_shared_note(shared, "emissive textures are ignored");
-        memset(glow, 0, sizeof glow);
+    for (int c = 0; c < 3; c++) {
+        glow[c] *= times;
     }
+    read_pictures(shared, file, from, factor, glow, &surface, uv);
     for (int c = 0; c < 3; c++) {
         surface.colour[c] = (uint8_t)lround(255 * to_display(factor[c]));
-        surface.glow[c] = (uint8_t)lround(255 * to_display(glow[c] * times));
+        surface.glow[c] = (uint8_t)lround(255 * to_display(glow[c]));
     }
-    read_texture(shared, file, cJSON_GetObjectItemCaseSensitive(pbr, "baseColorTexture"), factor, &surface, uv);
     return model_surface_make(shared, &surface, to);
 }
 

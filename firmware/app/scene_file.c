@@ -1,0 +1,201 @@
+#include "scene_file.h"
+
+#include <string.h>
+
+#define SIDE_LOG2_MAX 10
+
+/* What a mesh takes of the arena. */
+struct drawn {
+    struct ph_part part;
+    struct ph_material material;
+    struct ph_texture texture;
+};
+
+#define ROUND8(n) (((n) + 7) & ~(size_t)7)
+
+uint32_t scene_file_crc(const uint8_t *bytes, size_t n)
+{
+    uint32_t table[16], crc = UINT32_MAX;
+    for (uint32_t i = 0; i < 16; i++) {
+        table[i] = i;
+        for (int bit = 0; bit < 4; bit++) {
+            table[i] = table[i] >> 1 ^ ((table[i] & 1) != 0 ? 0xEDB88320u : 0);
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        crc ^= bytes[i];
+        crc = crc >> 4 ^ table[crc & 15];
+        crc = crc >> 4 ^ table[crc & 15];
+    }
+    return ~crc;
+}
+
+static const struct scene_file_mesh *table_of(const void *bytes)
+{
+    return (const void *)((const uint8_t *)bytes + sizeof(struct scene_file_head));
+}
+
+static bool is_inside(const struct scene_file_head *head, uint32_t offset, uint32_t count, uint32_t size)
+{
+    return offset % 4 == 0 && offset >= sizeof(*head) && offset <= head->bytes &&
+           (uint64_t)count * size <= head->bytes - offset;
+}
+
+/* Texels of the first level and of those below it. */
+static uint32_t texel_count(const struct scene_file_mesh *m)
+{
+    uint32_t sum = 0;
+    for (uint32_t k = 0; k <= m->levels; k++) {
+        sum += 1U << ((m->log2_width > k ? m->log2_width - k : 0) + (m->log2_height > k ? m->log2_height - k : 0));
+    }
+    return sum;
+}
+
+static bool is_texture_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
+{
+    const bool is_textured = m->shading == PH_SHADE_TEXTURE || m->shading == PH_SHADE_TEXTURE_LIT;
+    if (m->texels == 0) {
+        return !is_textured && m->uvs == 0;
+    }
+    return m->uvs != 0 && m->log2_width <= SIDE_LOG2_MAX && m->log2_height <= SIDE_LOG2_MAX &&
+           m->levels <= SIDE_LOG2_MAX && m->wrap <= PH_WRAP_CLAMP && m->filter <= PH_FILTER_MIPMAP &&
+           is_inside(head, m->uvs, m->vertex_count, sizeof(fx_t[2])) &&
+           is_inside(head, m->texels, texel_count(m), sizeof(uint16_t));
+}
+
+static bool is_mesh_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
+{
+    if (m->vertex_count > UINT16_MAX || m->shading > PH_SHADE_TEXTURE_LIT || m->shininess_log2 > 7 ||
+        !is_inside(head, m->positions, m->vertex_count, sizeof(struct fx_vec3)) ||
+        !is_inside(head, m->normals, m->vertex_count, sizeof(int16_t[3])) ||
+        !is_inside(head, m->triangles, m->triangle_count, sizeof(uint16_t[3])) ||
+        !is_inside(head, m->ramp, PH_RAMP_SIZE, sizeof(uint16_t)) || !is_texture_right(head, m)) {
+        return false;
+    }
+    const uint16_t *const corners = (const void *)((const uint8_t *)head + m->triangles);
+    for (uint32_t i = 0; i < m->triangle_count * 3; i++) {
+        if (corners[i] >= m->vertex_count) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const char *scene_file_wrong(const void *bytes, size_t room)
+{
+    const struct scene_file_head *const head = bytes;
+    const uint16_t one = 1;
+    if (*(const uint8_t *)&one != 1) {
+        return "is for machines of little endian";
+    }
+    if (room < sizeof(*head) || head->magic != SCENE_FILE_MAGIC) {
+        return "is no binary scene";
+    }
+    if (head->version != SCENE_FILE_VERSION) {
+        return "is of another version: make it again with this version of pinhole-asset";
+    }
+    if (head->bytes < sizeof(*head) || head->bytes > room) {
+        return "is not whole, or too large";
+    }
+    if (scene_file_crc((const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
+        return "has a wrong checksum: write it again";
+    }
+    if (head->mesh_count > SCENE_FILE_MESHES || head->name[SCENE_FILE_NAME - 1] != '\0' ||
+        head->mesh_count * sizeof(struct scene_file_mesh) > head->bytes - sizeof(*head)) {
+        return "is broken";
+    }
+    for (uint32_t i = 0; i < head->mesh_count; i++) {
+        if (!is_mesh_right(head, &table_of(bytes)[i])) {
+            return "is broken: a mesh is not inside it";
+        }
+    }
+    return NULL;
+}
+
+size_t scene_file_arena_bytes(const void *bytes)
+{
+    const struct scene_file_head *const head = bytes;
+    return ROUND8(head->mesh_count * sizeof(struct ph_mesh)) + ROUND8(head->mesh_count * sizeof(struct drawn));
+}
+
+struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena)
+{
+    const struct scene_file_head *const head = bytes;
+    const uint8_t *const base = bytes;
+    struct ph_mesh *const meshes = demo_alloc(arena, head->mesh_count * sizeof(*meshes));
+    struct drawn *const drawn = demo_alloc(arena, head->mesh_count * sizeof(*drawn));
+    for (uint32_t i = 0; meshes && drawn && i < head->mesh_count; i++) {
+        const struct scene_file_mesh *const m = &table_of(bytes)[i];
+        struct drawn *const d = &drawn[i];
+        d->part = (struct ph_part){.count = m->triangle_count};
+        d->texture = (struct ph_texture){.texels = (const void *)(base + m->texels),
+                                         .log2_width = m->log2_width,
+                                         .log2_height = m->log2_height,
+                                         .wrap = m->wrap,
+                                         .filter = m->filter & 15U,
+                                         .levels = m->levels & 15U};
+        d->material = (struct ph_material){.shading = m->shading,
+                                           .two_sided = m->two_sided != 0,
+                                           .shininess_log2 = m->shininess_log2,
+                                           .ambient = m->ambient,
+                                           .diffuse = m->diffuse,
+                                           .specular = m->specular,
+                                           .colour = m->colour,
+                                           .ramp = (const void *)(base + m->ramp),
+                                           .texture = m->texels != 0 ? &d->texture : NULL};
+        meshes[i] = (struct ph_mesh){.positions = (const void *)(base + m->positions),
+                                     .normals = (const void *)(base + m->normals),
+                                     .uvs = m->uvs != 0 ? (const void *)(base + m->uvs) : NULL,
+                                     .triangles = (const void *)(base + m->triangles),
+                                     .parts = &d->part,
+                                     .materials = &d->material,
+                                     .vertex_count = m->vertex_count,
+                                     .triangle_count = m->triangle_count,
+                                     .part_count = 1};
+    }
+    return drawn ? meshes : NULL;
+}
+
+struct demo_eye scene_file_eye(const struct scene_file_head *head)
+{
+    struct demo_eye eye = {.view = {.t = {head->t[0], head->t[1], head->t[2]}},
+                           .lens = {.kind = head->lens_kind == PH_ORTHOGRAPHIC ? PH_ORTHOGRAPHIC : PH_PERSPECTIVE,
+                                    .scale_x_q20 = head->scale_x_q20,
+                                    .scale_y_q20 = head->scale_y_q20,
+                                    .near_z = head->near_z,
+                                    .far_z = head->far_z}};
+    memcpy(eye.view.r, head->r, sizeof(eye.view.r));
+    return eye;
+}
+
+static int turntable_init(struct demo_context *context)
+{
+    const struct scene_file_head *const head = context->state;
+    const struct ph_mesh *const meshes = scene_file_meshes(head, &context->arena);
+    return meshes ? demo_turntable_init(context, meshes, head->mesh_count, (struct fx_vec3){0, 0, 0}) : PH_ERR_NOMEM;
+}
+
+static int still_init(struct demo_context *context)
+{
+    const struct scene_file_head *const head = context->state;
+    const struct ph_mesh *const meshes = scene_file_meshes(head, &context->arena);
+    const struct demo_eye eye = scene_file_eye(head);
+    return meshes ? demo_still_init(context, meshes, head->mesh_count, &eye) : PH_ERR_NOMEM;
+}
+
+struct demo scene_file_demo(const void *bytes)
+{
+    const struct scene_file_head *const head = bytes;
+    const bool is_still = (head->flags & SCENE_FILE_CAMERA) != 0;
+    const size_t base = is_still                               ? DEMO_STILL_BYTES
+                        : (head->flags & SCENE_FILE_BARE) != 0 ? DEMO_TURNTABLE_BARE_BYTES
+                                                               : DEMO_TURNTABLE_BYTES;
+    return (struct demo){.name = head->name,
+                         .summary = "a binary scene",
+                         .loop_frames = 256,
+                         .arena_bytes = base + scene_file_arena_bytes(bytes),
+                         .vertex_max = head->vertex_max,
+                         .triangle_max = head->triangle_max,
+                         .init = is_still ? still_init : turntable_init,
+                         .frame = is_still ? demo_still_frame : demo_turntable_frame};
+}

@@ -1,0 +1,99 @@
+/* asset_scene: a scene as the bytes of scene_file.h. */
+#include "asset.h"
+#include "model_texture.h"
+#include "scene_file.h"
+
+#include <string.h>
+
+struct writer {
+    uint8_t *bytes; /* NULL: only counts */
+    uint32_t used;
+};
+
+/* Appends n bytes at the next multiple of 4; returns where. The bytes between are 0. */
+static uint32_t append(struct writer *to, const void *from, size_t n)
+{
+    const uint32_t at = to->used;
+    if (to->bytes != NULL) {
+        memcpy(to->bytes + at, from, n);
+    }
+    to->used += ((uint32_t)n + 3) & ~3u;
+    return at;
+}
+
+static struct scene_file_mesh write_mesh(struct writer *to, const struct model *model, uint32_t i,
+                                         const struct scene_file_mesh *before)
+{
+    const struct ph_mesh *mesh = &model->meshes[i];
+    const struct ph_material *material = mesh->materials;
+    const struct ph_texture *t = material->texture;
+    const uint32_t n = mesh->vertex_count, ramp = asset_first_ramp(model, i);
+    const uint32_t texture = t != NULL ? asset_first_texture(model, i) : i;
+    return (struct scene_file_mesh){
+        .positions = append(to, mesh->positions, n * sizeof *mesh->positions),
+        .normals = append(to, mesh->normals, n * sizeof *mesh->normals),
+        .uvs = mesh->uvs != NULL ? append(to, mesh->uvs, n * sizeof *mesh->uvs) : 0,
+        .triangles = append(to, mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles),
+        .ramp = ramp < i ? before[ramp].ramp : append(to, material->ramp, PH_RAMP_SIZE * sizeof *material->ramp),
+        .texels = t == NULL     ? 0
+                  : texture < i ? before[texture].texels
+                                : append(to, t->texels, model_texture_texels(t, t->levels) * sizeof *t->texels),
+        .vertex_count = n,
+        .triangle_count = mesh->triangle_count,
+        .ambient = material->ambient,
+        .diffuse = material->diffuse,
+        .specular = material->specular,
+        .shading = material->shading,
+        .two_sided = material->two_sided,
+        .shininess_log2 = material->shininess_log2,
+        .log2_width = t != NULL ? t->log2_width : 0,
+        .log2_height = t != NULL ? t->log2_height : 0,
+        .wrap = t != NULL ? t->wrap : 0,
+        .filter = t != NULL ? t->filter : 0,
+        .levels = t != NULL ? t->levels : 0,
+        .colour = material->colour};
+}
+
+static struct scene_file_head make_head(const struct asset *asset)
+{
+    const struct demo demo = asset_demo(asset);
+    const struct model *model = &asset->model;
+    const struct ph_projection *lens = &model->camera.lens;
+    struct scene_file_head head = {.magic = SCENE_FILE_MAGIC,
+                                   .version = SCENE_FILE_VERSION,
+                                   .mesh_count = model->mesh_count,
+                                   .flags = (model->has_camera ? (uint32_t)SCENE_FILE_CAMERA : 0) |
+                                            (asset->is_bare ? (uint32_t)SCENE_FILE_BARE : 0),
+                                   .vertex_max = demo.vertex_max,
+                                   .triangle_max = demo.triangle_max};
+    snprintf(head.name, sizeof head.name, "%s", asset->name);
+    if (model->has_camera) {
+        const struct fx_vec3 t = model->camera.view.t;
+        memcpy(head.r, model->camera.view.r, sizeof head.r);
+        memcpy(head.t, (int32_t[3]){t.x, t.y, t.z}, sizeof head.t);
+        head.lens_kind = lens->kind;
+        head.scale_x_q20 = lens->scale_x_q20;
+        head.scale_y_q20 = lens->scale_y_q20;
+        head.near_z = lens->near_z;
+        head.far_z = lens->far_z;
+    }
+    return head;
+}
+
+size_t asset_scene(const struct asset *asset, uint8_t *bytes)
+{
+    struct scene_file_head head = make_head(asset);
+    struct scene_file_mesh meshes[SCENE_FILE_MESHES];
+    struct writer to = {bytes, sizeof head};
+    to.used += head.mesh_count * (uint32_t)sizeof *meshes;
+    for (uint32_t i = 0; i < head.mesh_count; i++) {
+        meshes[i] = write_mesh(&to, &asset->model, i, meshes);
+    }
+    if (bytes != NULL) {
+        head.bytes = to.used;
+        memcpy(bytes, &head, sizeof head);
+        memcpy(bytes + sizeof head, meshes, head.mesh_count * sizeof *meshes);
+        memcpy(bytes + 12, &(uint32_t){scene_file_crc(bytes + 16, to.used - 16)}, 4);
+    }
+    return to.used;
+}

@@ -1,0 +1,15 @@
+#include "board.h"
+#include "demo.h"
+#include "nearest.h"
+
+const char *nearest_demo(const void *from, size_t i)
+{
+    (void)from;
+    return i < demo_count ? demo_list[i]->name : NULL;
+}
+
+const char *nearest_board(const void *from, size_t i)
+{
+    (void)from;
+    return i < board_count ? board_list[i]->name : NULL;
+}

@@ -1,0 +1,90 @@
+#include "picture_in.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool picture_in_begin(struct picture_in *in, uint32_t width, uint32_t height)
+{
+    if (width == 0 || height == 0 || width > PPM_SIDE_MAX || height > PPM_SIDE_MAX) {
+        return false;
+    }
+    const uint32_t w = width < in->most ? width : in->most, h = height < in->most ? height : in->most;
+    in->width = width;
+    in->height = height;
+    in->picture = (struct ppm){w, h, malloc((size_t)w * h * 3)};
+    const bool shrinks = w < width || h < height;
+    in->sums = shrinks ? calloc((size_t)w * h * 3, sizeof *in->sums) : NULL;
+    return in->picture.rgb != NULL && (!shrinks || in->sums != NULL);
+}
+
+void picture_in_row(struct picture_in *in, const uint8_t *rgb, uint32_t n, uint32_t x, uint32_t step, uint32_t y)
+{
+    const struct ppm *to = &in->picture;
+    const size_t row = (size_t)((uint64_t)y * to->height / in->height) * to->width;
+    for (uint32_t i = 0; i < n && x < in->width; i++, x += step, rgb += 3) {
+        const size_t at = 3 * (row + (uint32_t)((uint64_t)x * to->width / in->width));
+        for (int c = 0; c < 3; c++) {
+            if (in->sums != NULL) {
+                in->sums[at + c] += rgb[c];
+            } else {
+                to->rgb[at + c] = rgb[c];
+            }
+        }
+    }
+}
+
+/* How many of n pixels come to pixel i of a side that is `to` long. */
+static uint32_t share(uint32_t i, uint32_t n, uint32_t to)
+{
+    return (uint32_t)((((uint64_t)i + 1) * n + to - 1) / to - ((uint64_t)i * n + to - 1) / to);
+}
+
+void picture_in_end(struct picture_in *in)
+{
+    const struct ppm *to = &in->picture;
+    for (uint32_t y = 0; in->sums != NULL && y < to->height; y++) {
+        for (uint32_t x = 0; x < to->width; x++) {
+            const size_t at = 3 * ((size_t)y * to->width + x);
+            const uint32_t count = share(x, in->width, to->width) * share(y, in->height, to->height);
+            for (int c = 0; c < 3; c++) {
+                to->rgb[at + c] = (uint8_t)(in->sums[at + c] / count);
+            }
+        }
+    }
+    free(in->sums);
+    in->sums = NULL;
+}
+
+const char *picture_in_memory(struct picture_in *in, const void *bytes, size_t n)
+{
+    const bool is_png = n >= 4 && memcmp(bytes, "\x89PNG", 4) == 0;
+    if (!is_png && (n < 2 || memcmp(bytes, "\xFF\xD8", 2) != 0)) {
+        return "is neither a PNG nor a JPEG";
+    }
+    in->picture.rgb = NULL;
+    in->sums = NULL;
+    if ((is_png ? png_in_memory : jpeg_in_memory)(in, bytes, n)) {
+        picture_in_end(in);
+        return NULL;
+    }
+    free(in->picture.rgb);
+    free(in->sums);
+    in->picture.rgb = NULL;
+    return is_png ? png_in_reason : jpeg_in_reason;
+}
+
+const char *picture_in_file(struct picture_in *in, const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    const long size = file != NULL && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    uint8_t *bytes = size >= 0 && size < 1l << 30 ? malloc((size_t)size + 1) : NULL;
+    const bool is_read =
+        bytes != NULL && fseek(file, 0, SEEK_SET) == 0 && fread(bytes, 1, (size_t)size, file) == (size_t)size;
+    const char *why = is_read ? picture_in_memory(in, bytes, (size_t)size) : "cannot be opened";
+    if (file != NULL) {
+        fclose(file);
+    }
+    free(bytes);
+    return why;
+}

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# A binary scene in the flash of an emulated RP2040: the image draws the simulator's frames of it, says what is wrong with a
+# damaged one, and shows its own demos then, at whatever moment the writing was interrupted (long_firmware_scene.sh: 100).
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+unset MAKEFLAGS
+B=${B:-build}
+MOMENTS=${MOMENTS:-2}
+board=pico-display
+offset=$((0x80000))
+command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
+hal/rp2040/emulate/emulate.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
+make_image firmware BOARD=$board >/dev/null || exit 1
+cp "$B/firmware/$board-demos.elf" "$dir/a.elf" || exit 1
+if "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board $board 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
+printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/older.obj"
+"$B/pinhole-asset" "$dir/older.obj" -o "$dir/older.phs" 2>/dev/null || exit 1
+
+erased() { head -c "$1" /dev/zero | tr '\0' '\377'; }
+
+emulate() { # scene, frames: what the image says, and the frames' checksums
+    local image="$B/firmware/$board-demos.bin"
+    { cat "$image" && erased $((offset - $(stat -c %s "$image"))) && cat "$1"; } >"$dir/a.bin"
+    B=$B BOARD=$board CORES=1 hal/rp2040/emulate/emulate.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
+}
+
+draws_the_simulators_frames() {
+    emulate "$dir/scene.phs" 2 >"$dir/said" && "$B/pinhole-sim" --model "$dir/scene.phs" --board $board --frames 2 --crc >"$dir/expected" || return 1
+    grep '^frame' "$dir/said" | diff - "$dir/expected" && grep -q '^demo scene' "$dir/said"
+}
+
+own_demo() { # scene: the image's first frame is its own, and it says this, or (empty) nothing about a scene
+    emulate "$1" 1 >"$dir/said" || return 1
+    if [ -n "$2" ]; then grep -q "^the scene in flash $2" "$dir/said"; else ! grep -q 'scene' "$dir/said"; fi &&
+        grep -q '^demo turntable' "$dir/said" && grep '^frame' "$dir/said" | diff - "$dir/own"
+}
+
+damage_is_told() {
+    "$B/pinhole-sim" --board $board --crc >"$dir/own" && erased 4096 >"$dir/none" && own_demo "$dir/none" '' || return 1
+    { head -c 1000 "$dir/scene.phs" && printf X && tail -c +1002 "$dir/scene.phs"; } >"$dir/damaged"
+    own_demo "$dir/damaged" 'has a wrong checksum: write it again'
+}
+
+# Sectors are erased and written in their order, over an older scene: up to the moment the new bytes, erased ones to the
+# end of their sector, then the older ones.
+interrupted() { # moment, in bytes
+    local end=$((($1 / 4096 + 1) * 4096)) older
+    older=$(stat -c %s "$dir/older.phs")
+    { head -c "$1" "$dir/scene.phs" && erased $((end - $1)) && { [ "$older" -le "$end" ] || tail -c +$((end + 1)) "$dir/older.phs"; } } >"$dir/part"
+    if [ "$1" = 0 ]; then own_demo "$dir/part" ''; else own_demo "$dir/part" '[ih]'; fi # is .., has a wrong checksum
+}
+
+interrupted_writes() {
+    local i moment size
+    size=$(stat -c %s "$dir/scene.phs")
+    "$B/pinhole-sim" --board $board --crc >"$dir/own"
+    RANDOM=20261123
+    for ((i = 0; i < MOMENTS; i++)); do
+        moment=$(((RANDOM * 32768 + RANDOM) % (size - 64) / 4 * 4))
+        interrupted "$moment" || { echo "interrupted after $moment bytes" && cat "$dir/said" && return 1; }
+    done
+}
+
+check "a scene in flash gives the simulator's frames" draws_the_simulators_frames
+check "without one, or with a damaged one, the demos come, and the UART says why" damage_is_told
+check "a write that was interrupted leaves the demos ($MOMENTS moments)" interrupted_writes
+tap_end

@@ -1,0 +1,157 @@
+/* Binary scenes: what is damaged is refused, whatever the damage. */
+#include "asset.h"
+#include "flash_scene.h"
+#include "model_files.h"
+#include "scene_file.h"
+
+#include <assimp/cimport.h> /* tests/run.sh skips this program where a library is not installed */
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <cmocka.h>
+
+static uint8_t *whole;
+static size_t size;
+
+/* The cube as bytes. */
+static int make_scene(void **state)
+{
+    files_begin(state);
+    struct asset asset;
+    const struct asset_limits limits = {.triangles = UINT32_MAX, .texture_log2 = 3, .file_name = "cube.obj"};
+    struct model *model = open_good(cube_obj());
+    assert_int_equal(asset_make(&asset, model, &limits), 0);
+    size = asset_scene(&asset, NULL);
+    whole = calloc(1, size);
+    assert_non_null(whole);
+    assert_int_equal(asset_scene(&asset, whole), size);
+    asset_free(&asset);
+    model_close(model);
+    return 0;
+}
+
+static int drop_scene(void **state)
+{
+    free(whole);
+    return files_end(state);
+}
+
+static void seal(uint8_t *bytes)
+{
+    const uint32_t crc = scene_file_crc(bytes + 16, size - 16);
+    memcpy(bytes + 12, &crc, sizeof crc);
+}
+
+static void its_checksum_is_that_of_ieee(void **state)
+{
+    (void)state;
+    assert_int_equal(scene_file_crc((const uint8_t *)"123456789", 9), 0xCBF43926);
+}
+
+static void every_bit_that_changed_is_seen(void **state)
+{
+    (void)state;
+    assert_null(scene_file_wrong(whole, size));
+    assert_null(scene_file_wrong(whole, size + 4096)); /* flash goes on behind it */
+    for (size_t i = 0; i < size * 8; i++) {
+        whole[i / 8] ^= (uint8_t)(1 << i % 8);
+        assert_non_null(scene_file_wrong(whole, size));
+        whole[i / 8] ^= (uint8_t)(1 << i % 8);
+    }
+}
+
+static void what_is_cut_off_or_erased_is_seen(void **state)
+{
+    (void)state;
+    for (size_t n = 0; n < size; n++) {
+        uint8_t *part = malloc(n + 1);
+        assert_non_null(part);
+        memcpy(part, whole, n);
+        assert_non_null(scene_file_wrong(part, n));
+        free(part);
+    }
+    uint8_t *flash = malloc(size);
+    assert_non_null(flash);
+    for (size_t n = 0; n < size; n += 64) { /* an interrupted write: the rest is erased, or is an older scene's */
+        memcpy(flash, whole, size);
+        memset(flash + n, 0xFF, size - n);
+        assert_non_null(scene_file_wrong(flash, size));
+    }
+    free(flash);
+}
+
+/* With the right checksum, every number of the head and of the mesh is set to numbers that cannot be. */
+static void no_number_leads_out_of_the_scene(void **state)
+{
+    static const uint32_t wrong[] = {0, 1, 2, 4, 0x7FFFFFFC, 0x80000000, 0xFFFFFFFC, 0xFFFFFFFF};
+    uint8_t *bytes = malloc(size);
+    static uint64_t memory[4096];
+    (void)state;
+    assert_non_null(bytes);
+    for (size_t at = 8; at + 4 <= sizeof(struct scene_file_head) + sizeof(struct scene_file_mesh); at += 4) {
+        for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
+            memcpy(bytes, whole, size);
+            memcpy(bytes + at, &wrong[k], 4);
+            seal(bytes);
+            if (scene_file_wrong(bytes, size) == NULL) { /* then all that it names can be read */
+                struct demo_arena arena = {.base = (uint8_t *)memory, .size = sizeof memory};
+                const struct scene_file_head *head = (const void *)bytes;
+                const struct ph_mesh *mesh = scene_file_meshes(bytes, &arena);
+                volatile int64_t sum = 0;
+                for (uint32_t i = 0; head->mesh_count > 0 && i < mesh->triangle_count * 3; i++) {
+                    const uint16_t corner = mesh->triangles[i / 3][i % 3];
+                    assert_true(corner < mesh->vertex_count);
+                    sum += mesh->positions[corner].x + mesh->normals[corner][2] + mesh->materials->ramp[127];
+                }
+                (void)sum;
+            }
+        }
+    }
+    free(bytes);
+}
+
+static void a_corner_that_is_not_there_is_seen(void **state)
+{
+    (void)state;
+    uint8_t *bytes = malloc(size);
+    assert_non_null(bytes);
+    memcpy(bytes, whole, size);
+    const struct scene_file_mesh *mesh = (const void *)(bytes + sizeof(struct scene_file_head));
+    const uint16_t corner = (uint16_t)mesh->vertex_count;
+    memcpy(bytes + mesh->triangles, &corner, sizeof corner);
+    seal(bytes);
+    assert_string_equal(scene_file_wrong(bytes, size), "is broken: a mesh is not inside it");
+    free(bytes);
+}
+
+/* pinhole-flash --at-scene writes its sectors and no other; a scene is refused as the image would refuse it. */
+static void it_becomes_an_image_behind_the_programs(void **state)
+{
+    (void)state;
+    struct flash_image image;
+    char error[FLASH_ERROR_SIZE];
+    assert_int_equal(flash_scene_read(&image, file_bytes("scene.phs", whole, size), error), 0);
+    assert_int_equal(image.sectors, FLASH_SCENE / FLASH_SECTOR + (size + FLASH_SECTOR - 1) / FLASH_SECTOR);
+    assert_memory_equal(image.bytes + FLASH_SCENE, whole, size);
+    for (uint32_t i = 0; i < image.sectors; i++) {
+        assert_int_equal(image.used[i], i >= FLASH_SCENE / FLASH_SECTOR);
+    }
+    flash_image_free(&image);
+    assert_true(flash_scene_read(&image, file_bytes("half.phs", whole, size / 2), error) < 0);
+    assert_string_equal(error, "is not whole, or too large");
+    assert_true(flash_scene_read(&image, file_path("none.phs"), error) < 0);
+    assert_non_null(strstr(error, "cannot be read"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(its_checksum_is_that_of_ieee),       cmocka_unit_test(every_bit_that_changed_is_seen),
+        cmocka_unit_test(what_is_cut_off_or_erased_is_seen),  cmocka_unit_test(no_number_leads_out_of_the_scene),
+        cmocka_unit_test(a_corner_that_is_not_there_is_seen), cmocka_unit_test(it_becomes_an_image_behind_the_programs),
+    };
+    return cmocka_run_group_tests(tests, make_scene, drop_scene);
+}
