@@ -21,6 +21,8 @@
  * Depth: larger is nearer, 0 is empty, see depth.h. Of two equal depths the one drawn first stays.
  *
  * Triangles that do not fit into the caller's budgets are left out and counted in ph_stats.
+ *
+ * After the opaque triangles of a band come cut-outs, then fog, then what is blended: see struct ph_surface.
  */
 #ifndef PH_RENDER_H
 #define PH_RENDER_H
@@ -57,6 +59,36 @@ struct ph_texture {
 
 #define PH_RAMP_SIZE 128 /* colours in a ramp; intensity 0 is at entry 4, full intensity at entry 123 */
 
+struct ph_renderer;
+struct ph_band;
+
+enum ph_surface_kind {
+    PH_SURFACE_KEY,   /* cut-out: texels of the colour `key` are left out */
+    PH_SURFACE_MASK,  /* cut-out: texels are left out where `alphas` is below one half */
+    PH_SURFACE_ALPHA, /* blended: colour times a plus what is behind times 1 - a; a is `alpha` times the texel's alpha
+                       */
+    PH_SURFACE_ADD,   /* blended: colour times a is added to what is behind, up to full colour */
+};
+
+/*
+ * A surface through which something else is seen. A cut-out writes depth like an opaque triangle. What is blended is
+ * hidden by what is nearer, but writes no depth: it is drawn in the order of the calls that draw it, so draw the
+ * farthest object first. The far side of a two-sided mesh comes before its near side; that is the right order for a
+ * convex mesh. Inside any other mesh, and where objects cut through each other, nothing is sorted.
+ * Key and alpha are those of the nearest texel, without light. The renderer takes 6 to 32 bytes for each column of the
+ * picture from the triangle budget in a frame that has such surfaces; without room their triangles are left out.
+ */
+struct ph_surface {
+    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_surfaces: so it is linked if used */
+    uint8_t kind;                                                    /* enum ph_surface_kind */
+    uint8_t alpha;                                                   /* 0 .. 32; ALPHA, ADD */
+    uint16_t key;                                                    /* wire order */
+    const struct ph_texture *alphas; /* beside the material's texture: the green of each texel is its alpha; or NULL:
+                                        all texels have alpha 1. Its sides may differ from those of the texture */
+};
+
+void ph_draw_surfaces(struct ph_renderer *r, const struct ph_band *band);
+
 struct ph_material {
     uint8_t shading;        /* enum ph_shading */
     uint8_t two_sided;      /* draw back faces too */
@@ -74,6 +106,7 @@ struct ph_material {
     uint8_t depth_bias_slope;
     const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
+    const struct ph_surface *surface; /* NULL: opaque. It must stay as long as the material */
 };
 
 /* A run of triangles of one material. */
@@ -94,16 +127,27 @@ struct ph_mesh {
     const struct ph_part *parts;
     const struct ph_material *materials;
     uint32_t vertex_count, triangle_count, edge_count, part_count;
+    /* A colour for each vertex, wire order, in place of the colour and the ramp of materials that are UNLIT, FLAT or
+     * GOURAUD. It is interpolated on the screen, also if it is UNLIT. NULL without. In linear-w a triangle has the
+     * colour of its first vertex. */
+    const uint16_t *colours;
 };
 
-enum ph_light_kind { PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT };
+enum ph_light_kind { PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT, PH_LIGHT_SPOT };
 
 struct ph_light {
     uint8_t kind;                /* enum ph_light_kind */
     fx_t intensity;              /* 0 .. 4 */
-    struct fx_vec3 to_light_q30; /* directional: unit vector towards the light, world space, Q2.30 */
-    struct fx_vec3 position;     /* point: world space, Q16.16 */
-    fx_t reach;                  /* point: intensity falls as 1 / (1 + (distance / reach)^2); 0: does not fall */
+    struct fx_vec3 to_light_q30; /* directional: unit vector towards the light, world space, Q2.30; spot: against its
+                                    axis, from where it points to back to the light */
+    struct fx_vec3 position;     /* point, spot: world space, Q16.16 */
+    fx_t reach;                  /* point, spot: intensity falls as 1 / (1 + (distance / reach)^2); 0: does not fall */
+    /* Coloured: shares of red, green and blue, 0 .. 1; all zero: white. With one coloured light in the scene, materials
+     * that are FLAT or GOURAUD take their `colour` (or the colours of the mesh) three times lit, in place of the ramp:
+     * 1.5 to 2 times the work of a vertex and a pixel. Textures are lit by the mean of the three. */
+    fx_t red, green, blue;
+    fx_t cos_outer, cos_inner; /* spot: cosines of the angles to the axis at which it ends, and up to which it has its
+                                  full intensity; between them intensity is linear in the cosine */
 };
 
 #define PH_LIGHTS_MAX 4
@@ -217,6 +261,13 @@ struct ph_config {
     uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
 };
 
+/* Fog: from `start` on all colours turn towards the fog's, and from `end` on they have become it. Distances are along
+ * the view (fisheye: from the eye), Q16.16, start < end. The background is not fogged: give it the same colour. */
+struct ph_fog {
+    uint16_t colour; /* wire order */
+    fx_t start, end;
+};
+
 /* How linear-w turns 1/w into a code, see depth.h. The unit of w puts the far plane just below 2^31. */
 struct ph_linear {
     uint32_t far;   /* w at the far plane */
@@ -273,7 +324,12 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint16_t background;
-    bool is_shown; /* config.shown holds what the display shows */
+    bool is_shown;                                                    /* config.shown holds what the display shows */
+    void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
+    uint32_t rows_place, rows;                                        /* rows of pixels that surfaces are drawn into */
+    void (*fog)(struct ph_renderer *r, const struct ph_band *band);   /* or NULL */
+    struct ph_fog fog_of;
+    uint32_t fog_codes[32]; /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
 };
 
 /*
@@ -298,6 +354,13 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
  * ph_frame_begin; the camera then stays as it was.
  */
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
+
+/*
+ * Sets the fog of this frame, in steps of 1/32 of the way between two colours. Call it after ph_frame_begin; it takes
+ * the camera of that moment. It costs a pass over all pixels of a band.
+ * Errors: PH_ERR_INVAL: start >= end.
+ */
+int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
 
 /*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.

@@ -29,6 +29,11 @@ void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uin
 void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t light,
                      uint32_t glight, const uint16_t *ramp);
 
+/* span_blend.c: n >= 1 pixels of one colour are blended, and depth stays. Each channel becomes (itself * rest + source)
+ * / 32, rounded down; source is spread as in blend.h, and rest is 0 .. 32. d, gd: as above. */
+void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t source,
+                   uint32_t rest);
+
 /*
  * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL (those of
  * a textured one below PH_SIDE_SHORT downwards), and it keeps a pixel or more away from the borders of the picture. d

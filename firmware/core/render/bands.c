@@ -36,6 +36,9 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
     }
     struct ph_ref *ref = r->list.to;
     for (uint32_t i = ph_ref_count(r); i-- > 0; ref++) { /* from the last, so that each list is in drawing order */
+        if (ref->link == PH_LINK_AFTER) {
+            continue;
+        }
         uint32_t *const bin = &bins[ref->link];
         ref->link = link_to(*bin, i);
         *bin = i;
@@ -133,8 +136,7 @@ static void find_draw(struct feed *f, uint32_t ref)
     }
 }
 
-/* Takes the lens of a draw for what is set up next. */
-static void take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 {
     if (draw->lens != r->list.lens) {
         r->lens = *(const struct ph_lens *)ph_at(r, draw->lens);
@@ -148,7 +150,7 @@ static void set_up(struct feed *f, struct ph_triangle *t)
     const uint32_t ref = f->ref;
     if (ref >= f->next_first) {
         find_draw(f, ref);
-        take_lens(f->r, f->draw);
+        ph_take_lens(f->r, f->draw);
         ph_setting_of(&f->setting, f->r, f->draw);
     }
     ph_setup(&f->setting, ph_ref_at(f->r, ref), t);
@@ -287,7 +289,7 @@ static struct ph_triangle *take_chunk(struct ph_renderer *r, struct feed *f)
             find_draw(f, f->ref);
         }
         if (first == NULL) {
-            take_lens(r, f->draw);
+            ph_take_lens(r, f->draw);
         }
         struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot(r) : NULL;
         if (t == NULL) {
@@ -405,6 +407,11 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     } else {
         clear(&rows, r->background);
         draw_rest(&f, &rows, r->carried, &r->carried);
+    }
+    if (r->after != NULL) {
+        r->after(r, &rows);
+    } else if (r->fog != NULL) {
+        r->fog(r, &rows);
     }
     return (uint32_t)(y1 - y0);
 }

@@ -49,10 +49,10 @@
  * the 40,000 triangles of exhaustive_depth_slopes.c):
  *   fixed16, float16: 3    fixed24: 2    float24: 8    linear-w: 1
  * (with 3 bits of exponent, whose codes are half as wide, twice as many). A pixel is drawn if its centre is inside the
- * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside the
- * corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more is
- * clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves than
- * the format has bits for, or because depth_bias_slope lifts it, has 64 bits (exact.h).
+ * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside
+ * the corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more
+ * is clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves
+ * than the format has bits for, or because depth_bias_slope lifts it, has 64 bits (exact.h).
  */
 #ifndef PH_DEPTH_H
 #define PH_DEPTH_H

@@ -158,6 +158,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     static const struct ph_scene_light full = {.ambient = FX_ONE};
     r->light = light != NULL ? *light : full;
     r->background = background;
+    r->fog = NULL;
     r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
     ph_list_begin(r);
     return PH_OK;

@@ -52,6 +52,8 @@ void ph_list_begin(struct ph_renderer *r)
     list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
     list->first = list->last = list->lens = PH_NONE;
     list->is_closed = 0;
+    r->rows = 0;
+    r->after = NULL;
     list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
     set_end(r);
 }
@@ -81,6 +83,29 @@ static uint32_t take_any(struct ph_renderer *r, int first, int second, size_t by
 uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 {
     return take_any(r, VERTICES, TRIANGLES, n * sizeof(struct ph_vertex));
+}
+
+/* Bytes of a pixel of the rows: two colours, depth. */
+#define ROW_PIXEL(r) (4 + ph_depth_bytes((r)->config.depth_format))
+#define ROWS_MOST    4u /* at a time: a texture is divided again for each */
+
+bool ph_list_surface(struct ph_renderer *r, const struct ph_surface *surface)
+{
+    const size_t row = r->config.width * ROW_PIXEL(r);
+    uint32_t rows = room_of(r, TRIANGLES) / 16 > ROWS_MOST * row ? ROWS_MOST : 1;
+    if (r->rows == 0) {
+        r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row);
+        r->rows = r->rows_place != PH_NONE ? rows : 0;
+    }
+    r->after = surface->draw;
+    return r->rows != 0;
+}
+
+void ph_list_put_after(struct ph_renderer *r, uint32_t first)
+{
+    for (uint32_t i = first; i < ph_ref_count(r); i++) {
+        ph_ref_at(r, i)->link = PH_LINK_AFTER;
+    }
 }
 
 static struct ph_draw *draw_at(const struct ph_renderer *r, uint32_t place)
@@ -262,7 +287,12 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
         if (size == sizeof *corners) {
             *(struct ph_corner *)(void *)(to + i * size) = corners[i];
         } else {
-            *(struct ph_vertex *)(void *)(to + i * size) = corners[i].at;
+            struct ph_vertex *const v = (struct ph_vertex *)(void *)(to + i * size);
+            *v = corners[i].at;
+            if ((kind & PH_DRAW_COLOURS) != 0) {
+                const unsigned green = (unsigned)corners[i].uv[0], blue = (unsigned)corners[i].uv[1];
+                v->light = (uint16_t)((v->light & 0xf800) | (green >> 10 & 63) << 5 | (blue >> 11 & 31));
+            }
         }
     }
     return ph_list_draw(r, &draw) ? (int32_t)number : -1;
@@ -282,7 +312,7 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
         const uint16_t number[3] = {(uint16_t)first, (uint16_t)((uint32_t)first + i - 1),
                                     (uint16_t)((uint32_t)first + i)};
         const struct ph_vertex *const v[3] = {&corners[0].at, &corners[i - 1].at, &corners[i].at};
-        any |= ph_list_triangle(r, number, v, material->two_sided != 0);
+        any |= ph_list_triangle(r, number, v, material->two_sided != 0 && (kind & PH_DRAW_ONE_SIDE) == 0);
     }
     ph_list_rewind(r, &mark);
     return any;

@@ -22,12 +22,15 @@ struct ph_ref {
                            list stands, 0 at the end, or PH_LINK_FAR */
 };
 
-#define PH_LINK_FAR UINT16_MAX /* that far or further */
+#define PH_LINK_FAR   UINT16_MAX /* that far or further */
+#define PH_LINK_AFTER UINT16_MAX /* before ph_frame_bands, no band: it is drawn after the opaque triangles */
 
 enum ph_draw_kind {
-    PH_DRAW_SMALL = 1, /* small triangles take the way of small triangles */
-    PH_DRAW_UVS = 2,   /* the corners are struct ph_corner, else struct ph_vertex */
-    PH_DRAW_LINES = 4, /* the references are lines */
+    PH_DRAW_SMALL = 1,     /* small triangles take the way of small triangles */
+    PH_DRAW_UVS = 2,       /* the corners are struct ph_corner, else struct ph_vertex */
+    PH_DRAW_LINES = 4,     /* the references are lines */
+    PH_DRAW_COLOURS = 8,   /* the light of a corner is its lit colour, RGB565 as a number */
+    PH_DRAW_ONE_SIDE = 16, /* the two sides of its two-sided material are drawn one after the other */
 };
 
 /* What references have in common. */
@@ -77,13 +80,23 @@ struct ph_mark {
 struct ph_mark ph_list_mark(struct ph_renderer *r);
 bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark); /* true: it was given back */
 
+/* Before something with a surface is drawn. False: there is no room for the rows that it is drawn into. */
+bool ph_list_surface(struct ph_renderer *r, const struct ph_surface *surface);
+
+/* The references from that number on have a surface: they are in no band's list. */
+void ph_list_put_after(struct ph_renderer *r, uint32_t first);
+
+/* Takes the lens of a draw for what is set up next. */
+void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
+
 /* Place of corner 0 of the current draw. */
 uint32_t ph_list_base(const struct ph_renderer *r);
 
 /* From now on references are those of this draw; first, next and lens are set here. False: there is no room. */
 bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw);
 
-/* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others' corners. */
+/* Goes on with a draw after others. Without room for that no more is listed in this frame: it would have others'
+ * corners. */
 void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* The first row of a triangle in the picture; -1 if it covers no centre of a pixel of the picture. */

@@ -5,6 +5,7 @@
  * So the picture does not depend on where a band begins.
  */
 #include "band.h"
+#include "colours.h"
 #include "exact.h"
 #include "kernels.h"
 #include "span.h"
@@ -130,7 +131,9 @@ static uint32_t walk(const struct ph_triangle *t, const struct ph_band *band)
 /* Draws a run of a triangle whose depth takes 64 bits. */
 static uint32_t draw_exact_run(const struct ph_triangle *run, const struct ph_band *band)
 {
-    return run->kind == PH_KIND_TEXTURE ? ph_draw_textured(run, band) : walk(run, band);
+    return run->kind == PH_KIND_TEXTURE   ? ph_draw_textured(run, band)
+           : run->kind == PH_KIND_COLOURS ? ph_draw_colours(run, band)
+                                          : walk(run, band);
 }
 
 /* Draws the rows of a strip one by one. */
@@ -409,6 +412,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);
+    }
+    if (t->kind == PH_KIND_COLOURS) {
+        return ph_draw_colours(t, band);
     }
     return walk(t, band);
 }

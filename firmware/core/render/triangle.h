@@ -67,7 +67,7 @@ struct ph_curve {
     uint32_t xx, xy, yy;
 };
 
-enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE };
+enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE, PH_KIND_COLOURS };
 
 struct ph_triangle {
     uint32_t order;                 /* number of its reference */
@@ -85,7 +85,7 @@ struct ph_triangle {
             struct ph_edge long_edge, upper, lower;
             struct ph_plane depth;
             union {
-                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w; colours: red, green, blue */
                 struct {
                     struct ph_plane first_two[2];
                     struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` holds then */
