@@ -55,7 +55,7 @@ vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->
 6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
 lines too thin                           | render/list.c    | s/x_major ? 0 : 128/x_major ? 0 : 64/              | test_frame
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
-texture slope left out                   | render/texture.c | s/way->step = .*/way->step = 0;/                      | test_texture
+texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | render/light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
 highlight to another power               | render/light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light

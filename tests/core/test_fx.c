@@ -11,6 +11,7 @@
 
 #include "fx.h"
 #include "fx_armv6m.h"
+#include "fx_inputs.h"
 #include "fx_oracle.h"
 #include "fx_tangent.h"
 
@@ -22,52 +23,18 @@
 
 /* ---- inputs ------------------------------------------------------------------------------------------------ */
 
-#define EDGES_MOST 256
-static int32_t edges[EDGES_MOST];
-static size_t edge_count;
-
-static void add_edge(int64_t v)
-{
-    if (v >= INT32_MIN && v <= INT32_MAX && edge_count < EDGES_MOST) {
-        edges[edge_count++] = (int32_t)v;
-    }
-}
-
 static int make_edges(void **state)
 {
     static const int32_t odd[] = {3,     5,     7,     10,      45,       97,         360,      46340,
                                   46341, 65521, 99991, 1000003, 16777213, 1431655765, 715827883};
     (void)state;
-    add_edge(0);
-    for (int bit = 0; bit <= 31; bit++) {
-        for (int64_t off = -1; off <= 1; off++) {
-            add_edge(((int64_t)1 << bit) + off);
-            add_edge(-((int64_t)1 << bit) - off);
-        }
-    }
+    add_bit_edges();
     for (size_t i = 0; i < COUNT(odd); i++) {
         add_edge(odd[i]);
         add_edge(-(int64_t)odd[i]);
     }
     assert_true(edge_count > 200 && edge_count < EDGES_MOST);
     return 0;
-}
-
-static uint32_t noise_state = 1;
-
-static uint32_t noise(void)
-{
-    noise_state ^= noise_state << 13;
-    noise_state ^= noise_state >> 17;
-    noise_state ^= noise_state << 5;
-    return noise_state;
-}
-
-/* Of any magnitude: as many small ones as large ones. */
-static int32_t noise_any(void)
-{
-    const int32_t v = (int32_t)noise();
-    return v >> (noise() % 32);
 }
 
 static void same(const char *name, int32_t a, int32_t b, int32_t got, int32_t expected)

@@ -9,6 +9,7 @@
 #include "exact.h"
 #include "kernels.h"
 #include "span.h"
+#include "small_texels.h"
 #include "texture.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */

@@ -1,48 +1,19 @@
-@ ph_texture_tile (see texture_tile.h) for ARMv6-M. A pixel that is drawn takes 18 instructions, a hidden one 9, a row
+@ ph_texture_tile (see texture_tile.h) for ARMv6-M. A pixel that is drawn takes 17 instructions, a hidden one 9, a row
 @ 113 (33 more in a clamped texture), a call some 60.
-@
-@ Registers: r0 depth, r1 pixels, r2 d, r3 u, r4 v, r5 r6 scratch, r7 u_mask times 2, r8 gd, r9 du, r10 dv, r11 texels,
-@ r12 the step of dv, lr the step of du.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
+#include "texels.inc"
 
     .equ way, 32 @ bytes
 
-    @ on the stack
-    .equ mask2, 0  @ v_mask times 2
-    .equ mask1, 4  @ u_mask times 2
+    @ on the stack, behind the masks of texels.inc
     .equ self, 8   @ the struct ph_texel_rows
     .equ apart, 12 @ from depth to pixels
     .equ entry, 16 @ of the row
     .equ n, 20
     .equ more, 24  @ sixteens of pixels that follow
     .equ frame, 28
-
-    .macro pixel at
-pixel_\at:
-    ldrh.n r5, [r0, #2 * \at]
-    lsrs r6, r2, #16
-    cmp r6, r5
-    bls.n 1f
-    strh.n r6, [r0, #2 * \at]
-    ldr.n r5, [sp, #mask2]
-    lsrs r6, r4, #15
-    ands r6, r5
-    lsrs r5, r3, #21
-    ands r5, r7
-    adds r5, r5, r6
-    add r5, r11
-    ldrh.n r5, [r5]
-    strh.n r5, [r1, #2 * \at]
-1:  add r2, r8
-    add r3, r9
-    add r4, r10
-    .if \at & 1
-    add r9, lr
-    add r10, r12
-    .endif
-    .endm
 
     .macro value at, step, bend, i, scratch @ at += i (step + i bend)
     movs \scratch, \bend

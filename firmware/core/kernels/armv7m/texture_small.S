@@ -5,34 +5,13 @@
 @ r12 du, lr pixels; r1 r4 scratch. Before the pixels r8 is their first column and r0 their pair (see texture_tile.h).
 #include "../thumb.inc"
 #include "../offsets.inc"
+#include "texels.inc"
 
     @ on the stack
     .equ steps, 0 @ of du and dv
     .equ ends, 8  @ number of pixels, column behind the last
     .equ count, 16
     .equ frame, 20
-
-    .macro pixel at
-pixel_\at:
-    ldrh r1, [r11, #2 * \at]
-    lsrs r4, r2, #16
-    cmp r4, r1
-    bls 1f
-    strh r4, [r11, #2 * \at]
-    and r1, r6, r8, lsr #16
-    and r4, r5, r10, lsr #22
-    add r1, r4
-    ldrh r1, [r7, r1, lsl #1]
-    strh r1, [lr, #2 * \at]
-1:  add r2, r3
-    add r10, r12
-    add r8, r0
-    .if \at & 1
-    ldrd r1, r4, [sp, #steps]
-    add r12, r1
-    add r0, r4
-    .endif
-    .endm
 
     function ph_texture_small @ r0: struct ph_texel_run
     push {r4-r11, lr}
@@ -98,7 +77,7 @@ entries:
     .endr
     .p2align 1
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    pixel \at
+    pixel \at, r11, lr, r10, r12, r8, r0, r5, r6, r7, r1, r4
     .endr
 last:
     ldrd r0, r1, [r9, #run_depth]

@@ -5,28 +5,7 @@
 @ r12 depth, lr pixels; r0 r1 scratch. The stack has the steps of du and dv.
 #include "../thumb.inc"
 #include "../offsets.inc"
-
-    .macro pixel at
-pixel_\at:
-    ldrh r0, [r12, #2 * \at]
-    lsrs r1, r2, #16
-    cmp r1, r0
-    bls 1f
-    strh r1, [r12, #2 * \at]
-    and r0, r10, r7, lsr #16
-    and r1, r6, r4, lsr #22
-    add r0, r1
-    ldrh r0, [r11, r0, lsl #1]
-    strh r0, [lr, #2 * \at]
-1:  add r2, r3
-    add r4, r5
-    add r7, r8
-    .if \at & 1
-    ldrd r0, r1, [sp]
-    add r5, r0
-    add r8, r1
-    .endif
-    .endm
+#include "texels.inc"
 
     .macro down way @ steps the coefficients of u or v to the next row
     add lr, r9, #\way
@@ -111,7 +90,7 @@ entries:
     .hword (pixel_\at - entries) / 2
     .endr
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    pixel \at
+    pixel \at, r12, lr, r4, r5, r7, r8, r6, r10, r11, r0, r1
     .endr
 down_rows:
     down texel_u

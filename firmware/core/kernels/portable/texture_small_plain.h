@@ -3,37 +3,20 @@
 #ifndef PH_TEXTURE_SMALL_PLAIN_H
 #define PH_TEXTURE_SMALL_PLAIN_H
 
-#include "span.h"
+#include "texels_plain.h"
 #include "texture_small.h"
-
-/* The first pixel of a row in column `from`. */
-static inline uint32_t ph_line_at(const struct ph_texel_line *l, uint32_t from)
-{
-    return l->at + from * (l->step + from * l->bend);
-}
 
 static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t from, uint32_t n)
 {
-    const uint32_t pair = 2 * (from + 1 - (n & 1));
-    uint32_t u = ph_line_at(&r->u, from), du = r->u.step + pair * r->u.bend;
-    uint32_t v = ph_line_at(&r->v, from), dv = r->v.step + pair * r->v.bend;
-    uint32_t d = r->d + from * r->gd;
-    uint16_t *depth = r->depth + (int32_t)from, *pixel = r->pixels + (int32_t)from;
-    for (uint32_t left = n; left > 0; left--, depth++, pixel++) {
-        const uint32_t code = d >> 16;
-        if (code > *depth) {
-            PH_KEEP_BRANCH();
-            *depth = (uint16_t)code;
-            *pixel = r->texels[(v >> 16 & r->v_mask) + (u >> 22 & r->u_mask)];
-        }
-        d += r->gd;
-        u += du;
-        v += dv;
-        if ((left & 1) != 0) {
-            du += 4 * r->u.bend;
-            dv += 4 * r->v.bend;
-        }
-    }
+    const struct ph_texel_target to = {r->depth + (int32_t)from,
+                                       r->pixels + (int32_t)from,
+                                       r->d + from * r->gd,
+                                       r->gd,
+                                       r->u_mask,
+                                       r->v_mask,
+                                       r->texels};
+    ph_draw_texels(to, ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n),
+                   ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n), n);
 }
 
 static inline uint32_t ph_texture_small_plain(struct ph_texel_run *r)

@@ -5,8 +5,7 @@
 #ifndef PH_TEXTURE_TILE_PLAIN_H
 #define PH_TEXTURE_TILE_PLAIN_H
 
-#include "span.h"
-#include "texture_tile.h"
+#include "texels_plain.h"
 
 /* The columns of a row, and a factor that u and v share. */
 struct ph_row_run {
@@ -39,29 +38,13 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-/* Draws a row. Steps change behind every second pixel, counted from the last one: see texture_tile.h. The step of a
- * parabola over two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4. */
 static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
-    uint32_t u = ph_texel_at(&r->u, row->first), du = r->u.step + row->pair * r->u.bend;
-    uint32_t v = ph_texel_at(&r->v, row->first), dv = r->v.step + row->pair * r->v.bend;
-    uint32_t d = r->d + row->first * r->gd;
-    uint16_t *depth = r->depth + row->first, *pixel = r->pixels + row->first;
-    for (uint32_t left = row->n; left > 0; left--, depth++, pixel++) {
-        const uint32_t code = d >> 16;
-        if (code > *depth) {
-            PH_KEEP_BRANCH();
-            *depth = (uint16_t)code;
-            *pixel = r->texels[(v >> 16 & r->v_mask) + (u >> 22 & r->u_mask)];
-        }
-        d += r->gd;
-        u += du;
-        v += dv;
-        if ((left & 1) != 0) {
-            du += 4 * r->u.bend;
-            dv += 4 * r->v.bend;
-        }
-    }
+    const uint32_t first = row->first;
+    const struct ph_texel_target to = {r->depth + first, r->pixels + first, r->d + first * r->gd, r->gd, r->u_mask,
+                                       r->v_mask,        r->texels};
+    ph_draw_texels(to, ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, first, row->n),
+                   ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, first, row->n), row->n);
 }
 
 static inline void ph_texture_tile_plain(struct ph_texel_rows *r)

@@ -1,0 +1,189 @@
+/* See small_texels.h. */
+#include "small_texels.h"
+
+/* u or v of a small triangle, n rows below the row from which they count. */
+static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
+                                  const struct ph_curve *curve, uint32_t n)
+{
+    const uint32_t rise = n * curve->yy;
+    line->at = linear->base + n * (linear->gy + rise);
+    line->step = linear->gx + n * curve->xy;
+    line->at_dy = linear->gy + 2 * rise + curve->yy;
+    line->step_dy = curve->xy;
+    line->at_ddy = 2 * curve->yy;
+    line->bend = curve->xx;
+}
+
+/* The same as a tile has it, from PH_TILE columns further left on. */
+static struct ph_texel_way way_of(const struct ph_texel_line *line)
+{
+    return (struct ph_texel_way){.at = line->at - PH_TILE * (line->step - PH_TILE * line->bend),
+                                 .step = line->step - 2 * PH_TILE * line->bend,
+                                 .bend = line->bend,
+                                 .at_dy = line->at_dy - PH_TILE * line->step_dy,
+                                 .step_dy = line->step_dy,
+                                 .at_ddy = line->at_ddy};
+}
+
+/* The same for what ph_texture_small cannot draw: a clamped texture, or little light. */
+static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const int width = texture->log2_width, height = texture->log2_height;
+    const bool clamp = texture->wrap == PH_WRAP_CLAMP;
+    struct ph_texel_rows *const r = &s->rows;
+    s->kind = (struct ph_tile_kind){.triangle = t,
+                                    .texels = texture->texels,
+                                    .u_mask = s->run.u_mask,
+                                    .v_mask = (1u << height) - 1,
+                                    .log2_width = (uint32_t)width,
+                                    .u_down = 22,
+                                    .v_down = 16 + width,
+                                    .light = t->colour,
+                                    .clamp = clamp,
+                                    .plain = true};
+    r->texels = texture->texels;
+    r->u_mask = s->run.u_mask;
+    r->v_mask = s->run.v_mask;
+    r->u_outside = clamp ? UINT32_MAX << width << 22 : 0;
+    r->v_outside = clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    r->stride_bytes = s->run.stride_bytes;
+    r->columns = 2 * PH_TILE - 1;
+}
+
+/* Sets u, v and the texture; y: the first row that is drawn. */
+static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
+    const uint32_t below = (uint32_t)(y - t->y_top - t->range_log2 + 1);
+    r->texels = texture->texels;
+    r->u_mask = (1u << texture->log2_width) - 1;
+    r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
+    r->stride_bytes = stride_bytes;
+    r->x = (uint32_t)t->y_mid;
+    set_small_line(&r->u, &u, &t->curves[0], below);
+    set_small_line(&r->v, &t->v, &t->curves[1], below);
+}
+
+void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+{
+    begin_run(&s->run, t, y, stride_bytes);
+    s->usual = ph_texels_are_usual(t);
+    if (!s->usual) {
+        begin_unusual(s, t);
+    }
+}
+
+uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const struct ph_small_triangle *const s = &t->small;
+    const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
+    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
+    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
+    struct ph_texel_run r;
+    begin_run(&r, t, y, 2 * (uint32_t)band->width);
+    r.left_dx = s->left_dx;
+    r.right_dx = s->right_dx;
+    r.left = s->left - (x << 16) + above * r.left_dx;
+    r.right = s->right - (x << 16) + above * r.right_dx;
+    r.lower_is_right = s->lower_is_right;
+    r.lower_x = (uint32_t)s->lower.x - (x << 16);
+    r.lower_dx = (uint32_t)s->lower.dx;
+    r.lower_rows = s->lower_rows;
+    r.rows = s->upper_rows - above;
+    if ((int32_t)r.rows <= 0) { /* it begins below the upper rows */
+        r.lower_x -= r.rows * r.lower_dx;
+        r.lower_rows += r.rows;
+        ph_texel_run_lower(&r);
+    }
+    if (r.rows + r.lower_rows > rows) {
+        r.rows = r.rows < rows ? r.rows : rows;
+        r.lower_rows = rows - r.rows;
+    }
+    r.gd = s->gd;
+    r.d_dy = s->d_dy;
+    r.d = s->d + x * r.gd + above * r.d_dy;
+    r.depth = (uint16_t *)band->depth + at;
+    r.pixels = band->pixels + at;
+    return ph_texture_small(&r);
+}
+
+/* Draws the rows of a run that ph_texture_small cannot draw. Columns of a tile are not negative: they count from
+ * PH_TILE columns further left. */
+static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
+{
+    struct ph_texel_run *const run = &s->run;
+    struct ph_texel_rows *const r = &s->rows;
+    r->count = 0;
+    r->depth = run->depth - PH_TILE;
+    r->pixels = run->pixels - PH_TILE;
+    r->d = run->d - PH_TILE * run->gd;
+    r->d_dy = run->d_dy;
+    r->gd = run->gd;
+    r->u = way_of(&run->u);
+    r->v = way_of(&run->v);
+    do {
+        const uint32_t rows = run->rows;
+        r->left = run->left + ((uint32_t)PH_TILE << 16);
+        r->right = run->right + ((uint32_t)PH_TILE << 16);
+        r->left_dx = run->left_dx;
+        r->right_dx = run->right_dx;
+        r->rows = rows;
+        ph_draw_plain_rows(&s->kind, r);
+        run->left += rows * run->left_dx;
+        run->right += rows * run->right_dx;
+        for (uint32_t i = 0; i < rows; i++) {
+            ph_texel_line_down(&run->u);
+            ph_texel_line_down(&run->v);
+        }
+    } while (ph_texel_run_lower(run));
+    return r->count;
+}
+
+static uint32_t draw_run_of(struct ph_small_texels *s)
+{
+    return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
+}
+
+uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
+                              uint16_t *pixels)
+{
+    struct ph_texel_run *const r = &s->run;
+    r->left = small->left - (r->x << 16);
+    r->right = small->right - (r->x << 16);
+    r->d = small->d + r->x * small->gd;
+    r->left_dx = small->left_dx;
+    r->right_dx = small->right_dx;
+    r->d_dy = small->d_dy;
+    r->gd = small->gd;
+    r->depth = depth + r->x;
+    r->pixels = pixels + r->x;
+    r->rows = small->upper_rows;
+    r->lower_rows = small->lower_rows;
+    r->lower_is_right = small->lower_is_right;
+    r->lower_x = (uint32_t)small->lower.x - (r->x << 16);
+    r->lower_dx = (uint32_t)small->lower.dx;
+    return draw_run_of(s);
+}
+
+void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece *piece, uint16_t *depth,
+                           uint16_t *pixels)
+{
+    struct ph_texel_run *const r = &s->run;
+    const uint32_t x = piece->x - r->x;
+    const struct ph_texel_line u = r->u, v = r->v;
+    r->left = x << 16;
+    r->right = (x + piece->n) << 16;
+    r->d = piece->d - x * piece->gd;
+    r->gd = piece->gd;
+    r->depth = depth + r->x;
+    r->pixels = pixels + r->x;
+    r->rows = 1;
+    r->lower_rows = 0;
+    draw_run_of(s);
+    if (!piece->last) {
+        r->u = u;
+        r->v = v;
+    }
+}
