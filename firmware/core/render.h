@@ -22,7 +22,7 @@
  *
  * Triangles that do not fit into the caller's budgets are left out and counted in ph_stats.
  *
- * After the opaque triangles of a band come cut-outs, then fog, then what is blended: see struct ph_surface.
+ * After the opaque triangles of a band come cut-outs, then fog, then what is blended: see struct ph_blend.
  */
 #ifndef PH_RENDER_H
 #define PH_RENDER_H
@@ -62,32 +62,32 @@ struct ph_texture {
 struct ph_renderer;
 struct ph_band;
 
-enum ph_surface_kind {
-    PH_SURFACE_KEY,   /* cut-out: texels of the colour `key` are left out */
-    PH_SURFACE_MASK,  /* cut-out: texels are left out where `alphas` is below one half */
-    PH_SURFACE_ALPHA, /* blended: colour times a plus what is behind times 1 - a; a is `alpha` times the texel's alpha
-                       */
-    PH_SURFACE_ADD,   /* blended: colour times a is added to what is behind, up to full colour */
+enum ph_blend_kind {
+    PH_BLEND_KEY,   /* cut-out: texels of the colour `key` are left out */
+    PH_BLEND_MASK,  /* cut-out: texels are left out where `alphas` is below one half */
+    PH_BLEND_ALPHA, /* blended: colour times a plus what is behind times 1 - a; a is `alpha` times the texel's alpha
+                     */
+    PH_BLEND_ADD,   /* blended: colour times a is added to what is behind, up to full colour */
 };
 
 /*
- * A surface through which something else is seen. A cut-out writes depth like an opaque triangle. What is blended is
+ * A blend through which something else is seen. A cut-out writes depth like an opaque triangle. What is blended is
  * hidden by what is nearer, but writes no depth: it is drawn in the order of the calls that draw it, so draw the
  * farthest object first. The far side of a two-sided mesh comes before its near side; that is the right order for a
  * convex mesh. Inside any other mesh, and where objects cut through each other, nothing is sorted.
  * Key and alpha are those of the nearest texel, without light. The renderer takes 6 to 32 bytes for each column of the
- * picture from the triangle budget in a frame that has such surfaces; without room their triangles are left out.
+ * picture from the triangle budget in a frame that has some; without room their triangles are left out.
  */
-struct ph_surface {
-    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_surfaces: so it is linked if used */
-    uint8_t kind;                                                    /* enum ph_surface_kind */
+struct ph_blend {
+    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: so it is linked if used */
+    uint8_t kind;                                                    /* enum ph_blend_kind */
     uint8_t alpha;                                                   /* 0 .. 32; ALPHA, ADD */
     uint16_t key;                                                    /* wire order */
     const struct ph_texture *alphas; /* beside the material's texture: the green of each texel is its alpha; or NULL:
                                         all texels have alpha 1. Its sides may differ from those of the texture */
 };
 
-void ph_draw_surfaces(struct ph_renderer *r, const struct ph_band *band);
+void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band);
 
 struct ph_material {
     uint8_t shading;        /* enum ph_shading */
@@ -106,7 +106,7 @@ struct ph_material {
     uint8_t depth_bias_slope;
     const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
-    const struct ph_surface *surface; /* NULL: opaque. It must stay as long as the material */
+    const struct ph_blend *blend; /* NULL: opaque. It must stay as long as the material */
 };
 
 /* A run of triangles of one material. */
@@ -326,8 +326,8 @@ struct ph_renderer {
     uint16_t background;
     bool is_shown;                                                    /* config.shown holds what the display shows */
     void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
-    uint32_t rows_place, rows;                                        /* rows of pixels that surfaces are drawn into */
-    void (*fog)(struct ph_renderer *r, const struct ph_band *band);   /* or NULL */
+    uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
+    void (*fog)(struct ph_renderer *r, const struct ph_band *band); /* or NULL */
     struct ph_fog fog_of;
     uint32_t fog_codes[32]; /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
 };

@@ -98,7 +98,7 @@ const struct demo demo_fisheye = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(THING_SIDES, THING_POINTS, 1) +
                    MODEL_FLOOR_BYTES(CELLS),
-               4904),
+               4976),
     .vertex_max = WALLS * MODEL_GROUND_VERTICES(CELLS) + THINGS * MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS),
     .triangle_max = 2640,
     .corner_max = 2940,

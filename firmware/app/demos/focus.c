@@ -99,13 +99,13 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
 #define VERTICES (MODEL_GROUND_VERTICES(CELLS) + SKITTLES * MODEL_LATHE_VERTICES(SIDES, POINTS))
 
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12752), .vertex_max = VERTICES, .triangle_max = 824};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12792), .vertex_max = VERTICES, .triangle_max = 824};
 
 const struct demo demo_focus = {
     .name = "focus",
     .summary = "a row of skittles through a lens whose focus wanders: depth of field",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 12752),
+    DEMO_ARENA(ARENA, 12792),
     .vertex_max = VERTICES,
     .triangle_max = 1000,
     .corner_max = 24,

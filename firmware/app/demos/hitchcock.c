@@ -123,13 +123,13 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
      2 * PAIRS * MODEL_LATHE_VERTICES(COLUMN_SIDES, COLUMN_POINTS))
 
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14056), .vertex_max = VERTICES, .triangle_max = 848};
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14096), .vertex_max = VERTICES, .triangle_max = 848};
 
 const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 14056),
+    DEMO_ARENA(ARENA, 14096),
     .vertex_max = VERTICES,
     .triangle_max = 1000,
     .corner_max = 40,

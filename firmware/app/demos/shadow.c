@@ -99,7 +99,7 @@ const struct demo demo_shadow = {
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)) +
                    MODEL_BYTES(MODEL_TORUS_VERTICES(16, 8), MODEL_TORUS_TRIANGLES(16, 8)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(1), MODEL_ICOSPHERE_TRIANGLES(1)) + MODEL_FLOOR_BYTES(CELLS),
-               21920),
+               21960),
     .vertex_max = 1127, /* each body twice: its shadow, too */
     .triangle_max = 1280,
     .corner_max = 40,

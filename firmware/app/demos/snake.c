@@ -403,7 +403,7 @@ static const char *const views[] = {"head", "outside", NULL};
 #define VERTICES 2181 /* of all bodies of a frame */
 
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7320), .vertex_max = VERTICES, .triangle_max = 860,
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7376), .vertex_max = VERTICES, .triangle_max = 860,
                                            .corner_max = 96};
 
 const struct demo demo_snake = {
@@ -411,7 +411,7 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 7320),
+    DEMO_ARENA(ARENA, 7376),
     .vertex_max = VERTICES,
     .triangle_max = 1600,
     .corner_max = 96,

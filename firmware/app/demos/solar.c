@@ -220,7 +220,7 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 #define VERTICES (3 * STARS + 3 * MODEL_ICOSPHERE_VERTICES(2))
 
 /* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12256), .vertex_max = VERTICES, .triangle_max = 656,
+static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12304), .vertex_max = VERTICES, .triangle_max = 656,
                                            .corner_max = 200};
 
 const struct demo demo_solar = {
@@ -228,7 +228,7 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 12256),
+    DEMO_ARENA(ARENA, 12304),
     .vertex_max = VERTICES,
     .triangle_max = 720,
     .corner_max = 200,

@@ -89,7 +89,7 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 #define ROW_PIXEL(r) (4 + ph_depth_bytes((r)->config.depth_format))
 #define ROWS_MOST    4u /* at a time: a texture is divided again for each */
 
-bool ph_list_surface(struct ph_renderer *r, const struct ph_surface *surface)
+bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
     const size_t row = r->config.width * ROW_PIXEL(r);
     uint32_t rows = room_of(r, TRIANGLES) / 16 > ROWS_MOST * row ? ROWS_MOST : 1;
@@ -97,7 +97,7 @@ bool ph_list_surface(struct ph_renderer *r, const struct ph_surface *surface)
         r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row);
         r->rows = r->rows_place != PH_NONE ? rows : 0;
     }
-    r->after = surface->draw;
+    r->after = blend->draw;
     return r->rows != 0;
 }
 

@@ -80,10 +80,10 @@ struct ph_mark {
 struct ph_mark ph_list_mark(struct ph_renderer *r);
 bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark); /* true: it was given back */
 
-/* Before something with a surface is drawn. False: there is no room for the rows that it is drawn into. */
-bool ph_list_surface(struct ph_renderer *r, const struct ph_surface *surface);
+/* Before something with a blend is drawn. False: there is no room for the rows that it is drawn into. */
+bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);
 
-/* The references from that number on have a surface: they are in no band's list. */
+/* The references from that number on are cut out or blended: they are in no band's list. */
 void ph_list_put_after(struct ph_renderer *r, uint32_t first);
 
 /* Takes the lens of a draw for what is set up next. */

@@ -435,14 +435,14 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     const bool wire = c->material->shading == PH_SHADE_WIRE, room = wire || light_part(c, part, to_world);
     c->draw.material = c->material;
     c->draw.uvs = ph_is_textured(c->material) ? c->mesh->uvs : NULL;
-    const struct ph_surface *const surface = c->material->surface;
-    const bool blended = surface != NULL && surface->kind >= PH_SURFACE_ALPHA;
+    const struct ph_blend *const blend = c->material->blend;
+    const bool blended = blend != NULL && blend->kind >= PH_BLEND_ALPHA;
     c->two_sided = c->material->two_sided != 0;
     c->draw.kind =
         wire ? PH_DRAW_LINES
              : PH_DRAW_SMALL | (c->coloured ? PH_DRAW_COLOURS : 0) | (blended && c->two_sided ? PH_DRAW_ONE_SIDE : 0);
     r->stats.triangles_in += wire ? 0 : part->count;
-    if (!room || (surface != NULL && !ph_list_surface(r, surface)) || !ph_list_draw(r, &c->draw)) {
+    if (!room || (blend != NULL && !ph_list_blend(r, blend)) || !ph_list_draw(r, &c->draw)) {
         r->stats.triangles_dropped += wire ? 2 * c->mesh->edge_count : part->count;
         return;
     }
@@ -453,7 +453,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     } else {
         draw_triangles(c, part);
     }
-    if (surface != NULL) {
+    if (blend != NULL) {
         ph_list_put_after(r, before);
     }
 }
@@ -502,12 +502,12 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     const uint32_t before = ph_ref_count(r);
-    if (material->surface != NULL && !ph_list_surface(r, material->surface)) {
+    if (material->blend != NULL && !ph_list_blend(r, material->blend)) {
         r->stats.triangles_dropped += 2;
         return;
     }
     draw_clip_line(r, material, ends);
-    if (material->surface != NULL) {
+    if (material->blend != NULL) {
         ph_list_put_after(r, before);
     }
     r->stats.triangles_drawn = ph_ref_count(r);

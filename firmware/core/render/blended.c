@@ -1,7 +1,7 @@
 /*
- * Surfaces: what is cut out or blended, after the opaque triangles of a band. See render.h.
+ * What is cut out or blended, after the opaque triangles of a band. See render.h.
  *
- * A triangle with a surface is drawn as if it were opaque, but into some empty rows of its own. They then hold its
+ * A triangle with a blend is drawn as if it were opaque, but into some empty rows of its own. They then hold its
  * colours and its depth codes, in every shading and depth format, and are laid over the band. A second set of colours
  * has the texels that decide what is left out. Only a triangle of one colour that is blended with one alpha needs no
  * rows.
@@ -20,7 +20,7 @@
 struct overlay {
     struct ph_renderer *r;
     const struct ph_band *band;
-    const struct ph_surface *surface;
+    const struct ph_blend *blend;
     struct ph_setting setting, keys; /* of the colours; of the texels that decide */
     struct ph_material key_material;
     bool has_keys, same_keys; /* the colours are the texels that decide */
@@ -69,12 +69,12 @@ static inline uint32_t code_of(const void *depth, uint32_t i, bool depth24)
 /* The alpha of a pixel, 0 .. 32; key: its texel that decides. */
 static inline uint32_t alpha_of(const struct overlay *o, uint16_t key)
 {
-    const struct ph_surface *const s = o->surface;
-    if (s->kind == PH_SURFACE_KEY) {
+    const struct ph_blend *const s = o->blend;
+    if (s->kind == PH_BLEND_KEY) {
         return key != s->key ? 32 : 0;
     }
     const uint32_t green = s->alphas != NULL ? ph_wire16(key) >> 5 & 63 : 63;
-    if (s->kind == PH_SURFACE_MASK) {
+    if (s->kind == PH_BLEND_MASK) {
         return green >= 32 ? 32 : 0;
     }
     return ((uint32_t)(s->alpha < 32 ? s->alpha : 32) * green + 31) / 63;
@@ -83,7 +83,7 @@ static inline uint32_t alpha_of(const struct overlay *o, uint16_t key)
 /* Blends a colour with a pixel. */
 static uint16_t blended(struct overlay *o, uint16_t pixel, uint16_t colour, uint32_t alpha, uint32_t code)
 {
-    const bool adds = o->surface->kind == PH_SURFACE_ADD;
+    const bool adds = o->blend->kind == PH_BLEND_ADD;
     if (o->r->fog != NULL) {
         o->share = ph_fog_share(o->r->fog_codes, code, o->share);
         colour = ph_mix(colour, adds ? 0 : o->r->fog_of.colour, o->share);
@@ -94,7 +94,7 @@ static uint16_t blended(struct overlay *o, uint16_t pixel, uint16_t colour, uint
 /* Lays n pixels over the band. */
 static void lay(struct overlay *o, const struct rows *row, uint32_t n)
 {
-    const bool depth24 = o->band->depth24, cut = o->surface->kind < PH_SURFACE_ALPHA;
+    const bool depth24 = o->band->depth24, cut = o->blend->kind < PH_BLEND_ALPHA;
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t code = code_of(row->codes, i, depth24);
         if (code <= code_of(row->depth, i, depth24)) {
@@ -164,7 +164,7 @@ static void draw_over(struct overlay *o, const struct ph_triangle *t, const stru
 static void blend_flat(const struct overlay *o, const struct ph_triangle *t)
 {
     const struct ph_band *const band = o->band;
-    const uint32_t alpha = o->surface->alpha < 32 ? o->surface->alpha : 32;
+    const uint32_t alpha = o->blend->alpha < 32 ? o->blend->alpha : 32;
     const uint32_t source = ph_spread(t->colour) * alpha + PH_SPREAD_HALF;
     for (int half = 0; half < 2; half++) {
         int32_t y, y_end;
@@ -195,7 +195,7 @@ static void draw_one(struct overlay *o, const struct ph_ref *ref)
     }
     ph_setup(&o->setting, ref, &t);
     if (t.kind == PH_KIND_FLAT && t.block == PH_BLOCK_NONE && !o->band->depth24 && o->r->fog == NULL &&
-        o->surface->kind == PH_SURFACE_ALPHA) {
+        o->blend->kind == PH_BLEND_ALPHA) {
         blend_flat(o, &t);
         return;
     }
@@ -210,15 +210,15 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
     struct ph_draw keys = *draw;
-    o->surface = material->surface;
+    o->blend = material->blend;
     ph_take_lens(o->r, draw);
     ph_setting_of(&o->setting, o->r, draw);
-    o->has_keys = ph_is_textured(material) && (o->surface->kind == PH_SURFACE_KEY || o->surface->alphas != NULL);
-    o->same_keys = o->surface->alphas == NULL && material->shading == PH_SHADE_TEXTURE;
+    o->has_keys = ph_is_textured(material) && (o->blend->kind == PH_BLEND_KEY || o->blend->alphas != NULL);
+    o->same_keys = o->blend->alphas == NULL && material->shading == PH_SHADE_TEXTURE;
     if (o->has_keys && !o->same_keys) {
         o->key_material = *material;
         o->key_material.shading = PH_SHADE_TEXTURE;
-        o->key_material.texture = o->surface->kind != PH_SURFACE_KEY ? o->surface->alphas : material->texture;
+        o->key_material.texture = o->blend->kind != PH_BLEND_KEY ? o->blend->alphas : material->texture;
         keys.material = &o->key_material;
         ph_setting_of(&o->keys, o->r, &keys);
     }
@@ -232,7 +232,7 @@ static void draw_kind(struct overlay *o, bool blends)
     for (uint32_t place = r->list.first; place != PH_NONE;) {
         const struct ph_draw *const draw = ph_at(r, place);
         place = draw->next;
-        if (draw->material->surface == NULL || (draw->material->surface->kind >= PH_SURFACE_ALPHA) != blends) {
+        if (draw->material->blend == NULL || (draw->material->blend->kind >= PH_BLEND_ALPHA) != blends) {
             continue;
         }
         const uint32_t end = place == PH_NONE ? ph_ref_count(r) : ((const struct ph_draw *)ph_at(r, place))->first;
@@ -243,7 +243,7 @@ static void draw_kind(struct overlay *o, bool blends)
     }
 }
 
-void ph_draw_surfaces(struct ph_renderer *r, const struct ph_band *band)
+void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band)
 {
     struct overlay o = {.r = r, .band = band};
     draw_kind(&o, false);
