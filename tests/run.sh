@@ -159,7 +159,8 @@ make -k -s -j"$processors" "$@" B="$B" all $goals >"$B/log/build.log" 2>&1 && bu
 if [ "$mode" != check ]; then
     make -k -s -j"$processors" "$@" B="$B/asan" CFLAGS="$sanitize" "$asan_goal" >"$B/log/build-asan.log" 2>&1 && built="$built $B/asan"
 fi
-export BUILT="$B $B/asan $(realpath -m "$B")" # no test builds anew beneath another
+BUILT="$B $B/asan $(realpath -m "$B")" # no test builds anew beneath another
+export BUILT
 list | shared | longest_first | xargs -P "$((processors + 1))" -I{} bash -c 'job {}'
 
 echo "$((SECONDS - begin)) s"

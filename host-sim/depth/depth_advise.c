@@ -68,17 +68,17 @@ static uint32_t leaning(const struct question *q, const struct lab_format *forma
 {
     struct depth_lab lab = *q->lab;
     struct planes_canvas canvas;
-    double metres = HUGE_VAL;
+    double apart = HUGE_VAL;
     lab.near_z = near_z;
     lab.exponent = format->exponent;
     if (depth_planes_open(&canvas, &lab, (enum ph_depth_format)format->format) == 0) {
         const struct planes_lean lean = {z * LSB, q->tilt_deg, depth_metres(lab.azimuth_deg)};
         const enum ph_depth_format drawn = (enum ph_depth_format)format->format;
-        metres = depth_planes_sweep(&canvas, drawn, lean).measured_m;
-        metres = isfinite(metres) ? metres : depth_planes_predicted_m(&lab, drawn, z * LSB, 0, q->tilt_deg);
+        apart = depth_planes_sweep(&canvas, drawn, lean).measured_m;
+        apart = isfinite(apart) ? apart : depth_planes_predicted_m(&lab, drawn, z * LSB, 0, q->tilt_deg);
     }
     depth_planes_close(&canvas);
-    return metres < 16384 ? (uint32_t)ceil(metres / LSB) : NEVER;
+    return apart < 16384 ? (uint32_t)ceil(apart / LSB) : NEVER;
 }
 
 /* Measures. The step of a fixed format grows up to z, and that of linear-w is the same everywhere. The step of a float
@@ -190,7 +190,7 @@ static void put_row(const struct question *q, const struct lab_format *format, c
     const struct depth_lab *lab = q->lab;
     char far_text[LAB_TEXT_SIZE], z[LAB_TEXT_SIZE], s[LAB_TEXT_SIZE] = "", least[LAB_TEXT_SIZE] = "",
                                                     safe[LAB_TEXT_SIZE] = "", near_text[LAB_TEXT_SIZE] = "",
-                                                    separates[2 * LAB_TEXT_SIZE] = ",";
+                                                    pair[2 * LAB_TEXT_SIZE] = ",";
     if (q->separate != 0) {
         lab_fx_text(q->separate, s);
         strcpy(least, "none");
@@ -207,10 +207,10 @@ static void put_row(const struct question *q, const struct lab_format *format, c
         lab_fx_text(lab->near_z, near_text);
         lab_length_text(a->separates.at_z, at_z);
         lab_length_text(a->separates.to_z, to_z);
-        snprintf(separates, sizeof separates, "%s,%s", at_z, to_z);
+        snprintf(pair, sizeof pair, "%s,%s", at_z, to_z);
     }
     fprintf(lab->rows, "%s,%d,%s,%s,%s,%s,%s,%s,%s,%g\n", format->name, format->bits, metres(lab->far_z, far_text),
-            metres(q->z, z), s, least, safe, near_text, separates, q->tilt_deg);
+            metres(q->z, z), s, least, safe, near_text, pair, q->tilt_deg);
 }
 
 static void say_forward(const struct question *q, const struct lab_format *format, const struct answer *a)

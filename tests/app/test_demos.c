@@ -143,8 +143,8 @@ static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
     uint32_t levels = 0;
     for (uint32_t d = 0; d < demo_count; d++) {
         const struct demo *const demo = demo_list[d];
-        const struct demo_level finest = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max,
-                                          demo->triangle_max, demo->corner_max};
+        const struct demo_level finest = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
+                                          demo->corner_max};
         const struct demo_level *finer = &finest;
         for (uint32_t i = 0; i < demo->coarser_count; finer = &demo->coarser[i++], levels++) {
             const struct demo_level *const level = &demo->coarser[i];

@@ -1,6 +1,6 @@
 /*
- * Every unary function of fx.h is checked over all its 2^32 raw inputs. exhaustive.h has the usage; SHARE=K/N runs every
- * N-th check.
+ * Every unary function of fx.h is checked over all its 2^32 raw inputs. exhaustive.h has the usage; SHARE=K/N runs
+ * every N-th check.
  *
  * Where a function is monotone, MPFR gives the input at which its rounded result changes next, and all inputs before it
  * must give the same result. Sine, cosine and tangent have 65536 distinct inputs. The sine in Q2.30 is compared with a

@@ -293,16 +293,11 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
         enum ph_depth_format format;
         uint8_t exponent;
         double worst, beyond; /* codes off the plane and beyond the range of the corners: see depth.h */
-    } bounds[] = {{"fixed16", PH_DEPTH_FIXED16, 0, 3, 4},
-                  {"float16", PH_DEPTH_FLOAT16, 4, 3, 4},
-                  {"fixed24", PH_DEPTH_FIXED24, 0, 2, 1024},
-                  {"float24", PH_DEPTH_FLOAT24, 4, 8, 1024},
-                  {"linear-w", PH_DEPTH_LINEAR_W, 0, 1, 4},
-                  {"float16-e3", PH_DEPTH_FLOAT16, 3, 6, 8},
-                  {"float16-e5", PH_DEPTH_FLOAT16, 5, 3, 4},
-                  {"float16-e6", PH_DEPTH_FLOAT16, 6, 3, 4},
-                  {"float24-e3", PH_DEPTH_FLOAT24, 3, 16, 2048},
-                  {"float24-e5", PH_DEPTH_FLOAT24, 5, 8, 1024},
+    } bounds[] = {{"fixed16", PH_DEPTH_FIXED16, 0, 3, 4},        {"float16", PH_DEPTH_FLOAT16, 4, 3, 4},
+                  {"fixed24", PH_DEPTH_FIXED24, 0, 2, 1024},     {"float24", PH_DEPTH_FLOAT24, 4, 8, 1024},
+                  {"linear-w", PH_DEPTH_LINEAR_W, 0, 1, 4},      {"float16-e3", PH_DEPTH_FLOAT16, 3, 6, 8},
+                  {"float16-e5", PH_DEPTH_FLOAT16, 5, 3, 4},     {"float16-e6", PH_DEPTH_FLOAT16, 6, 3, 4},
+                  {"float24-e3", PH_DEPTH_FLOAT24, 3, 16, 2048}, {"float24-e5", PH_DEPTH_FLOAT24, 5, 8, 1024},
                   {"float24-e6", PH_DEPTH_FLOAT24, 6, 8, 1024}};
     int wrong = 0;
     (void)state;

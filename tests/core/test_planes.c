@@ -34,9 +34,9 @@ static void slopes_of_floats_round_without_overflow(void **state)
     assert_int_equal(ph_depth_float16_slope(INT32_MAX, -1), (uint32_t)1 << 30);
     assert_int_equal(ph_depth_float16_slope(INT32_MAX, -3), (uint32_t)1 << 28);
     for (int down = 1; down <= 28; down++) {
-        for (int64_t gradient = -40; gradient <= 40; gradient++) {
-            assert_int_equal((int32_t)ph_depth_float16_slope((uint32_t)gradient, -down),
-                             (gradient + ((int64_t)1 << (down - 1))) >> down);
+        for (int64_t slope = -40; slope <= 40; slope++) {
+            assert_int_equal((int32_t)ph_depth_float16_slope((uint32_t)slope, -down),
+                             (slope + ((int64_t)1 << (down - 1))) >> down);
         }
     }
 }

@@ -33,8 +33,8 @@ is_at_most() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > 0 && a <= b) }'; }
 promise() { # separate, z, far, tilt
     csv advise --separate "$1" --at "$2" --far "$3" --tilt "$4" | tail -n +2 >"$dir/advice"
     [ "$(wc -l <"$dir/advice")" = 5 ] || return 1
-    local format bits least safe near kept=0 half
-    while IFS=, read -r format bits _ _ _ least safe _; do
+    local format least safe near kept=0 half
+    while IFS=, read -r format _ _ _ _ least safe _; do
         for near in "$least" "$safe"; do
             [ "$near" != none ] || continue
             is_at_most 0.0039 "$near" || { echo "$format: near $near is too small" && return 1; }
@@ -71,9 +71,9 @@ lines_help() {
 near_says_what_it_separates() {
     local format said
     for format in fixed16 float16 float24; do
-        said=$(csv advise --near .5 --at 60 --tilt 60 --format $format | grep "^$format," | cut -d, -f9)
-        is_at_most "$(leaning .5 100 60 60 $format)" "$said" && is_at_most "$(facing .5 100 60 $format)" "$said" &&
-            awk -v said="$said" -v a="$(leaning .5 100 60 60 $format)" -v b="$(facing .5 100 60 $format)" 'BEGIN { m = a > b ? a : b; exit !(said <= m * 1.02 + .00004) }' ||
+        said=$(csv advise --near .5 --at 60 --tilt 60 --format "$format" | grep "^$format," | cut -d, -f9)
+        is_at_most "$(leaning .5 100 60 60 "$format")" "$said" && is_at_most "$(facing .5 100 60 "$format")" "$said" &&
+            awk -v said="$said" -v a="$(leaning .5 100 60 60 "$format")" -v b="$(facing .5 100 60 "$format")" 'BEGIN { m = a > b ? a : b; exit !(said <= m * 1.02 + .00004) }' ||
             { echo "$format: $said" && return 1; }
     done
 }
@@ -134,12 +134,14 @@ a_gap_of_a_step_decides() {
 the_sub_pixel_grid_decides() {
     local up
     for up in 0,1,0 1,0,0 1,1,0; do
-        [ "$(above .0003 float24 60 $up)" = 100 ] && [ "$(above .0008 float24 60 $up)" = 0 ] || { echo "up $up: $(above .0003 float24 60 $up) $(above .0008 float24 60 $up)" && return 1; }
+        [ "$(above .0003 float24 60 "$up")" = 100 ] && [ "$(above .0008 float24 60 "$up")" = 0 ] || { echo "up $up: $(above .0003 float24 60 "$up") $(above .0008 float24 60 "$up")" && return 1; }
     done
     [ "$(above .0003 float24 4)" = 0 ] && "$lab" advise --model "$dir/sheet.obj" --camera eye=0,20,20 --fov 60 | head -n 1 | grep -q 'in every format: the sub-pixel grid'
 }
 
 has_models() { sheet .1 && "$lab" advise --model "$dir/sheet.obj" >"$dir/stdout" 2>"$dir/stderr"; }
+
+two_runs_agree() { csv advise --demo snake >"$dir/one" && csv advise --demo snake | cmp - "$dir/one"; }
 
 options_have_an_effect() {
     local one two
@@ -178,7 +180,7 @@ else
     skip "a sheet fights with the floor within a depth step, and not above" "this build reads no model files"
 fi
 check "each option has an effect" options_have_an_effect
-check "two runs print the same bytes" eval 'csv advise --demo snake >"$dir/one" && csv advise --demo snake | cmp - "$dir/one"'
+check "two runs print the same bytes" two_runs_agree
 while IFS='|' read -r pattern options; do
     # shellcheck disable=SC2086 # options
     check "wrong usage: $options" refuses "$pattern" $options

@@ -16,11 +16,8 @@
 
 static int open_player(struct sim_player *p, const struct board *board, const struct demo *demo, void *state)
 {
-    const struct sim_player_setup setup = {.board = board,
-                                           .rotation = board->rotation,
-                                           .band_height = board->band_height,
-                                           .demo = demo,
-                                           .state = state};
+    const struct sim_player_setup setup = {
+        .board = board, .rotation = board->rotation, .band_height = board->band_height, .demo = demo, .state = state};
     return sim_player_open(p, &setup);
 }
 
@@ -30,8 +27,7 @@ static size_t picture_bytes(const struct sim_player *p)
 }
 
 /* other: NULL, or a player whose frames must be the same. */
-static int draw(struct sim_player *p, struct sim_player *other, uint32_t frames, uint32_t step,
-                struct frame_out *out)
+static int draw(struct sim_player *p, struct sim_player *other, uint32_t frames, uint32_t step, struct frame_out *out)
 {
     for (uint32_t i = 0; i < frames; i++) {
         const uint32_t frame = i * step;
