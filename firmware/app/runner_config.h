@@ -27,6 +27,7 @@ struct runner_config {
     void *memory;               /* 8-byte aligned; the runner's until runner_close */
     size_t memory_bytes;        /* runner_bytes() or more */
     uint8_t depth_exponent;     /* see struct ph_config */
+    bool antialias;             /* 2 x 2 samples a pixel, in bands of a quarter of band_height: about the same memory */
 };
 
 #endif

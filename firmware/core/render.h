@@ -259,6 +259,10 @@ struct ph_config {
     uint8_t pixel_order; /* enum ph_pixel_order */
 
     uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
+
+    /* Antialiasing, optional: room for 4 * width * band_height pixels. Then a pixel is the mean of 2 x 2 samples, depth
+     * has 4 times the room as well, and width and height are at most 512. Lower bands make up for the memory. */
+    uint16_t *samples;
 };
 
 /* Fog: from `start` on all colours turn towards the fog's, and from `end` on they have become it. Distances are along
@@ -312,7 +316,7 @@ struct ph_list {
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */
 struct ph_renderer {
-    struct ph_config config;
+    struct ph_config config; /* with samples its sizes count samples: width, height and band_height are doubled */
     struct ph_stats stats;
     struct ph_lens lens;
     struct ph_projection projection; /* as given; lens is made from it */
@@ -324,6 +328,7 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint16_t background;
+    uint8_t fine;  /* 1 with samples, else 0: log2 of samples a pixel each way */
     bool is_shown;                                                    /* config.shown holds what the display shows */
     void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
     uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */

@@ -470,7 +470,7 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
     const struct ph_texture other_texture = {texels + 7, 0, 0, PH_WRAP_REPEAT};
     struct ph_material other_material = material;
     other_material.texture = &other_texture;
-    struct ph_mesh meshes[3] = {{places, normals, uvs, corners, NULL, &part, &material, 3, 1, 0, 1}};
+    struct ph_mesh meshes[3] = {{places, normals, uvs, corners, NULL, &part, &material, 3, 1, 0, 1, NULL}};
     meshes[1] = meshes[0];
     meshes[2] = meshes[0];
     meshes[2].materials = &other_material;

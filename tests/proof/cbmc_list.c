@@ -9,7 +9,7 @@ void proof_line_half(void)
     struct ph_vertex out[3];
     ASSUME(a.x >= -PH_REACH && a.x <= PH_REACH && a.y >= -PH_REACH && a.y <= PH_REACH);
     ASSUME(b.x >= -PH_REACH && b.x <= PH_REACH && b.y >= -PH_REACH && b.y <= PH_REACH);
-    ph_line_half(&a, &b, i32_between(0, 1), out);
+    ph_line_half(&a, &b, i32_between(0, 1), 0, out);
     for (int i = 0; i < 3; i++) {
         CLAIM(out[i].x >= -REACH && out[i].x <= REACH && out[i].y >= -REACH && out[i].y <= REACH);
     }

@@ -56,7 +56,7 @@ static bool touches(const struct feed *f, const struct ph_draw *draw, const stru
 {
     const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
     const uint8_t *const base = ph_at(f->r, draw->base);
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 : 0;
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << f->r->fine : 0;
     const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
     int32_t top = INT32_MAX, low = INT32_MIN;
     for (int i = 0; i < n; i++) {
@@ -393,13 +393,23 @@ static void draw_with_other(struct ph_renderer *r, struct feed *f, const struct 
     *carry = NULL;
 }
 
+/* Makes pixels of the samples of a band. */
+static void give_means(const struct ph_band *rows, uint16_t *pixels)
+{
+    const uint32_t width = (uint32_t)rows->width, lines = (uint32_t)(rows->y1 - rows->y0) / 2;
+    const uint16_t *upper = rows->pixels;
+    for (uint32_t y = 0; y < lines; y++, upper += 2 * width, pixels += width / 2) {
+        ph_halve(pixels, upper, upper + width, width / 2);
+    }
+}
+
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
-    rows.pixels = pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
+    rows.pixels = r->fine != 0 ? r->config.samples : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
     struct feed f;
     start(&f, r, band);
     if (r->config.other_core != NULL && y1 - y0 >= 2) {
@@ -413,5 +423,8 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     } else if (r->fog != NULL) {
         r->fog(r, &rows);
     }
-    return (uint32_t)(y1 - y0);
+    if (r->fine != 0) {
+        give_means(&rows, pixels);
+    }
+    return (uint32_t)(y1 - y0) >> r->fine;
 }

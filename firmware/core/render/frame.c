@@ -33,7 +33,8 @@ static uint32_t inner(uint32_t size)
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
 {
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
-    if (width < 1 || width > 1024 || height < 1 || height > 1024 || lines < 1 || lines > height ||
+    const int fine = config->samples != NULL ? 1 : 0;
+    if (width < 1 || width << fine > 1024 || height < 1 || height << fine > 1024 || lines < 1 || lines > height ||
         !depth_is_usable(config)) {
         return PH_ERR_INVAL;
     }
@@ -45,8 +46,14 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     if (config->bin_max < bands) {
         return PH_ERR_NOMEM;
     }
-    *r =
-        (struct ph_renderer){.config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands};
+    *r = (struct ph_renderer){.config = *config,
+                              .inner_x = inner(width << fine),
+                              .inner_y = inner(height << fine),
+                              .band_count = bands,
+                              .fine = (uint8_t)fine};
+    r->config.width = (uint16_t)(width << fine);
+    r->config.height = (uint16_t)(height << fine);
+    r->config.band_height = (uint16_t)(lines << fine);
     ph_list_begin(r);
     return PH_OK;
 }

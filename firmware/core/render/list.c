@@ -222,10 +222,10 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
 
 /* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
  * the longer axis) or row, and needs no raster code of its own. */
-void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, struct ph_vertex out[3])
+void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, int fine, struct ph_vertex out[3])
 {
     const bool x_major = fx_abs_sat(b->x - a->x) >= fx_abs_sat(b->y - a->y);
-    const int32_t side_x = x_major ? 0 : 128, side_y = 128 - side_x;
+    const int32_t side_x = x_major ? 0 : 128 << fine, side_y = (128 << fine) - side_x;
     const bool turned = x_major ? b->x > a->x : b->y < a->y; /* so that it faces the viewer */
     const struct ph_vertex *const from = turned ? b : a, *const to = turned ? a : b;
     out[0] = *from;
@@ -243,7 +243,7 @@ void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph
 {
     for (int half = 0; half < 2; half++) {
         struct ph_vertex corners[3];
-        ph_line_half(a, b, half, corners);
+        ph_line_half(a, b, half, r->fine, corners);
         const struct ph_vertex *const v[3] = {&corners[0], &corners[1], &corners[2]};
         const int32_t area = ph_sides(v[0], v[1], v[2]).area;
         if (area > 0 || (area < 0 && two_sided)) {

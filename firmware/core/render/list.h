@@ -132,8 +132,8 @@ static inline uint16_t ph_band_of(const struct ph_renderer *r, int32_t row)
 int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                         const struct ph_corner *corners, uint32_t n);
 
-/* Corner k of half 0 or 1 of a line that is one pixel wide. */
-void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, struct ph_vertex out[3]);
+/* Corner k of half 0 or 1 of a line that is one pixel wide; fine: as in the renderer. */
+void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, int fine, struct ph_vertex out[3]);
 
 /* Lists a convex polygon of n >= 3 corners. False if none of it can be seen. */
 bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,

@@ -288,7 +288,7 @@ static NOINLINE void setup_special(const struct ph_setting *s, const struct ph_r
     const struct ph_vertex *v[3] = {&corners[0], &corners[1], &corners[2]};
     if ((s->draw.kind & PH_DRAW_LINES) != 0) {
         const struct ph_vertex *const base = s->base;
-        ph_line_half(&base[ref->corner[0]], &base[ref->corner[1]], ref->corner[2], corners);
+        ph_line_half(&base[ref->corner[0]], &base[ref->corner[1]], ref->corner[2], s->r->fine, corners);
     } else {
         const struct ph_corner *const base = s->base;
         for (int i = 0; i < 3; i++) {
