@@ -47,8 +47,7 @@ struct picture_memory memory_plan_picture(const struct runner_config *config, ui
 
 uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
 {
-    return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes +
-           p->sample_bytes;
+    return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes + p->sample_bytes;
 }
 
 /* The list of a frame: vertices, corners, references, and so many slots. The same on every machine. */

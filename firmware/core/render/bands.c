@@ -409,7 +409,9 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
-    rows.pixels = r->fine != 0 ? r->config.samples : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
+    rows.pixels = r->fine != 0
+                      ? r->config.samples
+                      : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
     struct feed f;
     start(&f, r, band);
     if (r->config.other_core != NULL && y1 - y0 >= 2) {
