@@ -77,14 +77,23 @@ static uint32_t slots_of(const struct demo_level *level, uint64_t left)
     return most < SLOTS_LEAST ? SLOTS_LEAST : slots < most ? (uint32_t)slots : most;
 }
 
+/* A level as it is drawn: with samples a line is two. */
+static struct demo_level level_of(const struct demo_level *level, const struct picture_memory *p)
+{
+    struct demo_level drawn = *level;
+    drawn.triangle_max *= p->sample_bytes > 0 ? 2 : 1;
+    return drawn;
+}
+
 /* The finest level that fits whole; if none does, the coarsest with as many of its triangles as the list has room for,
  * about. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
     struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
                                demo->corner_max};
+    level = level_of(&level, p);
     for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, SLOTS_LEAST) > budget; i++) {
-        level = demo->coarser[i];
+        level = level_of(&demo->coarser[i], p);
     }
     const uint64_t whole = level_bytes_32(&level, SLOTS_LEAST), arena = ROUND8(level.arena_bytes_32);
     struct scene_memory s = {.arena_bytes = level.arena_bytes, .whole = whole <= budget};

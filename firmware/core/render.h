@@ -199,7 +199,7 @@ struct ph_stats {
     uint32_t triangles_in;      /* of all meshes drawn */
     uint32_t triangles_culled;  /* of these: back faces, wholly outside, without area or without a pixel centre */
     uint32_t triangles_clipped; /* of these: crossed a clip plane */
-    uint32_t triangles_drawn;   /* listed; a clipped or curved one may give several, a line gives two */
+    uint32_t triangles_drawn;   /* listed; a clipped or curved one may give several, a line counts as one */
     uint32_t triangles_dropped; /* left out: did not fit the budgets */
     uint32_t vertices_dropped;  /* of meshes left out: did not fit the budgets */
     uint32_t fragments;         /* pixels depth-tested */
@@ -374,7 +374,13 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
-/* Draws a line one pixel wide between two world points in the material's colour. It counts as two triangles. */
+/*
+ * Draws a line one pixel wide between two world points in the material's colour. It counts as one triangle.
+ *
+ * Its longer axis on the screen is x or y, x if both are as long. It has one pixel in each column (or row) whose centre
+ * lies between its ends, the left (upper) end included, the other not: the pixel that it runs through there. Where it
+ * runs along the border of two pixels, it takes the upper (left) one. So lines that share an end draw no column twice.
+ */
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
 /* Sorts the triangles into bands; returns the number of bands. */

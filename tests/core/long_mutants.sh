@@ -82,9 +82,12 @@ products truncated before their sum      | geom/geom_sum.h  | s/low += (uint32_t
 END
 }
 
-sources() { # file; of a header those that include it
+sources() { # file; of a header those that read it, through others too
+    local file
     case $1 in
-    *.h) (cd firmware/core && grep -l "\"${1##*/}\"" -- {fx,geom,render,effects,kernels/portable}/*.c) ;;
+    *.h) for file in firmware/core/{fx,geom,render,effects,kernels/portable}/*.c; do
+        ! $CC -MM -Ifirmware/core{,/kernels/portable,/render,/effects,/kernels} "$file" | grep -q "/${1##*/}\\b" || echo "${file#firmware/core/}"
+    done ;;
     *) echo "$1" ;;
     esac
 }

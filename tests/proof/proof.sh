@@ -67,7 +67,8 @@ short | setup.short_edge         |                       |  1 | no overflow
 long  | setup.setup_outline      | wide_edge             |  4 | no overflow, rows within the picture
 short | setup.small_depths       | ph_float_depths,ph_block_depths | 4 | no overflow
 short | setup.setting            | ph_at                 |  1 | no overflow
-short | list.line_half           | fx_abs_sat            |  4 | no overflow, in reach
+short | line.corners             |                       |  4 | no overflow, in reach
+short | line.walk                |                       |  1 | no overflow, pixels within the picture
 short | list.first_row           |                       |  4 | no overflow, a row of the picture
 short | planes.area              |                       |  7 | twice a triangle's area is below 2^42
 short | planes.plane_base        |                       |  4 | no overflow, ranges of the base

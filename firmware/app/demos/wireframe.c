@@ -78,7 +78,7 @@ static int wireframe_frame(struct demo_context *context, struct ph_renderer *r, 
     (MODEL_ROUND8(sizeof(struct wireframe)) + MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)) +       \
      MODEL_EDGES_SCRATCH(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)) +                                        \
      MODEL_EDGES_BYTES(MODEL_TEAPOT_QUAD_EDGES(n)))
-#define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + 2 * MODEL_TEAPOT_QUAD_EDGES(n))
+#define LISTED(n) (MODEL_TEAPOT_TRIANGLES(n) * 5 / 8 + MODEL_TEAPOT_QUAD_EDGES(n))
 
 static const struct demo_level coarser = {DEMO_ARENA(ARENA(2), 8120), .vertex_max = 2 * MODEL_TEAPOT_VERTICES(2),
                                           .triangle_max = LISTED(2)};

@@ -15,6 +15,9 @@ struct ph_band {
 /* Draws what of a triangle lies in the band. Returns the pixels tested. */
 uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band);
 
+/* Draws pixel (x, y) of the band, which is one of a flat triangle or a line of any depth format. */
+void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
+
 /* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
 void ph_step_below(struct ph_triangle *t, int32_t y1);
 

@@ -59,6 +59,27 @@ static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx
     return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
 }
 
+/* Whether x is the longer axis of a line: see line.h. */
+static inline bool ph_line_is_wide(const struct ph_vertex *a, const struct ph_vertex *b)
+{
+    return fx_magnitude(b->x - a->x) >= fx_magnitude(b->y - a->y);
+}
+
+/* The row or column of a coordinate across the longer axis, 1/256 px. A border belongs to the pixel above or left. */
+static inline int32_t ph_line_pixel(int32_t across)
+{
+    return (across - 1) >> 8;
+}
+
+/* Where a pixel is two samples wide a line is two lines of samples: line 0 or 1 of them, from its ends. */
+static inline void ph_line_of_samples(struct ph_vertex *a, struct ph_vertex *b, int line)
+{
+    const int32_t aside = line * 256 - 128;
+    int32_t *const of_a = ph_line_is_wide(a, b) ? &a->y : &a->x, *const of_b = of_a == &a->y ? &b->y : &b->x;
+    *of_a += aside;
+    *of_b += aside;
+}
+
 static inline int32_t ph_min(int32_t a, int32_t b)
 {
     return a < b ? a : b;

@@ -220,35 +220,32 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
                     : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
 }
 
-/* A line is a parallelogram that is one pixel wide across its longer axis: it covers one pixel in each column (if x is
- * the longer axis) or row, and needs no raster code of its own. */
-void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, int fine, struct ph_vertex out[3])
+/* Lists a line that is one sample wide; which: as in struct ph_ref. */
+static void list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
+                      const struct ph_vertex *b, unsigned which)
 {
-    const bool x_major = fx_abs_sat(b->x - a->x) >= fx_abs_sat(b->y - a->y);
-    const int32_t side_x = x_major ? 0 : 128 << fine, side_y = (128 << fine) - side_x;
-    const bool turned = x_major ? b->x > a->x : b->y < a->y; /* so that it faces the viewer */
-    const struct ph_vertex *const from = turned ? b : a, *const to = turned ? a : b;
-    out[0] = *from;
-    out[1] = *to;
-    out[2] = half == 0 ? *to : *from;
-    for (int i = 0; i < 3; i++) {
-        const int32_t sign = i == 0 || (i == 1 && half == 0) ? -1 : 1;
-        out[i].x += sign * side_x;
-        out[i].y += sign * side_y;
+    const bool wide = ph_line_is_wide(a, b);
+    const int32_t size = wide ? r->config.width : r->config.height, most = wide ? r->config.height : r->config.width;
+    const int32_t along_a = wide ? a->x : a->y, along_b = wide ? b->x : b->y;
+    const int32_t across_a = wide ? a->y : a->x, across_b = wide ? b->y : b->x;
+    const int32_t first = ph_max(ph_first_row(ph_min(along_a, along_b)), 0);
+    const int32_t end = ph_min(ph_first_row(ph_max(along_a, along_b)), size);
+    const int32_t low = ph_line_pixel(ph_min(across_a, across_b));
+    if (first < end && low < most && ph_line_pixel(ph_max(across_a, across_b)) >= 0) {
+        list_at(r, ends[0], ends[1], which, wide ? ph_max(low, 0) : first);
     }
 }
 
-void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b,
-                  bool two_sided)
+void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b)
 {
-    for (int half = 0; half < 2; half++) {
-        struct ph_vertex corners[3];
-        ph_line_half(a, b, half, r->fine, corners);
-        const struct ph_vertex *const v[3] = {&corners[0], &corners[1], &corners[2]};
-        const int32_t area = ph_sides(v[0], v[1], v[2]).area;
-        if (area > 0 || (area < 0 && two_sided)) {
-            list_at(r, ends[0], ends[1], (unsigned)half, ph_first_row_of(r, v));
-        }
+    if (r->fine == 0) {
+        list_line(r, ends, a, b, 0);
+        return;
+    }
+    for (unsigned which = 0; which < 2; which++) {
+        struct ph_vertex of_a = *a, of_b = *b;
+        ph_line_of_samples(&of_a, &of_b, (int)which);
+        list_line(r, ends, &of_a, &of_b, which);
     }
 }
 
@@ -323,10 +320,10 @@ void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, 
     const struct ph_mark mark = ph_list_mark(r);
     const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
     if (first < 0) {
-        r->stats.triangles_dropped += 2;
+        r->stats.triangles_dropped++;
         return;
     }
     const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
-    ph_list_line(r, number, &ends[0].at, &ends[1].at, material->two_sided != 0);
+    ph_list_line(r, number, &ends[0].at, &ends[1].at);
     ph_list_rewind(r, &mark);
 }

@@ -17,7 +17,7 @@
 
 /* A triangle. Its corners run counter-clockwise on the screen. */
 struct ph_ref {
-    uint16_t corner[3]; /* from the draw's base on; of a line: its two ends, and which of its triangles, 0 or 1 */
+    uint16_t corner[3]; /* from the draw's base on; of a line: its two ends, and which of two lines of samples */
     uint16_t link;      /* the band where it begins; after ph_frame_bands: how much further the next one of the band's
                            list stands, 0 at the end, or PH_LINK_FAR */
 };
@@ -107,9 +107,8 @@ int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *con
 bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const struct ph_vertex *const v[3],
                       bool two_sided);
 
-/* Lists a line of the current draw, or what of it covers a pixel centre. */
-void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b,
-                  bool two_sided);
+/* Lists a line of the current draw if a pixel of it may lie in the picture. */
+void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b);
 
 /* Takes the next reference if there is room; else the triangle is counted. */
 static inline struct ph_ref *ph_list_next(struct ph_renderer *r)
@@ -131,9 +130,6 @@ static inline uint16_t ph_band_of(const struct ph_renderer *r, int32_t row)
  * Returns the number of the first; -1: there is no room. */
 int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                         const struct ph_corner *corners, uint32_t n);
-
-/* Corner k of half 0 or 1 of a line that is one pixel wide; fine: as in the renderer. */
-void ph_line_half(const struct ph_vertex *a, const struct ph_vertex *b, int half, int fine, struct ph_vertex out[3]);
 
 /* Lists a convex polygon of n >= 3 corners. False if none of it can be seen. */
 bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,

@@ -343,7 +343,7 @@ static NOINLINE void draw_edges(const struct part_context *c)
             continue;
         }
         if (((v0->code | v1->code) & PH_CLIP) == 0 && c->r->lens.kind != PH_FISHEYE) {
-            ph_list_line(c->r, edge, v0, v1, c->material->two_sided != 0);
+            ph_list_line(c->r, edge, v0, v1);
             continue;
         }
         const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
@@ -443,7 +443,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
              : PH_DRAW_SMALL | (c->coloured ? PH_DRAW_COLOURS : 0) | (blended && c->two_sided ? PH_DRAW_ONE_SIDE : 0);
     r->stats.triangles_in += wire ? 0 : part->count;
     if (!room || (blend != NULL && !ph_list_blend(r, blend)) || !ph_list_draw(r, &c->draw)) {
-        r->stats.triangles_dropped += wire ? 2 * c->mesh->edge_count : part->count;
+        r->stats.triangles_dropped += wire ? c->mesh->edge_count : part->count;
         return;
     }
     const uint32_t before = ph_ref_count(r);
@@ -468,7 +468,7 @@ static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const bool wire = mesh->materials[mesh->parts[i].material].shading == PH_SHADE_WIRE;
         r->stats.triangles_in += wire ? 0 : mesh->parts[i].count;
-        r->stats.triangles_dropped += wire ? 2 * mesh->edge_count : mesh->parts[i].count;
+        r->stats.triangles_dropped += wire ? mesh->edge_count : mesh->parts[i].count;
     }
     return PH_OK;
 }
@@ -503,7 +503,7 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
     const uint32_t before = ph_ref_count(r);
     if (material->blend != NULL && !ph_list_blend(r, material->blend)) {
-        r->stats.triangles_dropped += 2;
+        r->stats.triangles_dropped++;
         return;
     }
     draw_clip_line(r, material, ends);

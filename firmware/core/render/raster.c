@@ -8,6 +8,7 @@
 #include "colours.h"
 #include "exact.h"
 #include "kernels.h"
+#include "line.h"
 #include "span.h"
 #include "small_texels.h"
 #include "texture.h"
@@ -408,6 +409,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
         return t->block == PH_BLOCK_NONE && ph_texels_are_usual(t) ? ph_draw_small_texels(t, band)
                                                                    : draw_small_texture(t, band);
     }
+    if (t->kind >= PH_KIND_LINE) {
+        return ph_draw_line_rows(t, band);
+    }
     if (t->block == PH_BLOCK_EXACT) {
         return draw_exact(t, band);
     }
@@ -420,10 +424,28 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     return walk(t, band);
 }
 
-/* Steps a small triangle down to row y1, where the next band begins; y_bottom is below y1. A triangle that crosses
- * octaves stays as it is, since its depth is rounded at its first row. */
+NOINLINE void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band)
+{
+    struct ph_triangle pixel = *t;
+    pixel.y_top = (int16_t)y;
+    pixel.y_mid = pixel.y_bottom = (int16_t)(y + 1);
+    pixel.long_left = 1;
+    pixel.long_edge = (struct ph_edge){x * 65536, 0};
+    pixel.upper = (struct ph_edge){(x + 1) * 65536, 0};
+    if (t->block == PH_BLOCK_EXACT) {
+        ph_exact_run(t, x, x + 1, y, &pixel);
+    }
+    walk(&pixel, band);
+}
+
+/* Steps a small triangle or a line down to row y1, where the next band begins; y_bottom is below y1. A triangle that
+ * crosses octaves stays as it is, since its depth is rounded at its first row. */
 void ph_step_below(struct ph_triangle *t, int32_t y1)
 {
+    if (t->kind >= PH_KIND_LINE) {
+        ph_line_step_below(t, y1);
+        return;
+    }
     if (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE) {
         skip_rows(&t->small, (uint32_t)(y1 - t->y_top));
         t->y_top = (int16_t)y1;

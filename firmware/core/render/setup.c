@@ -9,6 +9,7 @@
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
+#include "line.h"
 #include "planes.h"
 #include "texels.h"
 
@@ -280,40 +281,35 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     }
 }
 
-/* Sets up a half of a line, or a triangle whose corners have their texture coordinates beside them. */
-static NOINLINE void setup_special(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+/* Sets up a triangle whose corners have their texture coordinates beside them. */
+static NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    struct ph_vertex corners[3];
-    const fx_t *of_corners[3], *const *uv = NULL;
-    const struct ph_vertex *v[3] = {&corners[0], &corners[1], &corners[2]};
-    if ((s->draw.kind & PH_DRAW_LINES) != 0) {
-        const struct ph_vertex *const base = s->base;
-        ph_line_half(&base[ref->corner[0]], &base[ref->corner[1]], ref->corner[2], s->r->fine, corners);
-    } else {
-        const struct ph_corner *const base = s->base;
-        for (int i = 0; i < 3; i++) {
-            v[i] = &base[ref->corner[i]].at;
-            of_corners[i] = base[ref->corner[i]].uv;
-        }
-        uv = of_corners;
+    const struct ph_corner *const base = s->base;
+    const struct ph_vertex *v[3];
+    const fx_t *uv[3];
+    for (int i = 0; i < 3; i++) {
+        v[i] = &base[ref->corner[i]].at;
+        uv[i] = base[ref->corner[i]].uv;
     }
-    struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    if (sides.area < 0) { /* a line that is seen from behind */
-        const struct ph_vertex *const turned = v[1];
-        v[1] = v[2];
-        v[2] = turned;
-        sides = ph_sides(v[0], v[1], v[2]);
-    }
+    const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
     setup_front(s, v, uv, &sides, t);
 }
 
 void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    if ((s->draw.kind & (PH_DRAW_LINES | PH_DRAW_UVS)) != 0) {
-        setup_special(s, ref, t);
+    const struct ph_vertex *const base = s->base;
+    if ((s->draw.kind & PH_DRAW_LINES) != 0) {
+        struct ph_vertex a = base[ref->corner[0]], b = base[ref->corner[1]];
+        if (s->r->fine != 0) {
+            ph_line_of_samples(&a, &b, ref->corner[2]);
+        }
+        ph_setup_line(s, &a, &b, t);
         return;
     }
-    const struct ph_vertex *const base = s->base;
+    if ((s->draw.kind & PH_DRAW_UVS) != 0) {
+        setup_corners(s, ref, t);
+        return;
+    }
     const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
     const fx_t *of_corners[3], *const *uv = NULL;
     if (s->draw.uvs != NULL) {

@@ -10,6 +10,14 @@ struct ph_edge {
     int32_t x, dx;
 };
 
+/* A line, which is walked along its longer axis. */
+struct ph_line {
+    int32_t across,
+        slope;            /* 16.16: its place across the axis at the centre of the next pixel, and the change a pixel */
+    int16_t along, count; /* column or row of the next pixel; pixels left */
+    int16_t step, wide;   /* of `along`: 1 or -1; whether x is the longer axis, else y */
+};
+
 /* A value that is linear on the screen: at the centre of pixel (0, 0), modulo 2^32, and per pixel right and down. */
 struct ph_plane {
     uint32_t base, gx, gy;
@@ -67,7 +75,16 @@ struct ph_curve {
     uint32_t xx, xy, yy;
 };
 
-enum ph_kind { PH_KIND_FLAT, PH_KIND_GOURAUD, PH_KIND_TEXTURE, PH_KIND_SMALL, PH_KIND_SMALL_TEXTURE, PH_KIND_COLOURS };
+enum ph_kind {
+    PH_KIND_FLAT,
+    PH_KIND_GOURAUD,
+    PH_KIND_TEXTURE,
+    PH_KIND_SMALL,
+    PH_KIND_SMALL_TEXTURE,
+    PH_KIND_COLOURS,
+    PH_KIND_LINE,
+    PH_KIND_ANY_LINE
+};
 
 struct ph_triangle {
     uint32_t order;                 /* number of its reference */
@@ -82,7 +99,13 @@ struct ph_triangle {
     const struct ph_material *material;
     union {
         struct {
-            struct ph_edge long_edge, upper, lower;
+            union {
+                struct {
+                    struct ph_edge long_edge, upper, lower;
+                };
+                struct ph_line line; /* PH_KIND_LINE: its depth counts from the next pixel, gx is that of a pixel;
+                                        PH_KIND_ANY_LINE: depth is a plane, in any format */
+            };
             struct ph_plane depth;
             union {
                 struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w; colours: red, green, blue */

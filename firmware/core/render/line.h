@@ -1,0 +1,25 @@
+/*
+ * line: lines one pixel wide; render.h has the rule of their pixels. Private to firmware/core.
+ *
+ * A line is walked along its longer axis, from its upper end (of a level one: the left) to the lower. Across this axis
+ * it takes the pixel that it runs through at the centre of each column or row; its place there is rounded to 2^-16 px,
+ * and each step is 2^-17 px off at most. Depth is linear along the longer axis. All of this counts from the end of the
+ * line, not from the band, so the pixels are the same at any height of the bands.
+ */
+#ifndef PH_LINE_H
+#define PH_LINE_H
+
+#include "band.h"
+#include "setting.h"
+
+/* Sets up a line that has a column or row in the picture. */
+void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
+                   struct ph_triangle *t);
+
+/* Draws what of a line lies in the band. Returns the pixels tested. */
+uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band);
+
+/* Steps a line down to row y. */
+void ph_line_step_below(struct ph_triangle *t, int32_t y);
+
+#endif

@@ -1,0 +1,36 @@
+/* Lines: their corners and their walk, from any ends that are in reach. See proof.h. */
+#include "proof_render.h"
+
+#include "../../firmware/core/render/line.c"
+
+static struct ph_vertex any_end(void)
+{
+    const struct ph_vertex v = any_vertex();
+    ASSUME(v.x >= -PH_REACH && v.x <= PH_REACH && v.y >= -PH_REACH && v.y <= PH_REACH);
+    return v;
+}
+
+void proof_corners(void)
+{
+    const struct ph_vertex a = any_end(), b = any_end();
+    struct ph_vertex out[3];
+    line_corners(&a, &b, out);
+    for (int i = 0; i < 3; i++) {
+        CLAIM(out[i].x >= -REACH && out[i].x <= REACH && out[i].y >= -REACH && out[i].y <= REACH);
+    }
+}
+
+void proof_walk(void)
+{
+    const struct ph_vertex a = any_end(), b = any_end();
+    struct ph_renderer r;
+    struct ph_triangle t;
+    struct part part;
+    r.config.width = (uint16_t)u32_between(1, 1024);
+    r.config.height = (uint16_t)u32_between(1, 1024);
+    const bool wide = ph_line_is_wide(&a, &b);
+    const int32_t from = wide ? a.x : a.y, to = wide ? b.x : b.y, size = wide ? r.config.width : r.config.height;
+    ASSUME(ph_max(ph_first_row(ph_min(from, to)), 0) < ph_min(ph_first_row(ph_max(from, to)), size)); /* ph_list_line */
+    walk_of(&r, &a, &b, &t, &part);
+    CLAIM(t.line.count > 0 && t.line.along >= 0 && t.line.along < size && t.y_bottom <= r.config.height);
+}
