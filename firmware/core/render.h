@@ -83,8 +83,9 @@ struct ph_blend {
     uint8_t kind;                                                    /* enum ph_blend_kind */
     uint8_t alpha;                                                   /* 0 .. 32; ALPHA, ADD */
     uint16_t key;                                                    /* wire order */
-    const struct ph_texture *alphas; /* beside the material's texture: the green of each texel is its alpha; or NULL:
-                                        all texels have alpha 1. Its sides may differ from those of the texture */
+    const struct ph_texture *alphas; /* MASK, ALPHA, ADD: the green of each texel is its alpha, beside the material's
+                                        texture or its colour; its sides may differ from the texture's. Or NULL: all
+                                        have alpha 1 */
 };
 
 void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band);
@@ -260,8 +261,9 @@ struct ph_config {
 
     uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
 
-    /* Antialiasing, optional: room for 4 * width * band_height pixels. Then a pixel is the mean of 2 x 2 samples, depth
-     * has 4 times the room as well, and width and height are at most 512. Lower bands make up for the memory. */
+    /* Antialiasing, optional: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is the mean of 2 x
+     * 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands make up for the
+     * memory. */
     uint16_t *samples;
 };
 
@@ -329,7 +331,7 @@ struct ph_renderer {
     uint32_t band_count;
     uint16_t background;
     uint8_t fine;  /* 1 with samples, else 0: log2 of samples a pixel each way */
-    bool is_shown;                                                    /* config.shown holds what the display shows */
+    bool is_shown; /* config.shown holds what the display shows */
     void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
     uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
     void (*fog)(struct ph_renderer *r, const struct ph_band *band); /* or NULL */
@@ -373,6 +375,13 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
  *         have taken the room, it is counted, too, but that is no error.)
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+
+/*
+ * Draws a rectangle that faces the camera, with its middle at a world point, with the material's texture or colour;
+ * with material->blend it may have any outline. Errors as ph_draw_mesh: it takes 4 vertices.
+ */
+int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, fx_t height,
+                      const struct ph_material *material);
 
 /*
  * Draws a line one pixel wide between two world points in the material's colour. It counts as one triangle.

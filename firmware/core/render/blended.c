@@ -71,7 +71,7 @@ static inline uint32_t alpha_of(const struct overlay *o, uint16_t key)
 {
     const struct ph_blend *const s = o->blend;
     if (s->kind == PH_BLEND_KEY) {
-        return key != s->key ? 32 : 0;
+        return o->has_keys && key == s->key ? 0 : 32;
     }
     const uint32_t green = s->alphas != NULL ? ph_wire16(key) >> 5 & 63 : 63;
     if (s->kind == PH_BLEND_MASK) {
@@ -213,12 +213,13 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
     o->blend = material->blend;
     ph_take_lens(o->r, draw);
     ph_setting_of(&o->setting, o->r, draw);
-    o->has_keys = ph_is_textured(material) && (o->blend->kind == PH_BLEND_KEY || o->blend->alphas != NULL);
-    o->same_keys = o->blend->alphas == NULL && material->shading == PH_SHADE_TEXTURE;
+    const bool by_colour = o->blend->kind == PH_BLEND_KEY;
+    o->has_keys = by_colour ? ph_is_textured(material) : o->blend->alphas != NULL;
+    o->same_keys = by_colour && material->shading == PH_SHADE_TEXTURE;
     if (o->has_keys && !o->same_keys) {
         o->key_material = *material;
         o->key_material.shading = PH_SHADE_TEXTURE;
-        o->key_material.texture = o->blend->kind != PH_BLEND_KEY ? o->blend->alphas : material->texture;
+        o->key_material.texture = by_colour ? material->texture : o->blend->alphas;
         keys.material = &o->key_material;
         ph_setting_of(&o->keys, o->r, &keys);
     }

@@ -35,7 +35,7 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     const int fine = config->samples != NULL ? 1 : 0;
     if (width < 1 || width << fine > 1024 || height < 1 || height << fine > 1024 || lines < 1 || lines > height ||
-        !depth_is_usable(config)) {
+        !depth_is_usable(config) || (uintptr_t)config->samples % sizeof(uint32_t) != 0) {
         return PH_ERR_INVAL;
     }
     const uint32_t bands = (height + lines - 1) / lines;

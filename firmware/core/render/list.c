@@ -299,7 +299,7 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
                  const struct ph_corner *corners, uint32_t n)
 {
     const struct ph_mark mark = ph_list_mark(r);
-    const int32_t first = ph_list_corners(r, material, kind | (ph_is_textured(material) ? PH_DRAW_UVS : 0), corners, n);
+    const int32_t first = ph_list_corners(r, material, kind | (ph_has_uvs(material) ? PH_DRAW_UVS : 0), corners, n);
     bool any = false;
     if (first < 0) {
         r->stats.triangles_dropped += n - 2;

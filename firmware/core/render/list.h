@@ -145,4 +145,10 @@ static inline bool ph_is_textured(const struct ph_material *material)
            material->texture != NULL;
 }
 
+/* Whether its corners need u and v. */
+static inline bool ph_has_uvs(const struct ph_material *material)
+{
+    return ph_is_textured(material) || (material->blend != NULL && material->blend->alphas != NULL);
+}
+
 #endif

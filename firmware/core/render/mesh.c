@@ -434,7 +434,7 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     c->material = &c->mesh->materials[part->material];
     const bool wire = c->material->shading == PH_SHADE_WIRE, room = wire || light_part(c, part, to_world);
     c->draw.material = c->material;
-    c->draw.uvs = ph_is_textured(c->material) ? c->mesh->uvs : NULL;
+    c->draw.uvs = ph_has_uvs(c->material) ? c->mesh->uvs : NULL;
     const struct ph_blend *const blend = c->material->blend;
     const bool blended = blend != NULL && blend->kind >= PH_BLEND_ALPHA;
     c->two_sided = c->material->two_sided != 0;
