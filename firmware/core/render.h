@@ -181,7 +181,7 @@ size_t ph_depth_bytes(unsigned format);
 
 /*
  * AUTO takes FIXED16 for an orthographic projection and where far <= PH_DEPTH_FIXED16_RATIO near, else FLOAT16. Up to a
- * ratio of 65.4 FIXED16 resolves 1/1000 of the distance everywhere, and it costs a little less.
+ * ratio of 66.4 FIXED16 resolves 1/1000 of the distance everywhere, and it costs a little less.
  */
 #define PH_DEPTH_FIXED16_RATIO 64
 enum ph_depth_format ph_depth_choose(const struct ph_projection *projection);
@@ -291,13 +291,13 @@ struct ph_lens {
     uint8_t kind;               /* enum ph_projection_kind */
     int8_t focal_log2;          /* 0 .. 18 */
     uint8_t guard_up;           /* the guard band is |x'| 2^guard_up <= 8 w */
-    int8_t near_shift;          /* leading zeros of near_z */
+    int8_t near_shift;          /* depth_scale is N 2^this; orthographic: leading zeros of far - near */
     int32_t focal_x, focal_y;   /* focal length in pixels / 2^focal_log2, Q2.30 */
     int32_t centre_x, centre_y; /* principal point, 1/256 px */
     fx_t near_z, far_z;
-    uint32_t depth_scale; /* perspective: near plane, normalised; orthographic: 1 / (far - near), normalised */
+    uint32_t depth_scale; /* perspective: N of depth.h, normalised; orthographic: 1 / (far - near), normalised */
     uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
-    int8_t far_s;         /* not negative; the next byte is read with it */
+    int8_t far_s;         /* negative in the fixed formats only; floats read the next byte with it */
     uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
     struct ph_linear linear;
     uint32_t turn_px;    /* fisheye: pixels per turn, 16.16 */

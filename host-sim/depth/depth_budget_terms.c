@@ -44,8 +44,10 @@ static int bits_of(const struct depth_lab *lab)
 /* N of depth.h, in metres. */
 static double head_m(enum ph_depth_format format, const struct depth_lab *lab)
 {
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
     const int bits = is_float(format) ? bits_of(lab) : 0;
-    return depth_metres(lab->near_z) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
+    const bool is_fixed = format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24;
+    return n * (is_fixed ? fmin(f / (f - n), 8) : 1) * (1 - ldexp(1, bits > 4 ? bits - 13 : -9));
 }
 
 static bool has_24_bits(enum ph_depth_format format)
@@ -157,11 +159,58 @@ static double border_m(enum ph_depth_format format, const struct depth_lab *lab,
     return divide_m(z) + unit;
 }
 
-/* The length of the plateau of a code between near and far plane. */
-static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab, double code)
+/* What the quotient of N/w does to a plateau that ends at distance z. Before its last bit is set right the quotient is
+ * floor(share floor(R)), R = 2^62 / (w 2^shift). */
+struct quotient_grain {
+    double share; /* 1/2 .. 1: N, normalised */
+    double step;  /* by which R changes from one w to the next */
+    double unit;  /* of the quotient, in d */
+};
+
+static struct quotient_grain grain_at(enum ph_depth_format format, const struct depth_lab *lab, double z)
 {
-    const double f = depth_metres(lab->far_z), last = distance_of(format, lab, code);
-    return (last < 0 || last > f ? f : last) - fmax(distance_of(format, lab, code + 1), depth_metres(lab->near_z));
+    int near_log2, log2;
+    struct quotient_grain grain;
+    grain.share = frexp(head_m(format, lab), &near_log2);
+    const double w = z / GRID_M, part = frexp(w, &log2);
+    grain.step = ldexp(1, 30) / part / (w + 1);
+    grain.unit = ldexp(1, near_log2 - log2 - 14);
+    return grain;
+}
+
+/* How many w have one code whose d is `size` wide: those of so many quotients, of the R of these. */
+static double distances_of(struct quotient_grain grain, double size)
+{
+    const double quotients = ceil(size / grain.unit * (1 - 1e-9)), reciprocals = ceil(quotients / grain.share);
+    return ceil(reciprocals / grain.step * (1 - 1e-9));
+}
+
+/* d of a code. */
+static double depth_of_code(enum ph_depth_format format, const struct depth_lab *lab, double code)
+{
+    const double code16 = has_24_bits(format) ? code / 256 : code;
+    return is_float(format) ? of_float(lab, code16 - 8) : ldexp(code16 - 16.25, -16);
+}
+
+/* The plateau of a code between near and far plane, at most. `slack`: what the borders of codes may be off. */
+static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab, double code, double slack)
+{
+    const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
+    const double last = distance_of(format, lab, code), first = distance_of(format, lab, code + 1);
+    const bool is_cut = last < 0 || last > f || first < n;
+    const double from = fmax(first, n), to = last < 0 || last > f ? f : last, length = to - from;
+    if (format == PH_DEPTH_LINEAR_W) {
+        return floor((length + 2 * border_m(format, lab, to)) / GRID_M + 1) * GRID_M;
+    }
+    struct quotient_grain grain = grain_at(format, lab, to + slack);
+    const double power = ldexp(1, ilogb(to + slack)); /* just before it the quotients of w are the coarsest */
+    if (power > from - slack) {
+        grain.step = fmin(grain.step, grain_at(format, lab, power * (1 - 1e-12)).step);
+    }
+    const double size = depth_of_code(format, lab, code + 1) - depth_of_code(format, lab, code);
+    const double counted = distances_of(grain, size) * GRID_M;
+    const double measured = length * (1 + 3 * slack / from) + ((1 + 1 / grain.share) / grain.step + 1) * GRID_M;
+    return fmin(counted, measured + (is_cut ? slack : 0));
 }
 
 /*
@@ -175,9 +224,9 @@ static double store_m(enum ph_depth_format format, const struct depth_lab *lab, 
     first -= last >= floor(depth_code_at(format, lab, n + slack));
     last += first <= floor(depth_code_at(format, lab, f - slack));
     for (int i = 0; i < 4 && first + i <= last; i++) { /* more of them are shorter than the slack */
-        longest = fmax(longest, plateau_m(format, lab, first + i));
+        longest = fmax(longest, plateau_m(format, lab, first + i, slack));
     }
-    return longest + 2 * border_m(format, lab, z) + GRID_M;
+    return longest;
 }
 
 /* The focal length, 1 / p, lies below a power of two that reaches over the picture (lens_focal of frame.c): its log2.

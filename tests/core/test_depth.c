@@ -144,6 +144,7 @@ static const struct {
     {{PH_DEPTH_FLOAT16, 0}, .1, 1000, .074},
     {{PH_DEPTH_FIXED24, 0}, .1, 1000, .596},
     {{PH_DEPTH_FLOAT24, 0}, .1, 1000, 3e-4},
+    {{PH_DEPTH_FIXED16, 0}, 1, 3, 9 / 3. * 2 / 65408},
     {{PH_DEPTH_LINEAR_W, 0}, .1, 1000, .0153},
     {{PH_DEPTH_FIXED16, 0}, .5, 100, .303},
     {{PH_DEPTH_FLOAT16, 0}, .5, 100, .0058},
@@ -228,6 +229,26 @@ static void codes_never_rise_with_distance(void **state)
             before = code;
         }
         rig_close(&b.rig);
+    }
+}
+
+static void the_fixed_formats_use_all_codes_of_near_ranges(void **state)
+{
+    static const struct {
+        double near_z, far_z, share; /* of the codes */
+    } lenses[] = {{1, 3, 1}, {.5, .6, 1}, {2, 100, 1}, {.1, 1000, 1}, {8, 9, 8 / 9.}, {100, 104, 8 / 26.}};
+    (void)state;
+    for (size_t i = 0; i < sizeof lenses / sizeof lenses[0]; i++) {
+        for (int k = 0; k < 4; k += 2) { /* fixed16, fixed24 */
+            struct bench b;
+            bench_open(&b, formats[k], lenses[i].near_z, lenses[i].far_z);
+            const double first = code_at(&b, b.projection.far_z, 0, 3), last = code_at(&b, b.projection.near_z, 0, 3);
+            const double top = ph_depth_bytes(b.format) == 4 ? 16777216 : 65536;
+            assert_true(first >= top * 16 / 65536 && first <= top * 17 / 65536);
+            assert_true(last - first >= top * (511. / 512) * lenses[i].share * .9999 - 1);
+            assert_true(last - first <= top * (511. / 512) * lenses[i].share * 1.0001 + 1);
+            rig_close(&b.rig);
+        }
     }
 }
 
@@ -410,6 +431,7 @@ int main(void)
         cmocka_unit_test(formats_resolve_what_the_table_says),
         cmocka_unit_test(vertices_get_the_codes_of_the_definition),
         cmocka_unit_test(codes_never_rise_with_distance),
+        cmocka_unit_test(the_fixed_formats_use_all_codes_of_near_ranges),
         cmocka_unit_test(leaning_quads_are_off_by_no_more_than_their_corners),
         cmocka_unit_test(fixed16_is_chosen_up_to_64_times_near),
         cmocka_unit_test(fixed16_resolves_a_thousandth_up_to_there_and_no_further),

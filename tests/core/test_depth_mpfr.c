@@ -136,8 +136,12 @@ static void drawn_code(struct exact *e, fx_t w)
     const bool is_float = e->format->format == PH_DEPTH_FLOAT16 || e->format->format == PH_DEPTH_FLOAT24;
     if (is_float) {
         float_code(e);
-    } else {
+    } else { /* stretched over all codes */
+        const int64_t range = f - n > f / 8 ? f - n : f / 8 + 1;
+        set_ratio(e->term, f, 1, range, 1);
+        mpq_mul(e->d, e->d, e->term);
         scale_add(e, 16, PH_DEPTH_BIAS_FIXED16);
+        e->doubt *= (double)f / (double)range;
     }
     e->doubt *= (double)n / w;
     if (e->format->bits == 24) {
@@ -407,7 +411,8 @@ static int64_t inverse(const struct exact *e, uint32_t code)
         }
         d = ldexp(biased - ldexp(lowest - octave, 16 - bits), bits - 17 - octave);
     }
-    const double near512 = (double)near512_of(e) / 512;
+    const double stretch = is_float ? 1 : fmin((double)e->far_z / (e->far_z - e->near_z), 8);
+    const double near512 = stretch * (double)near512_of(e) / 512;
     return d <= 0 ? e->far_z : (int64_t)(near512 / (d + near512 / e->far_z));
 }
 

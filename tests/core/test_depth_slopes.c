@@ -97,18 +97,28 @@ static int head_of(const struct rig *rig)
     return rig->r.stats.depth_exponent > 4 ? 13 - rig->r.stats.depth_exponent : 9;
 }
 
+/* N of depth.h, times 2^56. */
+static int128 near_of(const struct rig *rig)
+{
+    const struct ph_lens *lens = &rig->r.lens;
+    const int128 n = (int128)lens->near_z * (512 - (512 >> head_of(rig))) << 47;
+    const bool is_fixed =
+        rig->r.stats.depth_format == PH_DEPTH_FIXED16 || rig->r.stats.depth_format == PH_DEPTH_FIXED24;
+    return is_fixed ? n / (lens->far_z - lens->near_z) * lens->far_z : n; /* the planes here are far apart */
+}
+
 /* The triangle that was drawn last, at `at`. False if it was clipped or has no area. */
 static bool plane_open(struct plane *p, const struct rig *rig, const struct fx_vec3 at[3])
 {
-    const int128 n = (int128)rig->r.lens.near_z * (512 - (512 >> head_of(rig))); /* times 2^-9 */
+    const int128 n = near_of(rig);
     memcpy(p->v, rig->vertices, sizeof p->v);
-    p->low = 2;
+    p->low = HUGE_VAL;
     p->high = 0;
     for (int i = 0; i < 3; i++) {
         if (p->v[i].code & PH_CLIP) {
             return false;
         }
-        p->over_w[i] = (n << 47) / -at[i].z;
+        p->over_w[i] = n / -at[i].z;
         p->low = fmin(p->low, ldexp((double)p->over_w[i], -56));
         p->high = fmax(p->high, ldexp((double)p->over_w[i], -56));
     }
@@ -144,7 +154,7 @@ static double code_exact(const struct rig *rig, double over_w)
 {
     const struct ph_lens *lens = &rig->r.lens;
     const enum ph_depth_format format = (enum ph_depth_format)rig->r.stats.depth_format;
-    const double d = fmax(over_w - lens->near_z * (1 - ldexp(1, -head_of(rig))) / lens->far_z, 0);
+    const double d = fmax(over_w - ldexp((double)near_of(rig), -56) / lens->far_z, 0);
     const double unit = ph_depth_bytes(format) == 4 ? 256 : 1;
     if (format == PH_DEPTH_LINEAR_W) {
         const double w = lens->near_z * (511. / 512) / over_w;

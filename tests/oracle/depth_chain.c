@@ -36,7 +36,7 @@ double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, doub
     }
     const double d = fmax(near_z * head_room * (1 / w - 1 / far_z), 0), unit = ph_depth_bytes(format) == 4 ? 256 : 1;
     if (!is_float(format)) {
-        return unit * (65536 * d + 16.25);
+        return unit * (65536 * d * fmin(far_z / (far_z - near_z), 8) + 16.25);
     }
     const int top = (1 << bits) - 1, octave = d < ldexp(1, 1 - top) ? top - 1 : -1 - ilogb(d);
     return unit * (ldexp(d, 17 - bits + octave) + ldexp(top - octave - 1, 16 - bits) + 8);

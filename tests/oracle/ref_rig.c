@@ -128,6 +128,9 @@ double rig_format_distance(enum ph_depth_format format, int bits, double code, d
         return far_z - (code - 16) / (65536 * (1 - 1. / 512)) * (far_z - near_z);
     }
     double unit = ph_depth_bytes(format) == 4 ? 256 : 1;
+    if (format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24) {
+        n *= fmin(far_z / (far_z - near_z), 8);
+    }
     return n / (complementary(bits, code / unit) + n / far_z);
 }
 

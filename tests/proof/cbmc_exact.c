@@ -3,22 +3,23 @@
 
 #include "../../firmware/core/render/exact.c"
 
-#define DEPTHS POWER(40) /* N/w and N/f are below 1 */
+#define DEPTHS POWER(40) /* N/w - N/f is below 1 */
 
 /* How a lens's depth becomes codes. */
 static void any_codes(struct ph_renderer *r, struct ph_exact *e)
 {
     r->lens = any_lens();
     r->stats.depth_format = (uint8_t)u32_between(0, PH_DEPTH_FORMATS - 1);
+    ASSUME(r->lens.far_s >= 0 || r->stats.depth_format == PH_DEPTH_FIXED16 ||
+           r->stats.depth_format == PH_DEPTH_FIXED24);
     set_codes(e, r, u32_between(0, 56));
 }
 
 void proof_in_40_bits(void)
 {
     const struct ph_vertex v = any_vertex();
-    ASSUME(v.s > 0 || v.q < (uint32_t)1 << 30);
     const int64_t d = in_40_bits(v.q, v.s);
-    CLAIM(d >= 0 && d < DEPTHS);
+    CLAIM(d >= 0 && d < 16 * DEPTHS);
 }
 
 void proof_divide(void)
@@ -46,7 +47,8 @@ void proof_set_run(void)
     in_view(&r.lens, &t);
     const int a = t.at[0].s, b = t.at[1].s, c = t.at[2].s, ab = a < b ? a : b, least = ab < c ? ab : c;
     const uint64_t d = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
-    ASSUME(d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
+    ASSUME(least >= 0 || from.exact.kind == FIXED);
+    ASSUME(from.exact.kind == FIXED || d >> (56 - least) == 0); /* no depth is above that of the nearest corner */
     from.linear = r.lens.linear;
     from.linear.down = (int8_t)(from.linear.down - least); /* setup_linear */
     const int octave = octave_of(&from.exact, d);

@@ -147,25 +147,38 @@ END
     done
 }
 
-# ph_depth_before, then the bias: d of a corner against the exact d in units of 2^-32, for each exponent of the vertex and
-# of the far plane, a quotient's error being that of prove_quotient, doubled from exponent 1 on. It is at most 13 units:
-# 1/19 of a code of 24 bits, 1/5041 of a code of 16.
+# d of a corner against the exact d in units of 2^-32, for an exponent of the vertex and of the far plane; e, g: the errors
+# of their quotients.
+d_is_right() { # exponent of the vertex, of the far plane, least e, least g, units
+    gappa_agrees <<END
+@floor = fixed<0, dn>;
+at = floor((Q + e) * 1b$((2 - $1)));
+far = floor((F + g) * 1b$((2 - $2)));
+{ e in [$3, 1] /\\ g in [$4, 1] -> (at - far) - (Q * 1b$((2 - $1)) - F * 1b$((2 - $2))) in [-$5, $5] }
+(at - far) - (Q * 1b$((2 - $1)) - F * 1b$((2 - $2))) -> (at - (Q + e) * 1b$((2 - $1))) - (far - (F + g) * 1b$((2 - $2))) + e * 1b$((2 - $1)) - g * 1b$((2 - $2));
+END
+}
+
+# ph_depth_before, then the bias. A quotient's error is that of prove_quotient, doubled from exponent 1 on; it makes at
+# most 13 units: 1/19 of a code of 24 bits, 1/5041 of a code of 16. In the fixed formats N/w may be up to 8, with an
+# exponent down to -2, and any quotient may be doubled.
 prove_depth() {
     local s f
     constants render/depth.h 'const int up = 2 + block - quotient.s;'
     constants render/depth.h 'const uint32_t at = up >= 0 ? quotient.q << up : quotient.q >> -up;'
     constants render/depth.h 'const int up = 2 + block - lens->far_s;'
     constants render/depth.h 'return up >= 0 ? lens->far_q << up : up > -32 ? lens->far_q >> -up : 0;'
-    constants render/depth.h 'return at > far ? at - far : 0;'
+    constants render/depth.h 'return at - far;'
+    constants render/frame.c 'const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / # + 1;'
+    [ "${n[0]}" = 8 ] || { echo "N up to ${n[0]} n" && exit 1; }
     for s in 0 1 2 3 4 31; do
         for f in 0 1 2 3 4 31; do
-            [ $s -gt $f ] || gappa_agrees <<END
-@floor = fixed<0, dn>;
-at = floor((Q + e) * 1b$((2 - s)));
-far = floor((F + g) * 1b$((2 - f)));
-{ e in [$((s > 0 ? -4 : -2)), 1] /\\ g in [$((f > 0 ? -4 : -2)), 1] -> (at - far) - (Q * 1b$((2 - s)) - F * 1b$((2 - f))) in [-13, 13] }
-(at - far) - (Q * 1b$((2 - s)) - F * 1b$((2 - f))) -> (at - (Q + e) * 1b$((2 - s))) - (far - (F + g) * 1b$((2 - f))) + e * 1b$((2 - s)) - g * 1b$((2 - f));
-END
+            [ $s -gt $f ] || d_is_right $s $f $((s > 0 ? -4 : -2)) $((f > 0 ? -4 : -2)) 13
+        done
+    done
+    for s in -2 -1 0; do
+        for f in -2 -1 0 1 2 3 4 31; do
+            [ $s -gt $f ] || d_is_right $s $f -4 -4 $(((20 << -s) + 1))
         done
     done
 }

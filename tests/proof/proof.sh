@@ -54,7 +54,7 @@ short | clip.clip_plane          | crossing,distance     | 10 | at most PH_CLIP_
 short | clip.clip                | clip_plane            |  7 | no index outside
 short | frame.camera             | ph_depth_quotient,ph_depth_linear_of | 20 | no overflow, ranges of the lens
 short | transform.project        | ph_depth_quotient     |  1 | no overflow
-short | depth.quotient           |                       |  1 | no overflow, exponent 0 .. 31
+short | depth.quotient           |                       |  1 | no overflow, exponent -3 .. 31
 short | depth.quotient_ortho     |                       |  1 | no overflow
 short | depth.codes              |                       |  1 | no overflow
 short | depth.w_of               |                       |  1 | no bad shift
@@ -80,7 +80,7 @@ short | planes.plane_exact       | wide_gradient         |  4 | no overflow
 short | planes.depths            |                       |  4 | no overflow
 short | planes.setup_depth       | depth_plane,plane_exact | 34 | no overflow
 short | planes.setup_texture     | plane_through         |  4 | no overflow
-short | exact.in_40_bits         |                       |  1 | no overflow, below 1
+short | exact.in_40_bits         |                       |  1 | no overflow, below 16
 short | exact.divide             |                       |  1 | no overflow
 short | exact.set_plane          | divide                |  4 | no overflow, range below 1
 short | exact.set_run            |                       |  4 | no bad shift
@@ -97,7 +97,7 @@ short | gappa.div                |                       |    | fx_div_sat's loo
 short | gappa.lerp               |                       |    | clip: lerp_q30 stays between its ends
 short | gappa.reach              |                       |    | the guard band ends 2048 px from the centre
 short | gappa.quotient           |                       |    | N/w to 2^-28
-short | gappa.depth              |                       |    | d of a corner to 13 units of 2^-32
+short | gappa.depth              |                       |    | d of a corner to 13 units of 2^-32 (fixed formats 21)
 short | gappa.gradient           |                       |    | one gradient step to 9 units of its last bit
 END
 }

@@ -27,6 +27,8 @@ static inline uint32_t fx_rcp16(uint32_t d)
 
 #define LEAST_Q (((uint32_t)1 << 30) - ((uint32_t)1 << 23)) /* 2^30 (1 - 2^-7): Gappa, with 6 bits of exponent */
 
+#define LEAST_S (-3) /* of a fixed format, whose N/w may be up to 8; 0 in the others */
+
 #define REACH (PH_REACH + 128) /* a corner of a line is half a pixel beside it */
 
 #define ph_wide_area ph_wide_area_proved
@@ -46,9 +48,9 @@ static inline struct ph_lens lens_of(uint32_t kind)
     lens.guard_up = (uint8_t)u32_between(0, 10);
     lens.near_z = i32_between(lens.kind == PH_ORTHOGRAPHIC ? INT32_MIN : 1, INT32_MAX - 1);
     lens.far_z = i32_between(lens.near_z + 1, INT32_MAX);
-    lens.near_shift = (int8_t)fx_clz32((uint32_t)lens.near_z);
+    lens.near_shift = (int8_t)(fx_clz32((uint32_t)lens.near_z) - i32_between(0, lens.kind == PH_ORTHOGRAPHIC ? 0 : 3));
     lens.far_q = u32_between(LEAST_Q, ((uint32_t)1 << 31) - 1);
-    lens.far_s = (int8_t)i32_between(0, 31);
+    lens.far_s = (int8_t)i32_between(LEAST_S, 31);
     if (lens.kind == PH_ORTHOGRAPHIC) {
         lens.far_q = 0;
         lens.far_s = 0;
@@ -70,7 +72,7 @@ static inline struct ph_vertex any_vertex(void)
     v.x = i32_between(-REACH, REACH);
     v.y = i32_between(-REACH, REACH);
     v.q = u32_between(0, ((uint32_t)1 << 31) - 1);
-    v.s = (int8_t)i32_between(0, 31);
+    v.s = (int8_t)i32_between(LEAST_S, 31);
     ASSUME(v.q >= LEAST_Q || v.s == 0); /* orthographic: from 0 on */
     return v;
 }

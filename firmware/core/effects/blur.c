@@ -59,6 +59,13 @@ static int32_t smaller(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
+/* N of depth.h, rounded up. */
+static int64_t near_of(const struct ph_lens *lens)
+{
+    const int down = lens->near_shift;
+    return down < 0 ? (int64_t)lens->depth_scale << -down : (lens->depth_scale + ((int64_t)1 << down) - 1) >> down;
+}
+
 static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struct ph_focus *focus)
 {
     const fx_t z = focus->distance < lens->near_z  ? lens->near_z
@@ -66,9 +73,8 @@ static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struc
                                                    : focus->distance;
     b->focal_d = (int32_t)(ph_depth_at(lens, ph_depth_quotient(lens, z), 0) >> 12);
     const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
-    const int64_t over = parallel ? FX_ONE : z, under = parallel ? FX_ONE : lens->near_z;
-    const int64_t per_d =
-        (int64_t)focus->strength * over / (under - (under >> ph_depth_head(lens))) >> 8; /* 256 per px */
+    const int64_t over = parallel ? FX_ONE : z, under = parallel ? FX_ONE - (FX_ONE >> 9) : near_of(lens);
+    const int64_t per_d = (int64_t)focus->strength * over / under >> 8; /* 256 per px */
     b->per_d = per_d < 1 ? 1 : per_d > 1 << 24 ? 1 << 24 : (uint32_t)per_d;
     b->most = (uint8_t)(16 * focus->radius + 15);
     b->limit = ((uint32_t)b->most << 24) / b->per_d;

@@ -1,12 +1,14 @@
 /*
  * depth: from a vertex's distance to the codes in the depth buffer. Larger is nearer; 0 is empty.
  *
- * Depth is complementary: d = N/w - N/f with N = n (1 - 2^-9), n and f being the near and the far plane. It is about 1
- * at the near plane and 0 at the far plane. It is linear in screen space, so it is interpolated there. (Orthographic:
- * d = (1 - 2^-9) (f - z) / (f - n).) With 5 or 6 bits of exponent (below) 2^-8 or 2^-7 stands for 2^-9: 16 codes.
+ * Depth is complementary: d = N/w - N/f, n and f being the near and the far plane. It is 0 at the far plane and linear
+ * in screen space, so it is interpolated there. (Orthographic: d = (1 - 2^-9) (f - z) / (f - n).)
+ *   fixed formats:  N = (1 - 2^-9) n f / (f - n), at most 8 n: d is 1 - 2^-9 at the near plane, and so it takes every
+ *                   code between any planes from f = 8/7 n on
+ *   the others:     N = (1 - 2^-9) n. With 5 or 6 bits of exponent (below) 2^-8 or 2^-7 stands for 2^-9: 16 codes
  * N/w is kept as a quotient q and an exponent s: N/w = q 2^-(30 + s), q in 2^30 .. 2^31. It comes from a reciprocal
  * that is exact to one unit in 2^30 and monotone over every w. No constant of a projection matrix is rounded on the
- * way.
+ * way; N is cut off to 2^-31 of itself, which scales all depths of a frame alike.
  *
  * A triangle holds d as a 32-bit plane in units of 2^-(32 + block). For the fixed formats block is 0. For the floats it
  * is the largest block with which the nearest vertex fits with a bit to spare, so that far triangles keep their
@@ -21,7 +23,8 @@
  *             another slope. All that "float" costs is to split spans where d crosses a power of two.
  *   linear-w: code = floor(65408 (f - w) / (f - n) + 16). N/w is stepped, below 2^29 in the triangle, and each pixel
  *             takes a reciprocal and a product of it: 40 to 90 instructions more. Orthographic: as fixed16.
- * d of a corner is off by at most 13 units of 2^-32, a gradient by at most 9 units of its last bit (make proof).
+ * d of a corner is off by at most 13 units of 2^-32, in the fixed formats 21 (from f = 2 n down to 8/7 n up to 81); a
+ * gradient by at most 9 units of its last bit (make proof).
  * The biases and the 2^-9 are head room: planes overshoot their triangle by less, so nothing wraps. The quarter evens
  * out the last two codes before the far plane, where fixed16 is coarsest.
  *
@@ -33,9 +36,9 @@
  *   fixed24        .597               .0012             .0597             f / n is moderate; twice the memory
  *   float24        .000305            .000031           .000244           everywhere; twice the memory
  *   linear-w       .0153              .00153            .0153             far away; near by it is the coarsest
- * AUTO takes fixed16 up to f = 64 n. Its relative step is largest at the far plane, f / (65408 n): 1/1000 there, from
- * which on surfaces begin to fight for pixels (T. Ulrich). A float's relative step is at most 2^-m; its longest step is
- * f 2^(-2 - m), near f / 2, or that of its lowest octave at the far plane, f^2 / n 2^(1 - 2^e - m). So
+ * AUTO takes fixed16 up to f = 64 n. Its relative step is largest at the far plane, (f - n) / (65408 n): 1/1000 there,
+ * from which on surfaces begin to fight for pixels (T. Ulrich). A float's relative step is at most 2^-m; its longest
+ * step is f 2^(-2 - m), near f / 2, or that of its lowest octave at the far plane, f^2 / n 2^(1 - 2^e - m). So
  * ph_depth_choose_exponent() takes 3 bits up to f = 64 n, 4 up to 16384 n, else 5; 6 are better above 2^30 n alone
  * (Lapidous and Jiao, 1999: complementary z, the width of its exponent fitted to f / n). At n = .1 f = 10000 the
  * longest step is 7.5 m with 4 bits and 1.1 m with 5.
@@ -84,7 +87,8 @@ static inline struct ph_quotient ph_depth_quotient_of(const struct ph_lens *lens
     return q < (uint32_t)1 << 30 ? (struct ph_quotient){q << 1, (int8_t)(s + 1)} : (struct ph_quotient){q, (int8_t)s};
 }
 
-/* N/f in units of 2^-(32 + block). Below it: d of a vertex, given this N/f; block is 0 or below s - 1. */
+/* N/f in units of 2^-(32 + block), modulo 2^32. Below it: d of a vertex that is not behind the far plane, given this
+ * N/f; block is 0 or below s - 1. N/w may be 1 and more, d is less. */
 static inline uint32_t ph_depth_far(const struct ph_lens *lens, int block)
 {
     const int up = 2 + block - lens->far_s;
@@ -95,7 +99,7 @@ static inline uint32_t ph_depth_before(struct ph_quotient quotient, uint32_t far
 {
     const int up = 2 + block - quotient.s;
     const uint32_t at = up >= 0 ? quotient.q << up : quotient.q >> -up;
-    return at > far ? at - far : 0;
+    return at - far;
 }
 
 /* Both steps in one. */

@@ -84,18 +84,29 @@ static int lens_focal(struct ph_lens *lens, const struct ph_projection *p, int32
     return PH_OK;
 }
 
-static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
+/* n f / (f - n), but less than 8 n: from 2^31 on, times 2^-*shift. */
+static uint32_t stretched_near(const struct ph_projection *p, int *shift)
+{
+    const uint32_t n = (uint32_t)p->near_z, f = (uint32_t)p->far_z, least = f / 8 + 1;
+    const int up = fx_clz32(n);
+    const uint64_t scaled = fx_mul_wide_u(n << up, f) / (f - n > least ? f - n : least);
+    const int down = 32 - fx_clz32((uint32_t)(scaled >> 32)); /* at most 3 */
+    *shift = up - down;
+    return (uint32_t)(scaled >> down);
+}
+
+static void lens_depth(struct ph_lens *lens, const struct ph_projection *p, unsigned format)
 {
     lens->near_z = p->near_z;
     lens->far_z = p->far_z;
-    int shift;
+    int shift = fx_clz32((uint32_t)p->near_z);
     if (p->kind == PH_ORTHOGRAPHIC) {
         lens->depth_scale = fx_rcp_norm((uint32_t)p->far_z - (uint32_t)p->near_z, &shift);
         lens->near_shift = (int8_t)shift;
         return; /* far_q stays 0: d is 0 at the far plane already */
     }
-    shift = fx_clz32((uint32_t)p->near_z);
-    const uint32_t norm = (uint32_t)p->near_z << shift;
+    const bool is_fixed = format == PH_DEPTH_FIXED16 || format == PH_DEPTH_FIXED24;
+    const uint32_t norm = is_fixed ? stretched_near(p, &shift) : (uint32_t)p->near_z << shift;
     lens->near_shift = (int8_t)shift;
     lens->depth_scale = norm - (norm >> ph_depth_head(lens));
     const struct ph_quotient far = ph_depth_quotient(lens, p->far_z);
@@ -104,9 +115,9 @@ static void lens_depth(struct ph_lens *lens, const struct ph_projection *p)
     lens->linear = ph_depth_linear_of(lens);
 }
 
-/* exponent: as in ph_stats. */
+/* format, exponent: as in ph_stats. */
 static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
-                      unsigned exponent)
+                      unsigned format, unsigned exponent)
 {
     const int32_t width = r->config.width, height = r->config.height;
     const struct ph_projection *p = projection;
@@ -125,7 +136,7 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
     }
     lens.centre_x = centre_of(width, -p->shift_x);
     lens.centre_y = centre_of(height, p->shift_y);
-    lens_depth(&lens, p);
+    lens_depth(&lens, p, format);
     r->lens = lens;
     r->list.lens = PH_NONE;
     r->projection = *projection;
@@ -135,7 +146,7 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
 
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)
 {
-    return set_camera(r, view, projection, r->stats.depth_exponent);
+    return set_camera(r, view, projection, r->stats.depth_format, r->stats.depth_exponent);
 }
 
 /* Format and bits of exponent, as in ph_stats. */
@@ -158,7 +169,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     }
     unsigned exponent;
     const unsigned format = choose_format(&r->config, projection, &exponent);
-    const int status = set_camera(r, view, projection, exponent);
+    const int status = set_camera(r, view, projection, format, exponent);
     if (status != PH_OK) {
         return status;
     }
