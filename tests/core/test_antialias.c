@@ -169,6 +169,22 @@ static void lines_keep_their_width(void **state)
     assert_true(worst <= 1.6);
 }
 
+/* Near the middle of a row a line covers this row whole, and no other. */
+static void a_line_lies_where_it_runs(void **state)
+{
+    (void)state;
+    static struct stage s;
+    open_stage(&s, H, true);
+    begin(&s);
+    ph_draw_line(&s.r, (struct fx_vec3){FX_INT(5), -FX_ONE * 106 / 10, -FX_INT(4)},
+                 (struct fx_vec3){FX_INT(50), -FX_ONE * 106 / 10, -FX_INT(4)}, &white);
+    finish(&s);
+    for (int k = 0; k < W * H; k++) {
+        const bool on = k / W == 10 && k % W >= 5 && k % W < 50;
+        assert_true(share(&s, k % W, k / W) == (on ? 1 : 0));
+    }
+}
+
 static void bands_do_not_change_it(void **state)
 {
     (void)state;
@@ -209,6 +225,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage_is_within_an_eighth_of_64_samples),
         cmocka_unit_test(lines_keep_their_width),
+        cmocka_unit_test(a_line_lies_where_it_runs),
         cmocka_unit_test(bands_do_not_change_it),
         cmocka_unit_test(pictures_over_512_pixels_are_refused),
     };

@@ -375,20 +375,20 @@ static void fog_hides_by_distance_in_every_depth_format(void **state)
     (void)state;
     static struct scene s;
     static struct ph_blend glass = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 16},
-                           glow = {.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 20};
+                           glow = {.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 30};
     for (int i = 0; i < 4; i++) {
         begin(&s, i);
         s.fogged = true;
         s.fog_colour = any_colour();
-        s.fog_start = ref_uniform(1, 5);
-        s.fog_end = ref_uniform(9, 20);
+        s.fog_start = ref_uniform(1, 4);
+        s.fog_end = ref_uniform(8, 14);
         s.count = 4;
-        lean(&s.quads[1], 6);
+        lean(&s.quads[1], 8);
         s.quads[1].colour = any_colour();
-        lean(&s.quads[2], 5);
+        lean(&s.quads[2], 4);
         s.quads[2].blend = &glass;
         s.quads[2].colour = any_colour();
-        lean(&s.quads[3], 3);
+        lean(&s.quads[3], 6.5);
         s.quads[3].blend = &glow;
         s.quads[3].colour = any_colour();
         check(&s, 1.1);
