@@ -28,20 +28,30 @@ static inline uint16_t link_to(uint32_t next, uint32_t ref)
     return (uint16_t)(further < PH_LINK_FAR ? further : next == PH_NONE ? 0 : PH_LINK_FAR);
 }
 
-uint32_t ph_frame_bands(struct ph_renderer *r)
+/* Puts the references into the lists of their bands; some: some of them belong into none. */
+static inline void sort_refs(struct ph_renderer *r, bool some)
 {
     uint32_t *const bins = r->config.bins;
-    for (uint32_t i = 0; i < r->band_count; i++) {
-        bins[i] = PH_NONE;
-    }
     struct ph_ref *ref = r->list.to;
     for (uint32_t i = ph_ref_count(r); i-- > 0; ref++) { /* from the last, so that each list is in drawing order */
-        if (ref->link == PH_LINK_AFTER) {
+        if (some && ref->link == PH_LINK_AFTER) {
             continue;
         }
         uint32_t *const bin = &bins[ref->link];
         ref->link = link_to(*bin, i);
         *bin = i;
+    }
+}
+
+uint32_t ph_frame_bands(struct ph_renderer *r)
+{
+    for (uint32_t i = 0; i < r->band_count; i++) {
+        r->config.bins[i] = PH_NONE;
+    }
+    if (r->after != NULL) {
+        sort_refs(r, true);
+    } else {
+        sort_refs(r, false);
     }
     r->carried = r->slots = NULL;
     r->slots_used[0] = r->list.used[1];
