@@ -36,8 +36,11 @@ PNG := $(PNG)
 SDL := $(SDL)
 GPIOD ?= $(if $(call have,libgpiod),$(if $(call have,libgpiod >= 2),gpiod2,gpiod1),nogpiod)
 USB ?= $(if $(call have,libusb-1.0),usb,nousb)
+DRM ?= $(if $(call have,libdrm),libdrm,nolibdrm)
 GPIOD := $(GPIOD)
 USB := $(USB)
+DRM := $(DRM)
+DRM_CFLAGS := $(if $(filter libdrm,$(DRM)),$(shell pkg-config --cflags libdrm))
 GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags libgpiod))
 # meshoptimizer has no pkg-config file (giflib has none, either); without model files there is nothing for it to do.
 MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h)),meshopt,nomeshopt)
@@ -49,6 +52,7 @@ SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
             $(if $(filter gif,$(GIF)),-lgif) \
             $(if $(filter sdl,$(SDL)),$(shell pkg-config --libs sdl2)) \
             $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --libs libgpiod)) \
+            $(if $(filter libdrm,$(DRM)),$(shell pkg-config --libs libdrm)) \
             $(if $(filter usb,$(USB)),$(shell pkg-config --libs libusb-1.0)) $(if $(SPIDEV),-pthread)
 TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(shell pkg-config --libs $(l))))
 
@@ -62,7 +66,7 @@ CPU_SRC := $(wildcard $(KERNELS)/$(CPU)/*.c) $(CPU_S)
 CORE := $(wildcard $(patsubst %,firmware/core/%/*.c,fx geom render effects)) $(CPU_SRC) \
         $(filter-out $(patsubst $(KERNELS)/$(CPU)/%,$(KERNELS)/portable/%.c,$(basename $(CPU_SRC))),$(wildcard $(KERNELS)/portable/*.c))
 APP_SRC := $(wildcard firmware/app/*.c firmware/app/demos/*.c firmware/app/models/*.c firmware/app/depthlab/*.c)
-HAL := $(wildcard hal/panel/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c) \
+HAL := $(wildcard hal/panel/*.c hal/null/*.c $(if $(SPIDEV),hal/linux/*.c hal/linux/$(GPIOD)/*.c hal/kms/*.c hal/kms/$(DRM)/*.c) \
                   hal/ft232h/*.c hal/ft232h/$(USB)/*.c)
 BOARDS := $(wildcard boards/*.c boards/*/*.c)
 # Boards from elsewhere: BOARD_DIR/NAME/board.c defines board_NAME (with _ for -), as a folder of boards/ does.
@@ -100,7 +104,7 @@ INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
-          -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS))) $(call rooms,tests,support oracle)
+          -Ihal/panel $(call rooms,host-sim,$(filter-out common,$(ROOMS))) $(call rooms,tests,support oracle) $(DRM_CFLAGS)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
@@ -110,6 +114,7 @@ $(KERNELS:%=$(B)/%)/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,kernels re
 $(B)/firmware/app/%.o: INC = $(INC_APP)
 $(B)/hal/%.o: INC = -Ihal
 $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
+$(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 $(B)/host-sim/%.o: INC = $(INC_HOST)
 $(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model)
@@ -128,7 +133,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 CORE_O3_armv6m := fisheye mesh raster
-CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_rows texture tile_depth tile_surface
+CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_row_nearest texel_row_lit texel_rows texture tile_depth tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
@@ -187,7 +192,7 @@ $(PROGRAMS): $(LIBS)
 	$(SAY) LD $@
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(LIBS) -Wl,--as-needed $(SIM_LIBS) -lm -o $@.part && mv $@.part $@
 $(foreach p,$(PROGRAMS:$(B)/pinhole-%=%),$(eval $(B)/pinhole-$(p): $(B)/host-sim/$(p)/pinhole_$(p).o))
-$(B)/pinhole-depth: LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
+$(B)/pinhole-depth: override LDFLAGS += -Wl,--wrap=ph_draw_mesh,--defsym=__wrap_ph_draw_mesh=depth_layers_draw_mesh # depth_layers.c records what a demo draws
 
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 	$(SAY) LD $@
@@ -221,7 +226,7 @@ proof: ## proves by CBMC and Gappa that no sum overflows, and how far results ar
 lint: ## clang-format, clang-tidy, cppcheck, shellcheck, strict warnings of gcc and clang as errors
 	$(Q)B='$(B)' INCLUDE='$(INC_ALL)' tests/tools/lint.sh
 
-bench: ## instructions a frame of the six scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
+bench: ## instructions a frame of the eight scenes on Cortex-M0+, M3, M4F and x86-64, and the pictures' quality
 	$(Q)B='$(B)' tests/bench/bench.sh
 
 size: ## code size on a Cortex-M0+ of what images link of the core, by module; fails over the budget. BOARD=x: of its image

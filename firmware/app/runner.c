@@ -155,6 +155,12 @@ static int select_next(struct runner *runner)
     return status;
 }
 
+int runner_take(struct runner *runner, const struct demo *demo)
+{
+    const int finished = runner_finish(runner);
+    return finished == HAL_OK ? open_scene(runner, demo) : finished;
+}
+
 int runner_buttons(struct runner *runner, uint32_t more)
 {
     const uint32_t pressed = runner->hal.ops->buttons(runner->hal.context) | more,
@@ -253,6 +259,39 @@ int runner_send(struct runner *runner)
     }
     runner->sending = status == HAL_OK;
     return status;
+}
+
+/* CRC-32 (IEEE 802.3) of one byte more, four bits at a time. */
+static uint32_t crc_byte(uint32_t crc, uint32_t byte)
+{
+    static const uint32_t table[16] = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC, 0x76DC4190, 0x6B6B51F4,
+                                       0x4DB26158, 0x5005713C, 0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
+                                       0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
+    crc ^= byte;
+    crc = crc >> 4 ^ table[crc & 15];
+    return crc >> 4 ^ table[crc & 15];
+}
+
+static uint32_t crc_pixels(uint32_t crc, const uint8_t *pixels, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++, pixels += 2) {
+        const uint32_t rgb = (uint32_t)pixels[0] << 8 | pixels[1];
+        const uint32_t r = rgb >> 11, g = rgb >> 5 & 63, b = rgb & 31;
+        crc = crc_byte(crc, r << 3 | r >> 2);
+        crc = crc_byte(crc, g << 2 | g >> 4);
+        crc = crc_byte(crc, b << 3 | b >> 2);
+    }
+    return crc;
+}
+
+uint32_t runner_crc(struct runner *runner)
+{
+    uint32_t crc = UINT32_MAX;
+    for (uint32_t band = 0, bands = ph_frame_bands(&runner->renderer); band < bands; band++) {
+        const uint32_t lines = draw_band(runner, band);
+        crc = crc_pixels(crc, (const uint8_t *)runner->bands[runner->band_next], lines * runner->context.width);
+    }
+    return ~crc;
 }
 
 int runner_finish(struct runner *runner)

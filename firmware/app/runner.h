@@ -52,6 +52,14 @@ int runner_buttons(struct runner *runner, uint32_t more);
 int runner_scene(struct runner *runner, uint32_t frame);
 int runner_send(struct runner *runner);
 
+/* Takes another demo, as the select button does; the frame before is finished. PH_ERR_NOMEM: there is no room for it,
+ * and another demo must be taken. */
+int runner_take(struct runner *runner, const struct demo *demo);
+
+/* Draws the bands of runner_scene() in place of runner_send(), and sends nothing. Returns the CRC-32 of the picture as
+ * RGB888 rows. Call it only after runner_finish() or runner_take(). */
+uint32_t runner_crc(struct runner *runner);
+
 /* Waits for the last bit. After the first frame display and backlight go on. 0 (also if nothing is sent), or HAL_E.. */
 int runner_finish(struct runner *runner);
 

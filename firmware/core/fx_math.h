@@ -58,7 +58,7 @@ uint32_t fx_turn32_from_rad(fx_t rad);
 
 /*
  * cot(deg / 2) in Q12.20 for a field of view in degrees, 0 .. 180: the scale of a perspective. Error <= 0.501 LSB.
- * INT32_MAX where it is 2048 or more, below 0.056 degrees; 0 from 180 degrees on. Cost: 3900, 780.
+ * INT32_MAX where it is 2048 or more, below 0.056 degrees; 0 from 180 degrees on. Cost: 560, 130.
  */
 int32_t fx_cot_half_q20(fx_t deg);
 

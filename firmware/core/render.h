@@ -46,15 +46,27 @@ enum ph_shading {
     PH_SHADE_TEXTURE,     /* texture, unlit */
     PH_SHADE_TEXTURE_LIT, /* texture times the light at the triangle's first vertex */
     PH_SHADE_WIRE,        /* edges of the mesh as lines in the material colour */
+    /* texture times light that is interpolated, and the highlight on top: as with GOURAUD, texels fade from black to
+     * their colour at an intensity of 1, and to white above it */
+    PH_SHADE_TEXTURE_GOURAUD,
 };
 
 enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 
-/* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. */
+enum ph_filter {
+    PH_FILTER_NEAREST,  /* the texel in which the pixel's centre lies */
+    PH_FILTER_BILINEAR, /* between the four texels around it */
+    PH_FILTER_MIPMAP,   /* the same in the level whose texels are nearest to pixels in size */
+};
+
+/* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. Each level
+ * has half the width and half the height of the one before, at least 1, and lies behind it in memory. */
 struct ph_texture {
     const uint16_t *texels;
     uint8_t log2_width, log2_height; /* 0 .. 10 */
     uint8_t wrap;                    /* enum ph_wrap */
+    uint8_t filter : 4;              /* enum ph_filter */
+    uint8_t levels : 4;              /* behind the texels, for PH_FILTER_MIPMAP */
 };
 
 #define PH_RAMP_SIZE 128 /* colours in a ramp; intensity 0 is at entry 4, full intensity at entry 123 */
@@ -75,8 +87,9 @@ enum ph_blend_kind {
  * hidden by what is nearer, but writes no depth: it is drawn in the order of the calls that draw it, so draw the
  * farthest object first. The far side of a two-sided mesh comes before its near side; that is the right order for a
  * convex mesh. Inside any other mesh, and where objects cut through each other, nothing is sorted.
- * Key and alpha are those of the nearest texel, without light. The renderer takes 6 to 32 bytes for each column of the
- * picture from the triangle budget in a frame that has some; without room their triangles are left out.
+ * The key is looked for in the nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32
+ * bytes for each column of the picture from the triangle budget in a frame that has some; without room their triangles
+ * are left out.
  */
 struct ph_blend {
     void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: so it is linked if used */

@@ -20,7 +20,7 @@ sed -i "s|@MAINTAINER@|$maintainer|" "$deb/pinhole-$VERSION/debian/control"
 cat >"$deb/pinhole-$VERSION/debian/changelog" <<END
 pinhole ($VERSION-1) unstable; urgency=medium
 
-  * Version $VERSION; what changed stands in firmware/README.md.
+  * Version $VERSION; what changed stands in firmware/README.md (Versions).
 
  -- $maintainer  $(git log -1 --format=%cD)
 END

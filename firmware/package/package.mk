@@ -14,6 +14,7 @@ SOURCES = $(IN)/share/pinhole
 RULES = $(IN)/lib/udev/rules.d
 UNITS = $(IN)/lib/systemd/system
 MAN = $(IN)/share/man/man1
+METAINFO = $(IN)/share/metainfo
 COMPLETION = $(IN)/share/bash-completion/completions
 CORE_ROOMS := $(patsubst firmware/core/%/,%,$(filter-out %/kernels/,$(wildcard firmware/core/*/))) $(patsubst firmware/core/%/,%,$(wildcard $(KERNELS)/*/)) kernels
 # What a template's @NAME@ stand for.
@@ -25,9 +26,10 @@ INSTALL = install -m 644
 install: install-programs install-dev ## programs, man pages, library and headers, below PREFIX=/usr/local; pkg-config and CMake find it
 
 install-programs: all
-	install -d '$(IN)/bin' '$(RULES)' '$(UNITS)' '$(COMPLETION)' '$(MAN)'
+	install -d '$(IN)/bin' '$(RULES)' '$(UNITS)' '$(METAINFO)' '$(COMPLETION)' '$(MAN)'
 	install -m 755 $(PROGRAMS) '$(IN)/bin'
 	$(INSTALL) boards/udev/60-pinhole.rules '$(RULES)'
+	$(INSTALL) $(HERE)/org.example.pinhole.metainfo.xml '$(METAINFO)'
 	sed 's|/usr/local/|$(PREFIX)/|' boards/systemd/pinhole.service >'$(UNITS)/pinhole.service'
 	for p in $(notdir $(PROGRAMS)); do $(INSTALL) $(HERE)/completion.bash '$(COMPLETION)'/$$p || exit 1; done
 	for p in $(PROGRAMS); do $(HERE)/man.sh $$p '$(MAN)'/$$(basename $$p).1 || exit 1; done
@@ -44,7 +46,7 @@ install-dev: $(B)/libpinhole.a ## the library alone: headers, libpinhole.a, its 
 	for room in $(CORE_ROOMS); do find firmware/core/$$room -maxdepth 1 -type f -exec $(INSTALL) {} '$(SOURCES)/core'/$$room ';' || exit 1; done
 
 uninstall: ## takes away what install brought
-	rm -f $(PROGRAMS:$(B)/%='$(IN)/bin/%') '$(RULES)/60-pinhole.rules' '$(UNITS)/pinhole.service'
+	rm -f $(PROGRAMS:$(B)/%='$(IN)/bin/%') '$(RULES)/60-pinhole.rules' '$(UNITS)/pinhole.service' '$(METAINFO)/org.example.pinhole.metainfo.xml'
 	rm -f $(PROGRAMS:$(B)/%='$(MAN)/%.1') $(PROGRAMS:$(B)/%='$(COMPLETION)/%')
 	rm -rf '$(INCLUDES)' '$(LIBRARY)/cmake/Pinhole' '$(SOURCES)'
 	rm -f '$(LIBRARY)/libpinhole.a' '$(LIBRARY)/pkgconfig/pinhole.pc'

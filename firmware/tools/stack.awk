@@ -16,6 +16,7 @@ BEGIN {
     rule("firmware/app/runner\\.c:", demos "[a-z]*_(init|frame)$")
     rule("firmware/app/runner\\.c:", ops)
     rule("firmware/app/runner\\.c:", "hal/panel/[a-z_]*\\.c:sender_(begin|rows|end|forget)$")
+    rule("firmware/app/self_test\\.c:", ops)
     rule("hal/panel/[a-z_]*\\.c:", ops)
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)

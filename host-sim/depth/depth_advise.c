@@ -135,8 +135,9 @@ static double solve(const struct lab_format *format, double z, double s, double 
             least = fmin(least, solve_float(format, format->exponent != 0 ? format->exponent : exponent, z, s, far_z));
         }
         return least;
-    default:
-        return z * z / (head_of(0) * s * exp2(format->bits));
+    default: /* n f / (f - n), at most 8 n */
+        least = z * z / (head_of(0) * s * exp2(format->bits));
+        return fmax(least * far_z / (far_z + least), least / 8);
     }
 }
 

@@ -39,9 +39,10 @@ struct scene_report {
         lost; /* pixels with a surface, with several, and where the sub-pixel grid alone decides */
 };
 
-static double step_m(const struct candidate *c, double z)
+static double step_m(const struct candidate *c, const struct scene_layer *at)
 {
-    return depth_step_m((enum ph_depth_format)c->format->format, &c->lab, z);
+    const enum ph_depth_format format = (enum ph_depth_format)c->format->format;
+    return at->parallel ? depth_step_parallel_m(format, &c->lab, at->z_m) : depth_step_m(format, &c->lab, at->z_m);
 }
 
 static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
@@ -51,14 +52,13 @@ static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
 
 static double need_m(const struct candidate *c, const struct scene_layer *a, const struct scene_layer *b)
 {
-    return STEPS * step_m(c, b->z_m) + moved_m(a, b);
+    return STEPS * step_m(c, b) + moved_m(a, b);
 }
 
 /* What the depth biases of the materials set them apart: codes of 16 bits, or eighths of them. */
 static double lift_m(const struct candidate *c, const struct scene_layer *a, const struct scene_layer *b)
 {
-    const bool is_float = lab_exponent(c->format, c->lab.near_z, c->lab.far_z) != 0;
-    return step_m(c, b->z_m) * ldexp(a->bias - b->bias, c->format->bits - 16 - (is_float ? 3 : 0));
+    return step_m(c, b) * ldexp(a->bias - b->bias, c->format->bits - 16 - (c->lab.exponent != 0 ? 3 : 0));
 }
 
 static struct pair *pair_of(struct scene_report *r, uint16_t front, uint16_t behind)
@@ -201,6 +201,14 @@ static fx_t largest_near(fx_t own, double nearest)
     return near_z > own ? near_z : own;
 }
 
+/* A float's bits of exponent, which the renderer takes for the first lens of a frame; 0: the format is no float. */
+static uint8_t exponent_of(const struct scene_report *r, const struct candidate *c)
+{
+    const int exponent = lab_exponent(c->format, c->lab.near_z, c->lab.far_z);
+    const bool parallel = r->scene.draw_count > 0 && r->scene.draws[0].lens.kind == PH_ORTHOGRAPHIC;
+    return (uint8_t)(exponent != 0 && c->format->exponent == 0 && parallel ? 3 : exponent);
+}
+
 static int choose_candidates(struct scene_report *r)
 {
     double nearest = HUGE_VAL;
@@ -221,6 +229,7 @@ static int choose_candidates(struct scene_report *r)
                 *c = (struct candidate){format, depth_lab_of(r->lab, i), 0, 0, 0};
                 c->lab.near_z = nears[n];
                 c->lab.far_z = r->scene.lens.far_z;
+                c->lab.exponent = exponent_of(r, c);
             }
         }
     }
@@ -285,9 +294,9 @@ static void put_rows(const struct scene_report *r)
         const struct candidate *const c = &r->candidates[i];
         lab_fx_text(c->lab.near_z, near_text);
         fprintf(r->lab->rows, "%s,%d,%d,%s,%s,%llu,%llu,%llu,%.4g,%llu,%llu\n", c->format->name, c->format->bits,
-                lab_exponent(c->format, c->lab.near_z, r->scene.lens.far_z), near_text, far_text,
-                (unsigned long long)r->pixels, (unsigned long long)r->overlaps, (unsigned long long)c->fights,
-                percent(c->fights, r->pixels), (unsigned long long)c->wrong, (unsigned long long)c->surprises);
+                c->lab.exponent, near_text, far_text, (unsigned long long)r->pixels, (unsigned long long)r->overlaps,
+                (unsigned long long)c->fights, percent(c->fights, r->pixels), (unsigned long long)c->wrong,
+                (unsigned long long)c->surprises);
     }
 }
 

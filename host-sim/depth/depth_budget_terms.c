@@ -137,6 +137,14 @@ double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, do
     return z * z / head_m(format, lab) * bit_of(format, lab, depth_at(format, lab, z));
 }
 
+double depth_step_parallel_m(enum ph_depth_format format, const struct depth_lab *lab, double z)
+{
+    const double range = depth_metres(lab->far_z) - depth_metres(lab->near_z);
+    const int bits = is_float(format) ? bits_of(lab) : 0;
+    const double whole = 1 - ldexp(1, bits > 4 ? bits - 13 : -9), d = whole * (depth_metres(lab->far_z) - z) / range;
+    return bit_of(format, lab, d) * range / whole;
+}
+
 double depth_subpixel_m(const struct depth_lab *lab, int bits, double z)
 {
     return sqrt(2) * ldexp(depth_pixel_slope(lab), -bits) * z;

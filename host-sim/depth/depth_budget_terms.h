@@ -67,6 +67,9 @@ void depth_planes_extent(const struct depth_lab *lab, double azimuth_deg, double
 /* The depth step at distance z that the format's definition gives. */
 double depth_step_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
+/* The same under a parallel projection. */
+double depth_step_parallel_m(enum ph_depth_format format, const struct depth_lab *lab, double z);
+
 /* The code at distance z by the definition in depth.h, before it becomes a whole number; a larger code is nearer. */
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z);
 

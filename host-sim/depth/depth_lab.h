@@ -21,6 +21,7 @@ struct depth_lab {
     fx_t fov_deg;           /* --fov, vertical */
     uint16_t width, height; /* --size */
     const char *csv;        /* --csv: a file, "-", or NULL: a table for people */
+    const char *json;       /* --json: a file, "-", or NULL */
     uint32_t count;         /* --count */
     uint8_t spacing;        /* --spacing, enum lab_spacing */
     fx_t at[DEPTH_AT_MAX];  /* --at */

@@ -194,10 +194,12 @@ int depth_layers_open(struct depth_layers *s, const struct depth_lab *lab)
     }
     status = record_frame(s, lab->start);
     for (uint32_t i = 0; i < s->draw_count && status == 0; i++) {
-        status = s->draws[i].lens.kind == PH_PERSPECTIVE
+        const struct ph_projection *const lens = &s->draws[i].lens;
+        status = lens->kind != PH_FISHEYE
                      ? 0
-                     : complain_usage("%s: advise knows perspectives only, and this view is %s", s->demo->name,
-                                      s->draws[i].lens.kind == PH_FISHEYE ? "a fisheye" : "parallel");
+                     : complain_usage("%s: advise looks through no fisheye. It stores distances from the eye as a "
+                                      "perspective does: say advise --near %g --far %g --at Z, or --fov DEG",
+                                      s->demo->name, lens->near_z / 65536.0, lens->far_z / 65536.0);
     }
     s->lens = s->renderer.projection;
     return status;
@@ -329,11 +331,13 @@ static struct scene_layer layer_at(const struct depth_layers *s, const struct sc
     const double sx = ldexp(lens->scale_x_q20, -20), sy = ldexp(lens->scale_y_q20, -20);
     const double x = ((2 * column + 1.0) / s->lab->width - 1 + lens->shift_x / 65536.0) / sx;
     const double y = (1 - (2 * row + 1.0) / s->lab->height + lens->shift_y / 65536.0) / sy;
-    const double along = plane->n[0] * x + plane->n[1] * y + plane->n[2], z = plane->c / along;
+    const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
+    const double across = plane->n[0] * x + plane->n[1] * y, along = parallel ? plane->n[2] : across + plane->n[2];
+    const double z = (parallel ? plane->c - across : plane->c) / along;
     const double within = fmin(fmax(z, plane->nearest), plane->farthest); /* NaN: edge-on */
     const double change = hypot(plane->n[0] * 2 / (sx * s->lab->width), plane->n[1] * 2 / (sy * s->lab->height));
-    const double slope = fabs(within / along) * change, most = plane->farthest - plane->nearest;
-    return (struct scene_layer){.z_m = within, .slope_m = slope < most ? slope : most};
+    const double slope = fabs((parallel ? 1 : within) / along) * change, most = plane->farthest - plane->nearest;
+    return (struct scene_layer){.z_m = within, .slope_m = slope < most ? slope : most, .parallel = parallel};
 }
 
 /* A bias of 8 is about 2^-12 of the distance towards the eye. */

@@ -17,7 +17,8 @@ struct scene_layer {
     double z_m;
     double slope_m; /* how far the distance changes from pixel to pixel, down its steepest way */
     uint16_t surface;
-    uint8_t bias; /* depth_bias of the material */
+    uint8_t bias;  /* depth_bias of the material */
+    bool parallel; /* under a parallel projection */
 };
 
 struct scene_pixel {

@@ -164,6 +164,8 @@ static const struct option_row rows[] = {
      "like 320x240, each 1 .. 1024", .set = set_size},
     {"csv", "FILE|-", "writes CSV to FILE, or stdout, instead of a table for people", "a file, or -",
      .at = offsetof(struct depth_lab, csv)},
+    {"json", "FILE|-", "writes an array of JSON with an object a row; its keys are the columns of --csv",
+     "a file, or -", .at = offsetof(struct depth_lab, json)},
     {"count", "N", "number of adjacent pairs; 10000 by default", "a whole number, 1 .. 1000000",
      .at = offsetof(struct depth_lab, count), .least = 1, .most = LAB_COUNT_MAX},
     {"spacing", "linear|log", "how the distances are spread from near to far; linear by default", "linear or log",

@@ -268,9 +268,9 @@ static void put_resolve_upper(const struct depth_lab *lab, FILE *script)
 
 static void put_resolve_lower(const struct depth_lab *lab, FILE *script)
 {
-    fputs("unset label\nunset title\nset tmargin at screen 0.41\nset bmargin at screen 0.21\nset format x '%g'\n"
+    fputs("unset label\nunset title\nset tmargin at screen 0.41\nset bmargin at screen 0.22\nset format x '%g'\n"
           "set xlabel 'distance z [m]'\nset ylabel 'measured / ideal'\nset yrange [0.5:1000]\n"
-          "set key at screen 0.54,0.14 center top horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
+          "set key at screen 0.54,0.115 center top horizontal maxcols 4 width -1 samplen 3\nplot 1 lc '#444444' "
           "notitle",
           script);
     put_resolve_curves(lab, script, 4);

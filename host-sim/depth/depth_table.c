@@ -1,8 +1,12 @@
 #include "depth_table.h"
 
+#include "json_text.h"
+
+#include <stdbool.h>
 #include <string.h>
 
 #define COLUMNS_MAX 24
+#define CELL_SIZE   256
 
 /* Widens the columns to fit a line. A cell ends at a comma or at the end of the line. */
 static void measure(const char *line, size_t width[COLUMNS_MAX])
@@ -75,6 +79,72 @@ void depth_table_print(FILE *file, const char *csv, const char *headings)
         }
     }
     print_remarks(file, csv, "# ");
+}
+
+/* Is the text a number of JSON? -1.5e-05 is one; .5, 07 and inf are none. */
+static bool is_number(const char *text)
+{
+    const char *at = text + (*text == '-');
+    const size_t whole = strspn(at, "0123456789");
+    if (whole == 0 || (at[0] == '0' && whole > 1)) {
+        return false;
+    }
+    at += whole;
+    if (*at == '.') {
+        const size_t part = strspn(at + 1, "0123456789");
+        at += part > 0 ? part + 1 : 0;
+    }
+    if (*at == 'e' || *at == 'E') {
+        const char *power = at + 1 + (at[1] == '-' || at[1] == '+');
+        const size_t digits = strspn(power, "0123456789");
+        at = digits > 0 ? power + digits : at;
+    }
+    return *at == '\0';
+}
+
+/* The text of cell number `column` of the line, cut to what fits. */
+static void cell(const char *line, int column, char text[CELL_SIZE])
+{
+    while (column > 0 && *line != '\0' && *line != '\n') {
+        column -= *line++ == ',';
+    }
+    const size_t n = strcspn(line, ",\n");
+    snprintf(text, CELL_SIZE, "%.*s", (int)n, line);
+}
+
+static void print_object(FILE *file, const char *names, const char *line)
+{
+    char name[CELL_SIZE], value[CELL_SIZE];
+    int columns = 1;
+    for (const char *at = names; *at != '\n' && *at != '\0'; at++) {
+        columns += *at == ',';
+    }
+    for (int i = 0; i < columns; i++) {
+        cell(names, i, name);
+        cell(line, i, value);
+        fputs(i == 0 ? "{" : ", ", file);
+        json_text(file, name);
+        fputs(": ", file);
+        if (is_number(value) || value[0] == '\0') {
+            fputs(value[0] != '\0' ? value : "null", file);
+        } else {
+            json_text(file, value);
+        }
+    }
+    fputc('}', file);
+}
+
+void depth_table_json(FILE *file, const char *csv)
+{
+    const char *separator = "[\n";
+    for (const char *line = next_line(csv); *line != '\0'; line = next_line(line)) {
+        if (*line != '#') {
+            fputs(separator, file);
+            print_object(file, csv, line);
+            separator = ",\n";
+        }
+    }
+    fputs(separator[0] == '[' ? "[]\n" : "\n]\n", file);
 }
 
 void depth_table_drop_remarks(char *csv)

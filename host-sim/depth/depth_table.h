@@ -11,6 +11,10 @@
  */
 void depth_table_print(FILE *file, const char *csv, const char *headings);
 
+/* Prints an array of JSON: an object a row, with the first line's names as keys. A number stays a number (RFC 8259), an
+ * empty cell is null, and anything else is text. Remarks are left out. */
+void depth_table_json(FILE *file, const char *csv);
+
 /* Removes the remarks; CSV remains. */
 void depth_table_drop_remarks(char *csv);
 

@@ -51,6 +51,7 @@ int model_texture_make(struct demo_arena *arena, const struct ppm *picture, stru
                 mean_colour(picture, covered(x, picture->width, log2_width), covered(y, picture->height, log2_height));
         }
     }
-    *texture = (struct ph_texture){texels, log2_width, log2_height, PH_WRAP_REPEAT};
+    *texture = (struct ph_texture){
+        .texels = texels, .log2_width = log2_width, .log2_height = log2_height, .wrap = PH_WRAP_REPEAT};
     return 0;
 }

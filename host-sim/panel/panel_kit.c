@@ -1,7 +1,9 @@
 #include "panel_kit.h"
 
 #include "complain.h"
+#include "panels.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* The boards that lend their wiring when only a panel is named. */
@@ -81,9 +83,40 @@ static int change_line(struct panel_kit *kit, enum panel_line which, const char 
     return 0;
 }
 
+/* A board of the display's size. Its memory is this computer's. */
+static int choose_drm(struct panel_kit *kit, const struct panel_wiring *w)
+{
+    memset(kit, 0, sizeof *kit);
+    kit->drm = true;
+    kit->kms.where = w->card;
+    if (kms_find(&kit->kms) < 0) {
+        return complain("%s", kms_error(&kit->kms));
+    }
+    kit->glass = panel_st7789_240x320;
+    kit->glass.name = "kms";
+    kit->glass.width = kit->glass.ram_width = kit->kms.width;
+    kit->glass.height = kit->glass.ram_height = kit->kms.height;
+    snprintf(kit->title, sizeof kit->title, "a display of %ux%u", kit->kms.width, kit->kms.height);
+    kit->board = (struct board){.name = w->card != NULL ? w->card : "the kernel's display",
+                                .title = kit->title,
+                                .pinout = "none",
+                                .panel = &kit->glass,
+                                .rotation = w->rotate,
+                                .format = PANEL_RGB565,
+                                .spi_hz = INT32_MAX,
+                                .band_height = 16,
+                                .ram_bytes = UINT32_MAX};
+    kit->hal = (struct hal){&kms_ops, &kit->kms};
+    kit->sender = kms_sender(&kit->kms);
+    return 0;
+}
+
 int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
 {
     const struct board *board = NULL;
+    if (w->drm) {
+        return choose_drm(kit, w);
+    }
     int status = choose_board(w, &board);
     if (status != 0) {
         return status;
@@ -112,7 +145,16 @@ int panel_kit_choose(struct panel_kit *kit, const struct panel_wiring *w)
     return status;
 }
 
+void panel_kit_release(struct panel_kit *kit)
+{
+    if (kit->kms.keys.denied) {
+        complain_note("/dev/input: no permission to read it, so that there were no buttons; join the group input");
+    }
+    kms_card_close(kit->kms.card);
+    kit->kms.card = NULL;
+}
+
 const char *panel_kit_error(const struct panel_kit *kit)
 {
-    return kit->usb ? ft232h_error(&kit->ft232h) : linux_hal_error(&kit->linux);
+    return kit->drm ? kms_error(&kit->kms) : kit->usb ? ft232h_error(&kit->ft232h) : linux_hal_error(&kit->linux);
 }

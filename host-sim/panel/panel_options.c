@@ -72,6 +72,13 @@ static bool set_usb(void *to, const char *serial)
     return serial == NULL || *serial != '\0';
 }
 
+static bool set_drm(void *to, const char *where)
+{
+    wiring(to)->drm = true;
+    wiring(to)->card = where;
+    return where == NULL || *where != '\0';
+}
+
 static bool set_mode(void *to, const char *value)
 {
     static const char *const names[] = {"0", "3"};
@@ -124,6 +131,10 @@ static const struct option_row rows[] = {
     {"spi", "PATH", "the SPI device", "a path like /dev/spidev0.0", .set = set_spi},
     {"usb", "[SERIAL]", "the display is on an FT232H; of several the one with this serial number",
      "nothing or a serial number", .set = set_usb},
+    {"drm", "[CARD[:CONNECTOR]]",
+     "a display that the kernel drives (HDMI, DSI, panel-mipi-dbi); the first that is connected by default.\n"
+     "        The arrow keys and Enter of every input device are its buttons",
+     "nothing, or a name that `pinhole-panel list` shows", .set = set_drm},
     {"dc", "LINE", "the display's D/C line",
      "a line: GPIO25, gpiochip0:25, a chip's label and :25, or AC0 on an FT232H", .set = set_dc},
     {"reset", "LINE", "its reset line", LINE_ALLOWED, .set = set_reset},
@@ -166,7 +177,8 @@ static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 
 void panel_options_help(void)
 {
-    puts("pinhole-panel [COMMAND] [options]: shows a scene on a display at this machine's SPI bus or USB.\n"
+    puts("pinhole-panel [COMMAND] [options]: shows a scene on a display at this machine's SPI bus or USB, or one that\n"
+         "the kernel drives.\n"
          "\n"
          "Commands (none: shows the scene until it is stopped):\n"
          "  list       the boards and the panels\n"
@@ -174,6 +186,7 @@ void panel_options_help(void)
          "  probe      asks the display which controller it has, if its data line back is wired\n"
          "  testcard   corner dots, ring, arrow up, colour bars: what is wrong with a panel\n"
          "  speedtest  shows the test card at one bus clock after the other\n"
+         "  report     shows the test card, compares drawn frames with known ones, and writes text to paste\n"
          "\n"
          "Options:");
     option_table_help(&table);
@@ -182,14 +195,40 @@ void panel_options_help(void)
 
 static bool read_command(struct panel_options *o, const char *word)
 {
-    static const char *const names[] = {"run", "list", "doctor", "probe", "testcard", "speedtest"};
-    const int found = option_text_choice(word, names, 6);
+    static const char *const names[] = {"run", "list", "doctor", "probe", "testcard", "speedtest", "report"};
+    const int found = option_text_choice(word, names, sizeof names / sizeof names[0]);
     o->command = found >= 0 ? (enum panel_command)found : PANEL_RUN;
     return found >= 0;
 }
 
+/* The kernel has the wires of a display that it drives. */
+static int check_drm(const struct panel_options *o)
+{
+    const struct panel_wiring *w = &o->kits[0];
+    bool wired = w->board != NULL || w->panel != NULL || w->spi != NULL || w->usb || w->mode_set || w->speed_hz != 0;
+    for (int i = 0; i < PANEL_LINES; i++) {
+        wired = wired || w->lines[i] != NULL;
+    }
+    if (wired || o->kit_count > 1) {
+        return complain_usage("--drm: the kernel has this display's wires, and it is the only one: give no --board, "
+                              "--panel, wire or clock with it");
+    }
+    if (o->diff) {
+        return complain_usage("--drm and --diff exclude each other: only what changed is given to the kernel anyway");
+    }
+    return o->command == PANEL_RUN || o->command == PANEL_TESTCARD || o->command == PANEL_REPORT
+               ? 0
+               : complain_usage("--drm is for showing a scene, for testcard and report, not for this command");
+}
+
 static int check_together(const struct panel_options *o)
 {
+    if (o->kit_count > 0 && o->kits[0].drm) {
+        const int status = check_drm(o);
+        if (status != 0) {
+            return status;
+        }
+    }
     if (o->demo != NULL && o->model != NULL) {
         return complain_usage("--demo and --model exclude each other");
     }
@@ -203,9 +242,10 @@ static int check_together(const struct panel_options *o)
     if (o->command == PANEL_RUN || o->command == PANEL_TESTCARD) {
         return o->kit_count > 0 ? 0
                                 : complain_usage("no display: give --board NAME (`pinhole-panel list` shows "
-                                                 "them), or --panel NAME and its wiring (see --help)");
+                                                 "them), --panel NAME and its wiring, or --drm (see --help)");
     }
-    if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST) && o->kit_count != 1) {
+    if ((o->command == PANEL_PROBE || o->command == PANEL_SPEEDTEST || o->command == PANEL_REPORT) &&
+        o->kit_count != 1) {
         return complain_usage("one display at a time: give one --board NAME, or --panel NAME and its wiring");
     }
     return 0;
@@ -217,7 +257,8 @@ int panel_options_read(struct panel_options *o, int argc, char *const argv[])
     int i = 1;
     if (argc > 1 && argv[1][0] != '-') {
         if (!read_command(o, argv[1])) {
-            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard or speedtest", argv[1]);
+            return complain_usage("'%s': no such command; run, list, doctor, probe, testcard, speedtest or report",
+                                  argv[1]);
         }
         i = 2;
     }

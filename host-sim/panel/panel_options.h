@@ -14,6 +14,7 @@ enum panel_command {
     PANEL_PROBE,
     PANEL_TESTCARD,
     PANEL_SPEEDTEST,
+    PANEL_REPORT,
     PANEL_HELP,
 };
 
@@ -27,6 +28,8 @@ struct panel_wiring {
     const char *lines[PANEL_LINES]; /* "-": not wired */
     bool usb;
     const char *serial; /* of the FT232H, or NULL: the only one */
+    bool drm;
+    const char *card; /* CARD[:CONNECTOR], or NULL: the first display that the kernel drives */
     bool mode_set;
     uint8_t mode; /* SPI mode, 0 or 3 */
     bool rotate_set;

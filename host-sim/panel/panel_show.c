@@ -3,9 +3,11 @@
 #include "panel_show.h"
 
 #include "complain.h"
+#include "self_test.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/utsname.h>
 #include <time.h>
 
 #define SECOND_NS 1000000000u
@@ -44,8 +46,9 @@ static int open_memory(struct panel_display *d, struct runner_config *config)
     config->memory = d->memory = malloc(config->memory_bytes);
     const size_t diff_bytes =
         panel_diff_bytes(panel_width(board->panel, board->rotation), panel_height(board->panel, board->rotation));
-    d->diff_memory = config->sender.ops != NULL ? malloc(diff_bytes) : NULL;
-    if (d->memory == NULL || (config->sender.ops != NULL && d->diff_memory == NULL)) {
+    const bool diff = config->sender.context == &d->diff;
+    d->diff_memory = diff ? malloc(diff_bytes) : NULL;
+    if (d->memory == NULL || (diff && d->diff_memory == NULL)) {
         return complain("%s: not enough memory for this scene", board->name);
     }
     return 0;
@@ -84,7 +87,8 @@ static int open_display(struct panel_display *d, const struct panel_scene *scene
                                    .demo = scene->demo,
                                    .state = scene->state,
                                    .view = scene->view,
-                                   .overlay = scene->overlay};
+                                   .overlay = scene->overlay,
+                                   .sender = d->sender};
     if (scene->diff) {
         config.sender = panel_diff_sender(&d->diff);
     }
@@ -162,10 +166,13 @@ struct report {
 static void print_stats(const struct panel_display *d, uint32_t frames, double seconds)
 {
     const double bits = 8.0 * (double)d->bytes;
-    fprintf(stderr, "%s: %.1f frames/s, %.0f bytes/frame, %.0f kB/s, bus %.0f %% of %d Hz, %u triangles\n",
-            d->board->name, frames / seconds, frames > 0 ? (double)d->bytes / frames : 0.0,
-            (double)d->bytes / seconds / 1000, 100 * bits / seconds / d->runner.driver.clock_hz,
-            (int)d->runner.driver.clock_hz, (unsigned)d->runner.renderer.stats.triangles_drawn);
+    fprintf(stderr, "%s: %.1f frames/s, %.0f bytes/frame, %.0f kB/s, ", d->board->name, frames / seconds,
+            frames > 0 ? (double)d->bytes / frames : 0.0, (double)d->bytes / seconds / 1000);
+    if (d->sender.ops == NULL) { /* else there is no bus that we know of */
+        fprintf(stderr, "bus %.0f %% of %d Hz, ", 100 * bits / seconds / d->runner.driver.clock_hz,
+                (int)d->runner.driver.clock_hz);
+    }
+    fprintf(stderr, "%u triangles\n", (unsigned)d->runner.renderer.stats.triangles_drawn);
 }
 
 static void report_stats(struct panel_display *displays, int count, struct report *report, bool now)
@@ -234,5 +241,24 @@ int panel_show_run(struct panel_display *displays, int count, const struct panel
     for (int i = count; i-- > 0;) {
         close_display(&displays[i]);
     }
+    return status;
+}
+
+int panel_show_report(struct panel_display *display, const struct panel_scene *scene, void (*look)(void))
+{
+    char machine[sizeof(struct utsname)];
+    struct utsname system;
+    int status = open_display(display, scene);
+    if (status == 0) {
+        uname(&system);
+        snprintf(machine, sizeof machine, "%s %s %s, %s", system.sysname, system.release, system.machine,
+                 display->hal.ops->name);
+        status = self_test_report(&display->runner, machine);
+        look();
+        status = status < 0   ? fail(display, "", status)
+                 : status > 0 ? complain("%s: the picture is not the known one", display->board->name)
+                              : 0;
+    }
+    close_display(display);
     return status;
 }

@@ -16,6 +16,7 @@
 struct panel_display {
     const struct board *board;
     struct hal hal;                          /* not open */
+    struct panel_sender sender;              /* zeros: through the panel driver, whole or as differences */
     const char *(*why)(const void *context); /* what the backend says about its last error; NULL: nothing */
     const void *why_context;
 
@@ -46,6 +47,12 @@ struct panel_scene {
 
 /* 0 or COMPLAINED. */
 int panel_show_run(struct panel_display *displays, int count, const struct panel_scene *scene);
+
+/*
+ * Opens the display, writes its report (self_test.h) and calls `look`, while the test card is shown; then it is dark
+ * again. Returns 0, or COMPLAINED: a CRC was not the known one, or something failed.
+ */
+int panel_show_report(struct panel_display *display, const struct panel_scene *scene, void (*look)(void));
 
 /* Says what a status means, in the words of the backend if it has some. */
 const char *panel_show_text(const struct panel_display *display, int status);

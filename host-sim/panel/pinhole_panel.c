@@ -1,4 +1,4 @@
-/* pinhole-panel: shows scenes on a real display at this machine's SPI bus or on an FT232H. */
+/* pinhole-panel: shows scenes on a real display: at this machine's SPI bus, on an FT232H, or the kernel's own. */
 
 #include "complain.h"
 #include "model.h"
@@ -6,11 +6,13 @@
 #include "panel_kit.h"
 #include "panel_probe.h"
 #include "panel_show.h"
+#include "self_test.h"
 #include "signal_stop.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* ---- what is shown where ------------------------------------------------------------------------ */
 
@@ -35,8 +37,8 @@ static int choose_kits(struct stage *stage, const struct panel_options *o)
         if (status != 0) {
             return status;
         }
-        stage->displays[stage->count] =
-            (struct panel_display){.board = &kit->board, .hal = kit->hal, .why = kit_error, .why_context = kit};
+        stage->displays[stage->count] = (struct panel_display){
+            .board = &kit->board, .hal = kit->hal, .sender = kit->sender, .why = kit_error, .why_context = kit};
     }
     return 0;
 }
@@ -103,6 +105,9 @@ static int show(struct stage *stage, const struct panel_options *o)
     }
     if (status == 0) {
         status = panel_show_run(stage->displays, stage->count, &scene);
+    }
+    for (int i = 0; i < stage->count; i++) {
+        panel_kit_release(&stage->kits[i]);
     }
     model_close(stage->model);
     return status;
@@ -195,6 +200,40 @@ static int speedtest(struct stage *stage, const struct panel_options *o)
     return status;
 }
 
+/* ---- report ------------------------------------------------------------------------------------- */
+
+void self_test_put(const char *text)
+{
+    fputs(text, stdout);
+}
+
+/* The card stays until the user has seen it; a script does not look. */
+static void wait_for_enter(void)
+{
+    fflush(stdout);
+    if (isatty(STDIN_FILENO) != 0) {
+        char byte;
+        fputs("Look at the test card, answer the last line, then press Enter.\n", stderr);
+        while (read(STDIN_FILENO, &byte, 1) == 1 && byte != '\n') {
+        }
+    }
+}
+
+static int report(struct stage *stage, const struct panel_options *o)
+{
+    struct panel_scene scene = plain_scene(o);
+    int status = choose_kits(stage, o);
+    scene.demo = demo_find("turntable");
+    scene.overlay = scene.diff = false; /* every frame whole, and nothing over it */
+    if (status == 0) {
+        status = panel_show_report(&stage->displays[0], &scene, wait_for_enter);
+    }
+    for (int i = 0; i < stage->count; i++) {
+        panel_kit_release(&stage->kits[i]);
+    }
+    return status;
+}
+
 /* ---- probe and list ----------------------------------------------------------------------------- */
 
 static void print_bytes(const char *command, const uint8_t bytes[PROBE_BYTES])
@@ -251,6 +290,15 @@ static int probe(struct stage *stage, const struct panel_options *o)
     return complain("%s: %s", board->name, panel_show_text(d, status));
 }
 
+static void list_kms(const char *name, uint32_t width, uint32_t height)
+{
+    if (width > 0) {
+        printf("drm    %-22s %ux%u\n", name, (unsigned)width, (unsigned)height);
+    } else {
+        printf("drm    %-22s nothing is connected\n", name);
+    }
+}
+
 static int list(void)
 {
     for (uint32_t i = 0; i < board_count; i++) {
@@ -264,6 +312,7 @@ static int list(void)
         printf("panel  %-22s %-20s at most %.1f MHz\n", panel->name, panel->controller->name,
                panel->controller->write_hz / 1e6);
     }
+    kms_card_list(list_kms);
     return 0;
 }
 
@@ -283,6 +332,8 @@ static int obey(struct stage *stage, const struct panel_options *o)
         return probe(stage, o);
     case PANEL_SPEEDTEST:
         return speedtest(stage, o);
+    case PANEL_REPORT:
+        return report(stage, o);
     default:
         return show(stage, o);
     }

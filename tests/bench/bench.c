@@ -1,7 +1,7 @@
 /*
- * The benchmark: scenes S1 .. S6 at 320x240, frames 0, 8, .. 56, each frame drawn whole and then stage by stage.
+ * The benchmark: scenes S1 .. S8 at 320x240, frames 0, 8, .. 56, each frame drawn whole and then stage by stage.
  *
- * Words on the command line: scene (S1 .. S6 or all), depth format (name or all). Each line of output is
+ * Words on the command line: scene (S1 .. S8 or all), depth format (name or all). Each line of output is
  *
  *   SCENE FORMAT STAGE FRAME COUNT
  *
@@ -37,11 +37,11 @@
 #define ARENA     (512 * 1024)
 
 struct scene {
-    const char *name, *demo; /* NULL: bench_textured_torus */
+    const char *name, *demo; /* NULL: the torus that is next in bench_textured_tori */
 };
 
-static const struct scene scenes[] = {{"S1", "torus"},     {"S2", "cube"},   {"S3", "fill"},
-                                      {"S4", "icosphere"}, {"S5", "ground"}, {"S6", NULL}};
+static const struct scene scenes[] = {{"S1", "torus"},  {"S2", "cube"}, {"S3", "fill"}, {"S4", "icosphere"},
+                                      {"S5", "ground"}, {"S6", NULL},   {"S7", NULL},   {"S8", NULL}};
 
 static const char *const format_names[FORMATS] = {"kit", "fixed16", "float16", "fixed24", "float24", "linear-w"};
 static const uint8_t formats[FORMATS] = {PH_DEPTH_AUTO,    PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16,
@@ -167,7 +167,8 @@ static void stages(const struct demo *demo, struct demo_context *context, struct
 
 static bool run(const struct scene *scene, unsigned format)
 {
-    const struct demo *const demo = scene->demo != NULL ? demo_find(scene->demo) : &bench_textured_torus;
+    const struct demo *const demo =
+        scene->demo != NULL ? demo_find(scene->demo) : &bench_textured_tori[scene->name[1] - '6'];
     const struct ph_config config = {.width = WIDTH,
                                      .height = HEIGHT,
                                      .band_height = formats[format] == PH_DEPTH_AUTO ? KIT_LINES : HEIGHT,

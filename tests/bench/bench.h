@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
-/* Scene S6, of which only init and frame are set. */
-extern const struct demo bench_textured_torus;
+/* Scenes S6, S7 and S8, of which only init and frame are set. */
+extern const struct demo bench_textured_tori[3];
 
 /* The instructions between the two are counted; stop reports them as one line: the words of `what`, the count. */
 void machine_start(void);

@@ -26,7 +26,7 @@ static struct fx_vec3 positions[VERTICES];
 static int16_t normals[VERTICES][3];
 static fx_t uvs[VERTICES][2];
 static uint16_t corners[TRIANGLES][3], edges[1][2];
-static struct ph_texture texture = {texels, LOG2, LOG2, PH_WRAP_REPEAT};
+static struct ph_texture texture = {.texels = texels, .log2_width = LOG2, .log2_height = LOG2, .wrap = PH_WRAP_REPEAT};
 static struct ph_material material;
 static struct ph_part part;
 static struct ph_mesh mesh;

@@ -14,15 +14,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define QUICK     1000000
-#define LONG      20000000
-#define CANARY    0xa5
-#define FENCE     256 /* bytes on either side of a buffer */
-#define VERTICES  48
-#define TRIANGLES 64
-#define EDGES     16
-#define PARTS     4
-#define LOG2_MAX  6 /* of texture sizes; 10 now and then */
+#define QUICK       1000000
+#define LONG        20000000
+#define CANARY      0xa5
+#define FENCE       256 /* bytes on either side of a buffer */
+#define VERTICES    48
+#define TRIANGLES   64
+#define EDGES       16
+#define PARTS       4
+#define LOG2_MAX    6 /* of texture sizes; LOG2_MOST now and then */
+#define LOG2_MOST   10
+#define TEXELS_MOST ((4u << (2 * LOG2_MOST)) / 3 + 8) /* with all levels */
 
 /* ---- random numbers ---------------------------------------------------------------------------------------- */
 
@@ -253,14 +255,30 @@ static struct ph_light any_light(const struct content *c)
 /* Read-only texels for any size, as large as the largest. */
 static uint16_t *texels;
 
+/* Of all levels. */
+static uint32_t texels_of(const struct ph_texture *t)
+{
+    uint32_t sum = 0, width = 1u << t->log2_width, height = 1u << t->log2_height;
+    for (unsigned level = 0; level <= (t->filter == PH_FILTER_MIPMAP ? t->levels : 0u); level++) {
+        sum += width * height;
+        width = width > 1 ? width / 2 : 1;
+        height = height > 1 ? height / 2 : 1;
+    }
+    return sum;
+}
+
 static struct ph_material any_material(struct content *c, int i)
 {
-    uint32_t log2_max = below(16) ? LOG2_MAX : 10;
-    c->textures[i] =
-        (struct ph_texture){texels, (uint8_t)below(log2_max + 1), (uint8_t)below(log2_max + 1), (uint8_t)below(2)};
+    uint32_t log2_max = below(16) ? LOG2_MAX : LOG2_MOST;
+    struct ph_texture *const t = &c->textures[i];
+    *t = (struct ph_texture){.log2_width = (uint8_t)below(log2_max + 1),
+                             .log2_height = (uint8_t)below(log2_max + 1),
+                             .wrap = (uint8_t)below(2),
+                             .filter = below(3) & 15,
+                             .levels = below(LOG2_MOST + 1) & 15};
     /* The texture ends where the memory ends: what is read behind it is reported. */
-    c->textures[i].texels += (1u << 20) - (1u << (c->textures[i].log2_width + c->textures[i].log2_height));
-    return (struct ph_material){.shading = (uint8_t)below(PH_SHADE_WIRE + 1),
+    t->texels = texels + TEXELS_MOST - texels_of(t);
+    return (struct ph_material){.shading = (uint8_t)below(PH_SHADE_TEXTURE_GOURAUD + 1),
                                 .two_sided = (uint8_t)below(2),
                                 .shininess_log2 = (uint8_t)below(8),
                                 .depth_bias = (uint8_t)(below(2) ? below(57) : 0),
@@ -460,11 +478,11 @@ int main(int argc, char **argv)
     if (argc > 2) {
         seed = strtoull(argv[2], NULL, 10);
     }
-    texels = malloc((1u << 20) * sizeof(*texels));
+    texels = malloc(TEXELS_MOST * sizeof(*texels));
     if (!texels) {
         fail("out of memory");
     }
-    for (uint32_t i = 0; i < 1u << 20; i++) {
+    for (uint32_t i = 0; i < TEXELS_MOST; i++) {
         texels[i] = (uint16_t)(i * 40503u);
     }
     int result = fuzz(triangles, seed);

@@ -35,7 +35,7 @@ codes of near ranges left unused         | render/frame.c   | s/is_fixed ? stret
 float24 as coarse as float16             | render/span.h    | s/d >> 8;/d >> 16 << 8;/                             | test_depth
 the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/code < *depth/                     | test_raster
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
-the last of equal texels wins            | kernels/portable/texture_tile_plain.h | s/code > \*depth/code >= *depth/              | test_texture
+the last of equal texels wins            | kernels/portable/texel_row_plain.h | s/ph_nearer16(depth, d)/(ph_nearer16(depth, d) + (*depth == d >> 16))/ | test_texture
 the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
 triangles not carried to the next band   | render/bands.c   | s/y_bottom <= rows->y1)/y_bottom <= rows->y1 + 1)/   | test_raster
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
@@ -56,6 +56,9 @@ vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->
 6 sub-pixel bits in the fast loop        | kernels/portable/vertices.c | s/>> run->down;/>> run->down \& ~3;/                 | test_quality
 lines too thin                           | render/list.c    | s/x_major ? 0 : 128/x_major ? 0 : 64/              | test_frame
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
+light of texels is that of a corner      | render/texels.c  | s/t->small_shades.gx = .*/t->small_shades.gx = 0;/    | test_texture_light
+a filter without its lower line          | kernels/texel_mix.h | s/(fv - far)/0/                                   | test_texture_light
+a map two levels too small               | render/texel_map.h | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light
 texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | render/light.c   | s/if (reach <= 0)/if (reach <= FX_INT(1000))/        | test_light
@@ -67,7 +70,7 @@ thin triangles left to 15 bits           | kernels/portable/setup_small.c | s/RO
 depth beyond the corners                 | render/exact.c   | s/const bool clamped = .*/const bool clamped = false;/ | test_depth_slopes
 exact depth of another octave             | render/exact.c   | s/e->unit - octave;/e->unit - 1 - octave;/           | test_depth_slopes
 the slope's bias ignored                 | render/exact.c   | s/t->material->depth_bias_slope != 0/false/          | test_depth_slopes
-light of a texture ignored               | render/planes.c  | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
+light of a texture ignored               | render/planes.h  | s/== PH_SHADE_TEXTURE_LIT$/== PH_SHADE_TEXTURE_LIT + 9/ | test_frame
 red and blue bytes exchanged             | render/colour.c  | s/ph_wire16(/(/                                      | test_frame
 tangent with a term halved               | fx/fx_tan.c      | s/Q33(2, 93555)/Q33(1, 93555)/                       | test_fx
 a tangent below 45 degrees not rounded   | fx/fx_tan.c      | s/ + (1 << 27)//                                     | test_fx

@@ -102,7 +102,7 @@ static void expect_texture(enum ph_wrap wrap, enum ph_shading shading, const cha
 {
     static const char letters[4][9] = {"abcdefgh", "ijklmnop", "qrstuvwx", "01234567"};
     uint16_t texels[32];
-    struct ph_texture texture = {texels, 3, 2, (uint8_t)wrap};
+    struct ph_texture texture = {.texels = texels, .log2_width = 3, .log2_height = 2, .wrap = (uint8_t)wrap};
     struct drawing d;
     for (int i = 0; i < 32; i++) {
         texels[i] = colour_of(letters[i / 8][i % 8]);
@@ -152,7 +152,7 @@ static void lit_textures_are_scaled_by_the_light(void **state)
 {
     static const double cosines[] = {0, .25, .5, .75, 1};
     uint16_t texel = ph_rgb565(248, 160, 80);
-    struct ph_texture texture = {&texel, 0, 0, PH_WRAP_REPEAT};
+    struct ph_texture texture = {.texels = &texel, .log2_width = 0, .log2_height = 0, .wrap = PH_WRAP_REPEAT};
     struct drawing d;
     (void)state;
     drawing_open(&d);

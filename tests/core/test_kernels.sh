@@ -16,7 +16,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud span_blend halve small_gouraud setup_small float_depths texture_tile texture_small vertices cull)
+loops=(fill span_flat span_gouraud span_blend halve small_gouraud setup_small float_depths texture_tile texture_small texel_row_lit texel_row_smooth texel_row_smooth_lit vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -25,8 +25,10 @@ c_loops() {
 loops=("${loops[@]/#/$kernels/portable/}")
 
 assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
-    local files=("${loops[@]/#$kernels\/portable/$2}")
-    files=("${files[@]/%/.S}" firmware/core/fx/fx_root.c)
+    local files=(firmware/core/fx/fx_root.c) loop
+    for loop in "${loops[@]##*/}"; do
+        if [ -e "$2/$loop.S" ]; then files+=("$2/$loop.S"); else files+=("$kernels/portable/$loop.c"); fi
+    done
     [ ! -e "$kernels/$1/fx_clz.c" ] || files+=("$kernels/$1/fx_clz.c")
     "$cross" "$core" -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-I$kernels/$1" "-I$kernels/portable" "${include[@]}" tests/core/kernels/kernel_loops.c "${files[@]}" -o "$B/$3" &&
         qemu-arm "$B/$3" >"$B/$3.lines"

@@ -14,6 +14,7 @@
 #include "ref_plane.h"
 #include "ref_random.h"
 #include "ref_rig.h"
+#include "textured_torus.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,7 +56,8 @@ static void square_build(struct square *s, double size, double tiles, enum ph_wr
     for (int i = 0; i < TEXELS * TEXELS; i++) {
         s->texels[i] = (uint16_t)i;
     }
-    s->texture = (struct ph_texture){s->texels, LOG2, LOG2, (uint8_t)wrap};
+    s->texture =
+        (struct ph_texture){.texels = s->texels, .log2_width = LOG2, .log2_height = LOG2, .wrap = (uint8_t)wrap};
     s->material = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &s->texture};
 }
 
@@ -198,34 +200,6 @@ static void many_repeats_are_exact(void **state)
 
 /* ---- a mesh of small triangles ---------------------------------------------------------------------------- */
 
-#define MAJOR 32
-#define MINOR 16
-
-/* The benchmark's torus, on which the texture repeats 4 x 2 times: the vertices are doubled at the seams. */
-static void textured_torus(struct ref_scene *scene)
-{
-    struct ref_scene torus;
-    ref_scene_build(&torus, REF_TORUS);
-    *scene = torus;
-    scene->id = REF_CUBE; /* the same pose, and textured */
-    scene->vertex_count = (MAJOR + 1) * (MINOR + 1);
-    scene->vertices = calloc((size_t)scene->vertex_count, sizeof *scene->vertices);
-    assert_non_null(scene->vertices);
-    for (int n = 0; n < scene->vertex_count; n++) {
-        int i = n / (MINOR + 1), j = n % (MINOR + 1);
-        scene->vertices[n] = torus.vertices[i % MAJOR * MINOR + j % MINOR];
-        scene->vertices[n].uv[0] = 4. * i / MAJOR;
-        scene->vertices[n].uv[1] = 2. * j / MINOR;
-    }
-    for (int n = 0; n < scene->triangle_count; n++) {
-        int a = n / (2 * MINOR) * (MINOR + 1) + n / 2 % MINOR, b = a + MINOR + 1;
-        scene->triangles[n][0] = a;
-        scene->triangles[n][1] = n % 2 ? b + 1 : b;
-        scene->triangles[n][2] = n % 2 ? a + 1 : b + 1;
-    }
-    free(torus.vertices);
-}
-
 static long wrong_texels(const struct rig *rig, const struct ref_picture *exact, long *pixels)
 {
     long wrong = 0;
@@ -248,7 +222,7 @@ static void a_mesh_of_small_triangles_is_exact(void **state)
     struct ref_scene scene;
     struct ref_picture exact;
     (void)state;
-    textured_torus(&scene);
+    textured_torus_build(&scene);
     rig_mesh_build(&mesh, &scene);
     for (int i = 0; i < TEXELS * TEXELS; i++) {
         mesh.texels[i] = (uint16_t)i;
@@ -311,7 +285,7 @@ static int pixels_that_differ(const uint16_t *a, const uint16_t *b)
 static void check_equal_depths(struct square *s, enum ph_depth_format format, enum ph_wrap wrap, uint8_t shading)
 {
     static uint16_t other[TEXELS * TEXELS], first[WIDTH * HEIGHT];
-    const struct ph_texture texture = {other, LOG2, LOG2, (uint8_t)wrap};
+    const struct ph_texture texture = {.texels = other, .log2_width = LOG2, .log2_height = LOG2, .wrap = (uint8_t)wrap};
     struct rig rig;
     struct ref_plane p;
     square_build(s, 4, 2, wrap);

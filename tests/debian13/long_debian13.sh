@@ -78,6 +78,25 @@ picotool_verifies_the_flash() {
                 build/pinhole-flash $1.uf2 --no-reboot && picotool verify $1.uf2 && picotool verify $1.bin"' - "$image"
 }
 
+# The packages of what the copy has, built there, checked by lintian and installed; the installed programs run.
+debs_build() {
+    debian13 bash -c 'git init -q . && git add -A && git -c user.name=tests -c user.email=tests@invalid commit -qm tests && make -s deb'
+}
+
+debs_install() {
+    debian13 bash -c 'apt-get install -y --no-install-recommends ./build/deb/*.deb' || return 1
+    debian13 bash -c 'cd / && for p in asset depth emulate flash panel sheet sim wire; do
+        /usr/bin/pinhole-$p --version | grep . && man -w pinhole-$p || exit 1; done; pkg-config --modversion pinhole; ldd /usr/bin/pinhole-panel | grep libdrm'
+}
+
+installed_programs_draw() {
+    debian13 bash -c 'cd /tmp && pinhole-sim --demo cube --crc' | diff - <(debian13 build/pinhole-sim --demo cube --crc) &&
+        debian13 bash -c 'sed -n "/^#include <pinhole/,/^\`\`\`/p" README.md | grep -v "^\`" >/tmp/hello.c
+            cd /tmp && cc hello.c $(pkg-config --cflags --libs pinhole) -o hello && ./hello | grep -c "#"'
+}
+
+debs_are_removed() { debian13 bash -c 'apt-get purge -y pinhole libpinhole-dev && ! ls /usr/bin/pinhole-* /usr/include/pinhole 2>/dev/null'; }
+
 start=$SECONDS
 debian13_make || { skip "Pinhole on Debian 13" "$debian13_why" && tap_end; }
 echo "# the root: $((SECONDS - start)) s"
@@ -95,6 +114,11 @@ image=build/firmware/pico-display-demos
 timed "picotool reads our UF2, ELF and BIN" picotool_reads_images
 timed "picotool shows name, version, board and pins" picotool_shows_what_the_image_is
 timed "picotool makes the same UF2 of our BIN" picotool_writes_the_same_uf2
+
+timed "make deb builds packages that lintian takes" debs_build
+timed "apt installs them" debs_install
+timed "what is installed draws" installed_programs_draw
+timed "apt takes them away" debs_are_removed
 
 board_why=$(debian13 tests/guest/guest.sh --why)
 if [ -n "$board_why" ]; then

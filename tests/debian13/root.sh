@@ -9,8 +9,9 @@
 B=${B:-build}
 debian13_root=$(realpath -m "$B/debian13/root")
 debian13_log=$B/debian13/mmdebstrap.log
-# Compilers, the libraries of tests/tools/packages, and what a virtual board needs: a kernel with its headers, a QEMU.
-debian13_packages="make gcc clang gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm pkgconf procps picotool $(awk -F '[| ]+' '/^test/ && $2 ~ /-dev$/ { print $2 }' tests/tools/packages | xargs)"
+# Compilers, the libraries of tests/tools/packages, what builds Debian packages, and what a virtual board needs: a kernel with
+# its headers, a QEMU.
+debian13_packages="make gcc clang gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm pkgconf procps picotool git build-essential dpkg-dev debhelper lintian help2man $(awk -F '[| ]+' '/^test/ && $2 ~ /-dev$/ { print $2 }' tests/tools/packages | xargs)"
 [ "$(uname -m)" != x86_64 ] ||
     debian13_packages+=' linux-image-amd64 linux-headers-amd64 qemu-system-x86 kmod cpio xz-utils gpiod'
 

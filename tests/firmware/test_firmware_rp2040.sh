@@ -41,7 +41,7 @@ overlap() {
 }
 
 # Two demos with one core, as `make speed` measures them, are as in the table of tests/bench/README.md.
-speed_is_that_of_the_paper() { CORES=1 speed_agrees 2 "$board" 6 turntable cube; }
+speed_is_that_of_the_paper() { CORES=1 speed_agrees 2 "$board" 6 turntable cube && grep -q '^{"demo": "cube", "cores": 1, "fps": [0-9]' "$B/speed/$board.json"; }
 
 other_speeds_are_seen() { # frame rates of 4 % more, or a demo too few
     awk -F, -v OFS=, 'NR > 1 { $3 *= 1.04 } { print }' "$B/speed/$board.csv" >"$dir/faster"
@@ -64,6 +64,17 @@ dark() { # the backlight, GP20, is off at the end
     local last
     last=$(awk '$2 == "level" { print $3 }' "$dir/out/events" | tail -n 1)
     [ $((0x$last >> 20 & 1)) = 0 ]
+}
+
+# R on the UART: frames are measured, CRCs are the known ones, and it holds until G.
+reports() {
+    EVENTS_ONLY=1 emulate "$board" 1 22 - --send 1:RG || return 1
+    tr -d '\r' <"$dir/log" >"$dir/report"
+    grep -qx 'cube 240x135 crc32 D114E45F, as known' "$dir/report" && grep -qx 'testcard 240x135 crc32 99FF17F2, as known' "$dir/report" &&
+        grep -qE '^turntable: 16 frames in [1-9][0-9]* ms, [1-9][0-9]*\.[0-9] frames/s, left out 0 triangles 0 vertices$' "$dir/report" &&
+        grep -q "^Pinhole $(sed -n 's/.*PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h) on $board: .*, 1 core\$" "$dir/report" &&
+        grep -qx 'display st7789-135x240, 240x135, turned [0-9]*, bus 62500000 Hz' "$dir/report" && grep -qx 'self-test: passed' "$dir/report" ||
+        { cat "$dir/report" && return 1; }
 }
 
 fault_is_told() {
@@ -182,6 +193,7 @@ check "the_speed_is_that_of_the_paper" speed_is_that_of_the_paper
 check "another_speed_than_that_of_the_paper_is_seen" other_speeds_are_seen
 check "the_stack_stays_below_its_bound" stack_stays_below_its_bound
 check "a_pin_is_a_button" a_pin_is_a_button
+check "R_on_the_UART_writes_a_report" reports
 check "B_on_the_UART_reboots_into_the_boot_loader" boot_loader_on_request
 check "a_button_held_at_power_up_does_so_too" boot_loader_by_a_button
 check "a_fault_is_told_and_the_panel_is_dark" fault_is_told

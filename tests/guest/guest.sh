@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Usage: tests/guest/guest.sh [--bufsiz N] [--timeout S] [--out DIR] [--memory MB] [--cpus N] [--append TEXT] [--icount] -- COMMAND...
+# Usage: tests/guest/guest.sh [--bufsiz N] [--timeout S] [--out DIR] [--memory MB] [--cpus N] [--append TEXT] [--icount]
+#                             [--device TEXT]... [--monitor] -- COMMAND...
 #        tests/guest/guest.sh --why | --kernel
 # Runs COMMAND as root in a QEMU guest with Debian's own kernel and returns its exit status, stdout and stderr;
 # 124: it took longer than S seconds (600 by default); 125: the guest died, or could not be started (one line says why).
@@ -11,11 +12,12 @@
 # one. COMMAND starts in the current directory, with PATH and B of the caller. --bufsiz is spidev's, on the kernel's
 # command line as --append's TEXT is. The kernel is unpacked once, below $B/guest. --icount: time in the guest goes by
 # the instructions that it runs, so that a time-out in it means the same on a busy machine; it takes a third longer.
+# --device adds a device of QEMU's. --monitor: QEMU's monitor reads the FIFO DIR/monitor.in and writes DIR/monitor.out.
 # Environment: B (build directory).
 set -u
 B=$(realpath -m "${B:-build}") # a guest also works elsewhere
 tests=$(cd "$(dirname "$0")" && pwd)
-seconds=600 icount=() out='' memory=512 cpus=1 append=''
+seconds=600 icount=() devices=() monitor='' out='' memory=512 cpus=1 append=''
 PATH=$PATH:/usr/sbin:/sbin
 
 fail() { # status, text
@@ -103,7 +105,7 @@ write_command() { # word...
 # QEMU, and nothing that outlives this script, however it ends.
 start_qemu() {
     setpriv --pdeathsig KILL -- timeout --foreground -s KILL "$seconds" setpriv --pdeathsig KILL -- \
-        qemu-system-x86_64 -accel tcg "${icount[@]}" -M pc,usb=off -m "$memory" -smp "$cpus" -nodefaults -no-user-config -display none -no-reboot \
+        qemu-system-x86_64 -accel tcg "${icount[@]}" "${devices[@]}" -M pc,usb=off -m "$memory" -smp "$cpus" -nodefaults -no-user-config -display none -no-reboot \
         -kernel "$kernel/vmlinux" -initrd "$kernel/initrd.cpio" -serial "file:$out/console.log" \
         -append "console=ttyS0 quiet loglevel=4 panic=-1 no_timer_check tsc=reliable mitigations=off nokaslr $append" \
         -fsdev local,id=host,path=/,security_model=none,readonly=on,multidevs=remap \
@@ -121,6 +123,8 @@ arguments() {
         --why) why_not | grep . && exit 1 || exit 0 ;;
         --icount) icount=(-icount "shift=2,sleep=on") && shift && continue ;;
         --kernel) kernel_version && exit 0 || exit 1 ;;
+        --monitor) monitor=1 && shift && continue ;;
+        --device) devices+=(-device "${2:?}") ;;
         --bufsiz) append="$append spidev.bufsiz=${2:?}" ;;
         --timeout) seconds=${2:?} ;;
         --out) out=${2:?} ;;
@@ -150,6 +154,10 @@ rm -f "$out/status" "$out/kernel.log"
 : >"$out/stdout"
 : >"$out/stderr"
 write_command "${command[@]}"
+if [ -n "$monitor" ]; then
+    { [ -p "$out/monitor.in" ] || mkfifo "$out/monitor.in" "$out/monitor.out"; } || exit 125
+    devices+=(-chardev "pipe,id=monitor,path=$out/monitor" -mon monitor)
+fi
 trap 'kill -KILL "${qemu:-}" 2>/dev/null; exit 130' INT TERM HUP
 start_qemu
 ended=$?

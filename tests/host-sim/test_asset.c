@@ -465,9 +465,10 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
     for (unsigned i = 0; i < 8; i++) {
         texels[i] = wire(4 * i, 63 - 8 * i, i);
     }
-    const struct ph_texture texture = {texels, 2, 1, PH_WRAP_CLAMP};
+    const struct ph_texture texture = {.texels = texels, .log2_width = 2, .log2_height = 1, .wrap = PH_WRAP_CLAMP};
     const struct ph_material material = {.shading = PH_SHADE_TEXTURE_LIT, .ramp = ramp, .texture = &texture};
-    const struct ph_texture other_texture = {texels + 7, 0, 0, PH_WRAP_REPEAT};
+    const struct ph_texture other_texture = {
+        .texels = texels + 7, .log2_width = 0, .log2_height = 0, .wrap = PH_WRAP_REPEAT};
     struct ph_material other_material = material;
     other_material.texture = &other_texture;
     struct ph_mesh meshes[3] = {{places, normals, uvs, corners, NULL, &part, &material, 3, 1, 0, 1, NULL}};

@@ -84,7 +84,7 @@ row() { csv advise "$@" | awk -F, -v f="$format" '$1 == f { print $6, $7, $8, $1
 
 every_wrong_pixel_is_foreseen() {
     local scene
-    for scene in '--demo zfight' '--demo zfight --start 40 --size 320x240' '--demo snake --frames 3' '--demo shadow' '--demo turntable --near .01 --far 1000' \
+    for scene in '--demo zfight' '--demo parallel --start 9' '--demo zfight --start 40 --size 320x240' '--demo snake --frames 3' '--demo shadow' '--demo turntable --near .01 --far 1000' \
         '--demo ground --near .1 --far 10000 --camera eye=0,2,8' '--demo solar --view moon' '--demo focus --near .02 --far 500'; do
         # shellcheck disable=SC2086 # options
         csv advise $scene | awk -F, -v scene="$scene" 'NR > 1 && ($11 != 0 || $10 > $8 || $8 > $7 || $7 > $6) { print scene ": " $0; bad = 1 } END { exit bad || NR < 6 }' || return 1
@@ -128,6 +128,32 @@ a_gap_of_a_step_decides() {
     local low high
     low=$(above .015 fixed16) && high=$(above .027 fixed16) || return 1
     [ "$low" = 100 ] && [ "$high" = 0 ] && [ "$(above .015 float16)" = 0 ] && [ "$(above .0005 float16)" = 100 ] || { echo "$low, $high" && return 1; }
+}
+
+# Two sheets under a parallel projection, near 1 far 100, so far apart. The share in % of the pixels that fight, and the
+# pixels that show the wrong one.
+parallel_sheets() { # gap, format
+    cat >"$dir/parallel.gltf" <<END
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1, 2, 3]}], "scene": 0,
+ "nodes": [{"mesh": 0, "translation": [0, 0, -50]}, {"mesh": 1, "translation": [0, 0, $(awk -v gap="$1" 'BEGIN { printf "%.6f", gap - 50 }')]}, {"camera": 0}, {"mesh": 0, "translation": [0, 0, -99]}],
+ "cameras": [{"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 2, "znear": 1, "zfar": 100}}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}, {"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}, {"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 1}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+ "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAACAPwAAgD8AAAAAAACAvwAAgD8AAAAAAAABAAIAAAACAAMA"}]}
+END
+    csv advise --model "$dir/parallel.gltf" --format "$2" | awk -F, 'NR == 2 { print $9, $10, $11 }'
+}
+
+# The step of fixed16 is (f - n) / 65408, .76 mm of the file's; a float of 3 bits of exponent has twice that here.
+parallel_views_are_measured() {
+    local gap format wanted said
+    while read -r gap format wanted; do
+        said=$(parallel_sheets "$gap" "$format")
+        [ "$said" = "$wanted" ] || { echo "$format, $gap m apart: $said, not $wanted" && return 1; }
+    done <<<$'.0009 fixed16 100 0 0\n.0012 fixed16 0 0 0\n.0003 float16 100 14400 0\n.0012 float24 0 0 0'
 }
 
 # At 60 degrees the distance changes by .136 m a pixel, and the grid moves both by .75 mm along the ray.
@@ -175,8 +201,10 @@ check "zfight fights in fixed16 and not in float16" zfight_fights_in_fixed16_alo
 check "a larger near plane helps fixed16" a_larger_near_plane_helps
 if has_models; then
     check "a sheet fights with the floor within a depth step, and not above" a_gap_of_a_step_decides
+    check "a parallel view has steps of its own" parallel_views_are_measured
     check "seen from farther off it fights within the sub-pixel grid, in every format" the_sub_pixel_grid_decides
 else
+    skip "a parallel view has steps of its own" "this build reads no model files"
     skip "a sheet fights with the floor within a depth step, and not above" "this build reads no model files"
 fi
 check "each option has an effect" options_have_an_effect
@@ -187,7 +215,7 @@ while IFS='|' read -r pattern options; do
 done <<'END'
 no such demo|--demo nope
 no such view|--demo zfight --view nope
-a fisheye|--demo fisheye
+fisheye. It stores .* say advise --near 0.125 --far 12|--demo fisheye
 exclude each other|--demo cube --model x
 belong to planes|--demo cube --at 3
 belong to planes|--demo cube --separate 1

@@ -23,11 +23,11 @@ wrong_usage() { refuses 2 "$@"; }
 help_names_every_option() {
     "$panel" --help >"$dir/help" 2>"$dir/err" && [ ! -s "$dir/err" ] || return 1
     local option
-    for option in board panel spi usb dc reset backlight te mode speed rotate demo view model frames start fps diff \
+    for option in board panel spi usb drm dc reset backlight te mode speed rotate demo view model frames start fps diff \
         refresh band depth overlay stats help; do
         grep -q -- "^  --$option\b" "$dir/help" || { echo "no --$option" && return 1; }
     done
-    for option in list doctor probe testcard speedtest; do
+    for option in list doctor probe testcard speedtest report; do
         grep -q "^  $option " "$dir/help" || { echo "no $option" && return 1; }
     done
     "$panel" -h | cmp - "$dir/help"
@@ -69,6 +69,11 @@ what_does_not_fit_together_is_refused() {
         wrong_usage "not for this command" testcard --board sbc-generic --demo ball &&
         wrong_usage "one display at a time" probe --board sbc-generic --board rpi-pirate-audio &&
         wrong_usage "one display at a time" speedtest &&
+        wrong_usage "one display at a time" report --board sbc-generic --board rpi-pirate-audio &&
+        wrong_usage "--drm: the kernel has this display's wires" --drm --board sbc-generic &&
+        wrong_usage "--drm: the kernel has this display's wires" --drm card0 --speed 1000000 &&
+        wrong_usage "--drm and --diff exclude each other" --drm --diff on &&
+        wrong_usage "not for this command" speedtest --drm &&
         wrong_usage "'sbc-generic' is no kit for an FT232H" --board sbc-generic --usb &&
         wrong_usage "a pin of the FT232H is AD0" --usb --dc GPIO25 &&
         wrong_usage "--te: an FT232H has no line" --board ft232h-st7789 --te AC3 &&

@@ -9,6 +9,7 @@
 #include "complain.h"
 #include "panel_probe.h"
 #include "panel_show.h"
+#include "self_test.h"
 #include "sim.h"
 
 #include <stdio.h>
@@ -181,11 +182,77 @@ static void controllers_are_named_by_their_bytes(void **state)
     assert_true(panel_probe_answered(&other));
 }
 
+/* ---- report ------------------------------------------------------------------------------------- */
+
+static char report_text[2000];
+static const struct sim *looked_at;
+static uint8_t card[3 * 128 * 128];
+
+void self_test_put(const char *text)
+{
+    strncat(report_text, text, sizeof report_text - strlen(report_text) - 1);
+}
+
+static void look(void)
+{
+    sim_pixels(looked_at, board_rpi_waveshare_1in44.rotation, card);
+}
+
+static int report(struct panel_scene *scene)
+{
+    static struct panel_display d;
+    struct sim *sim;
+    plug(&d, &board_rpi_waveshare_1in44, &sim);
+    looked_at = sim;
+    report_text[0] = '\0';
+    const int status = panel_show_report(&d, scene, look);
+    assert_true(is_dark(sim, &board_rpi_waveshare_1in44));
+    sim_close(sim);
+    return status;
+}
+
+static void a_report_has_known_frames_and_shows_the_card(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(1, &stop);
+    assert_int_equal(report(&scene), 0);
+    assert_non_null(strstr(report_text, "\ncube 128x128 crc32 CB8EF329, as known\n"));
+    assert_non_null(strstr(report_text, "\ntestcard 128x128 crc32 50FC6910, as known\nself-test: passed\n"));
+    assert_non_null(strstr(report_text, "rpi-waveshare-1in44: Raspberry Pi with"));
+    assert_non_null(strstr(report_text, " frames/s, left out 0 triangles 0 vertices\n"));
+    uint32_t lit = 0;
+    for (size_t i = 0; i < sizeof card; i += 3) {
+        lit += card[i] != 0 || card[i + 1] != 0 || card[i + 2] != 0;
+    }
+    assert_in_range(lit, 1000, 128 * 128);
+}
+
+static void a_report_says_that_a_picture_is_not_the_known_one(void **state)
+{
+    (void)state;
+    volatile sig_atomic_t stop = 0;
+    struct panel_scene scene = scene_of(1, &stop);
+    scene.overlay = true; /* other pixels */
+    static struct stderr_capture said;
+    stderr_capture_begin(&said);
+    const int status = report(&scene);
+    stderr_capture_end(&said);
+    assert_int_equal(status, COMPLAINED);
+    assert_non_null(strstr(said.text, "rpi-waveshare-1in44: the picture is not the known one"));
+    assert_non_null(strstr(report_text, ", but known is CB8EF329\n"));
+    assert_non_null(strstr(report_text, "\nself-test: FAILED\n"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_run_shows_its_frames_and_ends_dark), cmocka_unit_test(a_signal_ends_it_after_the_frame),
-        cmocka_unit_test(controllers_are_named_by_their_bytes), cmocka_unit_test(an_error_ends_it_dark),
+        cmocka_unit_test(a_report_has_known_frames_and_shows_the_card),
+        cmocka_unit_test(a_report_says_that_a_picture_is_not_the_known_one),
+        cmocka_unit_test(a_run_shows_its_frames_and_ends_dark),
+        cmocka_unit_test(a_signal_ends_it_after_the_frame),
+        cmocka_unit_test(controllers_are_named_by_their_bytes),
+        cmocka_unit_test(an_error_ends_it_dark),
         cmocka_unit_test(each_setting_has_its_effect),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -49,7 +49,8 @@ double depth_tolerance(enum ph_depth_format format)
 
 bool depth_is_right(const struct ph_lens *lens, enum ph_depth_format format, fx_t w, uint32_t code)
 {
-    const double tolerance = depth_tolerance(format), off = ldexp(1, -29);
+    const bool deep = is_float(format) && lens->float_down > 3; /* down to the last bits of N/w and N/f: make proof */
+    const double tolerance = depth_tolerance(format), off = deep ? 5 * ldexp(1, -30) : ldexp(1, -29);
     return code <= depth_exact(lens, format, w * (1 - off)) + tolerance &&
            code > depth_exact(lens, format, w * (1 + off)) - 1 - tolerance;
 }

@@ -16,7 +16,8 @@ double depth_exact(const struct ph_lens *lens, enum ph_depth_format format, doub
 /* How many codes the rounding after the reciprocal may add or take away. */
 double depth_tolerance(enum ph_depth_format format);
 
-/* Whether a code is that floor, within the tolerance and 2^-29 of the distance (the reciprocal's rounding). */
+/* Whether a code is that floor, within the tolerance and 2^-29 of the distance (the reciprocal's rounding), 5 2^-30 in
+ * floats with 5 or 6 bits of exponent. */
 bool depth_is_right(const struct ph_lens *lens, enum ph_depth_format format, fx_t w, uint32_t code);
 
 #endif

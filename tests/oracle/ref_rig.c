@@ -157,7 +157,7 @@ static void materials_build(struct rig_mesh *m, const struct ref_scene *scene)
             m->texels[y * REF_TEXTURE_SIZE + x] = ph_rgb565((uint8_t)(rgb >> 16), (uint8_t)(rgb >> 8), (uint8_t)rgb);
         }
     }
-    m->texture = (struct ph_texture){m->texels, 6, 6, PH_WRAP_REPEAT};
+    m->texture = (struct ph_texture){.texels = m->texels, .log2_width = 6, .log2_height = 6, .wrap = PH_WRAP_REPEAT};
     for (uint32_t i = 0; i < parts; i++) {
         m->parts[i] = (struct ph_part){i * each, each, (uint16_t)i};
         m->materials[i] = (struct ph_material){.shading = shading[scene->id],

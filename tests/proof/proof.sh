@@ -41,7 +41,7 @@ long  | fx_math.log              |                       | 20 | no overflow
 long  | fx_math.pow              |                       | 20 | no overflow
 long  | fx_math.hypot            | fx_sqrt_u64           | 20 | no overflow
 long  | fx_math.units            |                       | 20 | no overflow
-long  | fx_math.cot_half         |                       | 20 | no overflow
+short | fx_math.cot_half         | fx_rcp_newton         | 20 | no overflow
 long  | fx_math.whole            |                       | 20 | no overflow
 long  | fx_math.convert          |                       | 20 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE

@@ -108,7 +108,8 @@ static int cube_init(struct demo_context *context)
         const uint32_t x = i % (1u << TEXTURE_LOG2), y = i >> TEXTURE_LOG2;
         texels[i] = ph_rgb565((uint8_t)(4 * x), (uint8_t)(4 * y), ((x >> 3) ^ (y >> 3)) & 1 ? 255 : 64);
     }
-    b->texture = (struct ph_texture){texels, TEXTURE_LOG2, TEXTURE_LOG2, PH_WRAP_CLAMP};
+    b->texture = (struct ph_texture){
+        .texels = texels, .log2_width = TEXTURE_LOG2, .log2_height = TEXTURE_LOG2, .wrap = PH_WRAP_CLAMP};
     b->material = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &b->texture};
     return model_material(&context->arena, &b->mesh, &b->material);
 }

@@ -58,8 +58,11 @@ static void fill_textures(struct materials *m)
         const int32_t part = left > 0 ? left * 255 / (SIDE * SIDE) : 0;
         m->light[i] = ph_rgb565(0, (uint8_t)(part * part / 255), 0);
     }
-    m->fence_texture = (struct ph_texture){m->fence, LOG2, LOG2, PH_WRAP_CLAMP};
-    m->light_texture = (struct ph_texture){m->light, LOG2, LOG2, PH_WRAP_CLAMP};
+    m->fence_texture =
+        (struct ph_texture){.texels = m->fence, .log2_width = LOG2, .log2_height = LOG2, .wrap = PH_WRAP_CLAMP};
+    m->light_texture = m->fence_texture;
+    m->light_texture.texels = m->light;
+    m->light_texture.filter = PH_FILTER_BILINEAR;
     m->glow =
         (struct ph_blend){.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 32, .alphas = &m->light_texture};
 }

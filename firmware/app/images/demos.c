@@ -6,17 +6,20 @@
  * reads single characters:
  *   B          reboot into the chip's boot loader (as a button does that is held at power-up)
  *   H          draw one frame, write a line about it, and hold; G: go on
+ *   R          a report of the kit to paste (self_test.h); then it holds, with the test card on the glass
  *   u d l r s  as if the kit's button were held during one frame
  */
 #include "image.h"
 #include "port.h"
 #include "runner.h"
+#include "self_test.h"
 
 #define SECOND_US 1000000U
 #define CHARGE_US 20000U /* a button's line reads released after this time: 100 nF and 80 kOhm take 8 ms to 2 V */
 
 struct console {
     bool holding;
+    bool reporting;      /* a report was asked for */
     uint32_t buttons;    /* for the next frame */
     uint32_t line_us;    /* when it last wrote a line about frames */
     uint32_t line_frame; /* the next frame then */
@@ -70,7 +73,8 @@ static bool obey(struct console *console, int byte)
     if (byte == 'H' || byte == 'G') {
         console->holding = byte == 'H';
     }
-    return byte == 'H' || byte == 'G';
+    console->reporting = byte == 'R';
+    return byte == 'H' || byte == 'G' || byte == 'R';
 }
 
 /* Reads all characters that wait. While the console holds, it reads on until the next frame is asked for. */
@@ -112,6 +116,20 @@ static void report(const struct runner *runner, struct console *console, uint32_
     console->line_frame = frame + 1;
 }
 
+void self_test_put(const char *text)
+{
+    port_log(text[0] == '\n' ? "\r\n" : text);
+}
+
+/* A failed CRC is in the report; only an error stops the image. */
+static int write_report(struct runner *runner, struct console *console)
+{
+    const int status = self_test_report(runner, runner->config.other_core != NULL ? "2 cores" : "1 core");
+    console->reporting = false;
+    console->holding = true;
+    return status < 0 ? status : 0;
+}
+
 static int run(struct runner *runner)
 {
     struct console console = {.line_us = runner->hal.ops->time_us(runner->hal.context)};
@@ -119,6 +137,11 @@ static int run(struct runner *runner)
     log_demo(runner);
     for (uint32_t frame = 0; status == 0; frame++) {
         listen(&console);
+        if (console.reporting) {
+            status = write_report(runner, &console);
+            frame--;
+            continue;
+        }
         status = draw(runner, &console, frame);
         report(runner, &console, frame);
     }

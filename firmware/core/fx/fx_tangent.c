@@ -1,9 +1,6 @@
-/* fx_tangent: the tangent as a ratio, and what is scaled by it. See fx_tangent.h and fx_math.h. */
+/* See fx_tangent.h. */
 #include "fx_tangent.h"
-#include "fx_math.h"
 #include "fx_wide.h"
-
-#include <stdbool.h>
 
 /* Lambert's continued fraction x / (1 - x^2 / (3 - x^2 / (5 - ...))), from the inside, as a ratio without division. */
 struct fx_ratio fx_tangent_ratio(uint64_t eighth)
@@ -22,30 +19,4 @@ struct fx_ratio fx_tangent_ratio(uint64_t eighth)
         a = next;
     }
     return (struct fx_ratio){fx_mulhi_u64(x, b) << 1, a};
-}
-
-int32_t fx_cot_half_q20(fx_t deg)
-{
-    const uint32_t straight = (uint32_t)FX_INT(180);
-    const uint32_t d = (uint32_t)deg;
-    if (deg <= 0) {
-        return INT32_MAX;
-    }
-    if (d >= straight) {
-        return 0;
-    }
-    const bool over_right = d > straight / 2;
-    struct fx_ratio r = fx_tangent_ratio(((uint64_t)(over_right ? straight - d : d) << 41) / 45 << 5);
-    if (!over_right) {
-        r = (struct fx_ratio){r.den, r.num};
-    }
-    while (r.den >= (uint64_t)1 << 42) {
-        r.num >>= 1;
-        r.den >>= 1;
-    }
-    if (r.num >> 11 >= r.den) {
-        return INT32_MAX;
-    }
-    const uint64_t twice = (r.num / r.den << 21) + ((r.num % r.den) << 21) / r.den;
-    return fx_sat64((int64_t)((twice + 1) >> 1));
 }

@@ -1,4 +1,4 @@
-/* fx_tangent: the tangent as a ratio, for fx_atan2 and fx_cot_half_q20. */
+/* fx_tangent: the tangent as a ratio, for fx_atan2. */
 #ifndef FX_TANGENT_H
 #define FX_TANGENT_H
 

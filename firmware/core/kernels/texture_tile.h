@@ -35,8 +35,9 @@ struct ph_texel_rows {
     const uint16_t *texels;
     uint32_t columns; /* of the tile that are in the picture: 1 .. PH_TILE */
     uint32_t rows, count;
-    uint32_t u_outside, v_outside; /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
-    struct ph_texel_way u, v;      /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
+    uint32_t u_outside, v_outside;    /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
+    struct ph_texel_way u, v;         /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */
+    uint32_t light, glight, light_dy; /* for the caller's use: 32nds in 2^-24 at column 0, per column and per row */
 };
 
 /* Draws rows, at least one. It stops before a row that begins or ends outside a clamped texture. Afterwards everything

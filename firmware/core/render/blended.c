@@ -23,8 +23,9 @@ struct overlay {
     const struct ph_blend *blend;
     struct ph_setting setting, keys; /* of the colours; of the texels that decide */
     struct ph_material key_material;
-    bool has_keys, same_keys; /* the colours are the texels that decide */
-    uint32_t share;           /* of the fog, where it was last looked up */
+    struct ph_texture key_texture; /* the material's, without a filter */
+    bool has_keys, same_keys;      /* the colours are the texels that decide */
+    uint32_t share;                /* of the fog, where it was last looked up */
 };
 
 /* The pixels that a triangle may cover, in the band. */
@@ -215,11 +216,14 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
     ph_setting_of(&o->setting, o->r, draw);
     const bool by_colour = o->blend->kind == PH_BLEND_KEY;
     o->has_keys = by_colour ? ph_is_textured(material) : o->blend->alphas != NULL;
-    o->same_keys = by_colour && material->shading == PH_SHADE_TEXTURE;
+    o->same_keys = o->has_keys && by_colour && material->shading == PH_SHADE_TEXTURE &&
+                   material->texture->filter == PH_FILTER_NEAREST;
     if (o->has_keys && !o->same_keys) {
         o->key_material = *material;
         o->key_material.shading = PH_SHADE_TEXTURE;
-        o->key_material.texture = by_colour ? material->texture : o->blend->alphas;
+        o->key_texture = by_colour ? *material->texture : *o->blend->alphas;
+        o->key_texture.filter = by_colour ? PH_FILTER_NEAREST : o->key_texture.filter;
+        o->key_material.texture = &o->key_texture;
         keys.material = &o->key_material;
         ph_setting_of(&o->keys, o->r, &keys);
     }

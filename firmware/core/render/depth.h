@@ -31,7 +31,7 @@
  * What they resolve: the longest distance between near and far plane over which the code stays the same, in metres,
  * through vertices, set-up and spans (tests/core/test_depth.c). A step of Q16.16 itself is 0.000015.
  *                  n = .1 f = 1000    n = .5 f = 100    n = 1 f = 1000    best if
- *   fixed16        108                .303              14.7              f / n is small: it is the cheapest
+ *   fixed16        108                .302              14.7              f / n is small: it is the cheapest
  *   float16        .0746              .0060             .061              16 bits and any f / n
  *   fixed24        .597               .0012             .0597             f / n is moderate; twice the memory
  *   float24        .000305            .000031           .000244           everywhere; twice the memory

@@ -120,6 +120,7 @@ void ph_set_exact(const struct ph_renderer *r, struct ph_triangle *t, const stru
 {
     struct ph_exact *const e = &t->exact;
     int64_t d[3];
+    t->depth = t->shades; /* which lies where exact does; runs have it in its place again */
     set_codes(e, r, ph_depth_bias(t->material));
     for (int i = 0; i < 3; i++) {
         const int64_t far = e->kind == LINEAR ? 0 : in_40_bits(r->lens.far_q, r->lens.far_s);

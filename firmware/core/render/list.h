@@ -141,7 +141,8 @@ void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, 
 /* Whether pixels are taken from a texture. */
 static inline bool ph_is_textured(const struct ph_material *material)
 {
-    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT) &&
+    return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT ||
+            material->shading == PH_SHADE_TEXTURE_GOURAUD) &&
            material->texture != NULL;
 }
 

@@ -155,11 +155,11 @@ static NOINLINE int plane_through(struct ph_plane *out, const struct plane_base 
 }
 
 /* The plane through the light of the corners, in 2^-16. */
-static void plane_light(struct ph_plane *out, const struct plane_base *s, const struct ph_vertex *const v[3])
+static void plane_light(struct ph_plane *out, const struct plane_base *s, const int32_t light[3])
 {
-    const int32_t d1 = v[1]->light - v[0]->light, d2 = v[2]->light - v[0]->light;
+    const int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
     const int drop = ((uint32_t)((d1 >> 15) + 1) | (uint32_t)((d2 >> 15) + 1)) > 1;
-    out->base = (uint32_t)v[0]->light << 16;
+    out->base = (uint32_t)light[0] << 16;
     if (s->sides->is_short) {
         short_plane(out, s, d1 >> drop, d2 >> drop, 16 + drop);
     } else {
@@ -401,6 +401,16 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
     t->range_log2 = (uint8_t)range;
 }
 
+/* The plane of the light of texels. */
+static NOINLINE void setup_shades(const struct plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t)
+{
+    int32_t light[3];
+    for (int i = 0; i < 3; i++) {
+        light[i] = ph_texel_light_of(t->material, v[i]) + PH_TEXEL_LIGHT_UP;
+    }
+    plane_light(&t->shades, s, light);
+}
+
 /* The colour of a light. */
 static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
 {
@@ -442,16 +452,21 @@ static void setup_shading(const struct ph_renderer *r, const struct plane_base *
     case PH_SHADE_GOURAUD:
         if (material->ramp != NULL) {
             t->kind = PH_KIND_GOURAUD;
-            plane_light(&t->attribute[0], s, v);
+            const int32_t light[3] = {v[0]->light, v[1]->light, v[2]->light};
+            plane_light(&t->attribute[0], s, light);
             return;
         }
         break;
     case PH_SHADE_TEXTURE:
     case PH_SHADE_TEXTURE_LIT:
+    case PH_SHADE_TEXTURE_GOURAUD:
         if (material->texture != NULL) {
             t->kind = PH_KIND_TEXTURE;
             t->colour = ph_texture_light(material, v[0]);
             setup_texture(r, s, v, uv, t);
+            if ((t->colour & PH_TEXELS_SHADED) != 0) {
+                setup_shades(s, v, t);
+            }
             return;
         }
         break;

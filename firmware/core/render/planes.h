@@ -17,13 +17,26 @@ static inline uint32_t ph_depth_bias(const struct ph_material *material)
     return material->depth_bias < 56 ? material->depth_bias : 56;
 }
 
-/* Light of a textured triangle, 0 .. 32; `first` is its first corner. */
+/* What struct ph_triangle has as the colour of a textured triangle; `first` is its first corner. */
 static inline uint16_t ph_texture_light(const struct ph_material *material, const struct ph_vertex *first)
 {
-    return material->shading == PH_SHADE_TEXTURE_LIT
-               ? (uint16_t)(((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1))
-               : 32;
+    const unsigned shading = material->shading;
+    const unsigned light =
+        shading == PH_SHADE_TEXTURE_LIT ? ((uint32_t)(first->light - PH_LIGHT_ZERO) * 33) / (PH_LIGHT_SPAN + 1) : 32;
+    const unsigned shaded = shading == PH_SHADE_TEXTURE_GOURAUD ? PH_TEXELS_SHADED : 0;
+    return (uint16_t)(light | shaded | (material->texture->filter != PH_FILTER_NEAREST ? PH_TEXELS_SMOOTH : 0));
 }
+
+/* The light of a texel at a vertex, in 2^-8 of a 32nd: 32 32nds give its colour, 64 white. */
+static inline int32_t ph_texel_light_of(const struct ph_material *material, const struct ph_vertex *v)
+{
+    const fx_t specular = material->specular < 0 ? 0 : material->specular > FX_ONE ? FX_ONE : material->specular;
+    const uint32_t light = (uint32_t)(v->light - PH_LIGHT_ZERO) * (uint32_t)(256 + (specular >> 8)) >> 9;
+    const uint32_t scaled = light * 17624 >> 16; /* 32 * 512 / PH_LIGHT_SPAN = 17624 / 65536 */
+    return scaled > 62 * 256 ? 62 * 256 : (int32_t)scaled;
+}
+
+#define PH_TEXEL_LIGHT_UP 255 /* light is rounded up to a 32nd, since what it scales is rounded down */
 
 static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
 {

@@ -166,6 +166,7 @@ static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_ban
 static NOINLINE uint32_t draw_exact(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_triangle run = *t;
+    run.shades = t->depth; /* see triangle.h */
     struct ph_band rows = {NULL, NULL, false, band->y0 & ~(PH_EXACT_ROWS - 1), 0, 0};
     uint32_t count = 0;
     for (rows.y0 = rows.y0 > t->y_top ? rows.y0 : t->y_top; rows.y0 < t->y_bottom && rows.y0 < band->y1;

@@ -1,6 +1,9 @@
 /* See small_texels.h. */
 #include "small_texels.h"
 
+#include "texel_map.h"
+#include "texel_mix.h"
+
 /* u or v of a small triangle, n rows below the row from which they count. */
 static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
                                   const struct ph_curve *curve, uint32_t n)
@@ -25,36 +28,10 @@ static struct ph_texel_way way_of(const struct ph_texel_line *line)
                                  .at_ddy = line->at_ddy};
 }
 
-/* The same for what ph_texture_small cannot draw: a clamped texture, or little light. */
-static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t)
+/* Sets u, v and the texture, which is a map of the material's; y: the first row that is drawn. */
+static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes,
+                             const struct ph_texture *texture)
 {
-    const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, height = texture->log2_height;
-    const bool clamp = texture->wrap == PH_WRAP_CLAMP;
-    struct ph_texel_rows *const r = &s->rows;
-    s->kind = (struct ph_tile_kind){.triangle = t,
-                                    .texels = texture->texels,
-                                    .u_mask = s->run.u_mask,
-                                    .v_mask = (1u << height) - 1,
-                                    .log2_width = (uint32_t)width,
-                                    .u_down = 22,
-                                    .v_down = 16 + width,
-                                    .light = t->colour,
-                                    .clamp = clamp,
-                                    .plain = true};
-    r->texels = texture->texels;
-    r->u_mask = s->run.u_mask;
-    r->v_mask = s->run.v_mask;
-    r->u_outside = clamp ? UINT32_MAX << width << 22 : 0;
-    r->v_outside = clamp ? UINT32_MAX << (width + height) << 16 : 0;
-    r->stride_bytes = s->run.stride_bytes;
-    r->columns = 2 * PH_TILE - 1;
-}
-
-/* Sets u, v and the texture; y: the first row that is drawn. */
-static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
-{
-    const struct ph_texture *const texture = t->material->texture;
     const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
     const uint32_t below = (uint32_t)(y - t->y_top - t->range_log2 + 1);
     r->texels = texture->texels;
@@ -66,12 +43,30 @@ static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t
     set_small_line(&r->v, &t->v, &t->curves[1], below);
 }
 
+/* The same for what ph_texture_small cannot draw: a clamped texture, light, or a filter. */
+static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y,
+                                   const struct ph_texture *texture)
+{
+    struct ph_texel_rows *const r = &s->rows;
+    s->kind = (struct ph_tile_kind){.triangle = t, .clamp = texture->wrap == PH_WRAP_CLAMP, .plain = true};
+    ph_set_texel_kind(&s->kind, r, texture);
+    ph_set_texel_light(r, t, &t->small_shades, s->kind.clamp ? 0u - PH_TILE : 0,
+                       (uint32_t)(y - t->y_top - t->range_log2 + 1));
+    if (s->kind.smooth && !s->kind.clamp) {
+        s->run.u.at -= (uint32_t)1 << 21;
+        s->run.v.at -= (uint32_t)1 << (s->kind.v_down - 1);
+    }
+    r->stride_bytes = s->run.stride_bytes;
+    r->columns = 2 * PH_TILE - 1;
+}
+
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
 {
-    begin_run(&s->run, t, y, stride_bytes);
+    const struct ph_texture texture = ph_texel_map(t->material->texture, t->colour >> 8);
+    begin_run(&s->run, t, y, stride_bytes, &texture);
     s->usual = ph_texels_are_usual(t);
     if (!s->usual) {
-        begin_unusual(s, t);
+        begin_unusual(s, t, y, &texture);
     }
 }
 
@@ -82,7 +77,7 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
     const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
     struct ph_texel_run r;
-    begin_run(&r, t, y, 2 * (uint32_t)band->width);
+    begin_run(&r, t, y, 2 * (uint32_t)band->width, t->material->texture);
     r.left_dx = s->left_dx;
     r.right_dx = s->right_dx;
     r.left = s->left - (x << 16) + above * r.left_dx;
@@ -109,9 +104,49 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     return ph_texture_small(&r);
 }
 
-/* Draws the rows of a run that ph_texture_small cannot draw. Columns of a tile are not negative: they count from
+/* Draws the next row of a run with light or a filter, n pixels from column `from` on. */
+static inline void draw_special_row(struct ph_small_texels *s, struct ph_texel_row *row, uint32_t from, uint32_t n)
+{
+    const struct ph_texel_run *const run = &s->run;
+    row->depth = run->depth + (int32_t)from;
+    row->pixels = run->pixels + (int32_t)from;
+    row->n = n;
+    row->d = run->d + from * run->gd;
+    row->u = ph_texel_walk_from(run->u.at, run->u.step, run->u.bend, from, n);
+    row->v = ph_texel_walk_from(run->v.at, run->v.step, run->v.bend, from, n);
+    ph_draw_texel_row(&s->kind, row, s->rows.light + from * s->rows.glight, s->rows.glight);
+}
+
+/* Draws the rows of a run with light or a filter. */
+static FX_APART uint32_t draw_special(struct ph_small_texels *s)
+{
+    struct ph_texel_run *const run = &s->run;
+    struct ph_texel_row row = {.gd = run->gd, .u_mask = run->u_mask, .v_mask = run->v_mask, .texels = run->texels};
+    uint32_t count = 0;
+    row.v_down = (uint32_t)s->kind.v_down - 5;
+    do {
+        for (; run->rows > 0; run->rows--) {
+            const int32_t from = (int32_t)run->left >> 16, n = ((int32_t)run->right >> 16) - from;
+            if (n > 0) {
+                draw_special_row(s, &row, (uint32_t)from, (uint32_t)n);
+                count += (uint32_t)n;
+            }
+            run->left += run->left_dx;
+            run->right += run->right_dx;
+            run->d += run->d_dy;
+            s->rows.light += s->rows.light_dy;
+            run->depth = ph_row_below(run->depth, run->stride_bytes);
+            run->pixels = ph_row_below(run->pixels, run->stride_bytes);
+            ph_texel_line_down(&run->u);
+            ph_texel_line_down(&run->v);
+        }
+    } while (ph_texel_run_lower(run));
+    return count;
+}
+
+/* Draws the rows of a run that may leave a clamped texture. Columns of a tile are not negative: they count from
  * PH_TILE columns further left. */
-static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
+static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 {
     struct ph_texel_run *const run = &s->run;
     struct ph_texel_rows *const r = &s->rows;
@@ -143,7 +178,7 @@ static FX_APART uint32_t draw_unusual(struct ph_small_texels *s)
 
 static uint32_t draw_run_of(struct ph_small_texels *s)
 {
-    return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
+    return s->usual ? ph_texture_small(&s->run) : s->kind.clamp ? draw_clamped(s) : draw_special(s);
 }
 
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
@@ -173,6 +208,7 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
     struct ph_texel_run *const r = &s->run;
     const uint32_t x = piece->x - r->x;
     const struct ph_texel_line u = r->u, v = r->v;
+    const uint32_t light = s->rows.light;
     r->left = x << 16;
     r->right = (x + piece->n) << 16;
     r->d = piece->d - x * piece->gd;
@@ -185,5 +221,6 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
     if (!piece->last) {
         r->u = u;
         r->v = v;
+        s->rows.light = light;
     }
 }

@@ -17,7 +17,7 @@ struct ph_small_texels {
 /* Whether ph_texture_small can draw a small triangle. */
 static inline bool ph_texels_are_usual(const struct ph_triangle *t)
 {
-    return t->colour >= 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
+    return t->colour == 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
 }
 
 /* Begins at row y of a small textured triangle. */

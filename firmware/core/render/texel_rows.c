@@ -1,44 +1,64 @@
 /*
- * Rows of texels: ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, up to 65,536
- * texels), draw_run all others. See texel_rows.h.
+ * Rows of texels: ph_texture_tile of texture_tile.h draws the usual ones (16-bit depth, full light, nearest
+ * texel, up to 65,536 of them), draw_run all others. See texel_rows.h.
  */
 #include "texel_rows.h"
 
 #include "band.h"
-#include "colour.h"
-#include "kernels.h"
 #include "span.h"
+#include "texel_mix.h"
 
 static int32_t clamp_texel(int32_t texel, uint32_t mask)
 {
     return texel < 0 ? 0 : (uint32_t)texel > mask ? (int32_t)mask : texel;
 }
 
-/* As ph_wire16, of the low 16 bits, in the registers of a CPU that knows REV16. */
-static inline uint32_t wire_of(uint32_t v)
+/* The texel in that column and line; they are clamped or repeated. */
+static inline uint16_t texel_at(const struct ph_tile_kind *k, int32_t column, int32_t line)
 {
-    return ph_wire16(1) == 1 ? v : (v >> 8 & 255) | v << 8;
-}
-
-/* c * light / 32 for all three channels at once. */
-static inline uint16_t shade(uint16_t wire, uint32_t light)
-{
-    const uint32_t fields = 0x07e0f81fu, c = wire_of(wire);
-    const uint32_t lit = ((c & 0xffff) | c << 16) & fields, scaled = lit * light >> 5 & fields;
-    const uint32_t both = scaled | scaled >> 16;
-    return (uint16_t)wire_of(both);
-}
-
-/* The texel at u, v; it is clamped or repeated, and lit if the light is not full. */
-static inline uint16_t sample(const struct ph_tile_kind *k, uint32_t u, uint32_t v)
-{
-    int32_t column = (int32_t)u >> k->u_down, line = (int32_t)v >> k->v_down;
     if (k->clamp) {
         column = clamp_texel(column, k->u_mask);
         line = clamp_texel(line, k->v_mask);
     }
-    const uint16_t texel = k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];
-    return k->light < 32 ? shade(texel, k->light) : texel;
+    return k->texels[((uint32_t)line & k->v_mask) << k->log2_width | ((uint32_t)column & k->u_mask)];
+}
+
+/* 32nds of a texel. */
+static inline int32_t in_32nds(uint32_t v, int down)
+{
+    return down >= 5 ? (int32_t)v >> (down - 5) : (int32_t)(v << (5 - down));
+}
+
+/* The bilinear texel at u, v. */
+static FX_APART uint16_t sample_smooth(const struct ph_tile_kind *k, uint32_t u, uint32_t v)
+{
+    const int32_t across = in_32nds(u, k->u_down) - 16, down = in_32nds(v, k->v_down) - 16;
+    const int32_t column = across >> 5, line = down >> 5;
+    const uint16_t four[4] = {texel_at(k, column, line), texel_at(k, column + 1, line), texel_at(k, column, line + 1),
+                              texel_at(k, column + 1, line + 1)};
+    return ph_mix_folded(ph_mix_four(four, (uint32_t)across & 31, (uint32_t)down & 31));
+}
+
+/* A texel in light of 0 .. 64 32nds. */
+static FX_APART uint16_t shade(uint16_t texel, uint32_t light)
+{
+    const uint32_t c = ph_mix_spread(texel);
+    return light <= 32 ? ph_mix_folded(ph_mix_lit(c, light))
+                       : ph_mix_folded(PH_MIX_FIELDS - ph_mix_lit(PH_MIX_FIELDS - c, 64 - light));
+}
+
+/* Light in 32nds, from 2^-24. Planes may err by a little beyond the corners. */
+static inline uint32_t light_of(uint32_t light)
+{
+    return (int32_t)light < 0 ? 0 : light >> 30 != 0 ? 63 : light >> 24;
+}
+
+/* The texel at u, v in its light. */
+static inline uint16_t sample(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
+{
+    const uint16_t texel =
+        k->smooth ? sample_smooth(k, u, v) : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
+    return k->lit ? shade(texel, light_of(light)) : texel;
 }
 
 /* Draws n pixels from column i of the tile on, along one piece of the depth, where ph_texture_tile cannot. */
@@ -47,14 +67,14 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
-    uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
+    uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend, light = r->light + i * r->glight;
     uint16_t *pixel = r->pixels + i;
     void *depth = ph_depth_from(r->depth, i, depth24);
     for (; n > 0; n--) {
         const uint32_t d =
             k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&k->triangle->linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
-            *pixel = sample(k, u, v);
+            *pixel = sample(k, u, v, light);
         }
         depth = ph_depth_from(depth, 1, depth24);
         pixel++;
@@ -63,6 +83,7 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
         du += ddu;
         v += dv;
         dv += ddv;
+        light += r->glight;
     }
 }
 
@@ -83,6 +104,7 @@ static void row_down(const struct ph_tile_kind *k, struct ph_texel_rows *r)
     r->left += r->left_dx;
     r->right += r->right_dx;
     r->d += r->d_dy;
+    r->light += r->light_dy;
     ph_texel_way_down(&r->u);
     ph_texel_way_down(&r->v);
     r->depth += k->depth24 ? r->stride_bytes : r->stride_bytes / 2;
@@ -119,10 +141,10 @@ void ph_draw_rows_in_pieces(const struct ph_tile_kind *k, struct ph_texel_rows *
 
 /* ---- rows with depth in codes, of a texture of up to 65,536 texels ---- */
 
-/* Texels of a row on their way to be lit. Each row has a code above the last: all of its texels are drawn. */
-struct lit_row {
-    uint16_t texels[PH_TILE], codes[PH_TILE];
-    uint32_t code;
+/* Of a row on its way to a kernel: its texels, and u and v, which a kernel takes as walks. */
+struct rare_row {
+    struct ph_texel_row texels;
+    struct ph_texel_way u, v;
 };
 
 /* Copies of u or v for one row, from column i on: without calls, which a copy of a whole struct may cost. */
@@ -131,64 +153,79 @@ static inline void set_row_way(struct ph_texel_way *to, const struct ph_texel_wa
     to->at = ph_texel_at(way, i);
     to->step = way->step + 2 * i * way->bend;
     to->bend = way->bend;
-    to->at_dy = to->step_dy = to->bend_dy = to->at_ddy = to->step_ddy = 0;
 }
 
-/* n columns of the next row from column i on, as a row of its own. */
-static inline void set_row(struct ph_texel_rows *row, const struct ph_texel_rows *r, uint32_t i, uint32_t n)
+/* Brings the light of a row's ends into its range. */
+static FX_APART void clamp_light(uint32_t *light, uint32_t *glight, uint32_t n)
 {
-    row->left = row->left_dx = row->right_dx = row->d_dy = row->stride_bytes = row->count = 0;
-    row->right = n << 16;
-    row->d = r->d + i * r->gd;
-    row->gd = r->gd;
-    row->depth = r->depth + i;
-    row->pixels = r->pixels + i;
-    row->u_mask = r->u_mask;
-    row->v_mask = r->v_mask;
-    row->texels = r->texels;
-    row->columns = n;
-    row->rows = 1;
-    row->u_outside = row->v_outside = 0;
+    const uint32_t most = ((uint32_t)63 << 24) - 1, last = *light + (n - 1) * *glight;
+    const uint32_t from = (int32_t)*light < 0 ? 0 : *light > most ? most : *light;
+    const uint32_t to = (int32_t)last < 0 ? 0 : last > most ? most : last;
+    *light = from;
+    *glight = n > 1 ? (uint32_t)((int32_t)(to - from) / (int32_t)(n - 1)) : 0;
 }
 
-/* Draws a row with little light. */
-static void draw_lit_row(struct ph_texel_rows *row, struct lit_row *lit, uint32_t light)
+/* Sets the light of a row. Returns the most, in 32nds. */
+static inline uint32_t set_row_light(struct ph_texel_row *row, uint32_t light, uint32_t glight)
 {
-    uint16_t *depth = row->depth, *pixel = row->pixels;
-    const uint16_t *texel = lit->texels, *const end = texel + row->columns;
-    const uint32_t gd = row->gd;
-    uint32_t d = row->d;
-    row->d = ++lit->code << 16;
-    row->gd = 0;
-    row->depth = lit->codes;
-    row->pixels = lit->texels;
-    ph_texture_tile(row);
-    for (; texel < end; d += gd, texel++, depth++, pixel++) {
-        if (ph_nearer16(depth, d)) {
-            PH_KEEP_BRANCH();
-            *pixel = shade(*texel, light);
+    const uint32_t n = row->n, more = (n - 1) & 3; /* of the first four, behind the first */
+    if (glight == 0) {
+        row->level = light_of(light);
+        row->light = light;
+        row->light_step = 0;
+        return row->level;
+    }
+    if (((light | (light + (n - 1) * glight)) >> 30) != 0) {
+        clamp_light(&light, &glight, n);
+    }
+    const uint32_t half = (uint32_t)((int32_t)glight >> 1), last = light + (n - 1) * glight;
+    row->level = (light + more * half) >> 24;
+    row->light = light + (more + 2) * glight + half;
+    row->light_step = 4 * glight;
+    return (light > last ? light : last) >> 24;
+}
+
+/* Draws a row in which light is beyond 32 32nds: a highlight. */
+static FX_APART void draw_shining_row(const struct ph_texel_row *row, bool smooth)
+{
+    struct ph_texel_walk u = row->u, v = row->v;
+    uint32_t d = row->d, level = row->level, light = row->light;
+    for (uint32_t i = 0, n = row->n; n > 0; i++, n--, d += row->gd) {
+        if (ph_nearer16(&row->depth[i], d)) {
+            const uint16_t texel =
+                smooth ? ph_mix_folded(ph_mix_at(row, u.at, v.at)) : ph_texel_nearest(row, u.at, v.at);
+            row->pixels[i] = shade(texel, level);
         }
+        ph_texel_walk_on(&u, n);
+        ph_texel_walk_on(&v, n);
+        ph_texel_light_on(&level, &light, row->light_step, n);
     }
 }
 
+/* Where u or v lies outside a clamped texture: `bits` that it has there, and how far before that the last texel begins
+ * for a filter. */
+struct border {
+    uint32_t bits, before;
+};
+
 /* On which side of a clamped texture u or v lies in column i: -1, 1; 0: inside, by as much as pairs of pixels may err.
  */
-static inline int side_of(const struct ph_texel_way *way, uint32_t outside, uint32_t i)
+static inline int side_of(const struct ph_texel_way *way, const struct border *b, uint32_t i)
 {
     const uint32_t at = ph_texel_at(way, i), margin = fx_magnitude((int32_t)way->bend);
-    return (int32_t)(at - margin) < 0 ? -1 : ((at + margin) & outside) != 0;
+    return (int32_t)(at - margin) < 0 ? -1 : ((at + margin + b->before) & b->bits) != 0;
 }
 
 /* Returns how many of the first n columns lie on the same side as column 0. Outside u or v becomes that of the
  * texture's border. */
-static uint32_t clamp_way(struct ph_texel_way *way, uint32_t outside, uint32_t n)
+static uint32_t clamp_way(struct ph_texel_way *way, const struct border *b, uint32_t n)
 {
-    const int side = side_of(way, outside, 0);
-    if (side_of(way, outside, n - 1) != side) {
+    const int side = side_of(way, b, 0);
+    if (side_of(way, b, n - 1) != side) {
         uint32_t same = 0, other = n - 1;
         while (other - same > 1) {
             const uint32_t middle = (same + other) / 2;
-            if (side_of(way, outside, middle) == side) {
+            if (side_of(way, b, middle) == side) {
                 same = middle;
             } else {
                 other = middle;
@@ -197,52 +234,74 @@ static uint32_t clamp_way(struct ph_texel_way *way, uint32_t outside, uint32_t n
         n = other;
     }
     if (side != 0) {
-        way->at = side < 0 ? 0 : ~outside;
+        way->at = side < 0 ? 0 : ~b->bits - b->before;
         way->step = way->bend = 0;
     }
     return n;
 }
 
-/* Draws the next row, which has little light or leaves a clamped texture. */
-static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r, struct lit_row *lit)
+void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight)
 {
+    if (k->lit && set_row_light(row, light, glight) > 32) {
+        draw_shining_row(row, k->smooth);
+    } else if (k->smooth && k->lit) {
+        ph_texel_row_smooth_lit(row);
+    } else if (k->smooth) {
+        ph_texel_row_smooth(row);
+    } else if (k->lit) {
+        ph_texel_row_lit(row);
+    } else {
+        ph_texel_row_nearest(row);
+    }
+}
+
+/* Draws the next row, which is lit or filtered, or leaves a clamped texture. */
+static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
+{
+    const struct border u_border = {r->u_outside, k->smooth ? (uint32_t)1 << k->u_down : 0};
+    const struct border v_border = {r->v_outside, k->smooth ? (uint32_t)1 << k->v_down : 0};
+    struct rare_row row;
     uint32_t i, left, n;
     if (!ph_tile_columns(r->left, r->right, r->columns, &i, &left)) {
         return;
     }
+    row.texels.gd = r->gd;
+    row.texels.u_mask = r->u_mask;
+    row.texels.v_mask = r->v_mask;
+    row.texels.texels = r->texels;
+    row.texels.v_down = (uint32_t)k->v_down - 5;
     r->count += left;
     for (; left > 0; i += n, left -= n) {
-        struct ph_texel_rows row;
         n = left;
         set_row_way(&row.u, &r->u, i);
         set_row_way(&row.v, &r->v, i);
+        if (k->smooth) {
+            row.u.at -= u_border.before >> 1;
+            row.v.at -= v_border.before >> 1;
+        }
         if (r->u_outside != 0) {
-            n = clamp_way(&row.u, r->u_outside, n);
-            n = clamp_way(&row.v, r->v_outside, n);
+            n = clamp_way(&row.u, &u_border, n);
+            n = clamp_way(&row.v, &v_border, n);
         }
-        set_row(&row, r, i, n);
-        if (k->light < 32) {
-            draw_lit_row(&row, lit, k->light);
-        } else {
-            ph_texture_tile(&row);
-        }
+        row.texels.depth = r->depth + i;
+        row.texels.pixels = r->pixels + i;
+        row.texels.n = n;
+        row.texels.d = r->d + i * r->gd;
+        row.texels.u = ph_texel_walk_from(row.u.at, row.u.step, row.u.bend, 0, n);
+        row.texels.v = ph_texel_walk_from(row.v.at, row.v.step, row.v.bend, 0, n);
+        ph_draw_texel_row(k, &row.texels, r->light + i * r->glight, r->glight);
     }
 }
 
 /* ph_texture_tile stops before a row that leaves a clamped texture. */
 void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r)
 {
-    struct lit_row lit;
-    lit.code = 0;
-    if (k->light < 32) {
-        ph_fill(lit.codes, 0, PH_TILE);
-    }
     while (r->rows > 0) {
-        if (k->light >= 32) {
+        if (!k->lit && !k->smooth) {
             ph_texture_tile(r);
         }
         if (r->rows > 0) {
-            draw_rare_row(k, r, &lit);
+            draw_rare_row(k, r);
             row_down(k, r);
         }
     }

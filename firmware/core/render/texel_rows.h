@@ -2,6 +2,7 @@
 #ifndef PH_TEXEL_ROWS_H
 #define PH_TEXEL_ROWS_H
 
+#include "texel_row.h"
 #include "texture_tile.h"
 #include "triangle.h"
 
@@ -11,12 +12,46 @@ struct ph_tile_kind {
     const uint16_t *texels;
     uint32_t u_mask, v_mask, log2_width;
     int u_down, v_down; /* from u, v to whole texels */
-    uint32_t light;     /* 0 .. 32 */
+    bool lit;           /* light is not full everywhere */
+    bool smooth;        /* bilinear */
     bool clamp;
     bool depth24;      /* as in struct ph_band */
     bool plain;        /* ph_texture_tile can draw them */
     int32_t from, end; /* columns of the picture, as the tile's columns count */
 };
+
+/* Sets how texels of that map are drawn; k->triangle, k->clamp and k->plain are set already. k->u_down and k->v_down
+ * are set for k->plain. */
+static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_texture *map)
+{
+    const int width = map->log2_width, height = map->log2_height;
+    k->texels = r->texels = map->texels;
+    k->u_mask = r->u_mask = (1u << width) - 1;
+    k->v_mask = (1u << height) - 1;
+    k->log2_width = map->log2_width;
+    k->lit = k->triangle->colour % PH_TEXELS_SMOOTH != 32;
+    k->smooth = (k->triangle->colour & PH_TEXELS_SMOOTH) != 0;
+    if (k->plain) {
+        k->u_down = 22;
+        k->v_down = 16 + width;
+    }
+    r->v_mask = k->v_mask << width;
+    r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
+    r->v_outside = k->clamp ? UINT32_MAX << (width + height) << 16 : 0;
+}
+
+/* Sets the light of rows: column 0 of the first lies so far right of and below the place from which `shades` counts. */
+static inline void ph_set_texel_light(struct ph_texel_rows *r, const struct ph_triangle *t,
+                                      const struct ph_plane *shades, uint32_t right, uint32_t below)
+{
+    const bool shaded = (t->colour & PH_TEXELS_SHADED) != 0;
+    r->light = shaded ? ph_plane_at(shades, right, below) : (t->colour % PH_TEXELS_SHADED) << 24;
+    r->glight = shaded ? shades->gx : 0;
+    r->light_dy = shaded ? shades->gy : 0;
+}
+
+/* Draws a row, of which all but light is set; light at its first pixel. */
+void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, uint32_t light, uint32_t glight);
 
 /* Draws rows whose depth is in codes, of a texture of up to 65,536 texels. */
 void ph_draw_plain_rows(const struct ph_tile_kind *k, struct ph_texel_rows *r);

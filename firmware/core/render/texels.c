@@ -14,6 +14,7 @@
 
 #include "planes.h"
 #include "slopes.h"
+#include "texel_map.h"
 
 /* What u and v share. */
 struct warp {
@@ -157,6 +158,49 @@ static inline int32_t change(const fx_t *const uv[3], int corner, int axis)
     return (int32_t)((uint32_t)uv[corner][axis] - (uint32_t)uv[0][axis]);
 }
 
+/* The plane of light. */
+static void set_shades(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3])
+{
+    const int32_t first = ph_texel_light_of(t->material, v[0]);
+    struct ph_subpixel_gradient g;
+    ph_set_gradient(&g, &f->slopes, ph_texel_light_of(t->material, v[1]) - first,
+                    ph_texel_light_of(t->material, v[2]) - first, 16, 22);
+    t->small_shades.base = ((uint32_t)(first + PH_TEXEL_LIGHT_UP) << 16) + (uint32_t)(g.x * f->x + g.y * f->y);
+    t->small_shades.gx = (uint32_t)g.x * 256;
+    t->small_shades.gy = (uint32_t)g.y * 256;
+}
+
+/* u or v and its curve, 2^-down times. */
+static void shrink(struct ph_plane *way, struct ph_curve *curve, int down)
+{
+    way->base >>= down;
+    way->gx = shifted((int32_t)way->gx, -down);
+    way->gy = shifted((int32_t)way->gy, -down);
+    curve->xx = shifted((int32_t)curve->xx, -down);
+    curve->xy = shifted((int32_t)curve->xy, -down);
+    curve->yy = shifted((int32_t)curve->yy, -down);
+}
+
+/* Light and filter. u, t->v and t->curves are those of the first level. */
+static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, const struct ph_vertex *const v[3],
+                                 struct ph_plane *u)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const int width = texture->log2_width, height = texture->log2_height;
+    const struct ph_texel_slope right = {(int32_t)u->gx >> 6, (int32_t)t->v.gx >> width};
+    const struct ph_texel_slope down = {(int32_t)u->gy >> 6, (int32_t)t->v.gy >> width};
+    const int level = (int)ph_texel_level(texture, &right, &down);
+    if (level > 0) {
+        const int narrower = ph_min(level, width), lower = ph_min(level, height);
+        t->colour = (uint16_t)(t->colour + (level << 8));
+        shrink(u, &t->curves[0], narrower);
+        shrink(&t->v, &t->curves[1], narrower + lower);
+    }
+    if ((t->colour & PH_TEXELS_SHADED) != 0) {
+        set_shades(t, f, v);
+    }
+}
+
 bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
                      const fx_t *const corner_uv[3], const struct ph_sides *sides)
 {
@@ -185,12 +229,15 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
     set_way(&u, &t->curves[0], &f, du1, du2, width + 6);
     t->v.base = (uint32_t)uv[0][1] << (width + height);
     set_way(&t->v, &t->curves[1], &f, dv1, dv2, width + height);
+    t->colour = ph_texture_light(t->material, v[0]);
+    if (t->colour > 32) {
+        set_unusual(t, &f, v, &u);
+    }
     t->small.light = u.base;
     t->small.glight = u.gx;
     t->small.light_dy = u.gy;
     t->y_mid = (int16_t)(v[0]->x >> 8);
     t->range_log2 = (uint8_t)((v[0]->y >> 8) - t->y_top + 1);
     t->kind = PH_KIND_SMALL_TEXTURE;
-    t->colour = ph_texture_light(t->material, v[0]);
     return true;
 }

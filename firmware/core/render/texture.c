@@ -13,8 +13,12 @@
  */
 #include "texture.h"
 
+#include "edge.h"
 #include "planes.h"
+#include "texel_map.h"
 #include "tile_depth.h"
+
+#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
 
 enum { WIDTH_LOG2 = 5, HEIGHT_LOG2 = 4 };
 
@@ -34,11 +38,33 @@ static inline bool are_inside(const struct ph_corners *c, uint32_t margin, uint3
            (uint32_t)c->right[0] - margin < span && (uint32_t)c->right[1] - margin < span;
 }
 
-/* Whether all of a tile lies in the texture's only repeat, with a margin. */
-static bool is_inside(const struct ph_triangle *t, const struct ph_surface *s)
+/* Whether all of a tile lies in the texture's only repeat, with a margin: for a filter that of half a texel more. */
+static bool is_inside(const struct ph_triangle *t, const struct ph_texture *map, const struct ph_surface *s)
 {
-    const uint32_t margin = 1 << 15, span = ((uint32_t)1 << (25 - t->range_log2)) - 2 * margin;
-    return are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
+    const int least = ph_min(map->log2_width, map->log2_height);
+    const uint32_t half = map->filter != PH_FILTER_NEAREST ? ((uint32_t)1 << 24) >> least : 0, one = (uint32_t)1 << 25;
+    const uint32_t margin = (1 << 15) + (half >> t->range_log2), span = (one >> t->range_log2) - 2 * margin;
+    return span < one && are_inside(&s->u, margin, span) && are_inside(&s->v, margin, span);
+}
+
+/* The change of u or v between two corners in texels of 2^-16 from pixel to pixel, the range being 2^range texels. */
+static int32_t slope_of(int32_t from, int32_t to, int range, int size_log2)
+{
+    const int64_t change = (int64_t)to - from;
+    return fx_sat64(change * ((int64_t)1 << range) >> (9 + size_log2));
+}
+
+/* The level of the map for a tile. */
+static unsigned level_of(const struct ph_triangle *t, const struct ph_tile *tile, const struct ph_surface *s)
+{
+    const struct ph_texture *const texture = t->material->texture;
+    const int u = t->range_log2 + texture->log2_width, v = t->range_log2 + texture->log2_height;
+    const int width = tile->width_log2, height = tile->height_log2;
+    const struct ph_texel_slope right = {slope_of(s->u.left[0], s->u.right[0], u, width),
+                                         slope_of(s->v.left[0], s->v.right[0], v, width)};
+    const struct ph_texel_slope down = {slope_of(s->u.left[0], s->u.left[1], u, height),
+                                        slope_of(s->v.left[0], s->v.left[1], v, height)};
+    return ph_texel_level(texture, &right, &down);
 }
 
 /*
@@ -46,27 +72,27 @@ static bool is_inside(const struct ph_triangle *t, const struct ph_surface *s)
  * a clamped texture they must not wrap, or a point outside would seem to be inside: its texels must fit in beside the
  * sign, with room for as many again. For draw_run u and v are in 2^-29 of their range.
  */
-static void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
-                       struct ph_texel_rows *r)
+static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
+                              const struct ph_texture *map, struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
-    const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, height = texture->log2_height, range = t->range_log2;
+    const int width = map->log2_width, height = map->log2_height, range = t->range_log2;
     k->from = -(int32_t)tile->x;
-    k->texels = r->texels = texture->texels;
-    k->u_mask = r->u_mask = (1u << width) - 1;
-    k->v_mask = (1u << height) - 1;
-    k->log2_width = texture->log2_width;
-    k->clamp = texture->wrap == PH_WRAP_CLAMP && !is_inside(t, s);
+    k->clamp = map->wrap == PH_WRAP_CLAMP && !is_inside(t, map, s);
     k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
                (!k->clamp || (range + width <= 8 && range + width + height <= 14));
-    k->u_down = k->plain ? 22 : 29 - range - width;
-    k->v_down = k->plain ? 16 + width : 29 - range - height;
-    r->v_mask = k->v_mask << width;
-    r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
-    r->v_outside = k->clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    k->u_down = 29 - range - width;
+    k->v_down = 29 - range - height;
+    ph_set_texel_kind(k, r, map);
     ph_surface_way(&r->u, &s->u, s, tile, k->u_down + range + width - 25);
     ph_surface_way(&r->v, &s->v, s, tile, k->v_down + range + height - 25);
+}
+
+static NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
+                                       struct ph_texel_rows *r)
+{
+    const struct ph_texture map = ph_texel_map(k->triangle->material->texture, level_of(k->triangle, tile, s));
+    set_texels(k, tile, s, &map, r);
 }
 
 /* Draws the rows of the upper or the lower half that are in the band; r stands at the first of them. */
@@ -104,18 +130,28 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
     const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
-    struct ph_tile_kind k = {.triangle = t, .light = t->colour, .depth24 = band->depth24};
+    struct ph_tile_kind k;
     struct ph_texel_rows r;
     r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;
     r.stride_bytes = 2 * width;
+    r.light = r.glight = r.light_dy = 0;
+    k.triangle = t;
+    k.depth24 = band->depth24;
     k.end = (int32_t)left;
     r.columns = left < columns ? left : columns;
     r.count = 0;
     r.d = ph_plane_at(&t->depth, tile->x, (uint32_t)rows.y0);
     r.gd = t->depth.gx;
     r.d_dy = t->depth.gy;
-    set_texels(&k, tile, s, &r);
+    if (t->material->texture->filter == PH_FILTER_MIPMAP) {
+        set_mapped_texels(&k, tile, s, &r);
+    } else {
+        set_texels(&k, tile, s, t->material->texture, &r);
+    }
+    if (k.lit) {
+        ph_set_texel_light(&r, t, &t->shades, tile->x, (uint32_t)rows.y0);
+    }
     for (int32_t skipped = y; skipped < rows.y0; skipped++) {
         ph_texel_way_down(&r.u);
         ph_texel_way_down(&r.v);

@@ -95,7 +95,7 @@ struct ph_triangle {
     uint8_t block; /* float formats, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
     uint8_t
         range_log2;  /* texture: |u|, |v| are below 2^this; PH_KIND_SMALL_TEXTURE: they count from row y_top + this */
-    uint16_t colour; /* flat: wire order; texture: light 0 .. 32 */
+    uint16_t colour; /* flat: wire order; texture: light 0 .. 32, flags PH_TEXELS_.., 2^8 times the level of its map */
     const struct ph_material *material;
     union {
         struct {
@@ -114,16 +114,24 @@ struct ph_triangle {
                     struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` holds then */
                 };
             };
-            struct ph_exact exact; /* PH_BLOCK_EXACT */
+            union {
+                struct ph_exact exact;  /* PH_BLOCK_EXACT */
+                struct ph_plane shades; /* PH_TEXELS_SHADED: light of the texels, see ph_texel_light_of; with
+                                           PH_BLOCK_EXACT it stands in `depth` */
+            };
         };
         struct {
             struct ph_small_triangle small; /* PH_KIND_SMALL; textured: the plane of light is the linear part of u */
             struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
             struct ph_curve curves[2];      /* of u, v */
+            struct ph_plane small_shades;   /* as shades; u, v and this count from the same pixel */
         };
     };
     struct ph_triangle *next; /* slot: carried on or free */
 };
+
+#define PH_TEXELS_SHADED 64  /* light changes from pixel to pixel */
+#define PH_TEXELS_SMOOTH 128 /* bilinear */
 
 #define PH_NONE          UINT32_MAX
 #define PH_SMALL_COLUMNS 32

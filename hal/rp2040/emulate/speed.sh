@@ -8,7 +8,7 @@
 # A frame for which the cores alone work no longer than a whole one takes on the bus should take no longer than that. A demo
 # whose frames are late by over 3 % of that time is marked with !, and the exit status is 1.
 # Environment: B (build directory), CHANGES=0 (whole frames), CORES ("1 2"), IDEAL=0 (flash as it is only).
-# Leaves $B/speed/BOARD.csv. `make speed BOARD=x` calls it.
+# Leaves $B/speed/BOARD.csv, and the same as JSON in $B/speed/BOARD.json. `make speed BOARD=x` calls it.
 set -eu
 cd "$(dirname "$0")/../../.."
 export B=${B:-build} BOARD=$1 EVENTS_ONLY=1
@@ -109,4 +109,5 @@ while read -r first n demo; do
     echo "$row" | tee -a "$dir/table"
 done <"$dir/demos"
 mkdir -p "$B/speed" && mv "$dir/csv" "$B/speed/$BOARD.csv"
+awk -f firmware/tools/json.awk "$B/speed/$BOARD.csv" >"$B/speed/$BOARD.json"
 ! grep -q ' ! |' "$dir/table"

@@ -4,6 +4,7 @@
  */
 #include "cull.h"
 #include "kernels.h"
+#include "texel_row.h"
 #include "texture_small.h"
 #include "texture_tile.h"
 #include "triangle.h"
@@ -241,6 +242,46 @@ static struct ph_texel_line line(bool wild)
 }
 
 /* A triangle of up to 14 rows of up to 32 pixels, on both sides of column 0. */
+/* A row of texels for one of the kernels of texel_row.h. */
+static uint32_t try_texel_row(uint32_t h, void (*draw)(const struct ph_texel_row *))
+{
+    struct ph_texel_row row = {.depth = depth + 256, .pixels = pixels + 256, .texels = texels};
+    uint32_t *const walks = &row.u.at; /* u and v, one after the other */
+    const uint32_t width_log2 = below(7);
+    row.u_mask = (1u << width_log2) - 1;
+    row.v_mask = ((1u << below(7)) - 1) << width_log2;
+    row.v_down = 11 + width_log2;
+    row.n = 1 + below(64);
+    row.d = bits();
+    row.gd = bits();
+    row.gd >>= below(32);
+    for (int i = 0; i < 6; i++) {
+        walks[i] = bits();
+        walks[i] >>= below(32);
+    }
+    row.level = below(33);
+    row.light = below(33 << 24);
+    row.light_step = below(33 << 20);
+    row.light_step = row.light + 16 * row.light_step < 33u << 24 ? row.light_step : 0; /* light stays in its range */
+    draw(&row);
+    return hash_rows(h);
+}
+
+static uint32_t try_texel_row_lit(uint32_t h)
+{
+    return try_texel_row(h, ph_texel_row_lit);
+}
+
+static uint32_t try_texel_row_smooth(uint32_t h)
+{
+    return try_texel_row(h, ph_texel_row_smooth);
+}
+
+static uint32_t try_texel_row_smooth_lit(uint32_t h)
+{
+    return try_texel_row(h, ph_texel_row_smooth_lit);
+}
+
 static uint32_t try_texture_small(uint32_t h)
 {
     const bool wild = below(4) == 0;
@@ -372,6 +413,9 @@ int main(void)
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
                  {"texture_small", try_texture_small},
+                 {"texel_row_lit", try_texel_row_lit},
+                 {"texel_row_smooth", try_texel_row_smooth},
+                 {"texel_row_smooth_lit", try_texel_row_smooth_lit},
                  {"vertices", try_vertices},
                  {"cull", try_cull}};
     randomise(texels, TEXELS);

@@ -3,20 +3,24 @@
 #ifndef PH_TEXTURE_SMALL_PLAIN_H
 #define PH_TEXTURE_SMALL_PLAIN_H
 
-#include "texels_plain.h"
+#include "texel_row_plain.h"
 #include "texture_small.h"
 
 static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t from, uint32_t n)
 {
-    const struct ph_texel_target to = {r->depth + (int32_t)from,
-                                       r->pixels + (int32_t)from,
-                                       r->d + from * r->gd,
-                                       r->gd,
-                                       r->u_mask,
-                                       r->v_mask,
-                                       r->texels};
-    ph_draw_texels(to, ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n),
-                   ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n), n);
+    const struct ph_texel_row pixels = {
+        .depth = r->depth + (int32_t)from,
+        .pixels = r->pixels + (int32_t)from,
+        .n = n,
+        .d = r->d + from * r->gd,
+        .gd = r->gd,
+        .u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n),
+        .v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n),
+        .u_mask = r->u_mask,
+        .v_mask = r->v_mask,
+        .texels = r->texels,
+    };
+    ph_texel_row_any(&pixels, false, false);
 }
 
 static inline uint32_t ph_texture_small_plain(struct ph_texel_run *r)

@@ -5,7 +5,8 @@
 #ifndef PH_TEXTURE_TILE_PLAIN_H
 #define PH_TEXTURE_TILE_PLAIN_H
 
-#include "texels_plain.h"
+#include "texel_row_plain.h"
+#include "texture_tile.h"
 
 /* The columns of a row, and a factor that u and v share. */
 struct ph_row_run {
@@ -38,13 +39,22 @@ static inline bool ph_is_outside(const struct ph_texel_rows *r, uint32_t first, 
             ((ph_texel_at(&r->v, first) | ph_texel_at(&r->v, last)) & r->v_outside)) != 0;
 }
 
-static inline void ph_draw_texel_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
+static inline void ph_draw_tile_row(const struct ph_texel_rows *r, const struct ph_row_run *row)
 {
-    const uint32_t first = row->first;
-    const struct ph_texel_target to = {r->depth + first, r->pixels + first, r->d + first * r->gd, r->gd, r->u_mask,
-                                       r->v_mask,        r->texels};
-    ph_draw_texels(to, ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, first, row->n),
-                   ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, first, row->n), row->n);
+    const uint32_t first = row->first, n = row->n;
+    const struct ph_texel_row pixels = {
+        .depth = r->depth + first,
+        .pixels = r->pixels + first,
+        .n = n,
+        .d = r->d + first * r->gd,
+        .gd = r->gd,
+        .u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, first, n),
+        .v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, first, n),
+        .u_mask = r->u_mask,
+        .v_mask = r->v_mask,
+        .texels = r->texels,
+    };
+    ph_texel_row_any(&pixels, false, false);
 }
 
 static inline void ph_texture_tile_plain(struct ph_texel_rows *r)
@@ -55,7 +65,7 @@ static inline void ph_texture_tile_plain(struct ph_texel_rows *r)
             if (ph_is_outside(r, row.first, row.first + row.n - 1)) {
                 return;
             }
-            ph_draw_texel_row(r, &row);
+            ph_draw_tile_row(r, &row);
             r->count += row.n;
         }
         ph_row_down(r);

@@ -1,0 +1,171 @@
+/* See self_test.h. */
+#include "self_test.h"
+
+#include "version.h"
+
+#define RATE_US     1000000U /* turntable: so long, or */
+#define RATE_FRAMES 16U      /* so many frames */
+
+/* Frame 0 of the demos of known_demos. tests/host-sim/test_self_test.sh compares with pinhole-sim. */
+static const char *const known_demos[] = {"cube", "testcard"};
+#define DEMOS (sizeof known_demos / sizeof known_demos[0])
+
+static const struct known {
+    uint16_t width, height;
+    uint32_t crc[DEMOS];
+} known_frames[] = {
+    {64, 128, {0xD0355814, 0x7AF73D8D}},  {80, 160, {0x5376BC20, 0xAA362D6D}},  {128, 64, {0x7EBE0680, 0x84857ED7}},
+    {128, 128, {0xCB8EF329, 0x50FC6910}}, {128, 160, {0x05EAC4B3, 0x1783D627}}, {135, 240, {0x681F36DC, 0xD741FEFC}},
+    {160, 80, {0x37DBBF51, 0x311DC16C}},  {160, 128, {0x1812F430, 0xABE9AAF2}}, {170, 320, {0x14793256, 0x0579DB01}},
+    {240, 135, {0xD114E45F, 0x99FF17F2}}, {240, 240, {0x053CD630, 0x286B7E67}}, {240, 280, {0xDF30716B, 0x364D03D3}},
+    {240, 320, {0xC690E41F, 0x4D81C648}}, {280, 240, {0xAC861193, 0xDFC94F41}}, {320, 170, {0x0A7DCD3E, 0xC0243EE8}},
+    {320, 240, {0x1936437E, 0x1E0BC436}}, {320, 480, {0x88218700, 0x7D6870C3}}, {480, 320, {0xDEA4A0BA, 0x0CD1DCA1}},
+};
+
+/* ---- text --------------------------------------------------------------------------------------- */
+
+/* The number with `digits` digits at least. */
+static void put_number(uint32_t value, bool hex, uint32_t digits)
+{
+    const uint32_t base = hex ? 16 : 10;
+    char text[11];
+    uint32_t i = sizeof text - 1;
+    text[i] = '\0';
+    while (value > 0 || sizeof text - 1 - i < digits) {
+        text[--i] = "0123456789ABCDEF"[value % base];
+        value /= base;
+    }
+    self_test_put(text + i);
+}
+
+static void put_named(const char *name, uint32_t value)
+{
+    self_test_put(name);
+    put_number(value, false, 1);
+}
+
+static void put_size(const struct runner *runner)
+{
+    put_named(" ", runner->context.width);
+    put_named("x", runner->context.height);
+}
+
+static void put_head(const struct runner *runner, const char *machine)
+{
+    const struct board *board = runner->config.board;
+    self_test_put("---- Pinhole report: copy from here ----");
+    self_test_put("\n");
+    self_test_put("Pinhole " PH_VERSION " on ");
+    self_test_put(board->name);
+    self_test_put(": ");
+    self_test_put(board->title);
+    self_test_put(", ");
+    self_test_put(machine);
+    self_test_put("\n");
+    self_test_put("display ");
+    self_test_put(board->panel->name);
+    self_test_put(",");
+    put_size(runner);
+    put_named(", turned ", runner->config.rotation * 90U);
+    put_named(", bus ", (uint32_t)runner->driver.clock_hz);
+    self_test_put(" Hz");
+    self_test_put("\n");
+}
+
+static void put_tail(int result)
+{
+    self_test_put(result == 0  ? "self-test: passed"
+                  : result > 0 ? "self-test: FAILED"
+                               : "self-test: did not end, error ");
+    if (result < 0) {
+        put_number((uint32_t)-result, false, 1);
+    }
+    self_test_put("\n");
+    self_test_put(
+        "what the glass shows (yes or no): ring round ...  arrow up ...  first bar red ...  a dot in each corner ...");
+    self_test_put("\n");
+    self_test_put("---- Pinhole report: to here ----");
+    self_test_put("\n");
+}
+
+/* ---- frames ------------------------------------------------------------------------------------- */
+
+static int show(struct runner *runner, uint32_t frame)
+{
+    const int status = runner_scene(runner, frame);
+    return status == PH_OK ? runner_send(runner) : status;
+}
+
+static int measure_rate(struct runner *runner)
+{
+    const struct hal *hal = &runner->hal;
+    int status = runner_take(runner, demo_find("turntable"));
+    status = status == PH_OK ? show(runner, 0) : status; /* the panel lights up */
+    status = status == PH_OK ? runner_finish(runner) : status;
+    const uint32_t from = hal->ops->time_us(hal->context);
+    uint32_t frames = 0, us = 0;
+    while (status == PH_OK && frames < RATE_FRAMES && us < RATE_US) {
+        status = show(runner, ++frames);
+        us = hal->ops->time_us(hal->context) - from;
+    }
+    status = status == PH_OK ? runner_finish(runner) : status;
+    us = hal->ops->time_us(hal->context) - from;
+    put_named("turntable: ", frames);
+    put_named(" frames in ", us / 1000);
+    put_named(" ms, ", us > 0 ? (uint32_t)(frames * 10000000ULL / us) / 10 : 0);
+    put_named(".", us > 0 ? (uint32_t)(frames * 10000000ULL / us) % 10 : 0);
+    put_named(" frames/s, left out ", runner->renderer.stats.triangles_dropped);
+    put_named(" triangles ", runner->renderer.stats.vertices_dropped);
+    self_test_put(" vertices");
+    self_test_put("\n");
+    return status;
+}
+
+/* Returns NULL if there is none for this size. */
+static const struct known *find_known(uint32_t width, uint32_t height)
+{
+    for (size_t i = 0; i < sizeof known_frames / sizeof known_frames[0]; i++) {
+        if (known_frames[i].width == width && known_frames[i].height == height) {
+            return &known_frames[i];
+        }
+    }
+    return NULL;
+}
+
+/* 1: it is not the known CRC; 0: it is, or none is known; or an error. */
+static int compare(struct runner *runner, uint32_t demo)
+{
+    int status = runner_take(runner, demo_find(known_demos[demo]));
+    status = status == PH_OK ? runner_scene(runner, 0) : status;
+    if (status != PH_OK) {
+        return status;
+    }
+    const uint32_t crc = runner_crc(runner);
+    const struct known *known = find_known(runner->context.width, runner->context.height);
+    const bool same = known == NULL || known->crc[demo] == crc;
+    self_test_put(known_demos[demo]);
+    put_size(runner);
+    self_test_put(" crc32 ");
+    put_number(crc, true, 8);
+    self_test_put(known == NULL ? ", none is known for this size" : same ? ", as known" : ", but known is ");
+    if (!same) {
+        put_number(known->crc[demo], true, 8);
+    }
+    self_test_put("\n");
+    return same ? 0 : 1;
+}
+
+int self_test_report(struct runner *runner, const char *machine)
+{
+    int bad = 0, status = 0;
+    put_head(runner, machine);
+    status = measure_rate(runner);
+    for (uint32_t i = 0; i < DEMOS && status >= 0; i++) {
+        status = compare(runner, i);
+        bad += status > 0;
+    }
+    status = status >= 0 ? show(runner, 0) : status;
+    status = status == 0 ? runner_finish(runner) : status;
+    put_tail(status < 0 ? status : bad);
+    return status < 0 ? status : bad;
+}

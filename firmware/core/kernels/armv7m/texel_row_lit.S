@@ -1,0 +1,107 @@
+@ ph_texel_row_lit (see texel_row.h) for ARMv7-M. A pixel that is drawn takes 22.3 instructions, a hidden one 10.3, a row
+@ 65.
+@
+@ Registers: r0 r1 scratch, r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 fields, r10 v_mask, r11 texels, r12
+@ depth, lr pixels.
+#include "../thumb.inc"
+#include "../offsets.inc"
+
+    @ on the stack
+    .equ steps, 0   @ of du and dv
+    .equ levels, 8  @ light of the four fours of pixels
+    .equ light, 24  @ of the four that follow, and its step
+    .equ more, 32   @ sixteens of pixels that follow
+    .equ frame, 36
+
+    .macro pixel at
+pixel_\at:
+    ldrh r0, [r12, #2 * \at]
+    lsrs r1, r2, #16
+    cmp r1, r0
+    bls 1f
+    strh r1, [r12, #2 * \at]
+    and r0, r10, r7, lsr #16
+    and r1, r6, r4, lsr #22
+    add r0, r1
+    ldrh r0, [r11, r0, lsl #1]
+    ldr r1, [sp, #levels + \at / 4 * 4]
+    orr r0, r0, r0, lsl #16
+    and r0, r9, r0, lsr #3 @ red, green, blue, each with five free bits above
+    mul r0, r1, r0
+    and r0, r9, r0, lsr #5
+    lsls r1, r0, #3
+    orr r0, r1, r0, lsr #13
+    strh r0, [lr, #2 * \at]
+1:  add r2, r3
+    add r4, r5
+    add r7, r8
+    .if \at & 1
+    ldrd r0, r1, [sp, #steps]
+    add r5, r0
+    add r8, r1
+    .endif
+    .endm
+
+    .macro next_levels light, step, scratch
+    .irp at, 0, 4, 8, 12
+    lsr \scratch, \light, #24
+    str \scratch, [sp, #levels + \at]
+    add \light, \step
+    .endr
+    .endm
+
+    function ph_texel_row_lit @ r0: struct ph_texel_row
+    push {r4-r11, lr}
+    sub sp, #frame
+    add r1, r0, #row_light
+    ldm r1, {r2, r3} @ light, step
+    ldr r4, [r0, #8] @ n
+    subs r4, #1
+    lsrs r5, r4, #4
+    str r5, [sp, #more]
+    and r4, #15
+    rsb r4, r4, #15 @ the pixel that comes first
+    lsrs r6, r4, #2 @ its four
+    adds r7, r6, #1
+    mls r2, r7, r3, r2
+    next_levels r2, r3, r7
+    strd r2, r3, [sp, #light]
+    ldr r7, [r0, #row_level]
+    add r6, sp, r6, lsl #2
+    str r7, [r6, #levels]
+    ldrd r12, lr, [r0]
+    sub r12, r12, r4, lsl #1
+    sub lr, lr, r4, lsl #1
+    mov r1, r4
+    ldrd r2, r3, [r0, #12]
+    ldrd r6, r10, [r0, #row_u_mask]
+    ldr r11, [r0, #row_texels]
+    add r0, #row_u
+    ldm r0, {r4, r5, r6, r7, r8, r9}
+    strd r6, r9, [sp, #steps]
+    ldr r6, [r0, #row_u_mask - row_u]
+    movw r9, #0xfc1f
+    movt r9, #0x03e0
+    tbh [pc, r1, lsl #1]
+entries: @ indexed by the pixel that comes first
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+    .hword (pixel_\at - entries) / 2
+    .endr
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+    pixel \at
+    .endr
+    ldr r0, [sp, #more]
+    subs r0, #1
+    bmi 2f
+    str r0, [sp, #more]
+    add r12, #32
+    add lr, #32
+    ldrd r0, r1, [sp, #light]
+    next_levels r0, r1, r9
+    str r0, [sp, #light]
+    movw r9, #0xfc1f
+    movt r9, #0x03e0
+    b pixel_0
+2:  add sp, #frame
+    pop {r4-r11, pc}
+    .size ph_texel_row_lit, . - ph_texel_row_lit

@@ -1,0 +1,31 @@
+/* texel_row_plain: rows of texels in plain C; see texel_row.h. */
+#ifndef PH_TEXEL_ROW_PLAIN_H
+#define PH_TEXEL_ROW_PLAIN_H
+
+#include "span.h"
+#include "texel_mix.h"
+
+static inline __attribute__((always_inline)) void ph_texel_row_any(const struct ph_texel_row *r, bool smooth, bool lit)
+{
+    uint16_t *depth = r->depth, *pixel = r->pixels;
+    struct ph_texel_walk u = r->u, v = r->v;
+    uint32_t d = r->d, level = r->level, light = r->light;
+    for (uint32_t n = r->n; n > 0; n--, depth++, pixel++, d += r->gd) {
+        if (ph_nearer16(depth, d)) {
+            PH_KEEP_BRANCH();
+            if (smooth || lit) {
+                const uint32_t c = smooth ? ph_mix_at(r, u.at, v.at) : ph_mix_spread(ph_texel_nearest(r, u.at, v.at));
+                *pixel = ph_mix_folded(lit ? ph_mix_lit(c, level) : c);
+            } else {
+                *pixel = ph_texel_nearest(r, u.at, v.at);
+            }
+        }
+        ph_texel_walk_on(&u, n);
+        ph_texel_walk_on(&v, n);
+        if (lit) {
+            ph_texel_light_on(&level, &light, r->light_step, n);
+        }
+    }
+}
+
+#endif

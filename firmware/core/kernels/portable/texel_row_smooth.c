@@ -1,0 +1,7 @@
+/* See texel_row.h. */
+#include "texel_row_plain.h"
+
+void ph_texel_row_smooth(const struct ph_texel_row *r)
+{
+    ph_texel_row_any(r, true, false);
+}

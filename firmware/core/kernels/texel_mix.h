@@ -1,0 +1,88 @@
+/* texel_mix: light and filter of texels, all three channels of a colour in one word. Private to firmware/core. */
+#ifndef PH_TEXEL_MIX_H
+#define PH_TEXEL_MIX_H
+
+#include "texel_row.h"
+
+#define PH_MIX_FIELDS 0x07e0f81fu /* green, red, blue, each with five free bits above */
+#define PH_MIX_HALVES (16u << 21 | 16u << 11 | 16u)
+
+/* From wire order to a number and back, of the low 16 bits, in the registers of a CPU that knows REV16. */
+static inline uint32_t ph_mix_wire(uint32_t v)
+{
+    const union {
+        uint8_t bytes[2];
+        uint16_t value;
+    } one = {{0, 1}};
+    return one.value == 1 ? v : (v >> 8 & 255) | v << 8;
+}
+
+static inline uint32_t ph_mix_spread(uint16_t wire)
+{
+    const uint32_t c = ph_mix_wire(wire);
+    return ((c & 0xffff) | c << 16) & PH_MIX_FIELDS;
+}
+
+static inline uint16_t ph_mix_folded(uint32_t fields)
+{
+    return (uint16_t)ph_mix_wire(fields | fields >> 16);
+}
+
+/* Times light / 32. */
+static inline uint32_t ph_mix_lit(uint32_t fields, uint32_t light)
+{
+    return fields * light >> 5 & PH_MIX_FIELDS;
+}
+
+/* What lies between four texels at fu, fv in 32nds. */
+static inline uint32_t ph_mix_four(const uint16_t texels[4], uint32_t fu, uint32_t fv)
+{
+    const uint32_t far = fu * fv >> 5;
+    const uint32_t sum = ph_mix_spread(texels[0]) * (32 - fu - fv + far) + ph_mix_spread(texels[1]) * (fu - far) +
+                         ph_mix_spread(texels[2]) * (fv - far) + ph_mix_spread(texels[3]) * far;
+    return (sum + PH_MIX_HALVES) >> 5 & PH_MIX_FIELDS;
+}
+
+/* The bilinear texel at u, v of a row. */
+static inline uint32_t ph_mix_at(const struct ph_texel_row *r, uint32_t u, uint32_t v)
+{
+    const uint32_t column = u >> 22 & r->u_mask, right = (column + 1) & r->u_mask;
+    const uint32_t line = v >> 16 & r->v_mask, below = (line + r->u_mask + 1) & r->v_mask;
+    const uint16_t four[4] = {r->texels[line + column], r->texels[line + right], r->texels[below + column],
+                              r->texels[below + right]};
+    return ph_mix_four(four, u >> 17 & 31, v >> r->v_down & 31);
+}
+
+/* The nearest texel at u, v of a row. */
+static inline uint16_t ph_texel_nearest(const struct ph_texel_row *r, uint32_t u, uint32_t v)
+{
+    return r->texels[(v >> 16 & r->v_mask) + (u >> 22 & r->u_mask)];
+}
+
+/* From column `from` on, along n pixels of a row in which u or v is at + i step + i^2 bend. The step of a parabola over
+ * two pixels grows by 8 bend from pair to pair, so the step of each pixel grows by 4. */
+static inline struct ph_texel_walk ph_texel_walk_from(uint32_t at, uint32_t step, uint32_t bend, uint32_t from,
+                                                      uint32_t n)
+{
+    const uint32_t pair = 2 * (from + 1 - (n & 1)); /* that of the pair which the first pixel begins or ends */
+    return (struct ph_texel_walk){at + from * (step + from * bend), step + pair * bend, 4 * bend};
+}
+
+static inline void ph_texel_walk_on(struct ph_texel_walk *w, uint32_t left)
+{
+    w->at += w->step;
+    if ((left & 1) != 0) {
+        w->step += w->bend;
+    }
+}
+
+/* The light of the pixel behind the one that is `left` pixels from the row's end. */
+static inline void ph_texel_light_on(uint32_t *level, uint32_t *light, uint32_t step, uint32_t left)
+{
+    if ((left & 3) == 1) {
+        *level = *light >> 24;
+        *light += step;
+    }
+}
+
+#endif

@@ -1,0 +1,41 @@
+/*
+ * texel_row: the kernels that draw a row of texels with light or a filter. See kernels.h.
+ *
+ * The last four pixels of a row have one light, so do the four before them, and so on: the light at their middle. Light
+ * is a number of 32nds, 0 .. 32.
+ *
+ * A bilinear texel is the sum of four, in 32nds: with fu and fv, 0 .. 31, the parts of u and v, the farthest has
+ * fu fv / 32, rounded down. Each channel of the sum is rounded to nearest; then light scales it, rounded down.
+ */
+#ifndef PH_TEXEL_ROW_H
+#define PH_TEXEL_ROW_H
+
+#include <stdint.h>
+
+/* u or v along a row: at its first pixel, its step there, and that step's own, which it takes behind every second
+ * pixel, counted from the last one. Units are those of struct ph_texel_rows. */
+struct ph_texel_walk {
+    uint32_t at, step, bend;
+};
+
+struct ph_texel_row {
+    uint16_t *depth, *pixels; /* of the first pixel */
+    uint32_t n;               /* pixels: 1 .. 2 PH_TILE */
+    uint32_t d, gd;           /* depth at the first pixel, a 16.16 code, and per pixel */
+    struct ph_texel_walk u, v;
+    uint32_t u_mask, v_mask; /* as in struct ph_texel_rows */
+    const uint16_t *texels;
+    uint32_t level;             /* light of the first 1 .. 4 pixels */
+    uint32_t light, light_step; /* of the next four, in 2^-24, and from four to four */
+    uint32_t v_down;            /* filter: from v to 32nds of a texel; u and v are those of a texel's first corner */
+};
+
+/* Nearest texels: as they are, and times light. */
+void ph_texel_row_nearest(const struct ph_texel_row *r);
+void ph_texel_row_lit(const struct ph_texel_row *r);
+
+/* Bilinear texels: as they are, and times light. */
+void ph_texel_row_smooth(const struct ph_texel_row *r);
+void ph_texel_row_smooth_lit(const struct ph_texel_row *r);
+
+#endif
