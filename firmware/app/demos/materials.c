@@ -252,7 +252,7 @@ const struct demo demo_materials = {
     DEMO_ARENA(ARENA, 16608),
     .vertex_max = VERTICES,
     .triangle_max = 960,
-    .corner_max = 640,
+    .corner_max = 256,
     .init = materials_init,
     .frame = materials_frame,
     .band = materials_band,
