@@ -26,7 +26,7 @@ STD = -std=c11 $(WARN)
 # A target is chosen by path: a file under firmware/core/kernels/$(CPU)/ replaces the portable one of the same name, and a
 # library that this machine lacks is replaced by the folder that does without it.
 have = $(shell pkg-config --exists '$(1)' 2>/dev/null && echo y)
-ASSIMP ?= $(if $(call have,assimp),assimp,noassimp)
+ASSIMP ?= $(if $(and $(call have,assimp),$(call have,libcjson)),assimp,noassimp)
 PNG ?= $(if $(call have,libpng),png,nopng)
 GIF ?= $(if $(wildcard /usr/include/gif_lib.h /usr/local/include/gif_lib.h),gif,nogif)
 GIF := $(GIF)
@@ -46,7 +46,7 @@ GPIOD_CFLAGS := $(if $(filter-out nogpiod,$(GPIOD)),$(shell pkg-config --cflags 
 MESHOPT ?= $(if $(and $(filter assimp,$(ASSIMP)),$(wildcard /usr/include/meshoptimizer.h /usr/local/include/meshoptimizer.h)),meshopt,nomeshopt)
 MESHOPT := $(MESHOPT)
 SPIDEV := $(shell $(CC) $(CPPFLAGS) $(CFLAGS) -E -include linux/spi/spidev.h -x c /dev/null >/dev/null 2>&1 && echo y)
-SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp)) \
+SIM_LIBS := $(if $(filter assimp,$(ASSIMP)),$(shell pkg-config --libs assimp libcjson)) \
             $(if $(filter png,$(PNG)),$(shell pkg-config --libs libpng)) \
             $(if $(filter meshopt,$(MESHOPT)),-lmeshoptimizer) \
             $(if $(filter gif,$(GIF)),-lgif) \
@@ -122,7 +122,7 @@ $(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
 $(B)/host-sim/depth/%.o: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab)
-$(B)/host-sim/depth/depth_budget_measure.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render)
+$(B)/host-sim/depth/depth_budget_measure.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,firmware/core,render kernels)
 $(B)/host-sim/depth/depth_layers.%: INC = $(INC_HOST) $(call rooms,firmware/app,depthlab) $(call rooms,host-sim,model)
 $(B)/host-sim/flash/%.o: INC = $(INC_HOST) $(call rooms,host-sim,flash)
 $(B)/host-sim/emulate/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
@@ -133,7 +133,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 CORE_O3_armv6m := fisheye mesh raster
-CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_row_nearest texel_row_lit texel_rows texture tile_depth tile_surface
+CORE_O2_armv6m := fx fx_root fx_trig small_texels texel_row_nearest texel_rows texture tile_depth tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))

@@ -75,6 +75,12 @@ uint32_t fx_sqrt_u64(uint64_t v);
 /* 1 / sqrt(a), error <= 0.5 LSB; FX_MAX for a <= 0. The largest other result is 256. Cost: 215, 48. */
 fx_t fx_rsqrt_sat(fx_t a);
 
+/* 2^45 / sqrt(m) for 2^30 <= m < 2^32, relative error < 2^-25. */
+uint32_t fx_rsqrt_norm(uint32_t m);
+
+/* 2^31 / sqrt(m) for 2^30 <= m < 2^32, relative error < 2^-14. */
+uint32_t fx_rsqrt16(uint32_t m);
+
 /* Sine, cosine of an angle in turns (only its low 16 bits count), error <= 0.5 LSB. Cost: 375, 70. */
 fx_t fx_sin(fx_t turns);
 fx_t fx_cos(fx_t turns);

@@ -1,5 +1,6 @@
 #include "asset_mesh.h"
 #include "complain.h"
+#include "model_texture.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -170,7 +171,7 @@ int asset_keep_all(const struct model *model, struct asset_rest *rest)
 
 static size_t texel_count(const struct ph_texture *texture)
 {
-    return (size_t)1 << (texture->log2_width + texture->log2_height);
+    return model_texture_texels(texture, texture->levels);
 }
 
 /* Red, green and blue of a texel, 0 .. 31, 63, 31; ph_rgb565 puts them into wire order. */
@@ -201,8 +202,21 @@ static uint16_t mean_texel(const struct ph_texture *from, uint32_t x, uint32_t y
     return texel;
 }
 
-static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph_texture *from, uint8_t log2_max)
+/* The means of the texels of `from` under each texel of a level. */
+static void shrink_level(uint16_t *texels, const struct ph_texture *from, unsigned log2_width, unsigned log2_height)
 {
+    for (uint32_t y = 0; y < 1u << log2_height; y++) {
+        for (uint32_t x = 0; x < 1u << log2_width; x++) {
+            texels[((size_t)y << log2_width) + x] =
+                mean_texel(from, x, y, from->log2_width - log2_width, from->log2_height - log2_height);
+        }
+    }
+}
+
+static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph_texture *from,
+                                       const struct asset_limits *limits)
+{
+    const uint8_t log2_max = limits->texture_log2;
     struct ph_texture *to = demo_alloc(arena, sizeof *to);
     if (to == NULL) {
         return NULL;
@@ -210,22 +224,25 @@ static const struct ph_texture *shrink(struct demo_arena *arena, const struct ph
     *to = *from;
     to->log2_width = from->log2_width < log2_max ? from->log2_width : log2_max;
     to->log2_height = from->log2_height < log2_max ? from->log2_height : log2_max;
+    const uint8_t longest = to->log2_width > to->log2_height ? to->log2_width : to->log2_height;
+    to->filter = limits->filter & 15;
+    to->levels = limits->filter == PH_FILTER_MIPMAP ? longest & 15 : 0;
     uint16_t *texels = demo_alloc(arena, sizeof *texels * texel_count(to));
     if (texels == NULL) {
         return NULL;
     }
-    const unsigned shift_x = from->log2_width - to->log2_width, shift_y = from->log2_height - to->log2_height;
-    for (uint32_t y = 0; y < 1u << to->log2_height; y++) {
-        for (uint32_t x = 0; x < 1u << to->log2_width; x++) {
-            texels[((size_t)y << to->log2_width) + x] = mean_texel(from, x, y, shift_x, shift_y);
-        }
-    }
     to->texels = texels;
+    for (unsigned k = 0; k <= to->levels; k++) {
+        const unsigned width = k < to->log2_width ? to->log2_width - k : 0;
+        const unsigned height = k < to->log2_height ? to->log2_height - k : 0;
+        shrink_level(texels, from, width, height);
+        texels += (size_t)1 << (width + height);
+    }
     return to;
 }
 
 /* Meshes that shared a texture share the new one. */
-static bool shrink_textures(struct asset *asset, struct demo_arena *arena, uint8_t log2_max)
+static bool shrink_textures(struct asset *asset, struct demo_arena *arena, const struct asset_limits *limits)
 {
     const uint32_t count = asset->model.mesh_count;
     for (uint32_t m = 0; m < count; m++) {
@@ -233,7 +250,7 @@ static bool shrink_textures(struct asset *asset, struct demo_arena *arena, uint8
         if (from == NULL || asset_first_texture(&asset->model, m) != m) {
             continue;
         }
-        const struct ph_texture *to = shrink(arena, from, log2_max);
+        const struct ph_texture *to = shrink(arena, from, limits);
         if (to == NULL) {
             return false;
         }
@@ -253,7 +270,7 @@ static size_t bytes_for(const struct model *model, uint32_t triangles)
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_texture *texture = model->meshes[m].materials->texture;
         if (texture != NULL && asset_first_texture(model, m) == m) {
-            bytes += 64 + 2 * texel_count(texture);
+            bytes += 64 + 2 * model_texture_texels(texture, 15);
         }
     }
     return bytes;
@@ -270,7 +287,7 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     asset->way = rest->way;
     asset->error = rest->error;
     return asset->model.meshes != NULL && asset->materials != NULL && make_meshes(asset, &arena, model, rest) &&
-                   shrink_textures(asset, &arena, limits->texture_log2)
+                   shrink_textures(asset, &arena, limits)
                ? 0
                : complain("not enough memory for the model, or too many vertices in one mesh; simplify it "
                           "(--max-triangles)");

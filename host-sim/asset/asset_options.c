@@ -45,6 +45,11 @@ static bool set_texture(void *to, const char *value)
     return true;
 }
 
+static bool set_filter(void *to, const char *value)
+{
+    return model_filter_named(value, &((struct asset_options *)to)->filter);
+}
+
 static const struct option_row rows[] = {
     {"out", "FILE.c", "where the C file goes, - is stdout; also -o FILE.c", "a file", .set = set_out},
     {"max-triangles", "N|all|fit",
@@ -52,6 +57,9 @@ static const struct option_row rows[] = {
      "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
     {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
      "a power of two, 1 .. 1024", .set = set_texture},
+    {"filter", "nearest|bilinear|mipmap",
+     "how textures are drawn, nearest by default; mipmap: they have all levels, a third more flash",
+     "nearest, bilinear or mipmap", .set = set_filter},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board},
     {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",

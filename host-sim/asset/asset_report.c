@@ -23,8 +23,10 @@ uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max)
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_texture *t = model->meshes[m].materials->texture;
         if (t != NULL && asset_first_texture(model, m) == m) {
-            bytes +=
-                TEXTURE_BYTES + ((uint64_t)2 << (smaller(t->log2_width, log2_max) + smaller(t->log2_height, log2_max)));
+            const struct ph_texture small = {.log2_width = smaller(t->log2_width, log2_max),
+                                             .log2_height = smaller(t->log2_height, log2_max)};
+            const uint8_t longest = small.log2_width > small.log2_height ? small.log2_width : small.log2_height;
+            bytes += TEXTURE_BYTES + 2 * (uint64_t)model_texture_texels(&small, t->levels > 0 ? longest : 0);
         }
     }
     return bytes;

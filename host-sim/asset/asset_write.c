@@ -1,4 +1,5 @@
 #include "asset.h"
+#include "model_texture.h"
 
 #include <inttypes.h>
 
@@ -95,9 +96,13 @@ static void put_colours(FILE *file, const char *name, uint32_t m, const uint16_t
 
 static void put_texture(FILE *file, const struct ph_texture *t, uint32_t m)
 {
-    put_colours(file, "texels", m, t->texels, (size_t)1 << (t->log2_width + t->log2_height));
-    fprintf(file, "\nstatic const struct ph_texture texture_%u = {texels_%u, %u, %u, %s};\n", (unsigned)m, (unsigned)m,
-            t->log2_width, t->log2_height, t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT");
+    static const char *const filters[] = {"PH_FILTER_NEAREST", "PH_FILTER_BILINEAR", "PH_FILTER_MIPMAP"};
+    put_colours(file, "texels", m, t->texels, model_texture_texels(t, t->levels));
+    fprintf(file,
+            "\nstatic const struct ph_texture texture_%u = {.texels = texels_%u, .log2_width = %u, .log2_height = %u,\n"
+            "                                            .wrap = %s, .filter = %s, .levels = %u};\n",
+            (unsigned)m, (unsigned)m, t->log2_width, t->log2_height,
+            t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT", filters[t->filter], t->levels);
 }
 
 static void put_material(FILE *file, const struct model *model, uint32_t m)

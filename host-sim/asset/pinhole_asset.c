@@ -70,7 +70,7 @@ static int refuse_textures(const struct asset *asset, const struct asset_options
 static int make(struct asset *asset, const struct model *model, const struct asset_options *o, uint32_t triangles,
                 bool is_bare)
 {
-    const struct asset_limits limits = {triangles, o->texture_log2, o->turntable, is_bare, o->model};
+    const struct asset_limits limits = {triangles, o->texture_log2, o->filter, o->turntable, is_bare, o->model};
     const int status = asset_make(asset, model, &limits);
     return status == 0 ? measure(asset, o->board) : status;
 }

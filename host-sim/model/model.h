@@ -11,8 +11,12 @@
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
  *
- * assimp/ does it with libassimp; noassimp/ says what to install. A child process reads the file into shared memory: a
- * file that crashes or hangs the reader costs one line, not the program.
+ * Of glTF these are read, too: base colour factor times texture, emissive factor, unlit, mirrored textures and
+ * KHR_texture_transform. A required extension that is not read is an error.
+ *
+ * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits of
+ * time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the
+ * program.
  */
 #ifndef MODEL_H
 #define MODEL_H
@@ -37,6 +41,12 @@ struct model {
 int model_open(struct model **model, const char *path);
 
 void model_close(struct model *model);
+
+/* The filter of that name: nearest, bilinear, mipmap. False if it is none. */
+bool model_filter_named(const char *name, uint8_t *filter);
+
+/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. */
+void model_set_filter(struct model *model, uint8_t filter);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else the turntable alone. Its
  * context->state must be the model. */

@@ -1,5 +1,9 @@
 #include "model_texture.h"
 
+#include "model.h"
+
+#include <string.h>
+
 static uint8_t log2_of_side(uint32_t side)
 {
     uint8_t log2 = 0;
@@ -38,20 +42,60 @@ static uint16_t mean_colour(const struct ppm *picture, struct span x, struct spa
     return ph_rgb565((uint8_t)(sum[0] / n), (uint8_t)(sum[1] / n), (uint8_t)(sum[2] / n));
 }
 
-int model_texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture)
+static void set_level(uint16_t *texels, const struct ppm *picture, uint8_t log2_width, uint8_t log2_height)
 {
-    const uint8_t log2_width = log2_of_side(picture->width), log2_height = log2_of_side(picture->height);
-    uint16_t *texels = demo_alloc(arena, sizeof *texels << (log2_width + log2_height));
-    if (texels == NULL) {
-        return PH_ERR_NOMEM;
-    }
     for (uint32_t y = 0; y < 1u << log2_height; y++) {
         for (uint32_t x = 0; x < 1u << log2_width; x++) {
             texels[(y << log2_width) + x] =
                 mean_colour(picture, covered(x, picture->width, log2_width), covered(y, picture->height, log2_height));
         }
     }
+}
+
+int model_texture_make(struct demo_arena *arena, const struct ppm *picture, struct ph_texture *texture)
+{
+    const uint8_t log2_width = log2_of_side(picture->width), log2_height = log2_of_side(picture->height);
+    const uint8_t levels = log2_width > log2_height ? log2_width : log2_height;
     *texture = (struct ph_texture){
-        .texels = texels, .log2_width = log2_width, .log2_height = log2_height, .wrap = PH_WRAP_REPEAT};
+        .log2_width = log2_width, .log2_height = log2_height, .wrap = PH_WRAP_REPEAT, .levels = levels & 15};
+    uint16_t *texels = demo_alloc(arena, sizeof *texels * model_texture_texels(texture, levels));
+    if (texels == NULL) {
+        return PH_ERR_NOMEM;
+    }
+    texture->texels = texels;
+    for (uint8_t k = 0; k <= levels; k++) {
+        const uint8_t width = k < log2_width ? log2_width - k : 0, height = k < log2_height ? log2_height - k : 0;
+        set_level(texels, picture, width, height);
+        texels += (size_t)1 << (width + height);
+    }
     return 0;
+}
+
+size_t model_texture_texels(const struct ph_texture *texture, uint8_t levels)
+{
+    size_t sum = 0;
+    for (int k = 0; k <= levels; k++) {
+        const int width = texture->log2_width - k, height = texture->log2_height - k;
+        sum += (size_t)1 << ((width > 0 ? width : 0) + (height > 0 ? height : 0));
+    }
+    return sum;
+}
+
+bool model_filter_named(const char *name, uint8_t *filter)
+{
+    static const char *const names[] = {"nearest", "bilinear", "mipmap"};
+    for (*filter = 0; *filter < 3 && strcmp(name, names[*filter]) != 0;) {
+        (*filter)++;
+    }
+    return *filter < 3;
+}
+
+void model_set_filter(struct model *model, uint8_t filter)
+{
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        const struct ph_texture *const texture = model->meshes[m].materials->texture;
+        if (texture != NULL) {
+            ((struct ph_texture *)(uintptr_t)texture)->filter = filter & 15; /* it lies in the model's memory */
+        }
+    }
 }

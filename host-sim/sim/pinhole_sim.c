@@ -180,6 +180,7 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
     if (chosen->model->note != NULL) {
         complain_note("--model %s: %s", o->model, chosen->model->note);
     }
+    model_set_filter(chosen->model, o->filter);
     chosen->model_demo = model_demo(chosen->model);
     setup->demo = &chosen->model_demo;
     setup->state = chosen->model;

@@ -2,6 +2,7 @@
 
 #include "complain.h"
 #include "frame_out.h"
+#include "model.h"
 #include "option_table.h"
 #include "option_text.h"
 #include "render.h"
@@ -57,6 +58,11 @@ static bool set_far(void *to, const char *value)
 {
     struct sim_options *o = to;
     return set_distance(o, &o->far_z, value);
+}
+
+static bool set_filter(void *to, const char *value)
+{
+    return model_filter_named(value, &((struct sim_options *)to)->filter);
 }
 
 static bool set_projection(void *to, const char *value)
@@ -119,6 +125,8 @@ static const struct option_row rows[] = {
      .at = offsetof(struct sim_options, view)},
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct sim_options, model)},
+    {"filter", "nearest|bilinear|mipmap", "how the textures of a model are drawn; nearest by default",
+     "nearest, bilinear or mipmap", .set = set_filter},
     {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},
     {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
     {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",

@@ -19,6 +19,7 @@ struct sim_options {
     const char *demo;       /* NULL: none asked for */
     const char *view;       /* of the demo, or NULL */
     const char *model;      /* path of a model file, or NULL */
+    uint8_t filter;         /* of its textures: enum ph_filter */
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
     uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */

@@ -68,7 +68,7 @@ function table(core, format,   s, scene, all, fragments, verdict, metric, bar) {
     bar = format == "kit" ? metric : "minstr"
     printf "\n%s, %s: millions of instructions a frame\n", core, format == "kit" ? "as a kit runs, bands of 16 lines and depth AUTO" : "one band, " format " depth"
     print "scene   frame   must    aim  best peer           ratio  transform  clip, set-up   bins  spans  clears   a fragment  a triangle"
-    for (s = 1; s <= 6; s++) {
+    for (s = 1; s <= 8; s++) {
         scene = "S" s
         if (!((core, scene, format) in seen)) { continue }
         all = mean(core, scene, format, "frame")

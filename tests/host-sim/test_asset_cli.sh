@@ -16,7 +16,7 @@ if "$asset" README.md --report 2>&1 | grep -q 'without assimp'; then echo "built
 
 include='-Ifirmware/core/kernels/portable -Ifirmware/core -Ifirmware/app -Ihal -Iboards -Iboards/none -Ihost-sim/common -Ihost-sim/picture -Ihost-sim/asset -Ihost-sim/model -Ihost-sim/sim -Ihost-sim/controllers'
 strict='-std=c11 -Wall -Wextra -Wshadow -Wconversion -Wundef -Wcast-qual -Wpedantic -Werror'
-read -ra libraries < <({ for l in assimp libpng sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } && { [ ! -e /usr/include/gif_lib.h ] || echo -lgif; }; } | xargs)
+read -ra libraries < <({ for l in assimp libcjson libpng sdl2 libgpiod libusb-1.0; do pkg-config --libs "$l" 2>/dev/null; done && { [ ! -e /usr/include/meshoptimizer.h ] || echo -lmeshoptimizer; } && { [ ! -e /usr/include/gif_lib.h ] || echo -lgif; }; } | xargs)
 
 sphere() { # rings: smooth, 4 rings^2 triangles and some
     awk -v n="$1" 'BEGIN {
@@ -82,6 +82,16 @@ clang_and_arm_compile_it() {
 output_is_deterministic() {
     "$asset" "$dir/sphere.obj" -o "$dir/1.c" --max-triangles 300 && mkdir -p "$dir/else" && cp "$dir/sphere.obj" "$dir/else" &&
         (program=$(realpath "$asset") && cd "$dir/else" && "$program" sphere.obj -o - --max-triangles 300) >"$dir/2.c" && cmp "$dir/1.c" "$dir/2.c"
+}
+
+filters_are_in_the_file() { # and the simulator draws the same with --filter
+    local filter
+    for filter in nearest bilinear mipmap; do
+        "$asset" "$scene" -o "$dir/$filter.c" --filter $filter && compile "$dir/$filter.c" "$dir/filter" && "$dir/filter" pico-display 1 1 | cut -d' ' -f4 >"$dir/$filter.crc" &&
+            "$B/pinhole-sim" --model "$scene" --board pico-display --frames 1 --crc --filter $filter | cut -d' ' -f4 >"$dir/$filter.sim" || return 1
+    done
+    grep -q 'PH_FILTER_MIPMAP, .levels = 5' "$dir/mipmap.c" && grep -q '.levels = 0' "$dir/bilinear.c" && [ "$(cat "$dir"/{nearest,bilinear,mipmap}.crc | sort -u | wc -l)" = 3 ] &&
+        [ "$(sort -u "$dir"/{nearest,bilinear,mipmap}.sim | wc -l)" = 3 ] && cmp "$dir/nearest.crc" "$dir/nearest.sim" && cmp "$dir/bilinear.crc" "$dir/bilinear.sim"
 }
 
 odd_names_stay_out_of_the_c_file() {
@@ -168,6 +178,7 @@ else
     skip "simplified_scene_draws_the_simulators_bytes" "no meshoptimizer: apt-get install libmeshoptimizer-dev"
 fi
 check "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it
+check "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
 check "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
 check "wrong_usage_is_told" wrong_usage_is_told
 check "bad_models_are_told_and_leave_nothing" bad_models_are_told_and_leave_nothing

@@ -92,16 +92,24 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
     return status ? status : draw_room(r, context->state);
 }
 
+#define ARENA                                                                                                          \
+    (MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(THING_SIDES, THING_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS))
+#define VERTICES (WALLS * MODEL_GROUND_VERTICES(CELLS) + THINGS * MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS))
+
+/* For pictures of up to 320 x 240 pixels; a larger one has more pieces. */
+static const struct demo_level smaller = {DEMO_ARENA(ARENA, 4904), .vertex_max = VERTICES, .triangle_max = 2640,
+                                          .corner_max = 2800};
+
 const struct demo demo_fisheye = {
     .name = "fisheye",
     .summary = "a room through a fisheye: straight walls, curved edges",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(THING_SIDES, THING_POINTS, 1) +
-                   MODEL_FLOOR_BYTES(CELLS),
-               4976),
-    .vertex_max = WALLS * MODEL_GROUND_VERTICES(CELLS) + THINGS * MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS),
-    .triangle_max = 2640,
-    .corner_max = 2940,
+    DEMO_ARENA(ARENA, 4904),
+    .vertex_max = VERTICES,
+    .triangle_max = 4200,
+    .corner_max = 5200,
+    .coarser = &smaller,
+    .coarser_count = 1,
     .init = fisheye_init,
     .frame = fisheye_frame,
 };

@@ -33,11 +33,10 @@ static int64_t height_of(const struct ph_plane_equation *plane, struct fx_vec3 p
     return fx_mul_wide(n.x, p.x) + fx_mul_wide(n.y, p.y) + fx_mul_wide(n.z, p.z) + fx_mul_wide(plane->d, FX_Q30_ONE);
 }
 
-/* light + (p - light) whole / rest, rounded to nearest, saturated; 0 < rest <= whole < 2^30. */
-static fx_t along_ray(fx_t light, fx_t p, int32_t whole, int32_t rest)
+/* light + (p - light) ratio, ratio in Q24 up to 64, rounded to nearest, saturated. */
+static fx_t along_ray(fx_t light, fx_t p, int32_t ratio)
 {
-    const int64_t scaled = fx_mul_wide(fx_sub_sat(p, light), whole);
-    return fx_sat64(light + (scaled + (scaled < 0 ? -rest : rest) / 2) / rest);
+    return fx_sat64(light + ((fx_mul_wide(fx_sub_sat(p, light), ratio) + (1 << 23)) >> 24));
 }
 
 /* Projects a point that is not above `highest` onto the plane, from the light. */
@@ -48,9 +47,12 @@ static struct fx_vec3 shadow_of(const struct cast *c, const struct caster *v)
         whole >>= 1;
         rest >>= 1;
     }
-    const int32_t w = (int32_t)whole, k = rest > 0 ? (int32_t)rest : 1;
-    return (struct fx_vec3){along_ray(c->light.x, v->p.x, w, k), along_ray(c->light.y, v->p.y, w, k),
-                            along_ray(c->light.z, v->p.z, w, k)};
+    int shift;
+    const uint32_t over_rest = fx_rcp_norm(rest > 0 ? (uint32_t)rest : 1, &shift); /* 2^(62 - shift) / rest */
+    const uint64_t ratio = fx_mul_wide_u((uint32_t)whole, over_rest) >> (38 - shift);
+    const int32_t r = (int32_t)(ratio < (uint64_t)1 << 30 ? ratio : (uint64_t)1 << 30);
+    return (struct fx_vec3){along_ray(c->light.x, v->p.x, r), along_ray(c->light.y, v->p.y, r),
+                            along_ray(c->light.z, v->p.z, r)};
 }
 
 static struct caster caster_of(const struct cast *c, uint32_t index)

@@ -32,8 +32,16 @@ static const uint8_t rsqrt_table[192] = {
     132, 132, 132, 131, 131, 131, 130, 130, 130, 130, 129, 129, 129, 129, 128, 128,
 };
 
-/* 2^45 / sqrt(m) for 2^30 <= m < 2^32, relative error < 2^-25, by two Newton steps y += y (1 - m y^2) / 2. */
-static uint32_t rsqrt_norm(uint32_t m)
+/* By one Newton step from the table, in 32 bits. */
+uint32_t fx_rsqrt16(uint32_t m)
+{
+    const uint32_t y = rsqrt_table[(m >> 24) - 64];                            /* 2^23 / sqrt(m) */
+    const int32_t miss = (int32_t)(((uint32_t)1 << 30) - (m >> 16) * (y * y)); /* 1 - m y^2 in 2^-30 */
+    return (y << 8) + (uint32_t)(((int32_t)y * (miss >> 8)) >> 15);
+}
+
+/* By two Newton steps y += y (1 - m y^2) / 2. */
+uint32_t fx_rsqrt_norm(uint32_t m)
 {
     uint32_t y = (uint32_t)rsqrt_table[(m >> 24) - 64] << 22;
     for (int i = 0; i < 2; i++) {
@@ -55,7 +63,7 @@ fx_t fx_sqrt(fx_t a)
     }
     const int shift = fx_clz32((uint32_t)a) & ~1;
     const uint32_t m = (uint32_t)a << shift;
-    const uint32_t r = fx_mulhi_u32(m, rsqrt_norm(m)) >> (5 + shift / 2); /* from 2^13 sqrt(m) to 2^8 sqrt(a) */
+    const uint32_t r = fx_mulhi_u32(m, fx_rsqrt_norm(m)) >> (5 + shift / 2); /* from 2^13 sqrt(m) to 2^8 sqrt(a) */
     const int64_t rest = (int64_t)((uint64_t)(uint32_t)a << 16) - (int64_t)fx_mul_wide_u(r, r);
     return (fx_t)(r + (rest > (int64_t)r)); /* above (r + 1/2)^2 = r^2 + r + 1/4 */
 }
@@ -67,7 +75,7 @@ fx_t fx_rsqrt_sat(fx_t a)
     }
     const int shift = fx_clz32((uint32_t)a) & ~1;
     const int drop = 21 - shift / 2; /* from 2^45 / sqrt(m) to 2^24 / sqrt(a) */
-    const uint32_t r = rsqrt_norm((uint32_t)a << shift) >> drop;
+    const uint32_t r = fx_rsqrt_norm((uint32_t)a << shift) >> drop;
     return (fx_t)(r + (fx_mul_wide_u(2 * r + 1, 2 * r + 1) * (uint32_t)a <= (uint64_t)1 << 50)); /* above r + 1/2 */
 }
 
@@ -83,7 +91,7 @@ uint32_t fx_sqrt_u64(uint64_t v)
     const uint32_t high = (uint32_t)(v >> 32);
     const int shift = (high != 0 ? fx_clz32(high) : 32 + fx_clz32((uint32_t)v)) & ~1;
     const uint64_t w = v << shift; /* 2^62 .. 2^64 */
-    const uint32_t y = rsqrt_norm((uint32_t)(w >> 32));
+    const uint32_t y = fx_rsqrt_norm((uint32_t)(w >> 32));
     const uint32_t estimate = fx_mulhi_u32((uint32_t)(w >> 32), y); /* 2^-3 sqrt(w), 2^28 .. 2^29 */
     uint32_t r = (estimate >> 29 != 0 ? ((uint32_t)1 << 29) - 1 : estimate) << 3;
     const int64_t error = (int64_t)(w - fx_mul_wide_u(r, r));               /* |error| < 2^41 */

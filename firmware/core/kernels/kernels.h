@@ -3,7 +3,7 @@
  *
  * portable/ has every kernel in C. armv6m/ and armv7m/ have the same functions in assembly, x86_64/ has some of them in
  * C with vectors or with two values in a word. All give the same result bit for bit (tests/core/test_kernels.sh), so a
- * change of the arithmetic in one is a change in all. Assembly takes at most 80 bytes of stack, calls nothing outside
+ * change of the arithmetic in one is a change in all. Assembly takes at most 100 bytes of stack, calls nothing outside
  * its file, and knows the structs by offsets.inc.
  *
  * Kernels with a struct of their own have a header: vertices.h, cull.h, texture_tile.h, texture_small.h.
@@ -15,6 +15,8 @@
 #include <stdint.h>
 
 struct ph_lens;
+struct ph_material;
+struct ph_ref;
 struct ph_sides;
 struct ph_small_triangle;
 struct ph_triangle;
@@ -57,8 +59,33 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
  * not the lowest: there a float is a fixed number with another slope. Else false. No corner is behind the far plane. */
 bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
+/* What ph_setup_usual takes of the references of a draw. */
+struct ph_usual {
+    const struct ph_vertex *base; /* corner 0 */
+    const struct ph_lens *lens;
+    uint32_t inner_x, inner_y; /* as in the renderer */
+    uint32_t bias;             /* for ph_float_depths */
+    const uint16_t *ramp;
+    const struct ph_material *material;
+};
+
+/* setup_small.c: sets up a listed triangle as ph_setup_small does, if it is small, its first corner is inner, and
+ * ph_float_depths can tell its depth. Sets kind, block, material and ramp, too, and writes over the rest of t but
+ * order. If it does not return PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth to the caller.
+ */
+enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t);
+
 /* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. */
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
+
+/* wide_gouraud.c: the same for the upper rows of any triangle, of which there are no lower ones and at most
+ * PH_WIDE_ROWS. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
+#define PH_WIDE_ROWS 16
+uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
+                         uint32_t stride_bytes);
+
+/* small_knee.c: the same for PH_KIND_SMALL_KNEE. */
+uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes);
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef PH_BAND_H
 #define PH_BAND_H
 
+#include "kernels.h"
 #include "triangle.h"
 
 /* Rows y0 .. y1 - 1 of the picture, and the memory that they are drawn into. */
@@ -17,6 +18,16 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
 
 /* Draws pixel (x, y) of the band, which is one of a flat triangle or a line of any depth format. */
 void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band);
+
+/* The same for a triangle that ends in the band. */
+static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct ph_band *band)
+{
+    if (t->kind != PH_KIND_SMALL || t->block != PH_BLOCK_NONE || t->y_top < band->y0) {
+        return ph_draw_triangle(t, band);
+    }
+    const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
+    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
+}
 
 /* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */
 void ph_step_below(struct ph_triangle *t, int32_t y1);

@@ -154,18 +154,25 @@ void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
     }
 }
 
+/* Prepares the draw of a reference that is behind the current draw. */
+static __attribute__((noinline)) void enter_draw(struct feed *f, uint32_t ref)
+{
+    find_draw(f, ref);
+    ph_take_lens(f->r, f->draw);
+    ph_setting_of(&f->setting, f->r, f->draw);
+}
+
 /* Sets up the next triangle. */
-static void set_up(struct feed *f, struct ph_triangle *t)
+static inline void set_up(struct feed *f, struct ph_triangle *t)
 {
     const uint32_t ref = f->ref;
+    const struct ph_ref *const at = ph_ref_at(f->r, ref);
     if (ref >= f->next_first) {
-        find_draw(f, ref);
-        ph_take_lens(f->r, f->draw);
-        ph_setting_of(&f->setting, f->r, f->draw);
+        enter_draw(f, ref);
     }
-    ph_setup(&f->setting, ph_ref_at(f->r, ref), t);
+    ph_setup(&f->setting, at, t);
     t->order = ref;
-    f->ref = next_of(f, ref);
+    f->ref = at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : next_of(f, ref);
 }
 
 /* ---- slots ------------------------------------------------------------------------------------------------------ */
@@ -208,38 +215,52 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
+/* Draws a triangle that was carried on from above, and carries it on if it goes on below. Returns its pixels. */
+static __attribute__((noinline)) uint32_t draw_carried(struct ph_renderer *r, struct ph_triangle *t,
+                                                       const struct ph_band *rows, struct ph_triangle ***carry)
+{
+    if (t->y_bottom <= rows->y1) {
+        const uint32_t count = ph_draw_triangle(t, rows);
+        free_slot(r, t);
+        return count;
+    }
+    **carry = t;
+    *carry = &t->next;
+    return ph_draw_above(t, rows);
+}
+
 /* Draws all triangles of a band that are left: each is set up, drawn, and carried on if it goes on below. begun: those
  * that were carried on; carry: where the first is linked that is carried on from here. */
 static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_triangle *begun, struct ph_triangle **carry)
 {
     struct ph_renderer *const r = f->r;
-    struct ph_triangle scratch, *slot = NULL;
-    uint32_t put = PH_NONE;
-    while (begun != NULL || f->ref != PH_NONE) {
-        struct ph_triangle *t = begun;
-        if (t != NULL && t->order < f->ref) {
+    struct ph_triangle scratch, *slot = take_slot(r);
+    uint32_t put = PH_NONE, fragments = 0;
+    for (;;) {
+        while (begun != NULL && begun->order < f->ref) {
+            struct ph_triangle *const t = begun;
             begun = t->next;
-        } else {
-            slot = slot != NULL ? slot : take_slot(r);
-            t = slot != NULL ? slot : &scratch;
-            set_up(f, t);
+            fragments += draw_carried(r, t, rows, &carry);
         }
+        if (f->ref == PH_NONE) {
+            break;
+        }
+        struct ph_triangle *const t = slot != NULL ? slot : &scratch;
+        set_up(f, t);
         if (t->y_bottom <= rows->y1) {
-            r->stats.fragments += ph_draw_triangle(t, rows);
-            if (t != slot && t != &scratch) {
-                free_slot(r, t);
-            }
-        } else if (t == &scratch) {
-            r->stats.fragments += ph_draw_triangle(t, rows);
+            fragments += ph_draw_fresh(t, rows);
+        } else if (slot == NULL) {
+            fragments += ph_draw_triangle(t, rows);
             put_below(f, t->order, &put);
         } else {
-            r->stats.fragments += ph_draw_above(t, rows);
-            slot = t == slot ? NULL : slot;
+            fragments += ph_draw_above(t, rows);
             *carry = t;
             carry = &t->next;
+            slot = take_slot(r);
         }
     }
     *carry = NULL;
+    r->stats.fragments += fragments;
     if (slot != NULL) {
         free_slot(r, slot);
     }

@@ -38,7 +38,7 @@ static struct box box_of(const struct overlay *o, const struct ph_ref *ref)
 {
     const struct ph_draw *const draw = &o->setting.draw;
     const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint8_t *const base = o->setting.base;
+    const uint8_t *const base = (const uint8_t *)(const void *)o->setting.usual.base;
     const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << o->r->fine : 0;
     struct box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (int i = 0; i < n; i++) {

@@ -18,6 +18,9 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
 bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, const struct ph_vertex *b,
                          const struct ph_vertex *c);
 
+/* Whether three vertices without clip code are so far beyond a side of the picture that nothing of it can be seen. */
+bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3]);
+
 /*
  * Subdivide, clip and list a triangle, or a line. Corners have their position in x, y, w; their z is not read.
  * Statistics count as in ph_draw_clipped.

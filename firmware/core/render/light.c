@@ -44,6 +44,31 @@ static void unit_q14(const int32_t in[3], int16_t out[3])
     }
 }
 
+/* A vector's square and its exponent: the vector is sqrt(square) 2^(bits - 14) long. */
+struct length {
+    uint32_t square; /* 2^26 .. 3 2^28, or 0 */
+    int bits;        /* of the largest component */
+};
+
+/* The same for each vertex: 2^-14 off, and without a division. */
+static struct length quick_unit_q14(const int32_t in[3], int16_t out[3])
+{
+    const uint32_t largest = fx_magnitude(in[0]) | fx_magnitude(in[1]) | fx_magnitude(in[2]);
+    const int bits = 32 - fx_clz32(largest); /* scaled to components of 14 bits */
+    int32_t v[3];
+    uint32_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        v[i] = bits > 14 ? in[i] >> (bits - 14) : in[i] * (1 << (14 - bits));
+        sum += (uint32_t)(v[i] * v[i]);
+    }
+    const int up = sum >> 28 != 0 ? 1 : 2;
+    const int32_t inverse = sum != 0 ? (int32_t)fx_rsqrt16(sum << 2 * up) : 0; /* 2^31 / sqrt */
+    for (int i = 0; i < 3; i++) {
+        out[i] = (int16_t)((v[i] * inverse) >> (17 - up));
+    }
+    return (struct length){sum, bits};
+}
+
 /* A direction of the world, of any length, in the mesh's coordinates: the transposed rotation, then length one. */
 static void to_local(const struct ph_xform *to_world, struct fx_vec3 d, int16_t out[3])
 {
@@ -122,6 +147,15 @@ bool ph_light_has_colour(const struct ph_scene_light *light)
     return any != 0;
 }
 
+/* How a light falls off that has half its strength at `reach`: 1 / reach^2. */
+static void set_fall(struct ph_local_light *l, fx_t reach)
+{
+    int shift = 0;
+    const uint32_t over = reach > 0 ? fx_rcp_norm((uint32_t)reach, &shift) : 0; /* 2^(62 - shift) / reach */
+    l->fall = fx_mulhi_u32(over, over);
+    l->fall_down = 72 - 2 * shift;
+}
+
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
                       const struct ph_material *material, bool coloured)
 {
@@ -145,7 +179,7 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
         if (l->point) {
             const fx_t scale = scale_square(to_world);
             l->position = position_to_local(to_world, light->position, scale);
-            l->reach = fx_div_sat(light->reach, fx_sqrt(scale));
+            set_fall(l, fx_div_sat(light->reach, fx_sqrt(scale)));
             if (light->kind == PH_LIGHT_SPOT) {
                 prepare_spot(l, light, to_world);
             }
@@ -157,14 +191,15 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
     local->simple = scene->count == 1 && !local->light[0].point && local->light[0].specular <= 0;
 }
 
-/* 1 / (1 + (distance / reach)^2), Q2.14; 1 if the light does not fall off. */
-static int32_t attenuation(fx_t distance, fx_t reach)
+/* 1 / (1 + (distance / reach)^2), Q2.14, without a root; 1 if the light does not fall off. */
+static int32_t attenuation(const struct ph_local_light *l, struct length distance)
 {
-    if (reach <= 0) {
-        return 16384;
-    }
-    const fx_t ratio = fx_div_sat(distance, reach);
-    return fx_rcp_sat(fx_add_sat(FX_ONE, fx_mul_sat(ratio, ratio))) >> 2;
+    const uint32_t part = fx_mulhi_u32(distance.square << 2, l->fall), most = (uint32_t)1 << 30;
+    const int down = l->fall_down - 2 * distance.bits; /* (distance / reach)^2 is part 2^-down in Q16 */
+    const uint32_t square = l->fall == 0 || down > 31 ? 0 : down > 0 ? part >> down : most;
+    int shift;
+    const uint32_t reciprocal = fx_rcp_norm(FX_ONE + (square < most ? square : most), &shift);
+    return (int32_t)(reciprocal >> (32 - shift));
 }
 
 /* The share of a spot's intensity in that direction, Q1.14. */
@@ -180,14 +215,19 @@ static int32_t in_cone(const struct ph_local_light *l, const int16_t to_light[3]
 static NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
                                     const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
 {
-    const struct fx_vec3 d = fx_vec3_sub_sat(l->position, position);
-    const int32_t in[3] = {d.x >> 1, d.y >> 1, d.z >> 1};
+    const int32_t in[3] = {(l->position.x >> 1) - (position.x >> 1), (l->position.y >> 1) - (position.y >> 1),
+                           (l->position.z >> 1) - (position.z >> 1)};
     int16_t to_light[3], half[3];
-    unit_q14(in, to_light);
-    half_of(to_light, local->to_viewer, half);
+    const struct length distance = quick_unit_q14(in, to_light);
     *n_l = dot_q14(normal, to_light);
-    *n_h = dot_q14(normal, half);
-    const int32_t reaches = attenuation(fx_vec3_length_sat(d), l->reach);
+    *n_h = 0;
+    if (l->specular > 0) {
+        const int32_t sum[3] = {to_light[0] + local->to_viewer[0], to_light[1] + local->to_viewer[1],
+                                to_light[2] + local->to_viewer[2]};
+        quick_unit_q14(sum, half);
+        *n_h = dot_q14(normal, half);
+    }
+    const int32_t reaches = attenuation(l, distance);
     return l->spot ? reaches * in_cone(l, to_light) >> 14 : reaches;
 }
 

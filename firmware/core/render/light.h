@@ -9,7 +9,8 @@ struct ph_local_light {
     bool point, spot;             /* point: it has a position; spot: and a cone */
     int16_t to_light[3], half[3]; /* directional: unit vectors, Q1.14; spot: to_light is its axis */
     struct fx_vec3 position;      /* point */
-    fx_t reach;
+    uint32_t fall;                /* point: 1 / reach^2 is this 2^(fall_down - 164); 0: it does not fall off */
+    int32_t fall_down;
     int32_t diffuse, specular;    /* the light's intensity times the material's share, Q2.14 */
     int32_t cos_outer, cos_width; /* spot: Q1.14; from the outer to the inner cosine, above 0 */
     int16_t colour[3]; /* shares of red, green and blue, Q1.14; white unless the light is prepared coloured */

@@ -125,9 +125,9 @@ static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex 
         return false;
     }
     if (!s->floats) {
-        d[0] = ph_depth_before(ph_depth_of(a), s->far, 0) + s->bias;
-        d[1] = ph_depth_before(ph_depth_of(b), s->far, 0) + s->bias;
-    } else if (!ph_float_depths(&s->r->lens, v, s->bias, d)) {
+        d[0] = ph_depth_before(ph_depth_of(a), s->far, 0) + s->usual.bias;
+        d[1] = ph_depth_before(ph_depth_of(b), s->far, 0) + s->usual.bias;
+    } else if (!ph_float_depths(&s->r->lens, v, s->usual.bias, d)) {
         return false;
     }
     return (d[0] ^ d[1]) >> 31 == 0;

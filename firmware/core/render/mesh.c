@@ -140,6 +140,9 @@ static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index
     if ((all & PH_REJECT) != 0) {
         return false;
     }
+    if (c->curved && (any & PH_CLIP) == 0 && ph_fisheye_misses(c->r, v)) {
+        return false;
+    }
     if ((any & PH_CLIP) != 0 || (c->curved && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
         draw_clipped(c, index, v);
         return true;

@@ -16,7 +16,8 @@ enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
     FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
     FLOAT24_OCTAVES = 2,
-    LINEAR_ZEROS = 7, /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
+    KNEE_ROOM = 8 << 16, /* 16.16 codes */
+    LINEAR_ZEROS = 7,    /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
 };
 
 /* What all planes of a triangle share: the place of its first corner, and the reciprocal of its area. */
@@ -266,6 +267,44 @@ int ph_octaves_between(const uint32_t d[3], int block)
 {
     const struct octaves octaves = octaves_of(d, block);
     return octaves.far - octaves.near;
+}
+
+/* The rest of a float small triangle's plane: d and its gradients are multiples of 2^down, so no shift loses a bit. */
+static void bend_plane(struct ph_triangle *t, int octave, uint32_t middle)
+{
+    struct ph_small_triangle *const small = &t->small;
+    const int down = ph_block_down(t->block), up = octave - down;
+    const uint32_t from = small->left >> 16, above = small->d + from * small->gd - middle;
+    small->knee = ph_depth_float16_value(middle, up) +
+                  ph_depth_float16_offset(octave, ph_block_exponent(t->block), down) +
+                  (ph_depth_bias(t->material) << 13);
+    small->gd = ph_depth_float16_slope(small->gd, up);
+    small->d_dy = ph_depth_float16_slope(small->d_dy, up);
+    small->d = small->knee + ph_depth_float16_slope(above, up) - from * small->gd;
+    t->kind = PH_KIND_SMALL_KNEE;
+    t->block = PH_BLOCK_NONE;
+}
+
+void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
+{
+    const struct ph_small_triangle *const small = &t->small;
+    const struct octaves at = octaves_of(d, t->block);
+    const int down = ph_block_down(t->block), up = at.near - down;
+    const uint32_t middle = ((uint32_t)1 << 31) >> at.near; /* where the near octave ends */
+    const uint32_t bottom = at.far == ph_depth_lowest(ph_block_exponent(t->block), down) ? 0 : middle / 2;
+    /* A pixel may lie 2^-9 px outside, and its depth some codes beside the corners' plane. */
+    const uint32_t gx = ph_without_sign((int32_t)small->gd), gy = ph_without_sign((int32_t)small->d_dy);
+    const uint32_t codes = up >= 0 ? KNEE_ROOM >> up : KNEE_ROOM << -up, room = (gx >> 8) + (gy >> 8) + codes;
+    if (at.near == 0 || at.far - at.near != 1 ||
+        (gx | gy) >> 28 != 0) { /* where the first row begins d has not wrapped */
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (d[i] < bottom + room || d[i] + room > 2 * middle) {
+            return;
+        }
+    }
+    bend_plane(t, at.near, middle);
 }
 
 NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,

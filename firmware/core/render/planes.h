@@ -50,6 +50,10 @@ uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *con
 /* How many octaves lie between the depths of the corners, in units of 2^-(32 + block). */
 int ph_octaves_between(const uint32_t d[3], int block);
 
+/* Makes a small triangle that crosses from one octave into the next one of PH_KIND_SMALL_KNEE, unless a pixel of it may
+ * lie in a third one. d: the depth of its corners, in units of its block. */
+void ph_set_knee(struct ph_triangle *t, const uint32_t d[3]);
+
 /* The plane of 16.16 codes d. False if it is too steep for 32 bits. */
 bool ph_depth_plane(struct ph_plane *out, const struct ph_vertex *first, const struct ph_sides *sides,
                     const uint32_t d[3]);

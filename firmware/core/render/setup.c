@@ -81,14 +81,6 @@ static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
-/* Whether all three sides are below PH_SIDE_SMALL. */
-static inline bool is_small(const struct ph_sides *s)
-{
-    const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
-    return ((dx1 + PH_SIDE_SMALL) | (dy1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dy2 + PH_SIDE_SMALL) |
-            (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
-}
-
 /* Whether a triangle that is not small can be drawn as one, because it is textured, as narrow, and has short sides. */
 static NOINLINE bool is_narrow(const struct ph_setting *s, const struct ph_sides *sides,
                                const struct ph_vertex *const v[3])
@@ -107,13 +99,13 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     const struct ph_renderer *r = s->r;
     *block = PH_BLOCK_NONE;
     if (s->floats) {
-        if (!ph_float_depths(&r->lens, v, s->bias, d)) {
+        if (!ph_float_depths(&r->lens, v, s->usual.bias, d)) {
             *block = ph_block_depths(r, v, ph_depth_bias(s->draw.material), d);
         }
         return true;
     }
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(ph_depth_of(v[i]), s->far, 0) + s->bias;
+        d[i] = ph_depth_before(ph_depth_of(v[i]), s->far, 0) + s->usual.bias;
     }
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
@@ -230,16 +222,20 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     const bool textured = ph_is_textured(material);
     s->r = r;
     s->draw = *draw;
-    s->base = ph_at(r, draw->base);
+    s->usual.base = ph_at(r, draw->base);
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
-                  material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 &&
-                  (!textured || ph_texels_fit(material->texture));
-    s->ramp = lit ? material->ramp : &material->colour;
+                  material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture));
+    s->usual.ramp = lit ? material->ramp : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
+    s->usual.lens = &r->lens;
+    s->usual.inner_x = r->inner_x;
+    s->usual.inner_y = r->inner_y;
+    s->usual.material = material;
+    s->is_usual = s->is_small && s->floats && !textured && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
     s->far = ph_depth_far(&r->lens, 0);
-    s->bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
-                        : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
+    s->usual.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
+                              : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
 }
 
 /* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
@@ -248,7 +244,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
                         const struct ph_sides *sides, struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
-    const bool small = is_small(sides) && is_inside(r, v);
+    const bool small = ph_sides_are_small(sides) && is_inside(r, v);
     uint32_t d[3];
     if (!s->is_small || (!small && !is_narrow(s, sides, v))) {
         setup_other(s, v, uv, sides, small, t);
@@ -256,7 +252,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     }
     t->kind = PH_KIND_SMALL;
     t->material = s->draw.material;
-    t->small.ramp = s->ramp;
+    t->small.ramp = s->usual.ramp;
     if (!small_depths(s, v, d, &t->block)) {
         setup_other(s, v, uv, sides, false, t);
         return;
@@ -275,16 +271,18 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         if (!ph_setup_texels(t, r, v, uv, sides)) {
             setup_other(s, v, uv, sides, small, t);
         }
-    } else if (s->shading != PH_SHADE_GOURAUD) {
-        t->small.light = s->shading == PH_SHADE_FLAT ? (uint32_t)v[0]->light << 16 : 0;
-        t->small.glight = t->small.light_dy = 0;
+    } else {
+        if (t->block != PH_BLOCK_NONE) {
+            ph_set_knee(t, d);
+        }
+        ph_set_light(s, v[0], &t->small);
     }
 }
 
 /* Sets up a triangle whose corners have their texture coordinates beside them. */
 static NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_corner *const base = s->base;
+    const struct ph_corner *const base = (const void *)s->usual.base;
     const struct ph_vertex *v[3];
     const fx_t *uv[3];
     for (int i = 0; i < 3; i++) {
@@ -295,9 +293,9 @@ static NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_r
     setup_front(s, v, uv, &sides, t);
 }
 
-void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_vertex *const base = s->base;
+    const struct ph_vertex *const base = s->usual.base;
     if ((s->draw.kind & PH_DRAW_LINES) != 0) {
         struct ph_vertex a = base[ref->corner[0]], b = base[ref->corner[1]];
         if (s->r->fine != 0) {

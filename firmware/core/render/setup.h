@@ -2,14 +2,35 @@
 #ifndef PH_SETUP_H
 #define PH_SETUP_H
 
+#include "kernels.h"
 #include "setting.h"
 #include "triangle.h"
 
 /* Prepares the set-up of a draw, whose lens is that of r. */
 void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw);
 
-/* Sets up a triangle or a line of the draw. */
-void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
+/* Sets up a triangle that ph_setup_usual does not set up. */
+void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
+
+/* Gives a small triangle of one light that light. */
+static inline void ph_set_light(const struct ph_setting *s, const struct ph_vertex *first,
+                                struct ph_small_triangle *small)
+{
+    if (s->shading != PH_SHADE_GOURAUD) {
+        small->light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
+        small->glight = small->light_dy = 0;
+    }
+}
+
+/* Sets up a triangle of the draw. */
+static inline void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    if (s->is_usual && ph_setup_usual(&s->usual, ref, t) == PH_SMALL_SET) {
+        ph_set_light(s, &s->usual.base[ref->corner[0]], &t->small);
+    } else {
+        ph_setup_unusual(s, ref, t);
+    }
+}
 
 /* Sets up the reference of that number, wherever its draw is; the lens of r must be its own. For the depth lab. */
 void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t);

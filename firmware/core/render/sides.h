@@ -29,6 +29,14 @@ static inline bool ph_sides_are_short(int32_t dx1, int32_t dy1, int32_t dx2, int
             (uint32_t)((dy2 >> 14) + 1)) <= 1;
 }
 
+/* Whether all three sides are below PH_SIDE_SMALL. */
+static inline bool ph_sides_are_small(const struct ph_sides *s)
+{
+    const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
+    return ((dx1 + PH_SIDE_SMALL) | (dy1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dy2 + PH_SIDE_SMALL) |
+            (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
+}
+
 /* A number with the sign of ph_wide_area. */
 static inline int32_t ph_wide_area_sign(int32_t dx1, int32_t dy1, int32_t dx2, int32_t dy2)
 {

@@ -11,8 +11,6 @@
 #include "depth.h"
 #include "triangle.h"
 
-#define PH_DEPTH_WRAPPED 0xffc00000u /* d from here on has fallen below 0: the nearest d and its head room are less */
-
 /* Keeps the branch round the two stores of a pixel. Compilers for Thumb-2 would make the stores conditional instead,
  * and a hidden pixel would pay for instructions that do nothing. */
 #define PH_KEEP_BRANCH() __asm__ volatile("")
@@ -56,17 +54,25 @@ static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
     if (code <= *depth) {
         return false;
     }
+    PH_KEEP_BRANCH();
     *depth = code;
     return true;
 }
 
+/* Two pixels in each turn. */
 static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                   uint16_t colour)
 {
-    for (; n > 0; n--, d += gd, pixels++, depth++) {
+    for (; n > 1; n -= 2, d += 2 * gd, pixels += 2, depth += 2) {
         if (ph_nearer24(depth, d)) {
             *pixels = colour;
         }
+        if (ph_nearer24(depth + 1, d + gd)) {
+            pixels[1] = colour;
+        }
+    }
+    if (n > 0 && ph_nearer24(depth, d)) {
+        *pixels = colour;
     }
 }
 

@@ -53,8 +53,9 @@ static inline uint32_t light_of(uint32_t light)
     return (int32_t)light < 0 ? 0 : light >> 30 != 0 ? 63 : light >> 24;
 }
 
-/* The texel at u, v in its light. */
-static inline uint16_t sample(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
+/* The texel at u, v in its light, or filtered. */
+static __attribute__((noinline)) uint16_t sample_special(const struct ph_tile_kind *k, uint32_t u, uint32_t v,
+                                                         uint32_t light)
 {
     const uint16_t texel =
         k->smooth ? sample_smooth(k, u, v) : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
@@ -67,14 +68,16 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
 {
     const uint32_t ddu = 2 * r->u.bend, ddv = 2 * r->v.bend;
     uint32_t u = ph_texel_at(&r->u, i), du = r->u.step + i * ddu + r->u.bend;
-    uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend, light = r->light + i * r->glight;
+    uint32_t v = ph_texel_at(&r->v, i), dv = r->v.step + i * ddv + r->v.bend;
+    const bool special = k->lit || k->smooth;
     uint16_t *pixel = r->pixels + i;
     void *depth = ph_depth_from(r->depth, i, depth24);
     for (; n > 0; n--) {
         const uint32_t d =
             k->triangle->block == PH_BLOCK_LINEAR ? ph_depth_linear(&k->triangle->linear, piece.d) : piece.d;
         if (depth24 ? ph_nearer24(depth, d) : ph_nearer16(depth, d)) {
-            *pixel = sample(k, u, v, light);
+            *pixel = special ? sample_special(k, u, v, r->light + (uint32_t)(pixel - r->pixels) * r->glight)
+                             : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
         }
         depth = ph_depth_from(depth, 1, depth24);
         pixel++;
@@ -83,7 +86,6 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
         du += ddu;
         v += dv;
         dv += ddv;
-        light += r->glight;
     }
 }
 

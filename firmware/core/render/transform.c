@@ -72,8 +72,8 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
  * 2^focal_log2 / w) + centre, is compared with 0 and with size; both sides are multiplied by w. */
 static uint8_t side_codes(int32_t x, int32_t w, const struct ph_lens *lens, int32_t centre, int32_t size, uint8_t below)
 {
-    const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + (int64_t)centre * w;
-    return (uint8_t)(at < 0 ? below : at > (int64_t)(size * 256) * w ? below * 2 : 0);
+    const int64_t at = (int64_t)((uint64_t)(int64_t)x << (lens->focal_log2 + 8)) + fx_mul_wide(centre, w);
+    return (uint8_t)(at < 0 ? below : at > fx_mul_wide(size * 256, w) ? below * 2 : 0);
 }
 
 /* The same codes of a vertex that is projected. */
@@ -161,6 +161,16 @@ struct part_of_mesh {
     uint32_t codes;
 };
 
+/* The place of the next vertex in clip coordinates; usual: ph_vertices has stopped there. */
+static NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
+                                             bool usual)
+{
+    if (!ph_matvec_in_range(&run->matvec, run->from)) {
+        return ph_matrix_mul(m, run->from);
+    }
+    return usual ? run->at : ph_matvec_near(&run->matvec, run->from);
+}
+
 static void transform_part(void *argument)
 {
     struct part_of_mesh *const p = argument;
@@ -179,8 +189,7 @@ static void transform_part(void *argument)
                 break;
             }
         }
-        const bool known = usual && ph_matvec_in_range(&run.matvec, run.from);
-        const struct fx_vec3 at = known ? run.at : ph_matrix_mul(m, run.from);
+        const struct fx_vec3 at = before_divide(&run, m, usual);
         place_vertex(r, at.x, at.y, at.z, run.to);
         run.to->light = PH_LIGHT_ZERO + PH_LIGHT_SPAN; /* kept by meshes that are not lit */
         run.codes |= run.to->code;

@@ -41,7 +41,14 @@ struct ph_small_triangle {
     struct ph_edge lower;
     uint16_t upper_rows, lower_rows; /* above 0; 0 or more */
     uint32_t lower_is_right;         /* 0, 1 */
+    uint32_t knee;                   /* PH_KIND_SMALL_KNEE: below it codes are twice as steep as d */
 };
+
+/* A float's 16.16 code: across two octaves it is one plane with a knee, where the far octave begins. */
+static inline uint32_t ph_knee_code(uint32_t d, uint32_t knee)
+{
+    return d < knee ? 2 * d - knee : d;
+}
 
 /* The lower edge takes over. */
 static inline void ph_small_lower(struct ph_small_triangle *small)
@@ -80,6 +87,7 @@ enum ph_kind {
     PH_KIND_GOURAUD,
     PH_KIND_TEXTURE,
     PH_KIND_SMALL,
+    PH_KIND_SMALL_KNEE,
     PH_KIND_SMALL_TEXTURE,
     PH_KIND_COLOURS,
     PH_KIND_LINE,
@@ -121,7 +129,7 @@ struct ph_triangle {
             };
         };
         struct {
-            struct ph_small_triangle small; /* PH_KIND_SMALL; textured: the plane of light is the linear part of u */
+            struct ph_small_triangle small; /* PH_KIND_SMALL..; textured: the plane of light is the linear part of u */
             struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
             struct ph_curve curves[2];      /* of u, v */
             struct ph_plane small_shades;   /* as shades; u, v and this count from the same pixel */
@@ -135,9 +143,10 @@ struct ph_triangle {
 
 #define PH_NONE          UINT32_MAX
 #define PH_SMALL_COLUMNS 32
-#define PH_BLOCK_NONE    255 /* depth is stepped in 16.16 codes */
-#define PH_BLOCK_LINEAR  254 /* linear-w: 1/w is stepped */
-#define PH_BLOCK_EXACT   253 /* depth stands in `exact` */
+#define PH_DEPTH_WRAPPED 0xffc00000u /* d from here on has fallen below 0: the nearest d and its head room are less */
+#define PH_BLOCK_NONE    255         /* depth is stepped in 16.16 codes */
+#define PH_BLOCK_LINEAR  254         /* linear-w: 1/w is stepped */
+#define PH_BLOCK_EXACT   253         /* depth stands in `exact` */
 
 /* A block exponent, 0 .. 60, and the float's bits of exponent less 1 (ph_lens.float_down, 2 .. 5), in a byte. */
 static inline uint8_t ph_block_of(int exponent, int down)

@@ -9,8 +9,7 @@
 /* Notes the material files that an OBJ file names and that cannot be opened. */
 void model_materials_note_missing(struct model_shared *shared, const char *path);
 
-/* Returns the materials of the scene, or NULL when the arena is full. is_linear: colours are linear, as in glTF. */
-struct ph_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path,
-                                         bool is_linear);
+/* Returns the materials of the scene, or NULL when the arena is full. */
+struct ph_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path);
 
 #endif

@@ -159,7 +159,7 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
         uvs[i][1] = fixed(uv->y);
     }
     to->uvs = (const fx_t(*)[2])uvs;
-    material->shading = PH_SHADE_TEXTURE_LIT;
+    material->shading = material->shading == PH_SHADE_UNLIT ? PH_SHADE_TEXTURE : PH_SHADE_TEXTURE_LIT;
     return true;
 }
 

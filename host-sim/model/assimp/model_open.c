@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -19,7 +20,7 @@
 /* This is address space, not memory: a page takes memory when it is written. */
 #define SHARED_BYTES (sizeof(void *) > 4 ? (size_t)2 << 30 : (size_t)1 << 29)
 /* A reader that takes longer hangs: seconds of processor time, plus some for each MiB. */
-#define CPU_SECONDS         20
+#define CPU_SECONDS         10
 #define CPU_SECONDS_PER_MIB 4
 
 static int check_file(const char *path)
@@ -46,6 +47,26 @@ static int check_file(const char *path)
     return 0;
 }
 
+/* What the reader may take beside the shared memory: a small file that asks for much is refused. */
+#define DATA_BYTES          ((rlim_t)768 << 20)
+#define DATA_BYTES_PER_BYTE 16 /* of the file */
+
+/* Limits memory above what the process has already: instruments such as sanitizers map much of their own. */
+static void limit_memory(rlim_t file_bytes)
+{
+    unsigned long pages = 0;
+    FILE *from = fopen("/proc/self/statm", "r");
+    if (from != NULL && fscanf(from, "%*u %*u %*u %*u %*u %lu", &pages) == 1) {
+        const rlim_t most =
+            (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE) + DATA_BYTES + DATA_BYTES_PER_BYTE * file_bytes;
+        const struct rlimit data = {most, most};
+        setrlimit(RLIMIT_DATA, &data);
+    }
+    if (from != NULL) {
+        fclose(from);
+    }
+}
+
 /* Readers print lines of their own; what matters is in shared->error. */
 static void silence(void)
 {
@@ -69,6 +90,7 @@ static void child(struct model_shared *shared, const char *path)
     alarm((unsigned)(3 * most));      /* it may also wait, which costs no CPU */
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* a child without its parent is of no use */
     setrlimit(RLIMIT_CORE, &no_core);
+    limit_memory((rlim_t)status.st_size);
     silence();
     for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {
         signal(crashes[i], SIG_DFL); /* the caller's handlers are not for this process */

@@ -1,16 +1,17 @@
 #include "model_read.h"
 
+#include "model_gltf.h"
 #include "model_materials.h"
 #include "model_meshes.h"
 
 #include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
-#include <assimp/version.h>
 
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define CREASE_DEGREES 66 /* edges sharper than this stay sharp when normals are made */
@@ -142,29 +143,9 @@ static void scale_to_reason(const struct aiScene *scene)
     scale_nodes(scene->mRootNode, ldexpf(1, shift));
 }
 
-/* assimp gives a glTF camera the translation of its node a second time. Up to assimp 5.2 its horizontal angle of view
- * was the vertical one times the aspect ratio (issue 4435 of assimp). */
-static void mend_gltf_cameras(const struct aiScene *scene)
-{
-    const bool is_linear = aiGetVersionMajor() * 100 + aiGetVersionMinor() < 503;
-    for (unsigned i = 0; i < scene->mNumCameras; i++) {
-        struct aiCamera *camera = scene->mCameras[i];
-        camera->mPosition = (struct aiVector3D){0, 0, 0};
-        if (is_linear && camera->mAspect > 0) {
-            const float vertical = camera->mHorizontalFOV / camera->mAspect;
-            camera->mHorizontalFOV = 2 * atanf(tanf(vertical / 2) * camera->mAspect);
-        }
-    }
-}
-
-/* glTF asks for flat shading where a file has no normals, and PLY does not say: model_meshes_read makes those. */
-static bool is_flat_without_normals(const char *path)
-{
-    return has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
-}
-
-/* assimp makes normals, with creases, where each face has vertices of its own (OBJ, STL). Where faces share vertices it
- * would keep the normal of the last face; those are made flat, too. */
+/* PLY does not say how a surface without normals is meant: it is flat. assimp makes normals, with creases, where each
+ * face has vertices of its own (OBJ, STL). Where faces share vertices it would keep the normal of the last face; those
+ * are made flat, too. */
 static bool shares_vertices(const struct aiScene *scene)
 {
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
@@ -189,17 +170,9 @@ static unsigned steps(const struct aiScene *scene, bool is_stl, bool is_flat)
            (is_stl ? (unsigned)aiProcess_RemoveComponent : 0u);
 }
 
-bool model_read(struct model_shared *shared, const char *path)
+/* What all readers check. Triangles are counted before anything is made of them. */
+static bool check(struct model_shared *shared, const struct aiScene *scene)
 {
-    const bool is_stl = has_suffix(path, ".stl");
-    const bool is_linear = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
-    if (is_endless_ply(path)) {
-        return model_shared_failed(shared, "is broken: a PLY header without its end");
-    }
-    const struct aiScene *scene = import(path, is_stl);
-    if (scene == NULL) {
-        return model_shared_failed(shared, "is no model that can be read: %s", aiGetErrorString());
-    }
     const uint64_t count = scene->mRootNode != NULL ? count_triangles(scene, scene->mRootNode) : 0;
     if (count == 0) {
         return model_shared_failed(shared, "has no triangles");
@@ -210,26 +183,60 @@ bool model_read(struct model_shared *shared, const char *path)
     if (has_stray_index(scene)) {
         return model_shared_failed(shared, "is broken: a face has a vertex that is not there");
     }
-    if (is_linear) {
-        mend_gltf_cameras(scene);
-    }
-    scale_to_reason(scene);
-    scene = aiApplyPostProcessing(scene, steps(scene, is_stl, is_flat_without_normals(path)));
-    if (scene == NULL) {
-        return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
-    }
-    if (has_suffix(path, ".obj")) {
-        model_materials_note_missing(shared, path);
-    }
     if (scene->mNumLights > 0) {
         model_shared_note(shared, "lights are ignored");
     }
     if (scene->mNumAnimations > 0) {
         model_shared_note(shared, "animations are ignored");
     }
-    const struct ph_material *materials = model_materials_read(shared, scene, path, is_linear);
+    return true;
+}
+
+static bool read_gltf(struct model_shared *shared, const char *path)
+{
+    struct gltf_file file;
+    if (!gltf_file_open(&file, path)) {
+        return model_shared_failed(shared, "is no model that can be read: %s", file.error);
+    }
+    struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
+    const struct ph_material *materials = uvs != NULL ? model_gltf_materials(shared, &file, uvs) : NULL;
+    if (materials == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
+    const struct aiScene *scene = model_gltf_read(shared, &file, uvs);
+    return scene != NULL && check(shared, scene) && model_meshes_read(shared, scene, materials);
+}
+
+static bool read_by_assimp(struct model_shared *shared, const char *path)
+{
+    const bool is_stl = has_suffix(path, ".stl");
+    if (is_endless_ply(path)) {
+        return model_shared_failed(shared, "is broken: a PLY header without its end");
+    }
+    const struct aiScene *scene = import(path, is_stl);
+    if (scene == NULL) {
+        return model_shared_failed(shared, "is no model that can be read: %s", aiGetErrorString());
+    }
+    if (!check(shared, scene)) {
+        return false;
+    }
+    scale_to_reason(scene);
+    scene = aiApplyPostProcessing(scene, steps(scene, is_stl, has_suffix(path, ".ply")));
+    if (scene == NULL) {
+        return model_shared_failed(shared, "is broken: %s", aiGetErrorString());
+    }
+    if (has_suffix(path, ".obj")) {
+        model_materials_note_missing(shared, path);
+    }
+    const struct ph_material *materials = model_materials_read(shared, scene, path);
     if (materials == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
     return model_meshes_read(shared, scene, materials);
+}
+
+bool model_read(struct model_shared *shared, const char *path)
+{
+    const bool is_gltf = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
+    return is_gltf ? read_gltf(shared, path) : read_by_assimp(shared, path);
 }

@@ -5,7 +5,8 @@
 int model_open(struct model **model, const char *path)
 {
     *model = NULL;
-    return complain("model %s: this program was built without assimp; install libassimp-dev (Debian) and make again",
+    return complain("model %s: this program was built without assimp; install libassimp-dev and libcjson-dev (Debian) "
+                    "and make again",
                     path);
 }
 

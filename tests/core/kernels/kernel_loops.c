@@ -106,9 +106,11 @@ static uint32_t try_halve(uint32_t h)
     return h;
 }
 
-static uint32_t try_rows(uint32_t h)
+/* A small triangle, drawn by a kernel. */
+static uint32_t try_small(uint32_t h,
+                          uint32_t (*draw)(const struct ph_small_triangle *, uint16_t *, uint16_t *, uint32_t))
 {
-    struct ph_small_triangle r = {.ramp = ramp};
+    struct ph_small_triangle r = {.ramp = ramp, .knee = bits()};
     r.d = bits();
     r.light = bits();
     r.left = (40 << 16) + below(20 << 16);
@@ -126,7 +128,17 @@ static uint32_t try_rows(uint32_t h)
     r.lower.x = (int32_t)((r.lower_is_right ? r.left + below(20 << 16) : r.right - below(20 << 16)) + other);
     r.lower.dx = (int32_t)(r.lower_is_right ? r.left_dx : r.right_dx);
     const uint32_t at = below(16), pixels_at = below(16), stride_bytes = 2 * (96 + below(16));
-    return word(h, ph_small_gouraud(&r, depth + at, pixels + pixels_at, stride_bytes));
+    return word(h, draw(&r, depth + at, pixels + pixels_at, stride_bytes));
+}
+
+static uint32_t try_rows(uint32_t h)
+{
+    return try_small(h, ph_small_gouraud);
+}
+
+static uint32_t try_knee(uint32_t h)
+{
+    return try_small(h, ph_small_knee);
 }
 
 static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_vertex *b, const struct ph_vertex *c)
@@ -135,9 +147,56 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
     return (struct ph_sides){dx1, dy1, dx2, dy2, dx2 * dy1 - dx1 * dy2, true};
 }
 
+static uint32_t hash_small(uint32_t h, const struct ph_triangle *t)
+{
+    const struct ph_small_triangle *const s = &t->small;
+    const uint32_t rows[] = {s->left_dx, s->right_dx, s->d_dy,  s->light_dy, s->gd,
+                             s->glight,  s->left,     s->right, s->d,        s->light};
+    h = hash(h, rows, sizeof rows);
+    h = s->lower_rows > 0 ? word(word(h, (uint32_t)s->lower.x), (uint32_t)s->lower.dx) : h;
+    h = word(word(word(h, s->upper_rows), s->lower_rows), s->lower_is_right);
+    return word(word(h, (uint32_t)t->y_top), (uint32_t)t->y_bottom);
+}
+
+/* A reference to a triangle that is mostly small, within a picture, and in one octave of depth. */
+static uint32_t try_setup_usual(uint32_t h)
+{
+    const struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = 8, .float_down = 3};
+    const uint32_t size = below(4) > 0 ? 5000 : below(2) > 0 ? 2 * PH_SIDE_SMALL : 40, depths = below(20);
+    struct ph_vertex corner[4];
+    for (int i = 0; i < 4; i++) {
+        corner[i].x = (int32_t)(40 * 256 + below(size));
+        corner[i].y = (int32_t)(40 * 256 + below(size));
+        corner[i].light = (uint16_t)bits();
+        corner[i].q = ((uint32_t)5 << 28) + (bits() >> (2 + depths));
+        corner[i].s = (int8_t)(below(16) > 0 ? 3 : 2 + below(3));
+    }
+    const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
+    const struct ph_usual usual = {.base = corner,
+                                   .lens = &lens,
+                                   .inner_x = 20000,
+                                   .inner_y = 1000 + below(20000),
+                                   .bias = below(1 << 20),
+                                   .ramp = ramp,
+                                   .material = &material};
+    const uint16_t first = (uint16_t)below(2), second = (uint16_t)(first + 1);
+    const struct ph_sides sides = sides_of(&corner[first], &corner[second], &corner[3]);
+    const struct ph_ref ref = {{first, sides.area > 0 ? second : 3, sides.area > 0 ? 3 : second}, 0};
+    struct ph_triangle t;
+    memset(&t, 0, sizeof t);
+    if (sides.area == 0 || ph_setup_usual(&usual, &ref, &t) != PH_SMALL_SET) {
+        return word(h, 0);
+    }
+    h = word(h, t.kind == PH_KIND_SMALL && t.block == PH_BLOCK_NONE && t.material == &material && t.small.ramp == ramp);
+    return hash_small(h, &t);
+}
+
 /* A triangle round a point within the picture; also without rows, as a sliver and steep. */
 static uint32_t try_setup_small(uint32_t h)
 {
+    if (below(3) == 0) {
+        return try_setup_usual(h);
+    }
     const uint32_t size = below(3) > 0 ? 2 * PH_SIDE_SMALL : below(2) > 0 ? 600 : 40, flat = below(4) > 0 ? 0 : 7;
     struct ph_vertex corner[3];
     const uint32_t high = below(4) > 0 ? 0 : 1; /* textured ones may have twice as many rows */
@@ -157,12 +216,7 @@ static uint32_t try_setup_small(uint32_t h)
     if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
         return word(h, 0);
     }
-    const uint32_t rows[] = {t.small.left_dx, t.small.right_dx, t.small.d_dy,  t.small.light_dy, t.small.gd,
-                             t.small.glight,  t.small.left,     t.small.right, t.small.d,        t.small.light};
-    h = hash(h, rows, sizeof rows);
-    h = t.small.lower_rows > 0 ? word(word(h, (uint32_t)t.small.lower.x), (uint32_t)t.small.lower.dx) : h;
-    h = word(word(word(h, t.small.upper_rows), t.small.lower_rows), t.small.lower_is_right);
-    return word(word(h, (uint32_t)t.y_top), (uint32_t)t.y_bottom);
+    return hash_small(h, &t);
 }
 
 /* Corners in front of a far plane, mostly near each other. */
@@ -181,6 +235,26 @@ static uint32_t try_float(uint32_t h)
     const struct ph_vertex *const v[3] = {&corner[0], &corner[1], &corner[2]};
     uint32_t d[3];
     return ph_float_depths(&lens, v, below(1 << 20), d) ? hash(h, d, sizeof d) : word(h, 0);
+}
+
+/* Rows that may begin and end outside of the picture. */
+static uint32_t try_wide(uint32_t h)
+{
+    struct ph_small_triangle r = {.ramp = ramp};
+    const uint32_t log2 = 18 + below(10);
+    r.left = below((uint32_t)1 << log2) - ((uint32_t)1 << log2 >> 1);
+    r.right = r.left + below((uint32_t)1 << log2) - (3 << 16);
+    r.left_dx = below(1 << 20) - (1 << 19);
+    r.right_dx = below(1 << 20) - (1 << 19);
+    r.d = bits();
+    r.light = bits();
+    r.d_dy = below(1 << 24);
+    r.light_dy = bits() >> 8;
+    r.gd = below(1 << 22);
+    r.glight = bits() >> 6;
+    r.upper_rows = (uint16_t)(1 + below(PH_WIDE_ROWS));
+    const uint32_t at = below(16), pixels_at = below(16);
+    return word(h, ph_wide_gouraud(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
 }
 
 static uint32_t spread(int log2)
@@ -409,6 +483,8 @@ int main(void)
                  {"span_blend", try_blend},
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
+                 {"small_knee", try_knee},
+                 {"wide_gouraud", try_wide},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},

@@ -1,4 +1,5 @@
-@ ph_setup_small of kernels.h for ARMv6-M. A triangle takes some 370 instructions.
+@ ph_setup_small and ph_setup_usual of kernels.h for ARMv6-M. A triangle takes some 370 instructions, and some 130 more
+@ from its reference on.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
@@ -6,6 +7,9 @@
     .equ corners, 4 @ on the stack
     .equ sides, 8
     .equ depths, 12
+    .equ own_corners, triangle_v @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
+    .equ own_sides, triangle_v + 12
+    .equ own_depths, triangle_v + 32
 
     @ Puts fx_rcp16(d) into \to; changes r7.
     .macro rcp16 to, d
@@ -42,8 +46,184 @@
     str r0, [r2, #triangle_left_dx + 4]
     .endm
 
-    .section .text.ph_setup_small, "ax", %progbits
+    .section .text.ph_setup_usual, "ax", %progbits
     .p2align 2
+    .thumb_func
+apart: @ part of ph_setup_usual: the corners have other exponents
+    mov r0, r10
+    movs r1, r5
+    ldr r2, [r0, #usual_bias]
+    ldr r0, [r0, #usual_lens]
+    movs r3, r5
+    adds r3, #own_depths - own_corners
+    bl ph_float_depths
+    cmp r0, #0
+    beq unusual
+    mov r2, r11
+    movs r5, r2
+    adds r5, #own_depths + 12
+    b known
+below_24: @ the depth of the first corner is below 2^24
+    lsrs r5, r1, #16
+    beq 1f
+    ldrb r5, [r7, r5]
+    adds r5, #8
+    b leading
+1:  lsrs r5, r1, #8
+    beq unusual
+    ldrb r5, [r7, r5]
+    adds r5, #16
+    b leading
+unusual:
+    movs r0, #0
+    restore_and_return
+
+    function ph_setup_usual @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
+    save_registers
+    mov r10, r0
+    mov r11, r2
+    ldrh r3, [r1]
+    ldrh r4, [r1, #2]
+    ldrh r5, [r1, #4]
+    lsls r3, r3, #4
+    lsls r4, r4, #4
+    lsls r5, r5, #4
+    ldr r1, [r0, #usual_base]
+    adds r3, r3, r1
+    adds r4, r4, r1
+    adds r5, r5, r1
+    adds r2, #own_corners
+    stmia r2!, {r3-r5}
+    @ Does the first corner stay far enough from the borders?
+    ldmia r3!, {r6, r7}
+    movs r1, #33 @ PH_SIDE_SMALL + 256
+    lsls r1, r1, #8
+    subs r3, r6, r1
+    subs r1, r7, r1
+    ldr r2, [r0, #usual_inner_x]
+    ldr r0, [r0, #usual_inner_y]
+    cmp r3, r2
+    bhs unusual
+    cmp r1, r0
+    bhs unusual
+    @ The sides: r1, r2 from a to b, r6, r7 from a to c. Are they below 2^13?
+    ldmia r4!, {r1, r2}
+    ldmia r5, {r0, r5}
+    subs r1, r1, r6
+    subs r2, r2, r7
+    subs r6, r0, r6
+    subs r7, r5, r7
+    movs r0, #1
+    lsls r0, r0, #13
+    adds r3, r1, r0
+    adds r4, r2, r0
+    orrs r3, r4
+    adds r4, r6, r0
+    orrs r3, r4
+    adds r4, r7, r0
+    orrs r3, r4
+    subs r4, r6, r1
+    adds r4, r4, r0
+    orrs r3, r4
+    lsrs r3, r3, #14
+    bne unusual
+    movs r3, r6
+    muls r3, r2
+    movs r4, r1
+    muls r4, r7
+    subs r3, r3, r4
+    mov r5, r11
+    adds r5, #own_sides
+    stmia r5!, {r1, r2, r6, r7}
+    str r3, [r5]
+    @ ph_float_depths, mostly of three corners with one exponent.
+    subs r5, #own_sides + 16 - own_corners
+    ldmia r5!, {r1-r3}
+    subs r5, #12
+    ldrb r4, [r1, #vertex_s]
+    ldrb r6, [r2, #vertex_s]
+    ldrb r7, [r3, #vertex_s]
+    cmp r4, r6
+    bne apart
+    cmp r4, r7
+    bne apart
+    mov r0, r10
+    ldr r0, [r0, #usual_lens]
+    ldr r6, [r0, #lens_far_q]
+    ldrh r7, [r0, #lens_far_s] @ and float_down in its upper byte
+    subs r7, r7, r4
+    lsrs r6, r7
+    ldr r1, [r1, #vertex_q]
+    ldr r2, [r2, #vertex_q]
+    ldr r3, [r3, #vertex_q]
+    subs r1, r1, r6
+    bls unusual
+    subs r2, r2, r6
+    bls unusual
+    subs r3, r3, r6
+    bls unusual
+    ldr r7, =fx_clz_table
+    lsrs r5, r1, #24
+    beq below_24
+    ldrb r5, [r7, r5]
+leading:
+    movs r6, r1
+    eors r6, r2
+    movs r7, r1
+    eors r7, r3
+    orrs r6, r7
+    movs r7, #31
+    subs r7, r7, r5
+    lsrs r6, r7
+    bne unusual
+    adds r4, r4, r5
+    ldrh r7, [r0, #lens_far_s]
+    lsrs r7, r7, #8
+    movs r6, r4
+    lsrs r6, r7
+    cmp r6, #2
+    bhs unusual
+    movs r6, #31
+    subs r6, r6, r7
+    lsls r4, r6
+    mov r0, r10
+    ldr r6, [r0, #usual_bias]
+    subs r6, r6, r4
+    lsls r1, r5
+    lsls r2, r5
+    lsls r3, r5
+    lsrs r1, r7
+    lsrs r2, r7
+    lsrs r3, r7
+    adds r1, r1, r6
+    adds r2, r2, r6
+    adds r3, r3, r6
+    mov r5, r11
+    adds r5, #own_depths
+    stmia r5!, {r1-r3}
+known:
+    mov r3, r10
+    mov r0, r11
+    ldr r1, [r3, #usual_material]
+    ldr r2, [r3, #usual_ramp]
+    str r1, [r0, #triangle_material]
+    str r2, [r0, #triangle_ramp]
+    movs r1, #3 @ PH_KIND_SMALL
+    strb r1, [r0, #triangle_kind]
+    movs r1, #255 @ PH_BLOCK_NONE
+    strb r1, [r0, #triangle_block]
+    subs r5, #12
+    movs r3, r5
+    subs r5, #own_depths - own_sides
+    movs r2, r5
+    subs r5, #own_sides - own_corners
+    movs r1, r5
+    b begin
+    .size ph_setup_usual, . - ph_setup_usual
+
+    .p2align 2
+    .ltorg
+
     .thumb_func
 edge: @ r4: upper corner, r5: lower one, r6: first row. Returns r1: x at that row, r0: slope; changes r0-r3, r6, r7
     ldr r0, [r4]
@@ -127,8 +307,13 @@ flat_top: @ part of ph_setup_small: the first edge is the lower one
     long_edge
     b planes
 
-    function ph_setup_small @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
+    .p2align 2
+    .global ph_setup_small
+    .type ph_setup_small, %function
+    .thumb_func
+ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
     save_registers
+begin:
     push {r0-r3}
     ldmia r1!, {r4-r6}
     ldr r1, [r4, #vertex_y]

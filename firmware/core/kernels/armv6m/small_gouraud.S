@@ -1,4 +1,5 @@
-@ ph_small_gouraud of kernels.h for ARMv6-M. A row takes 40 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it,
+@ wide_gouraud.S ph_wide_gouraud. A row takes 37 instructions, a pixel that is drawn 11, a hidden one 6, a
 @ call some 40.
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
@@ -7,21 +8,32 @@
 #include "../offsets.inc"
 #include "registers.inc"
 
-    .equ count, 0 @ on the stack
-    .equ left_dx, 4
-    .equ right_dx, 8
-    .equ d_dy, 12
-    .equ light_dy, 16
-    .equ rows, 20
-    .equ pixels_end, 24 @ address in the code where the pixels of a row end
-    .equ triangle, 28   @ 0 when the lower edge has taken over
-    .equ to_pixels, 32  @ from depth
-    .equ stride, 36
-    .equ frame, 40
+    .equ left_dx, 0 @ on the stack; five words that a row loads at once
+    .equ right_dx, 4
+    .equ d_dy, 8
+    .equ light_dy, 12
+    .equ stride, 16
+    .equ count, 20
+    .equ rows, 24
+    .equ pixels_end, 28 @ address in the code where the pixels of a row end
+    .equ triangle, 32   @ 0 when the lower edge has taken over
+    .equ to_pixels, 36  @ from depth
+    .equ knee, 40
+    .equ blocks, 40 @ of 32 pixels that are left in a wide row
+    .equ frame, 44
 
     .macro pixel at
     ldrh.n r5, [r0, #2 * \at]
+    .ifdef with_knee
+    ldr.n r6, [sp, #knee]
+    subs.n r6, r2, r6
+    bcc.n 2f
+    movs.n r6, #0
+2:  adds.n r6, r6, r2
+    lsrs r6, r6, #16
+    .else
     lsrs r6, r2, #16
+    .endif
     cmp r6, r5
     bls.n 1f
     strh.n r6, [r0, #2 * \at]
@@ -32,19 +44,35 @@
 1:  add r2, r8
     add r3, r9
     .endm
+    .ifdef with_knee
+    .equ pixel_bytes, 32
+    function ph_small_knee
+    .else
     .equ pixel_bytes, 22
-
-    function ph_small_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    .ifdef with_blocks
+    function ph_wide_gouraud
+    .else
+    function ph_small_gouraud
+    .endif
+    .endif
+    @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
+    .ifdef with_knee
+    ldr r4, [r0, #small_knee]
+    .endif
+    push {r4}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
-    push {r0, r2, r3}
+    push {r0, r2}
+    mov lr, r3
     ldrh r2, [r0, #small_upper_rows - small_gd]
     ldr r3, =last + 1
     push {r2, r3}
+    mov r2, lr
     movs r3, #0
-    push {r3-r7}
-    movs r7, r1
+    push {r2, r3}
+    push {r4-r7}
+    subs r7, r1, r2 @ the row above
     subs r7, #64 @ the last of the 32 unrolled pixels is the last pixel of the row
     ldmia r0!, {r1-r4}
     mov r8, r1
@@ -66,40 +94,74 @@ first:
     .error "pixel_bytes is wrong"
     .endif
 last:
+    .ifdef with_blocks
+    ldr r5, [sp, #blocks]
+    subs r5, #1
+    bmi row_end
+    str r5, [sp, #blocks]
+    adds r0, #64
+    adds r1, #64
+    b first
+row_end:
+    .endif
     ldr r0, [sp, #rows]
     subs r0, #1
     str r0, [sp, #rows]
     beq 2f
 row:
+    mov r0, sp
+    ldmia r0, {r0-r3, r5}
+    adds r7, r7, r5
     mov r5, r10
-    ldr r0, [sp, #left_dx]
     add r10, r0
-    mov r6, r11
-    ldr r0, [sp, #right_dx]
-    add r11, r0
+    mov r0, r11
+    add r11, r1
+    mov r1, r12
+    add r12, r2
+    mov r2, lr
+    add lr, r3
+    .ifdef with_blocks
+    asrs r5, r5, #16 @ cut to the picture
+    asrs r0, r0, #16
+    asrs r3, r5, #31
+    bics r5, r3
+    ldr r3, [sp, #stride]
+    lsrs r3, r3, #1
+    cmp r0, r3
+    ble 1f
+    mov r0, r3
+1:  subs r6, r0, r5
+    ble row_end
+    mov r0, r7
+    .else
     lsrs r5, r5, #16
-    lsrs r6, r6, #16
-    mov r2, r12
-    ldr r0, [sp, #d_dy]
-    add r12, r0
-    mov r3, lr
-    ldr r0, [sp, #light_dy]
-    add lr, r0
-    lsls r0, r6, #1
-    adds r0, r0, r7
-    ldr r1, [sp, #stride]
-    adds r7, r7, r1
-    subs r6, r6, r5
+    lsrs r0, r0, #16
+    subs r6, r0, r5
     ble last
+    lsls r0, r0, #1
+    adds r0, r0, r7
+    .endif
+    mov r3, r9
+    muls r3, r5
+    adds r3, r3, r2
+    mov r2, r8
+    muls r2, r5
+    adds r2, r2, r1
     ldr r1, [sp, #count]
     adds r1, r1, r6
     str r1, [sp, #count]
-    mov r1, r8
-    muls r1, r5
-    adds r2, r2, r1
-    mov r1, r9
-    muls r1, r5
-    adds r3, r3, r1
+    .ifdef with_blocks
+    lsls r5, r5, #1
+    adds r0, r0, r5
+    subs r6, #1
+    lsrs r5, r6, #5
+    str r5, [sp, #blocks]
+    lsls r6, r6, #27
+    lsrs r6, r6, #27
+    adds r6, #1 @ the first 1 to 32 pixels
+    lsls r5, r6, #1
+    adds r0, r0, r5
+    .endif
     movs r1, #pixel_bytes
     muls r6, r1
     ldr r5, [sp, #pixels_end]
@@ -130,4 +192,12 @@ row:
 5:  ldr r0, [sp, #count]
     add sp, #frame
     restore_and_return
+    .ifdef with_knee
+    .size ph_small_knee, . - ph_small_knee
+    .else
+    .ifdef with_blocks
+    .size ph_wide_gouraud, . - ph_wide_gouraud
+    .else
     .size ph_small_gouraud, . - ph_small_gouraud
+    .endif
+    .endif

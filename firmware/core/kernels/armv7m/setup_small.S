@@ -1,9 +1,13 @@
-@ ph_setup_small of kernels.h for ARMv7-M. A triangle takes some 185 instructions.
+@ ph_setup_small and ph_setup_usual of kernels.h for ARMv7-M. A triangle takes some 185 instructions, and some 95 more
+@ from its reference on.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
     .equ corners, 4 @ on the stack
     .equ depths, 12
+    .equ own_corners, triangle_v @ in the triangle: ph_setup_usual keeps what ph_setup_small takes
+    .equ own_sides, triangle_v + 12
+    .equ own_depths, triangle_v + 32
 
     @ The edge from a down to b, whose first row is given: r1 becomes x at that row, r10 the slope. r12 is 2^31 - 1.
     @ Changes r2, r3, lr.
@@ -42,8 +46,133 @@
     cmp \down, #0
     .endm
 
-    function ph_setup_small @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
+    function ph_setup_usual @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
+    push {r4-r11, lr}
+    ldrh r3, [r1]
+    ldrh r4, [r1, #2]
+    ldrh r5, [r1, #4]
+    ldr r1, [r0, #usual_base]
+    add r3, r1, r3, lsl #4
+    add r4, r1, r4, lsl #4
+    add r5, r1, r5, lsl #4
+    @ Does the first corner stay far enough from the borders?
+    ldrd r6, r7, [r3]
+    ldrd r9, r10, [r0, #usual_inner_x]
+    sub r8, r6, #8448 @ PH_SIDE_SMALL + 256
+    cmp r8, r9
+    itt lo
+    sublo r8, r7, #8448
+    cmplo r8, r10
+    bhs unusual
+    @ The sides: r8, r9 from a to b, r10, r11 from a to c. Are they below 2^13?
+    ldrd r8, r9, [r4]
+    ldrd r10, r11, [r5]
+    subs r8, r8, r6
+    subs r9, r9, r7
+    subs r10, r10, r6
+    subs r11, r11, r7
+    add r6, r8, #8192
+    add r7, r9, #8192
+    orrs r6, r7
+    add r7, r10, #8192
+    orrs r6, r7
+    add r7, r11, #8192
+    orrs r6, r7
+    subs r7, r10, r8
+    add r7, r7, #8192
+    orrs r6, r7
+    lsrs r6, r6, #14
+    bne unusual
+    mul r12, r10, r9
+    mls r12, r8, r11, r12
+    adds r2, #own_corners
+    stmia r2!, {r3-r5, r8-r12}
+    @ ph_float_depths, mostly of three corners with one exponent.
+    ldrb r6, [r3, #vertex_s]
+    ldrb r7, [r4, #vertex_s]
+    ldrb r8, [r5, #vertex_s]
+    cmp r6, r7
+    it eq
+    cmpeq r6, r8
+    bne apart
+    ldr r12, [r0, #usual_lens]
+    ldr r3, [r3, #vertex_q]
+    ldr r4, [r4, #vertex_q]
+    ldr r5, [r5, #vertex_q]
+    ldr r7, [r12, #lens_far_q]
+    ldrb r8, [r12, #lens_far_s]
+    ldrb r12, [r12, #lens_float_down]
+    subs r8, r8, r6
+    lsr r7, r7, r8
+    subs r3, r3, r7
+    it hi
+    subshi r4, r4, r7
+    it hi
+    subshi r5, r5, r7
+    bls unusual
+    clz r7, r3
+    eor r8, r3, r4
+    eor r9, r3, r5
+    orr r8, r8, r9
+    rsb r9, r7, #31
+    lsrs r8, r8, r9
+    bne unusual
+    add r6, r6, r7
+    lsr r8, r6, r12
+    cmp r8, #2
+    bhs unusual
+    rsb r8, r12, #31
+    ldr r9, [r0, #usual_bias]
+    lsls r6, r6, r8
+    subs r6, r9, r6
+    lsls r3, r3, r7
+    lsls r4, r4, r7
+    lsls r5, r5, r7
+    lsr r3, r3, r12
+    lsr r4, r4, r12
+    lsr r5, r5, r12
+    adds r3, r3, r6
+    adds r4, r4, r6
+    adds r5, r5, r6
+    stmia r2, {r3-r5}
+known:
+    ldrd r6, r7, [r0, #usual_ramp]
+    sub r0, r2, #own_depths
+    mov r3, r2
+    sub r2, r2, #own_depths - own_sides
+    sub r1, r2, #own_sides - own_corners
+    str r6, [r0, #triangle_ramp]
+    str r7, [r0, #triangle_material]
+    movs r4, #3 @ PH_KIND_SMALL
+    movs r5, #255 @ PH_BLOCK_NONE
+    strb r4, [r0, #triangle_kind]
+    strb r5, [r0, #triangle_block]
+    push {r0-r3}
+    b begin
+apart: @ the corners have other exponents
+    mov r4, r0
+    mov r5, r2
+    mov r3, r2
+    sub r1, r2, #own_depths - own_corners
+    ldr r2, [r0, #usual_bias]
+    ldr r0, [r0, #usual_lens]
+    bl ph_float_depths
+    cmp r0, #0
+    mov r0, r4
+    mov r2, r5
+    bne known
+unusual:
+    movs r0, #0
+    pop {r4-r11, pc}
+    .size ph_setup_usual, . - ph_setup_usual
+
+    .p2align 2
+    .global ph_setup_small
+    .type ph_setup_small, %function
+    .thumb_func
+ph_setup_small: @ r0: struct ph_triangle, r1: corners, r2: struct ph_sides, r3: depths
     push {r0-r11, lr}
+begin:
     ldmia r1, {r4-r6}
     ldr r7, [r4, #vertex_y]
     ldr r8, [r5, #vertex_y]

@@ -1,6 +1,7 @@
-/* ph_setup_small of kernels.h. */
+/* ph_setup_small and ph_setup_usual of kernels.h. */
 #include "kernels.h"
 
+#include "list.h"
 #include "slopes.h"
 
 enum {
@@ -72,4 +73,26 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
     t->y_top = (int16_t)o.row_top;
     t->y_bottom = (int16_t)o.row_low;
     return set_planes(t, v, sides, d) ? PH_SMALL_SET : PH_SMALL_STEEP;
+}
+
+enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    const struct ph_vertex *const base = usual->base;
+    const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
+    const uint32_t margin = PH_SIDE_SMALL + 256;
+    if ((uint32_t)v[0]->x - margin >= usual->inner_x || (uint32_t)v[0]->y - margin >= usual->inner_y) {
+        return PH_SMALL_NO_ROW;
+    }
+    const int32_t dx1 = v[1]->x - v[0]->x, dx2 = v[2]->x - v[0]->x;
+    const int32_t dy1 = v[1]->y - v[0]->y, dy2 = v[2]->y - v[0]->y;
+    const struct ph_sides sides = {dx1, dy1, dx2, dy2, dx2 * dy1 - dx1 * dy2, true};
+    uint32_t d[3];
+    if (!ph_sides_are_small(&sides) || !ph_float_depths(usual->lens, v, usual->bias, d)) {
+        return PH_SMALL_NO_ROW;
+    }
+    t->kind = PH_KIND_SMALL;
+    t->block = PH_BLOCK_NONE;
+    t->material = usual->material;
+    t->small.ramp = usual->ramp;
+    return ph_setup_small(t, v, &sides, d);
 }

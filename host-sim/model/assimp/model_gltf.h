@@ -1,0 +1,25 @@
+/* model_gltf: a glTF or GLB file as a scene of assimp's structures, read without assimp; see gltf_file.h. */
+#ifndef MODEL_GLTF_H
+#define MODEL_GLTF_H
+
+#include "gltf_file.h"
+#include "model_shared.h"
+
+#include <assimp/scene.h>
+
+/* How texture coordinates of a primitive become those of the renderer: u' = m[0] . (u, v, 1), v' = m[1] . (u, v, 1). */
+struct model_gltf_uv {
+    uint32_t set; /* TEXCOORD_set */
+    double m[2][3];
+};
+
+/* Returns the scene, or NULL after writing shared->error. Primitives without a material have a last one of their own.
+ * Vertices that are equal are joined, and a primitive is split at MODEL_VERTICES_MAX vertices. */
+const struct aiScene *model_gltf_read(struct model_shared *shared, struct gltf_file *file,
+                                      const struct model_gltf_uv *uvs);
+
+/* Reads the materials of the file and one plain one, and how each maps its texture. NULL: no memory. */
+struct ph_material *model_gltf_materials(struct model_shared *shared, struct gltf_file *file,
+                                         struct model_gltf_uv *uvs);
+
+#endif
