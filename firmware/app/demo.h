@@ -49,6 +49,7 @@ struct demo_level {
     uint32_t arena_bytes_32;
     uint32_t vertex_max, triangle_max; /* of a whole frame: vertices of all meshes, triangles that can be seen */
     uint32_t corner_max;               /* corners that clipping and curves add, and all else in their place: 16 bytes */
+    uint16_t enough_px;                /* up to this smaller side of the picture it is taken though a finer one fits */
 };
 
 /* On a 32-bit target it does not compile if the size there is another. */
@@ -65,7 +66,7 @@ struct demo {
     uint32_t arena_bytes_32;
     uint32_t vertex_max, triangle_max, corner_max;
     const struct demo_level
-        *coarser; /* levels for smaller arenas, or for pictures at most 16:9 wide; the finest first */
+        *coarser; /* levels for less memory or smaller pictures, or for pictures at most 16:9 wide; the finest first */
     uint32_t coarser_count;
     uint8_t blur_radius; /* px; not 0: the demo wants scratch memory */
 

@@ -57,6 +57,12 @@ static uint64_t list_bytes(const struct demo_level *level, uint32_t slots)
                    (uint64_t)level->triangle_max * PH_REFERENCE_BYTES + (uint64_t)slots * PH_SLOT_BYTES_32);
 }
 
+static struct demo_level finest_of(const struct demo *demo)
+{
+    return (struct demo_level){demo->arena_bytes,  demo->arena_bytes_32, demo->vertex_max,
+                               demo->triangle_max, demo->corner_max,     0};
+}
+
 /* What a level of a demo takes on a 32-bit target. */
 static uint64_t level_bytes_32(const struct demo_level *level, uint32_t slots)
 {
@@ -85,14 +91,21 @@ static struct demo_level level_of(const struct demo_level *level, const struct p
     return drawn;
 }
 
-/* The finest level that fits whole; if none does, the coarsest with as many of its triangles as the list has room for,
- * about. */
+/* Whether a coarser level of a demo is to be taken instead of this one. */
+static bool is_too_fine(const struct demo_level *level, const struct demo_level *coarser,
+                        const struct picture_memory *p, uint64_t budget)
+{
+    const uint16_t smaller_side = p->width < p->height ? p->width : p->height;
+    return level_bytes_32(level, SLOTS_LEAST) > budget || smaller_side <= coarser->enough_px;
+}
+
+/* The finest level that fits whole and whose triangles are not too small for the picture; if none fits, the coarsest
+ * with as many of its triangles as the list has room for, about. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
-    struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
-                               demo->corner_max};
-    level = level_of(&level, p);
-    for (uint32_t i = 0; i < demo->coarser_count && level_bytes_32(&level, SLOTS_LEAST) > budget; i++) {
+    const struct demo_level finest = finest_of(demo);
+    struct demo_level level = level_of(&finest, p);
+    for (uint32_t i = 0; i < demo->coarser_count && is_too_fine(&level, &demo->coarser[i], p, budget); i++) {
         level = level_of(&demo->coarser[i], p);
     }
     const uint64_t whole = level_bytes_32(&level, SLOTS_LEAST), arena = ROUND8(level.arena_bytes_32);
@@ -183,7 +196,6 @@ uint64_t runner_whole_bytes(const struct runner_config *config)
 {
     const struct demo *demo = config->demo;
     const struct picture_memory p = memory_plan_picture(config, config->board->band_height);
-    const struct demo_level level = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
-                                     demo->corner_max};
+    const struct demo_level level = finest_of(demo);
     return memory_plan_picture_bytes(&p) + level_bytes_32(&level, SLOTS_LEAST);
 }

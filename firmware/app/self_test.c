@@ -25,7 +25,7 @@ static const struct known {
 /* ---- text --------------------------------------------------------------------------------------- */
 
 /* The number with `digits` digits at least. */
-static void put_number(uint32_t value, bool hex, uint32_t digits)
+static void put_number(self_test_put *put, uint32_t value, bool hex, uint32_t digits)
 {
     const uint32_t base = hex ? 16 : 10;
     char text[11];
@@ -35,57 +35,54 @@ static void put_number(uint32_t value, bool hex, uint32_t digits)
         text[--i] = "0123456789ABCDEF"[value % base];
         value /= base;
     }
-    self_test_put(text + i);
+    put(text + i);
 }
 
-static void put_named(const char *name, uint32_t value)
+static void put_named(self_test_put *put, const char *name, uint32_t value)
 {
-    self_test_put(name);
-    put_number(value, false, 1);
+    put(name);
+    put_number(put, value, false, 1);
 }
 
-static void put_size(const struct runner *runner)
+static void put_size(self_test_put *put, const struct runner *runner)
 {
-    put_named(" ", runner->context.width);
-    put_named("x", runner->context.height);
+    put_named(put, " ", runner->context.width);
+    put_named(put, "x", runner->context.height);
 }
 
-static void put_head(const struct runner *runner, const char *machine)
+static void put_head(self_test_put *put, const struct runner *runner, const char *machine)
 {
     const struct board *board = runner->config.board;
-    self_test_put("---- Pinhole report: copy from here ----");
-    self_test_put("\n");
-    self_test_put("Pinhole " PH_VERSION " on ");
-    self_test_put(board->name);
-    self_test_put(": ");
-    self_test_put(board->title);
-    self_test_put(", ");
-    self_test_put(machine);
-    self_test_put("\n");
-    self_test_put("display ");
-    self_test_put(board->panel->name);
-    self_test_put(",");
-    put_size(runner);
-    put_named(", turned ", runner->config.rotation * 90U);
-    put_named(", bus ", (uint32_t)runner->driver.clock_hz);
-    self_test_put(" Hz");
-    self_test_put("\n");
+    put("---- Pinhole report: copy from here ----");
+    put("\n");
+    put("Pinhole " PH_VERSION " on ");
+    put(board->name);
+    put(": ");
+    put(board->title);
+    put(", ");
+    put(machine);
+    put("\n");
+    put("display ");
+    put(board->panel->name);
+    put(",");
+    put_size(put, runner);
+    put_named(put, ", turned ", runner->config.rotation * 90U);
+    put_named(put, ", bus ", (uint32_t)runner->driver.clock_hz);
+    put(" Hz");
+    put("\n");
 }
 
-static void put_tail(int result)
+static void put_tail(self_test_put *put, int result)
 {
-    self_test_put(result == 0  ? "self-test: passed"
-                  : result > 0 ? "self-test: FAILED"
-                               : "self-test: did not end, error ");
+    put(result == 0 ? "self-test: passed" : result > 0 ? "self-test: FAILED" : "self-test: did not end, error ");
     if (result < 0) {
-        put_number((uint32_t)-result, false, 1);
+        put_number(put, (uint32_t)-result, false, 1);
     }
-    self_test_put("\n");
-    self_test_put(
-        "what the glass shows (yes or no): ring round ...  arrow up ...  first bar red ...  a dot in each corner ...");
-    self_test_put("\n");
-    self_test_put("---- Pinhole report: to here ----");
-    self_test_put("\n");
+    put("\n");
+    put("what the glass shows (yes or no): ring round ...  arrow up ...  first bar red ...  a dot in each corner ...");
+    put("\n");
+    put("---- Pinhole report: to here ----");
+    put("\n");
 }
 
 /* ---- frames ------------------------------------------------------------------------------------- */
@@ -96,7 +93,7 @@ static int show(struct runner *runner, uint32_t frame)
     return status == PH_OK ? runner_send(runner) : status;
 }
 
-static int measure_rate(struct runner *runner)
+static int measure_rate(self_test_put *put, struct runner *runner)
 {
     const struct hal *hal = &runner->hal;
     int status = runner_take(runner, demo_find("turntable"));
@@ -110,14 +107,14 @@ static int measure_rate(struct runner *runner)
     }
     status = status == PH_OK ? runner_finish(runner) : status;
     us = hal->ops->time_us(hal->context) - from;
-    put_named("turntable: ", frames);
-    put_named(" frames in ", us / 1000);
-    put_named(" ms, ", us > 0 ? (uint32_t)(frames * 10000000ULL / us) / 10 : 0);
-    put_named(".", us > 0 ? (uint32_t)(frames * 10000000ULL / us) % 10 : 0);
-    put_named(" frames/s, left out ", runner->renderer.stats.triangles_dropped);
-    put_named(" triangles ", runner->renderer.stats.vertices_dropped);
-    self_test_put(" vertices");
-    self_test_put("\n");
+    put_named(put, "turntable: ", frames);
+    put_named(put, " frames in ", us / 1000);
+    put_named(put, " ms, ", us > 0 ? (uint32_t)(frames * 10000000ULL / us) / 10 : 0);
+    put_named(put, ".", us > 0 ? (uint32_t)(frames * 10000000ULL / us) % 10 : 0);
+    put_named(put, " frames/s, left out ", runner->renderer.stats.triangles_dropped);
+    put_named(put, " triangles ", runner->renderer.stats.vertices_dropped);
+    put(" vertices");
+    put("\n");
     return status;
 }
 
@@ -133,7 +130,7 @@ static const struct known *find_known(uint32_t width, uint32_t height)
 }
 
 /* 1: it is not the known CRC; 0: it is, or none is known; or an error. */
-static int compare(struct runner *runner, uint32_t demo)
+static int compare(self_test_put *put, struct runner *runner, uint32_t demo)
 {
     int status = runner_take(runner, demo_find(known_demos[demo]));
     status = status == PH_OK ? runner_scene(runner, 0) : status;
@@ -143,29 +140,29 @@ static int compare(struct runner *runner, uint32_t demo)
     const uint32_t crc = runner_crc(runner);
     const struct known *known = find_known(runner->context.width, runner->context.height);
     const bool same = known == NULL || known->crc[demo] == crc;
-    self_test_put(known_demos[demo]);
-    put_size(runner);
-    self_test_put(" crc32 ");
-    put_number(crc, true, 8);
-    self_test_put(known == NULL ? ", none is known for this size" : same ? ", as known" : ", but known is ");
+    put(known_demos[demo]);
+    put_size(put, runner);
+    put(" crc32 ");
+    put_number(put, crc, true, 8);
+    put(known == NULL ? ", none is known for this size" : same ? ", as known" : ", but known is ");
     if (!same) {
-        put_number(known->crc[demo], true, 8);
+        put_number(put, known->crc[demo], true, 8);
     }
-    self_test_put("\n");
+    put("\n");
     return same ? 0 : 1;
 }
 
-int self_test_report(struct runner *runner, const char *machine)
+int self_test_report(struct runner *runner, const char *machine, self_test_put *put)
 {
     int bad = 0, status = 0;
-    put_head(runner, machine);
-    status = measure_rate(runner);
+    put_head(put, runner, machine);
+    status = measure_rate(put, runner);
     for (uint32_t i = 0; i < DEMOS && status >= 0; i++) {
-        status = compare(runner, i);
+        status = compare(put, runner, i);
         bad += status > 0;
     }
     status = status >= 0 ? show(runner, 0) : status;
     status = status == 0 ? runner_finish(runner) : status;
-    put_tail(status < 0 ? status : bad);
+    put_tail(put, status < 0 ? status : bad);
     return status < 0 ? status : bad;
 }

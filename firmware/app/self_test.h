@@ -11,12 +11,11 @@
 
 #include "runner.h"
 
-/* The program that links self_test.c defines it: text of the report goes out. The end of a line comes alone, as "\n".
- */
-void self_test_put(const char *text);
+/* Where the text of the report goes. The end of a line comes alone, as "\n". */
+typedef void self_test_put(const char *text);
 
 /* `machine` is what it runs on, in a few words. Returns how many CRCs are not the known ones, or an error of the runner
  * (PH_ERR_.., HAL_E..); then the text says that the test did not end. */
-int self_test_report(struct runner *runner, const char *machine);
+int self_test_report(struct runner *runner, const char *machine, self_test_put *put);
 
 #endif

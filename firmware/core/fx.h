@@ -78,7 +78,7 @@ fx_t fx_rsqrt_sat(fx_t a);
 /* 2^45 / sqrt(m) for 2^30 <= m < 2^32, relative error < 2^-25. */
 uint32_t fx_rsqrt_norm(uint32_t m);
 
-/* 2^31 / sqrt(m) for 2^30 <= m < 2^32, relative error < 2^-14. */
+/* 2^31 / sqrt(m) for 2^30 <= m < 2^32, relative error < 6.2e-5. */
 uint32_t fx_rsqrt16(uint32_t m);
 
 /* Sine, cosine of an angle in turns (only its low 16 bits count), error <= 0.5 LSB. Cost: 375, 70. */

@@ -244,7 +244,8 @@ int panel_show_run(struct panel_display *displays, int count, const struct panel
     return status;
 }
 
-int panel_show_report(struct panel_display *display, const struct panel_scene *scene, void (*look)(void))
+int panel_show_report(struct panel_display *display, const struct panel_scene *scene, self_test_put *put,
+                      void (*look)(void))
 {
     char machine[sizeof(struct utsname)];
     struct utsname system;
@@ -253,7 +254,7 @@ int panel_show_report(struct panel_display *display, const struct panel_scene *s
         uname(&system);
         snprintf(machine, sizeof machine, "%s %s %s, %s", system.sysname, system.release, system.machine,
                  display->hal.ops->name);
-        status = self_test_report(&display->runner, machine);
+        status = self_test_report(&display->runner, machine, put);
         look();
         status = status < 0   ? fail(display, "", status)
                  : status > 0 ? complain("%s: the picture is not the known one", display->board->name)

@@ -7,6 +7,7 @@
 
 #include "option_text.h"
 #include "runner.h"
+#include "self_test.h"
 
 #include <signal.h>
 
@@ -49,10 +50,11 @@ struct panel_scene {
 int panel_show_run(struct panel_display *displays, int count, const struct panel_scene *scene);
 
 /*
- * Opens the display, writes its report (self_test.h) and calls `look`, while the test card is shown; then it is dark
- * again. Returns 0, or COMPLAINED: a CRC was not the known one, or something failed.
+ * Opens the display, writes its report (self_test.h) by `put` and calls `look`, while the test card is shown; then it
+ * is dark again. Returns 0, or COMPLAINED: a CRC was not the known one, or something failed.
  */
-int panel_show_report(struct panel_display *display, const struct panel_scene *scene, void (*look)(void));
+int panel_show_report(struct panel_display *display, const struct panel_scene *scene, self_test_put *put,
+                      void (*look)(void));
 
 /* Says what a status means, in the words of the backend if it has some. */
 const char *panel_show_text(const struct panel_display *display, int status);

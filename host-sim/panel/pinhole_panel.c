@@ -202,7 +202,7 @@ static int speedtest(struct stage *stage, const struct panel_options *o)
 
 /* ---- report ------------------------------------------------------------------------------------- */
 
-void self_test_put(const char *text)
+static void put_text(const char *text)
 {
     fputs(text, stdout);
 }
@@ -226,7 +226,7 @@ static int report(struct stage *stage, const struct panel_options *o)
     scene.demo = demo_find("turntable");
     scene.overlay = scene.diff = false; /* every frame whole, and nothing over it */
     if (status == 0) {
-        status = panel_show_report(&stage->displays[0], &scene, wait_for_enter);
+        status = panel_show_report(&stage->displays[0], &scene, put_text, wait_for_enter);
     }
     for (int i = 0; i < stage->count; i++) {
         panel_kit_release(&stage->kits[i]);

@@ -141,17 +141,23 @@ static uint32_t vertices_at(const struct demo *demo, const struct demo_level *le
 static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
 {
     (void)state;
-    static const uint16_t kits[][2] = {{240, 135}, {240, 240}, {320, 240}, {128, 128}};
+    static const uint16_t kits[][2] = {{240, 135}, {240, 240}, {320, 240}, {128, 128}, {128, 64}};
     uint32_t levels = 0;
     for (uint32_t d = 0; d < demo_count; d++) {
         const struct demo *const demo = demo_list[d];
-        const struct demo_level finest = {demo->arena_bytes, demo->arena_bytes_32, demo->vertex_max, demo->triangle_max,
-                                          demo->corner_max};
+        const struct demo_level finest = {.arena_bytes = demo->arena_bytes,
+                                          .arena_bytes_32 = demo->arena_bytes_32,
+                                          .vertex_max = demo->vertex_max,
+                                          .triangle_max = demo->triangle_max,
+                                          .corner_max = demo->corner_max};
         const struct demo_level *finer = &finest;
         for (uint32_t i = 0; i < demo->coarser_count; finer = &demo->coarser[i++], levels++) {
             const struct demo_level *const level = &demo->coarser[i];
             assert_true(level->triangle_max < finer->triangle_max && level->arena_bytes <= finer->arena_bytes);
             for (uint32_t size = 0; size < sizeof kits / sizeof kits[0]; size++) {
+                if (level->enough_px == kits[4][1] && size != 4) { /* a fisheye's triangles become more with the size */
+                    continue;
+                }
                 const uint32_t vertices = vertices_at(demo, level, kits[size][0], kits[size][1]);
                 const uint32_t before = vertices_at(demo, finer, kits[size][0], kits[size][1]);
                 assert_true(level->arena_bytes < finer->arena_bytes ? vertices < before : vertices == before);
@@ -159,8 +165,7 @@ static void each_level_of_a_demo_is_coarser_and_fits_its_lists(void **state)
         }
         assert_true(demo->arena_bytes_32 > 0 && demo->arena_bytes_32 <= demo->arena_bytes);
     }
-    assert_int_equal(levels,
-                     10); /* the turntable's, the wireframe's, and five for kits that are not too wide or large */
+    assert_int_equal(levels, 20); /* ten of them for a kit with little memory */
 }
 
 /* ---- animation ------------------------------------------------------------------------------------------------- */

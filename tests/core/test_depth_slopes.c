@@ -340,6 +340,36 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
     assert_int_equal(wrong, 0);
 }
 
+/* Two small triangles just before the far plane, across two octaves: there a unit of the block's d is many units of a
+ * code. And a Gouraud triangle whose first rows are left of the picture, where d of column 0 wraps. */
+static void triangles_that_once_were_codes_off_are_right(void **state)
+{
+    static const struct {
+        struct lens lens;
+        uint8_t exponent;
+        double worst;
+        struct fx_vec3 p[3];
+    } cases[] = {
+        {{1, 3}, 3, 6, {{-46203, 63042, -182508}, {-72460, 55441, -193417}, {-50715, 57374, -182869}}},
+        {{1, 3}, 5, 3, {{65976, 44189, -196181}, {57807, 49251, -196207}, {109833, 20406, -196349}}},
+        {{.5, 100}, 3, 6, {{-53563, -13512, -60130}, {-22221, -55781, -79804}, {534, -31120, -35147}}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct rig rig;
+        struct result result = {0};
+        rig_open(&rig, WIDTH, HEIGHT, 16, PH_DEPTH_FLOAT16, 3, 2);
+        rig.r.config.depth_exponent = cases[i].exponent;
+        compare_shadings(&rig, &cases[i].lens, cases[i].p, &result);
+        assert_true(result.pixels > 0);
+        assert_int_equal(result.unlike, 0);
+        for (int at = 0; at < SHADINGS * SLOPES; at++) {
+            assert_true(result.worst[at / SLOPES][at % SLOPES] <= cases[i].worst);
+        }
+        rig_close(&rig);
+    }
+}
+
 /* ---- floors and walls ---------------------------------------------------------------------------------------------
  */
 
@@ -555,6 +585,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_slope_is_right_and_the_same_in_all_shadings),
+        cmocka_unit_test(triangles_that_once_were_codes_off_are_right),
         cmocka_unit_test(no_floor_covers_a_wall_in_front_of_it),
         cmocka_unit_test(a_decal_lies_on_a_surface_that_leans_away),
         cmocka_unit_test(of_a_sphere_drawn_twice_only_the_first_shows),

@@ -413,6 +413,29 @@ static void normalised_reciprocal_is_the_exact_quotient(void **state)
     }
 }
 
+/* |r sqrt(m) / 2^scale - 1| < parts 2^-26, by r^2 m beside 2^(2 scale) (1 -+ parts 2^-26)^2, exact in 128 bits. */
+static void root_is_within(const char *name, uint32_t m, uint32_t r, int scale, uint32_t parts)
+{
+    const unsigned __int128 one = 1 << 26, unit = (unsigned __int128)1 << (2 * scale - 52);
+    const unsigned __int128 square = (unsigned __int128)r * r * m;
+    if (square <= unit * (one - parts) * (one - parts) || square >= unit * (one + parts) * (one + parts)) {
+        fail_msg("%s(%u) is %u: more than %u / 2^26 off", name, m, r, parts);
+    }
+}
+
+static void normalised_reciprocal_roots_keep_their_bounds(void **state)
+{
+    static const uint32_t low[] = {0, 1, 0x8000, 0xFFFF};
+    (void)state;
+    for (uint32_t upper = 1 << 14; upper < 1 << 16; upper++) { /* fx_rsqrt16 reads no more of m */
+        for (size_t i = 0; i < COUNT(low); i++) {
+            const uint32_t m = upper << 16 | low[i];
+            root_is_within("fx_rsqrt16", m, fx_rsqrt16(m), 31, 4160); /* 6.2e-5 */
+            root_is_within("fx_rsqrt_norm", m, fx_rsqrt_norm(m), 45, 2);
+        }
+    }
+}
+
 static void short_reciprocal_is_the_exact_quotient_on_every_cpu(void **state)
 {
     (void)state;
@@ -474,6 +497,7 @@ int main(void)
         cmocka_unit_test(degrees_become_the_nearest_turn32),
         cmocka_unit_test(lerp_rounds_once),
         cmocka_unit_test(normalised_reciprocal_is_the_exact_quotient),
+        cmocka_unit_test(normalised_reciprocal_roots_keep_their_bounds),
         cmocka_unit_test(short_reciprocal_is_the_exact_quotient_on_every_cpu),
         cmocka_unit_test(products_and_zeros_are_the_same_on_every_cpu),
     };

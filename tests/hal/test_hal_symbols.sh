@@ -15,7 +15,7 @@ others() { # prefixes, object or library: the symbols without one of them
 }
 
 library() {
-    make -s -j2 B="$B" "$B/libpinhole-hal.a" && ! others 'linux|ft232h|null|panel|board' "$B/libpinhole-hal.a"
+    make -s -j2 B="$B" "$B/libpinhole-hal.a" && ! others 'linux|kms|ft232h|null|panel|board' "$B/libpinhole-hal.a"
 }
 
 port() { # folder below hal

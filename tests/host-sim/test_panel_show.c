@@ -188,7 +188,7 @@ static char report_text[2000];
 static const struct sim *looked_at;
 static uint8_t card[3 * 128 * 128];
 
-void self_test_put(const char *text)
+static void put_text(const char *text)
 {
     strncat(report_text, text, sizeof report_text - strlen(report_text) - 1);
 }
@@ -205,7 +205,7 @@ static int report(struct panel_scene *scene)
     plug(&d, &board_rpi_waveshare_1in44, &sim);
     looked_at = sim;
     report_text[0] = '\0';
-    const int status = panel_show_report(&d, scene, look);
+    const int status = panel_show_report(&d, scene, put_text, look);
     assert_true(is_dark(sim, &board_rpi_waveshare_1in44));
     sim_close(sim);
     return status;

@@ -43,6 +43,17 @@ void proof_rcp16(void)
     CLAIM(r >= 1 << 15 && r < 1 << 16);
 }
 
+void proof_rsqrt_norm(void)
+{
+    fx_rsqrt_norm(u32_between((uint32_t)1 << 30, UINT32_MAX));
+}
+
+void proof_rsqrt16(void)
+{
+    const uint32_t r = fx_rsqrt16(u32_between((uint32_t)1 << 30, UINT32_MAX));
+    CLAIM(r >= 1 << 15 && r <= 1 << 16);
+}
+
 void proof_lerp(void)
 {
     fx_lerp_sat(nondet_i32(), nondet_i32(), nondet_i32());

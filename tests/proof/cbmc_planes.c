@@ -100,7 +100,7 @@ void proof_depths(void)
     const int block = ph_block_depths(&r, t.v, ph_depth_bias(&m), d);
     CLAIM(block == PH_BLOCK_NONE || (ph_block_exponent(block) <= 60 && ph_block_down(block) == r.lens.float_down));
     if (block != PH_BLOCK_NONE) {
-        ph_octaves_between(d, block);
+        (void)ph_small_plane_does(d, block);
         ph_block_rounded(d[0], block);
     }
     round_depth(&plane, i32_between(0, 5));

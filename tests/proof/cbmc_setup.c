@@ -60,7 +60,7 @@ void proof_sides(void)
     r.config.height = (uint16_t)u32_between(1, 1024);
     const struct ph_setting setting = {.r = &r, .shading = (uint8_t)u32_between(PH_SHADE_FLAT, UINT8_MAX)};
     is_inside(&r, v);
-    CLAIM(!is_small(&s) || s.is_short);
+    CLAIM(!ph_sides_are_small(&s) || s.is_short);
     CLAIM(!is_narrow(&setting, &s, v) || s.is_short);
 }
 
@@ -77,7 +77,7 @@ void proof_small_depths(void)
     const struct ph_setting s = {.r = &r,
                                  .draw.material = &material,
                                  .far = ph_depth_far(&r.lens, 0),
-                                 .bias = nondet_u32(),
+                                 .usual.bias = nondet_u32(),
                                  .floats = nondet_i32() > 0};
     small_depths(&s, t.v, d, &block);
 }

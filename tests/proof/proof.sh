@@ -32,6 +32,8 @@ short | fx.lerp                  |                       |  1 | no overflow
 short | fx.turn32_from_deg       |                       |  1 | no overflow
 short | fx.sqrt                  |                       |  3 | no overflow
 short | fx.rsqrt                 |                       |  3 | no overflow
+short | fx.rsqrt_norm            |                       |  3 | no overflow
+short | fx.rsqrt16               |                       |  1 | 2^15 .. 2^16
 long  | fx.sincos                |                       |  1 | no overflow
 long  | fx.atan2                 | fx_tangent_ratio      | 13 | no overflow
 long  | fx_math.exp2             |                       | 20 | no overflow

@@ -78,23 +78,40 @@ static int bench_finish(struct demo_context *context, struct bench *b, int made)
     return made == PH_OK ? model_material(&context->arena, &b->mesh, &b->material) : PH_ERR_NOMEM;
 }
 
+#define TORUS_BYTES(major, minor)                                                                                      \
+    (BENCH_BYTES + MODEL_BYTES(MODEL_TORUS_VERTICES(major, minor), MODEL_TORUS_TRIANGLES(major, minor)))
+#define ICOSPHERE_BYTES(n) (BENCH_BYTES + MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(n), MODEL_ICOSPHERE_TRIANGLES(n)))
+
+#define GROUND_BYTES(cells) (BENCH_BYTES + MODEL_BYTES(MODEL_GROUND_VERTICES(cells), MODEL_GROUND_TRIANGLES(cells)))
+
+/* Torus, icosphere and ground are the finest for which the arena is made. */
 static int torus_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
+    const bool fine = context->arena.size >= TORUS_BYTES(32, 16);
     return !b ? PH_ERR_NOMEM
-              : bench_finish(context, b, model_torus(&context->arena, &b->mesh, 32, 16, 1 << 28, 107374182));
+              : bench_finish(
+                    context, b,
+                    model_torus(&context->arena, &b->mesh, fine ? 32 : 20, fine ? 16 : 10, 1 << 28, 107374182));
 }
 
 static int icosphere_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
-    return !b ? PH_ERR_NOMEM : bench_finish(context, b, model_icosphere(&context->arena, &b->mesh, 4));
+    uint32_t n = 4;
+    while (n > 2 && context->arena.size < ICOSPHERE_BYTES(n)) {
+        n--;
+    }
+    return !b ? PH_ERR_NOMEM : bench_finish(context, b, model_icosphere(&context->arena, &b->mesh, n));
 }
 
 static int ground_init(struct demo_context *context)
 {
     struct bench *const b = bench_new(context);
-    return !b ? PH_ERR_NOMEM : bench_finish(context, b, model_ground(&context->arena, &b->mesh, 20));
+    return !b ? PH_ERR_NOMEM
+              : bench_finish(
+                    context, b,
+                    model_ground(&context->arena, &b->mesh, context->arena.size >= GROUND_BYTES(20) ? 20 : 16));
 }
 
 static int cube_init(struct demo_context *context)
@@ -196,13 +213,18 @@ static int fill_frame(struct demo_context *context, struct ph_renderer *r, uint3
     return status ? status : ph_draw_mesh(r, &f->mesh, &ph_xform_identity);
 }
 
+static const struct demo_level torus_coarser = {DEMO_ARENA(TORUS_BYTES(20, 10), 6360), .vertex_max = 200,
+                                                .triangle_max = 220};
+
 const struct demo demo_torus = {
     .name = "torus",
     .summary = "benchmark 1: a Gouraud torus, 1024 triangles",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(BENCH_BYTES + MODEL_BYTES(512, 1024), 15720),
+    DEMO_ARENA(TORUS_BYTES(32, 16), 15720),
     .vertex_max = 512,
     .triangle_max = 512,
+    .coarser = &torus_coarser,
+    .coarser_count = 1,
     .init = torus_init,
     .frame = object_frame,
 };
@@ -229,25 +251,40 @@ const struct demo demo_fill = {
     .frame = fill_frame,
 };
 
+static const struct demo_level icosphere_coarser[] = {
+    {DEMO_ARENA(ICOSPHERE_BYTES(3), 19600), .vertex_max = MODEL_ICOSPHERE_VERTICES(3), .triangle_max = 560,
+     .enough_px = 170},
+    {DEMO_ARENA(ICOSPHERE_BYTES(2), 5200), .vertex_max = MODEL_ICOSPHERE_VERTICES(2), .triangle_max = 160,
+     .enough_px = 64},
+};
+
 const struct demo demo_icosphere = {
     .name = "icosphere",
     .summary = "benchmark 4: a sphere of 5120 triangles",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(BENCH_BYTES + MODEL_BYTES(2562, 5120), 77200),
-    .vertex_max = 2562,
+    DEMO_ARENA(ICOSPHERE_BYTES(4), 77200),
+    .vertex_max = MODEL_ICOSPHERE_VERTICES(4),
     .triangle_max = 1900,
+    .coarser = icosphere_coarser,
+    .coarser_count = sizeof icosphere_coarser / sizeof icosphere_coarser[0],
     .init = icosphere_init,
     .frame = object_frame,
 };
+
+static const struct demo_level ground_coarser = {DEMO_ARENA(GROUND_BYTES(16), 8640),
+                                                 .vertex_max = MODEL_GROUND_VERTICES(16), .triangle_max = 320,
+                                                 .corner_max = 160};
 
 const struct demo demo_ground = {
     .name = "ground",
     .summary = "benchmark 5: a plain that passes under the camera and meets the near plane",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(BENCH_BYTES + MODEL_BYTES(441, 800), 13104),
+    DEMO_ARENA(GROUND_BYTES(20), 13104),
     .vertex_max = 441,
     .triangle_max = 480,
     .corner_max = 224,
+    .coarser = &ground_coarser,
+    .coarser_count = 1,
     .init = ground_init,
     .frame = ground_frame,
 };

@@ -7,6 +7,9 @@
 
 #define LOOP_FRAMES  256
 #define CELLS        6
+#define CELLS_FEW    3 /* and the things' sides, where memory is small */
+#define SIDES_FEW    5
+#define FOV_FEW      FX_INT(84)
 #define WALLS        6
 #define ROOM         FX_INT(3) /* from the middle to each wall: CELLS / 2 */
 #define THINGS       4
@@ -20,9 +23,13 @@ static const struct model_point pawn[THING_POINTS] = {
 
 struct fisheye {
     struct ph_mesh floor, thing;
+    bool fine;
     struct ph_material tiles[WALLS][2], things[THINGS];
     uint16_t ramps[THINGS][PH_RAMP_SIZE];
 };
+
+#define ARENA(sides, cells)                                                                                            \
+    (MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(sides, THING_POINTS, 1) + MODEL_FLOOR_BYTES(cells))
 
 static int fisheye_init(struct demo_context *context)
 {
@@ -41,11 +48,14 @@ static int fisheye_init(struct demo_context *context)
     for (uint32_t i = 0; i < THINGS; i++) {
         f->things[i] = demo_lit(f->ramps[i], PH_SHADE_GOURAUD, colours[i][0], colours[i][1], colours[i][2]);
     }
+    const bool fine = context->arena.size >= ARENA(THING_SIDES, CELLS);
+    f->fine = fine;
     context->state = f;
-    if (model_lathe(&context->arena, &f->thing, pawn, THING_POINTS, THING_SIDES, 1, f->things) != PH_OK) {
+    if (model_lathe(&context->arena, &f->thing, pawn, THING_POINTS, fine ? THING_SIDES : SIDES_FEW, 1, f->things) !=
+        PH_OK) {
         return PH_ERR_NOMEM;
     }
-    return model_floor(&context->arena, &f->floor, CELLS, f->tiles[0]);
+    return model_floor(&context->arena, &f->floor, fine ? CELLS : CELLS_FEW, f->tiles[0]);
 }
 
 /* The floor, the ceiling and four walls; each is a floor, turned so that it faces the middle. */
@@ -60,9 +70,10 @@ static struct ph_xform wall(uint32_t i)
 
 static int draw_room(struct ph_renderer *r, const struct fisheye *f)
 {
+    const struct ph_xform size = ph_xform_scale(f->fine ? FX_ONE : FX_ONE * CELLS / CELLS_FEW);
     int status = PH_OK;
     for (uint32_t i = 0; i < WALLS && status == PH_OK; i++) {
-        const struct ph_xform place = wall(i);
+        const struct ph_xform side = wall(i), place = ph_xform_mul(&side, &size);
         struct ph_mesh mesh = f->floor;
         mesh.materials = f->tiles[i];
         status = ph_draw_mesh(r, &mesh, &place);
@@ -86,30 +97,34 @@ static int fisheye_frame(struct demo_context *context, struct ph_renderer *r, ui
     const struct ph_xform down = ph_xform_rotate_x(1u << 27);
     struct ph_xform view = ph_xform_mul(&turn, &at);
     view = ph_xform_mul(&down, &view);
-    const fx_t fov = context->height > context->width ? FX_INT(200) : FX_INT(180);
+    const struct fisheye *const f = context->state;
+    const fx_t fov = f->fine ? (context->height > context->width ? FX_INT(200) : FX_INT(180)) : FOV_FEW;
     int status = ph_projection_fisheye(&projection, fov, FX_ONE / 8, FX_INT(12));
     status = status ? status : demo_begin(context, r, &view, &projection, &demo_daylight, 0);
-    return status ? status : draw_room(r, context->state);
+    return status ? status : draw_room(r, f);
 }
 
-#define ARENA                                                                                                          \
-    (MODEL_ROUND8(sizeof(struct fisheye)) + MODEL_LATHE_BYTES(THING_SIDES, THING_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS))
-#define VERTICES (WALLS * MODEL_GROUND_VERTICES(CELLS) + THINGS * MODEL_LATHE_VERTICES(THING_SIDES, THING_POINTS))
+#define VERTICES(sides, cells)                                                                                         \
+    (WALLS * MODEL_GROUND_VERTICES(cells) + THINGS * MODEL_LATHE_VERTICES(sides, THING_POINTS))
 
-/* For pictures of up to 320 x 240 pixels; a larger one has more pieces. */
-static const struct demo_level smaller = {DEMO_ARENA(ARENA, 4904), .vertex_max = VERTICES, .triangle_max = 2640,
-                                          .corner_max = 2800};
+/* For pictures of up to 320 x 240 pixels (a larger one has more pieces), and for little memory. */
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA(THING_SIDES, CELLS), 4984), .vertex_max = VERTICES(THING_SIDES, CELLS), .triangle_max = 2640,
+     .corner_max = 2800},
+    {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 3080), .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 520,
+     .corner_max = 540, .enough_px = 64},
+};
 
 const struct demo demo_fisheye = {
     .name = "fisheye",
     .summary = "a room through a fisheye: straight walls, curved edges",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 4904),
-    .vertex_max = VERTICES,
+    DEMO_ARENA(ARENA(THING_SIDES, CELLS), 4984),
+    .vertex_max = VERTICES(THING_SIDES, CELLS),
     .triangle_max = 4200,
     .corner_max = 5200,
-    .coarser = &smaller,
-    .coarser_count = 1,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = fisheye_init,
     .frame = fisheye_frame,
 };

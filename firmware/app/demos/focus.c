@@ -10,6 +10,8 @@
 #define POINTS      8
 #define SKITTLES    7
 #define CELLS       16
+#define SIDES_FEW   6 /* and cells, where memory is small */
+#define CELLS_FEW   8
 #define RADIUS      5 /* px, the largest blur; it is less on small pictures */
 #define NEAREST     (FX_ONE * 22 / 10)
 #define FURTHEST    FX_INT(9)
@@ -30,8 +32,12 @@ struct focus {
     struct ph_material colours[SKITTLES], tiles[2];
     uint16_t ramps[SKITTLES][PH_RAMP_SIZE];
     struct ph_focus focus;
+    fx_t floor_scale;
     bool sharp; /* there is no memory for blur */
 };
+
+#define ARENA(sides, cells)                                                                                            \
+    (MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(sides, POINTS, 1) + MODEL_FLOOR_BYTES(cells))
 
 static int focus_init(struct demo_context *context)
 {
@@ -46,11 +52,13 @@ static int focus_init(struct demo_context *context)
     }
     f->tiles[0] = demo_unlit(70, 84, 100);
     f->tiles[1] = demo_unlit(150, 160, 165);
+    const bool fine = context->arena.size >= ARENA(SIDES, CELLS);
+    f->floor_scale = fine ? FX_ONE : FX_ONE * CELLS / CELLS_FEW;
     context->state = f;
-    if (model_lathe(&context->arena, &f->skittle, profile, POINTS, SIDES, 1, f->colours) != PH_OK) {
+    if (model_lathe(&context->arena, &f->skittle, profile, POINTS, fine ? SIDES : SIDES_FEW, 1, f->colours) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    return model_floor(&context->arena, &f->floor, CELLS, f->tiles);
+    return model_floor(&context->arena, &f->floor, fine ? CELLS : CELLS_FEW, f->tiles);
 }
 
 /* The focus goes along the row's depth and back. The blur is a share of the picture's size. */
@@ -78,7 +86,8 @@ static int focus_frame(struct demo_context *context, struct ph_renderer *r, uint
         status = ph_draw_mesh(r, &mesh, &place);
     }
     f->focus = focus_at(context, frame);
-    const struct ph_xform below = ph_xform_translate(0, 0, -FX_INT(4));
+    struct ph_xform below = ph_xform_scale(f->floor_scale);
+    below.t.z = -FX_INT(4);
     return status ? status : ph_draw_mesh(r, &f->floor, &below);
 }
 
@@ -94,23 +103,24 @@ static uint32_t focus_band(struct demo_context *context, struct ph_renderer *r, 
     return ph_blur_band(&context->blur, r, band, pixels);
 }
 
-#define ARENA MODEL_ROUND8(sizeof(struct focus)) + MODEL_LATHE_BYTES(SIDES, POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
+#define VERTICES(sides, cells) (MODEL_GROUND_VERTICES(cells) + SKITTLES * MODEL_LATHE_VERTICES(sides, POINTS))
 
-#define VERTICES (MODEL_GROUND_VERTICES(CELLS) + SKITTLES * MODEL_LATHE_VERTICES(SIDES, POINTS))
-
-/* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12792), .vertex_max = VERTICES, .triangle_max = 824};
+/* For pictures of kits, which are narrower, and for little memory. */
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA(SIDES, CELLS), 12800), .vertex_max = VERTICES(SIDES, CELLS), .triangle_max = 824},
+    {DEMO_ARENA(ARENA(SIDES_FEW, CELLS_FEW), 5840), .vertex_max = VERTICES(SIDES_FEW, CELLS_FEW), .triangle_max = 368},
+};
 
 const struct demo demo_focus = {
     .name = "focus",
     .summary = "a row of skittles through a lens whose focus wanders: depth of field",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 12792),
-    .vertex_max = VERTICES,
+    DEMO_ARENA(ARENA(SIDES, CELLS), 12800),
+    .vertex_max = VERTICES(SIDES, CELLS),
     .triangle_max = 1000,
     .corner_max = 24,
-    .coarser = &narrower,
-    .coarser_count = 1,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .blur_radius = RADIUS,
     .init = focus_init,
     .frame = focus_frame,

@@ -16,6 +16,9 @@
 #define FURTHEST      FX_INT(18)       /* 11 degrees */
 #define EYE_HEIGHT    (FX_ONE * 6 / 5)
 #define TOP_SIDES     16
+#define TOP_FEW       8 /* sides, columns' sides and cells where memory is small */
+#define COLUMN_FEW    4
+#define CELLS_FEW     7
 #define TOP_STRIPES   4
 #define COLUMN_SIDES  8
 #define COLUMN_POINTS 8
@@ -50,15 +53,23 @@ static const struct model_point column_profile[COLUMN_POINTS] = {
 
 struct hitchcock {
     struct ph_mesh top, column, floor;
+    fx_t floor_scale;
     struct ph_material stripes[TOP_STRIPES], stone, tiles[2];
     uint16_t ramps[TOP_STRIPES + 1][PH_RAMP_SIZE];
 };
+
+#define ARENA(sides, column, cells)                                                                                    \
+    (MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(sides, TOP_POINTS, TOP_STRIPES) +                      \
+     MODEL_LATHE_BYTES(column, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(cells))
+#define ARENA_FINE ARENA(TOP_SIDES, COLUMN_SIDES, CELLS)
+#define ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, CELLS_FEW)
 
 static int hitchcock_init(struct demo_context *context)
 {
     static const uint8_t colours[TOP_STRIPES][3] = {{235, 60, 50}, {250, 200, 60}, {60, 130, 230}, {245, 240, 225}};
     struct demo_arena *const arena = &context->arena;
     struct hitchcock *const h = demo_alloc(arena, sizeof(*h));
+    const bool fine = arena->size >= ARENA_FINE;
     if (!h) {
         return PH_ERR_NOMEM;
     }
@@ -69,11 +80,14 @@ static int hitchcock_init(struct demo_context *context)
     h->tiles[0] = demo_unlit(92, 72, 78);
     h->tiles[1] = demo_unlit(140, 112, 104);
     context->state = h;
-    if (model_lathe(arena, &h->top, top_profile, TOP_POINTS, TOP_SIDES, TOP_STRIPES, h->stripes) != PH_OK ||
-        model_lathe(arena, &h->column, column_profile, COLUMN_POINTS, COLUMN_SIDES, 1, &h->stone) != PH_OK) {
+    if (model_lathe(arena, &h->top, top_profile, TOP_POINTS, fine ? TOP_SIDES : TOP_FEW, TOP_STRIPES, h->stripes) !=
+            PH_OK ||
+        model_lathe(arena, &h->column, column_profile, COLUMN_POINTS, fine ? COLUMN_SIDES : COLUMN_FEW, 1, &h->stone) !=
+            PH_OK) {
         return PH_ERR_NOMEM;
     }
-    return model_floor(arena, &h->floor, CELLS, h->tiles);
+    h->floor_scale = fine ? FLOOR_SCALE : FLOOR_SCALE * CELLS / CELLS_FEW;
+    return model_floor(arena, &h->floor, fine ? CELLS : CELLS_FEW, h->tiles);
 }
 
 /* The camera's distance: it starts near, rolls away and comes back. */
@@ -109,32 +123,31 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
         const struct ph_xform place = ph_xform_translate(x, 0, (i >> 1) * (FX_ONE * -5 / 2) - FX_ONE);
         status = ph_draw_mesh(r, &h->column, &place);
     }
-    struct ph_xform below = ph_xform_scale(FLOOR_SCALE);
+    struct ph_xform below = ph_xform_scale(h->floor_scale);
     below.t.z = FLOOR_MIDDLE;
     return status ? status : ph_draw_mesh(r, &h->floor, &below);
 }
 
-#define ARENA                                                                                                          \
-    MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(TOP_SIDES, TOP_POINTS, TOP_STRIPES) +                   \
-        MODEL_LATHE_BYTES(COLUMN_SIDES, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
+#define VERTICES(sides, column, cells)                                                                                 \
+    (MODEL_GROUND_VERTICES(cells) + MODEL_LATHE_VERTICES(sides, TOP_POINTS) +                                          \
+     2 * PAIRS * MODEL_LATHE_VERTICES(column, COLUMN_POINTS))
 
-#define VERTICES                                                                                                       \
-    (MODEL_GROUND_VERTICES(CELLS) + MODEL_LATHE_VERTICES(TOP_SIDES, TOP_POINTS) +                                      \
-     2 * PAIRS * MODEL_LATHE_VERTICES(COLUMN_SIDES, COLUMN_POINTS))
-
-/* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 14096), .vertex_max = VERTICES, .triangle_max = 848};
+/* For pictures of kits, which are narrower, and for little memory. */
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA_FINE, 14104), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS), .triangle_max = 848},
+    {DEMO_ARENA(ARENA_FEW, 6464), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 440},
+};
 
 const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 14096),
-    .vertex_max = VERTICES,
+    DEMO_ARENA(ARENA_FINE, 14104),
+    .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS),
     .triangle_max = 1000,
     .corner_max = 40,
-    .coarser = &narrower,
-    .coarser_count = 1,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = hitchcock_init,
     .frame = hitchcock_frame,
 };

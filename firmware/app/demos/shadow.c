@@ -6,15 +6,18 @@
 #include "demo_scene.h"
 #include "models.h"
 
-#define LOOP_FRAMES 256
-#define SEGMENTS    3
-#define CELLS       14
-#define BELOW_POT   (FX_ONE * 63 / 100)
+#define LOOP_FRAMES  256
+#define SEGMENTS     3
+#define CELLS        14
+#define SEGMENTS_FEW 2 /* where memory is small */
+#define CELLS_FEW    6
+#define BELOW_POT    (FX_ONE * 63 / 100)
 
 struct shadows {
     struct ph_mesh pot, ring, lamp, floor;
     struct ph_material china, gold, glow, tiles[2], shade;
     uint16_t ramps[4][PH_RAMP_SIZE];
+    fx_t floor_scale;
 };
 
 static void shadow_colours(struct shadows *s)
@@ -28,6 +31,14 @@ static void shadow_colours(struct shadows *s)
     s->shade.depth_bias = 16;
 }
 
+#define ARENA(n, major, minor, lamp, cells)                                                                            \
+    (MODEL_ROUND8(sizeof(struct shadows)) + 3 * MODEL_ROUND8(sizeof(struct ph_part)) +                                 \
+     MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)) +                                                \
+     MODEL_BYTES(MODEL_TORUS_VERTICES(major, minor), MODEL_TORUS_TRIANGLES(major, minor)) +                            \
+     MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(lamp), MODEL_ICOSPHERE_TRIANGLES(lamp)) + MODEL_FLOOR_BYTES(cells))
+#define ARENA_FINE ARENA(SEGMENTS, 16, 8, 1, CELLS)
+#define ARENA_FEW  ARENA(SEGMENTS_FEW, 8, 4, 0, CELLS_FEW)
+
 static int shadow_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;
@@ -37,13 +48,17 @@ static int shadow_init(struct demo_context *context)
     }
     shadow_colours(s);
     context->state = s;
-    if (model_teapot(arena, &s->pot, SEGMENTS) != PH_OK || model_material(arena, &s->pot, &s->china) != PH_OK ||
-        model_torus(arena, &s->ring, 16, 8, 1 << 27, 1 << 25) != PH_OK ||
-        model_material(arena, &s->ring, &s->gold) != PH_OK || model_icosphere(arena, &s->lamp, 1) != PH_OK ||
+    const bool fine = arena->size >= ARENA_FINE;
+    const uint32_t cells = fine ? CELLS : CELLS_FEW;
+    s->floor_scale = FX_ONE * CELLS / (fx_t)cells;
+    if (model_teapot(arena, &s->pot, fine ? SEGMENTS : SEGMENTS_FEW) != PH_OK ||
+        model_material(arena, &s->pot, &s->china) != PH_OK ||
+        model_torus(arena, &s->ring, fine ? 16 : 8, fine ? 8 : 4, 1 << 27, 1 << 25) != PH_OK ||
+        model_material(arena, &s->ring, &s->gold) != PH_OK || model_icosphere(arena, &s->lamp, fine ? 1 : 0) != PH_OK ||
         model_material(arena, &s->lamp, &s->glow) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    return model_floor(arena, &s->floor, CELLS, s->tiles);
+    return model_floor(arena, &s->floor, cells, s->tiles);
 }
 
 /* The lamp moves on a circle above the scene, three units wide. */
@@ -84,25 +99,28 @@ static int shadow_frame(struct demo_context *context, struct ph_renderer *r, uin
     ring = ph_xform_mul(&ring, &tilt);
     struct ph_xform bulb = ph_xform_scale(FX_ONE / 8);
     bulb.t = lamp;
+    const struct ph_xform floor = ph_xform_scale(s->floor_scale);
     int status = shadow_begin(context, r, lamp);
     status = status ? status : draw_with_shadow(r, s, &s->pot, &pot, lamp);
     status = status ? status : draw_with_shadow(r, s, &s->ring, &ring, lamp);
     status = status ? status : ph_draw_mesh(r, &s->lamp, &bulb);
-    return status ? status : ph_draw_mesh(r, &s->floor, &ph_xform_identity);
+    return status ? status : ph_draw_mesh(r, &s->floor, &floor);
 }
+
+/* vertex_max: each body twice, its shadow, too */
+static const struct demo_level coarser = {DEMO_ARENA(ARENA_FEW, 8176), .vertex_max = 401, .triangle_max = 480,
+                                          .corner_max = 24};
 
 const struct demo demo_shadow = {
     .name = "shadow",
     .summary = "shadows of a teapot and a ring by a lamp that circles above them",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(MODEL_ROUND8(sizeof(struct shadows)) + 3 * MODEL_ROUND8(sizeof(struct ph_part)) +
-                   MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)) +
-                   MODEL_BYTES(MODEL_TORUS_VERTICES(16, 8), MODEL_TORUS_TRIANGLES(16, 8)) +
-                   MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(1), MODEL_ICOSPHERE_TRIANGLES(1)) + MODEL_FLOOR_BYTES(CELLS),
-               21960),
-    .vertex_max = 1127, /* each body twice: its shadow, too */
+    DEMO_ARENA(ARENA_FINE, 21968),
+    .vertex_max = 1127,
     .triangle_max = 1280,
     .corner_max = 40,
+    .coarser = &coarser,
+    .coarser_count = 1,
     .init = shadow_init,
     .frame = shadow_frame,
 };

@@ -35,6 +35,16 @@
 #define TRAIL       32u /* cells that are remembered; the longest body takes fewer */
 #define SHORTEST    10u /* balls */
 
+/* Where memory is small trees are cones, and balls have fewer sides. */
+#define TREE_SIDES_FEW  4
+#define TREE_POINTS_FEW 3
+#define BALL_SIDES_FEW  4
+#define BALL_POINTS_FEW 3
+#define CELLS_FEW       5
+static const struct model_point cone_profile[TREE_POINTS_FEW] = {
+    {FX_ONE / 8, 0}, {FX_ONE * 7 / 10, FX_HALF}, {0, FX_ONE * 11 / 5}};
+static const struct model_point gem_profile[BALL_POINTS_FEW] = {{0, -FX_ONE}, {FX_ONE * 9 / 8, 0}, {0, FX_ONE}};
+
 static const struct model_point tree_profile[TREE_POINTS] = {{FX_ONE / 8, 0},
                                                              {FX_ONE / 8, FX_HALF},
                                                              {FX_ONE * 7 / 10, FX_HALF},
@@ -73,6 +83,7 @@ struct steering {
 struct snake {
     struct steering steering;
     uint32_t frame, buttons; /* of the frame before */
+    fx_t lawn_scale;
     struct ph_mesh light_ball, dark_ball, head, apple, tree, floor;
     struct ph_material skin[2], face, red, leaves, tiles[2];
     uint16_t ramps[5][PH_RAMP_SIZE];
@@ -284,6 +295,28 @@ static void snake_colours(struct snake *s)
     s->tiles[1] = demo_unlit(80, 148, 72);
 }
 
+#define ARENA(sides, points, tree_sides, tree_points, cells)                                                           \
+    (MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(sides, points, 1) +                                        \
+     MODEL_LATHE_BYTES(tree_sides, tree_points, 1) + MODEL_FLOOR_BYTES(cells))
+#define ARENA_FINE ARENA(BALL_SIDES, BALL_POINTS, TREE_SIDES, TREE_POINTS, CELLS)
+#define ARENA_FEW  ARENA(BALL_SIDES_FEW, BALL_POINTS_FEW, TREE_SIDES_FEW, TREE_POINTS_FEW, CELLS_FEW)
+
+static int make_fine(struct demo_arena *arena, struct snake *s)
+{
+    s->lawn_scale = FX_ONE * 17 / 10;
+    const int ball = model_lathe(arena, &s->light_ball, ball_profile, BALL_POINTS, BALL_SIDES, 1, &s->skin[0]);
+    const int tree = model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves);
+    return ball | tree | model_floor(arena, &s->floor, CELLS, s->tiles);
+}
+
+static int make_coarse(struct demo_arena *arena, struct snake *s)
+{
+    s->lawn_scale = FX_ONE * 17 / 10 * CELLS / CELLS_FEW;
+    const int ball = model_lathe(arena, &s->light_ball, gem_profile, BALL_POINTS_FEW, BALL_SIDES_FEW, 1, &s->skin[0]);
+    const int tree = model_lathe(arena, &s->tree, cone_profile, TREE_POINTS_FEW, TREE_SIDES_FEW, 1, &s->leaves);
+    return ball | tree | model_floor(arena, &s->floor, CELLS_FEW, s->tiles);
+}
+
 static int snake_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;
@@ -295,9 +328,7 @@ static int snake_init(struct demo_context *context)
     s->buttons = 0;
     s->frame = UINT32_MAX;
     snake_colours(s);
-    if (model_lathe(arena, &s->light_ball, ball_profile, BALL_POINTS, BALL_SIDES, 1, &s->skin[0]) != PH_OK ||
-        model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves) != PH_OK ||
-        model_floor(arena, &s->floor, CELLS, s->tiles) != PH_OK) {
+    if ((arena->size >= ARENA_FINE ? make_fine(arena, s) : make_coarse(arena, s)) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     s->dark_ball = s->head = s->apple = s->light_ball;
@@ -363,7 +394,7 @@ static int draw_garden(struct ph_renderer *r, const struct snake *s)
         status = draw_at(r, &s->tree, (struct fx_vec3){FX_INT(places[i][0]), 0, FX_INT(places[i][1])},
                          FX_ONE + (fx_t)(i % 3) * (FX_ONE / 4));
     }
-    const struct ph_xform lawn = ph_xform_scale(FX_ONE * 17 / 10);
+    const struct ph_xform lawn = ph_xform_scale(s->lawn_scale);
     return status ? status : ph_draw_mesh(r, &s->floor, &lawn);
 }
 
@@ -396,27 +427,25 @@ static int snake_frame(struct demo_context *context, struct ph_renderer *r, uint
 
 static const char *const views[] = {"head", "outside", NULL};
 
-#define ARENA                                                                                                          \
-    MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) +                               \
-        MODEL_LATHE_BYTES(TREE_SIDES, TREE_POINTS, 1) + MODEL_FLOOR_BYTES(CELLS)
-
 #define VERTICES 2181 /* of all bodies of a frame */
 
-/* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 7376), .vertex_max = VERTICES, .triangle_max = 860,
-                                           .corner_max = 96};
+/* For pictures of kits, which are narrower, and for little memory. */
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA_FINE, 7376), .vertex_max = VERTICES, .triangle_max = 860, .corner_max = 96},
+    {DEMO_ARENA(ARENA_FEW, 3632), .vertex_max = 720, .triangle_max = 300, .corner_max = 48},
+};
 
 const struct demo demo_snake = {
     .name = "snake",
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 7376),
+    DEMO_ARENA(ARENA_FINE, 7376),
     .vertex_max = VERTICES,
     .triangle_max = 1600,
     .corner_max = 96,
-    .coarser = &narrower,
-    .coarser_count = 1,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = snake_init,
     .frame = snake_frame,
 };

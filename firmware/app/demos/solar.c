@@ -16,6 +16,7 @@
 #define MONTHS      8
 #define DAYS        32
 #define STARS       96
+#define STARS_FEW   48 /* and coarser spheres, where memory is small */
 #define ORBIT_STEPS 48
 #define EARTH_ORBIT FX_INT(4)
 #define MOON_ORBIT  (FX_ONE * 9 / 10)
@@ -65,10 +66,10 @@ static void make_continents(struct solar *s)
 }
 
 /* Small triangles all over the sky, and some larger ones; all face the middle. */
-static void make_stars(struct solar *s)
+static void make_stars(struct solar *s, uint32_t count)
 {
     uint32_t random = 12345;
-    for (uint32_t i = 0; i < STARS; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         struct fx_vec3 p;
         struct fx_vec3 unit;
         fx_t *const axes[3] = {&p.x, &p.y, &p.z};
@@ -87,13 +88,13 @@ static void make_stars(struct solar *s)
             s->star_triangles[i][k] = (uint16_t)(3 * i + k);
         }
     }
-    s->star_part = (struct ph_part){0, STARS, 0};
+    s->star_part = (struct ph_part){0, count, 0};
     s->stars = (struct ph_mesh){.positions = s->star_corners,
                                 .triangles = (const uint16_t(*)[3])s->star_triangles,
                                 .parts = &s->star_part,
                                 .materials = &s->star,
-                                .vertex_count = 3 * STARS,
-                                .triangle_count = STARS,
+                                .vertex_count = 3 * count,
+                                .triangle_count = count,
                                 .part_count = 1};
 }
 
@@ -110,6 +111,10 @@ static void solar_colours(struct solar *s)
     s->orbit = demo_unlit(50, 66, 100);
 }
 
+#define ARENA(n)                                                                                                       \
+    (MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +                                       \
+     MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(n), MODEL_ICOSPHERE_TRIANGLES(n)))
+
 static int solar_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;
@@ -118,13 +123,15 @@ static int solar_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     solar_colours(s);
-    if (model_icosphere(arena, &s->sphere, 2) != PH_OK || model_material(arena, &s->sphere, &s->sun_colour) != PH_OK) {
+    const bool fine = arena->size >= ARENA(2);
+    if (model_icosphere(arena, &s->sphere, fine ? 2 : 1) != PH_OK ||
+        model_material(arena, &s->sphere, &s->sun_colour) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     s->sun = s->moon = s->sphere;
     s->moon.materials = &s->moon_colour;
     make_continents(s);
-    make_stars(s);
+    make_stars(s, fine ? STARS : STARS_FEW);
     context->state = s;
     return PH_OK;
 }
@@ -213,27 +220,25 @@ static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint
 
 static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
-#define ARENA                                                                                                          \
-    MODEL_ROUND8(sizeof(struct solar)) + MODEL_ROUND8(sizeof(struct ph_part)) +                                        \
-        MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2))
+#define VERTICES(stars, n) (3 * (stars) + 3 * MODEL_ICOSPHERE_VERTICES(n))
 
-#define VERTICES (3 * STARS + 3 * MODEL_ICOSPHERE_VERTICES(2))
-
-/* For pictures of kits, which are narrower. */
-static const struct demo_level narrower = {DEMO_ARENA(ARENA, 12304), .vertex_max = VERTICES, .triangle_max = 656,
-                                           .corner_max = 200};
+/* For pictures of kits, which are narrower, and for little memory. */
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA(2), 12304), .vertex_max = VERTICES(STARS, 2), .triangle_max = 656, .corner_max = 200},
+    {DEMO_ARENA(ARENA(1), 8704), .vertex_max = VERTICES(STARS_FEW, 1), .triangle_max = 280, .corner_max = 200},
+};
 
 const struct demo demo_solar = {
     .name = "solar",
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 12304),
-    .vertex_max = VERTICES,
+    DEMO_ARENA(ARENA(2), 12304),
+    .vertex_max = VERTICES(STARS, 2),
     .triangle_max = 720,
     .corner_max = 200,
-    .coarser = &narrower,
-    .coarser_count = 1,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = solar_init,
     .frame = solar_frame,
 };

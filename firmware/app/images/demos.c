@@ -116,7 +116,7 @@ static void report(const struct runner *runner, struct console *console, uint32_
     console->line_frame = frame + 1;
 }
 
-void self_test_put(const char *text)
+static void log_text(const char *text)
 {
     port_log(text[0] == '\n' ? "\r\n" : text);
 }
@@ -124,7 +124,7 @@ void self_test_put(const char *text)
 /* A failed CRC is in the report; only an error stops the image. */
 static int write_report(struct runner *runner, struct console *console)
 {
-    const int status = self_test_report(runner, runner->config.other_core != NULL ? "2 cores" : "1 core");
+    const int status = self_test_report(runner, runner->config.other_core != NULL ? "2 cores" : "1 core", log_text);
     console->reporting = false;
     console->holding = true;
     return status < 0 ? status : 0;

@@ -50,7 +50,7 @@ struct length {
     int bits;        /* of the largest component */
 };
 
-/* The same for each vertex: 2^-14 off, and without a division. */
+/* The same for each vertex: 6.2e-5 off, and without a division. */
 static struct length quick_unit_q14(const int32_t in[3], int16_t out[3])
 {
     const uint32_t largest = fx_magnitude(in[0]) | fx_magnitude(in[1]) | fx_magnitude(in[2]);

@@ -16,6 +16,7 @@ enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
     FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
     FLOAT24_OCTAVES = 2,
+    SMALL_UP = 2,        /* octaves: see ph_small_plane_does */
     KNEE_ROOM = 8 << 16, /* 16.16 codes */
     LINEAR_ZEROS = 7,    /* of 1/w at the farthest corner of such a plane; the nearest has 3 */
 };
@@ -263,10 +264,10 @@ static struct octaves octaves_of(const uint32_t d[3], int block)
     return (struct octaves){ph_min(ph_min(a, b), c), ph_max(ph_max(a, b), c)};
 }
 
-int ph_octaves_between(const uint32_t d[3], int block)
+bool ph_small_plane_does(const uint32_t d[3], int block)
 {
-    const struct octaves octaves = octaves_of(d, block);
-    return octaves.far - octaves.near;
+    const struct octaves at = octaves_of(d, block);
+    return at.far - at.near <= 1 && at.far - ph_block_down(block) <= SMALL_UP;
 }
 
 /* The rest of a float small triangle's plane: d and its gradients are multiples of 2^down, so no shift loses a bit. */

@@ -47,8 +47,11 @@ static inline struct ph_quotient ph_depth_of(const struct ph_vertex *v)
  * returned; else the block exponent of the triangle. */
 uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias, uint32_t d[3]);
 
-/* How many octaves lie between the depths of the corners, in units of 2^-(32 + block). */
-int ph_octaves_between(const uint32_t d[3], int block);
+/* Whether the plane of ph_setup_small does for depths (units of 2^-(32 + block)) across octaves. Two at most; and its
+ * gradients are off by up to 2^8 units a pixel. Over 16 columns and rows, in octave `far`, these are 2^(far - down - 3)
+ * codes: half a code, or one in the octave beside it, up to far = down + 2. Beyond, near the far plane, they are many.
+ */
+bool ph_small_plane_does(const uint32_t d[3], int block);
 
 /* Makes a small triangle that crosses from one octave into the next one of PH_KIND_SMALL_KNEE, unless a pixel of it may
  * lie in a third one. d: the depth of its corners, in units of its block. */

@@ -154,7 +154,7 @@ static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rendere
 {
     struct ph_small_triangle *const small = &t->small;
     struct ph_triangle any;
-    if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_octaves_between(d, t->block) <= 1) {
+    if (t->block != PH_BLOCK_NONE && done == PH_SMALL_SET && ph_small_plane_does(d, t->block)) {
         small->d = ph_block_rounded(small->d, t->block); /* rounded: see planes.c; the gradients are multiples of 256 */
         return true;
     }

@@ -216,7 +216,7 @@ static int make_surface(const struct kms_card *card, struct surface *s)
     }
     s->handle = create.handle;
     s->stride = create.pitch / 4;
-    s->bytes = create.size;
+    s->bytes = (size_t)create.size;
     struct drm_mode_map_dumb map = {.handle = s->handle};
     if (drmIoctl(card->file, DRM_IOCTL_MODE_MAP_DUMB, &map) != 0) {
         return -1;

@@ -85,7 +85,8 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
     }
     const int32_t dx1 = v[1]->x - v[0]->x, dx2 = v[2]->x - v[0]->x;
     const int32_t dy1 = v[1]->y - v[0]->y, dy2 = v[2]->y - v[0]->y;
-    const struct ph_sides sides = {dx1, dy1, dx2, dy2, dx2 * dy1 - dx1 * dy2, true};
+    const uint32_t area = (uint32_t)dx2 * (uint32_t)dy1 - (uint32_t)dx1 * (uint32_t)dy2; /* wraps where not small */
+    const struct ph_sides sides = {dx1, dy1, dx2, dy2, (int32_t)area, true};
     uint32_t d[3];
     if (!ph_sides_are_small(&sides) || !ph_float_depths(usual->lens, v, usual->bias, d)) {
         return PH_SMALL_NO_ROW;
