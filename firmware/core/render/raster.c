@@ -209,7 +209,8 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
                                     const struct place *at, struct ph_small_texels *texels)
 {
     const uint32_t from = from_column(r->left), d = r->d, gd = r->gd, d_dy = r->d_dy;
-    const uint32_t above = d + from * gd - octave->bottom; /* the first row is not empty: its d lies in the octave */
+    const uint32_t above =
+        d + from * gd - octave->bottom; /* the first row's d lies in the octave, unless it is empty */
     const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
     r->gd = octave->slope;
     r->d_dy = ph_depth_float16_slope(d_dy, octave->up);
@@ -282,10 +283,8 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
         if (!is_empty && !ph_octave_holds(&octave, d, d)) {
             ph_octave_of(&octave, t, d, r->gd);
         }
-        uint32_t n = is_empty ? 0 : rows_in_octave(r, &octave, at.stride);
-        if (is_empty) {
-            n = 1;
-        } else if (n > 0) {
+        uint32_t n = is_empty ? 1 : rows_in_octave(r, &octave, at.stride);
+        if (n > 0) { /* an empty row, too: its texels are stepped */
             count += draw_rows_in_octave(r, &octave, n, &at, texels);
         } else {
             n = 1;
