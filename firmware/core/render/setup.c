@@ -224,7 +224,8 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->draw = *draw;
     s->usual.base = ph_at(r, draw->base);
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
-                  material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture));
+                  material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 &&
+                  (!textured || ph_texels_fit(material->texture));
     s->usual.ramp = lit ? material->ramp : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
