@@ -9,6 +9,8 @@
 #define LOOP_FRAMES 512
 #define CELLS       14
 #define LEVELS      2
+#define CELLS_FEW   7 /* and levels, where memory is small */
+#define LEVELS_FEW  1
 #define LOG2        5 /* of the sides of the textures */
 #define SIDE        (1 << LOG2)
 #define TEXELS      (SIDE * SIDE)
@@ -18,6 +20,13 @@
 
 enum { BALL, CUBE, FENCE, GLASS, GLOW, MATERIALS = GLOW + LAMPS };
 
+#define VERTICES(levels, cells)                                                                                        \
+    (MODEL_GROUND_VERTICES(cells) + 2 * MODEL_ICOSPHERE_VERTICES(levels) + 24 + 4 * FENCES + 4 * LAMPS)
+#define ARENA(levels, cells)                                                                                           \
+    (MODEL_ROUND8(sizeof(struct materials)) + MODEL_FLOOR_BYTES(cells) +                                               \
+     MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(levels), MODEL_ICOSPHERE_TRIANGLES(levels)) + MODEL_CUBE_BYTES +             \
+     2 * MODEL_ROUND8(sizeof(struct ph_part)))
+
 struct materials {
     struct ph_mesh floor, ball, cube;
     struct ph_material list[MATERIALS], tiles[2];
@@ -25,6 +34,7 @@ struct materials {
     uint16_t fence[TEXELS], light[TEXELS];
     struct ph_texture fence_texture, light_texture;
     struct ph_blend glow;
+    fx_t floor_scale;
     uint32_t frame;
 };
 
@@ -97,10 +107,11 @@ static void fill_materials(struct materials *m)
     }
 }
 
-static int make_models(struct demo_arena *arena, struct materials *m)
+static int make_models(struct demo_arena *arena, struct materials *m, bool fine)
 {
-    if (model_icosphere(arena, &m->ball, LEVELS) != PH_OK || model_material(arena, &m->ball, &m->list[BALL]) != PH_OK ||
-        model_cube(arena, &m->cube) != PH_OK || model_material(arena, &m->cube, &m->list[CUBE]) != PH_OK) {
+    if (model_icosphere(arena, &m->ball, fine ? LEVELS : LEVELS_FEW) != PH_OK ||
+        model_material(arena, &m->ball, &m->list[BALL]) != PH_OK || model_cube(arena, &m->cube) != PH_OK ||
+        model_material(arena, &m->cube, &m->list[CUBE]) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < m->cube.vertex_count; i++) {
@@ -111,10 +122,12 @@ static int make_models(struct demo_arena *arena, struct materials *m)
     return PH_OK;
 }
 
-static int make_floor(struct demo_context *context)
+static int make_floor(struct demo_context *context, bool fine)
 {
     struct materials *const m = context->state;
-    return model_floor(&context->arena, &m->floor, CELLS, m->tiles);
+    const uint32_t cells = fine ? CELLS : CELLS_FEW;
+    m->floor_scale = (fx_t)(FX_INT(CELLS) / cells);
+    return model_floor(&context->arena, &m->floor, cells, m->tiles);
 }
 
 static int materials_init(struct demo_context *context)
@@ -126,8 +139,9 @@ static int materials_init(struct demo_context *context)
     fill_textures(m);
     fill_materials(m);
     context->state = m;
-    const int status = make_models(&context->arena, m);
-    return status ? status : make_floor(context);
+    const bool fine = context->arena.size >= ARENA(LEVELS, CELLS);
+    const int status = make_models(&context->arena, m, fine);
+    return status ? status : make_floor(context, fine);
 }
 
 /* ---- a frame ---------------------------------------------------------------------------------------------------- */
@@ -142,7 +156,8 @@ static struct fx_vec3 lamp_at(uint32_t frame, uint32_t i)
 static int draw_solids(const struct materials *m, struct ph_renderer *r)
 {
     struct ph_xform ball = ph_xform_translate(0, FX_ONE, 0), cube = ph_xform_scale(FX_ONE * 6 / 10);
-    const struct ph_xform turn = ph_xform_rotate_y(m->frame << 24), floor = ph_xform_identity;
+    const struct ph_xform turn = ph_xform_rotate_y(m->frame << 24), floor = ph_xform_scale(m->floor_scale),
+                          here = ph_xform_identity;
     cube = ph_xform_mul(&turn, &cube);
     cube.t = (struct fx_vec3){-FX_ONE * 22 / 10, FX_ONE * 8 / 10, FX_ONE / 2};
     int status = ph_draw_mesh(r, &m->floor, &floor);
@@ -162,7 +177,7 @@ static int draw_solids(const struct materials *m, struct ph_renderer *r)
                                       .vertex_count = 4,
                                       .triangle_count = 2,
                                       .part_count = 1};
-        status = ph_draw_mesh(r, &fence, &floor);
+        status = ph_draw_mesh(r, &fence, &here);
     }
     return status;
 }
@@ -239,20 +254,21 @@ static uint32_t materials_band(struct demo_context *context, struct ph_renderer 
     return lines;
 }
 
-#define VERTICES (MODEL_GROUND_VERTICES(CELLS) + 2 * MODEL_ICOSPHERE_VERTICES(LEVELS) + 24 + 4 * FENCES + 4 * LAMPS)
-#define ARENA                                                                                                          \
-    MODEL_ROUND8(sizeof(struct materials)) + MODEL_FLOOR_BYTES(CELLS) +                                                \
-        MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(LEVELS), MODEL_ICOSPHERE_TRIANGLES(LEVELS)) + MODEL_CUBE_BYTES +          \
-        2 * MODEL_ROUND8(sizeof(struct ph_part))
+/* For little memory. */
+static const struct demo_level coarser = {DEMO_ARENA(ARENA(LEVELS_FEW, CELLS_FEW), 8352),
+                                          .vertex_max = VERTICES(LEVELS_FEW, CELLS_FEW), .triangle_max = 320,
+                                          .corner_max = 160};
 
 const struct demo demo_materials = {
     .name = "materials",
     .summary = "coloured lamps and corners, a fence that is cut out, glass, glow, fog, a badge and text",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA, 16608),
-    .vertex_max = VERTICES,
+    DEMO_ARENA(ARENA(LEVELS, CELLS), 16616),
+    .vertex_max = VERTICES(LEVELS, CELLS),
     .triangle_max = 960,
     .corner_max = 256,
+    .coarser = &coarser,
+    .coarser_count = 1,
     .init = materials_init,
     .frame = materials_frame,
     .band = materials_band,
