@@ -34,6 +34,7 @@ struct materials {
     uint16_t fence[TEXELS], light[TEXELS];
     struct ph_texture fence_texture, light_texture;
     struct ph_blend glow;
+    struct ph_scene_light lights;
     fx_t floor_scale;
     uint32_t frame;
 };
@@ -136,6 +137,7 @@ static int materials_init(struct demo_context *context)
     if (!m) {
         return PH_ERR_NOMEM;
     }
+    m->lights = lights;
     fill_textures(m);
     fill_materials(m);
     context->state = m;
@@ -222,14 +224,13 @@ static int materials_frame(struct demo_context *context, struct ph_renderer *r, 
     struct ph_xform view = demo_look(0, FX_ONE * 32 / 10, FX_ONE * 64 / 10, 0, FX_ONE * 8 / 10, 0);
     const struct ph_xform turn = ph_xform_rotate_y((uint32_t)demo_swing(frame, LOOP_FRAMES) << 13);
     const struct ph_fog fog = {ph_rgb565(60, 66, 96), FX_INT(6), FX_INT(13)};
-    struct ph_scene_light light = lights;
     m->frame = frame;
     for (uint32_t i = 0; i < LAMPS; i++) {
-        light.lights[1 + i].position = lamp_at(frame, i);
+        m->lights.lights[1 + i].position = lamp_at(frame, i);
     }
     view = ph_xform_mul(&view, &turn);
     demo_orbit(context, &view, &projection);
-    int status = demo_begin(context, r, &view, &projection, &light, fog.colour);
+    int status = demo_begin(context, r, &view, &projection, &m->lights, fog.colour);
     status = status ? status : ph_frame_fog(r, &fog);
     status = status ? status : draw_solids(m, r);
     return status ? status : draw_blended(m, r);
@@ -255,7 +256,7 @@ static uint32_t materials_band(struct demo_context *context, struct ph_renderer 
 }
 
 /* For little memory. */
-static const struct demo_level coarser = {DEMO_ARENA(ARENA(LEVELS_FEW, CELLS_FEW), 8352),
+static const struct demo_level coarser = {DEMO_ARENA(ARENA(LEVELS_FEW, CELLS_FEW), 8584),
                                           .vertex_max = VERTICES(LEVELS_FEW, CELLS_FEW), .triangle_max = 320,
                                           .corner_max = 160};
 
@@ -263,7 +264,7 @@ const struct demo demo_materials = {
     .name = "materials",
     .summary = "coloured lamps and corners, a fence that is cut out, glass, glow, fog, a badge and text",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(LEVELS, CELLS), 16616),
+    DEMO_ARENA(ARENA(LEVELS, CELLS), 16848),
     .vertex_max = VERTICES(LEVELS, CELLS),
     .triangle_max = 960,
     .corner_max = 256,
