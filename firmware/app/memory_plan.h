@@ -22,7 +22,7 @@
 #include "runner_config.h"
 
 /* What an image needs beside the runner's memory: stack and variables. A board's budget is without it. */
-#define RUNNER_OTHER_BYTES 9216
+#define RUNNER_OTHER_BYTES 9472
 
 #define RUNNER_BANDS_MAX 16 /* band buffers */
 

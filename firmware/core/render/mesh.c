@@ -298,7 +298,7 @@ static void light_share(void *argument)
     }
 }
 
-static void light_marked(const struct part_context *c)
+static NOINLINE void light_marked(const struct part_context *c)
 {
     const uint32_t n = c->mesh->vertex_count;
     struct light_share mine = {c, 0, n / 2}, others = {c, n / 2, n};
@@ -408,7 +408,7 @@ static bool shares_light(const struct part_context *c, const struct ph_part *par
 }
 
 /* Prepares the light of a part. False if there is no room for another light of its vertices. */
-static bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+static NOINLINE bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
 {
     const struct ph_material *const material = c->material, *const before = c->lit_as;
     c->coloured = is_coloured(c);
