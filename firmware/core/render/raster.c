@@ -284,11 +284,11 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
             ph_octave_of(&octave, t, d, r->gd);
         }
         uint32_t n = is_empty ? 1 : rows_in_octave(r, &octave, at.stride);
-        if (n > 0) { /* an empty row, too: its texels are stepped */
-            count += draw_rows_in_octave(r, &octave, n, &at, texels);
-        } else {
+        if (n == 0) {
             n = 1;
             count += draw_row_across(t, r, &octave, &next, &at, texels);
+        } else if (!is_empty || texels != NULL) { /* texels are stepped over an empty row, too */
+            count += draw_rows_in_octave(r, &octave, n, &at, texels);
         }
         step_rows(r, n);
         at.depth += n * at.stride;
