@@ -26,11 +26,14 @@ struct picture_memory memory_plan_picture(const struct runner_config *config, ui
     struct picture_memory p = {.width = panel_width(panel, config->rotation),
                                .height = panel_height(panel, config->rotation),
                                .buffers = BUFFERS_MIN};
+    const uint32_t fine = config->antialias ? 4 : 1; /* samples a pixel */
     p.lines = lines < p.height ? lines : p.height;
+    p.lines = (uint16_t)((p.lines + fine - 1) / fine);
     p.bands = p.lines > 0 ? (p.height + p.lines - 1U) / p.lines : 0;
     const uint32_t pixels = (uint32_t)p.width * p.lines;
     p.band_bytes = (uint32_t)ROUND8(2 * pixels);
-    p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels);
+    p.depth_bytes = (uint32_t)ROUND8(ph_depth_bytes(config->depth_format) * pixels * fine);
+    p.sample_bytes = config->antialias ? (uint32_t)ROUND8(2 * pixels * fine) : 0;
     p.bin_bytes = (uint32_t)ROUND8(4 * p.bands);
     if (sender_copies(config)) { /* the driver collects windows in its scratch memory */
         p.wire_bytes = WIRE_MAX;
@@ -44,7 +47,7 @@ struct picture_memory memory_plan_picture(const struct runner_config *config, ui
 
 uint64_t memory_plan_picture_bytes(const struct picture_memory *p)
 {
-    return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes;
+    return (uint64_t)p->buffers * p->band_bytes + p->depth_bytes + p->bin_bytes + p->wire_bytes + p->sample_bytes;
 }
 
 /* The list of a frame: vertices, corners, references, and so many slots. The same on every machine. */
@@ -80,6 +83,14 @@ static uint32_t slots_of(const struct demo_level *level, uint64_t left)
     return most < SLOTS_LEAST ? SLOTS_LEAST : slots < most ? (uint32_t)slots : most;
 }
 
+/* A level as it is drawn: with samples a line is two. */
+static struct demo_level level_of(const struct demo_level *level, const struct picture_memory *p)
+{
+    struct demo_level drawn = *level;
+    drawn.triangle_max *= p->sample_bytes > 0 ? 2 : 1;
+    return drawn;
+}
+
 /* Whether a coarser level of a demo is to be taken instead of this one. */
 static bool is_too_fine(const struct demo_level *level, const struct demo_level *coarser,
                         const struct picture_memory *p, uint64_t budget)
@@ -92,9 +103,10 @@ static bool is_too_fine(const struct demo_level *level, const struct demo_level 
  * with as many of its triangles as the list has room for, about. */
 static struct scene_memory scene_within(const struct demo *demo, const struct picture_memory *p, uint64_t budget)
 {
-    struct demo_level level = finest_of(demo);
+    const struct demo_level finest = finest_of(demo);
+    struct demo_level level = level_of(&finest, p);
     for (uint32_t i = 0; i < demo->coarser_count && is_too_fine(&level, &demo->coarser[i], p, budget); i++) {
-        level = demo->coarser[i];
+        level = level_of(&demo->coarser[i], p);
     }
     const uint64_t whole = level_bytes_32(&level, SLOTS_LEAST), arena = ROUND8(level.arena_bytes_32);
     struct scene_memory s = {.arena_bytes = level.arena_bytes, .whole = whole <= budget};

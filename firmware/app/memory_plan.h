@@ -22,7 +22,7 @@
 #include "runner_config.h"
 
 /* What an image needs beside the runner's memory: stack and variables. A board's budget is without it. */
-#define RUNNER_OTHER_BYTES 9216
+#define RUNNER_OTHER_BYTES 9472
 
 #define RUNNER_BANDS_MAX 16 /* band buffers */
 
@@ -38,11 +38,11 @@ uint64_t runner_whole_bytes(const struct runner_config *config);
 
 /* ---- for runner.c ------------------------------------------------------------------------------- */
 
-/* A picture's memory, in the order in which it is taken: depth, bins, wire, buffers. Every machine needs the same. */
+/* A picture's memory, in the order in which it is taken: depth, bins, wire, samples, buffers. Every machine needs the same. */
 struct picture_memory {
     uint16_t width, height, lines; /* of the picture; of a band */
     uint32_t bands, buffers;
-    uint32_t depth_bytes, bin_bytes, wire_bytes, band_bytes; /* multiples of 8 */
+    uint32_t depth_bytes, bin_bytes, wire_bytes, sample_bytes, band_bytes; /* multiples of 8 */
 };
 
 /* A scene's memory behind it: list of the frame, arena, scratch. Offsets and bytes are this machine's. */

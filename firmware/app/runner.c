@@ -38,7 +38,8 @@ static int open_renderer(struct runner *runner, const struct picture_memory *p, 
                                      .triangle_max = s->triangle_max,
                                      .bins = runner->bins,
                                      .bin_max = p->bands,
-                                     .depth = runner->depth};
+                                     .depth = runner->depth,
+                                     .samples = runner->samples};
     return ph_renderer_init(&runner->renderer, &config);
 }
 
@@ -62,6 +63,8 @@ static int open_demo(struct runner *runner, const struct demo *demo, const struc
 static void place_buffers(struct runner *runner, const struct picture_memory *p)
 {
     uint8_t *next = (uint8_t *)runner->bins + p->bin_bytes + p->wire_bytes;
+    runner->samples = p->sample_bytes > 0 ? (uint16_t *)(void *)next : NULL;
+    next += p->sample_bytes;
     runner->band_count = (uint16_t)p->buffers;
     runner->band_next = 0;
     for (uint32_t i = 0; i < p->buffers; i++, next += p->band_bytes) {
@@ -257,8 +260,10 @@ static void draw_overlay(const struct runner *runner, uint32_t band, uint16_t *p
     const uint32_t us =
         panel_frame_us(board->panel, board->format, runner->config.rotation, (uint32_t)runner->driver.clock_hz);
     ph_overlay_stats(text, us, runner->renderer.stats.triangles_drawn);
-    struct ph_overlay_band over = {
-        .width = width, .y0 = (int32_t)(band * runner->renderer.config.band_height), .lines = (int32_t)lines};
+    struct ph_overlay_band over = {.width = width,
+                                   .y0 =
+                                       (int32_t)(band * (runner->renderer.config.band_height >> runner->renderer.fine)),
+                                   .lines = (int32_t)lines};
     over.pixels = pixels;
     const uint8_t scale = ph_overlay_width(text, 2) + 8 <= width ? 2 : 1;
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), scale};

@@ -44,6 +44,7 @@ struct runner {
     uint32_t written[RUNNER_BANDS_MAX]; /* a band is free when the bus has come so far, see bus_until */
     void *depth;
     uint32_t *bins;
+    uint16_t *samples; /* or NULL */
     uint8_t *scene; /* the rest of memory: lists, arena, scratch of the demo */
     uint16_t band_count, band_next;
     uint32_t buttons;      /* held during the last frame */

@@ -1,5 +1,5 @@
 /*
- * overlay: text over the picture, for statistics.
+ * overlay: text and pictures over the picture.
  *
  * The built-in font has 5 x 7 pixels in cells of 6 x 8. It has the space, digits, capitals (small letters are drawn as
  * capitals) and
@@ -13,6 +13,7 @@
 #ifndef PH_OVERLAY_H
 #define PH_OVERLAY_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -48,6 +49,34 @@ int32_t ph_overlay_width(const char *text, uint8_t scale);
 
 /* Writes "16.7 MS 1152 TRI": milliseconds, rounded to a tenth, and triangles. Returns the length. */
 uint32_t ph_overlay_stats(char text[PH_OVERLAY_STATS_SIZE], uint32_t frame_us, uint32_t triangles);
+
+/*
+ * The same in a proportional font: letters are as wide as they are drawn, capital and small, with one pixel between
+ * them, and digits are all as wide. It has all of ASCII; small letters reach one pixel below the line. With an outline
+ * of the letters' own colour there is none. ph_text_width: from the first pixel to the last.
+ */
+void ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
+             const struct ph_overlay_style *style);
+int32_t ph_text_width(const char *text, uint8_t scale);
+
+#define PH_TEXT_NUMBER_SIZE 12
+
+/* Writes a number in decimal. Returns the length. */
+uint32_t ph_text_number(char text[PH_TEXT_NUMBER_SIZE], int32_t value);
+
+/* A picture of any size. */
+struct ph_sprite {
+    const uint16_t *pixels; /* wire order, rows from the top */
+    uint16_t width, height;
+    uint8_t alpha;         /* of the whole picture, 0 .. 32: 32 covers what is behind */
+    bool has_key;          /* pixels of the colour `key` are left out */
+    uint16_t key;          /* wire order */
+    const uint8_t *alphas; /* of each pixel, 0 .. 32, times alpha; or NULL */
+};
+
+/* Lays a picture over the band, its top left corner at (x, y), clipped to the band. For one that stands in the scene,
+ * and is hidden by what is before it, see ph_draw_billboard in render.h. */
+void ph_overlay_sprite(const struct ph_overlay_band *band, int32_t x, int32_t y, const struct ph_sprite *sprite);
 
 #ifdef __cplusplus
 }

@@ -21,6 +21,8 @@
  * Depth: larger is nearer, 0 is empty, see depth.h. Of two equal depths the one drawn first stays.
  *
  * Triangles that do not fit into the caller's budgets are left out and counted in ph_stats.
+ *
+ * After the opaque triangles of a band come cut-outs, then fog, then what is blended: see struct ph_blend.
  */
 #ifndef PH_RENDER_H
 #define PH_RENDER_H
@@ -69,6 +71,38 @@ struct ph_texture {
 
 #define PH_RAMP_SIZE 128 /* colours in a ramp; intensity 0 is at entry 4, full intensity at entry 123 */
 
+struct ph_renderer;
+struct ph_band;
+
+enum ph_blend_kind {
+    PH_BLEND_KEY,   /* cut-out: texels of the colour `key` are left out */
+    PH_BLEND_MASK,  /* cut-out: texels are left out where `alphas` is below one half */
+    PH_BLEND_ALPHA, /* blended: colour times a plus what is behind times 1 - a; a is `alpha` times the texel's alpha
+                     */
+    PH_BLEND_ADD,   /* blended: colour times a is added to what is behind, up to full colour */
+};
+
+/*
+ * A blend through which something else is seen. A cut-out writes depth like an opaque triangle. What is blended is
+ * hidden by what is nearer, but writes no depth: it is drawn in the order of the calls that draw it, so draw the
+ * farthest object first. The far side of a two-sided mesh comes before its near side; that is the right order for a
+ * convex mesh. Inside any other mesh, and where objects cut through each other, nothing is sorted.
+ * The key is looked for in the nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32
+ * bytes for each column of the picture from the triangle budget in a frame that has some; without room their triangles
+ * are left out.
+ */
+struct ph_blend {
+    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: so it is linked if used */
+    uint8_t kind;                                                    /* enum ph_blend_kind */
+    uint8_t alpha;                                                   /* 0 .. 32; ALPHA, ADD */
+    uint16_t key;                                                    /* wire order */
+    const struct ph_texture *alphas; /* MASK, ALPHA, ADD: the green of each texel is its alpha, beside the material's
+                                        texture or its colour; its sides may differ from the texture's. Or NULL: all
+                                        have alpha 1 */
+};
+
+void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band);
+
 struct ph_material {
     uint8_t shading;        /* enum ph_shading */
     uint8_t two_sided;      /* draw back faces too */
@@ -86,6 +120,7 @@ struct ph_material {
     uint8_t depth_bias_slope;
     const uint16_t *ramp; /* FLAT and GOURAUD: PH_RAMP_SIZE colours, made by ph_material_ramp() */
     const struct ph_texture *texture;
+    const struct ph_blend *blend; /* NULL: opaque. It must stay as long as the material */
 };
 
 /* A run of triangles of one material. */
@@ -106,16 +141,27 @@ struct ph_mesh {
     const struct ph_part *parts;
     const struct ph_material *materials;
     uint32_t vertex_count, triangle_count, edge_count, part_count;
+    /* A colour for each vertex, wire order, in place of the colour and the ramp of materials that are UNLIT, FLAT or
+     * GOURAUD. It is interpolated on the screen, also if it is UNLIT. NULL without. In linear-w a triangle has the
+     * colour of its first vertex. */
+    const uint16_t *colours;
 };
 
-enum ph_light_kind { PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT };
+enum ph_light_kind { PH_LIGHT_DIRECTIONAL, PH_LIGHT_POINT, PH_LIGHT_SPOT };
 
 struct ph_light {
     uint8_t kind;                /* enum ph_light_kind */
     fx_t intensity;              /* 0 .. 4 */
-    struct fx_vec3 to_light_q30; /* directional: unit vector towards the light, world space, Q2.30 */
-    struct fx_vec3 position;     /* point: world space, Q16.16 */
-    fx_t reach;                  /* point: intensity falls as 1 / (1 + (distance / reach)^2); 0: does not fall */
+    struct fx_vec3 to_light_q30; /* directional: unit vector towards the light, world space, Q2.30; spot: against its
+                                    axis, from where it points to back to the light */
+    struct fx_vec3 position;     /* point, spot: world space, Q16.16 */
+    fx_t reach;                  /* point, spot: intensity falls as 1 / (1 + (distance / reach)^2); 0: does not fall */
+    /* Coloured: shares of red, green and blue, 0 .. 1; all zero: white. With one coloured light in the scene, materials
+     * that are FLAT or GOURAUD take their `colour` (or the colours of the mesh) three times lit, in place of the ramp:
+     * 1.5 to 2 times the work of a vertex and a pixel. Textures are lit by the mean of the three. */
+    fx_t red, green, blue;
+    fx_t cos_outer, cos_inner; /* spot: cosines of the angles to the axis at which it ends, and up to which it has its
+                                  full intensity; between them intensity is linear in the cosine */
 };
 
 #define PH_LIGHTS_MAX 4
@@ -227,6 +273,18 @@ struct ph_config {
     uint8_t pixel_order; /* enum ph_pixel_order */
 
     uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
+
+    /* Antialiasing, optional: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is the mean of 2 x
+     * 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands make up for the
+     * memory. */
+    uint16_t *samples;
+};
+
+/* Fog: from `start` on all colours turn towards the fog's, and from `end` on they have become it. Distances are along
+ * the view (fisheye: from the eye), Q16.16, start < end. The background is not fogged: give it the same colour. */
+struct ph_fog {
+    uint16_t colour; /* wire order */
+    fx_t start, end;
 };
 
 /* How linear-w turns 1/w into a code, see depth.h. The unit of w puts the far plane just below 2^31. */
@@ -275,7 +333,7 @@ struct ph_list {
 
 /* The state of one picture. Callers read stats; all other fields are private. It holds no pointer into itself. */
 struct ph_renderer {
-    struct ph_config config;
+    struct ph_config config; /* with samples its sizes count samples: width, height and band_height are doubled */
     struct ph_stats stats;
     struct ph_lens lens;
     struct ph_projection projection; /* as given; lens is made from it */
@@ -287,7 +345,13 @@ struct ph_renderer {
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;
     uint16_t background;
+    uint8_t fine;  /* 1 with samples, else 0: log2 of samples a pixel each way */
     bool is_shown; /* config.shown holds what the display shows */
+    void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
+    uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
+    void (*fog)(struct ph_renderer *r, const struct ph_band *band); /* or NULL */
+    struct ph_fog fog_of;
+    uint32_t fog_codes[32]; /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
 };
 
 /*
@@ -314,11 +378,25 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
 
 /*
+ * Sets the fog of this frame, in steps of 1/32 of the way between two colours. Call it after ph_frame_begin; it takes
+ * the camera of that moment. It costs a pass over all pixels of a band.
+ * Errors: PH_ERR_INVAL: start >= end.
+ */
+int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
+
+/*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
  * Errors: PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
  *         have taken the room, it is counted, too, but that is no error.)
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
+
+/*
+ * Draws a rectangle that faces the camera, with its middle at a world point, with the material's texture or colour;
+ * with material->blend it may have any outline. Errors as ph_draw_mesh: it takes 4 vertices.
+ */
+int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, fx_t height,
+                      const struct ph_material *material);
 
 /*
  * Draws a line one pixel wide between two world points in the material's colour. It counts as one triangle.

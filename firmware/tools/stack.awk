@@ -27,6 +27,8 @@ BEGIN {
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
     rule("hal/[a-z0-9]+/cores2\\.c:", "firmware/app/runner\\.c:make_ahead$")
+    rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$")
+    rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_band$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
 }
 function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }

@@ -50,6 +50,7 @@ static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, st
     to->parts = part;
     to->materials = material;
     to->part_count = 1;
+    to->colours = NULL;
     return true;
 }
 

@@ -201,6 +201,7 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     setup->band_height = o->band != 0 ? o->band : setup->board->band_height;
     setup->depth = o->depth;
     setup->overlay = o->overlay;
+    setup->antialias = o->antialias;
     status = choose_camera(o, setup, &setup->camera);
     return status != 0 ? status : choose_scene(o, chosen, setup);
 }

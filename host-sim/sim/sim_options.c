@@ -176,6 +176,8 @@ static const struct option_row rows[] = {
      OPTION_DEPTH_VALUES, .set = set_depth},
     {"band", "LINES", "height of a band; the board's own by default", "a whole number of lines, 1 .. 1024",
      .at = offsetof(struct sim_options, band), .least = 1, .most = SIZE_LIMIT},
+    {"aa", NULL, "antialiasing: 2 x 2 samples a pixel, in bands of a quarter of the height; at most 512x512 pixels",
+     NULL, .at = offsetof(struct sim_options, antialias)},
     {"overlay", NULL, "writes the frame time of the bus and the triangles drawn over the picture", NULL,
      .at = offsetof(struct sim_options, overlay)},
     {"crc", NULL, "prints `frame N crc32 XXXXXXXX` of the visible pixels as RGB888 (on stderr with --out -)", NULL,

@@ -36,7 +36,7 @@ struct sim_options {
     uint32_t band;          /* lines, 0: the board's own */
     struct option_depth depth;
     uint8_t convention; /* enum ph_convention */
-    bool crc, stats, json, overlay, matrix, show_window;
+    bool crc, stats, json, overlay, antialias, matrix, show_window;
 
     bool camera_set;
     struct fx_vec3 eye, target, up;

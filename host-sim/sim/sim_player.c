@@ -33,7 +33,8 @@ int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup)
                                    .state = setup->state,
                                    .view = setup->view,
                                    .camera = setup->camera,
-                                   .overlay = setup->overlay};
+                                   .overlay = setup->overlay,
+                                   .antialias = setup->antialias};
     const uint16_t width = panel_width(board->panel, setup->rotation);
     const uint16_t height = panel_height(board->panel, setup->rotation);
     config.memory_bytes = runner_bytes(&config);

@@ -20,6 +20,7 @@ struct sim_player_setup {
     void *state;      /* what the demo finds in context->state, or NULL */
     const char *view; /* one of the demo's views, or NULL: the first */
     struct demo_camera camera;
+    bool antialias;
     bool overlay; /* frame time (of the bus) and triangles over the picture */
 };
 

@@ -20,7 +20,7 @@
 
 static uint64_t arena_bytes[ARENA / 8], vertices[VERTICES * 8], triangles[TRIANGLES * 20];
 static uint32_t depth[WIDTH * HEIGHT], bins[HEIGHT];
-static uint16_t pixels[WIDTH * HEIGHT], texels[1 << 2 * LOG2], ramp[PH_RAMP_SIZE];
+static uint16_t pixels[WIDTH * HEIGHT], samples[4 * WIDTH * 16], texels[1 << 2 * LOG2], ramp[PH_RAMP_SIZE];
 
 static struct fx_vec3 positions[VERTICES];
 static int16_t normals[VERTICES][3];
@@ -52,6 +52,7 @@ struct view {
     const struct ph_scene_light *light;
     uint8_t depth_format;
     uint16_t lines; /* of a band */
+    bool antialias;
 };
 
 static struct view usual(void)
@@ -79,7 +80,8 @@ static struct ph_renderer renderer_of(const struct view *view)
                                      .triangle_max = (uint32_t)(sizeof triangles / ph_triangle_bytes),
                                      .bins = bins,
                                      .bin_max = HEIGHT,
-                                     .depth = (void *)depth};
+                                     .depth = (void *)depth,
+                                     .samples = view->antialias ? samples : NULL};
     struct ph_renderer r;
     if (ph_renderer_init(&r, &config) != PH_OK) {
         machine_print("cliffs: the renderer refuses a picture\n");
@@ -227,6 +229,21 @@ static void textures(void)
     measure("texture-4-pixels", "cliff", TRIANGLE, &view);
 }
 
+/* One colour over another: the same triangles, opaque and blended. */
+static void blends(void)
+{
+    static const struct ph_blend glass = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 16};
+    const struct view view = usual();
+    square(PH_SHADE_UNLIT, 0, FX_ONE);
+    measure("blend", "usual", PIXEL, &view);
+    material.blend = &glass;
+    measure("blend", "cliff", PIXEL, &view);
+    square(PH_SHADE_TEXTURE, 0, FX_ONE);
+    measure("blend-texture", "usual", PIXEL, &view);
+    material.blend = &glass;
+    measure("blend-texture", "cliff", PIXEL, &view);
+}
+
 static void shapes(void)
 {
     const struct view view = usual();
@@ -297,6 +314,10 @@ static void frames(void)
     view.lines = 1;
     measure("1-line-bands", "cliff", FRAME, &view);
     view = usual();
+    measure("antialias", "usual", FRAME, &view);
+    view.antialias = true;
+    measure("antialias", "cliff", FRAME, &view);
+    view = usual();
     square(PH_SHADE_TEXTURE, 0, FX_ONE);
     measure("1-line-textured", "usual", FRAME, &view);
     view.lines = 1;
@@ -314,6 +335,7 @@ int main(void)
     }
     ph_material_ramp(ramp, 255, 160, 64, 0);
     textures();
+    blends();
     shapes();
     shadings();
     vertices_alone();

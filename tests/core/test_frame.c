@@ -35,7 +35,8 @@ static int ramp_index_at(const struct drawing *d, int x, int y)
 static void begin_lit(struct drawing *d)
 {
     struct ph_scene_light light = {.count = 1};
-    light.lights[0] = (struct ph_light){PH_LIGHT_DIRECTIONAL, FX_ONE, {0, 0, FX_Q30_ONE}, {0, 0, 0}, 0};
+    light.lights[0] =
+        (struct ph_light){.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE, .to_light_q30 = {0, 0, FX_Q30_ONE}};
     for (int i = 0; i < PH_RAMP_SIZE; i++) {
         index_ramp[i] = (uint16_t)(0x1000 + i);
     }

@@ -16,7 +16,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud small_gouraud small_knee wide_gouraud setup_small float_depths texture_tile texture_small texel_row_lit texel_row_smooth texel_row_smooth_lit vertices cull)
+loops=(fill span_flat span_gouraud span_blend halve small_gouraud small_knee wide_gouraud setup_small float_depths texture_tile texture_small texel_row_lit texel_row_smooth texel_row_smooth_lit vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -82,6 +82,9 @@ check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/s
 check "a_corner_of_another_octave_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/rsb r9, r7, #31/rsb r9, r7, #30/'
 check "a_wider_margin_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/movs r1, #33 /movs r1, #34 /'
 check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
+check "a_blend_without_its_rest_for_armv6m_is_seen" change_is_seen armv6m span_blend 's/muls r6, r5/nop/'
+check "a_blend_of_what_is_hidden_for_armv7m_is_seen" change_is_seen armv7m span_blend 's/bhs 2f/bhi 2f/'
+check "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 check "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
 check "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'

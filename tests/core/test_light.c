@@ -1,7 +1,8 @@
 /*
  * The light of a vertex is compared with the textbook formula in double precision: ambient light, and directional and
- * point lights by Lambert and Blinn with the viewer at infinity, for any rotation, uniform scale, position and camera.
- * The colours of the ramp are their indices: intensity 0 is entry 4, full intensity (1 + specular) is entry 123.
+ * point lights and spots by Lambert and Blinn with the viewer at infinity, for any rotation, uniform scale, position
+ * and camera. Coloured lights are three such formulas. The colours of the ramp are their indices: intensity 0 is entry
+ * 4, full intensity (1 + specular) is entry 123.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -29,6 +30,7 @@ struct motion {
 struct lighting {
     struct ph_scene_light scene;
     struct ph_material material;
+    bool coloured; /* the light of each channel counts by itself */
 };
 
 static double dot(const vec a, const vec b)
@@ -71,13 +73,23 @@ static void backward(const struct motion *m, const vec p, vec out)
 
 /* ---- the formula -------------------------------------------------------------------------------------------- */
 
-/* Adds one light's diffuse and specular intensity; all in world space. */
-static void add_light(const struct ph_light *light, const struct ph_material *material, const vec normal,
+/* The share of a spot in the direction -l, both unit vectors. */
+static double cone(const struct ph_light *light, const vec l, const vec axis)
+{
+    const double outer = light->cos_outer / 65536., inner = light->cos_inner / 65536.;
+    const double share = (dot(l, axis) - outer) / (inner - outer);
+    return share < 0 ? 0 : share > 1 ? 1 : share;
+}
+
+/* Adds one light's diffuse and specular intensity, times `share`; all in world space. */
+static void add_light(const struct ph_light *light, const struct ph_material *material, double share, const vec normal,
                       const vec position, const vec viewer, double *diffuse, double *specular)
 {
     vec l = {light->to_light_q30.x, light->to_light_q30.y, light->to_light_q30.z}, half;
-    double strength = light->intensity / 65536., n_h;
-    if (light->kind == PH_LIGHT_POINT) {
+    vec axis = {l[0], l[1], l[2]};
+    double strength = share * light->intensity / 65536., n_h;
+    normalise(axis);
+    if (light->kind != PH_LIGHT_DIRECTIONAL) {
         l[0] = light->position.x / 65536. - position[0];
         l[1] = light->position.y / 65536. - position[1];
         l[2] = light->position.z / 65536. - position[2];
@@ -88,6 +100,7 @@ static void add_light(const struct ph_light *light, const struct ph_material *ma
     if (dot(normal, l) <= 0) {
         return;
     }
+    strength *= light->kind == PH_LIGHT_SPOT ? cone(light, l, axis) : 1;
     for (int k = 0; k < 3; k++) {
         half[k] = l[k] + viewer[k];
     }
@@ -103,9 +116,32 @@ static double exact_entry(const struct lighting *light, const vec normal, const 
     double diffuse = light->scene.ambient / 65536. * light->material.ambient / 65536., specular = 0;
     double most = 1 + light->material.specular / 65536.;
     for (uint32_t i = 0; i < light->scene.count; i++) {
-        add_light(&light->scene.lights[i], &light->material, normal, position, viewer, &diffuse, &specular);
+        add_light(&light->scene.lights[i], &light->material, 1, normal, position, viewer, &diffuse, &specular);
     }
     return 4 + 119 * fmin(fmin(diffuse, 1) + specular, most) / most;
+}
+
+/* By how many steps a pixel is off the lit colour: its own at full light, white with a highlight of 1. */
+static double channel_error(const struct lighting *light, const vec normal, const vec position, const vec viewer,
+                            int pixel)
+{
+    static const int from[3] = {11, 5, 0}, top[3] = {31, 63, 31};
+    const int colour = (light->material.colour & 255) << 8 | light->material.colour >> 8;
+    const int drawn = (pixel & 255) << 8 | pixel >> 8;
+    double worst = 0;
+    for (int k = 0; k < 3; k++) {
+        double diffuse = light->scene.ambient / 65536. * light->material.ambient / 65536., specular = 0;
+        for (uint32_t i = 0; i < light->scene.count; i++) {
+            const struct ph_light *const l = &light->scene.lights[i];
+            const double share = (k == 0 ? l->red : k == 1 ? l->green : l->blue) / 65536.;
+            add_light(l, &light->material, share, normal, position, viewer, &diffuse, &specular);
+        }
+        const double total = fmin(fmin(diffuse, 1) + specular, 1 + light->material.specular / 65536.);
+        const double base = colour >> from[k] & top[k], white = fmax(total - 1, 0);
+        const double exact = base * fmin(total, 1) + (top[k] - base) * white;
+        worst = fmax(worst, fabs((drawn >> from[k] & top[k]) - exact) * 31 / top[k]);
+    }
+    return worst;
 }
 
 /* ---- the renderer ------------------------------------------------------------------------------------------- */
@@ -162,7 +198,8 @@ static double case_error(struct rig *rig, struct lighting *light, double scale)
     }
     light->material.ramp = ramp;
     int entry = drawn_entry(rig, light, &to_world, &view, positions, (const int16_t(*)[3])normals);
-    return fabs(entry - exact_entry(light, world_normal, position, viewer));
+    return light->coloured ? channel_error(light, world_normal, position, viewer, entry)
+                           : fabs(entry - exact_entry(light, world_normal, position, viewer));
 }
 
 static struct ph_light any_light(int kind)
@@ -174,11 +211,13 @@ static struct ph_light any_light(int kind)
     light.position =
         (struct fx_vec3){ref_q16(ref_uniform(-9, 9)), ref_q16(ref_uniform(-9, 9)), ref_q16(ref_uniform(-9, 9))};
     light.reach = ref_uniform(0, 1) < .3 ? 0 : ref_q16(ref_uniform(1, 10));
+    light.cos_outer = ref_q16(ref_uniform(-.5, .7));
+    light.cos_inner = light.cos_outer + ref_q16(ref_uniform(.05, .3));
     return light;
 }
 
 /* Largest error of many random cases with `lights` lights of one kind. */
-static double worst_error(int kind, uint32_t lights, double specular, uint8_t shininess_log2, double scale)
+static double worst_of(int kind, uint32_t lights, double specular, uint8_t shininess_log2, double scale, bool coloured)
 {
     struct rig rig;
     double worst = 0;
@@ -188,17 +227,29 @@ static double worst_error(int kind, uint32_t lights, double specular, uint8_t sh
         struct lighting light = {.scene = {.ambient = ref_q16(ref_uniform(0, .5)), .count = lights}};
         for (uint32_t k = 0; k < lights; k++) {
             light.scene.lights[k] = any_light(kind);
+            if (coloured) {
+                light.scene.lights[k].red = ref_q16(ref_uniform(0, 1));
+                light.scene.lights[k].green = ref_q16(ref_uniform(0, 1));
+                light.scene.lights[k].blue = ref_q16(ref_uniform(0, 1));
+            }
         }
+        light.coloured = coloured;
         light.material = (struct ph_material){.shading = PH_SHADE_FLAT,
                                               .ambient = ref_q16(ref_uniform(0, 1)),
                                               .diffuse = ref_q16(ref_uniform(.2, 1)),
                                               .specular = ref_q16(specular),
-                                              .shininess_log2 = shininess_log2};
+                                              .shininess_log2 = shininess_log2,
+                                              .colour = coloured ? (uint16_t)ref_uniform(0, 65536) : 0};
         worst = fmax(worst, case_error(&rig, &light, scale));
     }
     rig_close(&rig);
-    print_message("worst: %.3f entries of 119\n", worst);
+    print_message("worst: %.3f %s\n", worst, coloured ? "steps of 1/31" : "entries of 119");
     return worst;
+}
+
+static double worst_error(int kind, uint32_t lights, double specular, uint8_t shininess_log2, double scale)
+{
+    return worst_of(kind, lights, specular, shininess_log2, scale, false);
 }
 
 /* The entry is a whole number: half an entry of error is unavoidable. */
@@ -245,6 +296,23 @@ static void highlights_follow_blinn(void **state)
     assert_true(worst_error(PH_LIGHT_POINT, 2, 1, 4, .7) <= .8);
 }
 
+/* The narrowest cone here goes from light to dark within .05: there 2^-13 of the cosine is 1/3 entry. */
+static void spots_light_what_lies_in_their_cone(void **state)
+{
+    (void)state;
+    assert_true(worst_error(PH_LIGHT_SPOT, 1, 0, 0, 1) <= .9);
+    assert_true(worst_error(PH_LIGHT_SPOT, 3, .5, 3, .6) <= 1);
+}
+
+static void coloured_lights_add_up_channel_by_channel(void **state)
+{
+    (void)state;
+    assert_true(worst_of(PH_LIGHT_DIRECTIONAL, 1, 0, 0, 1, true) <= .52);
+    assert_true(worst_of(PH_LIGHT_DIRECTIONAL, 4, .8, 4, 1, true) <= .6);
+    assert_true(worst_of(PH_LIGHT_POINT, 2, 0, 0, .7, true) <= .6);
+    assert_true(worst_of(PH_LIGHT_SPOT, 3, .5, 2, 1.5, true) <= .8);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -254,6 +322,8 @@ int main(void)
         cmocka_unit_test(light_does_not_depend_on_the_scale_of_a_mesh),
         cmocka_unit_test(point_light_falls_off_with_its_reach),
         cmocka_unit_test(highlights_follow_blinn),
+        cmocka_unit_test(spots_light_what_lies_in_their_cone),
+        cmocka_unit_test(coloured_lights_add_up_channel_by_channel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -164,6 +164,96 @@ static void statistics_are_rounded_to_a_tenth(void **state)
     assert_int_equal(ph_overlay_width("", 2), 0);
 }
 
+/* Draws proportional text in INK without an outline, and compares it with a picture. */
+static void assert_text(const char *text, const char *const *picture, int lines)
+{
+    const struct ph_overlay_style style = {INK, INK, 1};
+    const int width = (int)strlen(picture[0]);
+    for (int band_height = 1; band_height <= HEIGHT; band_height += HEIGHT - 1) {
+        static uint16_t pixels[WIDTH * HEIGHT];
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            pixels[i] = PAPER;
+        }
+        for (int y0 = 0; y0 < HEIGHT; y0 += band_height) {
+            const struct ph_overlay_band band = {pixels + y0 * WIDTH, WIDTH, y0, band_height};
+            ph_text(&band, 1, 2, text, &style);
+        }
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            const int x = i % WIDTH - 1, y = i / WIDTH - 2;
+            const bool inside = x >= 0 && x < width && y >= 0 && y < lines;
+            assert_int_equal(pixels[i], inside && picture[y][x] == '#' ? INK : PAPER);
+        }
+    }
+    assert_int_equal(ph_text_width(text, 1), width);
+    assert_int_equal(ph_text_width(text, 3), 3 * width);
+}
+
+static void proportional_letters_are_as_wide_as_they_are_drawn(void **state)
+{
+    (void)state;
+    static const char *const il[] = {"#.#.", "..#.", "#.#.", "#.#.", "#.#.", "#.#.", "#..#"};
+    static const char *const gap[] = {"#....#", "......", "#....#", "#....#", "#....#", "#....#", "#....#"};
+    static const char *const jy[] = {".#......", "........", ".#.#...#", ".#.#...#",
+                                     ".#.#...#", ".#..####", ".#.....#", "#...###."};
+    assert_text("il", il, 7);
+    assert_text("i i", gap, 7);
+    assert_text("jy", jy, 8);
+    assert_int_equal(ph_text_width("", 1), 0);
+    assert_int_equal(ph_text_width("1", 1), ph_text_width("0", 1));
+    assert_true(ph_text_width("\x80", 1) == 5); /* a box */
+}
+
+static void numbers_are_written_without_printf(void **state)
+{
+    (void)state;
+    static const int32_t values[] = {0, 7, -1, 10, 65535, -40960, 2147483647, -2147483647 - 1};
+    for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {
+        char text[PH_TEXT_NUMBER_SIZE], expected[16];
+        const int length = snprintf(expected, sizeof expected, "%d", values[i]);
+        assert_int_equal(ph_text_number(text, values[i]), length);
+        assert_string_equal(text, expected);
+    }
+}
+
+/* Key, alpha and the edges of the picture, against the definition in double precision. */
+static void sprites_cover_what_their_key_and_alpha_leave(void **state)
+{
+    (void)state;
+    static const int places[][2] = {{3, 4}, {-2, -3}, {WIDTH - 3, HEIGHT - 2}, {WIDTH, 0}, {0, -9}, {-32769, 0}};
+    uint16_t picture[5 * 6];
+    uint8_t alphas[5 * 6];
+    for (int i = 0; i < 30; i++) {
+        picture[i] = i % 7 == 0 ? EDGE : (uint16_t)(i * 40503);
+        alphas[i] = (uint8_t)(i % 33);
+    }
+    for (unsigned k = 0; k < 2 * sizeof places / sizeof places[0]; k++) {
+        const int x0 = places[k / 2][0], y0 = places[k / 2][1];
+        const struct ph_sprite sprite = {picture, 5, 6, (uint8_t)(k % 2 ? 32 : 20), true, EDGE, k % 2 ? alphas : NULL};
+        static uint16_t pixels[WIDTH * HEIGHT];
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            pixels[i] = PAPER;
+        }
+        for (int y = 0; y < HEIGHT; y += 5) {
+            const struct ph_overlay_band band = {pixels + y * WIDTH, WIDTH, y, y + 5 < HEIGHT ? 5 : HEIGHT - y};
+            ph_overlay_sprite(&band, x0, y0, &sprite);
+        }
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            const int x = i % WIDTH - x0, y = i / WIDTH - y0;
+            const bool inside = x0 > -32768 && x >= 0 && x < 5 && y >= 0 && y < 6 && picture[y * 5 + x] != EDGE;
+            const double a = !inside ? 0 : k % 2 ? alphas[y * 5 + x] / 32. : 20 / 32.;
+            static const int from[] = {11, 5, 0}, top[] = {31, 63, 31};
+            for (int c = 0; c < 3; c++) {
+                const int got = (pixels[i] >> 8 | (pixels[i] & 255) << 8) >> from[c] & top[c];
+                const int paper = (PAPER >> 8 | (PAPER & 255) << 8) >> from[c] & top[c];
+                const int own =
+                    inside ? (picture[y * 5 + x] >> 8 | (picture[y * 5 + x] & 255) << 8) >> from[c] & top[c] : 0;
+                const double off = got - (paper + a * (own - paper));
+                assert_true(off <= .51 && off >= -.51);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -174,6 +264,9 @@ int main(void)
         cmocka_unit_test(text_is_cut_at_the_picture),
         cmocka_unit_test(letters_all_differ),
         cmocka_unit_test(statistics_are_rounded_to_a_tenth),
+        cmocka_unit_test(proportional_letters_are_as_wide_as_they_are_drawn),
+        cmocka_unit_test(numbers_are_written_without_printf),
+        cmocka_unit_test(sprites_cover_what_their_key_and_alpha_leave),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -223,7 +223,7 @@ const struct demo demo_ball = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
-               5272),
+               5288),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
     .triangle_max = 300,
     .corner_max = 128,

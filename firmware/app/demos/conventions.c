@@ -95,7 +95,7 @@ const struct demo demo_conventions = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
-               4416),
+               4424),
     .vertex_max = 4 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = 660,
     .init = conventions_init,

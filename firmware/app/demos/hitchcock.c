@@ -134,15 +134,15 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 14064), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS), .triangle_max = 848},
-    {DEMO_ARENA(ARENA_FEW, 6424), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 440},
+    {DEMO_ARENA(ARENA_FINE, 14104), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS), .triangle_max = 848},
+    {DEMO_ARENA(ARENA_FEW, 6464), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 440},
 };
 
 const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 14064),
+    DEMO_ARENA(ARENA_FINE, 14104),
     .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS),
     .triangle_max = 1000,
     .corner_max = 40,

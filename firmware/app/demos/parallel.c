@@ -126,7 +126,7 @@ const struct demo demo_parallel = {
     .summary = "rails under both projections: parallel, and meeting in the vanishing point",
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct parallel)) + 2 * (MODEL_ROUND8(sizeof(struct ph_part)) + MODEL_BOX_BYTES),
-               2744),
+               2768),
     .vertex_max = 672,
     .triangle_max = 160,
     .corner_max = 64,

@@ -224,8 +224,8 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(2), 12256), .vertex_max = VERTICES(STARS, 2), .triangle_max = 656, .corner_max = 200},
-    {DEMO_ARENA(ARENA(1), 8656), .vertex_max = VERTICES(STARS_FEW, 1), .triangle_max = 280, .corner_max = 200},
+    {DEMO_ARENA(ARENA(2), 12304), .vertex_max = VERTICES(STARS, 2), .triangle_max = 656, .corner_max = 200},
+    {DEMO_ARENA(ARENA(1), 8704), .vertex_max = VERTICES(STARS_FEW, 1), .triangle_max = 280, .corner_max = 200},
 };
 
 const struct demo demo_solar = {
@@ -233,7 +233,7 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(2), 12256),
+    DEMO_ARENA(ARENA(2), 12304),
     .vertex_max = VERTICES(STARS, 2),
     .triangle_max = 720,
     .corner_max = 200,

@@ -140,7 +140,7 @@ const struct demo demo_zfight = {
     .name = "zfight",
     .summary = "pairs of plates at growing distances: where the depth buffer gives up; try --depth fixed16",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(sizeof(struct zfight), 1184),
+    DEMO_ARENA(sizeof(struct zfight), 1240),
     .vertex_max = 8 * PAIRS,
     .triangle_max = 4 * PAIRS,
     .init = zfight_init,

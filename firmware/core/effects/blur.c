@@ -85,18 +85,18 @@ static void set_scale(struct ph_blur *b, const struct ph_lens *lens, const struc
 int ph_blur_begin(struct ph_blur *blur, const struct ph_renderer *r, void *scratch, size_t bytes,
                   const struct ph_focus *focus)
 {
-    const uint32_t width = r->config.width;
+    const uint32_t width = (uint32_t)r->config.width >> r->fine, lines = (uint32_t)r->config.band_height >> r->fine;
     if (scratch == NULL || focus->distance <= 0 || focus->strength < 0 || focus->strength > FX_INT(64) ||
         focus->radius < 1 || focus->radius > PH_BLUR_RADIUS_MAX) {
         return PH_ERR_INVAL;
     }
-    if (bytes < PH_BLUR_BYTES(width, r->config.band_height, focus->radius)) {
+    if (bytes < PH_BLUR_BYTES(width, lines, focus->radius)) {
         return PH_ERR_NOMEM;
     }
     struct ph_blur b = {
         .colours = scratch, .radius = focus->radius, .depth_format = r->stats.depth_format, .lens = r->lens};
     b.wide = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    b.lines = (uint32_t)PH_BLUR_LINES(r->config.band_height, focus->radius);
+    b.lines = (uint32_t)PH_BLUR_LINES(lines, focus->radius);
     b.blurs = (int8_t *)(b.colours + width * b.lines);
     set_scale(&b, &r->lens, focus);
     for (uint32_t c = 17; c < 128; c++) {
@@ -141,13 +141,14 @@ static inline uint16_t finish(const struct mix *m, uint32_t colour)
 }
 
 /* First pass: blurs a line of the picture along itself, into the ring. */
-static void take_line(struct ph_blur *b, const uint16_t *pixels, const void *depth, int32_t width)
+static void take_line(struct ph_blur *b, const uint16_t *pixels, const void *depth, int fine, int32_t width)
 {
     const uint32_t line = b->drawn++ % b->lines;
     uint16_t *out = b->colours + line * (uint32_t)width;
     int8_t *blurs = b->blurs + line * (uint32_t)width;
     for (int32_t x = 0; x < width; x++) {
-        blurs[x] = blur_of(b, b->wide ? ((const uint32_t *)depth)[x] : ((const uint16_t *)depth)[x]);
+        const int32_t at = x << fine; /* the first sample of the pixel */
+        blurs[x] = blur_of(b, b->wide ? ((const uint32_t *)depth)[at] : ((const uint16_t *)depth)[at]);
     }
     for (int32_t x = 0; x < width; x++) {
         struct mix m = {0, 0, WHOLE};
@@ -191,14 +192,17 @@ static void give_line(const struct ph_blur *b, uint32_t y, uint32_t height, uint
 
 uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
-    const uint32_t width = r->config.width, height = r->config.height, lines = r->config.band_height;
+    const int fine = r->fine;
+    const uint32_t width = (uint32_t)r->config.width >> fine, height = (uint32_t)r->config.height >> fine;
+    const uint32_t lines = (uint32_t)r->config.band_height >> fine;
     const uint32_t y0 = band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const uint32_t needed = y1 + blur->radius < height ? y1 + blur->radius : height;
     while (blur->drawn < needed) { /* a band each time */
         const uint32_t come = ph_draw_band(r, blur->next_band++, pixels);
         for (uint32_t i = 0; i < come; i++) {
             const uint8_t *depth = r->config.depth;
-            take_line(blur, pixels + i * width, depth + i * width * (blur->wide ? 4 : 2), (int32_t)width);
+            take_line(blur, pixels + i * width, depth + (i * width << 2 * fine) * (blur->wide ? 4 : 2), fine,
+                      (int32_t)width);
         }
     }
     for (uint32_t y = y0; y < y1; y++) {

@@ -1,35 +1,16 @@
 /* Text over the picture: see overlay.h. */
 #include "overlay.h"
 
+#include "font.h"
+
+#include <stdbool.h>
 #include <stddef.h>
 
-#define FIRST      '!'
-#define LAST       'Z'
 #define LETTER_MAX 64
+#define SPACE      3 /* px, of the proportional font */
 
-/* The glyphs from ! to Z, each five columns of seven pixels, bit 0 at the top. " # $ & ; @ have a box instead. */
-static const uint8_t font[LAST - FIRST + 1][5] = {
-    {0x00, 0x00, 0x5f, 0x00, 0x00}, {0x7f, 0x41, 0x41, 0x41, 0x7f}, {0x7f, 0x41, 0x41, 0x41, 0x7f}, /* ! " # */
-    {0x7f, 0x41, 0x41, 0x41, 0x7f}, {0x63, 0x13, 0x08, 0x64, 0x63}, {0x7f, 0x41, 0x41, 0x41, 0x7f}, /* $ % & */
-    {0x00, 0x04, 0x03, 0x00, 0x00}, {0x00, 0x1c, 0x22, 0x41, 0x00}, {0x00, 0x41, 0x22, 0x1c, 0x00}, /* ' ( ) */
-    {0x2a, 0x1c, 0x3e, 0x1c, 0x2a}, {0x08, 0x08, 0x3e, 0x08, 0x08}, {0x00, 0x40, 0x30, 0x10, 0x00}, /* star + , */
-    {0x08, 0x08, 0x08, 0x08, 0x08}, {0x00, 0x60, 0x60, 0x00, 0x00}, {0x60, 0x10, 0x08, 0x04, 0x03}, /* - . slash */
-    {0x3e, 0x51, 0x49, 0x45, 0x3e}, {0x00, 0x42, 0x7f, 0x40, 0x00}, {0x62, 0x51, 0x49, 0x49, 0x46}, /* 0 1 2 */
-    {0x41, 0x49, 0x49, 0x49, 0x36}, {0x18, 0x14, 0x12, 0x7f, 0x10}, {0x27, 0x45, 0x45, 0x45, 0x39}, /* 3 4 5 */
-    {0x3c, 0x4a, 0x49, 0x49, 0x30}, {0x01, 0x61, 0x19, 0x05, 0x03}, {0x36, 0x49, 0x49, 0x49, 0x36}, /* 6 7 8 */
-    {0x06, 0x49, 0x49, 0x29, 0x1e}, {0x00, 0x36, 0x36, 0x00, 0x00}, {0x7f, 0x41, 0x41, 0x41, 0x7f}, /* 9 : ; */
-    {0x08, 0x14, 0x22, 0x41, 0x00}, {0x14, 0x14, 0x14, 0x14, 0x14}, {0x00, 0x41, 0x22, 0x14, 0x08}, /* < = > */
-    {0x02, 0x01, 0x59, 0x09, 0x06}, {0x7f, 0x41, 0x41, 0x41, 0x7f}, {0x7c, 0x12, 0x11, 0x12, 0x7c}, /* ? @ A */
-    {0x7f, 0x49, 0x49, 0x49, 0x36}, {0x3e, 0x41, 0x41, 0x41, 0x41}, {0x7f, 0x41, 0x41, 0x22, 0x1c}, /* B C D */
-    {0x7f, 0x49, 0x49, 0x49, 0x41}, {0x7f, 0x09, 0x09, 0x09, 0x01}, {0x3e, 0x41, 0x41, 0x49, 0x79}, /* E F G */
-    {0x7f, 0x08, 0x08, 0x08, 0x7f}, {0x00, 0x41, 0x7f, 0x41, 0x00}, {0x20, 0x40, 0x41, 0x3f, 0x01}, /* H I J */
-    {0x7f, 0x08, 0x14, 0x22, 0x41}, {0x7f, 0x40, 0x40, 0x40, 0x40}, {0x7f, 0x02, 0x0c, 0x02, 0x7f}, /* K L M */
-    {0x7f, 0x06, 0x08, 0x30, 0x7f}, {0x3e, 0x41, 0x41, 0x41, 0x3e}, {0x7f, 0x09, 0x09, 0x09, 0x06}, /* N O P */
-    {0x3e, 0x41, 0x51, 0x21, 0x5e}, {0x7f, 0x09, 0x19, 0x29, 0x46}, {0x46, 0x49, 0x49, 0x49, 0x31}, /* Q R S */
-    {0x01, 0x01, 0x7f, 0x01, 0x01}, {0x3f, 0x40, 0x40, 0x40, 0x3f}, {0x0f, 0x30, 0x40, 0x30, 0x0f}, /* T U V */
-    {0x7f, 0x20, 0x18, 0x20, 0x7f}, {0x63, 0x14, 0x08, 0x14, 0x63}, {0x03, 0x04, 0x78, 0x04, 0x03}, /* W X Y */
-    {0x61, 0x51, 0x49, 0x45, 0x43},                                                                 /* Z */
-};
+/* The overlay has a box in place of a letter that it has not. */
+static const uint8_t box[5] = {0x7f, 0x41, 0x41, 0x41, 0x7f};
 
 static const uint8_t *glyph_of(char letter)
 {
@@ -37,7 +18,9 @@ static const uint8_t *glyph_of(char letter)
     if (c == ' ') {
         return NULL;
     }
-    return font[c >= FIRST && c <= LAST ? c - FIRST : '"' - FIRST]; /* a box */
+    const bool known =
+        c >= PH_FONT_FIRST && c <= 'Z' && c != '"' && c != '#' && c != '$' && c != '&' && c != ';' && c != '@';
+    return known ? ph_font[c - PH_FONT_FIRST] : box;
 }
 
 /* Fills a square of size x size pixels, clipped to the band. */
@@ -59,7 +42,7 @@ static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y
                         int32_t more, uint16_t colour)
 {
     for (int32_t column = 0; column < 5; column++) {
-        for (int32_t row = 0; row < 7; row++) {
+        for (int32_t row = 0; row < 8; row++) {
             if ((glyph[column] >> row & 1) != 0) {
                 fill(band, x + column * scale - more, y + row * scale - more, scale + 2 * more, colour);
             }
@@ -95,6 +78,77 @@ int32_t ph_overlay_width(const char *text, uint8_t scale)
     return letters * PH_FONT_WIDTH * (scale < 1 ? 1 : scale > 8 ? 8 : scale);
 }
 
+/* ---- proportional text ------------------------------------------------------------------------------------------ */
+
+/* The columns of a letter that are not empty. A digit keeps all five, so that numbers keep their places. A letter that
+ * is not in the font is a box. */
+struct letter {
+    const uint8_t *columns;
+    int32_t first, width; /* width 0: nothing is drawn */
+};
+
+static struct letter letter_of(char c)
+{
+    if (c == ' ') {
+        return (struct letter){box, 0, 0};
+    }
+    struct letter l = {c >= PH_FONT_FIRST && c <= PH_FONT_LAST ? ph_font[c - PH_FONT_FIRST] : box, 0, 5};
+    if (c >= '0' && c <= '9') {
+        return l;
+    }
+    while (l.columns[l.first] == 0) {
+        l.first++;
+    }
+    while (l.columns[l.width - 1] == 0) {
+        l.width--;
+    }
+    l.width -= l.first;
+    return l;
+}
+
+/* How far the next letter is, in pixels of the font. */
+static int32_t step_of(const struct letter *l)
+{
+    return l->width > 0 ? l->width + 1 : SPACE;
+}
+
+static int32_t scale_of(uint8_t scale)
+{
+    return scale < 1 ? 1 : scale > 8 ? 8 : scale;
+}
+
+int32_t ph_text_width(const char *text, uint8_t scale)
+{
+    int32_t width = 0;
+    for (int i = 0; i < LETTER_MAX && text[i] != '\0'; i++) {
+        const struct letter l = letter_of(text[i]);
+        width += step_of(&l);
+    }
+    return width > 0 ? (width - 1) * scale_of(scale) : 0;
+}
+
+void ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
+             const struct ph_overlay_style *style)
+{
+    const int32_t scale = scale_of(style->scale);
+    if (x < -32768 || x > 32767 || y < -32768 || y > 32767) {
+        return;
+    }
+    for (int32_t more = style->outline != style->colour; more >= 0; more--) { /* all outlines come first, as above */
+        int32_t at = x;
+        for (int i = 0; i < LETTER_MAX && text[i] != '\0'; i++) {
+            const struct letter l = letter_of(text[i]);
+            if (l.width > 0) {
+                draw_letter(band, at - l.first * scale, y, l.columns, scale, more,
+                            more > 0 ? style->outline : style->colour);
+            }
+            at += step_of(&l) * scale;
+        }
+    }
+}
+
+/* ---- numbers ---------------------------------------------------------------------------------------------------- */
+
 /* Writes v in decimal; returns its length. */
 static uint32_t append_number(char *text, uint32_t v)
 {
@@ -128,6 +182,17 @@ uint32_t ph_overlay_stats(char text[PH_OVERLAY_STATS_SIZE], uint32_t frame_us, u
     n += append_text(text + n, " MS ");
     n += append_number(text + n, triangles);
     n += append_text(text + n, " TRI");
+    text[n] = '\0';
+    return n;
+}
+
+uint32_t ph_text_number(char text[PH_TEXT_NUMBER_SIZE], int32_t value)
+{
+    uint32_t n = 0;
+    if (value < 0) {
+        text[n++] = '-';
+    }
+    n += append_number(text + n, value < 0 ? 0u - (uint32_t)value : (uint32_t)value);
     text[n] = '\0';
     return n;
 }

@@ -31,6 +31,14 @@ void ph_span_flat(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uin
 void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t light,
                      uint32_t glight, const uint16_t *ramp);
 
+/* span_blend.c: n >= 1 pixels of one colour are blended, and depth stays. Each channel becomes (itself * rest + source)
+ * / 32, rounded down; source is spread as in blend.h, and rest is 0 .. 32. d, gd: as above. */
+void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t source,
+                   uint32_t rest);
+
+/* halve.c: n pixels, each the mean of 2 x 2 samples in two rows; every channel is rounded to nearest. */
+void ph_halve(uint16_t *to, const uint16_t *upper, const uint16_t *lower, uint32_t n);
+
 /*
  * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL (those of
  * a textured one below PH_SIDE_SHORT downwards), and it keeps a pixel or more away from the borders of the picture. d

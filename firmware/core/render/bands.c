@@ -28,17 +28,30 @@ static inline uint16_t link_to(uint32_t next, uint32_t ref)
     return (uint16_t)(further < PH_LINK_FAR ? further : next == PH_NONE ? 0 : PH_LINK_FAR);
 }
 
-uint32_t ph_frame_bands(struct ph_renderer *r)
+/* Puts the references into the lists of their bands; some: some of them belong into none. */
+static inline void sort_refs(struct ph_renderer *r, bool some)
 {
     uint32_t *const bins = r->config.bins;
-    for (uint32_t i = 0; i < r->band_count; i++) {
-        bins[i] = PH_NONE;
-    }
     struct ph_ref *ref = r->list.to;
     for (uint32_t i = ph_ref_count(r); i-- > 0; ref++) { /* from the last, so that each list is in drawing order */
+        if (some && ref->link == PH_LINK_AFTER) {
+            continue;
+        }
         uint32_t *const bin = &bins[ref->link];
         ref->link = link_to(*bin, i);
         *bin = i;
+    }
+}
+
+uint32_t ph_frame_bands(struct ph_renderer *r)
+{
+    for (uint32_t i = 0; i < r->band_count; i++) {
+        r->config.bins[i] = PH_NONE;
+    }
+    if (r->after != NULL) {
+        sort_refs(r, true);
+    } else {
+        sort_refs(r, false);
     }
     r->carried = r->slots = NULL;
     r->slots_used[0] = r->list.used[1];
@@ -53,7 +66,7 @@ static bool touches(const struct feed *f, const struct ph_draw *draw, const stru
 {
     const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
     const uint8_t *const base = ph_at(f->r, draw->base);
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 : 0;
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << f->r->fine : 0;
     const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
     int32_t top = INT32_MAX, low = INT32_MIN;
     for (int i = 0; i < n; i++) {
@@ -133,8 +146,7 @@ static void find_draw(struct feed *f, uint32_t ref)
     }
 }
 
-/* Takes the lens of a draw for what is set up next. */
-static void take_lens(struct ph_renderer *r, const struct ph_draw *draw)
+void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 {
     if (draw->lens != r->list.lens) {
         r->lens = *(const struct ph_lens *)ph_at(r, draw->lens);
@@ -146,7 +158,7 @@ static void take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 static __attribute__((noinline)) void enter_draw(struct feed *f, uint32_t ref)
 {
     find_draw(f, ref);
-    take_lens(f->r, f->draw);
+    ph_take_lens(f->r, f->draw);
     ph_setting_of(&f->setting, f->r, f->draw);
 }
 
@@ -338,7 +350,7 @@ static struct ph_triangle *take_chunk(struct ph_renderer *r, struct feed *f)
             find_draw(f, f->ref);
         }
         if (first == NULL) {
-            take_lens(r, f->draw);
+            ph_take_lens(r, f->draw);
         }
         struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot(r) : NULL;
         if (t == NULL) {
@@ -442,13 +454,25 @@ static void draw_with_other(struct ph_renderer *r, struct feed *f, const struct 
     *carry = NULL;
 }
 
+/* Makes pixels of the samples of a band. */
+static void give_means(const struct ph_band *rows, uint16_t *pixels)
+{
+    const uint32_t width = (uint32_t)rows->width, lines = (uint32_t)(rows->y1 - rows->y0) / 2;
+    const uint16_t *upper = rows->pixels;
+    for (uint32_t y = 0; y < lines; y++, upper += 2 * width, pixels += width / 2) {
+        ph_halve(pixels, upper, upper + width, width / 2);
+    }
+}
+
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
-    rows.pixels = pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
+    rows.pixels = r->fine != 0
+                      ? r->config.samples
+                      : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
     struct feed f;
     start(&f, r, band);
     if (r->config.other_core != NULL && y1 - y0 >= 2) {
@@ -457,5 +481,13 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
         clear(&rows, r->background);
         draw_rest(&f, &rows, r->carried, &r->carried);
     }
-    return (uint32_t)(y1 - y0);
+    if (r->after != NULL) {
+        r->after(r, &rows);
+    } else if (r->fog != NULL) {
+        r->fog(r, &rows);
+    }
+    if (r->fine != 0) {
+        give_means(&rows, pixels);
+    }
+    return (uint32_t)(y1 - y0) >> r->fine;
 }

@@ -71,6 +71,15 @@ static inline int32_t ph_line_pixel(int32_t across)
     return (across - 1) >> 8;
 }
 
+/* Where a pixel is two samples wide a line is two lines of samples: line 0 or 1 of them, from its ends. */
+static inline void ph_line_of_samples(struct ph_vertex *a, struct ph_vertex *b, int line)
+{
+    const int32_t aside = line * 256 - 128;
+    int32_t *const of_a = ph_line_is_wide(a, b) ? &a->y : &a->x, *const of_b = of_a == &a->y ? &b->y : &b->x;
+    *of_a += aside;
+    *of_b += aside;
+}
+
 static inline int32_t ph_min(int32_t a, int32_t b)
 {
     return a < b ? a : b;

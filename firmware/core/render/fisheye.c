@@ -565,7 +565,7 @@ static bool has_moved(struct division *d)
 /* Puts the corners of a piece on the list, unless they are there. False: there is no room. */
 static bool list_corners(struct division *d, const uint8_t corner[3], uint16_t number[3])
 {
-    const uint32_t kind = d->kind | (ph_is_textured(d->material) ? PH_DRAW_UVS : 0);
+    const uint32_t kind = d->kind | (ph_has_uvs(d->material) ? PH_DRAW_UVS : 0);
     has_moved(d);
     for (int i = 0; i < 3; i++) {
         int32_t *const known = &d->number[corner[i]];

@@ -33,8 +33,9 @@ static uint32_t inner(uint32_t size)
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
 {
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
-    if (width < 1 || width > 1024 || height < 1 || height > 1024 || lines < 1 || lines > height ||
-        !depth_is_usable(config)) {
+    const int fine = config->samples != NULL ? 1 : 0;
+    if (width < 1 || width << fine > 1024 || height < 1 || height << fine > 1024 || lines < 1 || lines > height ||
+        !depth_is_usable(config) || (uintptr_t)config->samples % sizeof(uint32_t) != 0) {
         return PH_ERR_INVAL;
     }
     const uint32_t bands = (height + lines - 1) / lines;
@@ -45,8 +46,14 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     if (config->bin_max < bands) {
         return PH_ERR_NOMEM;
     }
-    *r =
-        (struct ph_renderer){.config = *config, .inner_x = inner(width), .inner_y = inner(height), .band_count = bands};
+    *r = (struct ph_renderer){.config = *config,
+                              .inner_x = inner(width << fine),
+                              .inner_y = inner(height << fine),
+                              .band_count = bands,
+                              .fine = (uint8_t)fine};
+    r->config.width = (uint16_t)(width << fine);
+    r->config.height = (uint16_t)(height << fine);
+    r->config.band_height = (uint16_t)(lines << fine);
     ph_list_begin(r);
     return PH_OK;
 }
@@ -169,6 +176,7 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
     static const struct ph_scene_light full = {.ambient = FX_ONE};
     r->light = light != NULL ? *light : full;
     r->background = background;
+    r->fog = NULL;
     r->stats = (struct ph_stats){.depth_format = (uint8_t)format, .depth_exponent = (uint8_t)exponent};
     ph_list_begin(r);
     return PH_OK;

@@ -113,6 +113,40 @@ static struct fx_vec3 position_to_local(const struct ph_xform *to_world, struct 
     return (struct fx_vec3){local[0], local[1], local[2]};
 }
 
+/* A spot's cone and axis. */
+static void prepare_spot(struct ph_local_light *l, const struct ph_light *light, const struct ph_xform *to_world)
+{
+    const int32_t width = (light->cos_inner - light->cos_outer) >> 2;
+    to_local(to_world, light->to_light_q30, l->to_light);
+    l->spot = true;
+    l->cos_outer = light->cos_outer >> 2;
+    l->cos_width = width > 0 ? width : 1;
+}
+
+static void prepare_colour(struct ph_local_light *l, const struct ph_light *light, bool coloured)
+{
+    const fx_t share[3] = {light->red, light->green, light->blue};
+    const bool white = (share[0] | share[1] | share[2]) == 0;
+    int32_t sum = 0;
+    for (int k = 0; k < 3; k++) {
+        l->colour[k] = (int16_t)(white ? 16384 : clamp_q14(share[k], FX_ONE));
+        sum += l->colour[k];
+    }
+    if (!coloured && !white) {
+        l->diffuse = l->diffuse * (sum / 3) >> 14;
+        l->specular = l->specular * (sum / 3) >> 14;
+    }
+}
+
+bool ph_light_has_colour(const struct ph_scene_light *light)
+{
+    fx_t any = 0;
+    for (uint32_t i = 0; i < light->count; i++) {
+        any |= light->lights[i].red | light->lights[i].green | light->lights[i].blue;
+    }
+    return any != 0;
+}
+
 /* How a light falls off that has half its strength at `reach`: 1 / reach^2. */
 static void set_fall(struct ph_local_light *l, fx_t reach)
 {
@@ -123,7 +157,7 @@ static void set_fall(struct ph_local_light *l, fx_t reach)
 }
 
 void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r, const struct ph_xform *to_world,
-                      const struct ph_material *material)
+                      const struct ph_material *material, bool coloured)
 {
     const struct ph_scene_light *scene = &r->light;
     const int32_t diffuse = clamp_q14(material->diffuse, FX_ONE), specular = clamp_q14(material->specular, FX_ONE);
@@ -137,13 +171,18 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
     for (uint32_t i = 0; i < scene->count; i++) {
         const struct ph_light *light = &scene->lights[i];
         struct ph_local_light *l = &local->light[i];
-        l->point = light->kind == PH_LIGHT_POINT;
+        l->point = light->kind != PH_LIGHT_DIRECTIONAL;
+        l->spot = false;
         l->diffuse = (diffuse * clamp_q14(light->intensity, 4 * FX_ONE)) >> 14;
         l->specular = (specular * clamp_q14(light->intensity, 4 * FX_ONE)) >> 14;
+        prepare_colour(l, light, coloured);
         if (l->point) {
             const fx_t scale = scale_square(to_world);
             l->position = position_to_local(to_world, light->position, scale);
             set_fall(l, fx_div_sat(light->reach, fx_sqrt(scale)));
+            if (light->kind == PH_LIGHT_SPOT) {
+                prepare_spot(l, light, to_world);
+            }
         } else {
             to_local(to_world, light->to_light_q30, l->to_light);
             half_of(l->to_light, local->to_viewer, l->half);
@@ -163,6 +202,15 @@ static int32_t attenuation(const struct ph_local_light *l, struct length distanc
     return (int32_t)(reciprocal >> (32 - shift));
 }
 
+/* The share of a spot's intensity in that direction, Q1.14. */
+static int32_t in_cone(const struct ph_local_light *l, const int16_t to_light[3])
+{
+    const int32_t beyond = dot_q14(to_light, l->to_light) - l->cos_outer;
+    return beyond <= 0              ? 0
+           : beyond >= l->cos_width ? 16384
+                                    : (int32_t)(((uint32_t)beyond << 14) / (uint32_t)l->cos_width);
+}
+
 /* n.l and n.h of a point light (normal, direction to the light, half vector). Returns its attenuation. */
 static NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
                                     const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
@@ -179,7 +227,34 @@ static NOINLINE int32_t point_light(const struct ph_local_lights *local, const s
         quick_unit_q14(sum, half);
         *n_h = dot_q14(normal, half);
     }
-    return attenuation(l, distance);
+    const int32_t reaches = attenuation(l, distance);
+    return l->spot ? reaches * in_cone(l, to_light) >> 14 : reaches;
+}
+
+/* What one light adds to a vertex, Q2.14. False: nothing. */
+static inline bool add_of(const struct ph_local_lights *local, const struct ph_local_light *l, const int16_t normal[3],
+                          const struct fx_vec3 *position, int32_t *diffuse, int32_t *specular)
+{
+    int32_t n_l, n_h, reaches = 16384;
+    if (l->point) {
+        reaches = point_light(local, l, normal, *position, &n_l, &n_h);
+    } else {
+        n_l = dot_q14(normal, l->to_light);
+        n_h = l->specular > 0 ? dot_q14(normal, l->half) : 0;
+    }
+    if (n_l <= 0) {
+        return false;
+    }
+    *diffuse = (((n_l > 16384 ? 16384 : n_l) * reaches) >> 14) * l->diffuse >> 14;
+    *specular = 0;
+    if (l->specular > 0 && n_h > 0) {
+        int32_t shine = n_h > 16384 ? 16384 : n_h;
+        for (uint32_t k = 0; k < local->shininess_log2 && k < 7; k++) {
+            shine = (shine * shine) >> 14;
+        }
+        *specular = ((shine * reaches) >> 14) * l->specular >> 14;
+    }
+    return true;
 }
 
 /* The light of a vertex under any lights. */
@@ -188,29 +263,47 @@ static NOINLINE uint16_t any_light(const struct ph_local_lights *local, const in
 {
     int32_t diffuse = local->ambient, specular = 0;
     for (uint32_t i = 0; i < local->count; i++) {
-        const struct ph_local_light *l = &local->light[i];
-        int32_t n_l, n_h, reaches = 16384;
-        if (l->point) {
-            reaches = point_light(local, l, normal, *position, &n_l, &n_h);
-        } else {
-            n_l = dot_q14(normal, l->to_light);
-            n_h = l->specular > 0 ? dot_q14(normal, l->half) : 0;
-        }
-        if (n_l <= 0) {
-            continue;
-        }
-        diffuse += (((n_l > 16384 ? 16384 : n_l) * reaches) >> 14) * l->diffuse >> 14;
-        if (l->specular > 0 && n_h > 0) {
-            int32_t shine = n_h > 16384 ? 16384 : n_h;
-            for (uint32_t k = 0; k < local->shininess_log2 && k < 7; k++) {
-                shine = (shine * shine) >> 14;
-            }
-            specular += ((shine * reaches) >> 14) * l->specular >> 14;
+        int32_t more, shine;
+        if (add_of(local, &local->light[i], normal, position, &more, &shine)) {
+            diffuse += more;
+            specular += shine;
         }
     }
     const int32_t total = (diffuse > 16384 ? 16384 : diffuse) + specular;
     const int32_t capped = total > local->limit ? local->limit : total;
     return (uint16_t)(PH_LIGHT_ZERO + (((uint32_t)capped * (uint32_t)local->scale) >> 14));
+}
+
+/* A channel of 0 .. top under this light: black at 0, its colour at 1, white at 2. */
+static uint32_t lit_channel(uint32_t base, uint32_t top, int32_t diffuse, int32_t specular, int32_t limit)
+{
+    const int32_t sum = (diffuse > 16384 ? 16384 : diffuse) + specular, total = sum > limit ? limit : sum;
+    const uint32_t colour = (uint32_t)(total > 16384 ? 16384 : total), white = (uint32_t)total - colour;
+    return (base * colour + (top - base) * white + 8192) >> 14;
+}
+
+uint16_t ph_light_colour(const struct ph_local_lights *local, const int16_t *normal, const struct fx_vec3 *position,
+                         uint32_t base)
+{
+    int32_t diffuse[3] = {local->ambient, local->ambient, local->ambient}, specular[3] = {0, 0, 0};
+    if (normal == NULL) {
+        return (uint16_t)base;
+    }
+    for (uint32_t i = 0; i < local->count; i++) {
+        const struct ph_local_light *const l = &local->light[i];
+        int32_t more, shine;
+        if (add_of(local, l, normal, position, &more, &shine)) {
+            for (int k = 0; k < 3; k++) {
+                diffuse[k] += more * l->colour[k] >> 14;
+                specular[k] += shine * l->colour[k] >> 14;
+            }
+        }
+    }
+    /* `limit` has been rounded to the ramp's scale: at full light it is at most 2 */
+    const int32_t limit = local->limit < 32768 ? local->limit : 32768;
+    return (uint16_t)(lit_channel(base >> 11, 31, diffuse[0], specular[0], limit) << 11 |
+                      lit_channel(base >> 5 & 63, 63, diffuse[1], specular[1], limit) << 5 |
+                      lit_channel(base & 31, 31, diffuse[2], specular[2], limit));
 }
 
 uint16_t ph_light_vertex(const struct ph_local_lights *local, const int16_t normal[3], const struct fx_vec3 *position)

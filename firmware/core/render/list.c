@@ -52,6 +52,8 @@ void ph_list_begin(struct ph_renderer *r)
     list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
     list->first = list->last = list->lens = PH_NONE;
     list->is_closed = 0;
+    r->rows = 0;
+    r->after = NULL;
     list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
     set_end(r);
 }
@@ -81,6 +83,29 @@ static uint32_t take_any(struct ph_renderer *r, int first, int second, size_t by
 uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 {
     return take_any(r, VERTICES, TRIANGLES, n * sizeof(struct ph_vertex));
+}
+
+/* Bytes of a pixel of the rows: two colours, depth. */
+#define ROW_PIXEL(r) (4 + ph_depth_bytes((r)->config.depth_format))
+#define ROWS_MOST    4u /* at a time: a texture is divided again for each */
+
+bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
+{
+    const size_t row = r->config.width * ROW_PIXEL(r);
+    uint32_t rows = room_of(r, TRIANGLES) / 16 > ROWS_MOST * row ? ROWS_MOST : 1;
+    if (r->rows == 0) {
+        r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row);
+        r->rows = r->rows_place != PH_NONE ? rows : 0;
+    }
+    r->after = blend->draw;
+    return r->rows != 0;
+}
+
+void ph_list_put_after(struct ph_renderer *r, uint32_t first)
+{
+    for (uint32_t i = first; i < ph_ref_count(r); i++) {
+        ph_ref_at(r, i)->link = PH_LINK_AFTER;
+    }
 }
 
 static struct ph_draw *draw_at(const struct ph_renderer *r, uint32_t place)
@@ -195,7 +220,9 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
                     : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
 }
 
-void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b)
+/* Lists a line that is one sample wide; which: as in struct ph_ref. */
+static void list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
+                      const struct ph_vertex *b, unsigned which)
 {
     const bool wide = ph_line_is_wide(a, b);
     const int32_t size = wide ? r->config.width : r->config.height, most = wide ? r->config.height : r->config.width;
@@ -205,7 +232,20 @@ void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph
     const int32_t end = ph_min(ph_first_row(ph_max(along_a, along_b)), size);
     const int32_t low = ph_line_pixel(ph_min(across_a, across_b));
     if (first < end && low < most && ph_line_pixel(ph_max(across_a, across_b)) >= 0) {
-        list_at(r, ends[0], ends[1], 0, wide ? ph_max(low, 0) : first);
+        list_at(r, ends[0], ends[1], which, wide ? ph_max(low, 0) : first);
+    }
+}
+
+void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b)
+{
+    if (r->fine == 0) {
+        list_line(r, ends, a, b, 0);
+        return;
+    }
+    for (unsigned which = 0; which < 2; which++) {
+        struct ph_vertex of_a = *a, of_b = *b;
+        ph_line_of_samples(&of_a, &of_b, (int)which);
+        list_line(r, ends, &of_a, &of_b, which);
     }
 }
 
@@ -244,7 +284,12 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
         if (size == sizeof *corners) {
             *(struct ph_corner *)(void *)(to + i * size) = corners[i];
         } else {
-            *(struct ph_vertex *)(void *)(to + i * size) = corners[i].at;
+            struct ph_vertex *const v = (struct ph_vertex *)(void *)(to + i * size);
+            *v = corners[i].at;
+            if ((kind & PH_DRAW_COLOURS) != 0) {
+                const unsigned green = (unsigned)corners[i].uv[0], blue = (unsigned)corners[i].uv[1];
+                v->light = (uint16_t)((v->light & 0xf800) | (green >> 10 & 63) << 5 | (blue >> 11 & 31));
+            }
         }
     }
     return ph_list_draw(r, &draw) ? (int32_t)number : -1;
@@ -254,7 +299,7 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
                  const struct ph_corner *corners, uint32_t n)
 {
     const struct ph_mark mark = ph_list_mark(r);
-    const int32_t first = ph_list_corners(r, material, kind | (ph_is_textured(material) ? PH_DRAW_UVS : 0), corners, n);
+    const int32_t first = ph_list_corners(r, material, kind | (ph_has_uvs(material) ? PH_DRAW_UVS : 0), corners, n);
     bool any = false;
     if (first < 0) {
         r->stats.triangles_dropped += n - 2;
@@ -264,7 +309,7 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
         const uint16_t number[3] = {(uint16_t)first, (uint16_t)((uint32_t)first + i - 1),
                                     (uint16_t)((uint32_t)first + i)};
         const struct ph_vertex *const v[3] = {&corners[0].at, &corners[i - 1].at, &corners[i].at};
-        any |= ph_list_triangle(r, number, v, material->two_sided != 0);
+        any |= ph_list_triangle(r, number, v, material->two_sided != 0 && (kind & PH_DRAW_ONE_SIDE) == 0);
     }
     ph_list_rewind(r, &mark);
     return any;

@@ -17,17 +17,20 @@
 
 /* A triangle. Its corners run counter-clockwise on the screen. */
 struct ph_ref {
-    uint16_t corner[3]; /* from the draw's base on; of a line: its two ends */
+    uint16_t corner[3]; /* from the draw's base on; of a line: its two ends, and which of two lines of samples */
     uint16_t link;      /* the band where it begins; after ph_frame_bands: how much further the next one of the band's
                            list stands, 0 at the end, or PH_LINK_FAR */
 };
 
-#define PH_LINK_FAR UINT16_MAX /* that far or further */
+#define PH_LINK_FAR   UINT16_MAX /* that far or further */
+#define PH_LINK_AFTER UINT16_MAX /* before ph_frame_bands, no band: it is drawn after the opaque triangles */
 
 enum ph_draw_kind {
-    PH_DRAW_SMALL = 1, /* small triangles take the way of small triangles */
-    PH_DRAW_UVS = 2,   /* the corners are struct ph_corner, else struct ph_vertex */
-    PH_DRAW_LINES = 4, /* the references are lines */
+    PH_DRAW_SMALL = 1,     /* small triangles take the way of small triangles */
+    PH_DRAW_UVS = 2,       /* the corners are struct ph_corner, else struct ph_vertex */
+    PH_DRAW_LINES = 4,     /* the references are lines */
+    PH_DRAW_COLOURS = 8,   /* the light of a corner is its lit colour, RGB565 as a number */
+    PH_DRAW_ONE_SIDE = 16, /* the two sides of its two-sided material are drawn one after the other */
 };
 
 /* What references have in common. */
@@ -76,6 +79,15 @@ struct ph_mark {
 
 struct ph_mark ph_list_mark(struct ph_renderer *r);
 bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark); /* true: it was given back */
+
+/* Before something with a blend is drawn. False: there is no room for the rows that it is drawn into. */
+bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);
+
+/* The references from that number on are cut out or blended: they are in no band's list. */
+void ph_list_put_after(struct ph_renderer *r, uint32_t first);
+
+/* Takes the lens of a draw for what is set up next. */
+void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);
 
 /* Place of corner 0 of the current draw. */
 uint32_t ph_list_base(const struct ph_renderer *r);
@@ -132,6 +144,12 @@ static inline bool ph_is_textured(const struct ph_material *material)
     return (material->shading == PH_SHADE_TEXTURE || material->shading == PH_SHADE_TEXTURE_LIT ||
             material->shading == PH_SHADE_TEXTURE_GOURAUD) &&
            material->texture != NULL;
+}
+
+/* Whether its corners need u and v. */
+static inline bool ph_has_uvs(const struct ph_material *material)
+{
+    return ph_is_textured(material) || (material->blend != NULL && material->blend->alphas != NULL);
 }
 
 #endif

@@ -1,6 +1,7 @@
 /* Meshes and lines: triangles are rejected, culled, lit, clipped and listed. See mesh.h, list.h, render.h. */
 #include "mesh.h"
 
+#include "colour.h"
 #include "cores.h"
 #include "cull.h"
 #include "edge.h"
@@ -24,8 +25,24 @@ struct part_context {
     struct ph_local_lights lights;
     uint32_t codes; /* clip codes of all vertices, combined by OR */
     bool lit, two_sided, curved;
-    bool mixed; /* the vertices have the lights of several materials */
+    bool coloured, lit_coloured; /* of the part; of lit_as */
+    bool mixed;                  /* the vertices have the lights of several materials */
 };
+
+/* The light of a vertex, or its lit colour. */
+static NOINLINE uint16_t colour_of(const struct part_context *c, uint32_t i)
+{
+    const struct ph_mesh *const mesh = c->mesh;
+    const int16_t *const normal =
+        mesh->normals != NULL && c->material->shading != PH_SHADE_UNLIT ? mesh->normals[i] : NULL;
+    return ph_light_colour(&c->lights, normal, &mesh->positions[i],
+                           ph_wire16(mesh->colours != NULL ? mesh->colours[i] : c->material->colour));
+}
+
+static inline uint16_t light_of(const struct part_context *c, uint32_t i)
+{
+    return c->coloured ? colour_of(c, i) : ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
+}
 
 /* Lights the corners of a triangle, unless they are lit already. ph_cull may have marked them only. */
 static void light_corners(const struct part_context *c, const uint16_t index[3], const struct ph_vertex *const v[3])
@@ -33,7 +50,7 @@ static void light_corners(const struct part_context *c, const uint16_t index[3],
     for (int i = 0; c->lit && i < 3; i++) {
         struct ph_vertex *const corner = &c->vertices[index[i]];
         if (v[i]->code < PH_LIT || v[i]->light == 0) {
-            corner->light = ph_light_vertex(&c->lights, c->mesh->normals[index[i]], &c->mesh->positions[index[i]]);
+            corner->light = light_of(c, index[i]);
             corner->code |= PH_LIT;
         }
     }
@@ -86,6 +103,18 @@ void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, 
     }
 }
 
+/* The channels of lit colours take the places of light, u and v, 16 bits each: see ph_list_corners. */
+static NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
+{
+    for (int i = 0; i < 3; i++) {
+        const int32_t colour = in[flat ? 0 : i].light;
+        in[i].uv[0] = (colour >> 5 & 63) << 10 | 1 << 9;
+        in[i].uv[1] = (colour & 31) << 11 | 1 << 10;
+        in[i].light = flat && i == 0 ? colour : (colour >> 11) << 11 | 1 << 10;
+    }
+    in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
+}
+
 static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
                                   const struct ph_vertex *const v[3])
 {
@@ -94,10 +123,12 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
     for (int i = 0; i < 3; i++) {
         in[i] = clip_vertex(c, index[i]);
     }
-    if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
+    if (c->coloured) {
+        take_colours(in, c->material->shading == PH_SHADE_FLAT);
+    } else if (c->material->shading != PH_SHADE_GOURAUD) { /* one light for the whole triangle */
         in[1].light = in[2].light = in[0].light;
     }
-    ph_draw_clipped(c->r, c->material, PH_DRAW_SMALL, in);
+    ph_draw_clipped(c->r, c->material, c->draw.kind, in);
     ph_list_again(c->r, &c->draw);
 }
 
@@ -131,6 +162,18 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
         seen += draw_any(c, *index);
     }
     return seen;
+}
+
+/* Draws a part that shows both of its sides one behind the other: all far sides, then all near sides. */
+static NOINLINE uint32_t draw_sides(struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    uint32_t seen = 0;
+    c->two_sided = false;
+    for (const uint16_t(*i)[3] = index; i < end; i++) {
+        const uint16_t turned[3] = {(*i)[0], (*i)[2], (*i)[1]};
+        seen += draw_any(c, turned);
+    }
+    return seen + draw_each(c, index, end);
 }
 
 /* Triangles that one core lists, and where. */
@@ -250,12 +293,12 @@ static void light_share(void *argument)
     for (uint32_t i = s->from; i < s->end; i++) {
         struct ph_vertex *const v = &c->vertices[i];
         if (v->light == 0) {
-            v->light = ph_light_vertex(&c->lights, c->mesh->normals[i], &c->mesh->positions[i]);
+            v->light = light_of(c, i);
         }
     }
 }
 
-static void light_marked(const struct part_context *c)
+static NOINLINE void light_marked(const struct part_context *c)
 {
     const uint32_t n = c->mesh->vertex_count;
     struct light_share mine = {c, 0, n / 2}, others = {c, n / 2, n};
@@ -267,10 +310,12 @@ static void light_marked(const struct part_context *c)
     }
 }
 
-static void draw_triangles(const struct part_context *c, const struct ph_part *part)
+static void draw_triangles(struct part_context *c, const struct ph_part *part)
 {
     const uint16_t(*index)[3] = &c->mesh->triangles[part->first], (*const end)[3] = index + part->count;
-    const uint32_t seen = c->curved || c->two_sided ? draw_each(c, index, end) : draw_facing(c, index, end);
+    const uint32_t seen = (c->draw.kind & PH_DRAW_ONE_SIDE) != 0 ? draw_sides(c, index, end)
+                          : c->curved || c->two_sided            ? draw_each(c, index, end)
+                                                                 : draw_facing(c, index, end);
     if (c->lit) {
         light_marked(c);
     }
@@ -317,6 +362,22 @@ static bool is_lit_alike(const struct ph_material *a, const struct ph_material *
            a->shininess_log2 == b->shininess_log2;
 }
 
+/* Whether the vertices of a part have colours in place of light. */
+static bool is_coloured(const struct part_context *c)
+{
+    const unsigned shading = c->material->shading;
+    const bool lit = shading == PH_SHADE_FLAT || shading == PH_SHADE_GOURAUD;
+    return c->mesh->colours != NULL ? lit || shading == PH_SHADE_UNLIT
+                                    : lit && c->mesh->normals != NULL && ph_light_has_colour(&c->r->light);
+}
+
+/* Whether the vertices have the same own colour as in the part before. */
+static bool is_coloured_alike(const struct part_context *c, const struct ph_material *before)
+{
+    return c->mesh->colours != NULL ? (before->shading == PH_SHADE_UNLIT) == (c->material->shading == PH_SHADE_UNLIT)
+                                    : before->colour == c->material->colour;
+}
+
 /* Gives a part that needs another light of its vertices than the part before a copy of them. */
 static bool copy_vertices(struct part_context *c)
 {
@@ -347,17 +408,21 @@ static bool shares_light(const struct part_context *c, const struct ph_part *par
 }
 
 /* Prepares the light of a part. False if there is no room for another light of its vertices. */
-static bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+static NOINLINE bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
 {
     const struct ph_material *const material = c->material, *const before = c->lit_as;
-    c->lit = c->mesh->normals != NULL && material->shading != PH_SHADE_UNLIT && material->shading != PH_SHADE_TEXTURE;
+    c->coloured = is_coloured(c);
+    c->lit = c->coloured ||
+             (c->mesh->normals != NULL && material->shading != PH_SHADE_UNLIT && material->shading != PH_SHADE_TEXTURE);
     if (!c->lit) {
         return true;
     }
-    const bool alike = before != NULL && is_lit_alike(before, material);
+    const bool alike = before != NULL && is_lit_alike(before, material) &&
+                       (c->coloured ? c->lit_coloured && is_coloured_alike(c, before) : !c->lit_coloured);
     c->lit_as = material;
+    c->lit_coloured = c->coloured;
     if (!alike) {
-        ph_light_prepare(&c->lights, c->r, to_world, material);
+        ph_light_prepare(&c->lights, c->r, to_world, material, c->coloured);
     }
     if (before == NULL || (alike && !c->mixed)) {
         return true;
@@ -372,19 +437,27 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     c->material = &c->mesh->materials[part->material];
     const bool wire = c->material->shading == PH_SHADE_WIRE, room = wire || light_part(c, part, to_world);
     c->draw.material = c->material;
-    c->draw.uvs = ph_is_textured(c->material) ? c->mesh->uvs : NULL;
-    c->draw.kind = wire ? PH_DRAW_LINES : PH_DRAW_SMALL;
+    c->draw.uvs = ph_has_uvs(c->material) ? c->mesh->uvs : NULL;
+    const struct ph_blend *const blend = c->material->blend;
+    const bool blended = blend != NULL && blend->kind >= PH_BLEND_ALPHA;
+    c->two_sided = c->material->two_sided != 0;
+    c->draw.kind =
+        wire ? PH_DRAW_LINES
+             : PH_DRAW_SMALL | (c->coloured ? PH_DRAW_COLOURS : 0) | (blended && c->two_sided ? PH_DRAW_ONE_SIDE : 0);
     r->stats.triangles_in += wire ? 0 : part->count;
-    if (!room || !ph_list_draw(r, &c->draw)) {
+    if (!room || (blend != NULL && !ph_list_blend(r, blend)) || !ph_list_draw(r, &c->draw)) {
         r->stats.triangles_dropped += wire ? c->mesh->edge_count : part->count;
         return;
     }
+    const uint32_t before = ph_ref_count(r);
     c->curved = r->lens.kind == PH_FISHEYE;
-    c->two_sided = c->material->two_sided != 0;
     if (wire) {
         draw_edges(c);
     } else {
         draw_triangles(c, part);
+    }
+    if (blend != NULL) {
+        ph_list_put_after(r, before);
     }
 }
 
@@ -406,6 +479,7 @@ static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     const struct ph_mark mark = ph_list_mark(r);
+    const uint32_t rows = r->rows;
     const uint32_t n = mesh->vertex_count, place = n <= r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
     if (place == PH_NONE) {
         return leave_out(r, mesh);
@@ -419,7 +493,9 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         draw_part(&c, &mesh->parts[i], to_world);
     }
-    ph_list_rewind(r, &mark);
+    if (ph_list_rewind(r, &mark)) {
+        r->rows = rows;
+    }
     r->stats.triangles_drawn = ph_ref_count(r);
     return PH_OK;
 }
@@ -428,6 +504,14 @@ void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, con
 {
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
     const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
+    const uint32_t before = ph_ref_count(r);
+    if (material->blend != NULL && !ph_list_blend(r, material->blend)) {
+        r->stats.triangles_dropped++;
+        return;
+    }
     draw_clip_line(r, material, ends);
+    if (material->blend != NULL) {
+        ph_list_put_after(r, before);
+    }
     r->stats.triangles_drawn = ph_ref_count(r);
 }

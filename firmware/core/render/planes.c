@@ -6,6 +6,8 @@
  */
 #include "planes.h"
 
+#include "colour.h"
+#include "colours.h"
 #include "edge.h"
 
 #define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
@@ -455,6 +457,28 @@ static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
     return material->ramp != NULL ? material->ramp[light >> 9] : material->colour;
 }
 
+/* plane_base for what is rare. */
+static NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
+{
+    plane_base(base, first, sides);
+}
+
+void ph_set_colours(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides, bool flat)
+{
+    static const uint8_t from[3] = {11, 5, 0}, bits[3] = {5, 6, 5};
+    struct plane_base base;
+    t->kind = flat || t->block == PH_BLOCK_LINEAR ? PH_KIND_FLAT : PH_KIND_COLOURS;
+    t->colour = ph_wire16(v[0]->light);
+    rare_base(&base, v[0], sides);
+    for (int k = 0; k < 3 && t->kind == PH_KIND_COLOURS; k++) {
+        uint32_t at[3];
+        for (int i = 0; i < 3; i++) {
+            at[i] = ((uint32_t)v[i]->light >> from[k]) << (32 - bits[k]) | (uint32_t)1 << (31 - bits[k]);
+        }
+        plane_through(&t->attribute[k], &base, at);
+    }
+}
+
 /* The light, the texture, or one colour. */
 static void setup_shading(const struct ph_renderer *r, const struct plane_base *s, const struct ph_vertex *const v[3],
                           const fx_t *const uv[3], struct ph_triangle *t)
@@ -500,12 +524,6 @@ bool ph_set_planes(struct ph_triangle *t, const struct ph_renderer *r, const str
     const bool fits = setup_depth(r, &base, v, t);
     setup_shading(r, &base, v, uv, t);
     return fits;
-}
-
-/* plane_base for what is rare. */
-static NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
-{
-    plane_base(base, first, sides);
 }
 
 bool ph_set_depth(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],

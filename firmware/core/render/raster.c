@@ -5,6 +5,7 @@
  * So the picture does not depend on where a band begins.
  */
 #include "band.h"
+#include "colours.h"
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
@@ -230,7 +231,8 @@ static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph
                                     const struct place *at, struct ph_small_texels *texels)
 {
     const uint32_t from = from_column(r->left), d = r->d, gd = r->gd, d_dy = r->d_dy;
-    const uint32_t above = d + from * gd - octave->bottom; /* the first row is not empty: its d lies in the octave */
+    const uint32_t above =
+        d + from * gd - octave->bottom; /* the first row's d lies in the octave, unless it is empty */
     const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
     r->gd = octave->slope;
     r->d_dy = ph_depth_float16_slope(d_dy, octave->up);
@@ -303,18 +305,12 @@ static uint32_t draw_rows_split(const struct ph_triangle *t, struct ph_small_tri
         if (!is_empty && !ph_octave_holds(&octave, d, d)) {
             ph_octave_of(&octave, t, d, r->gd);
         }
-        uint32_t n = is_empty ? 0 : rows_in_octave(r, &octave, at.stride);
-        if (is_empty) {
-            n = 1;
-            if (texels != NULL) { /* u and v step down, too */
-                const struct ph_row_piece none = {from, 0, 0, 0, true};
-                ph_small_texels_piece(texels, &none, at.depth, at.pixels);
-            }
-        } else if (n > 0) {
-            count += draw_rows_in_octave(r, &octave, n, &at, texels);
-        } else {
+        uint32_t n = is_empty ? 1 : rows_in_octave(r, &octave, at.stride);
+        if (n == 0) {
             n = 1;
             count += draw_row_across(t, r, &octave, &next, &at, texels);
+        } else if (!is_empty || texels != NULL) { /* texels are stepped over an empty row, too */
+            count += draw_rows_in_octave(r, &octave, n, &at, texels);
         }
         step_rows(r, n);
         at.depth += n * at.stride;
@@ -383,7 +379,9 @@ static uint32_t draw_plain(const struct ph_triangle *t, const struct ph_band *ba
 /* Draws a run of a triangle whose depth takes 64 bits. */
 static uint32_t draw_exact_run(const struct ph_triangle *run, const struct ph_band *band)
 {
-    return run->kind == PH_KIND_TEXTURE ? ph_draw_textured(run, band) : draw_plain(run, band);
+    return run->kind == PH_KIND_TEXTURE   ? ph_draw_textured(run, band)
+           : run->kind == PH_KIND_COLOURS ? ph_draw_colours(run, band)
+                                          : draw_plain(run, band);
 }
 
 /* Draws the rows of a strip one by one. */
@@ -541,6 +539,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     }
     if (t->kind == PH_KIND_TEXTURE) {
         return ph_draw_textured(t, band);
+    }
+    if (t->kind == PH_KIND_COLOURS) {
+        return ph_draw_colours(t, band);
     }
     return draw_plain(t, band);
 }

@@ -5,6 +5,7 @@
  */
 #include "setup.h"
 
+#include "colours.h"
 #include "edge.h"
 #include "exact.h"
 #include "kernels.h"
@@ -200,6 +201,9 @@ static NOINLINE void setup_other(const struct ph_setting *s, const struct ph_ver
 {
     const struct ph_renderer *r = s->r;
     bool fits = setup_any(r, s->draw.material, v, uv, sides, t);
+    if ((s->draw.kind & PH_DRAW_COLOURS) != 0) {
+        ph_set_colours(t, v, sides, s->draw.material->shading == PH_SHADE_FLAT);
+    }
     if (s->draw.material->depth_bias_slope != 0) {
         fits = false;
     } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
@@ -219,8 +223,9 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->r = r;
     s->draw = *draw;
     s->usual.base = ph_at(r, draw->base);
-    s->is_small = (draw->kind & PH_DRAW_SMALL) != 0 && material->depth_bias_slope == 0 &&
-                  r->stats.depth_format <= PH_DEPTH_FLOAT16 && (!textured || ph_texels_fit(material->texture));
+    s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
+                  material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 &&
+                  (!textured || ph_texels_fit(material->texture));
     s->usual.ramp = lit ? material->ramp : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
@@ -293,7 +298,11 @@ void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, stru
 {
     const struct ph_vertex *const base = s->usual.base;
     if ((s->draw.kind & PH_DRAW_LINES) != 0) {
-        ph_setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);
+        struct ph_vertex a = base[ref->corner[0]], b = base[ref->corner[1]];
+        if (s->r->fine != 0) {
+            ph_line_of_samples(&a, &b, ref->corner[2]);
+        }
+        ph_setup_line(s, &a, &b, t);
         return;
     }
     if ((s->draw.kind & PH_DRAW_UVS) != 0) {

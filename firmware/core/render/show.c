@@ -67,7 +67,7 @@ int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
     if (pixels == NULL || (uintptr_t)pixels % sizeof(uint16_t) != 0 || config->pixel_order > PH_PIXELS_RGB888) {
         return PH_ERR_INVAL;
     }
-    const uint32_t width = config->width, bands = ph_frame_bands(r);
+    const uint32_t width = (uint32_t)config->width >> r->fine, bands = ph_frame_bands(r);
     const bool partial = config->shown != NULL && r->is_shown;
     int status = PH_OK;
     for (uint32_t band = 0, y = 0, lines; band < bands && status == PH_OK; band++, y += lines) {

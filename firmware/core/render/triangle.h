@@ -89,6 +89,7 @@ enum ph_kind {
     PH_KIND_SMALL,
     PH_KIND_SMALL_KNEE,
     PH_KIND_SMALL_TEXTURE,
+    PH_KIND_COLOURS,
     PH_KIND_LINE,
     PH_KIND_ANY_LINE
 };
@@ -115,7 +116,7 @@ struct ph_triangle {
             };
             struct ph_plane depth;
             union {
-                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w */
+                struct ph_plane attribute[3]; /* Gouraud: light; texture: u/w, v/w, 1/w; colours: red, green, blue */
                 struct {
                     struct ph_plane first_two[2];
                     struct ph_linear linear; /* PH_BLOCK_LINEAR: in place of 1/w, which `depth` holds then */

@@ -79,6 +79,33 @@ static uint32_t try_gouraud(uint32_t h)
     return h;
 }
 
+static uint32_t try_blend(uint32_t h)
+{
+    const uint32_t at = below(64), depth_at = below(64), n = 1 + below(below(2) > 0 ? 20 : 600), d = bits();
+    const uint32_t gd = below(1 << 22), rest = below(33), mean = bits() & 0x07e0f81f;
+    for (uint32_t i = 0; i < 64; i++) { /* some hide it */
+        depth[depth_at + below(n)] = (uint16_t)bits();
+    }
+    ph_span_blend(pixels + at, depth + depth_at, n, d, gd, mean * (32 - rest) + 0x02008010, rest);
+    return h;
+}
+
+/* Most fours of samples are of one colour, some are not. */
+static uint32_t try_halve(uint32_t h)
+{
+    static uint32_t upper[128], lower[128];
+    const uint32_t n = 1 + below(128), at = below(64);
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t colour = (bits() & 0xffff) * 0x10001;
+        upper[i] = i > 0 && below(2) > 0 ? upper[i - 1] : colour;
+        lower[i] = upper[i];
+        upper[i] ^= below(8) == 0 ? bits() : 0;
+        lower[i] ^= below(8) == 0 ? bits() : 0;
+    }
+    ph_halve(pixels + at, (const uint16_t *)upper, (const uint16_t *)lower, n);
+    return h;
+}
+
 /* A small triangle, drawn by a kernel. */
 static uint32_t try_small(uint32_t h,
                           uint32_t (*draw)(const struct ph_small_triangle *, uint16_t *, uint16_t *, uint32_t))
@@ -453,6 +480,8 @@ int main(void)
     } loops[] = {{"fill", try_fill},
                  {"span_flat", try_flat},
                  {"span_gouraud", try_gouraud},
+                 {"span_blend", try_blend},
+                 {"halve", try_halve},
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
                  {"wide_gouraud", try_wide},

@@ -1,0 +1,64 @@
+/* Pictures over the picture: see overlay.h; and in the scene: see render.h. */
+#include "blend.h"
+#include "overlay.h"
+#include "render.h"
+
+/* Lays n pixels of a row; from: their index in the sprite. */
+static void lay(uint16_t *to, const struct ph_sprite *sprite, uint32_t from, uint32_t n)
+{
+    const uint32_t alpha = sprite->alpha < 32 ? sprite->alpha : 32;
+    for (uint32_t i = 0; i < n; i++) {
+        const uint16_t colour = sprite->pixels[from + i];
+        if (sprite->has_key && colour == sprite->key) {
+            continue;
+        }
+        const uint32_t own = sprite->alphas != NULL ? (sprite->alphas[from + i] * alpha + 16) >> 5 : alpha;
+        to[i] = own >= 32 ? colour : ph_mix(to[i], colour, own);
+    }
+}
+
+static int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+// NOLINTNEXTLINE(readability-non-const-parameter): the pixels are written through the struct
+void ph_overlay_sprite(const struct ph_overlay_band *band, int32_t x, int32_t y, const struct ph_sprite *sprite)
+{
+    if (x < -32768 || x > 32767 || y < -32768 || y > 32767) {
+        return;
+    }
+    const int32_t left = x > 0 ? x : 0, right = smaller(x + sprite->width, band->width);
+    const int32_t top = y > band->y0 ? y : band->y0, end = smaller(y + sprite->height, band->y0 + band->lines);
+    for (int32_t row = top; row < end && left < right; row++) {
+        const uint32_t from = (uint32_t)(row - y) * sprite->width + (uint32_t)(left - x);
+        lay(band->pixels + (row - band->y0) * band->width + left, sprite, from, (uint32_t)(right - left));
+    }
+}
+
+int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, fx_t height,
+                      const struct ph_material *material)
+{
+    static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    static const fx_t uvs[4][2] = {{0, FX_ONE}, {FX_ONE, FX_ONE}, {FX_ONE, 0}, {0, 0}};
+    static const struct ph_part part = {.count = 2};
+    struct fx_vec3 corners[4];
+    for (int i = 0; i < 4; i++) {
+        const fx_t right = (i == 1 || i == 2 ? width : -width) / 2, up = (i >= 2 ? height : -height) / 2;
+        const struct ph_xform *const v = &r->view; /* its rows are the directions of the picture in the world */
+        fx_t add[3];
+        for (int k = 0; k < 3; k++) {
+            add[k] = (fx_t)((fx_mul_wide(v->r[0][k], right) + fx_mul_wide(v->r[1][k], up)) >> 30);
+        }
+        corners[i] = fx_vec3_add_sat(centre, (struct fx_vec3){add[0], add[1], add[2]});
+    }
+    const struct ph_mesh mesh = {.positions = corners,
+                                 .uvs = uvs,
+                                 .triangles = triangles,
+                                 .parts = &part,
+                                 .materials = material,
+                                 .vertex_count = 4,
+                                 .triangle_count = 2,
+                                 .part_count = 1};
+    return ph_draw_mesh(r, &mesh, &ph_xform_identity);
+}

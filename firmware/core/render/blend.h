@@ -1,0 +1,42 @@
+/*
+ * blend: two RGB565 colours become one. Private to firmware/core.
+ *
+ * The channels of a colour are spread over a word, so that one product scales all three: blue from bit 0, red from bit
+ * 11, green from bit 21. There each has room for a product with 0 .. 32.
+ */
+#ifndef PH_BLEND_H
+#define PH_BLEND_H
+
+#include "colour.h"
+
+#define PH_SPREAD      0x07e0f81fu
+#define PH_SPREAD_HALF (16u << 21 | 16u << 11 | 16u) /* half of 32 in each channel: it rounds a product to nearest */
+
+/* From wire order, and back; fold takes a word without PH_SPREAD's gaps cleared, too. */
+static inline uint32_t ph_spread(uint16_t wire)
+{
+    const uint32_t v = ph_wire16(wire);
+    return (v | v << 16) & PH_SPREAD;
+}
+
+static inline uint16_t ph_fold(uint32_t spread)
+{
+    return ph_wire16((uint16_t)(spread | spread >> 16));
+}
+
+/* to * share / 32 + from * (1 - share / 32), each channel rounded to nearest; share: 0 .. 32. */
+static inline uint16_t ph_mix(uint16_t from, uint16_t to, uint32_t share)
+{
+    const uint32_t sum = ph_spread(from) * (32 - share) + ph_spread(to) * share + PH_SPREAD_HALF;
+    return ph_fold(sum >> 5 & PH_SPREAD);
+}
+
+/* to + colour * share / 32, at most full. */
+static inline uint16_t ph_add(uint16_t to, uint16_t colour, uint32_t share)
+{
+    const uint32_t more = (ph_spread(colour) * share + PH_SPREAD_HALF) >> 5 & PH_SPREAD, sum = ph_spread(to) + more;
+    const uint32_t red_blue = sum & (1u << 16 | 1u << 5), green = sum & 1u << 27; /* the carries */
+    return ph_fold((sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & PH_SPREAD);
+}
+
+#endif

@@ -1,0 +1,81 @@
+/*
+ * Colours: red, green and blue are three planes on the screen. A channel of n bits stands in the upper n bits of 32,
+ * and half a step is added, so that it is rounded to nearest. See colours.h.
+ */
+#include "colours.h"
+
+#include "colour.h"
+#include "span.h"
+
+/* n pixels of a row. */
+struct piece_of_row {
+    uint16_t *pixels;
+    void *depth; /* both are of the first pixel */
+    uint32_t n, d, gd;
+    uint32_t red, green, blue; /* at the first pixel */
+};
+
+static inline bool is_nearer(void *depth, uint32_t i, bool depth24, uint32_t d)
+{
+    return depth24 ? ph_nearer24((uint32_t *)depth + i, d) : ph_nearer16((uint16_t *)depth + i, d);
+}
+
+/* Draws pixels along which the depth code is linear, and steps the colours. */
+static void draw_piece(const struct ph_triangle *t, bool depth24, struct piece_of_row *p)
+{
+    const struct ph_plane *const a = t->attribute;
+    for (uint32_t i = 0; i < p->n; i++) {
+        if (is_nearer(p->depth, i, depth24, p->d)) {
+            p->pixels[i] = ph_wire16((uint16_t)(p->red >> 27 << 11 | p->green >> 26 << 5 | p->blue >> 27));
+        }
+        p->d += p->gd;
+        p->red += a[0].gx;
+        p->green += a[1].gx;
+        p->blue += a[2].gx;
+    }
+}
+
+static void draw_row(const struct ph_triangle *t, const struct ph_band *band, uint32_t x, uint32_t y, uint32_t left)
+{
+    const uint32_t at = (y - (uint32_t)band->y0) * (uint32_t)band->width + x;
+    const struct ph_plane *const a = t->attribute;
+    uint32_t d = ph_plane_at(&t->depth, x, y);
+    struct piece_of_row p = {.red = ph_plane_at(&a[0], x, y),
+                             .green = ph_plane_at(&a[1], x, y),
+                             .blue = ph_plane_at(&a[2], x, y),
+                             .depth = ph_depth_from(band->depth, at, band->depth24)};
+    p.pixels = band->pixels + at;
+    for (; left > 0; left -= p.n) { /* each turn draws at least one pixel */
+        p.n = left;
+        const struct ph_piece piece = ph_depth_piece(t, d, &p.n);
+        p.d = piece.d;
+        p.gd = piece.gd;
+        draw_piece(t, band->depth24, &p);
+        p.pixels += p.n;
+        p.depth = ph_depth_from(p.depth, p.n, band->depth24);
+        d += t->depth.gx * p.n;
+    }
+}
+
+uint32_t ph_draw_colours(const struct ph_triangle *t, const struct ph_band *band)
+{
+    uint32_t count = 0;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (!ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+            continue;
+        }
+        for (; y < y_end; y++) {
+            const int32_t from = left.x < 0 ? 0 : left.x >> 16;
+            const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
+            if (from < to) {
+                draw_row(t, band, (uint32_t)from, (uint32_t)y, (uint32_t)(to - from));
+                count += (uint32_t)(to - from);
+            }
+            left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
+            right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
+        }
+    }
+    return count;
+}
