@@ -438,8 +438,8 @@ static const char *const views[] = {"head", "outside", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 7576), .vertex_max = VERTICES, .triangle_max = 860, .corner_max = 96},
-    {DEMO_ARENA(ARENA_FEW, 3832), .vertex_max = 720, .triangle_max = 300, .corner_max = 48},
+    {DEMO_ARENA(ARENA_FINE, 7584), .vertex_max = VERTICES, .triangle_max = 860, .corner_max = 96},
+    {DEMO_ARENA(ARENA_FEW, 3840), .vertex_max = 720, .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_snake = {
@@ -447,7 +447,7 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 7576),
+    DEMO_ARENA(ARENA_FINE, 7584),
     .vertex_max = VERTICES,
     .triangle_max = 1600,
     .corner_max = 96,
