@@ -38,6 +38,7 @@ struct demo_context {
     void *scratch;    /* demo_scratch_bytes(), 2-byte aligned; NULL: the demo does without it */
     size_t scratch_bytes;
     struct ph_blur blur;
+    uint32_t frame; /* for band(), of a demo whose frame() sets it */
 };
 
 /*

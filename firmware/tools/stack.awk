@@ -18,6 +18,7 @@ BEGIN {
     rule("firmware/app/runner\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/app/runner\\.c:", "hal/panel/[a-z_]*\\.c:sender_(begin|rows|end|forget)$")
     rule("firmware/app/self_test\\.c:", ops)
+    rule("firmware/app/self_test\\.c:", "firmware/app/images/[a-z]*\\.c:log_text$")
     rule("hal/panel/[a-z_]*\\.c:", ops)
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)

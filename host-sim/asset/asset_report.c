@@ -3,11 +3,11 @@
 #include "runner.h"
 
 /* Bytes beside the arrays, on a 32-bit target. */
-#define MESH_BYTES     44
-#define MATERIAL_BYTES 28
+#define MESH_BYTES     48
+#define MATERIAL_BYTES 32
 #define PART_BYTES     12
 #define TEXTURE_BYTES  8
-#define DEMO_BYTES     56
+#define DEMO_BYTES     60
 #define EYE_BYTES      76
 #define RAMP_BYTES     (2 * PH_RAMP_SIZE)
 

@@ -247,12 +247,16 @@ static void a_steered_snake_stays_in_its_field_and_its_budget_and_repeats_itself
         most = stats->triangles_drawn > most ? stats->triangles_drawn : most;
         const struct eye e = eye_of(&s[0]);
         assert_true(e.x < border_x && e.x > -border_x && e.z < border_z && e.z > -border_z);
-        s[0].context.buttons ^= HAL_BUTTON_LEFT; /* drawn again: nothing counts */
+        assert_int_equal(demo_stage_frame(&s[0], frame), crc); /* drawn again: it does not move on */
+        s[0].context.buttons ^= HAL_BUTTON_LEFT;               /* with other buttons, and again with the first ones */
+        demo_stage_frame(&s[0], frame);
+        s[0].context.buttons ^= HAL_BUTTON_LEFT;
         assert_int_equal(demo_stage_frame(&s[0], frame), crc);
         s[0].context.view = "outside";
         demo_stage_frame(&s[0], frame);
         assert_int_equal(stats->triangles_dropped, 0);
-        s[0].context.view = NULL;
+        s[0].context.view = NULL; /* drawn from the head again, it is steered as it was */
+        assert_int_equal(demo_stage_frame(&s[0], frame), crc);
     }
     assert_int_equal(s[0].context.arena.used, used);
     assert_true(most > 200);

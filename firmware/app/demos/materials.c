@@ -224,7 +224,7 @@ static int materials_frame(struct demo_context *context, struct ph_renderer *r, 
     struct ph_xform view = demo_look(0, FX_ONE * 32 / 10, FX_ONE * 64 / 10, 0, FX_ONE * 8 / 10, 0);
     const struct ph_xform turn = ph_xform_rotate_y((uint32_t)demo_swing(frame, LOOP_FRAMES) << 13);
     const struct ph_fog fog = {ph_rgb565(60, 66, 96), FX_INT(6), FX_INT(13)};
-    m->frame = frame;
+    m->frame = context->frame = frame;
     for (uint32_t i = 0; i < LAMPS; i++) {
         m->lights.lights[1 + i].position = lamp_at(frame, i);
     }
@@ -246,7 +246,7 @@ static uint32_t materials_band(struct demo_context *context, struct ph_renderer 
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(20, 20, 40),
                                            context->width >= 200 ? 2 : 1};
     char number[PH_TEXT_NUMBER_SIZE];
-    ph_text_number(number, (int32_t)(m->frame % LOOP_FRAMES));
+    ph_text_number(number, (int32_t)(context->frame % LOOP_FRAMES));
     if (context->width >= 200) {
         ph_overlay_sprite(&over, context->width - SIDE - 6, 6, &badge);
     }

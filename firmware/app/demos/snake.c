@@ -262,7 +262,8 @@ static void steer_on(struct steering *s)
     enter(s, c, last.out);
 }
 
-/* A frame drawn again changes nothing; a few left out are made up for; a jump (the loop's end) counts as one. */
+/* A frame that is drawn again is steered again, by its new buttons; a few left out are made up for; a jump (the loop's
+ * end) counts as one. */
 static void snake_input(struct snake *s, uint32_t frame, uint32_t buttons)
 {
     if (frame == s->frame) {

@@ -28,18 +28,37 @@ static inline uint16_t link_to(uint32_t next, uint32_t ref)
     return (uint16_t)(further < PH_LINK_FAR ? further : next == PH_NONE ? 0 : PH_LINK_FAR);
 }
 
-/* Puts the references into the lists of their bands; some: some of them belong into none. */
-static inline void sort_refs(struct ph_renderer *r, bool some)
+/* Puts a reference before the others of its band's list. */
+static inline void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+{
+    uint32_t *const bin = &bins[ref->link];
+    ref->link = link_to(*bin, i);
+    *bin = i;
+}
+
+/* Puts the references into the lists of their bands, from the last, so that each list is in drawing order; four a turn
+ * cost a quarter less. */
+static void sort_refs(struct ph_renderer *r)
 {
     uint32_t *const bins = r->config.bins;
+    uint32_t i = ph_ref_count(r);
     struct ph_ref *ref = r->list.to;
-    for (uint32_t i = ph_ref_count(r); i-- > 0; ref++) { /* from the last, so that each list is in drawing order */
-        if (some && ref->link == PH_LINK_AFTER) {
-            continue;
+    if (r->after != NULL) { /* some of them belong into none */
+        for (; i > 0; ref++) {
+            i--;
+            if (ref->link != PH_LINK_AFTER) {
+                sort_ref(bins, ref, i);
+            }
         }
-        uint32_t *const bin = &bins[ref->link];
-        ref->link = link_to(*bin, i);
-        *bin = i;
+    }
+    for (; i >= 4; i -= 4, ref += 4) {
+        sort_ref(bins, ref, i - 1);
+        sort_ref(bins, ref + 1, i - 2);
+        sort_ref(bins, ref + 2, i - 3);
+        sort_ref(bins, ref + 3, i - 4);
+    }
+    for (; i > 0; i--, ref++) {
+        sort_ref(bins, ref, i - 1);
     }
 }
 
@@ -48,11 +67,7 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
     for (uint32_t i = 0; i < r->band_count; i++) {
         r->config.bins[i] = PH_NONE;
     }
-    if (r->after != NULL) {
-        sort_refs(r, true);
-    } else {
-        sort_refs(r, false);
-    }
+    sort_refs(r);
     r->carried = r->slots = NULL;
     r->slots_used[0] = r->list.used[1];
     r->slots_used[1] = r->list.used[2];
@@ -274,7 +289,13 @@ static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_tria
     struct rest rest = {rows, begun, carry, take_slot(f->r), PH_NONE, 0};
     struct ph_triangle *t = rest.slot != NULL ? rest.slot : &scratch;
     uint32_t fragments = 0;
-    for (uint32_t stop = draw_begun(f, &rest); f->ref != PH_NONE;) {
+    for (uint32_t stop = 0;;) {
+        if (f->ref >= stop) { /* so it is at the end of the list */
+            stop = draw_begun(f, &rest);
+            if (f->ref == PH_NONE) {
+                break;
+            }
+        }
         const struct ph_ref *const at = ph_ref_at(f->r, f->ref);
         ph_setup(&f->setting, at, t);
         t->order = f->ref;
@@ -284,9 +305,6 @@ static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_tria
         } else {
             draw_beyond(f, &rest, t);
             t = rest.slot != NULL ? rest.slot : &scratch;
-        }
-        if (f->ref >= stop) {
-            stop = draw_begun(f, &rest);
         }
     }
     *rest.carry = NULL;

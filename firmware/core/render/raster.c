@@ -426,16 +426,17 @@ static NOINLINE uint32_t draw_exact(const struct ph_triangle *t, const struct ph
     return count;
 }
 
-/* Steps n rows down, through both halves. */
-static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
+/* Steps n rows down, through both halves, which have so many rows. */
+static inline void skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
 {
-    const uint32_t upper_rows = r->upper_rows, left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
+    const uint32_t left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
     r->d += n * r->d_dy;
     r->light += n * r->light_dy;
     r->left = left;
     r->right = right;
     if (n < upper_rows) {
         r->upper_rows = (uint16_t)(upper_rows - n);
+        r->lower_rows = (uint16_t)lower_rows;
         return;
     }
     const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
@@ -446,8 +447,13 @@ static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
         r->left = x;
         r->left_dx = dx;
     }
-    r->upper_rows = (uint16_t)(r->lower_rows - below);
+    r->upper_rows = (uint16_t)(lower_rows - below);
     r->lower_rows = 0;
+}
+
+static FX_APART void skip_rows(struct ph_small_triangle *r, uint32_t n)
+{
+    skip_rows_of(r, n, r->upper_rows, r->lower_rows);
 }
 
 /* Cuts a triangle down to its rows in the band. Returns the place of the first of them. */
@@ -596,9 +602,7 @@ uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
     small->upper_rows = (uint16_t)(in_upper ? rows : upper_rows);
     small->lower_rows = (uint16_t)(in_upper ? 0 : rows - upper_rows);
     const uint32_t count = draw_left(t, small, &at);
-    small->upper_rows = (uint16_t)upper_rows;
-    small->lower_rows = (uint16_t)lower_rows;
-    skip_rows(small, rows);
+    skip_rows_of(small, rows, upper_rows, lower_rows);
     t->y_top = (int16_t)band->y1;
     return count;
 }
