@@ -38,7 +38,8 @@ uint64_t runner_whole_bytes(const struct runner_config *config);
 
 /* ---- for runner.c ------------------------------------------------------------------------------- */
 
-/* A picture's memory, in the order in which it is taken: depth, bins, wire, samples, buffers. Every machine needs the same. */
+/* A picture's memory, in the order in which it is taken: depth, bins, wire, samples, buffers. Every machine needs the
+ * same. */
 struct picture_memory {
     uint16_t width, height, lines; /* of the picture; of a band */
     uint32_t bands, buffers;

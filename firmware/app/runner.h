@@ -45,7 +45,7 @@ struct runner {
     void *depth;
     uint32_t *bins;
     uint16_t *samples; /* or NULL */
-    uint8_t *scene; /* the rest of memory: lists, arena, scratch of the demo */
+    uint8_t *scene;    /* the rest of memory: lists, arena, scratch of the demo */
     uint16_t band_count, band_next;
     uint32_t buttons;      /* held during the last frame */
     uint32_t edges_missed; /* frames that waited in vain for the tearing-effect edge, and were sent without it */

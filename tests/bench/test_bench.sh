@@ -53,6 +53,7 @@ musts() { # of the pictures: on every core
 check "nothing_is_more_than_2_percent_worse" nothing_is_worse
 check "what_is_3_percent_worse_is_seen" worse_is_seen
 check "the_pictures_reach_their_bars" musts
+# shellcheck disable=SC2016 # eval expands it
 check "the_JSON_has_every_row" eval '[ "$(grep -c "^{\"core\": \"" "$B/bench.json")" = $(($(wc -l <"$B/bench.csv") - 1)) ]'
 check "the_README_shows_the_committed_numbers" readme_agrees
 check "no_term_grows_faster_than_linearly_and_bands_are_cheap" tests/bench/growth.sh m3

@@ -17,7 +17,7 @@ trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
 make_image firmware BOARD=$board >/dev/null || exit 1
 cp "$B/firmware/$board-demos.elf" "$dir/a.elf" || exit 1
-if "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board $board 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
+if "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board "$board" 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/older.obj"
 "$B/pinhole-asset" "$dir/older.obj" -o "$dir/older.phs" 2>/dev/null || exit 1
 
@@ -30,7 +30,7 @@ emulate() { # scene, frames: what the image says, and the frames' checksums
 }
 
 draws_the_simulators_frames() {
-    emulate "$dir/scene.phs" 2 >"$dir/said" && "$B/pinhole-sim" --model "$dir/scene.phs" --board $board --frames 2 --crc >"$dir/expected" || return 1
+    emulate "$dir/scene.phs" 2 >"$dir/said" && "$B/pinhole-sim" --model "$dir/scene.phs" --board "$board" --frames 2 --crc >"$dir/expected" || return 1
     grep '^frame' "$dir/said" | diff - "$dir/expected" && grep -q '^demo scene' "$dir/said"
 }
 
@@ -41,7 +41,7 @@ own_demo() { # scene: the image's first frame is its own, and it says this, or (
 }
 
 damage_is_told() {
-    "$B/pinhole-sim" --board $board --crc >"$dir/own" && erased 4096 >"$dir/none" && own_demo "$dir/none" '' || return 1
+    "$B/pinhole-sim" --board "$board" --crc >"$dir/own" && erased 4096 >"$dir/none" && own_demo "$dir/none" '' || return 1
     { head -c 1000 "$dir/scene.phs" && printf X && tail -c +1002 "$dir/scene.phs"; } >"$dir/damaged"
     own_demo "$dir/damaged" 'has a wrong checksum: write it again'
 }
@@ -58,7 +58,7 @@ interrupted() { # moment, in bytes
 interrupted_writes() {
     local i moment size
     size=$(stat -c %s "$dir/scene.phs")
-    "$B/pinhole-sim" --board $board --crc >"$dir/own"
+    "$B/pinhole-sim" --board "$board" --crc >"$dir/own"
     RANDOM=20261123
     for ((i = 0; i < MOMENTS; i++)); do
         moment=$(((RANDOM * 32768 + RANDOM) % (size - 64) / 4 * 4))

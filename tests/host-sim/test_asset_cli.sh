@@ -89,8 +89,8 @@ output_is_deterministic() {
 filters_are_in_the_file() { # and the simulator draws the same with --filter
     local filter
     for filter in nearest bilinear mipmap; do
-        "$asset" "$scene" -o "$dir/$filter.c" --filter $filter && compile "$dir/$filter.c" "$dir/filter" && "$dir/filter" pico-display 1 1 | cut -d' ' -f4 >"$dir/$filter.crc" &&
-            "$B/pinhole-sim" --model "$scene" --board pico-display --frames 1 --crc --filter $filter | cut -d' ' -f4 >"$dir/$filter.sim" || return 1
+        "$asset" "$scene" -o "$dir/$filter.c" --filter "$filter" && compile "$dir/$filter.c" "$dir/filter" && "$dir/filter" pico-display 1 1 | cut -d' ' -f4 >"$dir/$filter.crc" &&
+            "$B/pinhole-sim" --model "$scene" --board pico-display --frames 1 --crc --filter "$filter" | cut -d' ' -f4 >"$dir/$filter.sim" || return 1
     done
     grep -q 'PH_FILTER_MIPMAP, .levels = 5' "$dir/mipmap.c" && grep -q '.levels = 0' "$dir/bilinear.c" && [ "$(cat "$dir"/{nearest,bilinear,mipmap}.crc | sort -u | wc -l)" = 3 ] &&
         [ "$(sort -u "$dir"/{nearest,bilinear,mipmap}.sim | wc -l)" = 3 ] && cmp "$dir/nearest.crc" "$dir/nearest.sim" && cmp "$dir/bilinear.crc" "$dir/bilinear.sim"
@@ -108,6 +108,7 @@ the_three_forms_are_one_picture() { # the file, the C scene and the binary scene
         "$asset" "$model" -o "$dir/3.c" && "$asset" "$model" -o "$dir/3.phs" && compile "$dir/3.c" "$dir/3" && "$dir/3" pico-display 4 32 | grep '^frame' | cut -d' ' -f4 >"$dir/3.compiled" &&
             "$B/pinhole-sim" --model "$model" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.model" &&
             "$B/pinhole-sim" --model "$dir/3.phs" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.binary" || return 1
+        # shellcheck disable=SC2015 # each part prints or not, and a failure of any is one
         cmp "$dir/3.model" "$dir/3.binary" && [ "$(wc -l <"$dir/3.compiled")" = 4 ] && cmp "$dir/3.compiled" <(awk 'NR % 32 == 1' "$dir/3.binary") || { echo "$model" && return 1; }
     done
     [ "$("$B/pinhole-sim" --model "$dir/3.phs" --view turntable --size 64x64 --crc | wc -l)" = 1 ] && truncate -s -4 "$dir/3.phs" &&

@@ -30,7 +30,7 @@ void proof_codes(void)
     const struct ph_lens lens = any_lens();
     const struct ph_quotient q = {nondet_u32(), (int8_t)i32_between(LEAST_S, 31)};
     const int block = i32_between(0, q.s > 2 ? q.s - 2 : 0), down = i32_between(2, 5);
-    ASSUME(lens.far_s >= 0 || block == 0); /* floats have N/f below 1 */
+    ASSUME(lens.far_s >= 0 || block == 0);                                          /* floats have N/f below 1 */
     ASSUME(q.s <= lens.far_s && (uint64_t)q.q << (lens.far_s - q.s) >= lens.far_q); /* not behind the far plane */
     const uint32_t d = ph_depth_at(&lens, q, block);
     CLAIM(block == 0 || q.q >> 31 != 0 || d >> 31 == 0); /* a bit to spare */
