@@ -148,6 +148,7 @@ what_is_no_image_is_refused() { # before QEMU, which would run anything
 }
 
 interrupted() { # no QEMU goes on
+    rm -f "$dir/said" # so that what an earlier case wrote is not taken for a first frame
     "$B/pinhole-emulate" --machine lm3s6965evb --board "$board" "$B/firmware/$board-demos.elf" "$dir/cut" 100000 >"$dir/said" 2>"$dir/log" &
     local emulator=$! qemu tries=0
     until [ -s "$dir/said" ] || [ $((tries++)) = 6000 ]; do sleep 0.1; done
