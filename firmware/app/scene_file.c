@@ -1,5 +1,7 @@
 #include "scene_file.h"
 
+#include "crc32.h"
+
 #include <string.h>
 
 #define SIDE_LOG2_MAX 10
@@ -12,23 +14,6 @@ struct drawn {
 };
 
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
-
-uint32_t scene_file_crc(const uint8_t *bytes, size_t n)
-{
-    uint32_t table[16], crc = UINT32_MAX;
-    for (uint32_t i = 0; i < 16; i++) {
-        table[i] = i;
-        for (int bit = 0; bit < 4; bit++) {
-            table[i] = table[i] >> 1 ^ ((table[i] & 1) != 0 ? 0xEDB88320u : 0);
-        }
-    }
-    for (size_t i = 0; i < n; i++) {
-        crc ^= bytes[i];
-        crc = crc >> 4 ^ table[crc & 15];
-        crc = crc >> 4 ^ table[crc & 15];
-    }
-    return ~crc;
-}
 
 static const struct scene_file_mesh *table_of(const void *bytes)
 {
@@ -97,7 +82,7 @@ const char *scene_file_wrong(const void *bytes, size_t room)
     if (head->bytes < sizeof(*head) || head->bytes > room) {
         return "is not whole, or too large";
     }
-    if (scene_file_crc((const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
+    if (crc32_update(0, (const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
         return "has a wrong checksum: write it again";
     }
     if (head->mesh_count > SCENE_FILE_MESHES || head->name[SCENE_FILE_NAME - 1] != '\0' ||

@@ -36,8 +36,6 @@ struct scene_file_mesh {
     uint16_t colour, spare;
 };
 
-uint32_t scene_file_crc(const uint8_t *bytes, size_t n);
-
 /* Returns NULL if `room` bytes from a 4-byte aligned place on begin with a scene that can be drawn, else what is wrong.
  * Every offset and index is checked. */
 const char *scene_file_wrong(const void *bytes, size_t room);

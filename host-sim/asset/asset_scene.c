@@ -1,5 +1,6 @@
 /* asset_scene: a scene as the bytes of scene_file.h. */
 #include "asset.h"
+#include "crc32.h"
 #include "model_texture.h"
 #include "scene_file.h"
 
@@ -93,7 +94,7 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
         head.bytes = to.used;
         memcpy(bytes, &head, sizeof head);
         memcpy(bytes + sizeof head, meshes, head.mesh_count * sizeof *meshes);
-        memcpy(bytes + 12, &(uint32_t){scene_file_crc(bytes + 16, to.used - 16)}, 4);
+        memcpy(bytes + 12, &(uint32_t){crc32_update(0, bytes + 16, to.used - 16)}, 4);
     }
     return to.used;
 }
