@@ -1,0 +1,172 @@
+/*
+ * A straight edge becomes a curve under a fisheye. So triangles and lines are subdivided until their edges are straight
+ * enough, and the pieces are drawn like all triangles. See fisheye_ray.h.
+ *
+ * An edge is divided where the bisector of the angle between its ends meets it: there the direction is a + b, made a
+ * unit vector again, and 1 / distance, which is linear in direction, is the sum of both over |a + b|. An edge is
+ * divided when its ends are more than 1/20 turn apart in the picture, or when the dividing point is more than 1/2 px
+ * off the straight line. A chord of L px is at most k L^2 / 8 f px off, with k below .96 where theta < 120 degrees,
+ * below 1.72 where it is < 150, and below 4.6 elsewhere; edges that are short enough by that are not tested; edges
+ * below 2^-5 radian are never divided. All of this depends on the ends of the edge alone, so two triangles that share
+ * an edge divide it alike and no crack opens.
+ */
+#include "fisheye_ray.h"
+
+#define SHORT ((uint32_t)1 << 16) /* shorter edges, below 2^-5 radian, are never divided; squared Q26 */
+
+/* Shorter chords are never divided: they are less than 1/2 px off. `zones`: what both ends have of BEFORE and ASIDE. */
+static inline uint32_t shortest2(const struct ph_lens *lens, unsigned zones)
+{
+    const uint32_t f = lens->chord_min2, least = (zones & PH_RAY_BEFORE) != 0  ? f
+                                                 : (zones & PH_RAY_ASIDE) != 0 ? f / 2
+                                                                               : f / 4;
+    return least < ph_longest_chord2(lens) ? least : ph_longest_chord2(lens);
+}
+
+static unsigned zone_at(const struct ph_lens *lens, const struct ph_vertex *v)
+{
+    const uint32_t x = fx_magnitude(v->x - lens->centre_x), y = fx_magnitude(v->y - lens->centre_y);
+    return ph_fisheye_zone(lens, x > y ? x : y);
+}
+
+bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, const struct ph_vertex *b,
+                         const struct ph_vertex *c)
+{
+    const uint32_t limit = shortest2(lens, zone_at(lens, a) & zone_at(lens, b) & zone_at(lens, c));
+    return ph_chord2(a->x, a->y, b->x, b->y) <= limit && ph_chord2(b->x, b->y, c->x, c->y) <= limit &&
+           ph_chord2(c->x, c->y, a->x, a->y) <= limit;
+}
+
+/* The square of the distance between two unit vectors, Q26, rounded down; below 2^29. For a small angle it is the
+ * square of the angle. */
+static uint32_t apart2(const struct ph_ray *a, const struct ph_ray *b)
+{
+    uint32_t sum = 0;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t d = fx_magnitude(a->direction[i] - b->direction[i]);
+        sum += fx_mulhi_u32(d, d);
+    }
+    return sum;
+}
+
+/* 1/distance of the dividing point of an edge whose ends' directions differ by the angle A: mean / cos(A / 2). more_q32
+ * is 1 / cos(A / 2) - 1. */
+static struct ph_inverse inverse_between(struct ph_inverse a, struct ph_inverse b, uint32_t more_q32)
+{
+    const struct ph_inverse far = ph_inverse_is_less(a, b) ? a : b, near = ph_inverse_is_less(a, b) ? b : a;
+    const int down = near.s - far.s;
+    const uint32_t mean = (near.m + (down < 32 ? far.m >> down : 0)) >> 1, m = mean + fx_mulhi_u32(mean, more_q32);
+    return m < (uint32_t)1 << 30 ? (struct ph_inverse){2 * m, near.s - 1}
+           : m >> 31 != 0        ? (struct ph_inverse){m >> 1, near.s + 1}
+                                 : (struct ph_inverse){m, near.s};
+}
+
+/* 1 / cos(A / 2) - 1 in Q32, from (2 sin(A / 2))^2 / 4 = e in Q28, e <= 1/16: (1 - e)^-1/2 - 1 to e^5. */
+static inline uint32_t over_cosine(uint32_t e_q28)
+{
+    const uint32_t e = e_q28 << 4, e16 = e >> 16;
+    const uint32_t high = 24576 + (e16 * (20480 + (e16 * (17920 + (e16 * 16128 >> 16)) >> 16)) >> 16);
+    return fx_mulhi_u32(e, ((uint32_t)1 << 31) + fx_mulhi_u32(e, high << 16));
+}
+
+/* Light and texture of the dividing point: at t = |a| / (|a| + |b|). */
+static void divide_attributes(const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
+{
+    int shift;
+    const struct ph_inverse of_a = a->inverse, of_b = b->inverse;
+    const int s = of_a.s > of_b.s ? of_a.s : of_b.s;
+    const uint32_t part_a = s - of_a.s < 32 ? of_a.m >> (s - of_a.s) : 0;
+    const uint32_t part_b = s - of_b.s < 32 ? of_b.m >> (s - of_b.s) : 0;
+    const uint32_t reciprocal = fx_rcp_norm(part_a + part_b, &shift);
+    const int32_t t = (int32_t)fx_mulhi_u32(part_b << shift, reciprocal);
+    const struct ph_clip_vertex from = {.light = a->light, .uv = {a->uv[0], a->uv[1]}};
+    const struct ph_clip_vertex to = {.light = b->light, .uv = {b->uv[0], b->uv[1]}};
+    const struct ph_clip_vertex middle = ph_clip_between(&from, &to, t);
+    m->light = middle.light;
+    m->uv[0] = middle.uv[0];
+    m->uv[1] = middle.uv[1];
+}
+
+void ph_fisheye_divide(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
+{
+    const uint32_t e_q28 = apart2(a, b);
+    if (e_q28 <= (uint32_t)1 << 24) {
+        const uint32_t more = over_cosine(e_q28);
+        for (int i = 0; i < 3; i++) {
+            const int32_t half = (a->direction[i] + b->direction[i]) >> 1;
+            m->direction[i] = half + ph_high_product(half, (int32_t)more);
+        }
+        m->inverse = inverse_between(a->inverse, b->inverse, more);
+    } else {
+        struct ph_inverse over; /* 1 / |a + b|, where a and b are 2^29 long: it is 2 or more of its unit, 2^-30 */
+        const int32_t sum[3] = {a->direction[0] + b->direction[0], a->direction[1] + b->direction[1],
+                                a->direction[2] + b->direction[2]};
+        ph_fisheye_unit(sum, m->direction, &over);
+        const struct ph_inverse mean = inverse_between(a->inverse, b->inverse, 0);
+        const uint32_t product = fx_mulhi_u32(mean.m << 1, over.m); /* 2^29 .. 2^31 */
+        const int low = product >> 30 == 0;
+        m->inverse = (struct ph_inverse){product << low, mean.s + over.s - 1 - low};
+    }
+    m->light = a->light;
+    m->uv[0] = a->uv[0];
+    m->uv[1] = a->uv[1];
+    if (a->light != b->light || a->uv[0] != b->uv[0] || a->uv[1] != b->uv[1]) {
+        divide_attributes(a, b, m);
+    }
+    ph_fisheye_place(lens, m);
+}
+
+uint32_t ph_fisheye_long_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b,
+                               uint32_t chord)
+{
+    const uint32_t angle = chord > ph_longest_chord2(lens) ? apart2(a, b) : 0;
+    return angle >= SHORT ? angle : 0;
+}
+
+uint32_t ph_fisheye_bent_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b,
+                               uint32_t chord, struct ph_ray *m)
+{
+    const uint32_t angle = chord > shortest2(lens, a->flags & b->flags) ? apart2(a, b) : 0;
+    if (angle < SHORT) {
+        return 0;
+    }
+    ph_fisheye_divide(lens, a, b, m);
+    const int32_t dx = b->at.x - a->at.x, dy = b->at.y - a->at.y;
+    const int64_t area = fx_mul_wide(m->at.x - a->at.x, dy) - fx_mul_wide(dx, m->at.y - a->at.y);
+    const int64_t most = (int64_t)(fx_magnitude(dx) > fx_magnitude(dy) ? fx_magnitude(dx) : fx_magnitude(dy)) << 7;
+    return area > most || area < -most ? angle : 0;
+}
+
+/* The sides of the picture beyond which a point lies by more than the margin: an edge between two such points that is
+ * at most twice as long does not reach the picture, however it bends. */
+static unsigned sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int32_t margin)
+{
+    const int32_t right = r->config.width * 256 + margin, bottom = r->config.height * 256 + margin;
+    return (x < -margin ? PH_LEFT : 0u) | (x > right ? PH_RIGHT : 0u) | (y < -margin ? PH_TOP : 0u) |
+           (y > bottom ? PH_BOTTOM : 0u);
+}
+
+/* Edges are at most twice as long as the longest that are
+ * drawn; if they are short, chords may be 17/32 f behind the viewer: over half of these is the margin. */
+bool ph_rays_miss(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
+{
+    const int32_t margin = r->lens.chord_max;
+    unsigned outside = PH_LEFT | PH_RIGHT | PH_TOP | PH_BOTTOM;
+    for (int i = 0; i < n && outside != 0; i++) {
+        outside &= sides_of(r, v[i]->at.x, v[i]->at.y, margin);
+    }
+    return outside != 0;
+}
+
+bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3])
+{
+    const int32_t margin = r->lens.chord_max;
+    unsigned outside = PH_LEFT | PH_RIGHT | PH_TOP | PH_BOTTOM;
+    for (int i = 0; i < 3 && outside != 0; i++) {
+        outside &= sides_of(r, v[i]->x, v[i]->y, margin);
+    }
+    const uint32_t most = 4 * ph_longest_chord2(&r->lens);
+    return outside != 0 && ph_chord2(v[0]->x, v[0]->y, v[1]->x, v[1]->y) <= most &&
+           ph_chord2(v[1]->x, v[1]->y, v[2]->x, v[2]->y) <= most &&
+           ph_chord2(v[2]->x, v[2]->y, v[0]->x, v[0]->y) <= most;
+}
