@@ -7,6 +7,7 @@
  *
  * Depth is the distance from the eye, so the near and the far plane are spheres.
  */
+#include "fisheye.h"
 #include "fisheye_ray.h"
 
 #define LONG        20           /* edges longer than this part of a turn are divided always */

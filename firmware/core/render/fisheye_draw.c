@@ -4,6 +4,7 @@
  *
  * N/distance is interpolated linearly over a piece, as N/w is in a perspective; over 1/20 turn its error is below 1/80.
  */
+#include "fisheye.h"
 #include "fisheye_ray.h"
 
 #include "list.h"
@@ -17,7 +18,7 @@
 /* A piece of a triangle that waits on the stack. */
 struct piece {
     uint8_t corner[3]; /* indices into the pool */
-    uint8_t straight;  /* bit k: the edge opposite corner k need not be divided */
+    uint8_t straight;  /* as in ph_fisheye_edge_to_divide */
     uint8_t used;      /* the piece needs the first `used` vertices of the pool */
 };
 
@@ -32,12 +33,10 @@ struct division {
     bool any, clipped;
 };
 
-static const uint8_t next_corner[4] = {1, 2, 0, 1};
-
 /* Divides a piece at `middle`, which is in the pool. *p becomes one half; the other half is returned. */
 static struct piece divide_piece(struct division *d, struct piece *p, int edge)
 {
-    const int from = next_corner[edge], to = next_corner[edge + 1];
+    const int from = ph_next_corner[edge], to = ph_next_corner[edge + 1];
     const uint8_t middle = p->used++;
     d->number[middle] = -1;
     struct piece other = *p;
@@ -121,42 +120,6 @@ static void list_piece(struct division *d, const struct ph_ray *const v[3], cons
     }
 }
 
-/* The edge of a piece to be divided, or -1; its dividing point becomes *middle. */
-static int edge_to_divide(const struct ph_renderer *r, struct piece *p, const struct ph_ray *const v[3],
-                          struct ph_ray *middle)
-{
-    uint32_t chord[3], most = 0, longest = 0;
-    int edge = -1;
-    for (int k = 0; k < 3; k++) {
-        const struct ph_ray *const from = v[next_corner[k]], *const to = v[next_corner[k + 1]];
-        chord[k] = ph_ray_chord2(from, to);
-        longest = chord[k] > longest ? chord[k] : longest;
-        const uint32_t angle = (p->straight >> k & 1) == 0 ? ph_fisheye_long_angle(&r->lens, from, to, chord[k]) : 0;
-        edge = angle > most ? k : edge;
-        most = angle > most ? angle : most;
-    }
-    if ((edge < 0 || longest <= 4 * ph_longest_chord2(&r->lens)) && ph_rays_miss(r, v, 3)) {
-        return -1;
-    }
-    if (edge >= 0) {
-        ph_fisheye_divide(&r->lens, v[next_corner[edge]], v[next_corner[edge + 1]], middle);
-        return edge;
-    }
-    for (int k = 0; k < 3; k++) {
-        const struct ph_ray *const from = v[next_corner[k]], *const to = v[next_corner[k + 1]];
-        struct ph_ray m;
-        const uint32_t angle =
-            (p->straight >> k & 1) == 0 ? ph_fisheye_bent_angle(&r->lens, from, to, chord[k], &m) : 0;
-        if (angle > most) {
-            edge = k;
-            most = angle;
-            *middle = m;
-        }
-        p->straight |= (uint8_t)((angle == 0) << k);
-    }
-    return edge;
-}
-
 /* Draws the piece on top of the stack, or divides it into top[0] and top[1]; then it returns true. */
 static bool take_piece(struct division *d, struct piece *top)
 {
@@ -165,7 +128,7 @@ static bool take_piece(struct division *d, struct piece *top)
     if ((all & (PH_RAY_NEAR | PH_RAY_BLIND)) != 0) {
         return false;
     }
-    const int edge = top->used < POOL ? edge_to_divide(d->r, top, v, &d->pool[top->used]) : -1;
+    const int edge = top->used < POOL ? ph_fisheye_edge_to_divide(d->r, v, &top->straight, &d->pool[top->used]) : -1;
     if (edge >= 0) {
         top[1] = divide_piece(d, top, edge);
         return true;
@@ -191,7 +154,7 @@ static bool faces_away(const struct ph_ray v[3])
         e[1][i] = v[2].direction[i] - v[0].direction[i];
     }
     for (int i = 0; i < 3; i++) {
-        const int k = next_corner[i], l = next_corner[i + 1];
+        const int k = ph_next_corner[i], l = ph_next_corner[i + 1];
         const int64_t cross = fx_mul_wide(e[0][k], e[1][l]) - fx_mul_wide(e[0][l], e[1][k]);
         volume += fx_mul_wide(v[0].direction[i], (int32_t)(cross >> 31));
     }
@@ -258,14 +221,9 @@ void ph_fisheye_line(struct ph_renderer *r, const struct ph_material *material, 
     ph_fisheye_ray(lens, &ends[1], &stack[0]);
     for (int top = 0; top >= 0;) {
         const struct ph_ray *to = &stack[top], *const both[2] = {&from, to};
-        const uint32_t chord = ph_ray_chord2(&from, to);
         struct ph_ray middle;
-        const bool is_long = ph_fisheye_long_angle(lens, &from, to, chord) > 0,
-                   misses = !is_long && ph_rays_miss(r, both, 2);
-        if (is_long) {
-            ph_fisheye_divide(lens, &from, to, &middle);
-        }
-        if ((is_long || (!misses && ph_fisheye_bent_angle(lens, &from, to, chord, &middle) > 0)) && top + 1 < DEPTH) {
+        bool misses;
+        if (ph_fisheye_divides_line(r, both, &middle, &misses) && top + 1 < DEPTH) {
             stack[++top] = middle;
             continue;
         }

@@ -10,9 +10,29 @@
  * below 2^-5 radian are never divided. All of this depends on the ends of the edge alone, so two triangles that share
  * an edge divide it alike and no crack opens.
  */
+#include "fisheye.h"
 #include "fisheye_ray.h"
 
 #define SHORT ((uint32_t)1 << 16) /* shorter edges, below 2^-5 radian, are never divided; squared Q26 */
+
+/* The square of a chord, (1/128 px)^2; UINT32_MAX from 256 px along an axis on. Both ways it is the same. */
+static inline uint32_t chord2(int32_t ax, int32_t ay, int32_t bx, int32_t by)
+{
+    const uint32_t dx = fx_magnitude(bx - ax) >> 1, dy = fx_magnitude(by - ay) >> 1;
+    return (dx | dy) >> 15 != 0 ? UINT32_MAX : dx * dx + dy * dy;
+}
+
+static uint32_t chord_of(const struct ph_ray *a, const struct ph_ray *b)
+{
+    return chord2(a->at.x, a->at.y, b->at.x, b->at.y);
+}
+
+/* Longer chords are divided always. */
+static inline uint32_t longest2(const struct ph_lens *lens)
+{
+    const uint32_t half = (uint32_t)lens->chord_max >> 1;
+    return half * half;
+}
 
 /* Shorter chords are never divided: they are less than 1/2 px off. `zones`: what both ends have of BEFORE and ASIDE. */
 static inline uint32_t shortest2(const struct ph_lens *lens, unsigned zones)
@@ -20,7 +40,7 @@ static inline uint32_t shortest2(const struct ph_lens *lens, unsigned zones)
     const uint32_t f = lens->chord_min2, least = (zones & PH_RAY_BEFORE) != 0  ? f
                                                  : (zones & PH_RAY_ASIDE) != 0 ? f / 2
                                                                                : f / 4;
-    return least < ph_longest_chord2(lens) ? least : ph_longest_chord2(lens);
+    return least < longest2(lens) ? least : longest2(lens);
 }
 
 static unsigned zone_at(const struct ph_lens *lens, const struct ph_vertex *v)
@@ -33,8 +53,8 @@ bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, 
                          const struct ph_vertex *c)
 {
     const uint32_t limit = shortest2(lens, zone_at(lens, a) & zone_at(lens, b) & zone_at(lens, c));
-    return ph_chord2(a->x, a->y, b->x, b->y) <= limit && ph_chord2(b->x, b->y, c->x, c->y) <= limit &&
-           ph_chord2(c->x, c->y, a->x, a->y) <= limit;
+    return chord2(a->x, a->y, b->x, b->y) <= limit && chord2(b->x, b->y, c->x, c->y) <= limit &&
+           chord2(c->x, c->y, a->x, a->y) <= limit;
 }
 
 /* The square of the distance between two unit vectors, Q26, rounded down; below 2^29. For a small angle it is the
@@ -87,7 +107,8 @@ static void divide_attributes(const struct ph_ray *a, const struct ph_ray *b, st
     m->uv[1] = middle.uv[1];
 }
 
-void ph_fisheye_divide(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
+/* Sets the dividing point of an edge. The order of the two ends does not change its place. */
+static void divide(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m)
 {
     const uint32_t e_q28 = apart2(a, b);
     if (e_q28 <= (uint32_t)1 << 24) {
@@ -116,21 +137,23 @@ void ph_fisheye_divide(const struct ph_lens *lens, const struct ph_ray *a, const
     ph_fisheye_place(lens, m);
 }
 
-uint32_t ph_fisheye_long_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b,
-                               uint32_t chord)
+/* The angle of an edge that has to be divided because it is long, squared as in apart2; else 0. */
+static uint32_t long_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, uint32_t chord)
 {
-    const uint32_t angle = chord > ph_longest_chord2(lens) ? apart2(a, b) : 0;
+    const uint32_t angle = chord > longest2(lens) ? apart2(a, b) : 0;
     return angle >= SHORT ? angle : 0;
 }
 
-uint32_t ph_fisheye_bent_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b,
-                               uint32_t chord, struct ph_ray *m)
+/* The same of an edge that is not long, but bends: its dividing point *m, which is set then, is over 1/2 px off the
+ * chord. */
+static uint32_t bent_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, uint32_t chord,
+                           struct ph_ray *m)
 {
     const uint32_t angle = chord > shortest2(lens, a->flags & b->flags) ? apart2(a, b) : 0;
     if (angle < SHORT) {
         return 0;
     }
-    ph_fisheye_divide(lens, a, b, m);
+    divide(lens, a, b, m);
     const int32_t dx = b->at.x - a->at.x, dy = b->at.y - a->at.y;
     const int64_t area = fx_mul_wide(m->at.x - a->at.x, dy) - fx_mul_wide(dx, m->at.y - a->at.y);
     const int64_t most = (int64_t)(fx_magnitude(dx) > fx_magnitude(dy) ? fx_magnitude(dx) : fx_magnitude(dy)) << 7;
@@ -146,9 +169,9 @@ static unsigned sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int3
            (y > bottom ? PH_BOTTOM : 0u);
 }
 
-/* Edges are at most twice as long as the longest that are
+/* Whether all vertices are beyond one side of the picture. Edges are at most twice as long as the longest that are
  * drawn; if they are short, chords may be 17/32 f behind the viewer: over half of these is the margin. */
-bool ph_rays_miss(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
+static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
 {
     const int32_t margin = r->lens.chord_max;
     unsigned outside = PH_LEFT | PH_RIGHT | PH_TOP | PH_BOTTOM;
@@ -165,8 +188,53 @@ bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *cons
     for (int i = 0; i < 3 && outside != 0; i++) {
         outside &= sides_of(r, v[i]->x, v[i]->y, margin);
     }
-    const uint32_t most = 4 * ph_longest_chord2(&r->lens);
-    return outside != 0 && ph_chord2(v[0]->x, v[0]->y, v[1]->x, v[1]->y) <= most &&
-           ph_chord2(v[1]->x, v[1]->y, v[2]->x, v[2]->y) <= most &&
-           ph_chord2(v[2]->x, v[2]->y, v[0]->x, v[0]->y) <= most;
+    const uint32_t most = 4 * longest2(&r->lens);
+    return outside != 0 && chord2(v[0]->x, v[0]->y, v[1]->x, v[1]->y) <= most &&
+           chord2(v[1]->x, v[1]->y, v[2]->x, v[2]->y) <= most && chord2(v[2]->x, v[2]->y, v[0]->x, v[0]->y) <= most;
+}
+
+int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], uint8_t *straight,
+                              struct ph_ray *middle)
+{
+    uint32_t chord[3], most = 0, longest = 0;
+    int edge = -1;
+    for (int k = 0; k < 3; k++) {
+        const struct ph_ray *const from = v[ph_next_corner[k]], *const to = v[ph_next_corner[k + 1]];
+        chord[k] = chord_of(from, to);
+        longest = chord[k] > longest ? chord[k] : longest;
+        const uint32_t angle = (*straight >> k & 1) == 0 ? long_angle(&r->lens, from, to, chord[k]) : 0;
+        edge = angle > most ? k : edge;
+        most = angle > most ? angle : most;
+    }
+    if ((edge < 0 || longest <= 4 * longest2(&r->lens)) && misses_picture(r, v, 3)) {
+        return -1;
+    }
+    if (edge >= 0) {
+        divide(&r->lens, v[ph_next_corner[edge]], v[ph_next_corner[edge + 1]], middle);
+        return edge;
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct ph_ray *const from = v[ph_next_corner[k]], *const to = v[ph_next_corner[k + 1]];
+        struct ph_ray m;
+        const uint32_t angle = (*straight >> k & 1) == 0 ? bent_angle(&r->lens, from, to, chord[k], &m) : 0;
+        if (angle > most) {
+            edge = k;
+            most = angle;
+            *middle = m;
+        }
+        *straight |= (uint8_t)((angle == 0) << k);
+    }
+    return edge;
+}
+
+bool ph_fisheye_divides_line(const struct ph_renderer *r, const struct ph_ray *const ends[2], struct ph_ray *middle,
+                             bool *misses)
+{
+    const uint32_t chord = chord_of(ends[0], ends[1]);
+    const bool is_long = long_angle(&r->lens, ends[0], ends[1], chord) > 0;
+    *misses = !is_long && misses_picture(r, ends, 2);
+    if (is_long) {
+        divide(&r->lens, ends[0], ends[1], middle);
+    }
+    return is_long || (!*misses && bent_angle(&r->lens, ends[0], ends[1], chord, middle) > 0);
 }

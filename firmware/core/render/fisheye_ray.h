@@ -5,7 +5,8 @@
 #ifndef PH_FISHEYE_RAY_H
 #define PH_FISHEYE_RAY_H
 
-#include "fisheye.h"
+#include "clip.h"
+#include "vertex.h"
 
 #define PH_FISHEYE_BLIND (-528715000) /* cos 170 degrees, Q29: behind it nothing is drawn */
 
@@ -38,6 +39,9 @@ struct ph_ray {
     unsigned flags;
 };
 
+/* Edge k of a triangle runs from corner ph_next_corner[k] to ph_next_corner[k + 1]. */
+static const uint8_t ph_next_corner[4] = {1, 2, 0, 1};
+
 static inline bool ph_inverse_is_less(struct ph_inverse a, struct ph_inverse b)
 {
     return a.s != b.s ? a.s < b.s : a.m < b.m;
@@ -47,25 +51,6 @@ static inline bool ph_inverse_is_less(struct ph_inverse a, struct ph_inverse b)
 static inline int32_t ph_high_product(int32_t a, int32_t b)
 {
     return (int32_t)(fx_mul_wide(a, b) >> 32);
-}
-
-/* The square of a chord, (1/128 px)^2; UINT32_MAX from 256 px along an axis on. Both ways it is the same. */
-static inline uint32_t ph_chord2(int32_t ax, int32_t ay, int32_t bx, int32_t by)
-{
-    const uint32_t dx = fx_magnitude(bx - ax) >> 1, dy = fx_magnitude(by - ay) >> 1;
-    return (dx | dy) >> 15 != 0 ? UINT32_MAX : dx * dx + dy * dy;
-}
-
-static inline uint32_t ph_ray_chord2(const struct ph_ray *a, const struct ph_ray *b)
-{
-    return ph_chord2(a->at.x, a->at.y, b->at.x, b->at.y);
-}
-
-/* Longer chords are divided always. */
-static inline uint32_t ph_longest_chord2(const struct ph_lens *lens)
-{
-    const uint32_t half = (uint32_t)lens->chord_max >> 1;
-    return half * half;
 }
 
 /* ---- fisheye.c ---- */
@@ -86,20 +71,14 @@ struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *
 
 /* ---- fisheye_edges.c ---- */
 
-/* Sets the dividing point of an edge. The order of the two ends does not change its place. */
-void ph_fisheye_divide(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, struct ph_ray *m);
+/* The edge of a triangle that has to be divided, or -1; its dividing point becomes *middle. Edge k is opposite corner
+ * k; bit k of *straight: it need not be divided. */
+int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], uint8_t *straight,
+                              struct ph_ray *middle);
 
-/* The angle of an edge that has to be divided because it is long, squared, Q26; else 0. */
-uint32_t ph_fisheye_long_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b,
-                               uint32_t chord);
-
-/* The same of an edge that is not long, but bends: its dividing point *m, which is set then, is over 1/2 px off the
- * chord. */
-uint32_t ph_fisheye_bent_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b,
-                               uint32_t chord, struct ph_ray *m);
-
-/* Whether all n rays are beyond one side of the picture. */
-bool ph_rays_miss(const struct ph_renderer *r, const struct ph_ray *const v[], int n);
+/* Whether a line has to be divided, at *middle. Sets *misses if not, and nothing of it can be seen. */
+bool ph_fisheye_divides_line(const struct ph_renderer *r, const struct ph_ray *const ends[2], struct ph_ray *middle,
+                             bool *misses);
 
 /* ---- fisheye_clip.c ---- */
 
