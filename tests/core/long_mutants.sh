@@ -42,7 +42,7 @@ a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int1
 triangles not carried by two cores       | render/bands.c   | s/y_bottom <= y1)/y_bottom <= y1 + 1)/               | test_cores
 triangles drawn in reverse               | render/list.h    | s/return r->list.top - 1 - n;/return r->list.to + n;/ | test_raster
 depth not cleared                        | render/bands.c   | s/ph_fill(rows->depth.*//                            | test_raster
-no clamp at the left border              | render/raster.c  | s/left.x < 0 ? 0 : left.x >> 16/left.x >> 16/        | test_raster
+no clamp at the left border              | render/edge.h    | s/ph_max((int32_t)left >> 16, 0)/((int32_t)left >> 16)/ | test_raster
 no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/list.c    | s/most : r->config.triangle_max/most : r->config.triangle_max + 1/ | test_frame
 dropped triangles not counted            | render/list.h    | s/r->stats.triangles_dropped++;//                    | test_frame

@@ -2,8 +2,8 @@
 #ifndef PH_BAND_H
 #define PH_BAND_H
 
+#include "edge.h"
 #include "kernels.h"
-#include "triangle.h"
 
 /* Rows y0 .. y1 - 1 of the picture, and the memory that they are drawn into. */
 struct ph_band {
@@ -53,8 +53,8 @@ static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_ban
         return false;
     }
     struct ph_edge long_edge = t->long_edge, other = half == 0 ? t->upper : t->lower;
-    long_edge.x = (int32_t)((uint32_t)long_edge.x + (uint32_t)(*y - t->y_top) * (uint32_t)long_edge.dx);
-    other.x = (int32_t)((uint32_t)other.x + (uint32_t)(*y - from) * (uint32_t)other.dx);
+    ph_edge_step(&long_edge, *y - t->y_top);
+    ph_edge_step(&other, *y - from);
     *left = t->long_left != 0 ? long_edge : other;
     *right = t->long_left != 0 ? other : long_edge;
     return true;

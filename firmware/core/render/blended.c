@@ -174,15 +174,13 @@ static void blend_flat(const struct overlay *o, const struct ph_triangle *t)
             continue;
         }
         for (; y < y_end; y++) {
-            const int32_t from = ph_max(left.x >> 16, 0), to = ph_min(right.x >> 16, band->width);
-            if (from < to) {
+            int32_t from, to;
+            if (ph_next_row(&left, &right, band->width, &from, &to)) {
                 const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + (uint32_t)from;
                 ph_span_blend(band->pixels + at, (const uint16_t *)band->depth + at, (uint32_t)(to - from),
                               ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)y), t->depth.gx, source, 32 - alpha);
                 o->r->stats.fragments += (uint32_t)(to - from);
             }
-            left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
-            right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
         }
     }
 }

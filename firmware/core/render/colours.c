@@ -5,6 +5,7 @@
 #include "colours.h"
 
 #include "colour.h"
+#include "edge.h"
 #include "span.h"
 
 /* n pixels of a row. */
@@ -67,14 +68,11 @@ uint32_t ph_draw_colours(const struct ph_triangle *t, const struct ph_band *band
             continue;
         }
         for (; y < y_end; y++) {
-            const int32_t from = left.x < 0 ? 0 : left.x >> 16;
-            const int32_t right_column = right.x >> 16, to = right_column > band->width ? band->width : right_column;
-            if (from < to) {
+            int32_t from, to;
+            if (ph_next_row(&left, &right, band->width, &from, &to)) {
                 draw_row(t, band, (uint32_t)from, (uint32_t)y, (uint32_t)(to - from));
                 count += (uint32_t)(to - from);
             }
-            left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);
-            right.x = (int32_t)((uint32_t)right.x + (uint32_t)right.dx);
         }
     }
     return count;

@@ -11,6 +11,16 @@
 #include "sides.h"
 #include "triangle.h"
 
+static inline int32_t ph_min(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t ph_max(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
 /* First row whose centre is at or below y (1/256 px). */
 static inline int32_t ph_first_row(int32_t y)
 {
@@ -48,6 +58,32 @@ static inline struct ph_edge ph_edge_at_row(int32_t x, int32_t dx, int32_t row, 
     return (struct ph_edge){(int32_t)((uint32_t)x + (uint32_t)(y0 - row) * (uint32_t)dx + 32767u), dx};
 }
 
+/* The columns of a row from one edge to another, cut to the picture: from .. to - 1. */
+static inline uint32_t ph_from_column(uint32_t left)
+{
+    return (uint32_t)ph_max((int32_t)left >> 16, 0);
+}
+
+static inline uint32_t ph_to_column(uint32_t right, uint32_t width)
+{
+    return (uint32_t)ph_min((int32_t)right >> 16, (int32_t)width);
+}
+
+static inline void ph_edge_step(struct ph_edge *edge, int32_t rows)
+{
+    edge->x = (int32_t)((uint32_t)edge->x + (uint32_t)rows * (uint32_t)edge->dx);
+}
+
+/* Sets the columns between two edges, which step a row down. False if there are none. */
+static inline bool ph_next_row(struct ph_edge *left, struct ph_edge *right, int32_t width, int32_t *from, int32_t *to)
+{
+    *from = (int32_t)ph_from_column((uint32_t)left->x);
+    *to = (int32_t)ph_to_column((uint32_t)right->x, (uint32_t)width);
+    ph_edge_step(left, 1);
+    ph_edge_step(right, 1);
+    return *from < *to;
+}
+
 /* The edge at row y0 that begins at a and goes on by dx, dy, each below 64 px (PH_SIDE_SHORT); `row` is the first row
  * of a. It has a row. In 32 bits; at its far end it is 2^-9 px off at most. */
 static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t row, int32_t y0)
@@ -78,16 +114,6 @@ static inline void ph_line_of_samples(struct ph_vertex *a, struct ph_vertex *b, 
     int32_t *const of_a = ph_line_is_wide(a, b) ? &a->y : &a->x, *const of_b = of_a == &a->y ? &b->y : &b->x;
     *of_a += aside;
     *of_b += aside;
-}
-
-static inline int32_t ph_min(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static inline int32_t ph_max(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
 }
 
 /* v or -1 - v, whichever is not negative. It has as many bits as v needs beside its sign. */

@@ -202,8 +202,8 @@ static void measure_strip(const struct ph_triangle *t, int32_t width, struct str
             continue;
         }
         for (int end = 0; end < 2; end++) {
-            const int32_t from = left.x < 0 ? 0 : left.x >> 16;
-            const int32_t right_column = right.x >> 16, to = right_column > width ? width : right_column;
+            const int32_t from = (int32_t)ph_from_column((uint32_t)left.x);
+            const int32_t to = (int32_t)ph_to_column((uint32_t)right.x, (uint32_t)width);
             strip->x = from < strip->x ? from : strip->x;
             strip->x_end = to > strip->x_end ? to : strip->x_end;
             if (from < to) {
@@ -213,8 +213,8 @@ static void measure_strip(const struct ph_triangle *t, int32_t width, struct str
                 strip->least_w = w1 < strip->least_w ? w1 : strip->least_w;
             }
             const int32_t more = y_end - 1 - y;
-            left.x = (int32_t)((uint32_t)left.x + (uint32_t)more * (uint32_t)left.dx);
-            right.x = (int32_t)((uint32_t)right.x + (uint32_t)more * (uint32_t)right.dx);
+            ph_edge_step(&left, more);
+            ph_edge_step(&right, more);
             y = y_end - 1;
         }
     }

@@ -1,0 +1,209 @@
+/*
+ * Rows of Gouraud and of textured triangles, as the kernels draw them. Where the depth is a float that crosses octaves,
+ * rows of one octave are drawn together, and a row that crosses is drawn in pieces. See raster.h.
+ */
+#include "raster.h"
+
+#include "edge.h"
+#include "span.h"
+
+/* Steps n rows down. At most all of the upper rows are passed; then the lower edge takes over. */
+static void step_rows(struct ph_small_triangle *r, uint32_t n)
+{
+    r->left += n * r->left_dx;
+    r->right += n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->upper_rows = (uint16_t)(r->upper_rows - n);
+    if (r->upper_rows == 0 && r->lower_rows > 0) {
+        ph_small_lower(r);
+    }
+}
+
+/* Whether the depth where an edge meets a row, a pixel more or less, lies in the octave. */
+static inline bool end_in_octave(const struct ph_octave *octave, uint32_t d, uint32_t x, uint32_t gd)
+{
+    const uint32_t at = d + (uint32_t)((int32_t)x >> 16) * gd - octave->bottom;
+    return at < octave->size && at - gd < octave->size && at + gd < octave->size;
+}
+
+/* Whether the upper rows lie in the octave, because the ends of the first and of the last one do. */
+static bool all_in_octave(const struct ph_small_triangle *r, const struct ph_octave *octave)
+{
+    const uint32_t n = r->upper_rows - 1u, gd = r->gd, last = r->d + n * r->d_dy;
+    return end_in_octave(octave, r->d, r->left, gd) && end_in_octave(octave, r->d, r->right, gd) &&
+           end_in_octave(octave, last, r->left + n * r->left_dx, gd) &&
+           end_in_octave(octave, last, r->right + n * r->right_dx, gd);
+}
+
+/* How many of the next upper rows lie wholly in the octave. d, gd and d_dy are in units of the triangle's plane. */
+static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t width)
+{
+    uint32_t left = r->left, right = r->right, d = r->d, n = 0;
+    if (all_in_octave(r, octave)) {
+        return r->upper_rows;
+    }
+    for (; n < r->upper_rows; n++) {
+        const uint32_t from = ph_from_column(left), to = ph_to_column(right, width), first = d + from * r->gd;
+        if ((int32_t)(to - from) > 0 && !ph_octave_holds(octave, first, first + (to - from - 1) * r->gd)) {
+            break;
+        }
+        left += r->left_dx;
+        right += r->right_dx;
+        d += r->d_dy;
+    }
+    return n;
+}
+
+/* Draws the upper rows of r, textured if there are texels. */
+static uint32_t draw_upper_rows(const struct ph_small_triangle *r, const struct ph_place *at,
+                                struct ph_small_texels *texels)
+{
+    return texels != NULL ? ph_small_texels_draw(texels, r, at->depth, at->pixels)
+           : at->wide     ? ph_wide_gouraud(r, at->depth, at->pixels, 2 * at->stride)
+                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+}
+
+/* Draws rows of one octave. The steps of d are multiples of 8, so the shift to codes loses no bit of them. */
+static uint32_t draw_rows_in_octave(struct ph_small_triangle *r, const struct ph_octave *octave, uint32_t rows,
+                                    const struct ph_place *at, struct ph_small_texels *texels)
+{
+    const uint32_t from = ph_from_column(r->left), d = r->d, gd = r->gd, d_dy = r->d_dy;
+    const uint32_t above =
+        d + from * gd - octave->bottom; /* the first row's d lies in the octave, unless it is empty */
+    const uint16_t upper_rows = r->upper_rows, lower_rows = r->lower_rows;
+    r->gd = octave->slope;
+    r->d_dy = ph_depth_float16_slope(d_dy, octave->up);
+    r->d = ph_depth_float16_value(octave->bottom, octave->up) + octave->offset +
+           ph_depth_float16_slope(above, octave->up) - from * r->gd;
+    r->upper_rows = (uint16_t)rows;
+    r->lower_rows = 0;
+    const uint32_t count = draw_upper_rows(r, at, texels);
+    r->d = d;
+    r->gd = gd;
+    r->d_dy = d_dy;
+    r->upper_rows = upper_rows;
+    r->lower_rows = lower_rows;
+    return count;
+}
+
+/* How many of n pixels lie in the octave in one run; the first has depth d, and counts in any case. */
+static uint32_t pixels_in_octave(const struct ph_octave *octave, uint32_t d, uint32_t gd, uint32_t n)
+{
+    const uint32_t size = octave->size;
+    uint32_t above = d - octave->bottom, count = 0;
+    if (FX_DIVIDES_32 && above < size && gd != 0) {
+        const uint32_t room = (int32_t)gd > 0 ? (size - 1 - above) / gd : above / (0u - gd);
+        return room < n ? room + 1 : n;
+    }
+    do {
+        above += gd;
+        count++;
+    } while (count < n && above < size);
+    return count;
+}
+
+/* Draws a row that crosses octaves. It begins in `first`; `next` is a guess of the octave that follows. */
+static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_small_triangle *r,
+                                const struct ph_octave *first, struct ph_octave *next, const struct ph_place *at,
+                                struct ph_small_texels *texels)
+{
+    const uint32_t from = ph_from_column(r->left), to = ph_to_column(r->right, at->stride);
+    const struct ph_octave *octave = first;
+    for (uint32_t x = from, n; x < to; x += n) {
+        const uint32_t d = r->d + x * r->gd;
+        if (!ph_octave_holds(octave, d, d)) {
+            if (!ph_octave_holds(next, d, d)) {
+                ph_octave_of(next, t, d, r->gd);
+            }
+            octave = next;
+        }
+        n = pixels_in_octave(octave, d, r->gd, to - x);
+        const uint32_t code = ph_depth_float16_code(octave, d);
+        if (texels != NULL) {
+            const struct ph_row_piece piece = {x, n, code, octave->slope, x + n == to};
+            ph_small_texels_piece(texels, &piece, at->depth, at->pixels);
+        } else {
+            ph_span_gouraud(&at->pixels[x], &at->depth[x], n, code, octave->slope, r->light + x * r->glight, r->glight,
+                            r->ramp);
+        }
+    }
+    return to - from;
+}
+
+/* Draws the rows of a triangle that crosses octaves. Most of its rows do not. */
+uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
+                            struct ph_small_texels *texels)
+{
+    struct ph_octave octave = {0}, next = {0}; /* none yet */
+    uint32_t count = 0;
+    while (r->upper_rows > 0) {
+        const uint32_t from = ph_from_column(r->left), d = r->d + from * r->gd;
+        const bool is_empty = (int32_t)(ph_to_column(r->right, at.stride) - from) <= 0; /* d may have wrapped there */
+        if (!is_empty && !ph_octave_holds(&octave, d, d)) {
+            ph_octave_of(&octave, t, d, r->gd);
+        }
+        uint32_t n = is_empty ? 1 : rows_in_octave(r, &octave, at.stride);
+        if (n == 0) {
+            n = 1;
+            count += draw_row_across(t, r, &octave, &next, &at, texels);
+        } else if (!is_empty || texels != NULL) { /* texels are stepped over an empty row, too */
+            count += draw_rows_in_octave(r, &octave, n, &at, texels);
+        }
+        step_rows(r, n);
+        at.depth += n * at.stride;
+        at.pixels += n * at.stride;
+    }
+    return count;
+}
+
+/* Draws so many rows of a Gouraud triangle that is not small; r stands at the first of them. */
+static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
+                               uint32_t rows)
+{
+    uint32_t count = 0;
+    while (rows > 0) {
+        const uint32_t n = rows < PH_WIDE_ROWS ? rows : PH_WIDE_ROWS;
+        r->upper_rows = (uint16_t)n;
+        if (t->block == PH_BLOCK_NONE) {
+            count += ph_wide_gouraud(r, at.depth, at.pixels, 2 * at.stride);
+            step_rows(r, n);
+        } else {
+            count += ph_draw_rows_split(t, r, at, NULL);
+        }
+        at.depth += n * at.stride;
+        at.pixels += n * at.stride;
+        rows -= n;
+    }
+    return count;
+}
+
+/* Draws a Gouraud triangle that is not small, with depth of 16 bits. */
+uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const struct ph_plane *const depth = &t->depth, *const light = &t->attribute[0];
+    struct ph_small_triangle r;
+    uint32_t count = 0;
+    r.lower_rows = 0;
+    r.ramp = t->material->ramp;
+    r.gd = depth->gx;
+    r.d_dy = depth->gy;
+    r.glight = light->gx;
+    r.light_dy = light->gy;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+            const uint32_t width = (uint32_t)band->width, start = (uint32_t)(y - band->y0) * width;
+            r.left = (uint32_t)left.x;
+            r.left_dx = (uint32_t)left.dx;
+            r.right = (uint32_t)right.x;
+            r.right_dx = (uint32_t)right.dx;
+            r.d = depth->base + (uint32_t)y * depth->gy;
+            r.light = light->base + (uint32_t)y * light->gy;
+            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, width, true};
+            count += draw_wide_rows(t, &r, at, (uint32_t)(y_end - y));
+        }
+    }
+    return count;
+}

@@ -1,0 +1,146 @@
+/*
+ * Triangles that are walked row by row: of one colour, Gouraud with linear-w or depth of 24 bits, and single pixels. A
+ * span is drawn in one run, unless its depth crosses octaves. See raster.h.
+ */
+#include "raster.h"
+
+#include "edge.h"
+#include "exact.h"
+#include "span.h"
+
+/* n pixels of a row of a triangle. */
+struct row {
+    uint16_t *pixels;
+    void *depth;        /* as in struct ph_band; both are of the first pixel */
+    uint32_t n, d;      /* d: depth at the first pixel, in units of the plane */
+    uint32_t attribute; /* Gouraud: light at the first pixel */
+};
+
+/* Draws a run of pixels along which the depth code is linear. */
+static inline void draw_run(const struct ph_triangle *t, bool depth24, const struct row *row, uint32_t gd)
+{
+    const bool gouraud = t->kind == PH_KIND_GOURAUD, linear = t->block == PH_BLOCK_LINEAR;
+    const uint32_t light = row->attribute, glight = t->attribute[0].gx;
+    const uint16_t *const ramp = t->material->ramp;
+    if (depth24 && gouraud) {
+        ph_span_gouraud24(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+    } else if (depth24) {
+        ph_span_flat24(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+    } else if (linear && gouraud) {
+        ph_span_gouraud_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, light, glight, ramp);
+    } else if (linear) {
+        ph_span_flat_linear(row->pixels, row->depth, row->n, row->d, gd, &t->linear, t->colour);
+    } else if (gouraud) {
+        ph_span_gouraud(row->pixels, row->depth, row->n, row->d, gd, light, glight, ramp);
+    } else {
+        ph_span_flat(row->pixels, row->depth, row->n, row->d, gd, t->colour);
+    }
+}
+
+/* Draws a span in as many runs as it needs. */
+static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
+{
+    uint32_t left = row.n, d = row.d;
+    while (left > 0) { /* each turn draws at least one pixel */
+        row.n = left;
+        const struct ph_piece piece = ph_depth_piece(t, d, &row.n);
+        row.d = piece.d;
+        draw_run(t, depth24, &row, piece.gd);
+        row.pixels += row.n;
+        row.depth = ph_depth_from(row.depth, row.n, depth24);
+        row.attribute += t->attribute[0].gx * row.n;
+        d += t->depth.gx * row.n;
+        left -= row.n;
+    }
+}
+
+/* Draws a span; tries the octave of the last one first. */
+static PH_NOINLINE void draw_row(const struct ph_triangle *t, bool depth24, struct ph_octave *octave,
+                                 const struct row *row)
+{
+    const uint32_t last = row->d + t->depth.gx * (row->n - 1);
+    if (!ph_octave_holds(octave, row->d, last)) {
+        ph_octave_of(octave, t, row->d, t->depth.gx);
+        if (!ph_octave_holds(octave, row->d, last)) {
+            draw_span(t, depth24, *row);
+            return;
+        }
+    }
+    struct row run = *row;
+    run.d = ph_depth_float16_code(octave, row->d);
+    draw_run(t, depth24, &run, octave->slope);
+}
+
+/* Draws rows y .. y_end - 1 between two edges, which are given at row y. Returns the number of pixels. */
+static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
+                          struct ph_edge left, struct ph_edge right)
+{
+    uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width, d = t->depth.base + (uint32_t)y * t->depth.gy;
+    uint32_t light = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
+    struct ph_octave octave = {0};
+    for (; y < y_end; y++) {
+        int32_t from, to;
+        if (ph_next_row(&left, &right, band->width, &from, &to)) {
+            const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from);
+            const struct row row = {band->pixels + at + x, ph_depth_from(band->depth, at + x, band->depth24), n,
+                                    d + x * t->depth.gx, light + x * t->attribute[0].gx};
+            draw_row(t, band->depth24, &octave, &row);
+            count += n;
+        }
+        at += (uint32_t)band->width;
+        d += t->depth.gy;
+        light += t->attribute[0].gy;
+    }
+    return count;
+}
+
+/* The same for one colour and depth codes of 16 bits that are linear along all of the triangle. */
+static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
+                               struct ph_edge left, struct ph_edge right)
+{
+    const int32_t width = band->width;
+    const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)width, gd = t->depth.gx, d_dy = t->depth.gy;
+    uint16_t *pixels = band->pixels + start, *depth = (uint16_t *)band->depth + start;
+    uint32_t d = t->depth.base + (uint32_t)y * d_dy, count = 0;
+    for (int32_t rows = y_end - y; rows > 0; rows--) {
+        int32_t from, to;
+        if (ph_next_row(&left, &right, width, &from, &to)) {
+            const uint32_t n = (uint32_t)(to - from);
+            ph_span_flat(pixels + from, depth + from, n, d + (uint32_t)from * gd, gd, t->colour);
+            count += n;
+        }
+        d += d_dy;
+        pixels += width;
+        depth += width;
+    }
+    return count;
+}
+
+uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const bool flat =
+        t->block == PH_BLOCK_NONE && !band->depth24 && t->kind == PH_KIND_FLAT; /* else draw_row decides */
+    uint32_t count = 0;
+    for (int half = 0; half < 2; half++) {
+        int32_t y, y_end;
+        struct ph_edge left, right;
+        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+            count += flat ? walk_flat_rows(t, band, y, y_end, left, right) : walk_rows(t, band, y, y_end, left, right);
+        }
+    }
+    return count;
+}
+
+PH_NOINLINE void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band)
+{
+    struct ph_triangle pixel = *t;
+    pixel.y_top = (int16_t)y;
+    pixel.y_mid = pixel.y_bottom = (int16_t)(y + 1);
+    pixel.long_left = 1;
+    pixel.long_edge = (struct ph_edge){x * 65536, 0};
+    pixel.upper = (struct ph_edge){(x + 1) * 65536, 0};
+    if (t->block == PH_BLOCK_EXACT) {
+        ph_exact_run(t, x, x + 1, y, &pixel);
+    }
+    ph_walk(&pixel, band);
+}
