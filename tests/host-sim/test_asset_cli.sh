@@ -101,10 +101,10 @@ unlit='{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
     "sparse":{"count":2,"indices":{"bufferView":0,"componentType":5121},"values":{"bufferView":0,"byteOffset":4,"componentType":5126}}}],
     "bufferViews":[{"buffer":0,"byteLength":28}],"buffers":[{"byteLength":28,"uri":"data:;base64,AQIAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA=="}]}'
 
-the_three_forms_are_one_picture() { # the file, the C scene and the binary scene: turntable, camera and textures, unlit
+the_three_forms_are_one_picture() { # the file, the C scene and the binary scene: turntable, camera and textures, unlit, alpha and vertex colours
     local model
     echo "$unlit" >"$dir/unlit.gltf"
-    for model in "$scene" "$dir/sphere.obj" "$dir/unlit.gltf"; do
+    for model in "$scene" "$dir/sphere.obj" "$dir/unlit.gltf" tests/host-sim/asset/surfaces.gltf; do
         "$asset" "$model" -o "$dir/3.c" && "$asset" "$model" -o "$dir/3.phs" && compile "$dir/3.c" "$dir/3" && "$dir/3" pico-display 4 32 | grep '^frame' | cut -d' ' -f4 >"$dir/3.compiled" &&
             "$B/pinhole-sim" --model "$model" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.model" &&
             "$B/pinhole-sim" --model "$dir/3.phs" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.binary" || return 1
