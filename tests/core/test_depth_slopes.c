@@ -10,9 +10,14 @@
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "band.h"
 #include "clip.h"
+#include "demo_stage.h"
+#include "edge.h"
+#include "list.h"
 #include "ref_random.h"
 #include "ref_rig.h"
+#include "setup.h"
 #include "vertex.h"
 
 #include <math.h>
@@ -66,21 +71,26 @@ static const struct surface surfaces[SURFACES] = {
     {"added", PH_SHADE_GOURAUD, 0, PH_BLEND_ADD, false, true, false},
 };
 
-static void begin(struct rig *rig, const struct lens *lens, const struct surface *surface)
+static void begin_with(struct rig *rig, const struct ph_projection *projection, const struct surface *surface)
 {
-    struct ph_projection projection;
     const struct ph_scene_light light = {
         FX_HALF,
         1,
         {{.intensity = FX_ONE, .to_light_q30 = {0, 0, FX_Q30_ONE}, .red = surface->is_tinted ? FX_ONE : 0}}};
-    const struct ph_fog fog = {0x1234, ref_q16(lens->near_z), ref_q16(lens->far_z)};
-    assert_int_equal(ph_projection_perspective(&projection, FX_INT(60), ref_q16((double)rig->width / rig->height),
-                                               ref_q16(lens->near_z), ref_q16(lens->far_z)),
-                     PH_OK);
-    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &projection, &light, 0), PH_OK);
+    const struct ph_fog fog = {0x1234, projection->near_z, projection->far_z};
+    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, projection, &light, 0), PH_OK);
     if (surface->fog) {
         assert_int_equal(ph_frame_fog(&rig->r, &fog), PH_OK);
     }
+}
+
+static void begin(struct rig *rig, const struct lens *lens, const struct surface *surface)
+{
+    struct ph_projection projection;
+    assert_int_equal(ph_projection_perspective(&projection, FX_INT(60), ref_q16((double)rig->width / rig->height),
+                                               ref_q16(lens->near_z), ref_q16(lens->far_z)),
+                     PH_OK);
+    begin_with(rig, &projection, surface);
 }
 
 /* Nothing of a texture is cut out. */
@@ -422,6 +432,233 @@ static void triangles_that_once_were_codes_off_are_right(void **state)
     }
 }
 
+/* ---- other cameras ------------------------------------------------------------------------------------------------
+ */
+
+enum view { FRUSTUM, PARALLEL, FISHEYE, VIEWS };
+
+static void project(struct ph_projection *projection, enum view view, const struct lens *lens)
+{
+    const fx_t near_z = ref_q16(lens->near_z), far_z = ref_q16(lens->far_z);
+    const double high = lens->near_z / sqrt(3), wide = high * WIDTH / HEIGHT;
+    const int status = view == FRUSTUM    ? ph_projection_frustum(projection, ref_q16(-.5 * wide), ref_q16(2 * wide),
+                                                                  ref_q16(-1.7 * high), ref_q16(.4 * high), near_z, far_z)
+                       : view == PARALLEL ? ph_projection_ortho(projection, FX_INT(-4), FX_INT(4), FX_INT(-3),
+                                                                FX_INT(3), near_z, far_z)
+                                          : ph_projection_fisheye(projection, FX_INT(170), near_z, far_z);
+    assert_int_equal(status, PH_OK);
+}
+
+/* Any size, and one corner in three may lie behind the eye. */
+static void any_triangle(enum view view, const struct lens *lens, struct fx_vec3 p[3])
+{
+    const double size = pow(2, ref_uniform(-7, 3)), steep = pow(2, ref_uniform(-12, 1)), middle = ref_uniform(0, 1);
+    const double x = ref_uniform(-1, 1), y = ref_uniform(-1, 1);
+    for (int i = 0; i < 3; i++) {
+        const double share = middle + ref_uniform(-.5, .5) * steep, sign = ref_uniform(0, 1) < .3 ? -1 : 1;
+        const double range = lens->far_z - lens->near_z;
+        const double w = view == PARALLEL ? lens->near_z + range * share
+                                          : lens->near_z * pow(lens->far_z / lens->near_z, fmin(share, 1.5)) * sign;
+        const double across = view == PARALLEL ? 4 : fabs(w);
+        p[i].x = ref_q16((x + ref_uniform(-.5, .5) * size) * across);
+        p[i].y = ref_q16((y + ref_uniform(-.5, .5) * size) * across);
+        p[i].z = -ref_q16(fmax(fmin(w, 20000), -20000));
+    }
+}
+
+static bool run_here(void (*run)(void *argument), void *argument)
+{
+    run(argument);
+    return true;
+}
+
+static void join_here(void)
+{
+}
+
+/* Draws a triangle in bands of so many lines, and with two cores or one. Returns in how many pixels some surface has
+ * another depth than the first, which is given if it is drawn already. */
+static int unlike_pixels(struct rig *rig, const struct ph_projection *projection, const struct fx_vec3 p[3],
+                         uint32_t *first, bool is_given)
+{
+    static uint16_t ramp[PH_RAMP_SIZE];
+    int unlike = 0;
+    for (int surface = 0; surface < OPAQUE; surface++) {
+        const struct ph_material material = material_of(&surfaces[surface], ramp, 1);
+        begin_with(rig, projection, &surfaces[surface]);
+        draw_polygon(rig, p, 3, &surfaces[surface], &material);
+        assert_true(rig_finish(rig));
+        assert_int_equal(rig->r.stats.triangles_dropped, 0);
+        if (surface == 0 && !is_given) {
+            memcpy(first, rig->depth, WIDTH * HEIGHT * sizeof *first);
+        }
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            unlike += rig->depth[i] != first[i];
+        }
+    }
+    return unlike;
+}
+
+static void open_views(struct rig rigs[2], enum ph_depth_format format, int exponent)
+{
+    for (int i = 0; i < 2; i++) {
+        rig_open(&rigs[i], WIDTH, HEIGHT, i == 0 ? 16 : 1, format, 6000, 6000);
+        struct ph_config config = rigs[i].r.config;
+        config.depth_exponent = (uint8_t)exponent;
+        config.other_core = i == 0 ? NULL : run_here;
+        config.other_core_join = i == 0 ? NULL : join_here;
+        assert_int_equal(ph_renderer_init(&rigs[i].r, &config), PH_OK);
+    }
+}
+
+/* Parallel, off the axis, through a fisheye; clipped at the near and the far plane. */
+static void other_cameras_have_one_depth_on_all_surfaces_too(void **state)
+{
+    static const struct lens lenses[] = {{.5, 100}, {1, 3}, {.1, 1000}, {20, 21}};
+    static const int exponents[PH_DEPTH_FORMATS][3] = {
+        [PH_DEPTH_FIXED16] = {0, 0, 0}, [PH_DEPTH_FLOAT16] = {3, 5, 6}, [PH_DEPTH_FLOAT24] = {3, 4, 6}};
+    static uint32_t first[WIDTH * HEIGHT];
+    int unlike = 0;
+    (void)state;
+    ref_seed(14);
+    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+        for (int n = 0; n < 24; n++) {
+            const enum view view = (enum view)(n % VIEWS);
+            struct ph_projection projection;
+            struct fx_vec3 p[3];
+            struct rig rigs[2];
+            open_views(rigs, (enum ph_depth_format)format, exponents[format][n % 8 % 3]);
+            project(&projection, view, &lenses[n % 4]);
+            any_triangle(view, &lenses[n % 4], p);
+            unlike += unlike_pixels(&rigs[0], &projection, p, first, false);
+            unlike += unlike_pixels(&rigs[1], &projection, p, first, true);
+            rig_close(&rigs[0]);
+            rig_close(&rigs[1]);
+        }
+    }
+    assert_int_equal(unlike, 0);
+}
+
+/* Tiles of texture in which d changes by 2^31 and more, or crosses from 3/4 into another octave: these had codes some
+ * octaves off. */
+static void steep_textures_have_the_depth_of_other_surfaces(void **state)
+{
+    static const struct {
+        struct lens lens;
+        int exponent;
+        struct fx_vec3 p[3];
+    } cases[] = {
+        {{1, 3}, 6, {{-694526, 336900, 41374}, {-508140, 242768, -160482}, {417223, -170679, -160466}}},
+        {{1, 3}, 5, {{226970, -110739, -173304}, {31185, 128425, 20040}, {-596469, -72590, -168521}}},
+        {{.5, 100}, 4, {{93169, -53232, -4194513}, {16943, 9730, 1440660}, {-183544, -115765, 897688}}},
+    };
+    static uint32_t first[WIDTH * HEIGHT];
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct ph_projection projection;
+        struct rig rigs[2];
+        int drawn = 0;
+        open_views(rigs, PH_DEPTH_FLOAT16, cases[i].exponent);
+        project(&projection, PARALLEL, &cases[i].lens);
+        assert_int_equal(unlike_pixels(&rigs[0], &projection, cases[i].p, first, false), 0);
+        for (int at = 0; at < WIDTH * HEIGHT; at++) {
+            drawn += first[at] != 0;
+        }
+        assert_true(drawn > 100);
+        rig_close(&rigs[0]);
+        rig_close(&rigs[1]);
+    }
+}
+
+/* ---- a demo -------------------------------------------------------------------------------------------------------
+ */
+
+/* What was found in all triangles of some frames. */
+struct found {
+    long triangles, across, pixels; /* across: their depth crosses octaves of a float */
+    double worst;                   /* codes off the exact plane */
+};
+
+/* Draws a triangle that is set up alone, and compares. */
+static void compare_alone(const struct rig *rig, const struct ph_triangle *t, const struct plane *plane,
+                          struct found *found)
+{
+    static uint16_t pixels[WIDTH * HEIGHT], depth16[WIDTH * HEIGHT];
+    static uint32_t depth24[WIDTH * HEIGHT];
+    const bool is_wide = ph_depth_bytes(rig->r.stats.depth_format) == 4;
+    const struct ph_band band = {pixels, is_wide ? (void *)depth24 : depth16, is_wide, 0, HEIGHT, WIDTH};
+    memset(depth16, 0, sizeof depth16);
+    memset(depth24, 0, sizeof depth24);
+    found->pixels += ph_draw_triangle(t, &band);
+    found->triangles++;
+    found->across += t->block != PH_BLOCK_NONE || t->kind == PH_KIND_SMALL_KNEE;
+    for (int at = ph_max(t->y_top, 0) * WIDTH; at < ph_min(t->y_bottom, HEIGHT) * WIDTH; at++) {
+        const uint32_t code = is_wide ? depth24[at] : depth16[at];
+        bool outside;
+        const double over_w = code != 0 ? plane_at(plane, at % WIDTH, at / WIDTH, &outside) : 0;
+        if (code != 0 && !outside) {
+            found->worst = fmax(found->worst, fabs(code + .5 - code_exact(rig, over_w)));
+        }
+    }
+}
+
+/* Compares the triangle of a reference. The N/w of its corners are those of the vertices: make proof bounds what these
+ * are off. */
+static void compare_reference(const struct rig *rig, const struct ph_draw *draw, uint32_t number, struct found *found)
+{
+    const struct ph_ref *const ref = ph_ref_at(&rig->r, number);
+    const uint8_t *const base = ph_at(&rig->r, draw->base);
+    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    struct plane plane;
+    struct ph_triangle t;
+    for (int i = 0; i < 3; i++) {
+        memcpy(&plane.v[i], base + ref->corner[i] * size, sizeof plane.v[i]);
+        plane.over_w[i] = (int128)plane.v[i].q << 32 >> plane.v[i].s >> 6;
+    }
+    plane.area = cross(plane.v[1].x - plane.v[0].x, plane.v[1].y - plane.v[0].y, plane.v[2].x - plane.v[0].x,
+                       plane.v[2].y - plane.v[0].y);
+    ph_setup_number(&rig->r, number, &t);
+    compare_alone(rig, &t, &plane, found);
+}
+
+static void every_triangle_of_turntable_is_right(void **state)
+{
+    static const struct {
+        enum ph_depth_format format;
+        uint8_t exponent;
+        double worst; /* of depth.h */
+    } bounds[] = {{PH_DEPTH_FIXED16, 0, 3}, {PH_DEPTH_FLOAT16, 3, 6}, {PH_DEPTH_FLOAT16, 4, 3},
+                  {PH_DEPTH_FLOAT16, 5, 3}, {PH_DEPTH_FIXED24, 0, 2}, {PH_DEPTH_FLOAT24, 3, 16},
+                  {PH_DEPTH_FLOAT24, 4, 8}};
+    const struct demo *const demo = demo_find("turntable");
+    (void)state;
+    for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++) {
+        struct demo_stage s = demo_stage_open(demo, WIDTH, HEIGHT);
+        struct found found = {0, 0, 0, 0};
+        s.rig.r.config.depth_format = (uint8_t)bounds[i].format;
+        s.rig.r.config.depth_exponent = bounds[i].exponent;
+        for (uint32_t frame = 0; frame < 256; frame += 16) {
+            assert_int_equal(demo->frame(&s.context, &s.rig.r, frame), PH_OK);
+            const struct ph_renderer *const r = &s.rig.r;
+            const struct ph_draw *draw = ph_at(r, r->list.first);
+            for (uint32_t number = 0; number < ph_ref_count(r); number++) {
+                while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= number) {
+                    draw = ph_at(r, draw->next);
+                }
+                compare_reference(&s.rig, draw, number, &found);
+            }
+        }
+        printf(
+            "# turntable, format %d-e%d: %.2f codes off in %ld pixels of %ld triangles, of which %ld cross octaves\n",
+            (int)bounds[i].format, bounds[i].exponent, found.worst, found.pixels, found.triangles, found.across);
+        assert_true(found.triangles > 10000);
+        assert_true(found.pixels > 100000);
+        assert_true(bounds[i].exponent == 0 || found.across > 100);
+        assert_true(found.worst <= bounds[i].worst);
+        demo_stage_close(&s);
+    }
+}
+
 /* ---- floors and walls ---------------------------------------------------------------------------------------------
  */
 
@@ -663,6 +900,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_slope_is_right_and_the_same_on_all_surfaces),
         cmocka_unit_test(triangles_that_once_were_codes_off_are_right),
+        cmocka_unit_test(other_cameras_have_one_depth_on_all_surfaces_too),
+        cmocka_unit_test(steep_textures_have_the_depth_of_other_surfaces),
+        cmocka_unit_test(every_triangle_of_turntable_is_right),
         cmocka_unit_test(no_floor_covers_a_wall_in_front_of_it),
         cmocka_unit_test(a_decal_lies_on_a_surface_that_leans_away),
         cmocka_unit_test(of_a_sphere_drawn_twice_only_the_first_shows),
