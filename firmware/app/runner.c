@@ -1,6 +1,7 @@
 /* See runner.h. */
 #include "runner.h"
 
+#include "crc32.h"
 #include "overlay.h"
 
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
@@ -333,37 +334,24 @@ int runner_send(struct runner *runner)
     return status;
 }
 
-/* CRC-32 (IEEE 802.3) of one byte more, four bits at a time. */
-static uint32_t crc_byte(uint32_t crc, uint32_t byte)
-{
-    static const uint32_t table[16] = {0x00000000, 0x1DB71064, 0x3B6E20C8, 0x26D930AC, 0x76DC4190, 0x6B6B51F4,
-                                       0x4DB26158, 0x5005713C, 0xEDB88320, 0xF00F9344, 0xD6D6A3E8, 0xCB61B38C,
-                                       0x9B64C2B0, 0x86D3D2D4, 0xA00AE278, 0xBDBDF21C};
-    crc ^= byte;
-    crc = crc >> 4 ^ table[crc & 15];
-    return crc >> 4 ^ table[crc & 15];
-}
-
 static uint32_t crc_pixels(uint32_t crc, const uint8_t *pixels, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++, pixels += 2) {
-        const uint32_t rgb = (uint32_t)pixels[0] << 8 | pixels[1];
-        const uint32_t r = rgb >> 11, g = rgb >> 5 & 63, b = rgb & 31;
-        crc = crc_byte(crc, r << 3 | r >> 2);
-        crc = crc_byte(crc, g << 2 | g >> 4);
-        crc = crc_byte(crc, b << 3 | b >> 2);
+        const uint32_t wire = (uint32_t)pixels[0] << 8 | pixels[1], r = wire >> 11, g = wire >> 5 & 63, b = wire & 31;
+        const uint8_t rgb[3] = {(uint8_t)(r << 3 | r >> 2), (uint8_t)(g << 2 | g >> 4), (uint8_t)(b << 3 | b >> 2)};
+        crc = crc32_update(crc, rgb, sizeof rgb);
     }
     return crc;
 }
 
 uint32_t runner_crc(struct runner *runner)
 {
-    uint32_t crc = UINT32_MAX;
+    uint32_t crc = 0;
     for (uint32_t band = 0, bands = ph_frame_bands(&runner->renderer); band < bands; band++) {
         const uint32_t lines = draw_band(runner, band);
         crc = crc_pixels(crc, (const uint8_t *)runner->bands[runner->band_next], lines * runner->context.width);
     }
-    return ~crc;
+    return crc;
 }
 
 int runner_finish(struct runner *runner)

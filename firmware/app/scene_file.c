@@ -1,5 +1,7 @@
 #include "scene_file.h"
 
+#include "crc32.h"
+
 #include <string.h>
 
 #define SIDE_LOG2_MAX 10
@@ -8,27 +10,11 @@
 struct drawn {
     struct ph_part part;
     struct ph_material material;
-    struct ph_texture texture;
+    struct ph_blend blend;
+    struct ph_texture texture, alphas;
 };
 
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
-
-uint32_t scene_file_crc(const uint8_t *bytes, size_t n)
-{
-    uint32_t table[16], crc = UINT32_MAX;
-    for (uint32_t i = 0; i < 16; i++) {
-        table[i] = i;
-        for (int bit = 0; bit < 4; bit++) {
-            table[i] = table[i] >> 1 ^ ((table[i] & 1) != 0 ? 0xEDB88320u : 0);
-        }
-    }
-    for (size_t i = 0; i < n; i++) {
-        crc ^= bytes[i];
-        crc = crc >> 4 ^ table[crc & 15];
-        crc = crc >> 4 ^ table[crc & 15];
-    }
-    return ~crc;
-}
 
 static const struct scene_file_mesh *table_of(const void *bytes)
 {
@@ -42,34 +28,43 @@ static bool is_inside(const struct scene_file_head *head, uint32_t offset, uint3
 }
 
 /* Texels of the first level and of those below it. */
-static uint32_t texel_count(const struct scene_file_mesh *m)
+static uint32_t texel_count(const struct scene_file_texture *t)
 {
     uint32_t sum = 0;
-    for (uint32_t k = 0; k <= m->levels; k++) {
-        sum += 1U << ((m->log2_width > k ? m->log2_width - k : 0) + (m->log2_height > k ? m->log2_height - k : 0));
+    for (uint32_t k = 0; k <= t->levels; k++) {
+        sum += 1U << ((t->log2_width > k ? t->log2_width - k : 0) + (t->log2_height > k ? t->log2_height - k : 0));
     }
     return sum;
 }
 
-static bool is_texture_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
+static bool is_texture_right(const struct scene_file_head *head, const struct scene_file_texture *t)
 {
-    const bool is_textured = m->shading == PH_SHADE_TEXTURE || m->shading == PH_SHADE_TEXTURE_LIT;
-    if (m->texels == 0) {
-        return !is_textured && m->uvs == 0;
-    }
-    return m->uvs != 0 && m->log2_width <= SIDE_LOG2_MAX && m->log2_height <= SIDE_LOG2_MAX &&
-           m->levels <= SIDE_LOG2_MAX && m->wrap <= PH_WRAP_CLAMP && m->filter <= PH_FILTER_MIPMAP &&
-           is_inside(head, m->uvs, m->vertex_count, sizeof(fx_t[2])) &&
-           is_inside(head, m->texels, texel_count(m), sizeof(uint16_t));
+    return t->log2_width <= SIDE_LOG2_MAX && t->log2_height <= SIDE_LOG2_MAX && t->levels <= SIDE_LOG2_MAX &&
+           t->wrap <= PH_WRAP_CLAMP && t->filter <= PH_FILTER_MIPMAP &&
+           is_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
+}
+
+/* Textures need coordinates, and coordinates are there for textures only. */
+static bool are_textures_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
+{
+    const bool has_texture = m->texture.texels != 0, has_alphas = m->alphas.texels != 0;
+    const bool is_textured =
+        m->shading == PH_SHADE_TEXTURE || m->shading == PH_SHADE_TEXTURE_LIT || m->shading == PH_SHADE_TEXTURE_GOURAUD;
+    return is_textured == has_texture && (has_texture || has_alphas) == (m->uvs != 0) &&
+           (!has_texture || is_texture_right(head, &m->texture)) &&
+           (!has_alphas || is_texture_right(head, &m->alphas)) &&
+           (m->uvs == 0 || is_inside(head, m->uvs, m->vertex_count, sizeof(fx_t[2])));
 }
 
 static bool is_mesh_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
 {
-    if (m->vertex_count > UINT16_MAX || m->shading > PH_SHADE_TEXTURE_LIT || m->shininess_log2 > 7 ||
+    if (m->vertex_count > UINT16_MAX || m->shading > PH_SHADE_TEXTURE_GOURAUD || m->shading == PH_SHADE_WIRE ||
+        m->shininess_log2 > 7 || m->blend > SCENE_FILE_ALPHA || m->alpha > 32 ||
         !is_inside(head, m->positions, m->vertex_count, sizeof(struct fx_vec3)) ||
         !is_inside(head, m->normals, m->vertex_count, sizeof(int16_t[3])) ||
         !is_inside(head, m->triangles, m->triangle_count, sizeof(uint16_t[3])) ||
-        !is_inside(head, m->ramp, PH_RAMP_SIZE, sizeof(uint16_t)) || !is_texture_right(head, m)) {
+        (m->colours != 0 && !is_inside(head, m->colours, m->vertex_count, sizeof(uint16_t))) ||
+        !is_inside(head, m->ramp, PH_RAMP_SIZE, sizeof(uint16_t)) || !are_textures_right(head, m)) {
         return false;
     }
     const uint16_t *const corners = (const void *)((const uint8_t *)head + m->triangles);
@@ -97,7 +92,7 @@ const char *scene_file_wrong(const void *bytes, size_t room)
     if (head->bytes < sizeof(*head) || head->bytes > room) {
         return "is not whole, or too large";
     }
-    if (scene_file_crc((const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
+    if (crc32_update(0, (const uint8_t *)bytes + 16, head->bytes - 16) != head->crc) {
         return "has a wrong checksum: write it again";
     }
     if (head->mesh_count > SCENE_FILE_MESHES || head->name[SCENE_FILE_NAME - 1] != '\0' ||
@@ -118,6 +113,37 @@ size_t scene_file_arena_bytes(const void *bytes)
     return ROUND8(head->mesh_count * sizeof(struct ph_mesh)) + ROUND8(head->mesh_count * sizeof(struct drawn));
 }
 
+static struct ph_texture texture_of(const uint8_t *base, const struct scene_file_texture *from)
+{
+    return (struct ph_texture){.texels = (const void *)(base + from->texels),
+                               .log2_width = from->log2_width,
+                               .log2_height = from->log2_height,
+                               .wrap = from->wrap,
+                               .filter = from->filter & 15U,
+                               .levels = from->levels & 15U};
+}
+
+static void set_drawn(struct drawn *d, const uint8_t *base, const struct scene_file_mesh *m)
+{
+    d->part = (struct ph_part){.count = m->triangle_count};
+    d->texture = texture_of(base, &m->texture);
+    d->alphas = texture_of(base, &m->alphas);
+    d->blend = (struct ph_blend){.draw = ph_draw_blended,
+                                 .kind = m->blend == SCENE_FILE_MASK ? PH_BLEND_MASK : PH_BLEND_ALPHA,
+                                 .alpha = m->alpha,
+                                 .alphas = m->alphas.texels != 0 ? &d->alphas : NULL};
+    d->material = (struct ph_material){.shading = m->shading,
+                                       .two_sided = m->two_sided != 0,
+                                       .shininess_log2 = m->shininess_log2,
+                                       .ambient = m->ambient,
+                                       .diffuse = m->diffuse,
+                                       .specular = m->specular,
+                                       .colour = m->colour,
+                                       .ramp = (const void *)(base + m->ramp),
+                                       .texture = m->texture.texels != 0 ? &d->texture : NULL,
+                                       .blend = m->blend != SCENE_FILE_OPAQUE ? &d->blend : NULL};
+}
+
 struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena)
 {
     const struct scene_file_head *const head = bytes;
@@ -126,29 +152,14 @@ struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena)
     struct drawn *const drawn = demo_alloc(arena, head->mesh_count * sizeof(*drawn));
     for (uint32_t i = 0; meshes && drawn && i < head->mesh_count; i++) {
         const struct scene_file_mesh *const m = &table_of(bytes)[i];
-        struct drawn *const d = &drawn[i];
-        d->part = (struct ph_part){.count = m->triangle_count};
-        d->texture = (struct ph_texture){.texels = (const void *)(base + m->texels),
-                                         .log2_width = m->log2_width,
-                                         .log2_height = m->log2_height,
-                                         .wrap = m->wrap,
-                                         .filter = m->filter & 15U,
-                                         .levels = m->levels & 15U};
-        d->material = (struct ph_material){.shading = m->shading,
-                                           .two_sided = m->two_sided != 0,
-                                           .shininess_log2 = m->shininess_log2,
-                                           .ambient = m->ambient,
-                                           .diffuse = m->diffuse,
-                                           .specular = m->specular,
-                                           .colour = m->colour,
-                                           .ramp = (const void *)(base + m->ramp),
-                                           .texture = m->texels != 0 ? &d->texture : NULL};
+        set_drawn(&drawn[i], base, m);
         meshes[i] = (struct ph_mesh){.positions = (const void *)(base + m->positions),
                                      .normals = (const void *)(base + m->normals),
                                      .uvs = m->uvs != 0 ? (const void *)(base + m->uvs) : NULL,
                                      .triangles = (const void *)(base + m->triangles),
-                                     .parts = &d->part,
-                                     .materials = &d->material,
+                                     .parts = &drawn[i].part,
+                                     .materials = &drawn[i].material,
+                                     .colours = m->colours != 0 ? (const void *)(base + m->colours) : NULL,
                                      .vertex_count = m->vertex_count,
                                      .triangle_count = m->triangle_count,
                                      .part_count = 1};

@@ -11,7 +11,7 @@
 #include "demo.h"
 
 #define SCENE_FILE_MAGIC   0x53484850u /* "PHHS" */
-#define SCENE_FILE_VERSION 1u
+#define SCENE_FILE_VERSION 2u
 #define SCENE_FILE_MESHES  4096u /* at most */
 #define SCENE_FILE_NAME    40
 
@@ -28,15 +28,23 @@ struct scene_file_head {
     int32_t scale_x_q20, scale_y_q20, near_z, far_z;
 };
 
-struct scene_file_mesh {
-    uint32_t positions, normals, uvs, triangles, ramp, texels; /* offsets; 0: none of uvs, texels */
-    uint32_t vertex_count, triangle_count;
-    int32_t ambient, diffuse, specular;
-    uint8_t shading, two_sided, shininess_log2, log2_width, log2_height, wrap, filter, levels;
-    uint16_t colour, spare;
+struct scene_file_texture {
+    uint32_t texels; /* offset; 0: there is no texture */
+    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3];
 };
 
-uint32_t scene_file_crc(const uint8_t *bytes, size_t n);
+enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA };
+
+struct scene_file_mesh {
+    uint32_t positions, normals, uvs, colours, triangles, ramp; /* offsets; 0: none of uvs, colours */
+    uint32_t vertex_count, triangle_count;
+    int32_t ambient, diffuse, specular;
+    struct scene_file_texture texture, alphas; /* alphas: of the blend */
+    uint8_t shading, two_sided, shininess_log2;
+    uint8_t blend, alpha; /* enum scene_file_blend; 0 .. 32 */
+    uint8_t spare;
+    uint16_t colour;
+};
 
 /* Returns NULL if `room` bytes from a 4-byte aligned place on begin with a scene that can be drawn, else what is wrong.
  * Every offset and index is checked. */

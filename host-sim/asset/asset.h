@@ -70,7 +70,8 @@ uint64_t asset_band_bytes(const struct board *board);
 
 /* Bytes of flash on a 32-bit target. */
 struct asset_sizes {
-    uint64_t positions, normals, uvs, triangles, tables, textures; /* tables: meshes, materials, ramps, the demo */
+    uint64_t positions, normals, uvs, colours, triangles, tables; /* tables: meshes, materials, ramps, the demo */
+    uint64_t textures;                                            /* and alphas */
 };
 
 struct asset_sizes asset_sizes(const struct asset *asset);
@@ -79,9 +80,10 @@ uint64_t asset_flash_bytes(const struct asset *asset);
 /* Bytes of its textures if no side were longer than 2^log2_max. */
 uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max);
 
-/* Returns the first mesh that has the same ramp or texture. */
+/* Returns the first mesh that has the same ramp, texture or blend. */
 uint32_t asset_first_ramp(const struct model *model, uint32_t mesh);
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
+uint32_t asset_first_blend(const struct model *model, uint32_t mesh);
 
 /* Writes the C file; the same asset gives the same bytes. Errors stay in the stream. */
 void asset_write(FILE *file, const struct asset *asset);

@@ -50,14 +50,14 @@ static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, st
     to->parts = part;
     to->materials = material;
     to->part_count = 1;
-    to->colours = NULL;
     return true;
 }
 
 static bool order_mesh(struct demo_arena *arena, const struct ph_mesh *from, const unsigned *indices, size_t count,
                        struct ph_material *material, struct ph_mesh *to)
 {
-    const struct asset_shape shape = {from->positions, from->normals, from->uvs, from->vertex_count, indices, count};
+    const struct asset_shape shape = {from->positions,    from->normals, from->uvs, from->colours,
+                                      from->vertex_count, indices,       count};
     return asset_order(arena, &shape, to) && finish_mesh(arena, from, material, to);
 }
 
@@ -66,6 +66,7 @@ struct loose {
     struct fx_vec3 *positions;
     int16_t (*normals)[3];
     fx_t (*uvs)[2];
+    uint16_t *colours;
     unsigned *indices;
 };
 
@@ -77,6 +78,7 @@ static void loosen(struct loose *l, const struct ph_mesh *from, const unsigned *
         if (from->uvs != NULL) {
             memcpy(l->uvs[i], from->uvs[indices[i]], sizeof l->uvs[i]);
         }
+        l->colours[i] = from->colours != NULL ? from->colours[indices[i]] : 0;
     }
 }
 
@@ -84,13 +86,15 @@ static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, co
                         struct ph_material *material, struct ph_mesh *to)
 {
     struct loose l = {malloc(sizeof *l.positions * (count + 1)), malloc(sizeof *l.normals * (count + 1)),
-                      malloc(sizeof *l.uvs * (count + 1)), malloc(sizeof *l.indices * (count + 1))};
-    bool is_done = l.positions != NULL && l.normals != NULL && l.uvs != NULL && l.indices != NULL;
+                      malloc(sizeof *l.uvs * (count + 1)), malloc(sizeof *l.colours * (count + 1)),
+                      malloc(sizeof *l.indices * (count + 1))};
+    bool is_done = l.positions != NULL && l.normals != NULL && l.uvs != NULL && l.colours != NULL && l.indices != NULL;
     if (is_done) {
         loosen(&l, from, indices, count);
         const struct asset_shape shape = {l.positions,
                                           (const int16_t(*)[3])l.normals,
                                           from->uvs != NULL ? (const fx_t(*)[2])l.uvs : NULL,
+                                          from->colours != NULL ? l.colours : NULL,
                                           (uint32_t)count,
                                           l.indices,
                                           count};
@@ -100,6 +104,7 @@ static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, co
     free(l.positions);
     free(l.normals);
     free(l.uvs);
+    free(l.colours);
     free(l.indices);
     return is_done;
 }
@@ -289,6 +294,29 @@ static bool shrink_textures(struct asset *asset, struct demo_arena *arena, const
     return true;
 }
 
+/* Meshes that shared a blend share the new one. */
+static bool shrink_blends(struct asset *asset, struct demo_arena *arena, const struct asset_limits *limits)
+{
+    for (uint32_t m = 0; m < asset->model.mesh_count; m++) {
+        const struct ph_blend *from = asset->materials[m].blend;
+        if (from == NULL || asset_first_blend(&asset->model, m) != m) {
+            continue;
+        }
+        struct ph_blend *to = demo_alloc(arena, sizeof *to);
+        const struct ph_texture *alphas = from->alphas != NULL ? shrink(arena, from->alphas, limits) : NULL;
+        if (to == NULL || (from->alphas != NULL && alphas == NULL)) {
+            return false;
+        }
+        *to = *from;
+        to->alphas = alphas;
+        for (uint32_t other = m; other < asset->model.mesh_count; other++) {
+            struct ph_material *material = &asset->materials[other];
+            material->blend = material->blend == from ? to : material->blend;
+        }
+    }
+    return true;
+}
+
 /* ---- all of it ------------------------------------------------------------------------------------------ */
 
 static size_t bytes_for(const struct model *model, uint32_t triangles)
@@ -296,8 +324,12 @@ static size_t bytes_for(const struct model *model, uint32_t triangles)
     size_t bytes = 4096 + (size_t)triangles * TRIANGLE_BYTES + (size_t)model->mesh_count * MESH_BYTES * 2;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_texture *texture = model->meshes[m].materials->texture;
+        const struct ph_blend *blend = model->meshes[m].materials->blend;
         if (texture != NULL && asset_first_texture(model, m) == m) {
             bytes += 64 + 2 * model_texture_texels(texture, 15);
+        }
+        if (blend != NULL && asset_first_blend(model, m) == m) {
+            bytes += 128 + (blend->alphas != NULL ? 2 * model_texture_texels(blend->alphas, 15) : 0);
         }
     }
     return bytes;
@@ -314,7 +346,7 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     asset->way = rest->way;
     asset->error = rest->error;
     return asset->model.meshes != NULL && asset->materials != NULL && make_meshes(asset, &arena, model, rest) &&
-                   shrink_textures(asset, &arena, limits)
+                   shrink_textures(asset, &arena, limits) && shrink_blends(asset, &arena, limits)
                ? 0
                : complain("not enough memory for the model, or too many vertices in one mesh; simplify it "
                           "(--max-triangles)");
@@ -369,6 +401,16 @@ uint32_t asset_first_texture(const struct model *model, uint32_t mesh)
     const struct ph_texture *texture = model->meshes[mesh].materials->texture;
     uint32_t first = 0;
     while (model->meshes[first].materials->texture != texture) {
+        first++;
+    }
+    return first;
+}
+
+uint32_t asset_first_blend(const struct model *model, uint32_t mesh)
+{
+    const struct ph_blend *blend = model->meshes[mesh].materials->blend;
+    uint32_t first = 0;
+    while (model->meshes[first].materials->blend != blend) {
         first++;
     }
     return first;

@@ -28,7 +28,7 @@ static uint32_t sides_of(uint32_t triangles)
 static int set_up(struct stage *s, struct asset *asset, const struct board *board)
 {
     s->demo = asset_demo(asset);
-    const uint32_t triangles = asset->model.triangle_count + asset->model.triangle_count / 2 + 1024;
+    const uint32_t triangles = asset->model.triangle_count + asset->model.triangle_count / 2 + 1536;
     const uint16_t width = panel_width(board->panel, board->rotation);
     const uint16_t height = panel_height(board->panel, board->rotation);
     const size_t vertex_bytes = (s->demo.vertex_max * ph_vertex_bytes + 15) & ~(size_t)15;
@@ -89,7 +89,8 @@ int asset_measure(struct asset *asset, const struct board *board)
         status = look_around(&s, i == 0 ? -DEMO_DOLLY_MAX : DEMO_DOLLY_MAX, sides / 4, &most);
     }
     free(s.memory);
-    const uint32_t listed = most + most / 16 + 8;
+    const uint16_t width = panel_width(board->panel, board->rotation);
+    const uint32_t listed = most + most / 16 + 8 + model_blend_triangles(&asset->model, width);
     asset->listed = listed > asset->listed ? listed : asset->listed;
     return status == 0 ? 0 : complain("%s: the scene cannot be drawn there (%d)", board->name, status);
 }

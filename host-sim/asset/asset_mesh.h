@@ -4,19 +4,20 @@
 
 #include "asset.h"
 
-/* Triangles with indices of any size; uvs may be NULL. */
+/* Triangles with indices of any size; uvs and colours may be NULL. */
 struct asset_shape {
     const struct fx_vec3 *positions;
     const int16_t (*normals)[3];
     const fx_t (*uvs)[2];
+    const uint16_t *colours;
     uint32_t vertex_count;
     const unsigned *indices;
     size_t index_count;
 };
 
 /*
- * Sets positions, normals, uvs, triangles and their counts in *to. Equal vertices become one; triangles are ordered so
- * that vertices are used again soon, and vertices by their first use. False: the arena is full, or more than
+ * Sets positions, normals, uvs, colours, triangles and their counts in *to. Equal vertices become one; triangles are
+ * ordered so that vertices are used again soon, and vertices by their first use. False: the arena is full, or more than
  * MODEL_VERTICES_MAX vertices remain.
  */
 bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, struct ph_mesh *to);

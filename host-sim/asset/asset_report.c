@@ -6,6 +6,7 @@
 #define MESH_BYTES     48
 #define MATERIAL_BYTES 32
 #define PART_BYTES     12
+#define BLEND_BYTES    12
 #define TEXTURE_BYTES  8
 #define DEMO_BYTES     60
 #define EYE_BYTES      76
@@ -16,17 +17,26 @@ static uint8_t smaller(uint8_t a, uint8_t b)
     return a < b ? a : b;
 }
 
+static uint64_t texture_bytes(const struct ph_texture *t, uint8_t log2_max)
+{
+    const struct ph_texture small = {.log2_width = smaller(t->log2_width, log2_max),
+                                     .log2_height = smaller(t->log2_height, log2_max)};
+    const uint8_t longest = small.log2_width > small.log2_height ? small.log2_width : small.log2_height;
+    return TEXTURE_BYTES + 2 * (uint64_t)model_texture_texels(&small, t->levels > 0 ? longest : 0);
+}
+
 uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max)
 {
     const struct model *model = &asset->model;
     uint64_t bytes = 0;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_texture *t = model->meshes[m].materials->texture;
+        const struct ph_blend *blend = model->meshes[m].materials->blend;
         if (t != NULL && asset_first_texture(model, m) == m) {
-            const struct ph_texture small = {.log2_width = smaller(t->log2_width, log2_max),
-                                             .log2_height = smaller(t->log2_height, log2_max)};
-            const uint8_t longest = small.log2_width > small.log2_height ? small.log2_width : small.log2_height;
-            bytes += TEXTURE_BYTES + 2 * (uint64_t)model_texture_texels(&small, t->levels > 0 ? longest : 0);
+            bytes += texture_bytes(t, log2_max);
+        }
+        if (blend != NULL && blend->alphas != NULL && asset_first_blend(model, m) == m) {
+            bytes += texture_bytes(blend->alphas, log2_max);
         }
     }
     return bytes;
@@ -42,8 +52,10 @@ struct asset_sizes asset_sizes(const struct asset *asset)
         s.positions += 12 * (uint64_t)mesh->vertex_count;
         s.normals += 6 * (uint64_t)mesh->vertex_count;
         s.uvs += mesh->uvs != NULL ? 8 * (uint64_t)mesh->vertex_count : 0;
+        s.colours += mesh->colours != NULL ? 2 * (uint64_t)mesh->vertex_count : 0;
         s.triangles += 6 * (uint64_t)mesh->triangle_count;
-        s.tables += MESH_BYTES + MATERIAL_BYTES + PART_BYTES + (asset_first_ramp(model, m) == m ? RAMP_BYTES : 0);
+        s.tables += MESH_BYTES + MATERIAL_BYTES + PART_BYTES + (asset_first_ramp(model, m) == m ? RAMP_BYTES : 0) +
+                    (mesh->materials->blend != NULL && asset_first_blend(model, m) == m ? BLEND_BYTES : 0);
     }
     return s;
 }
@@ -51,7 +63,7 @@ struct asset_sizes asset_sizes(const struct asset *asset)
 uint64_t asset_flash_bytes(const struct asset *asset)
 {
     const struct asset_sizes s = asset_sizes(asset);
-    return s.positions + s.normals + s.uvs + s.triangles + s.tables + s.textures;
+    return s.positions + s.normals + s.uvs + s.colours + s.triangles + s.tables + s.textures;
 }
 
 static void report_model(FILE *file, const struct asset *asset)
@@ -87,8 +99,13 @@ static void report_flash(FILE *file, const struct asset *asset)
     const struct {
         const char *name;
         uint64_t bytes;
-    } rows[] = {{"positions", s.positions},          {"normals", s.normals}, {"uvs", s.uvs},
-                {"triangles", s.triangles},          {"tables", s.tables},   {"textures", s.textures},
+    } rows[] = {{"positions", s.positions},
+                {"normals", s.normals},
+                {"uvs", s.uvs},
+                {"colours", s.colours},
+                {"triangles", s.triangles},
+                {"tables", s.tables},
+                {"textures", s.textures},
                 {"in all", asset_flash_bytes(asset)}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         fprintf(file, "%-10s %-10s %8llu bytes\n", i == 0 ? "flash" : "", rows[i].name,

@@ -1,5 +1,6 @@
 /* asset_scene: a scene as the bytes of scene_file.h. */
 #include "asset.h"
+#include "crc32.h"
 #include "model_texture.h"
 #include "scene_file.h"
 
@@ -21,23 +22,38 @@ static uint32_t append(struct writer *to, const void *from, size_t n)
     return at;
 }
 
+/* offset: where its texels are already, or 0. */
+static struct scene_file_texture write_texture(struct writer *to, const struct ph_texture *t, uint32_t offset)
+{
+    if (t == NULL) {
+        return (struct scene_file_texture){.texels = 0};
+    }
+    const size_t bytes = model_texture_texels(t, t->levels) * sizeof *t->texels;
+    return (struct scene_file_texture){.texels = offset != 0 ? offset : append(to, t->texels, bytes),
+                                       .log2_width = t->log2_width,
+                                       .log2_height = t->log2_height,
+                                       .wrap = t->wrap,
+                                       .filter = t->filter,
+                                       .levels = t->levels};
+}
+
 static struct scene_file_mesh write_mesh(struct writer *to, const struct model *model, uint32_t i,
                                          const struct scene_file_mesh *before)
 {
     const struct ph_mesh *mesh = &model->meshes[i];
     const struct ph_material *material = mesh->materials;
-    const struct ph_texture *t = material->texture;
-    const uint32_t n = mesh->vertex_count, ramp = asset_first_ramp(model, i);
-    const uint32_t texture = t != NULL ? asset_first_texture(model, i) : i;
+    const struct ph_blend *blend = material->blend;
+    const uint32_t n = mesh->vertex_count, ramp = asset_first_ramp(model, i), texture = asset_first_texture(model, i),
+                   same = asset_first_blend(model, i);
     return (struct scene_file_mesh){
         .positions = append(to, mesh->positions, n * sizeof *mesh->positions),
         .normals = append(to, mesh->normals, n * sizeof *mesh->normals),
         .uvs = mesh->uvs != NULL ? append(to, mesh->uvs, n * sizeof *mesh->uvs) : 0,
+        .colours = mesh->colours != NULL ? append(to, mesh->colours, n * sizeof *mesh->colours) : 0,
         .triangles = append(to, mesh->triangles, mesh->triangle_count * sizeof *mesh->triangles),
         .ramp = ramp < i ? before[ramp].ramp : append(to, material->ramp, PH_RAMP_SIZE * sizeof *material->ramp),
-        .texels = t == NULL     ? 0
-                  : texture < i ? before[texture].texels
-                                : append(to, t->texels, model_texture_texels(t, t->levels) * sizeof *t->texels),
+        .texture = write_texture(to, material->texture, texture < i ? before[texture].texture.texels : 0),
+        .alphas = write_texture(to, blend != NULL ? blend->alphas : NULL, same < i ? before[same].alphas.texels : 0),
         .vertex_count = n,
         .triangle_count = mesh->triangle_count,
         .ambient = material->ambient,
@@ -46,11 +62,10 @@ static struct scene_file_mesh write_mesh(struct writer *to, const struct model *
         .shading = material->shading,
         .two_sided = material->two_sided,
         .shininess_log2 = material->shininess_log2,
-        .log2_width = t != NULL ? t->log2_width : 0,
-        .log2_height = t != NULL ? t->log2_height : 0,
-        .wrap = t != NULL ? t->wrap : 0,
-        .filter = t != NULL ? t->filter : 0,
-        .levels = t != NULL ? t->levels : 0,
+        .blend = blend == NULL                  ? SCENE_FILE_OPAQUE
+                 : blend->kind == PH_BLEND_MASK ? SCENE_FILE_MASK
+                                                : SCENE_FILE_ALPHA,
+        .alpha = blend != NULL ? blend->alpha : 0,
         .colour = material->colour};
 }
 
@@ -93,7 +108,7 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
         head.bytes = to.used;
         memcpy(bytes, &head, sizeof head);
         memcpy(bytes + sizeof head, meshes, head.mesh_count * sizeof *meshes);
-        memcpy(bytes + 12, &(uint32_t){scene_file_crc(bytes + 16, to.used - 16)}, 4);
+        memcpy(bytes + 12, &(uint32_t){crc32_update(0, bytes + 16, to.used - 16)}, 4);
     }
     return to.used;
 }

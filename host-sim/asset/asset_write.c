@@ -94,15 +94,31 @@ static void put_colours(FILE *file, const char *name, uint32_t m, const uint16_t
     fputs("\n};\n", file);
 }
 
-static void put_texture(FILE *file, const struct ph_texture *t, uint32_t m)
+/* Its name is texture_m or alphas_m. */
+static void put_texture(FILE *file, const char *name, const struct ph_texture *t, uint32_t m)
 {
     static const char *const filters[] = {"PH_FILTER_NEAREST", "PH_FILTER_BILINEAR", "PH_FILTER_MIPMAP"};
-    put_colours(file, "texels", m, t->texels, model_texture_texels(t, t->levels));
+    char texels[24];
+    snprintf(texels, sizeof texels, "%s_texels", name);
+    put_colours(file, texels, m, t->texels, model_texture_texels(t, t->levels));
     fprintf(file,
-            "\nstatic const struct ph_texture texture_%u = {.texels = texels_%u, .log2_width = %u, .log2_height = %u,\n"
-            "                                            .wrap = %s, .filter = %s, .levels = %u};\n",
-            (unsigned)m, (unsigned)m, t->log2_width, t->log2_height,
+            "\nstatic const struct ph_texture %s_%u = {.texels = %s_%u, .log2_width = %u, .log2_height = %u,\n"
+            "    .wrap = %s, .filter = %s, .levels = %u};\n",
+            name, (unsigned)m, texels, (unsigned)m, t->log2_width, t->log2_height,
             t->wrap == PH_WRAP_CLAMP ? "PH_WRAP_CLAMP" : "PH_WRAP_REPEAT", filters[t->filter], t->levels);
+}
+
+static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
+{
+    if (from->alphas != NULL) {
+        put_texture(file, "alphas", from->alphas, m);
+    }
+    fprintf(file, "\nstatic const struct ph_blend blend_%u = {.draw = ph_draw_blended, .kind = %s, .alpha = %u,\n    ",
+            (unsigned)m, from->kind == PH_BLEND_MASK ? "PH_BLEND_MASK" : "PH_BLEND_ALPHA", from->alpha);
+    if (from->alphas != NULL) {
+        fprintf(file, ".alphas = &alphas_%u", (unsigned)m);
+    }
+    fputs("};\n", file);
 }
 
 static void put_material(FILE *file, const struct model *model, uint32_t m)
@@ -111,7 +127,8 @@ static void put_material(FILE *file, const struct model *model, uint32_t m)
                                            [PH_SHADE_FLAT] = "PH_SHADE_FLAT",
                                            [PH_SHADE_GOURAUD] = "PH_SHADE_GOURAUD",
                                            [PH_SHADE_TEXTURE] = "PH_SHADE_TEXTURE",
-                                           [PH_SHADE_TEXTURE_LIT] = "PH_SHADE_TEXTURE_LIT"};
+                                           [PH_SHADE_TEXTURE_LIT] = "PH_SHADE_TEXTURE_LIT",
+                                           [PH_SHADE_TEXTURE_GOURAUD] = "PH_SHADE_TEXTURE_GOURAUD"};
     const struct ph_material *from = model->meshes[m].materials;
     fprintf(file,
             "\nstatic const struct ph_material material_%u = {\n"
@@ -123,6 +140,9 @@ static void put_material(FILE *file, const struct model *model, uint32_t m)
             (unsigned)asset_first_ramp(model, m));
     if (from->texture != NULL) {
         fprintf(file, "    .texture = &texture_%u,\n", (unsigned)asset_first_texture(model, m));
+    }
+    if (from->blend != NULL) {
+        fprintf(file, "    .blend = &blend_%u,\n", (unsigned)asset_first_blend(model, m));
     }
     fputs("};\n", file);
 }
@@ -136,12 +156,18 @@ static void put_mesh_data(FILE *file, const struct model *model, uint32_t m)
     if (mesh->uvs != NULL) {
         put_uvs(file, mesh, m);
     }
+    if (mesh->colours != NULL) {
+        put_colours(file, "colours", m, mesh->colours, mesh->vertex_count);
+    }
     put_triangles(file, mesh, m);
     if (asset_first_ramp(model, m) == m) {
         put_colours(file, "ramp", m, material->ramp, PH_RAMP_SIZE);
     }
     if (material->texture != NULL && asset_first_texture(model, m) == m) {
-        put_texture(file, material->texture, m);
+        put_texture(file, "texture", material->texture, m);
+    }
+    if (material->blend != NULL && asset_first_blend(model, m) == m) {
+        put_blend(file, material->blend, m);
     }
     put_material(file, model, m);
     fprintf(file, "\nstatic const struct ph_part part_%u = {.count = %u};\n", (unsigned)m,
@@ -160,6 +186,9 @@ static void put_meshes(FILE *file, const struct model *model)
                 n, n, n, n, n);
         if (mesh->uvs != NULL) {
             fprintf(file, "     .uvs = uvs_%u,\n", n);
+        }
+        if (mesh->colours != NULL) {
+            fprintf(file, "     .colours = colours_%u,\n", n);
         }
         fprintf(file, "     .vertex_count = %u,\n     .triangle_count = %u,\n     .part_count = 1},\n",
                 (unsigned)mesh->vertex_count, (unsigned)mesh->triangle_count);

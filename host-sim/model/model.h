@@ -14,8 +14,9 @@
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
  *
- * Of glTF these are read, too: base colour factor times texture, emissive factor, unlit, mirrored textures and
- * KHR_texture_transform. A required extension that is not read is an error.
+ * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending, emissive
+ * factor, unlit, mirrored textures and KHR_texture_transform. A required extension that is not read is an error. Of MTL:
+ * d and map_d. Blended meshes are drawn in the order of the file.
  *
  * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits
  * of time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the
@@ -74,6 +75,9 @@ bool model_filter_named(const char *name, uint8_t *filter);
 /* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. A binary scene keeps
  * its own. */
 void model_set_filter(struct model *model, uint8_t filter);
+
+/* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
+uint32_t model_blend_triangles(const struct model *model, uint32_t width);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its
  * context->state must be the model. */

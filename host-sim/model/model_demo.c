@@ -37,6 +37,18 @@ static int scene_init(struct demo_context *context)
     return scene_file_demo(model->scene).init(context);
 }
 
+#define ROW_PIXEL_BYTES 8 /* of the row that the renderer draws blended triangles into, at most */
+
+uint32_t model_blend_triangles(const struct model *model, uint32_t width)
+{
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        if (model->meshes[m].materials->blend != NULL) {
+            return width * ROW_PIXEL_BYTES / PH_TRIANGLE_BYTES_32 + 1;
+        }
+    }
+    return 0;
+}
+
 struct demo model_demo(const struct model *model)
 {
     if (model->scene != NULL) {
@@ -57,7 +69,8 @@ struct demo model_demo(const struct model *model)
                          .arena_bytes_32 = DEMO_TURNTABLE_BYTES,
                          .vertex_max = vertices + DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
-                         .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES,
+                         .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES +
+                                         model_blend_triangles(model, 1024),
                          .init = model->has_camera ? camera_init : turntable_init,
                          .frame = model->has_camera ? camera_frame : demo_turntable_frame};
 }

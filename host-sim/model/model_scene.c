@@ -43,8 +43,9 @@ static uint8_t *read_behind(const char *path, size_t before, size_t *n)
 
 int model_scene_open(struct model **model, const char *path)
 {
-    const size_t meshes_most = SCENE_FILE_MESHES * (sizeof(struct ph_mesh) + sizeof(struct ph_part) +
-                                                    sizeof(struct ph_material) + sizeof(struct ph_texture) + 16);
+    const size_t meshes_most =
+        SCENE_FILE_MESHES * (sizeof(struct ph_mesh) + sizeof(struct ph_part) + sizeof(struct ph_material) +
+                             sizeof(struct ph_blend) + 2 * sizeof(struct ph_texture) + 16);
     const size_t head = ROUND16(sizeof(struct scene)), before = head + ROUND16(meshes_most);
     size_t n = 0;
     uint8_t *memory = read_behind(path, before, &n);

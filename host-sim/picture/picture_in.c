@@ -4,31 +4,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool picture_in_begin(struct picture_in *in, uint32_t width, uint32_t height)
+bool picture_in_begin(struct picture_in *in, uint32_t width, uint32_t height, bool has_alpha)
 {
     if (width == 0 || height == 0 || width > PPM_SIDE_MAX || height > PPM_SIDE_MAX) {
         return false;
     }
     const uint32_t w = width < in->most ? width : in->most, h = height < in->most ? height : in->most;
+    const size_t n = (size_t)w * h;
     in->width = width;
     in->height = height;
-    in->picture = (struct ppm){w, h, malloc((size_t)w * h * 3)};
+    in->picture = (struct ppm){w, h, malloc(n * 3)};
+    in->alpha = has_alpha ? malloc(n) : NULL;
     const bool shrinks = w < width || h < height;
-    in->sums = shrinks ? calloc((size_t)w * h * 3, sizeof *in->sums) : NULL;
-    return in->picture.rgb != NULL && (!shrinks || in->sums != NULL);
+    in->sums = shrinks ? calloc(n * 4, sizeof *in->sums) : NULL;
+    return in->picture.rgb != NULL && (!has_alpha || in->alpha != NULL) && (!shrinks || in->sums != NULL);
 }
 
-void picture_in_row(struct picture_in *in, const uint8_t *rgb, uint32_t n, uint32_t x, uint32_t step, uint32_t y)
+/* Where channel c of pixel i belongs. */
+static uint8_t *place_of(const struct picture_in *in, size_t i, unsigned c)
+{
+    return c < 3 ? &in->picture.rgb[3 * i + c] : &in->alpha[i];
+}
+
+void picture_in_row(struct picture_in *in, const uint8_t *pixels, uint32_t n, uint32_t x, uint32_t step, uint32_t y)
 {
     const struct ppm *to = &in->picture;
+    const unsigned channels = in->alpha != NULL ? 4 : 3;
     const size_t row = (size_t)((uint64_t)y * to->height / in->height) * to->width;
-    for (uint32_t i = 0; i < n && x < in->width; i++, x += step, rgb += 3) {
-        const size_t at = 3 * (row + (uint32_t)((uint64_t)x * to->width / in->width));
-        for (int c = 0; c < 3; c++) {
+    for (uint32_t i = 0; i < n && x < in->width; i++, x += step, pixels += channels) {
+        const size_t at = row + (uint32_t)((uint64_t)x * to->width / in->width);
+        for (unsigned c = 0; c < channels; c++) {
             if (in->sums != NULL) {
-                in->sums[at + c] += rgb[c];
+                in->sums[4 * at + c] += pixels[c];
             } else {
-                to->rgb[at + c] = rgb[c];
+                *place_of(in, at, c) = pixels[c];
             }
         }
     }
@@ -45,14 +54,24 @@ void picture_in_end(struct picture_in *in)
     const struct ppm *to = &in->picture;
     for (uint32_t y = 0; in->sums != NULL && y < to->height; y++) {
         for (uint32_t x = 0; x < to->width; x++) {
-            const size_t at = 3 * ((size_t)y * to->width + x);
+            const size_t at = (size_t)y * to->width + x;
             const uint32_t count = share(x, in->width, to->width) * share(y, in->height, to->height);
-            for (int c = 0; c < 3; c++) {
-                to->rgb[at + c] = (uint8_t)(in->sums[at + c] / count);
+            for (unsigned c = 0; c < (in->alpha != NULL ? 4 : 3); c++) {
+                *place_of(in, at, c) = (uint8_t)(in->sums[4 * at + c] / count);
             }
         }
     }
     free(in->sums);
+    in->sums = NULL;
+}
+
+void picture_in_free(struct picture_in *in)
+{
+    free(in->picture.rgb);
+    free(in->alpha);
+    free(in->sums);
+    in->picture.rgb = NULL;
+    in->alpha = NULL;
     in->sums = NULL;
 }
 
@@ -63,14 +82,13 @@ const char *picture_in_memory(struct picture_in *in, const void *bytes, size_t n
         return "is neither a PNG nor a JPEG";
     }
     in->picture.rgb = NULL;
+    in->alpha = NULL;
     in->sums = NULL;
     if ((is_png ? png_in_memory : jpeg_in_memory)(in, bytes, n)) {
         picture_in_end(in);
         return NULL;
     }
-    free(in->picture.rgb);
-    free(in->sums);
-    in->picture.rgb = NULL;
+    picture_in_free(in);
     return is_png ? png_in_reason : jpeg_in_reason;
 }
 

@@ -138,6 +138,122 @@ static void a_texture_that_glows_on_black_is_drawn_unlit(void **state)
     model_close(model);
 }
 
+/* Pixels of alpha 255, 150, 100 and 0, 4 x 1. */
+static void write_alphas(const char *name)
+{
+    static const uint8_t pixels[16] = {255, 0, 0, 255, 255, 0, 0, 150, 255, 0, 0, 100, 255, 0, 0, 0};
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = 4, .height = 1, .format = PNG_FORMAT_RGBA};
+    assert_true(png_image_write_to_file(&image, file_path(name), 0, pixels, 0, NULL));
+}
+
+/* The green of a texel, 0 .. 63. */
+static unsigned green(uint16_t texel)
+{
+    uint8_t bytes[2];
+    memcpy(bytes, &texel, sizeof bytes);
+    return ((unsigned)bytes[0] << 8 | bytes[1]) >> 5 & 63;
+}
+
+#define ALPHA_MATERIAL "\"pbrMetallicRoughness\":{\"baseColorFactor\":[1,1,1,%s],\"baseColorTexture\":{\"index\":0}}%s"
+
+static struct model *with_alpha(const char *factor, const char *mode)
+{
+    char material[512];
+    write_alphas("alpha.png");
+    snprintf(material, sizeof material, ALPHA_MATERIAL, factor, mode);
+    return with_material(material, "alpha.png", "");
+}
+
+/* What is drawn has an alpha of at least one half in the texture of greys: render.h. */
+static void a_mask_cuts_out_below_its_cut_off(void **state)
+{
+    static const struct {
+        const char *factor, *mode;
+        unsigned left; /* how many of the four texels are drawn */
+    } cases[] = {{"1", ",\"alphaMode\":\"MASK\"", 2},
+                 {"1", ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.3", 3},
+                 {"1", ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.9", 1},
+                 {"0.5", ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0.25", 2}};
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct model *model = with_alpha(cases[k].factor, cases[k].mode);
+        const struct ph_blend *blend = model->meshes->materials->blend;
+        assert_non_null(blend);
+        assert_int_equal(blend->kind, PH_BLEND_MASK);
+        for (unsigned i = 0; i < 4; i++) {
+            assert_int_equal(green(blend->alphas->texels[i]) >= 32, i < cases[k].left);
+        }
+        assert_null(model->note);
+        model_close(model);
+    }
+    struct model *model = with_alpha("1", ",\"alphaMode\":\"MASK\",\"alphaCutoff\":0");
+    assert_null(model->meshes->materials->blend);
+    model_close(model);
+}
+
+static void a_blend_has_the_alpha_of_factor_and_texture(void **state)
+{
+    static const unsigned low[4] = {63, 37, 24, 0}; /* alpha * 63 / 255, rounded down */
+    (void)state;
+    struct model *model = with_alpha("0.25", ",\"alphaMode\":\"BLEND\"");
+    const struct ph_blend *blend = model->meshes->materials->blend;
+    assert_non_null(blend);
+    assert_int_equal(blend->kind, PH_BLEND_ALPHA);
+    assert_int_equal(blend->alpha, 8);
+    for (unsigned i = 0; i < 4; i++) {
+        assert_in_range(green(blend->alphas->texels[i]), low[i], low[i] + 1);
+    }
+    model_close(model);
+    model = with_alpha("0.25", "");
+    assert_null(model->meshes->materials->blend); /* opaque, says glTF, whatever alpha is */
+    model_close(model);
+    write_picture("whole.png");
+    model = with_material("\"alphaMode\":\"BLEND\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}",
+                          "whole.png", "");
+    assert_null(model->meshes->materials->blend); /* alpha is 1 everywhere */
+    model_close(model);
+}
+
+/* Of three vertices: bytes with and floats without alpha, multiplied by the factor in linear light. */
+static void vertex_colours_are_multiplied_in_linear_light(void **state)
+{
+    static const char form[] =
+        HEAD "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"COLOR_0\":1},\"material\":0}]}],"
+             "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.2158605,1,1,1]}}],"
+             "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+             "{\"bufferView\":1,\"componentType\":%s,\"count\":3}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
+             "36},{\"buffer\":0,\"byteOffset\":36,\"byteLength\":%d}],\"buffers\":[{\"byteLength\":%d,\"uri\":"
+             "\"gltf.bin\"}]}";
+    /* (1,0,0) (0,1,0) and .2158605 or 55 / 255 of white, which the display shows as 128 */
+    static const uint8_t some[12] = {255, 0, 0, 255, 0, 255, 0, 0, 55, 55, 55, 255};
+    static const float others[9] = {1, 0, 0, 0, 1, 0, .2158605f, .2158605f, .2158605f};
+    static const float places[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        uint8_t bytes[72] = {0};
+        char text[1024];
+        const size_t n = k == 0 ? sizeof some : sizeof others;
+        memcpy(bytes, places, sizeof places);
+        memcpy(bytes + 36, k == 0 ? (const void *)some : others, n);
+        file_bytes("gltf.bin", bytes, 36 + n);
+        snprintf(text, sizeof text, form,
+                 k == 0 ? "5121,\"normalized\":true,\"type\":\"VEC4\"" : "5126,\"type\":\"VEC3\"", (int)n,
+                 (int)(36 + n));
+        struct model *model = open_good(file_text("colours.gltf", text));
+        const struct ph_mesh *mesh = model->meshes;
+        assert_null(model->note);
+        assert_non_null(mesh->colours);
+        for (uint32_t i = 0; i < 3; i++) {
+            const struct fx_vec3 *p = &mesh->positions[i];
+            const uint16_t expected = p->x > 0   ? ph_rgb565(0, 255, 0)
+                                      : p->y > 0 ? ph_rgb565(61, 128, 128)
+                                                 : ph_rgb565(128, 0, 0);
+            assert_int_equal(mesh->colours[i], expected);
+        }
+        model_close(model);
+    }
+}
+
 /* A mesh with a position accessor, a buffer of n bytes and what else is given. */
 static const char *with_accessor(const char *accessor, const char *views, const void *bytes, size_t n)
 {
@@ -259,6 +375,9 @@ int main(void)
         cmocka_unit_test(a_texture_transform_moves_turns_and_scales),
         cmocka_unit_test(emission_is_in_the_ramp_and_unlit_has_none),
         cmocka_unit_test(a_texture_that_glows_on_black_is_drawn_unlit),
+        cmocka_unit_test(a_mask_cuts_out_below_its_cut_off),
+        cmocka_unit_test(a_blend_has_the_alpha_of_factor_and_texture),
+        cmocka_unit_test(vertex_colours_are_multiplied_in_linear_light),
         cmocka_unit_test(every_component_type_is_read_interleaved),
         cmocka_unit_test(sparse_values_replace_zeros),
         cmocka_unit_test(what_cannot_be_read_is_refused_in_one_line),

@@ -235,22 +235,66 @@ static void gltf_colours_are_linear_and_sides_are_read(void **state)
     model_close(model);
 }
 
+static void write_png(const char *name);
+
+/* Two triangles of two materials, with vertex colours: red. */
+static const char *red_obj(const char *materials)
+{
+    file_text("red.mtl", materials);
+    return file_text("red.obj", "mtllib red.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 1 1 0 1 0 0\n"
+                                "vt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 2/1 4/2 3/3\n");
+}
+
 static void what_is_ignored_is_noted_once(void **state)
 {
     (void)state;
-    file_text("glass.mtl", "newmtl a\nKd 1 0 0\nd .5\nnewmtl b\nKd 0 1 0\nd .25\nnewmtl c\nKd 0 0 1\nd 1\n");
-    static const char form[] = "mtllib glass.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 1 1 0 1 0 0\n"
-                               "usemtl %c\nf 1 2 3\nusemtl %c\nf 2 4 3\n";
-    char text[256];
-    snprintf(text, sizeof text, form, 'a', 'b');
-    struct model *model = open_good(file_text("glass.obj", text));
-    assert_string_equal(model->note, "transparency is ignored; vertex colours are ignored");
+    write_png("six.png");
+    struct model *model = open_good(red_obj("newmtl a\nmap_Kd six.png\nnewmtl b\nmap_Kd six.png\n"));
+    assert_string_equal(model->note,
+                        "texture six.png is resized from 3x2 to 4x2; vertex colours of textured meshes are "
+                        "ignored");
     model_close(model);
     model = open_good(cube_obj());
     assert_null(model->note);
     model_close(model);
     model = open_good(cube_gltf(ONE_NODE));
     assert_null(model->note);
+    model_close(model);
+}
+
+/* d blends, map_d by its grey: the pixels of six.png are seldom black or white; those of a mask are. */
+static void opacity_blends_and_a_mask_cuts_out(void **state)
+{
+    static const uint8_t mask[4] = {255, 0, 0, 255};
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = 2, .height = 2, .format = PNG_FORMAT_GRAY};
+    (void)state;
+    write_png("six.png");
+    assert_true(png_image_write_to_file(&image, file_path("mask.png"), 0, mask, 0, NULL));
+    struct model *model = open_good(red_obj("newmtl a\nKd 0 1 0\nd .5\nnewmtl b\nKd 1 0 0\nmap_d mask.png\n"));
+    assert_null(model->note);
+    assert_int_equal(model->mesh_count, 2);
+    for (uint32_t m = 0; m < 2; m++) {
+        const struct ph_mesh *mesh = &model->meshes[m];
+        const struct ph_blend *blend = mesh->materials->blend;
+        const bool is_b = mesh->materials->colour == ph_rgb565(255, 0, 0);
+        assert_non_null(blend);
+        assert_int_equal(mesh->colours == NULL, is_b); /* they are the material's */
+        assert_int_equal(blend->kind, is_b ? PH_BLEND_MASK : PH_BLEND_ALPHA);
+        assert_int_equal(blend->alphas != NULL, is_b);
+        assert_int_equal(blend->alpha, is_b ? 0 : 16);
+        if (is_b) {
+            const uint16_t all = ph_rgb565(255, 255, 255), expected[4] = {all, 0, 0, all};
+            assert_memory_equal(blend->alphas->texels, expected, sizeof expected);
+            assert_non_null(mesh->uvs);
+        }
+    }
+    model_close(model);
+    model = open_good(red_obj("newmtl a\nd 0\nnewmtl b\nmap_d six.png\n"));
+    for (uint32_t m = 0; m < 2; m++) {
+        const struct ph_blend *blend = model->meshes[m].materials->blend;
+        assert_true(blend == NULL || (blend->kind == PH_BLEND_ALPHA && blend->alpha == 32 && blend->alphas != NULL));
+    }
+    assert_true((model->meshes[0].materials->blend == NULL) != (model->meshes[1].materials->blend == NULL));
     model_close(model);
 }
 
@@ -321,7 +365,7 @@ static void png_texture_is_resampled_to_a_power_of_two(void **state)
     const struct ph_mesh *mesh = model->meshes;
     const struct ph_texture *texture = mesh->materials->texture;
     assert_non_null(texture);
-    assert_int_equal(mesh->materials->shading, PH_SHADE_TEXTURE_LIT);
+    assert_int_equal(mesh->materials->shading, PH_SHADE_TEXTURE_GOURAUD);
     assert_int_equal(texture->log2_width, 2);
     assert_int_equal(texture->log2_height, 1);
     assert_string_equal(model->note, "texture six.png is resized from 3x2 to 4x2");
@@ -378,7 +422,7 @@ static void a_texture_and_two_sides_are_given_to_all(void **state)
     const struct model_options wrong = {.texture = file_path("none.png")};
     model = open_with(obj, (struct model_options){.texture = file_path("six.png"), .two_sided = true});
     assert_int_equal(model->meshes->materials->texture->texels[0], ph_rgb565(255, 0, 0));
-    assert_int_equal(model->meshes->materials->shading, PH_SHADE_TEXTURE_LIT);
+    assert_int_equal(model->meshes->materials->shading, PH_SHADE_TEXTURE_GOURAUD);
     assert_true(model->meshes->materials->two_sided);
     model_close(model);
     stderr_capture_begin(&c);
@@ -675,6 +719,7 @@ int main(void)
         cmocka_unit_test(materials_become_colours),
         cmocka_unit_test(gltf_colours_are_linear_and_sides_are_read),
         cmocka_unit_test(what_is_ignored_is_noted_once),
+        cmocka_unit_test(opacity_blends_and_a_mask_cuts_out),
         cmocka_unit_test(a_cube_of_any_size_is_fitted),
         cmocka_unit_test(a_missing_material_file_leaves_a_plain_model),
         cmocka_unit_test(png_texture_is_resampled_to_a_power_of_two),

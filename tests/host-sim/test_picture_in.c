@@ -106,7 +106,7 @@ static void a_png_is_read_whole_interlaced_or_not(void **state)
         assert_int_equal(in.picture.width, WIDTH);
         assert_int_equal(in.picture.height, HEIGHT);
         assert_memory_equal(in.picture.rgb, pixels, sizeof pixels);
-        free(in.picture.rgb);
+        picture_in_free(&in);
     }
 }
 
@@ -131,7 +131,33 @@ static void a_larger_picture_is_shrunk_to_means(void **state)
         for (int i = 0; i < 8 * 8 * 3; i++) {
             assert_int_equal(in.picture.rgb[i], (&sums[0][0][0])[i] / (&counts[0][0])[i / 3]);
         }
-        free(in.picture.rgb);
+        picture_in_free(&in);
+    }
+}
+
+/* Alpha is i of pixel i of 16 x 16. */
+static void alpha_is_read_and_shrunk(void **state)
+{
+    (void)state;
+    for (uint32_t most = 8; most <= 16; most += 8) {
+        uint8_t rgba[16][16][4], bytes[4096];
+        png_image image = {.version = PNG_IMAGE_VERSION, .width = 16, .height = 16, .format = PNG_FORMAT_RGBA};
+        png_alloc_size_t n = sizeof bytes;
+        for (int i = 0; i < 256; i++) {
+            memcpy(rgba[i / 16][i % 16], (const uint8_t[4]){10, 20, 30, (uint8_t)i}, 4);
+        }
+        assert_true(png_image_write_to_memory(&image, bytes, &n, 0, rgba, 0, NULL));
+        struct picture_in in = {.most = most};
+        assert_null(picture_in_memory(&in, bytes, n));
+        assert_non_null(in.alpha);
+        for (uint32_t i = 0; i < most * most; i++) {
+            const uint32_t x = i % most, y = i / most, shrink = 16 / most;
+            const uint32_t mean = shrink == 1 ? 16 * y + x : 16 * (2 * y) + 2 * x + 8; /* of 0, 1, 16 and 17: 8.5 */
+            assert_int_equal(in.alpha[i], mean);
+            assert_memory_equal(in.picture.rgb + 3 * i, ((const uint8_t[3]){10, 20, 30}), 3);
+        }
+        picture_in_free(&in);
+        assert_null(in.alpha);
     }
 }
 
@@ -149,7 +175,7 @@ static void a_jpeg_is_read_and_a_progressive_one(void **state)
             assert_in_range(in.picture.rgb[3 * i + 1], 98, 102);
             assert_in_range(in.picture.rgb[3 * i + 2], 48, 52);
         }
-        free(in.picture.rgb);
+        picture_in_free(&in);
     }
 }
 
@@ -175,6 +201,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_png_is_read_whole_interlaced_or_not),
         cmocka_unit_test(a_larger_picture_is_shrunk_to_means),
+        cmocka_unit_test(alpha_is_read_and_shrunk),
         cmocka_unit_test(a_jpeg_is_read_and_a_progressive_one),
         cmocka_unit_test(what_is_cut_off_is_refused),
     };

@@ -21,29 +21,27 @@ struct feed {
     struct ph_setting setting;
 };
 
-/* What a reference holds of the next one in its list: how much further it is. 0: there is none. sort_ref does the same.
- */
-static inline uint16_t link_to(uint32_t next, uint32_t ref)
+/* Not a part of link_ref, so that the loop of sort_refs stays short. */
+static __attribute__((noinline)) void link_far(struct ph_ref *at, uint32_t next)
 {
-    const uint32_t further = next - ref;
-    return (uint16_t)(further < PH_LINK_FAR ? further : next == PH_NONE ? 0 : PH_LINK_FAR);
+    at->link = next == PH_NONE ? 0 : PH_LINK_FAR;
 }
 
-/* Not a part of sort_ref, so that its loop stays short. */
-static __attribute__((noinline)) void link_far(struct ph_ref *ref, uint32_t next)
+/* A reference (number ref, at *at) holds how much further the next one of its list is; 0: there is none. */
+static inline void link_ref(struct ph_ref *at, uint32_t ref, uint32_t next)
 {
-    ref->link = next == PH_NONE ? 0 : PH_LINK_FAR;
+    if (next - ref < PH_LINK_FAR) {
+        at->link = (uint16_t)(next - ref);
+    } else {
+        link_far(at, next);
+    }
 }
 
 /* Puts a reference before the others of its band's list. */
 static inline void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
 {
     const uint32_t band = ref->link, next = bins[band];
-    if (next - i < PH_LINK_FAR) {
-        ref->link = (uint16_t)(next - i);
-    } else {
-        link_far(ref, next);
-    }
+    link_ref(ref, i, next);
     bins[band] = i;
 }
 
@@ -133,11 +131,6 @@ static inline uint32_t next_of(const struct feed *f, uint32_t ref)
     return link == 0 ? PH_NONE : link < PH_LINK_FAR ? ref + link : far_next(f, ref);
 }
 
-static inline void set_next(struct ph_renderer *r, uint32_t ref, uint32_t next)
-{
-    ph_ref_at(r, ref)->link = link_to(next, ref);
-}
-
 /* Puts a reference into the list of the band below; *after is the one put there before, or PH_NONE. */
 static __attribute__((noinline)) void put_below(const struct feed *f, uint32_t ref, uint32_t *after)
 {
@@ -148,11 +141,11 @@ static __attribute__((noinline)) void put_below(const struct feed *f, uint32_t r
         before = next;
         next = next_of(&below, next);
     }
-    set_next(f->r, ref, next);
+    link_ref(ph_ref_at(f->r, ref), ref, next);
     if (before == PH_NONE) {
         *bin = ref;
     } else {
-        set_next(f->r, before, ref);
+        link_ref(ph_ref_at(f->r, before), before, ref);
     }
     *after = ref;
 }

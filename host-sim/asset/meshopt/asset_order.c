@@ -7,12 +7,18 @@
 
 #define CACHE 16
 
-static size_t list_streams(const struct asset_shape *shape, struct meshopt_Stream streams[3])
+static size_t list_streams(const struct asset_shape *shape, struct meshopt_Stream streams[4])
 {
     streams[0] = (struct meshopt_Stream){shape->positions, sizeof *shape->positions, sizeof *shape->positions};
     streams[1] = (struct meshopt_Stream){shape->normals, sizeof *shape->normals, sizeof *shape->normals};
-    streams[2] = (struct meshopt_Stream){shape->uvs, sizeof *shape->uvs, sizeof *shape->uvs};
-    return shape->uvs != NULL ? 3 : 2;
+    size_t n = 2;
+    if (shape->uvs != NULL) {
+        streams[n++] = (struct meshopt_Stream){shape->uvs, sizeof *shape->uvs, sizeof *shape->uvs};
+    }
+    if (shape->colours != NULL) {
+        streams[n++] = (struct meshopt_Stream){shape->colours, sizeof *shape->colours, sizeof *shape->colours};
+    }
+    return n;
 }
 
 /* The new number of each old vertex, and the triangles in new numbers. */
@@ -24,7 +30,7 @@ struct order {
 /* Makes equal vertices one and leaves out unused ones. */
 static void join(struct order *order, const struct asset_shape *shape)
 {
-    struct meshopt_Stream streams[3];
+    struct meshopt_Stream streams[4];
     const size_t n = list_streams(shape, streams);
     order->vertex_count = meshopt_generateVertexRemapMulti(order->remap, shape->indices, shape->index_count,
                                                            shape->vertex_count, streams, n);
@@ -77,8 +83,10 @@ static bool copy(struct demo_arena *arena, const struct order *order, const stru
     struct fx_vec3 *positions = demo_alloc(arena, sizeof *positions * vertices);
     int16_t(*normals)[3] = demo_alloc(arena, sizeof *normals * vertices);
     fx_t(*uvs)[2] = from->uvs != NULL ? demo_alloc(arena, sizeof *uvs * vertices) : NULL;
+    uint16_t *colours = from->colours != NULL ? demo_alloc(arena, sizeof *colours * vertices) : NULL;
     uint16_t(*corners)[3] = demo_alloc(arena, sizeof *corners * triangles);
-    if (positions == NULL || normals == NULL || (from->uvs != NULL && uvs == NULL) || corners == NULL) {
+    if (positions == NULL || normals == NULL || (from->uvs != NULL && uvs == NULL) ||
+        (from->colours != NULL && colours == NULL) || corners == NULL) {
         return false;
     }
     meshopt_remapVertexBuffer(positions, from->positions, from->vertex_count, sizeof *positions, order->remap);
@@ -86,12 +94,16 @@ static bool copy(struct demo_arena *arena, const struct order *order, const stru
     if (uvs != NULL) {
         meshopt_remapVertexBuffer(uvs, from->uvs, from->vertex_count, sizeof *uvs, order->remap);
     }
+    if (colours != NULL) {
+        meshopt_remapVertexBuffer(colours, from->colours, from->vertex_count, sizeof *colours, order->remap);
+    }
     for (size_t i = 0; i < from->index_count; i++) {
         corners[i / 3][i % 3] = (uint16_t)order->indices[i];
     }
     to->positions = positions;
     to->normals = (const int16_t(*)[3])normals;
     to->uvs = (const fx_t(*)[2])uvs;
+    to->colours = colours;
     to->triangles = (const uint16_t(*)[3])corners;
     to->vertex_count = (uint32_t)vertices;
     to->triangle_count = (uint32_t)triangles;

@@ -11,7 +11,7 @@
 
 /* A vertex without its normal. */
 struct key {
-    uint32_t mesh;
+    uint32_t mesh, colour;
     fx_t place[3], uv[2];
 };
 
@@ -63,6 +63,7 @@ static void add_mesh(struct whole *w, const struct ph_mesh *mesh, uint32_t numbe
         struct key *key = &w->keys[w->vertex_count];
         float *place = w->places[w->vertex_count];
         *key = (struct key){.mesh = number, .place = {p->x, p->y, p->z}};
+        key->colour = mesh->colours != NULL ? mesh->colours[i] : 0;
         if (mesh->uvs != NULL) {
             memcpy(key->uv, mesh->uvs[i], sizeof key->uv);
         }

@@ -12,6 +12,7 @@ bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, stru
     to->positions = shape->positions; /* the model outlives what is made of it */
     to->normals = shape->normals;
     to->uvs = shape->uvs;
+    to->colours = shape->colours;
     to->triangles = (const uint16_t(*)[3])corners;
     to->vertex_count = shape->vertex_count;
     to->triangle_count = (uint32_t)(shape->index_count / 3);

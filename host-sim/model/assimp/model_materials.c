@@ -4,7 +4,6 @@
 
 #include <assimp/material.h>
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,12 +12,6 @@
 
 /* The colour of a model without materials. */
 static const struct aiColor4D plain = {.86f, .80f, .70f, 1};
-
-/* Turns one channel, 0 .. 1, into a value of the display. */
-static uint8_t channel(float value)
-{
-    return (uint8_t)lroundf((value > 0 ? (value < 1 ? value : 1) : 0) * 255); /* NaN gives 0 */
-}
 
 /* Makes the path of the file that a material names, which stands beside the model. */
 static bool beside(char out[PATH_BYTES], const char *model_path, const char *name)
@@ -105,14 +98,52 @@ static void read_texture(struct model_shared *shared, const struct aiScene *scen
     const char *why = load_picture(scene, model_path, name.data, &to->picture);
     if (why != NULL) {
         model_shared_note(shared, "texture %s is left out: it %s", to->name, why);
+        return;
     }
+    free(to->picture.alpha); /* only map_d is alpha there */
+    to->picture.alpha = NULL;
 }
 
-static bool is_transparent(const struct aiMaterial *from)
+/* Whether alpha is nowhere between nothing and all: then it cuts out, and hides what is behind. */
+static bool is_cut_out(const struct picture_in *picture)
 {
+    const size_t n = (size_t)picture->picture.width * picture->picture.height;
+    size_t between = 0;
+    for (size_t i = 0; i < n; i++) {
+        between += picture->alpha[i] > 16 && picture->alpha[i] < 239;
+    }
+    return between * 16 <= n; /* those at the edges of a picture that was shrunk */
+}
+
+/* MTL's d and map_d: its alpha, or its grey. An opacity of 0 is written by programs that mean 1. */
+static void read_alpha(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
+                       const char *model_path, struct model_surface *to)
+{
+    struct aiString name;
     ai_real opacity = 1;
     aiGetMaterialFloatArray(from, AI_MATKEY_OPACITY, &opacity, NULL);
-    return opacity < 1 || aiGetMaterialTextureCount(from, aiTextureType_OPACITY) > 0;
+    to->alpha = opacity > 0 ? (double)opacity : 1;
+    to->mode = to->alpha < 1 ? MODEL_BLEND : MODEL_OPAQUE;
+    if (aiGetMaterialTexture(from, aiTextureType_OPACITY, 0, &name, NULL, NULL, NULL, NULL, NULL, NULL) !=
+        aiReturn_SUCCESS) {
+        return;
+    }
+    struct picture_in *mask = &to->mask;
+    mask->most = 1u << TEXTURE_LOG2_MAX;
+    const char *why = load_picture(scene, model_path, name.data, mask);
+    if (why != NULL) {
+        model_shared_note(shared, "transparency %.100s is left out: it %s", name.data, why);
+        return;
+    }
+    if (mask->alpha == NULL) {
+        mask->alpha = malloc((size_t)mask->picture.width * mask->picture.height);
+        for (size_t i = 0; mask->alpha != NULL && i < (size_t)mask->picture.width * mask->picture.height; i++) {
+            const uint8_t *rgb = mask->picture.rgb + 3 * i;
+            mask->alpha[i] = (uint8_t)((rgb[0] + rgb[1] + rgb[2]) / 3);
+        }
+    }
+    to->cutoff = .5;
+    to->mode = mask->alpha == NULL ? to->mode : is_cut_out(mask) && to->alpha >= 1 ? MODEL_MASK : MODEL_BLEND;
 }
 
 static bool read_material(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
@@ -127,11 +158,12 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
         aiGetMaterialColor(from, AI_MATKEY_COLOR_EMISSIVE, &glow);
     }
     aiGetMaterialIntegerArray(from, AI_MATKEY_TWOSIDED, &two_sided, NULL);
-    struct model_surface surface = {.colour = {channel(c.r), channel(c.g), channel(c.b)},
-                                    .glow = {channel(glow.r), channel(glow.g), channel(glow.b)},
-                                    .two_sided = two_sided != 0,
-                                    .is_transparent = is_transparent(from)};
+    struct model_surface surface = {
+        .colour = {model_surface_channel(c.r), model_surface_channel(c.g), model_surface_channel(c.b)},
+        .glow = {model_surface_channel(glow.r), model_surface_channel(glow.g), model_surface_channel(glow.b)},
+        .two_sided = two_sided != 0};
     read_texture(shared, scene, from, path, &surface);
+    read_alpha(shared, scene, from, path, &surface);
     return model_surface_make(shared, &surface, to);
 }
 

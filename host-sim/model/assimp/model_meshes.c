@@ -2,6 +2,7 @@
 
 #include "model_camera.h"
 #include "model_places.h"
+#include "model_surface.h"
 
 #include <assimp/mesh.h>
 
@@ -133,6 +134,38 @@ static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
     return count;
 }
 
+/* Copies the vertex colours; where all are the colour of the material, there are none. */
+static bool copy_colours(struct model_shared *shared, const struct piece *piece, struct ph_mesh *to)
+{
+    const struct aiColor4D *from = piece->place->mesh->mColors[0];
+    if (from == NULL) {
+        return true;
+    }
+    if (to->materials->texture != NULL) {
+        model_shared_note(shared, "vertex colours of textured meshes are ignored");
+        return true;
+    }
+    uint16_t *colours = demo_alloc(&shared->arena, sizeof *colours * piece->vertex_count);
+    for (unsigned i = 0; colours != NULL && i < piece->vertex_count; i++) {
+        const struct aiColor4D *c = &from[vertex_of(piece, i)];
+        colours[i] = ph_rgb565(model_surface_channel(c->r), model_surface_channel(c->g), model_surface_channel(c->b));
+        to->colours = colours[i] != to->materials->colour ? colours : to->colours;
+    }
+    return colours != NULL;
+}
+
+static bool copy_uvs(struct model_shared *shared, const struct piece *piece, struct ph_mesh *to)
+{
+    fx_t(*uvs)[2] = demo_alloc(&shared->arena, sizeof *uvs * piece->vertex_count);
+    for (unsigned i = 0; uvs != NULL && i < piece->vertex_count; i++) {
+        const struct aiVector3D *uv = &piece->place->mesh->mTextureCoords[0][vertex_of(piece, i)];
+        uvs[i][0] = fixed(uv->x);
+        uvs[i][1] = fixed(uv->y);
+    }
+    to->uvs = (const fx_t(*)[2])uvs;
+    return uvs != NULL;
+}
+
 /* Copies the material for the mesh; it keeps its texture only if there are texture coordinates. */
 static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *materials,
                           struct ph_mesh *to)
@@ -140,8 +173,7 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
     const struct aiMesh *from = piece->place->mesh;
     struct ph_material *material = demo_alloc(&shared->arena, sizeof *material);
     struct ph_part *part = demo_alloc(&shared->arena, sizeof *part);
-    fx_t(*uvs)[2] = demo_alloc(&shared->arena, sizeof *uvs * piece->vertex_count);
-    if (material == NULL || part == NULL || uvs == NULL) {
+    if (material == NULL || part == NULL) {
         return false;
     }
     *material = materials[from->mMaterialIndex];
@@ -149,21 +181,20 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
     to->parts = part;
     to->part_count = 1;
     to->materials = material;
-    if (shared->texture != NULL && from->mTextureCoords[0] == NULL) {
-        model_shared_note(shared, "what has no texture coordinates keeps its colour");
-    }
-    if (material->texture == NULL || from->mTextureCoords[0] == NULL) {
+    const bool has_alphas = material->blend != NULL && material->blend->alphas != NULL;
+    if (from->mTextureCoords[0] == NULL) {
+        if (shared->texture != NULL) {
+            model_shared_note(shared, "what has no texture coordinates keeps its colour");
+        }
         material->texture = NULL;
-        return true;
+        material->blend = has_alphas ? NULL : material->blend;
+    } else if ((material->texture != NULL || has_alphas) && !copy_uvs(shared, piece, to)) {
+        return false;
     }
-    for (unsigned i = 0; i < piece->vertex_count; i++) {
-        const struct aiVector3D *uv = &from->mTextureCoords[0][vertex_of(piece, i)];
-        uvs[i][0] = fixed(uv->x);
-        uvs[i][1] = fixed(uv->y);
+    if (material->texture != NULL) {
+        material->shading = material->shading == PH_SHADE_UNLIT ? PH_SHADE_TEXTURE : PH_SHADE_TEXTURE_GOURAUD;
     }
-    to->uvs = (const fx_t(*)[2])uvs;
-    material->shading = material->shading == PH_SHADE_UNLIT ? PH_SHADE_TEXTURE : PH_SHADE_TEXTURE_LIT;
-    return true;
+    return copy_colours(shared, piece, to);
 }
 
 /* Positions, triangles and normals into arrays of the right size. false: no memory. */
@@ -239,9 +270,6 @@ static bool copy_place(struct model_shared *shared, const struct model_place *pl
         model->triangle_count += mesh->triangle_count;
         model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
         first += piece.count;
-    }
-    if (place->mesh->mColors[0] != NULL) {
-        model_shared_note(shared, "vertex colours are ignored");
     }
     return true;
 }

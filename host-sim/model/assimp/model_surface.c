@@ -1,5 +1,6 @@
 #include "model_surface.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,11 @@
 #define DIFFUSE        (FX_ONE * 3 / 4)
 #define GLOSS          (FX_ONE / 4)
 #define SHININESS_LOG2 5
+
+uint8_t model_surface_channel(float value)
+{
+    return (uint8_t)lroundf((value > 0 ? (value < 1 ? value : 1) : 0) * 255); /* NaN gives 0 */
+}
 
 /* Returns the texture of the picture, or NULL; a note says why. */
 static const struct ph_texture *make_texture(struct model_shared *shared, const struct model_surface *from)
@@ -41,7 +47,7 @@ bool model_surface_take_texture(struct model_shared *shared)
     const char *why = picture_in_file(&surface.picture, path);
     if (why == NULL) {
         shared->texture = make_texture(shared, &surface);
-        free(surface.picture.picture.rgb);
+        picture_in_free(&surface.picture);
     }
     return shared->texture != NULL || model_shared_failed(shared, "cannot have the texture %.100s: it %s", path,
                                                           why != NULL ? why : "is too large");
@@ -64,6 +70,61 @@ static void add_glow(uint16_t ramp[PH_RAMP_SIZE], const uint8_t glow[3])
     }
 }
 
+/* Whether any alpha is less than all. */
+static bool has_alpha(const struct picture_in *from)
+{
+    const size_t n = (size_t)from->picture.width * from->picture.height;
+    for (size_t i = 0; from->alpha != NULL && i < n; i++) {
+        if (from->alpha[i] < 255) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The alpha, times this, as a texture of greys, or NULL. */
+static struct ph_texture *make_alphas(struct model_shared *shared, const struct picture_in *from, double times)
+{
+    const struct ppm *picture = &from->picture;
+    const size_t n = (size_t)picture->width * picture->height;
+    const struct ppm grey = {picture->width, picture->height, malloc(n * 3)};
+    struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
+    for (size_t i = 0; grey.rgb != NULL && i < n; i++) {
+        memset(grey.rgb + 3 * i, model_surface_channel((float)(from->alpha[i] * times / 255)), 3);
+    }
+    const bool is_made = grey.rgb != NULL && texture != NULL && model_texture_make(&shared->arena, &grey, texture) == 0;
+    free(grey.rgb);
+    return is_made ? texture : NULL;
+}
+
+/* Sets the material's blend, if it needs one. What a mask lets through has an alpha of at least one half there. */
+static bool make_blend(struct model_shared *shared, const struct model_surface *from, struct ph_material *to)
+{
+    const struct picture_in *const alphas = from->mask.alpha != NULL ? &from->mask : &from->picture;
+    const bool is_mask = from->mode == MODEL_MASK, varies = shared->texture == NULL && has_alpha(alphas);
+    const bool is_whole = !varies && (is_mask ? from->alpha >= from->cutoff : from->alpha >= 1);
+    struct ph_blend *blend = demo_alloc(&shared->arena, sizeof *blend);
+    if (from->mode == MODEL_OPAQUE || is_whole || (is_mask && from->cutoff <= 0)) {
+        return true;
+    }
+    if (blend == NULL) {
+        return false;
+    }
+    *blend = (struct ph_blend){.draw = ph_draw_blended,
+                               .kind = is_mask && varies ? PH_BLEND_MASK : PH_BLEND_ALPHA,
+                               .alpha = is_mask ? 0 : (uint8_t)lround(fmin(fmax(from->alpha, 0), 1) * 32)};
+    to->blend = blend;
+    if (varies) {
+        struct ph_texture *texture = make_alphas(shared, alphas, is_mask ? from->alpha / from->cutoff / 2 : 1);
+        if (texture == NULL) {
+            return false;
+        }
+        texture->wrap = from->wrap[0];
+        blend->alphas = texture;
+    }
+    return true;
+}
+
 bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct ph_material *to)
 {
     const uint8_t *c = from->colour, *glow = from->glow;
@@ -75,13 +136,9 @@ bool model_surface_make(struct model_shared *shared, struct model_surface *from,
     const struct ph_texture *texture = shared->texture != NULL             ? shared->texture
                                        : from->picture.picture.rgb != NULL ? make_texture(shared, from)
                                                                            : NULL;
-    free(from->picture.picture.rgb);
     ph_material_ramp(ramp, c[0], c[1], c[2], GLOSS);
     if (glows) {
         add_glow(ramp, glow);
-    }
-    if (from->is_transparent) {
-        model_shared_note(shared, "transparency is ignored");
     }
     if (glows && texture != NULL) {
         model_shared_note(shared, "emission of textured materials is ignored");
@@ -95,5 +152,8 @@ bool model_surface_make(struct model_shared *shared, struct model_surface *from,
                                .colour = ph_rgb565(c[0], c[1], c[2]),
                                .ramp = ramp,
                                .texture = texture};
-    return true;
+    const bool is_made = make_blend(shared, from, to);
+    picture_in_free(&from->picture);
+    picture_in_free(&from->mask);
+    return is_made;
 }

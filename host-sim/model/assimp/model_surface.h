@@ -6,15 +6,27 @@
 #include "model_texture.h"
 #include "picture_in.h"
 
+enum model_alpha {
+    MODEL_OPAQUE,
+    MODEL_MASK, /* cut out where alpha is below the cut-off */
+    MODEL_BLEND,
+};
+
 /* Colours are those of the display, 0 .. 255. */
 struct model_surface {
     uint8_t colour[3];         /* without a texture */
     uint8_t glow[3];           /* emissive */
     char name[104];            /* of the texture, for notes */
-    struct picture_in picture; /* of the texture; its rgb is NULL without; model_surface_make frees it */
+    struct picture_in picture; /* of the texture; its rgb is NULL without; model_surface_make frees both */
+    struct picture_in mask;    /* whose alpha counts, in place of the picture's; its alpha is NULL without */
     uint8_t wrap[2];           /* enum ph_wrap along u and v */
-    bool two_sided, is_unlit, is_transparent;
+    bool two_sided, is_unlit;
+    uint8_t mode;         /* enum model_alpha */
+    double alpha, cutoff; /* alpha is multiplied by the picture's */
 };
+
+/* A channel of 0 .. 1 as one of 0 .. 255; what is outside is clamped. */
+uint8_t model_surface_channel(float value);
 
 /* Makes the material: emission is added to the ramp; what cannot be drawn is noted. false: the arena is full. */
 bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct ph_material *to);

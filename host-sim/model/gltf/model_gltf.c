@@ -9,15 +9,15 @@
 
 /* A vertex as it is compared with others. */
 struct vertex {
-    float position[3], normal[3], uv[2];
+    float position[3], normal[3], uv[2], colour[3];
 };
 
 /* A primitive as the file gives it. */
 struct primitive {
-    float *positions, *normals, *uvs; /* NULL: it has none */
-    uint32_t *indices;                /* three for each triangle */
+    float *positions, *normals, *uvs, *colours; /* NULL: it has none */
+    uint32_t *indices;                          /* three for each triangle */
     uint32_t vertex_count, triangle_count, material;
-    bool is_coloured;
+    unsigned channels; /* of a colour: 3 or 4 */
 };
 
 struct reader {
@@ -44,6 +44,15 @@ static bool read_attribute(struct gltf_file *file, const struct cJSON *attribute
     }
     *vertex_count = count;
     return *to != NULL;
+}
+
+static bool read_colours(struct gltf_file *file, const struct cJSON *attributes, struct primitive *p)
+{
+    static const char name[] = "COLOR_0";
+    const struct cJSON *from = gltf_file_item(file, GLTF_ACCESSORS, gltf_file_whole(attributes, name, GLTF_NONE));
+    const char *type = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "type"));
+    p->channels = type != NULL && strcmp(type, "VEC4") == 0 ? 4 : 3;
+    return read_attribute(file, attributes, name, p->channels, &p->vertex_count, &p->colours);
 }
 
 /* Makes triangles of strips and fans; every index is checked. */
@@ -92,10 +101,9 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
         return p->vertex_count == 0 && file->error[0] == '\0';
     }
     if (!read_attribute(file, attributes, "NORMAL", 3, &p->vertex_count, &p->normals) ||
-        !read_attribute(file, attributes, name, 2, &p->vertex_count, &p->uvs)) {
+        !read_attribute(file, attributes, name, 2, &p->vertex_count, &p->uvs) || !read_colours(file, attributes, p)) {
         return false;
     }
-    p->is_coloured = cJSON_GetObjectItemCaseSensitive(attributes, "COLOR_0") != NULL;
     uint32_t n = p->vertex_count, *list = NULL;
     if (cJSON_GetObjectItemCaseSensitive(from, "indices") != NULL) {
         list = gltf_file_indices(file, indices, &n);
@@ -110,7 +118,7 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
 
 static struct vertex vertex_at(const struct primitive *p, uint32_t i, const struct model_gltf_uv *uv)
 {
-    struct vertex v = {{0, 0, 0}, {0, 0, 0}, {0, 0}};
+    struct vertex v = {.position = {0}};
     memcpy(v.position, p->positions + 3 * (size_t)i, sizeof v.position);
     if (p->normals != NULL) {
         memcpy(v.normal, p->normals + 3 * (size_t)i, sizeof v.normal);
@@ -118,6 +126,9 @@ static struct vertex vertex_at(const struct primitive *p, uint32_t i, const stru
     for (int k = 0; k < 2 && p->uvs != NULL; k++) {
         const float *from = p->uvs + 2 * (size_t)i;
         v.uv[k] = (float)(uv->m[k][0] * (double)from[0] + uv->m[k][1] * (double)from[1] + uv->m[k][2]);
+    }
+    for (int c = 0; c < 3 && p->colours != NULL; c++) {
+        v.colour[c] = (float)model_gltf_channel(uv->factor[c] * (double)p->colours[p->channels * (size_t)i + c]) / 255;
     }
     return v;
 }
@@ -159,9 +170,9 @@ static bool fill_mesh(struct aiMesh *mesh, const struct welder *w, const struct 
     mesh->mVertices = calloc(w->count, sizeof *mesh->mVertices);
     mesh->mNormals = p->normals != NULL ? calloc(w->count, sizeof *mesh->mNormals) : NULL;
     mesh->mTextureCoords[0] = p->uvs != NULL ? calloc(w->count, sizeof *mesh->mTextureCoords[0]) : NULL;
-    mesh->mColors[0] = p->is_coloured ? calloc(w->count, sizeof *mesh->mColors[0]) : NULL;
+    mesh->mColors[0] = p->colours != NULL ? calloc(w->count, sizeof *mesh->mColors[0]) : NULL;
     if (mesh->mVertices == NULL || (p->normals != NULL && mesh->mNormals == NULL) ||
-        (p->uvs != NULL && mesh->mTextureCoords[0] == NULL)) {
+        (p->uvs != NULL && mesh->mTextureCoords[0] == NULL) || (p->colours != NULL && mesh->mColors[0] == NULL)) {
         return false;
     }
     for (uint32_t i = 0; i < w->count; i++) {
@@ -172,6 +183,9 @@ static bool fill_mesh(struct aiMesh *mesh, const struct welder *w, const struct 
         }
         if (mesh->mTextureCoords[0] != NULL) {
             mesh->mTextureCoords[0][i] = (struct aiVector3D){v->uv[0], v->uv[1], 0};
+        }
+        if (mesh->mColors[0] != NULL) {
+            mesh->mColors[0][i] = (struct aiColor4D){v->colour[0], v->colour[1], v->colour[2], 1};
         }
     }
     mesh->mNumVertices = w->count;
@@ -259,6 +273,7 @@ static bool read_meshes(struct reader *reader)
             free(p.positions);
             free(p.normals);
             free(p.uvs);
+            free(p.colours);
             free(p.indices);
         }
     }

@@ -7,11 +7,16 @@
 
 #include <assimp/scene.h>
 
-/* How texture coordinates of a primitive become those of the renderer: u' = m[0] . (u, v, 1), v' = m[1] . (u, v, 1). */
+/* How texture coordinates of a primitive become those of the renderer: u' = m[0] . (u, v, 1), v' = m[1] . (u, v, 1);
+ * and what its vertex colours are multiplied by, in linear light. */
 struct model_gltf_uv {
     uint32_t set; /* TEXCOORD_set */
     double m[2][3];
+    double factor[4];
 };
+
+/* A channel of a display, 0 .. 255, for linear light of 0 .. 1; what is outside is clamped. */
+uint8_t model_gltf_channel(double linear);
 
 /* Returns the scene, or NULL after writing shared->error. Primitives without a material have a last one of their own.
  * Vertices that are equal are joined, and a primitive is split at MODEL_VERTICES_MAX vertices. */

@@ -24,13 +24,18 @@ static double to_linear(double display)
     return display <= .04045 ? display / 12.92 : pow((display + .055) / 1.055, 2.4);
 }
 
+uint8_t model_gltf_channel(double linear)
+{
+    return (uint8_t)lround(255 * to_display(linear));
+}
+
 /* Multiplies the picture by a linear factor: what the file means, as the display shows it. */
 static void multiply(struct ppm *picture, const double factor[3])
 {
     uint8_t table[3][256];
     for (int c = 0; c < 3; c++) {
         for (int i = 0; i < 256; i++) {
-            table[c][i] = (uint8_t)lround(255 * to_display(factor[c] * to_linear(i / 255.0)));
+            table[c][i] = model_gltf_channel(factor[c] * to_linear(i / 255.0));
         }
     }
     const size_t n = (size_t)picture->width * picture->height;
@@ -39,24 +44,35 @@ static void multiply(struct ppm *picture, const double factor[3])
     }
 }
 
-/* Doubles the picture along u (0) or v (1), the second half mirrored. false: no memory. */
+/* Doubles an image along u (0) or v (1), the second half mirrored. NULL: no memory. */
+static uint8_t *mirrored(const uint8_t *from, uint32_t w, uint32_t h, size_t pixel_bytes, int along)
+{
+    const uint32_t wide = along == 0 ? 2 * w : w, high = along == 1 ? 2 * h : h;
+    uint8_t *to = malloc((size_t)wide * high * pixel_bytes);
+    for (uint32_t y = 0; to != NULL && y < high; y++) {
+        for (uint32_t x = 0; x < wide; x++) {
+            const uint32_t from_x = x < w ? x : 2 * w - 1 - x, from_y = y < h ? y : 2 * h - 1 - y;
+            memcpy(to + ((size_t)y * wide + x) * pixel_bytes, from + ((size_t)from_y * w + from_x) * pixel_bytes,
+                   pixel_bytes);
+        }
+    }
+    return to;
+}
+
 static bool mirror(struct picture_in *in, int along)
 {
     struct ppm *picture = &in->picture;
-    const uint32_t w = picture->width, h = picture->height, wide = along == 0 ? 2 * w : w,
-                   high = along == 1 ? 2 * h : h;
-    uint8_t *rgb = malloc((size_t)wide * high * 3);
-    if (rgb == NULL) {
+    const uint32_t w = picture->width, h = picture->height;
+    uint8_t *rgb = mirrored(picture->rgb, w, h, 3, along);
+    uint8_t *alpha = in->alpha != NULL ? mirrored(in->alpha, w, h, 1, along) : NULL;
+    if (rgb == NULL || (in->alpha != NULL && alpha == NULL)) {
+        free(rgb);
+        free(alpha);
         return false;
     }
-    for (uint32_t y = 0; y < high; y++) {
-        for (uint32_t x = 0; x < wide; x++) {
-            const uint32_t from_x = x < w ? x : 2 * w - 1 - x, from_y = y < h ? y : 2 * h - 1 - y;
-            memcpy(rgb + ((size_t)y * wide + x) * 3, picture->rgb + ((size_t)from_y * w + from_x) * 3, 3);
-        }
-    }
-    free(picture->rgb);
-    *picture = (struct ppm){wide, high, rgb};
+    picture_in_free(in);
+    *picture = (struct ppm){along == 0 ? 2 * w : w, along == 1 ? 2 * h : h, rgb};
+    in->alpha = alpha;
     in->width *= along == 0 ? 2 : 1;
     in->height *= along == 1 ? 2 : 1;
     return true;
@@ -98,8 +114,9 @@ static void read_transform(const struct cJSON *info, struct model_gltf_uv *uv)
     gltf_file_vector(from, "offset", 2, offset);
     gltf_file_vector(from, "scale", 2, scale);
     const double turn = gltf_file_number(from, "rotation", 0), c = cos(turn), s = sin(turn);
-    *uv = (struct model_gltf_uv){gltf_file_whole(from, "texCoord", gltf_file_whole(info, "texCoord", 0)),
-                                 {{c * scale[0], s * scale[1], offset[0]}, {-s * scale[0], c * scale[1], offset[1]}}};
+    uv->set = gltf_file_whole(from, "texCoord", gltf_file_whole(info, "texCoord", 0));
+    memcpy(uv->m[0], (double[3]){c * scale[0], s * scale[1], offset[0]}, sizeof uv->m[0]);
+    memcpy(uv->m[1], (double[3]){-s * scale[0], c * scale[1], offset[1]}, sizeof uv->m[1]);
 }
 
 /* Wrap modes; a mirrored picture is doubled, and its coordinates are halved. */
@@ -152,6 +169,8 @@ static void read_pictures(struct model_shared *shared, struct gltf_file *file, c
     if (glows && factor[0] + factor[1] + factor[2] == 0) {
         read_texture(shared, file, emissive, glow, to, uv);
         to->is_unlit = to->picture.picture.rgb != NULL;
+        free(to->picture.alpha); /* it means nothing there */
+        to->picture.alpha = NULL;
         return;
     }
     if (glows) {
@@ -161,28 +180,38 @@ static void read_pictures(struct model_shared *shared, struct gltf_file *file, c
     read_texture(shared, file, cJSON_GetObjectItemCaseSensitive(pbr, "baseColorTexture"), factor, to, uv);
 }
 
+static enum model_alpha read_mode(const struct cJSON *from)
+{
+    const char *mode = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "alphaMode"));
+    return mode == NULL                 ? MODEL_OPAQUE
+           : strcmp(mode, "MASK") == 0  ? MODEL_MASK
+           : strcmp(mode, "BLEND") == 0 ? MODEL_BLEND
+                                        : MODEL_OPAQUE;
+}
+
 static bool read_material(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
                           struct ph_material *to, struct model_gltf_uv *uv)
 {
     const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness");
     const struct cJSON *extensions = cJSON_GetObjectItemCaseSensitive(from, "extensions");
     const struct cJSON *strength = cJSON_GetObjectItemCaseSensitive(extensions, "KHR_materials_emissive_strength");
-    const char *mode = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "alphaMode"));
     const double times = gltf_file_number(strength, "emissiveStrength", 1);
-    double factor[4] = {1, 1, 1, 1}, glow[3] = {0, 0, 0};
+    double *factor = uv->factor, glow[3] = {0, 0, 0};
     gltf_file_vector(pbr, "baseColorFactor", 4, factor);
     gltf_file_vector(from, "emissiveFactor", 3, glow);
     struct model_surface surface = {.two_sided = cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(from, "doubleSided")),
                                     .is_unlit =
                                         cJSON_GetObjectItemCaseSensitive(extensions, "KHR_materials_unlit") != NULL,
-                                    .is_transparent = mode != NULL && strcmp(mode, "OPAQUE") != 0};
+                                    .mode = read_mode(from),
+                                    .alpha = factor[3],
+                                    .cutoff = gltf_file_number(from, "alphaCutoff", .5)};
     for (int c = 0; c < 3; c++) {
         glow[c] *= times;
     }
     read_pictures(shared, file, from, factor, glow, &surface, uv);
     for (int c = 0; c < 3; c++) {
-        surface.colour[c] = (uint8_t)lround(255 * to_display(factor[c]));
-        surface.glow[c] = (uint8_t)lround(255 * to_display(glow[c]));
+        surface.colour[c] = model_gltf_channel(factor[c]);
+        surface.glow[c] = model_gltf_channel(glow[c]);
     }
     return model_surface_make(shared, &surface, to);
 }
@@ -195,7 +224,7 @@ struct ph_material *model_gltf_materials(struct model_shared *shared, struct glt
         return NULL;
     }
     for (uint32_t i = 0; i <= n; i++) {
-        uvs[i] = (struct model_gltf_uv){0, {{1, 0, 0}, {0, 1, 0}}};
+        uvs[i] = (struct model_gltf_uv){0, {{1, 0, 0}, {0, 1, 0}}, {1, 1, 1, 1}};
         if (i < n && !read_material(shared, file, gltf_file_item(file, GLTF_MATERIALS, i), &materials[i], &uvs[i])) {
             return NULL;
         }

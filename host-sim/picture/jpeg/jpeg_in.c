@@ -34,7 +34,7 @@ static void read_rows(struct picture_in *in, j_decompress_ptr jpeg, uint8_t **ro
     jpeg_read_header(jpeg, TRUE);
     jpeg->out_color_space = JCS_RGB;
     jpeg->dct_method = JDCT_ISLOW;
-    if (!picture_in_begin(in, jpeg->image_width, jpeg->image_height)) {
+    if (!picture_in_begin(in, jpeg->image_width, jpeg->image_height, false)) {
         fail((j_common_ptr)jpeg);
     }
     *row = malloc((size_t)jpeg->image_width * 3);

@@ -42,11 +42,11 @@ static void read_rows(struct picture_in *in, struct source *from, png_structp pn
     png_set_expand(png);
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
-    png_set_strip_alpha(png);
     png_read_update_info(png, info);
     const uint32_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
     const bool is_interlaced = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
-    from->row = picture_in_begin(in, width, height) ? malloc(png_get_rowbytes(png, info) + 1) : NULL;
+    const bool has_alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0;
+    from->row = picture_in_begin(in, width, height, has_alpha) ? malloc(png_get_rowbytes(png, info) + 1) : NULL;
     if (from->row == NULL) {
         png_error(png, "too large");
     }
