@@ -84,7 +84,11 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
             const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from);
             const struct row row = {band->pixels + at + x, ph_depth_from(band->depth, at + x, band->depth24), n,
                                     d + x * t->depth.gx, light + x * t->attribute[0].gx};
-            draw_row(t, band->depth24, &octave, &row);
+            if (t->block >= PH_BLOCK_LINEAR) { /* no octaves to cross */
+                draw_run(t, band->depth24, &row, t->depth.gx);
+            } else {
+                draw_row(t, band->depth24, &octave, &row);
+            }
             count += n;
         }
         at += (uint32_t)band->width;

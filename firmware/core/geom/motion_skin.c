@@ -1,0 +1,135 @@
+/*
+ * Skins and morph targets: see motion.h. Products have 32 bits here, as a Cortex-M0+ makes no others, and no sum can
+ * overflow: the bounds stand beside them. Sums are made in uint32_t, where what a caller breaks wraps.
+ */
+#include "motion.h"
+
+void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places, struct ph_xform *matrices)
+{
+    for (uint32_t i = 0; i < skin->joint_count; i++) {
+        const struct ph_xform *const place = &places[skin->nodes[i]];
+        matrices[i] = skin->inverse_bind ? ph_xform_mul(place, &skin->inverse_bind[i]) : *place;
+    }
+}
+
+/* A row of a matrix: Q2.30, and t in Q8.24. */
+struct row {
+    int32_t x, y, z, t;
+};
+
+/*
+ * The weighted mean of row i of up to four matrices. Elements count in Q17.15 and are rounded down, by half an LSB in
+ * the mean, which the sums begin with; weights in Q15 give Q2.30. t goes in two halves of 17 and 15 bits.
+ */
+static inline struct row mean_row(const struct ph_xform *matrices, const struct ph_influence *in, int i)
+{
+    uint32_t x = 1 << 14, y = 1 << 14, z = 1 << 14, high = 0, low = 0;
+    for (int k = 0; k < 4 && in->weights[k] != 0; k++) {
+        const uint32_t w = in->weights[k];
+        const struct ph_xform *const m = &matrices[in->joints[k]];
+        const int32_t t = (&m->t.x)[i];
+        x += w * (uint32_t)(m->r[i][0] >> 15);
+        y += w * (uint32_t)(m->r[i][1] >> 15);
+        z += w * (uint32_t)(m->r[i][2] >> 15);
+        high += w * (uint32_t)(t >> 15);    /* 2^15 2^16 */
+        low += w * ((uint32_t)t & 0x7fffu); /* 2^15 2^15 */
+    }
+    return (struct row){(int32_t)x, (int32_t)y, (int32_t)z, (int32_t)(high + (low >> 15))};
+}
+
+static inline struct row row_of(const struct ph_xform *m, int i)
+{
+    return (struct row){m->r[i][0], m->r[i][1], m->r[i][2], (&m->t.x)[i]};
+}
+
+/* A coordinate in Q16.16. An element is h 2^18 + l 2^4 and less than 2^4: h p is in 2^-12 LSB of p, |h p| <= 2^28, and
+ * l p in 2^-26 LSB, |l p| < 2^29. down: from 2^-12 LSB of p to Q9.23. */
+static inline fx_t place_row(const struct row *row, const int16_t p[3], int down)
+{
+    const int32_t high = (row->x >> 18) * p[0] + (row->y >> 18) * p[1] + (row->z >> 18) * p[2];
+    const int32_t low = (row->x >> 4 & 0x3fff) * p[0] + (row->y >> 4 & 0x3fff) * p[1] + (row->z >> 4 & 0x3fff) * p[2];
+    return ((row->t >> 1) + ((high + (low >> 14)) >> down) + 64) >> 7;
+}
+
+/* A component of a normal in Q4.28: 2^15 2^14 three times; a normal that is longer than 1 may wrap. */
+static inline int32_t turn_row(const struct row *row, const int16_t n[3])
+{
+    return (int32_t)((uint32_t)((row->x >> 16) * n[0]) + (uint32_t)((row->y >> 16) * n[1]) +
+                     (uint32_t)((row->z >> 16) * n[2]));
+}
+
+/* Length one in Q1.14. The components are brought to 14 bits. */
+static void normalise(const int32_t v[3], int16_t out[3])
+{
+    const uint32_t bits = (uint32_t)((v[0] ^ v[0] >> 31) | (v[1] ^ v[1] >> 31) | (v[2] ^ v[2] >> 31));
+    const int zeros = fx_clz32(bits), down = zeros < 18 ? 18 - zeros : 0;
+    const int32_t x = v[0] >> down, y = v[1] >> down, z = v[2] >> down; /* -2^14 .. 2^14 - 1 */
+    const uint32_t sum = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);
+    if (sum == 0) {
+        out[0] = out[1] = out[2] = 0;
+        return;
+    }
+    const int even = fx_clz32(sum) & ~1, shift = 17 - even / 2; /* of an even number of bits the root has half */
+    const int32_t over = (int32_t)fx_rsqrt16(sum << even);      /* 2^31 / root */
+    const int32_t half = 1 << (shift - 1);
+    out[0] = (int16_t)((x * over + half) >> shift);
+    out[1] = (int16_t)((y * over + half) >> shift);
+    out[2] = (int16_t)((z * over + half) >> shift);
+}
+
+void ph_skin_vertices(const struct ph_bound *from, const struct ph_xform *matrices, struct fx_vec3 *positions,
+                      int16_t (*normals)[3])
+{
+    const bool lit = normals && from->normals;
+    const int down = from->frac - 11;
+    for (uint32_t v = 0; v < from->vertex_count; v++) {
+        const struct ph_influence *const in = from->influences ? &from->influences[v] : 0;
+        const struct ph_xform *const one = !in                                  ? matrices
+                                           : in->weights[0] == PH_INFLUENCE_ONE ? &matrices[in->joints[0]]
+                                                                                : 0;
+        int32_t n[3];
+        for (int i = 0; i < 3; i++) {
+            const struct row row = one ? row_of(one, i) : mean_row(matrices, in, i);
+            (&positions[v].x)[i] = place_row(&row, from->positions[v], down);
+            n[i] = lit ? turn_row(&row, from->normals[v]) : 0;
+        }
+        if (lit) {
+            normalise(n, normals[v]);
+        }
+    }
+}
+
+/* ---- morph targets ---------------------------------------------------------------------------------------------- */
+
+static int16_t clamp16(int32_t v)
+{
+    return (int16_t)(v < INT16_MIN ? INT16_MIN : v > INT16_MAX ? INT16_MAX : v);
+}
+
+/* A weight in Q3.12, at most 2^15. */
+static int32_t weight_q12(int32_t weight)
+{
+    const int32_t w = (weight >> 12) + (weight >> 11 & 1);
+    return w < -(1 << 15) ? -(1 << 15) : w > 1 << 15 ? 1 << 15 : w;
+}
+
+/* Sums are in 2^-4 of an LSB: at most 2^22 for a target. */
+static void morph(const int16_t (*base)[3], const int16_t (*d)[3], const struct ph_morph *m, const int32_t *weights,
+                  int16_t (*out)[3])
+{
+    for (uint32_t i = 0; i < 3 * m->vertex_count; i++) {
+        int32_t sum = 8;
+        for (uint32_t k = 0; d && k < m->target_count; k++) {
+            sum += (weight_q12(weights[k]) * (&d[0][0])[3 * k * m->vertex_count + i]) >> 8;
+        }
+        (&out[0][0])[i] = clamp16((&base[0][0])[i] + (sum >> 4));
+    }
+}
+
+void ph_morph_vertices(const struct ph_morph *m, const int32_t *weights, int16_t (*positions)[3], int16_t (*normals)[3])
+{
+    morph(m->positions, m->d_positions, m, weights, positions);
+    if (m->normals && normals) {
+        morph(m->normals, m->d_normals, m, weights, normals);
+    }
+}
