@@ -5,17 +5,17 @@
 
 uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
-    const int32_t width = (int32_t)(stride_bytes / 2);
-    struct ph_edge left = {(int32_t)rows->left, (int32_t)rows->left_dx};
-    struct ph_edge right = {(int32_t)rows->right, (int32_t)rows->right_dx};
-    uint32_t d = rows->d, light = rows->light, count = 0;
+    const uint32_t width = stride_bytes / 2;
+    uint32_t left = rows->left, right = rows->right, d = rows->d, light = rows->light, count = 0;
     for (uint32_t n = rows->upper_rows; n > 0; n--) {
-        int32_t from, to;
-        if (ph_next_row(&left, &right, width, &from, &to)) {
-            ph_span_gouraud(pixels + from, depth + from, (uint32_t)(to - from), d + rows->gd * (uint32_t)from, rows->gd,
-                            light + rows->glight * (uint32_t)from, rows->glight, rows->ramp);
-            count += (uint32_t)(to - from);
+        const uint32_t from = ph_from_column(left), columns = ph_to_column(right, width) - from;
+        if ((int32_t)columns > 0) {
+            ph_span_gouraud(pixels + from, depth + from, columns, d + rows->gd * from, rows->gd,
+                            light + rows->glight * from, rows->glight, rows->ramp);
+            count += columns;
         }
+        left += rows->left_dx;
+        right += rows->right_dx;
         d += rows->d_dy;
         light += rows->light_dy;
         depth = ph_row_below(depth, stride_bytes);
