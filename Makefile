@@ -119,7 +119,7 @@ $(B)/hal/linux/$(GPIOD)/%.o: INC = -Ihal $(GPIOD_CFLAGS)
 $(B)/hal/kms/$(DRM)/%.o: INC = -Ihal $(DRM_CFLAGS)
 $(B)/boards/%.o $(B)/boards_more/%.o: INC = -Ihal -Iboards $(INC_MORE)
 $(B)/host-sim/%.o: INC = $(INC_HOST)
-$(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model)
+$(B)/host-sim/sim/%.o: INC = $(INC_HOST) $(call rooms,host-sim,sim controllers model asset)
 $(B)/host-sim/model/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model model/assimp model/gltf)
 $(B)/host-sim/asset/%.o: INC = $(INC_HOST) $(call rooms,host-sim,asset model)
 $(B)/host-sim/panel/%.o: INC = $(INC_HOST) $(call rooms,host-sim,model)
@@ -134,7 +134,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # same at every level). On a Cortex-M0+ most of the core runs from RAM, and its inner loops are assembly: only what -Os makes
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
-CORE_O3_armv6m := fisheye mesh
+CORE_O3_armv6m := fisheye% mesh
 CORE_O2_armv6m := fx fx_root fx_trig raster small_texels texel_row_nearest texel_rows texels texture tile_depth tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)

@@ -8,9 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#define TEXTURE_LOG2_DEFAULT 8
-#define TEXTURE_LOG2_LIMIT   10
-#define FLASH_LIMIT          (1u << 30)
+#define TEXTURE_LOG2_LIMIT 10
+#define FLASH_LIMIT        (1u << 30)
 
 static bool set_out(void *to, const char *value)
 {
@@ -20,16 +19,13 @@ static bool set_out(void *to, const char *value)
 
 static bool set_board(void *to, const char *value)
 {
-    ((struct asset_options *)to)->board = board_find(value);
+    ((struct asset_options *)to)->goal.board = board_find(value);
     return board_find(value) != NULL;
 }
 
 static bool set_triangles(void *to, const char *value)
 {
-    struct asset_options *o = to;
-    o->fit = strcmp(value, "fit") == 0;
-    o->triangles = UINT32_MAX;
-    return o->fit || strcmp(value, "all") == 0 || option_text_u32(value, 1, MODEL_TRIANGLES_MAX, &o->triangles);
+    return asset_triangles_named(value, &((struct asset_options *)to)->goal);
 }
 
 static bool set_texture(void *to, const char *value)
@@ -39,15 +35,15 @@ static bool set_texture(void *to, const char *value)
     if (!option_text_u32(value, 1, 1u << TEXTURE_LOG2_LIMIT, &side) || (side & (side - 1)) != 0) {
         return false;
     }
-    for (o->texture_log2 = 0; 1u << o->texture_log2 < side;) {
-        o->texture_log2++;
+    for (o->goal.texture_log2 = 0; 1u << o->goal.texture_log2 < side;) {
+        o->goal.texture_log2++;
     }
     return true;
 }
 
 static bool set_filter(void *to, const char *value)
 {
-    return model_filter_named(value, &((struct asset_options *)to)->filter);
+    return model_filter_named(value, &((struct asset_options *)to)->goal.filter);
 }
 
 static const struct option_row rows[] = {
@@ -65,9 +61,9 @@ static const struct option_row rows[] = {
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board},
     {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",
-     .at = offsetof(struct asset_options, flash_bytes), .least = 1, .most = FLASH_LIMIT},
+     .at = offsetof(struct asset_options, goal.flash_bytes), .least = 1, .most = FLASH_LIMIT},
     {"turntable", NULL, "shows the model on the turntable even if the file has a camera", NULL,
-     .at = offsetof(struct asset_options, turntable)},
+     .at = offsetof(struct asset_options, goal.turntable)},
     {"report", NULL,
      "prints how much flash the scene needs, and how much memory on each board: bands of the picture, and the scene's\n"
      "        vertices and triangles in the frame that lists most of them",
@@ -91,10 +87,10 @@ static int check(const struct asset_options *o)
     if (o->help) {
         return 0;
     }
-    if (o->model == NULL) {
+    if (o->goal.model == NULL) {
         return complain_usage("no model named (see --help)");
     }
-    if (o->fit && o->board == NULL) {
+    if (o->goal.fit && o->goal.board == NULL) {
         return complain_usage("--max-triangles fit: fit what? name a --board");
     }
     if (o->out == NULL && !o->report) {
@@ -109,7 +105,7 @@ static int check(const struct asset_options *o)
 int asset_options_read(struct asset_options *o, int argc, char *const argv[])
 {
     *o = (struct asset_options){
-        .triangles = UINT32_MAX, .texture_log2 = TEXTURE_LOG2_DEFAULT, .flash_bytes = UINT32_MAX};
+        .goal = {.triangles = UINT32_MAX, .texture_log2 = ASSET_TEXTURE_LOG2, .flash_bytes = UINT32_MAX}};
     for (int i = 1; i < argc;) {
         if (strcmp(argv[i], "-o") == 0) {
             if (i + 1 == argc || !set_out(o, argv[i + 1])) {
@@ -121,10 +117,10 @@ int asset_options_read(struct asset_options *o, int argc, char *const argv[])
             if (i < 0) {
                 return i;
             }
-        } else if (o->model != NULL) {
-            return complain_usage("'%s': one model at a time, and %s is named already", argv[i], o->model);
+        } else if (o->goal.model != NULL) {
+            return complain_usage("'%s': one model at a time, and %s is named already", argv[i], o->goal.model);
         } else {
-            o->model = argv[i++];
+            o->goal.model = argv[i++];
         }
     }
     return check(o);

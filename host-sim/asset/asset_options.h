@@ -2,19 +2,13 @@
 #ifndef ASSET_OPTIONS_H
 #define ASSET_OPTIONS_H
 
-#include "board.h"
-#include "model.h"
+#include "asset_fit.h"
 
 struct asset_options {
-    const char *model, *out;
+    struct asset_goal goal;
     struct model_options model_options;
-    const struct board *board; /* NULL: none named */
-    uint32_t triangles;        /* UINT32_MAX: all */
-    bool fit;                  /* as many as the board has room for */
-    uint8_t texture_log2;
-    uint8_t filter;       /* enum ph_filter */
-    uint32_t flash_bytes; /* for the data; UINT32_MAX: whatever it takes */
-    bool report, turntable, help;
+    const char *out;
+    bool report, help;
 };
 
 /* 0 or PH_ERR_INVAL. */

@@ -153,6 +153,7 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
 struct chosen {
     struct sim_virtual virtual_board;
     struct model *model;
+    struct asset asset; /* the model simplified, as an image of the board has it */
     struct demo model_demo;
 };
 
@@ -168,6 +169,32 @@ static int choose_view(const struct sim_options *o, struct sim_player_setup *set
                           names[0] != '\0' ? "the views" : "but one view", names);
 }
 
+#define KIT_RAM_MOST (1u << 20) /* a board with more has an operating system, and draws the file itself */
+
+/* Takes the model as an image of the kit has it, or simplified to a number of triangles; or as it is. */
+static int choose_model(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
+{
+    struct asset_goal goal = o->goal;
+    goal.model = o->model;
+    goal.board = o->board != NULL ? setup->board : NULL;
+    goal.turntable = o->view != NULL && strcmp(o->view, "turntable") == 0;
+    goal.fit = o->goal_set ? goal.fit : goal.board != NULL && goal.board->ram_bytes < KIT_RAM_MOST;
+    setup->demo = &chosen->model_demo;
+    setup->state = chosen->model;
+    model_set_filter(chosen->model, goal.filter);
+    chosen->model_demo = model_demo(chosen->model);
+    if (chosen->model->scene != NULL || (!goal.fit && goal.triangles == UINT32_MAX)) {
+        return 0;
+    }
+    const int status = asset_fit(&chosen->asset, chosen->model, &goal);
+    if (status == 0) {
+        chosen->model_demo = asset_demo(&chosen->asset);
+        chosen->model_demo.views = model_demo(&chosen->asset.model).views;
+        setup->state = &chosen->asset.model;
+    }
+    return status;
+}
+
 static int choose_scene(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     if (o->model == NULL) {
@@ -177,18 +204,15 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
                                    : complain_usage("--demo '%s': no such demo; %s--list shows them", name,
                                                     nearest_text(name, nearest_demo, NULL));
     }
-    const int status = model_open(&chosen->model, o->model, &o->model_options);
+    int status = model_open(&chosen->model, o->model, &o->model_options);
     if (status != 0) {
         return status;
     }
     if (chosen->model->note != NULL) {
         complain_note("--model %s: %s", o->model, chosen->model->note);
     }
-    model_set_filter(chosen->model, o->filter);
-    chosen->model_demo = model_demo(chosen->model);
-    setup->demo = &chosen->model_demo;
-    setup->state = chosen->model;
-    return choose_view(o, setup);
+    status = choose_model(o, chosen, setup);
+    return status == 0 ? choose_view(o, setup) : status;
 }
 
 static int choose(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
@@ -336,6 +360,7 @@ static int draw(const struct sim_options *o)
         signal_stop_catch();
         status = run(o, &setup);
     }
+    asset_free(&chosen.asset);
     model_close(chosen.model);
     if (signal_stop != 0) { /* end by the signal, so that a loop of a shell ends, too */
         signal(signal_stop, SIG_DFL);

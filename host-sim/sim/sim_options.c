@@ -62,7 +62,14 @@ static bool set_far(void *to, const char *value)
 
 static bool set_filter(void *to, const char *value)
 {
-    return model_filter_named(value, &((struct sim_options *)to)->filter);
+    return model_filter_named(value, &((struct sim_options *)to)->goal.filter);
+}
+
+static bool set_triangles(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->goal_set = true;
+    return asset_triangles_named(value, &o->goal);
 }
 
 static bool set_projection(void *to, const char *value)
@@ -126,6 +133,10 @@ static const struct option_row rows[] = {
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct sim_options, model)},
     MODEL_OPTION_ROWS(struct sim_options, model_options),
+    {"max-triangles", "N|all|fit",
+     "simplifies the model to N triangles at most; fit: to what the memory of the --board has room for, as its image\n"
+     "        is made. fit by default for a microcontroller kit, else all",
+     "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
     {"filter", "nearest|bilinear|mipmap", "how the textures of a model are drawn; nearest by default",
      "nearest, bilinear or mipmap", .set = set_filter},
     {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},
@@ -219,6 +230,9 @@ static int check_together(const struct sim_options *o)
     if (o->demo != NULL && o->model != NULL) {
         return complain_usage("--demo and --model exclude each other");
     }
+    if (o->goal.fit && o->board == NULL) {
+        return complain_usage("--max-triangles fit: fit what? name a --board");
+    }
     if (o->board != NULL && o->width != 0) {
         return complain_usage("--board and --size exclude each other");
     }
@@ -240,7 +254,11 @@ static int check_together(const struct sim_options *o)
 
 int sim_options_read(struct sim_options *o, int argc, char *const argv[])
 {
-    *o = (struct sim_options){.up = {0, FX_ONE, 0}, .near_z = FX_HALF, .far_z = FX_INT(100)};
+    *o = (struct sim_options){
+        .up = {0, FX_ONE, 0},
+        .near_z = FX_HALF,
+        .far_z = FX_INT(100),
+        .goal = {.triangles = UINT32_MAX, .texture_log2 = ASSET_TEXTURE_LOG2, .flash_bytes = UINT32_MAX}};
     for (int i = 1; i < argc;) {
         i = option_table_read(&table, o, argc, argv, i);
         if (i < 0) {

@@ -5,8 +5,8 @@
 #ifndef SIM_OPTIONS_H
 #define SIM_OPTIONS_H
 
+#include "asset_fit.h"
 #include "camera.h"
-#include "model.h"
 #include "option_text.h"
 
 #include <stdbool.h>
@@ -21,7 +21,8 @@ struct sim_options {
     const char *view;  /* of the demo, or NULL */
     const char *model; /* path of a model file, or NULL */
     struct model_options model_options;
-    uint8_t filter;         /* of its textures: enum ph_filter */
+    struct asset_goal goal; /* how far it is simplified; the filter of its textures */
+    bool goal_set;          /* else the board's memory is the goal */
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
     uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */

@@ -38,7 +38,7 @@ static int put_file(const uint8_t *bytes, size_t n, char path[40])
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) /* run with -detect_leaks=0: the reader frees nothing */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) /* see long_libfuzzer.sh: the reader frees nothing */
 {
     static uint8_t memory[64 << 20];
     char path[40];

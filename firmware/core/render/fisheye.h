@@ -1,4 +1,4 @@
-/* fisheye: the equidistant projection. Private to firmware/core; the method is in fisheye.c. */
+/* fisheye: the equidistant projection. Private to firmware/core; the method is in fisheye_*.c. */
 #ifndef PH_FISHEYE_H
 #define PH_FISHEYE_H
 
