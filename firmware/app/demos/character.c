@@ -233,7 +233,7 @@ struct detail {
 };
 
 #define LEVELS     4
-#define SIDES_MOST 14
+#define SIDES_MOST 31
 
 #define RINGS_OF(count, every) (((count)-1) / (every) + 1)
 #define RINGS_MOST(every)      RINGS_OF(COUNT(body_rings), every)
@@ -380,7 +380,7 @@ static int make_texture(struct demo_arena *arena, struct ph_texture *texture, ui
         }
     }
     *texture = (struct ph_texture){
-        .texels = texels, .log2_width = (uint8_t)(5 - down), .log2_height = (uint8_t)(7 - down), .wrap = PH_WRAP_CLAMP};
+        .texels = texels, .log2_width = (uint8_t)(5 - down), .log2_height = (uint8_t)(7 - down), .wrap = PH_WRAP_REPEAT};
     return texels ? PH_OK : PH_ERR_NOMEM;
 }
 
