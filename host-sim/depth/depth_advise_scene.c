@@ -35,8 +35,7 @@ struct scene_report {
     uint32_t candidate_count;
     struct pair pairs[PAIRS_MAX];
     uint32_t pair_count;
-    uint64_t pixels, overlaps,
-        lost; /* pixels with a surface, with several, and where the sub-pixel grid alone decides */
+    uint64_t pixels, overlaps, lost; /* pixels with a surface, with several, and that fight in every format */
 };
 
 static double step_m(const struct candidate *c, const struct scene_layer *at)
@@ -45,9 +44,10 @@ static double step_m(const struct candidate *c, const struct scene_layer *at)
     return at->parallel ? depth_step_parallel_m(format, &c->lab, at->z_m) : depth_step_m(format, &c->lab, at->z_m);
 }
 
+/* What moves two surfaces in every format. */
 static double moved_m(const struct scene_layer *a, const struct scene_layer *b)
 {
-    return (a->slope_m + b->slope_m) * (sqrt(2) / 512);
+    return (a->slope_m + b->slope_m) * (sqrt(2) / 512) + a->off_m + b->off_m;
 }
 
 static double need_m(const struct candidate *c, const struct scene_layer *a, const struct scene_layer *b)
@@ -277,8 +277,10 @@ static void put_answer(const struct scene_report *r)
             best->format->name, best->format->bits, near_text, (unsigned long long)best->fights,
             (unsigned long long)r->pixels, percent(best->fights, r->pixels));
     if (r->lost > 0) {
-        fprintf(r->lab->rows, ", %llu of them in every format: the sub-pixel grid moves them more than they are apart",
-                (unsigned long long)r->lost);
+        fprintf(r->lab->rows, ", %llu of them in every format: %s more than they are apart",
+                (unsigned long long)r->lost,
+                r->scene.fisheye ? "the fisheye's flat pieces and the sub-pixel grid move them"
+                                 : "the sub-pixel grid moves them");
     }
     fputs(".\n", r->lab->rows);
 }

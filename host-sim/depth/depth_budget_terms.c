@@ -99,8 +99,7 @@ double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, d
     }
 }
 
-/* The distance that has this code; beyond the far plane it may be negative or infinite. */
-static double distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code)
+double depth_distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z), over_far = head_m(format, lab) / f;
     switch (format) {
@@ -204,7 +203,7 @@ static double depth_of_code(enum ph_depth_format format, const struct depth_lab 
 static double plateau_m(enum ph_depth_format format, const struct depth_lab *lab, double code, double slack)
 {
     const double n = depth_metres(lab->near_z), f = depth_metres(lab->far_z);
-    const double last = distance_of(format, lab, code), first = distance_of(format, lab, code + 1);
+    const double last = depth_distance_of(format, lab, code), first = depth_distance_of(format, lab, code + 1);
     const bool is_cut = last < 0 || last > f || first < n;
     const double from = fmax(first, n), to = last < 0 || last > f ? f : last, length = to - from;
     if (format == PH_DEPTH_LINEAR_W) {

@@ -73,7 +73,10 @@ double depth_step_parallel_m(enum ph_depth_format format, const struct depth_lab
 /* The code at distance z by the definition in depth.h, before it becomes a whole number; a larger code is nearer. */
 double depth_code_at(enum ph_depth_format format, const struct depth_lab *lab, double z);
 
-/* The same for a d = N/w - N/f, in a float format. */
+/* The distance that has this code; beyond the far plane it may be negative or infinite. */
+double depth_distance_of(enum ph_depth_format format, const struct depth_lab *lab, double code);
+
+/* The code for a d = N/w - N/f, in a float format. */
 double depth_code_of_float(enum ph_depth_format format, const struct depth_lab *lab, double d);
 
 /* sqrt(2) 2^-bits p z. */

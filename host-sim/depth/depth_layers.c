@@ -1,6 +1,7 @@
 #include "depth_layers.h"
 
 #include "complain.h"
+#include "depth_budget_terms.h"
 #include "model.h"
 #include "nearest.h"
 #include "progress.h"
@@ -14,6 +15,8 @@
 #define DRAWS_MAX     65536
 #define TRIANGLES_MAX 1000000
 #define CHUNK         16384 /* triangles of a mesh: it has at most 65536 vertices */
+
+static const struct lab_format float24 = {.format = PH_DEPTH_FLOAT24};
 
 /* ---- recording ---------------------------------------------------------------------------------------------- */
 
@@ -195,14 +198,6 @@ int depth_layers_open(struct depth_layers *s, const struct depth_lab *lab)
         return complain("%s: its arena is too small for this picture", s->demo->name);
     }
     status = record_frame(s, lab->start);
-    for (uint32_t i = 0; i < s->draw_count && status == 0; i++) {
-        const struct ph_projection *const lens = &s->draws[i].lens;
-        status = lens->kind != PH_FISHEYE
-                     ? 0
-                     : complain_usage("%s: advise looks through no fisheye. It stores distances from the eye as a "
-                                      "perspective does: say advise --near %g --far %g --at Z, or --fov DEG",
-                                      s->demo->name, lens->near_z / 65536.0, lens->far_z / 65536.0);
-    }
     s->lens = s->renderer.projection;
     return status;
 }
@@ -308,12 +303,14 @@ static void to_view(const struct scene_draw *draw, struct fx_vec3 p, double out[
 
 static struct plane plane_of(const struct scene_draw *draw, const struct scene_triangle *t)
 {
+    const bool fisheye = draw->lens.kind == PH_FISHEYE;
     double p[3][3], a[3], b[3];
     struct plane plane = {.c = 0, .nearest = HUGE_VAL};
     for (int i = 0; i < 3; i++) {
         to_view(draw, t->p[i], p[i]);
-        plane.nearest = fmin(plane.nearest, p[i][2]);
-        plane.farthest = fmax(plane.farthest, p[i][2]);
+        const double distance = fisheye ? hypot(hypot(p[i][0], p[i][1]), p[i][2]) : p[i][2];
+        plane.nearest = fmin(plane.nearest, distance);
+        plane.farthest = fmax(plane.farthest, distance);
     }
     for (int i = 0; i < 3; i++) {
         a[i] = p[1][i] - p[0][i];
@@ -323,22 +320,54 @@ static struct plane plane_of(const struct scene_draw *draw, const struct scene_t
         plane.n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
         plane.c += plane.n[i] * p[0][i];
     }
+    if (fisheye) { /* the nearest point need not be a corner */
+        plane.nearest = fmin(plane.nearest, fabs(plane.c) / hypot(hypot(plane.n[0], plane.n[1]), plane.n[2]));
+    }
     return plane;
+}
+
+/* The ray through a point of the picture, in pixels; a fisheye's has the length 1, a perspective's goes 1 along the
+ * view, and so does that of a parallel projection from the point that it begins at. */
+static void ray_at(const struct depth_layers *s, const struct ph_projection *lens, double column, double row,
+                   double ray[3])
+{
+    const double sx = ldexp(lens->scale_x_q20, -20), sy = ldexp(lens->scale_y_q20, -20);
+    const double right = 2 * column / s->lab->width - 1 + lens->shift_x / 65536.0;
+    const double up = 1 - 2 * row / s->lab->height + lens->shift_y / 65536.0;
+    const double aspect = (double)s->lab->width / s->lab->height, angle = hypot(right * aspect, up) / sy;
+    if (lens->kind != PH_FISHEYE) {
+        ray[0] = right / sx;
+        ray[1] = up / sy;
+        ray[2] = 1;
+        return;
+    }
+    const double g = angle > 0 ? sin(angle) / angle : 1;
+    ray[0] = g * right * aspect / sy;
+    ray[1] = g * up / sy;
+    ray[2] = cos(angle);
+}
+
+/* n.ray in the middle of a pixel, moved by so much of a pixel. */
+static double along_ray(const struct depth_layers *s, const struct ph_projection *lens, const struct plane *plane,
+                        double column, double row)
+{
+    double ray[3];
+    ray_at(s, lens, column + 0.5, row + 0.5, ray);
+    return plane->n[0] * ray[0] + plane->n[1] * ray[1] + plane->n[2] * ray[2];
 }
 
 static struct scene_layer layer_at(const struct depth_layers *s, const struct scene_draw *draw,
                                    const struct plane *plane, uint32_t column, uint32_t row)
 {
     const struct ph_projection *const lens = &draw->lens;
-    const double sx = ldexp(lens->scale_x_q20, -20), sy = ldexp(lens->scale_y_q20, -20);
-    const double x = ((2 * column + 1.0) / s->lab->width - 1 + lens->shift_x / 65536.0) / sx;
-    const double y = (1 - (2 * row + 1.0) / s->lab->height + lens->shift_y / 65536.0) / sy;
     const bool parallel = lens->kind == PH_ORTHOGRAPHIC;
-    const double across = plane->n[0] * x + plane->n[1] * y, along = parallel ? plane->n[2] : across + plane->n[2];
-    const double z = (parallel ? plane->c - across : plane->c) / along;
-    const double within = fmin(fmax(z, plane->nearest), plane->farthest); /* NaN: edge-on */
-    const double change = hypot(plane->n[0] * 2 / (sx * s->lab->width), plane->n[1] * 2 / (sy * s->lab->height));
-    const double slope = fabs((parallel ? 1 : within) / along) * change, most = plane->farthest - plane->nearest;
+    const double at = along_ray(s, lens, plane, column, row), along = parallel ? plane->n[2] : at;
+    const double z = (parallel ? plane->c - (at - plane->n[2]) : plane->c) / along;
+    const double from = plane->nearest, to = plane->farthest;
+    const double within = fmin(fmax(z, from), to); /* NaN: edge-on */
+    const double right = along_ray(s, lens, plane, column + 0.5, row) - along_ray(s, lens, plane, column - 0.5, row);
+    const double down = along_ray(s, lens, plane, column, row + 0.5) - along_ray(s, lens, plane, column, row - 0.5);
+    const double slope = fabs((parallel ? 1 : within) / along) * hypot(right, down), most = to - from;
     return (struct scene_layer){.z_m = within, .slope_m = slope < most ? slope : most, .parallel = parallel};
 }
 
@@ -362,6 +391,16 @@ static void insert(struct scene_pixel *pixel, const struct scene_layer *layer)
     pixel->layers[at] = *layer;
 }
 
+/* The distance that a pixel's float24 depth stands for; depth_bias moves it by an eighth of a code of 16 bits. */
+static double stored_m(const struct depth_layers *s, const struct ph_projection *lens, uint32_t at, unsigned bias)
+{
+    struct depth_lab lab = *s->lab;
+    lab.near_z = lens->near_z;
+    lab.far_z = lens->far_z;
+    lab.exponent = s->renderer.stats.depth_exponent;
+    return depth_distance_of(PH_DEPTH_FLOAT24, &lab, ((const uint32_t *)s->depth)[at] + 0.5 - 32.0 * bias);
+}
+
 static int add_triangle(struct depth_layers *s, const struct scene_draw *draw, uint32_t i)
 {
     const struct scene_triangle *const t = &s->triangles[i];
@@ -380,6 +419,8 @@ static int add_triangle(struct depth_layers *s, const struct scene_draw *draw, u
             struct scene_layer layer = layer_at(s, draw, &plane, at % width, at / width);
             layer.surface = t->surface;
             layer.bias = s->surfaces[t->surface].look.depth_bias;
+            layer.off_m =
+                draw->lens.kind == PH_FISHEYE ? fabs(stored_m(s, &draw->lens, at, layer.bias) - layer.z_m) : 0;
             insert(&s->layers[at], &layer);
         }
     }
@@ -389,6 +430,13 @@ static int add_triangle(struct depth_layers *s, const struct scene_draw *draw, u
 int depth_layers_find(struct depth_layers *s, uint32_t frame)
 {
     int status = record_frame(s, frame);
+    s->fisheye = false;
+    for (uint32_t i = 0; i < s->draw_count; i++) {
+        s->fisheye |= s->draws[i].lens.kind == PH_FISHEYE;
+    }
+    if (status == 0 && s->fisheye) {
+        status = start(s, &float24);
+    }
     memset(s->layers, 0, (size_t)s->lab->width * s->lab->height * sizeof *s->layers);
     for (uint32_t i = 0; i < s->draw_count && status == 0; i++) {
         const struct scene_draw *const draw = &s->draws[i];

@@ -4,6 +4,10 @@
  *
  * The triangles that the demo draws are recorded. The renderer draws each of them alone, and so says which pixels it
  * covers; how far away it is there follows from its corners in double precision. Lines are left out.
+ *
+ * Under a fisheye distances are those from the eye. It draws a triangle as pieces, and a piece is flat in the picture:
+ * inside it the depth that is stored is up to 1/80 off. So the depth that a triangle drawn alone leaves is read back
+ * (float24), and how far it is off counts as the sub-pixel grid does.
  */
 #ifndef DEPTH_LAYERS_H
 #define DEPTH_LAYERS_H
@@ -16,6 +20,7 @@
 struct scene_layer {
     double z_m;
     double slope_m; /* how far the distance changes from pixel to pixel, down its steepest way */
+    double off_m;   /* under a fisheye: how far the stored depth is off in any format */
     uint16_t surface;
     uint8_t bias;  /* depth_bias of the material */
     bool parallel; /* under a parallel projection */
@@ -60,7 +65,8 @@ struct depth_layers {
     struct scene_triangle *triangles;
     uint32_t surface_count, draw_count, triangle_count;
     void *memory[3], *depth;
-    int status; /* of the recording */
+    bool fisheye; /* some camera is one */
+    int status;   /* of the recording */
 };
 
 /* Opens what lab->demo or lab->model names, and finds its lens. 0, COMPLAINED or PH_ERR_INVAL. Close it in any case. */

@@ -1,17 +1,23 @@
 /*
  * Depth of surfaces at every slope. Random triangles, from tiny to larger than the picture, facing the camera to seen
- * nearly edge-on, are drawn in every format and shading. The code of each pixel is compared with the exact plane
- * through the projected corners, in integers of 128 bits, and with the code in the other shadings, which must be the
- * same. Then the scenes that once went wrong: floors in front of walls, and a sphere drawn twice.
+ * nearly edge-on, are drawn in every format and as every kind of surface. The code of each pixel is compared with the
+ * exact plane through the projected corners, in integers of 128 bits, and with the code of the other surfaces, which
+ * must be the same. So are all triangles of a demo. Then the scenes that once went wrong: floors in front of walls, and
+ * a sphere drawn twice.
  */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
 
+#include "band.h"
 #include "clip.h"
+#include "demo_stage.h"
+#include "edge.h"
+#include "list.h"
 #include "ref_random.h"
 #include "ref_rig.h"
+#include "setup.h"
 #include "vertex.h"
 
 #include <math.h>
@@ -24,7 +30,7 @@
 #ifndef TRIANGLES /* the long test has more: exhaustive_depth_slopes.c */
 #define TRIANGLES 2000
 #endif
-#define SHADINGS (PH_SHADE_TEXTURE_LIT + 1)
+#define ALL_OF 4 /* one triangle in so many is drawn as each surface, the others as the first OFTEN */
 
 __extension__ typedef __int128 int128;
 
@@ -35,31 +41,86 @@ struct lens {
 /* ---- drawing ------------------------------------------------------------------------------------------------------
  */
 
-static void begin(struct rig *rig, const struct lens *lens)
+/* What a triangle can look like. Its depth must not depend on it. */
+struct surface {
+    const char *name;
+    uint8_t shading, filter;
+    int8_t blend;                  /* enum ph_blend_kind; NONE: opaque */
+    bool fog, coloured, is_tinted; /* coloured: the mesh has colours; is_tinted: the light has one */
+};
+
+enum { OFTEN = 5, OPAQUE = 14, SURFACES = 17, NONE = -1 };
+
+static const struct surface surfaces[SURFACES] = {
+    {"unlit", PH_SHADE_UNLIT, 0, NONE, false, false, false},
+    {"flat", PH_SHADE_FLAT, 0, NONE, false, false, false},
+    {"Gouraud", PH_SHADE_GOURAUD, 0, NONE, false, false, false},
+    {"texture", PH_SHADE_TEXTURE, 0, NONE, false, false, false},
+    {"texture lit", PH_SHADE_TEXTURE_LIT, 0, NONE, false, false, false},
+    {"texture Gouraud", PH_SHADE_TEXTURE_GOURAUD, 0, NONE, false, false, false},
+    {"bilinear", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, NONE, false, false, false},
+    {"mipmap Gouraud", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_MIPMAP, NONE, false, false, false},
+    {"colours", PH_SHADE_UNLIT, 0, NONE, false, true, false},
+    {"colours, Gouraud", PH_SHADE_GOURAUD, 0, NONE, false, true, false},
+    {"coloured light", PH_SHADE_GOURAUD, 0, NONE, false, false, true},
+    {"cut-out, key", PH_SHADE_TEXTURE_GOURAUD, 0, PH_BLEND_KEY, false, false, false},
+    {"cut-out, mask", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, PH_BLEND_MASK, false, false, false},
+    {"fog", PH_SHADE_GOURAUD, 0, NONE, true, false, false},
+    {"alpha", PH_SHADE_UNLIT, 0, PH_BLEND_ALPHA, false, false, false}, /* from here on they write no depth */
+    {"alpha, texture", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_BILINEAR, PH_BLEND_ALPHA, true, false, false},
+    {"added", PH_SHADE_GOURAUD, 0, PH_BLEND_ADD, false, true, false},
+};
+
+static void begin_with(struct rig *rig, const struct ph_projection *projection, const struct surface *surface)
+{
+    const struct ph_scene_light light = {
+        FX_HALF,
+        1,
+        {{.intensity = FX_ONE, .to_light_q30 = {0, 0, FX_Q30_ONE}, .red = surface->is_tinted ? FX_ONE : 0}}};
+    const struct ph_fog fog = {0x1234, projection->near_z, projection->far_z};
+    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, projection, &light, 0), PH_OK);
+    if (surface->fog) {
+        assert_int_equal(ph_frame_fog(&rig->r, &fog), PH_OK);
+    }
+}
+
+static void begin(struct rig *rig, const struct lens *lens, const struct surface *surface)
 {
     struct ph_projection projection;
     assert_int_equal(ph_projection_perspective(&projection, FX_INT(60), ref_q16((double)rig->width / rig->height),
                                                ref_q16(lens->near_z), ref_q16(lens->far_z)),
                      PH_OK);
-    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, &projection, NULL, 0), PH_OK);
+    begin_with(rig, &projection, surface);
 }
 
-static struct ph_material material_of(int shading, const uint16_t ramp[PH_RAMP_SIZE], uint16_t colour)
+/* Nothing of a texture is cut out. */
+static struct ph_material material_of(const struct surface *surface, const uint16_t ramp[PH_RAMP_SIZE], uint16_t colour)
 {
-    static const uint16_t texels[4] = {1, 2, 3, 4};
-    static const struct ph_texture texture = {.texels = texels, .log2_width = 1, .log2_height = 1};
-    return (struct ph_material){.shading = (uint8_t)shading,
+    static const uint16_t texels[6] = {1, 2, 3, 4, 5}, opaque[1] = {UINT16_MAX};
+    static struct ph_texture textures[3];
+    static const struct ph_texture alphas = {.texels = opaque};
+    static struct ph_blend blends[4];
+    struct ph_texture *const texture = &textures[surface->filter];
+    *texture = (struct ph_texture){
+        .texels = texels, .log2_width = 1, .log2_height = 1, .filter = surface->filter, .levels = 1};
+    if (surface->blend != NONE) {
+        blends[surface->blend] = (struct ph_blend){ph_draw_blended, (uint8_t)surface->blend, 16, 9, &alphas};
+    }
+    return (struct ph_material){.shading = surface->shading,
                                 .two_sided = 1,
                                 .ambient = FX_ONE,
                                 .diffuse = FX_ONE,
                                 .colour = colour,
                                 .ramp = ramp,
-                                .texture = &texture};
+                                .texture = texture,
+                                .blend = surface->blend != NONE ? &blends[surface->blend] : NULL};
 }
 
 /* Three or four corners as one or two triangles. */
-static void draw_polygon(struct rig *rig, const struct fx_vec3 *p, int corners, const struct ph_material *material)
+static void draw_polygon(struct rig *rig, const struct fx_vec3 *p, int corners, const struct surface *surface,
+                         const struct ph_material *material)
 {
+    static const uint16_t colours[4] = {0x1111, 0x2222, 0x3333, 0x4444};
     static const uint16_t faces[2][3] = {{0, 1, 2}, {0, 2, 3}};
     static const int16_t normals[4][3] = {{0, 0, 16384}, {16384, 0, 0}, {0, 16384, 0}, {0, 0, 16384}};
     static const fx_t uvs[4][2] = {{0, 0}, {FX_ONE, 0}, {0, FX_ONE}, {FX_ONE, FX_ONE}};
@@ -67,6 +128,7 @@ static void draw_polygon(struct rig *rig, const struct fx_vec3 *p, int corners, 
     const struct ph_mesh mesh = {.positions = p,
                                  .normals = normals,
                                  .uvs = uvs,
+                                 .colours = surface->coloured ? colours : NULL,
                                  .vertex_count = (uint32_t)corners,
                                  .triangles = faces,
                                  .triangle_count = (uint32_t)corners - 2,
@@ -229,13 +291,13 @@ enum { SLOPES = 5 };
 static const double steepest[SLOPES] = {1. / 4096, 1. / 256, 1. / 16, 1, INFINITY}; /* of d, in its range a pixel */
 
 struct result {
-    double worst[SHADINGS][SLOPES];    /* codes off the exact plane, at centres within the corners */
-    double distance[SHADINGS][SLOPES]; /* the same as a share of the distance */
-    double beyond;                     /* codes outside the range of the corners */
-    long pixels, unlike;               /* unlike: code differs from that of the first shading */
+    double worst[OPAQUE][SLOPES];    /* codes off the exact plane, at centres within the corners */
+    double distance[OPAQUE][SLOPES]; /* the same as a share of the distance */
+    double beyond;                   /* codes outside the range of the corners */
+    long pixels, unlike;             /* unlike: code differs from that of the first surface */
 };
 
-static void compare(const struct rig *rig, const struct plane *plane, const uint32_t *first, int shading,
+static void compare(const struct rig *rig, const struct plane *plane, const uint32_t *first, int surface,
                     struct result *result)
 {
     const double slope = plane_slope(plane), low = code_exact(rig, plane->low), high = code_exact(rig, plane->high);
@@ -243,7 +305,7 @@ static void compare(const struct rig *rig, const struct plane *plane, const uint
     while (slope > steepest[bin]) {
         bin++;
     }
-    double *const worst = &result->worst[shading][bin], *const distance = &result->distance[shading][bin];
+    double *const worst = &result->worst[surface][bin], *const distance = &result->distance[surface][bin];
     for (int at = 0; at < WIDTH * HEIGHT; at++) {
         const uint32_t code = rig->depth[at];
         result->unlike += code != first[at];
@@ -263,39 +325,39 @@ static void compare(const struct rig *rig, const struct plane *plane, const uint
     }
 }
 
-/* Draws a triangle in every shading and compares. */
-static void compare_shadings(struct rig *rig, const struct lens *lens, const struct fx_vec3 p[3], struct result *result)
+/* Draws a triangle as each of the first surfaces and compares. */
+static void compare_surfaces(struct rig *rig, const struct lens *lens, const struct fx_vec3 p[3], int count,
+                             struct result *result)
 {
     static uint16_t ramp[PH_RAMP_SIZE];
     static uint32_t first[WIDTH * HEIGHT];
-    for (int shading = 0; shading < SHADINGS; shading++) {
-        const struct ph_material material = material_of(shading, ramp, 1);
+    for (int surface = 0; surface < count; surface++) {
+        const struct ph_material material = material_of(&surfaces[surface], ramp, 1);
         struct plane plane;
-        begin(rig, lens);
-        draw_polygon(rig, p, 3, &material);
+        begin(rig, lens, &surfaces[surface]);
+        draw_polygon(rig, p, 3, &surfaces[surface], &material);
         assert_true(rig_finish(rig));
-        if (shading == 0) {
+        if (surface == 0) {
             memcpy(first, rig->depth, sizeof first);
         }
         if (plane_open(&plane, rig, p)) {
-            compare(rig, &plane, first, shading, result);
+            compare(rig, &plane, first, surface, result);
         }
     }
 }
 
 static void print_table(const struct result *result)
 {
-    static const char *const names[SHADINGS] = {"unlit", "flat", "Gouraud", "texture", "texture lit"};
-    for (int shading = 0; shading < SHADINGS; shading++) {
-        printf("#   %-12s", names[shading]);
+    for (int surface = 0; surface < OPAQUE; surface++) {
+        printf("#   %-17s", surfaces[surface].name);
         for (int bin = 0; bin < SLOPES; bin++) {
-            printf("  %6.2f %8.2g", result->worst[shading][bin], result->distance[shading][bin]);
+            printf("  %6.2f %8.2g", result->worst[surface][bin], result->distance[surface][bin]);
         }
         printf("\n");
     }
 }
 
-static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
+static void every_slope_is_right_and_the_same_on_all_surfaces(void **state)
 {
     static const struct lens lenses[] = {{.5, 100}, {.1, 1000}, {1, 3}};
     static const struct {
@@ -318,7 +380,7 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
     for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++) {
         struct rig rig;
         struct result result = {0};
-        rig_open(&rig, WIDTH, HEIGHT, 16, bounds[i].format, 3, 2);
+        rig_open(&rig, WIDTH, HEIGHT, 16, bounds[i].format, 3, 300); /* room for rows of cut-outs */
         rig.r.config.depth_exponent = bounds[i].exponent;
         for (int n = 0; n < TRIANGLES; n++) {
             static void (*const kinds[3])(const struct lens *lens,
@@ -326,12 +388,12 @@ static void every_slope_is_right_and_the_same_in_all_shadings(void **state)
             const struct lens *lens = &lenses[n / 3 % 3];
             struct fx_vec3 p[3];
             kinds[n % 3](lens, p);
-            compare_shadings(&rig, lens, p, &result);
+            compare_surfaces(&rig, lens, p, n % ALL_OF == 0 ? OPAQUE : OFTEN, &result);
         }
         printf("# %s: %ld pixels, %.2f codes beyond the corners, %ld unlike\n", bounds[i].name, result.pixels,
                result.beyond, result.unlike);
         print_table(&result);
-        for (int at = 0; at < SHADINGS * SLOPES; at++) {
+        for (int at = 0; at < OPAQUE * SLOPES; at++) {
             wrong += result.worst[at / SLOPES][at % SLOPES] > bounds[i].worst;
         }
         wrong += result.beyond > bounds[i].beyond || result.unlike > 0;
@@ -358,15 +420,242 @@ static void triangles_that_once_were_codes_off_are_right(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct rig rig;
         struct result result = {0};
-        rig_open(&rig, WIDTH, HEIGHT, 16, PH_DEPTH_FLOAT16, 3, 2);
+        rig_open(&rig, WIDTH, HEIGHT, 16, PH_DEPTH_FLOAT16, 3, 300);
         rig.r.config.depth_exponent = cases[i].exponent;
-        compare_shadings(&rig, &cases[i].lens, cases[i].p, &result);
+        compare_surfaces(&rig, &cases[i].lens, cases[i].p, OPAQUE, &result);
         assert_true(result.pixels > 0);
         assert_int_equal(result.unlike, 0);
-        for (int at = 0; at < SHADINGS * SLOPES; at++) {
+        for (int at = 0; at < OPAQUE * SLOPES; at++) {
             assert_true(result.worst[at / SLOPES][at % SLOPES] <= cases[i].worst);
         }
         rig_close(&rig);
+    }
+}
+
+/* ---- other cameras ------------------------------------------------------------------------------------------------
+ */
+
+enum view { FRUSTUM, PARALLEL, FISHEYE, VIEWS };
+
+static void project(struct ph_projection *projection, enum view view, const struct lens *lens)
+{
+    const fx_t near_z = ref_q16(lens->near_z), far_z = ref_q16(lens->far_z);
+    const double high = lens->near_z / sqrt(3), wide = high * WIDTH / HEIGHT;
+    const int status = view == FRUSTUM    ? ph_projection_frustum(projection, ref_q16(-.5 * wide), ref_q16(2 * wide),
+                                                                  ref_q16(-1.7 * high), ref_q16(.4 * high), near_z, far_z)
+                       : view == PARALLEL ? ph_projection_ortho(projection, FX_INT(-4), FX_INT(4), FX_INT(-3),
+                                                                FX_INT(3), near_z, far_z)
+                                          : ph_projection_fisheye(projection, FX_INT(170), near_z, far_z);
+    assert_int_equal(status, PH_OK);
+}
+
+/* Any size, and one corner in three may lie behind the eye. */
+static void any_triangle(enum view view, const struct lens *lens, struct fx_vec3 p[3])
+{
+    const double size = pow(2, ref_uniform(-7, 3)), steep = pow(2, ref_uniform(-12, 1)), middle = ref_uniform(0, 1);
+    const double x = ref_uniform(-1, 1), y = ref_uniform(-1, 1);
+    for (int i = 0; i < 3; i++) {
+        const double share = middle + ref_uniform(-.5, .5) * steep, sign = ref_uniform(0, 1) < .3 ? -1 : 1;
+        const double range = lens->far_z - lens->near_z;
+        const double w = view == PARALLEL ? lens->near_z + range * share
+                                          : lens->near_z * pow(lens->far_z / lens->near_z, fmin(share, 1.5)) * sign;
+        const double across = view == PARALLEL ? 4 : fabs(w);
+        p[i].x = ref_q16((x + ref_uniform(-.5, .5) * size) * across);
+        p[i].y = ref_q16((y + ref_uniform(-.5, .5) * size) * across);
+        p[i].z = -ref_q16(fmax(fmin(w, 20000), -20000));
+    }
+}
+
+static bool run_here(void (*run)(void *argument), void *argument)
+{
+    run(argument);
+    return true;
+}
+
+static void join_here(void)
+{
+}
+
+/* Draws a triangle in bands of so many lines, and with two cores or one. Returns in how many pixels some surface has
+ * another depth than the first, which is given if it is drawn already. */
+static int unlike_pixels(struct rig *rig, const struct ph_projection *projection, const struct fx_vec3 p[3],
+                         uint32_t *first, bool is_given)
+{
+    static uint16_t ramp[PH_RAMP_SIZE];
+    int unlike = 0;
+    for (int surface = 0; surface < OPAQUE; surface++) {
+        const struct ph_material material = material_of(&surfaces[surface], ramp, 1);
+        begin_with(rig, projection, &surfaces[surface]);
+        draw_polygon(rig, p, 3, &surfaces[surface], &material);
+        assert_true(rig_finish(rig));
+        assert_int_equal(rig->r.stats.triangles_dropped, 0);
+        if (surface == 0 && !is_given) {
+            memcpy(first, rig->depth, WIDTH * HEIGHT * sizeof *first);
+        }
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            unlike += rig->depth[i] != first[i];
+        }
+    }
+    return unlike;
+}
+
+static void open_views(struct rig rigs[2], enum ph_depth_format format, int exponent)
+{
+    for (int i = 0; i < 2; i++) {
+        rig_open(&rigs[i], WIDTH, HEIGHT, i == 0 ? 16 : 1, format, 6000, 6000);
+        struct ph_config config = rigs[i].r.config;
+        config.depth_exponent = (uint8_t)exponent;
+        config.other_core = i == 0 ? NULL : run_here;
+        config.other_core_join = i == 0 ? NULL : join_here;
+        assert_int_equal(ph_renderer_init(&rigs[i].r, &config), PH_OK);
+    }
+}
+
+/* Parallel, off the axis, through a fisheye; clipped at the near and the far plane. */
+static void other_cameras_have_one_depth_on_all_surfaces_too(void **state)
+{
+    static const struct lens lenses[] = {{.5, 100}, {1, 3}, {.1, 1000}, {20, 21}};
+    static const int exponents[PH_DEPTH_FORMATS][3] = {
+        [PH_DEPTH_FIXED16] = {0, 0, 0}, [PH_DEPTH_FLOAT16] = {3, 5, 6}, [PH_DEPTH_FLOAT24] = {3, 4, 6}};
+    static uint32_t first[WIDTH * HEIGHT];
+    int unlike = 0;
+    (void)state;
+    ref_seed(14);
+    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+        for (int n = 0; n < 24; n++) {
+            const enum view view = (enum view)(n % VIEWS);
+            struct ph_projection projection;
+            struct fx_vec3 p[3];
+            struct rig rigs[2];
+            open_views(rigs, (enum ph_depth_format)format, exponents[format][n % 8 % 3]);
+            project(&projection, view, &lenses[n % 4]);
+            any_triangle(view, &lenses[n % 4], p);
+            unlike += unlike_pixels(&rigs[0], &projection, p, first, false);
+            unlike += unlike_pixels(&rigs[1], &projection, p, first, true);
+            rig_close(&rigs[0]);
+            rig_close(&rigs[1]);
+        }
+    }
+    assert_int_equal(unlike, 0);
+}
+
+/* Tiles of texture in which d changes by 2^31 and more, or crosses from 3/4 into another octave: these had codes some
+ * octaves off. */
+static void steep_textures_have_the_depth_of_other_surfaces(void **state)
+{
+    static const struct {
+        struct lens lens;
+        int exponent;
+        struct fx_vec3 p[3];
+    } cases[] = {
+        {{1, 3}, 6, {{-694526, 336900, 41374}, {-508140, 242768, -160482}, {417223, -170679, -160466}}},
+        {{1, 3}, 5, {{226970, -110739, -173304}, {31185, 128425, 20040}, {-596469, -72590, -168521}}},
+        {{.5, 100}, 4, {{93169, -53232, -4194513}, {16943, 9730, 1440660}, {-183544, -115765, 897688}}},
+    };
+    static uint32_t first[WIDTH * HEIGHT];
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct ph_projection projection;
+        struct rig rigs[2];
+        int drawn = 0;
+        open_views(rigs, PH_DEPTH_FLOAT16, cases[i].exponent);
+        project(&projection, PARALLEL, &cases[i].lens);
+        assert_int_equal(unlike_pixels(&rigs[0], &projection, cases[i].p, first, false), 0);
+        for (int at = 0; at < WIDTH * HEIGHT; at++) {
+            drawn += first[at] != 0;
+        }
+        assert_true(drawn > 100);
+        rig_close(&rigs[0]);
+        rig_close(&rigs[1]);
+    }
+}
+
+/* ---- a demo -------------------------------------------------------------------------------------------------------
+ */
+
+/* What was found in all triangles of some frames. */
+struct found {
+    long triangles, across, pixels; /* across: their depth crosses octaves of a float */
+    double worst;                   /* codes off the exact plane */
+};
+
+/* Draws a triangle that is set up alone, and compares. */
+static void compare_alone(const struct rig *rig, const struct ph_triangle *t, const struct plane *plane,
+                          struct found *found)
+{
+    static uint16_t pixels[WIDTH * HEIGHT], depth16[WIDTH * HEIGHT];
+    static uint32_t depth24[WIDTH * HEIGHT];
+    const bool is_wide = ph_depth_bytes(rig->r.stats.depth_format) == 4;
+    const struct ph_band band = {pixels, is_wide ? (void *)depth24 : depth16, is_wide, 0, HEIGHT, WIDTH};
+    memset(depth16, 0, sizeof depth16);
+    memset(depth24, 0, sizeof depth24);
+    found->pixels += ph_draw_triangle(t, &band);
+    found->triangles++;
+    found->across += t->block != PH_BLOCK_NONE || t->kind == PH_KIND_SMALL_KNEE;
+    for (int at = ph_max(t->y_top, 0) * WIDTH; at < ph_min(t->y_bottom, HEIGHT) * WIDTH; at++) {
+        const uint32_t code = is_wide ? depth24[at] : depth16[at];
+        bool outside;
+        const double over_w = code != 0 ? plane_at(plane, at % WIDTH, at / WIDTH, &outside) : 0;
+        if (code != 0 && !outside) {
+            found->worst = fmax(found->worst, fabs(code + .5 - code_exact(rig, over_w)));
+        }
+    }
+}
+
+/* Compares the triangle of a reference. The N/w of its corners are those of the vertices: make proof bounds what these
+ * are off. */
+static void compare_reference(const struct rig *rig, const struct ph_draw *draw, uint32_t number, struct found *found)
+{
+    const struct ph_ref *const ref = ph_ref_at(&rig->r, number);
+    const uint8_t *const base = ph_at(&rig->r, draw->base);
+    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    struct plane plane;
+    struct ph_triangle t;
+    for (int i = 0; i < 3; i++) {
+        memcpy(&plane.v[i], base + ref->corner[i] * size, sizeof plane.v[i]);
+        plane.over_w[i] = (int128)plane.v[i].q << 32 >> plane.v[i].s >> 6;
+    }
+    plane.area = cross(plane.v[1].x - plane.v[0].x, plane.v[1].y - plane.v[0].y, plane.v[2].x - plane.v[0].x,
+                       plane.v[2].y - plane.v[0].y);
+    ph_setup_number(&rig->r, number, &t);
+    compare_alone(rig, &t, &plane, found);
+}
+
+static void every_triangle_of_turntable_is_right(void **state)
+{
+    static const struct {
+        enum ph_depth_format format;
+        uint8_t exponent;
+        double worst; /* of depth.h */
+    } bounds[] = {{PH_DEPTH_FIXED16, 0, 3}, {PH_DEPTH_FLOAT16, 3, 6}, {PH_DEPTH_FLOAT16, 4, 3},
+                  {PH_DEPTH_FLOAT16, 5, 3}, {PH_DEPTH_FIXED24, 0, 2}, {PH_DEPTH_FLOAT24, 3, 16},
+                  {PH_DEPTH_FLOAT24, 4, 8}};
+    const struct demo *const demo = demo_find("turntable");
+    (void)state;
+    for (size_t i = 0; i < sizeof bounds / sizeof bounds[0]; i++) {
+        struct demo_stage s = demo_stage_open(demo, WIDTH, HEIGHT);
+        struct found found = {0, 0, 0, 0};
+        s.rig.r.config.depth_format = (uint8_t)bounds[i].format;
+        s.rig.r.config.depth_exponent = bounds[i].exponent;
+        for (uint32_t frame = 0; frame < 256; frame += 16) {
+            assert_int_equal(demo->frame(&s.context, &s.rig.r, frame), PH_OK);
+            const struct ph_renderer *const r = &s.rig.r;
+            const struct ph_draw *draw = ph_at(r, r->list.first);
+            for (uint32_t number = 0; number < ph_ref_count(r); number++) {
+                while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= number) {
+                    draw = ph_at(r, draw->next);
+                }
+                compare_reference(&s.rig, draw, number, &found);
+            }
+        }
+        printf(
+            "# turntable, format %d-e%d: %.2f codes off in %ld pixels of %ld triangles, of which %ld cross octaves\n",
+            (int)bounds[i].format, bounds[i].exponent, found.worst, found.pixels, found.triangles, found.across);
+        assert_true(found.triangles > 10000);
+        assert_true(found.pixels > 100000);
+        assert_true(bounds[i].exponent == 0 || found.across > 100);
+        assert_true(found.worst <= bounds[i].worst);
+        demo_stage_close(&s);
     }
 }
 
@@ -387,14 +676,14 @@ static int floor_before_wall(enum ph_depth_format format, const struct lens *len
                                     {ref_q16(wide), ref_q16(-3), ref_q16(-wall)},
                                     {ref_q16(wide), ref_q16(3), ref_q16(-wall)},
                                     {ref_q16(-wide), ref_q16(3), ref_q16(-wall)}};
-    const struct ph_material materials[2] = {material_of(PH_SHADE_UNLIT, NULL, FLOOR),
-                                             material_of(PH_SHADE_UNLIT, NULL, WALL)};
+    const struct ph_material materials[2] = {material_of(&surfaces[0], NULL, FLOOR),
+                                             material_of(&surfaces[0], NULL, WALL)};
     struct rig rig;
     int wrong = 0;
     rig_open(&rig, SIDE, SIDE, 16, format, 4, 16);
-    begin(&rig, lens);
-    draw_polygon(&rig, floor, 4, &materials[0]);
-    draw_polygon(&rig, face, 4, &materials[1]);
+    begin(&rig, lens, &surfaces[0]);
+    draw_polygon(&rig, floor, 4, &surfaces[0], &materials[0]);
+    draw_polygon(&rig, face, 4, &surfaces[0], &materials[1]);
     assert_true(rig_finish(&rig));
     for (int y = SIDE / 2; y < SIDE; y++) {
         const double distance = 1.6 * (SIDE / 2. * sqrt(3)) / (y + .5 - SIDE / 2.);
@@ -447,7 +736,7 @@ static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shadi
         }
     }
     for (int k = 0; k < 3; k++) {
-        materials[k] = material_of(PH_SHADE_UNLIT, NULL, (uint16_t)(GROUND + k));
+        materials[k] = material_of(&surfaces[0], NULL, (uint16_t)(GROUND + k));
     }
     materials[1].shading = (uint8_t)shading;
     materials[1].texture = &texture;
@@ -456,9 +745,9 @@ static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shadi
     for (int pass = 0; pass < 2; pass++) {
         struct rig rig;
         rig_open(&rig, SIDE, SIDE, 16, format, 4, 16);
-        begin(&rig, &lens);
+        begin(&rig, &lens, &surfaces[0]);
         for (int k = pass == 0 ? 1 : 0; k < (pass == 0 ? 2 : 3); k++) {
-            draw_polygon(&rig, p[k == 1 ? 1 : k], 4, &materials[k]);
+            draw_polygon(&rig, p[k == 1 ? 1 : k], 4, &surfaces[0], &materials[k]);
         }
         assert_true(rig_finish(&rig));
         for (int i = 0; i < SIDE * SIDE && pass == 1; i++) {
@@ -470,8 +759,8 @@ static void decal_on_floor(enum ph_depth_format format, uint8_t slope, int shadi
     }
     struct rig rig; /* the box alone: all of its pixels are before the decal */
     rig_open(&rig, SIDE, SIDE, 16, format, 4, 16);
-    begin(&rig, &lens);
-    draw_polygon(&rig, p[2], 4, &materials[2]);
+    begin(&rig, &lens, &surfaces[0]);
+    draw_polygon(&rig, p[2], 4, &surfaces[0], &materials[2]);
     assert_true(rig_finish(&rig));
     for (int i = 0; i < SIDE * SIDE; i++) {
         *through += rig.pixels[i] == BOX && alone[i] != BOX;
@@ -535,57 +824,85 @@ static void sphere_build(struct sphere *s)
     }
 }
 
-static void of_a_sphere_drawn_twice_only_the_first_shows(void **state)
+/* Draws the sphere with the first surface, dark, and over it with the second one, bright, if there is one. */
+static void draw_spheres(struct rig *rig, const struct sphere *s, const struct surface *second)
 {
-    static struct sphere s;
-    static uint16_t dark[PH_RAMP_SIZE], bright[PH_RAMP_SIZE];
+    static uint16_t dark[PH_RAMP_SIZE], bright[PH_RAMP_SIZE], colours[CORNERS];
     const struct ph_part part = {0, FACES, 0};
-    struct ph_mesh mesh = {.positions = s.positions,
-                           .normals = s.normals,
-                           .uvs = s.uvs,
+    struct ph_mesh mesh = {.positions = s->positions,
+                           .normals = s->normals,
+                           .uvs = s->uvs,
                            .vertex_count = CORNERS,
-                           .triangles = s.faces,
+                           .triangles = s->faces,
                            .triangle_count = FACES,
                            .parts = &part,
                            .part_count = 1};
-    (void)state;
-    sphere_build(&s);
     for (int i = 0; i < PH_RAMP_SIZE; i++) {
         dark[i] = 0x1000;
         bright[i] = 0x2000;
     }
-    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
-        for (int shading = 0; shading < SHADINGS; shading++) {
-            const struct ph_material first = material_of(PH_SHADE_GOURAUD, dark, 0x1000);
-            const struct ph_material second = material_of(shading, bright, 0x2000);
-            struct rig rig;
-            int shown = 0, drawn = 0;
-            rig_open(&rig, WIDTH, HEIGHT, 16, format, CORNERS, 2 * FACES);
-            begin(&rig, &(struct lens){.5, 100});
-            mesh.materials = &first;
-            assert_int_equal(ph_draw_mesh(&rig.r, &mesh, &ph_xform_identity), PH_OK);
-            mesh.materials = &second;
-            assert_int_equal(ph_draw_mesh(&rig.r, &mesh, &ph_xform_identity), PH_OK);
-            assert_true(rig_finish(&rig));
-            for (int i = 0; i < WIDTH * HEIGHT; i++) {
-                drawn += rig.pixels[i] != 0;
-                shown += rig.pixels[i] != 0 && rig.pixels[i] != 0x1000;
-            }
-            assert_true(drawn > 2000);
-            if (shown != 0) {
-                printf("# format %u shading %d: %d of %d\n", format, shading, shown, drawn);
-            }
-            assert_int_equal(shown, 0);
-            rig_close(&rig);
+    const struct ph_material materials[2] = {material_of(&surfaces[2], dark, 0x1000),
+                                             material_of(second != NULL ? second : &surfaces[0], bright, 0x2000)};
+    begin(rig, &(struct lens){.5, 100}, &surfaces[0]);
+    mesh.materials = &materials[0];
+    assert_int_equal(ph_draw_mesh(&rig->r, &mesh, &ph_xform_identity), PH_OK);
+    mesh.materials = &materials[1];
+    mesh.colours = second != NULL && second->coloured ? colours : NULL;
+    if (second != NULL) {
+        assert_int_equal(ph_draw_mesh(&rig->r, &mesh, &ph_xform_identity), PH_OK);
+    }
+    assert_true(rig_finish(rig));
+    assert_int_equal(rig->r.stats.triangles_dropped, 0);
+}
+
+/* is_fine: antialiased. */
+static void draw_twice(const struct sphere *s, enum ph_depth_format format, bool is_fine)
+{
+    static uint16_t alone[WIDTH * HEIGHT], samples[4 * WIDTH * 16];
+    static uint32_t fine_depth[4 * WIDTH * 16];
+    struct rig rig;
+    rig_open(&rig, WIDTH, HEIGHT, 16, format, CORNERS, 4 * FACES);
+    struct ph_config config = rig.r.config;
+    config.samples = is_fine ? samples : NULL;
+    config.depth = is_fine ? fine_depth : config.depth;
+    assert_int_equal(ph_renderer_init(&rig.r, &config), PH_OK);
+    draw_spheres(&rig, s, NULL);
+    memcpy(alone, rig.pixels, sizeof alone);
+    for (int second = 0; second < SURFACES; second++) {
+        int shown = 0, drawn = 0;
+        draw_spheres(&rig, s, &surfaces[second]);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            drawn += alone[i] != 0;
+            shown += rig.pixels[i] != alone[i];
         }
+        assert_true(drawn > 2000);
+        if (shown != 0) {
+            printf("# format %d, %s: %d of %d\n", (int)format, surfaces[second].name, shown, drawn);
+        }
+        assert_int_equal(shown, 0);
+    }
+    rig_close(&rig);
+}
+
+static void of_a_sphere_drawn_twice_only_the_first_shows(void **state)
+{
+    static struct sphere s;
+    (void)state;
+    sphere_build(&s);
+    for (unsigned format = PH_DEPTH_FIXED16; format <= PH_DEPTH_LINEAR_W; format++) {
+        draw_twice(&s, (enum ph_depth_format)format, false);
+        draw_twice(&s, (enum ph_depth_format)format, true);
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_slope_is_right_and_the_same_in_all_shadings),
+        cmocka_unit_test(every_slope_is_right_and_the_same_on_all_surfaces),
         cmocka_unit_test(triangles_that_once_were_codes_off_are_right),
+        cmocka_unit_test(other_cameras_have_one_depth_on_all_surfaces_too),
+        cmocka_unit_test(steep_textures_have_the_depth_of_other_surfaces),
+        cmocka_unit_test(every_triangle_of_turntable_is_right),
         cmocka_unit_test(no_floor_covers_a_wall_in_front_of_it),
         cmocka_unit_test(a_decal_lies_on_a_surface_that_leans_away),
         cmocka_unit_test(of_a_sphere_drawn_twice_only_the_first_shows),

@@ -85,7 +85,7 @@ row() { csv advise "$@" | awk -F, -v f="$format" '$1 == f { print $6, $7, $8, $1
 every_wrong_pixel_is_foreseen() {
     local scene
     for scene in '--demo zfight' '--demo parallel --start 9' '--demo zfight --start 40 --size 320x240' '--demo snake --frames 3' '--demo shadow' '--demo turntable --near .01 --far 1000' \
-        '--demo ground --near .1 --far 10000 --camera eye=0,2,8' '--demo solar --view moon' '--demo focus --near .02 --far 500'; do
+        '--demo ground --near .1 --far 10000 --camera eye=0,2,8' '--demo solar --view moon' '--demo focus --near .02 --far 500' '--demo fisheye --frames 8 --start 30'; do
         # shellcheck disable=SC2086 # options
         csv advise $scene | awk -F, -v scene="$scene" 'NR > 1 && ($11 != 0 || $10 > $8 || $8 > $7 || $7 > $6) { print scene ": " $0; bad = 1 } END { exit bad || NR < 6 }' || return 1
     done
@@ -98,6 +98,15 @@ zfight_fights_in_fixed16_alone() {
     format=float16
     read -r _ _ fight wrong _ < <(row --demo zfight)
     [ "$fight" = 0 ] && [ "$wrong" = 0 ] && "$lab" advise --demo zfight | head -n 1 | grep -q '^Take float16 (16 bits) with the near plane at 0.25 m: 0 of .* would fight\.$'
+}
+
+# Its distances are those from the eye: as the plane of a perspective, nearly all pixels would seem off.
+a_fisheye_is_measured() {
+    local format=float24 pixels overlapping fight wrong unforeseen
+    read -r pixels overlapping fight wrong unforeseen < <(row --demo fisheye --frames 8 --start 30)
+    [ "$pixels" -gt 400000 ] && [ "$overlapping" -gt 10000 ] && [ "$fight" -gt 0 ] && [ "$fight" -lt 600 ] && [ "$wrong" -gt 0 ] && [ "$unforeseen" = 0 ] ||
+        { echo "$pixels $overlapping $fight $wrong $unforeseen" && return 1; }
+    "$lab" advise --demo fisheye | head -n 1 | grep -q "^Take fixed16 .* in every format: the fisheye's flat pieces and the sub-pixel grid move them"
 }
 
 # A larger near plane is worth naming: fewer pixels fight.
@@ -198,6 +207,7 @@ check "more lines help there" lines_help
 check "a near plane separates what planes and resolve measure" near_says_what_it_separates
 check "every pixel that shows the wrong surface was foreseen" every_wrong_pixel_is_foreseen
 check "zfight fights in fixed16 and not in float16" zfight_fights_in_fixed16_alone
+check "a fisheye is measured, and what its flat pieces do" a_fisheye_is_measured
 check "a larger near plane helps fixed16" a_larger_near_plane_helps
 if has_models; then
     check "a sheet fights with the floor within a depth step, and not above" a_gap_of_a_step_decides
@@ -215,7 +225,6 @@ while IFS='|' read -r pattern options; do
 done <<'END'
 no such demo|--demo nope
 no such view|--demo zfight --view nope
-fisheye. It stores .* say advise --near 0.125 --far 12|--demo fisheye
 exclude each other|--demo cube --model x
 belong to planes|--demo cube --at 3
 belong to planes|--demo cube --separate 1

@@ -51,7 +51,8 @@
  * plane through the projected corners by at most this, at every slope up to edge-on (tests/core/test_depth_slopes.c;
  * the 40,000 triangles of exhaustive_depth_slopes.c):
  *   fixed16, float16: 3    fixed24: 2    float24: 8    linear-w: 1
- * (with 3 bits of exponent, whose codes are half as wide, twice as many). A pixel is drawn if its centre is inside the
+ * (with 3 bits of exponent, whose codes are half as wide, twice as many; where a float's codes are finer than the 13
+ * units of d, near the far plane, by those as well). A pixel is drawn if its centre is inside the
  * edges, and these are rounded: by 2^-16 px a row, and up to 64 px by 2^-15 px a column as well. At a centre outside
  * the corners by that much the code may leave their range, by 4 of 16 bits at most; a plane that could leave it by more
  * is clamped to the range. A plane that 32 bits cannot hold, because it is too steep, because it crosses more octaves

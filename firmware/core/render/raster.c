@@ -96,7 +96,11 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
             const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from), first_d = d + x * t->depth.gx;
             const uint32_t light = attribute + x * t->attribute[0].gx;
             const struct row row = {pixels + x, ph_depth_from(depth, x, band->depth24), n, first_d, light};
-            draw_row(t, band->depth24, &octave, &row);
+            if (t->block >= PH_BLOCK_LINEAR) { /* no octaves to cross */
+                draw_run(t, band->depth24, &row, t->depth.gx);
+            } else {
+                draw_row(t, band->depth24, &octave, &row);
+            }
             count += n;
         }
         left.x = (int32_t)((uint32_t)left.x + (uint32_t)left.dx);

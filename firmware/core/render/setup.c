@@ -170,8 +170,8 @@ static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rendere
     return true;
 }
 
-/* Depth is the same in all shadings: that of a textured triangle is what a small one of another shading has.
- * False if 32 bits do not do. */
+/* Depth is the same in all shadings: that of a triangle with a texture or colours is what a small one of another
+ * shading has. False if 32 bits do not do. */
 static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
                                       const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
 {
@@ -200,13 +200,14 @@ static NOINLINE void setup_other(const struct ph_setting *s, const struct ph_ver
                                  struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
+    const bool colours = (s->draw.kind & PH_DRAW_COLOURS) != 0;
     bool fits = setup_any(r, s->draw.material, v, uv, sides, t);
-    if ((s->draw.kind & PH_DRAW_COLOURS) != 0) {
+    if (colours) {
         ph_set_colours(t, v, sides, s->draw.material->shading == PH_SHADE_FLAT);
     }
     if (s->draw.material->depth_bias_slope != 0) {
         fits = false;
-    } else if (small && t->kind == PH_KIND_TEXTURE && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
+    } else if (small && (colours || t->kind == PH_KIND_TEXTURE) && r->stats.depth_format <= PH_DEPTH_FLOAT16) {
         fits = take_small_depth(t, s, v, sides, fits);
     }
     if (!fits && !is_empty(t)) {

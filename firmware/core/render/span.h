@@ -59,30 +59,49 @@ static inline bool ph_nearer24(uint32_t *depth, uint32_t d)
     return true;
 }
 
-/* Two pixels in each turn. */
+static inline void ph_pixel_flat24(uint16_t *pixel, uint32_t *depth, uint32_t d, uint16_t colour)
+{
+    if (ph_nearer24(depth, d)) {
+        *pixel = colour;
+    }
+}
+
+static inline void ph_pixel_gouraud24(uint16_t *pixel, uint32_t *depth, uint32_t d, uint32_t light,
+                                      const uint16_t *ramp)
+{
+    if (ph_nearer24(depth, d)) {
+        *pixel = ramp[light >> 25];
+    }
+}
+
+/* These two draw an odd pixel first, then two in each turn. */
 static inline void ph_span_flat24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                   uint16_t colour)
 {
-    for (; n > 1; n -= 2, d += 2 * gd, pixels += 2, depth += 2) {
-        if (ph_nearer24(depth, d)) {
-            *pixels = colour;
-        }
-        if (ph_nearer24(depth + 1, d + gd)) {
-            pixels[1] = colour;
-        }
+    if ((n & 1) != 0) {
+        ph_pixel_flat24(pixels++, depth++, d, colour);
+        d += gd;
     }
-    if (n > 0 && ph_nearer24(depth, d)) {
-        *pixels = colour;
+    for (n >>= 1; n > 0; n--, d += gd, pixels += 2, depth += 2) {
+        ph_pixel_flat24(pixels, depth, d, colour);
+        d += gd;
+        ph_pixel_flat24(pixels + 1, depth + 1, d, colour);
     }
 }
 
 static inline void ph_span_gouraud24(uint16_t *pixels, uint32_t *depth, uint32_t n, uint32_t d, uint32_t gd,
                                      uint32_t light, uint32_t glight, const uint16_t *ramp)
 {
-    for (; n > 0; n--, d += gd, light += glight, pixels++, depth++) {
-        if (ph_nearer24(depth, d)) {
-            *pixels = ramp[light >> 25];
-        }
+    if ((n & 1) != 0) {
+        ph_pixel_gouraud24(pixels++, depth++, d, light, ramp);
+        d += gd;
+        light += glight;
+    }
+    for (n >>= 1; n > 0; n--, d += gd, light += glight, pixels += 2, depth += 2) {
+        ph_pixel_gouraud24(pixels, depth, d, light, ramp);
+        d += gd;
+        light += glight;
+        ph_pixel_gouraud24(pixels + 1, depth + 1, d, light, ramp);
     }
 }
 

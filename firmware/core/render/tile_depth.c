@@ -4,10 +4,15 @@
  */
 #include "tile_depth.h"
 
+#include "edge.h"
 #include "planes.h"
 
 bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_tile_depth *depth)
 {
+    const uint32_t gx = ph_without_sign((int32_t)t->depth.gx), gy = ph_without_sign((int32_t)t->depth.gy);
+    if (gx >> (31 - tile->width_log2) != 0 || gy >> (31 - tile->height_log2) != 0) { /* over the tile d could wrap */
+        return false;
+    }
     const uint32_t right = ((1u << tile->width_log2) - 1) * t->depth.gx;
     const uint32_t below = ((1u << tile->height_log2) - 1) * t->depth.gy;
     const uint32_t d = ph_plane_at(&t->depth, tile->x, tile->y);
@@ -27,8 +32,8 @@ static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_texel_ro
     const struct ph_octave *const octave = &depth->octaves[near];
     const uint32_t d = r->d, gd = r->gd, rows = r->rows;
     r->d_dy = ph_depth_float16_slope(depth->d_dy, octave->up);
-    r->d = ph_depth_float16_value(octave->bottom, octave->up) + octave->offset +
-           ph_depth_float16_slope(depth->d - octave->bottom, octave->up) + row * r->d_dy;
+    r->d =
+        ph_depth_float16_value(depth->d, octave->up) + octave->offset + row * r->d_dy; /* no bit is lost: round_depth */
     r->gd = octave->slope;
     ph_draw_plain_rows(k, r);
     r->d = d + rows * depth->d_dy;
