@@ -15,10 +15,19 @@ int main(void)
     static uint8_t rgb[WIDTH * HEIGHT][3];
     static uint32_t bins[1];
     static struct ph_renderer r;
-    struct demo_context context = {.arena = {.base = (uint8_t *)memory, .size = sizeof memory}, .width = WIDTH, .height = HEIGHT};
+    struct demo_context context = {
+        .arena = {.base = (uint8_t *)memory, .size = sizeof memory}, .width = WIDTH, .height = HEIGHT};
     const uint32_t room = sizeof list / (uint32_t)ph_vertex_bytes;
-    const struct ph_config config = {.width = WIDTH, .height = HEIGHT, .band_height = HEIGHT, .vertices = list, .vertex_max = room,
-                                     .triangles = list, .triangle_max = room, .bins = bins, .bin_max = 1, .depth = depth};
+    const struct ph_config config = {.width = WIDTH,
+                                     .height = HEIGHT,
+                                     .band_height = HEIGHT,
+                                     .vertices = list,
+                                     .vertex_max = room,
+                                     .triangles = list,
+                                     .triangle_max = room,
+                                     .bins = bins,
+                                     .bin_max = 1,
+                                     .depth = depth};
     if (walker_init(&context) != PH_OK || ph_renderer_init(&r, &config) != PH_OK) {
         return EXIT_FAILURE;
     }
