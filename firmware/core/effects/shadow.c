@@ -5,7 +5,7 @@
 #include "mesh.h"
 #include "transform.h"
 
-#define OUTSIDE     PH_LIT /* clip code: not between plane and light; the bit is free, as shadows are not lit */
+#define OUTSIDE     PH_LIT /* clip code: not between plane and light; unused else, as shadows are not lit */
 #define POLYGON_MAX 5
 
 struct cast {

@@ -4,7 +4,7 @@
 
 #include "texel_row.h"
 
-#define PH_MIX_FIELDS 0x07e0f81fu /* green, red, blue, each with five free bits above */
+#define PH_MIX_FIELDS 0x07e0f81fu /* green, red, blue, each with five spare bits above */
 #define PH_MIX_HALVES (16u << 21 | 16u << 11 | 16u)
 
 /* From wire order to a number and back, of the low 16 bits, in the registers of a CPU that knows REV16. */

@@ -206,7 +206,7 @@ static inline struct ph_triangle *slot_behind(void *base, uint32_t *used, size_t
     return (struct ph_triangle *)(void *)((uint8_t *)base + at);
 }
 
-/* A free slot, or NULL. */
+/* An unused slot, or NULL. */
 static struct ph_triangle *take_slot(struct ph_renderer *r)
 {
     const struct ph_config *c = &r->config;

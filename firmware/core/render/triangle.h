@@ -135,7 +135,7 @@ struct ph_triangle {
             struct ph_plane small_shades;   /* as shades; u, v and this count from the same pixel */
         };
     };
-    struct ph_triangle *next; /* slot: carried on or free */
+    struct ph_triangle *next; /* slot: carried on or unused */
 };
 
 #define PH_TEXELS_SHADED 64  /* light changes from pixel to pixel */

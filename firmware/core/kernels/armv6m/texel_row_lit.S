@@ -8,7 +8,7 @@
 
     @ on the stack
     .equ mask1, 0   @ u_mask times 2
-    .equ fields, 4  @ red, green, blue, each with five free bits above
+    .equ fields, 4  @ red, green, blue, each with five spare bits above
     .equ wire, 8    @ the same where they lie in a pixel, or 16 bits higher
     .equ levels, 12 @ light of the four fours of pixels
     .equ light, 28  @ of the four that follow

@@ -26,7 +26,7 @@ pixel_\at:
     ldrh r0, [r11, r0, lsl #1]
     ldr r1, [sp, #levels + \at / 4 * 4]
     orr r0, r0, r0, lsl #16
-    and r0, r9, r0, lsr #3 @ red, green, blue, each with five free bits above
+    and r0, r9, r0, lsr #3 @ red, green, blue, each with five spare bits above
     mul r0, r1, r0
     and r0, r9, r0, lsr #5
     lsls r1, r0, #3
