@@ -1,8 +1,8 @@
 /* Planar shadows: see shadow.h. Heights above the plane are Q18.46, as exact products of Q2.30 and Q16.16 are. */
 #include "shadow.h"
 
+#include "clipped.h"
 #include "fisheye.h"
-#include "mesh.h"
 #include "transform.h"
 
 #define OUTSIDE     PH_LIT /* clip code: not between plane and light; unused else, as shadows are not lit */

@@ -1,6 +1,5 @@
-/* Meshes and lines: triangles are rejected, culled, lit, clipped and listed. See mesh.h, list.h, render.h. */
-#include "mesh.h"
-
+/* Meshes: triangles are rejected, culled, lit, clipped and listed. See clipped.h, list.h, render.h. */
+#include "clipped.h"
 #include "colour.h"
 #include "cores.h"
 #include "cull.h"
@@ -65,42 +64,6 @@ static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t 
         v.uv[1] = c->mesh->uvs[index][1];
     }
     return v;
-}
-
-/* A corner that clipping has made is rounded. Some LSB from the eye that may carry it far out of the guard band. */
-static struct ph_corner project_corner(const struct ph_lens *lens, const struct ph_clip_vertex *in)
-{
-    struct ph_vertex v;
-    ph_project(lens, in->x, in->y, in->w, in->z, &v);
-    v.x = ph_max(ph_min(v.x, PH_REACH), -PH_REACH);
-    v.y = ph_max(ph_min(v.y, PH_REACH), -PH_REACH);
-    v.light = (uint16_t)in->light;
-    v.code = 0;
-    return (struct ph_corner){v, {in->uv[0], in->uv[1]}};
-}
-
-/* ph_draw_clipped without a fisheye. */
-static NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
-                                   const struct ph_clip_vertex in[3])
-{
-    struct ph_clip_vertex out[PH_CLIP_MAX];
-    struct ph_corner corners[PH_CLIP_MAX];
-    const int n = ph_clip(&r->lens, in, 3, out);
-    r->stats.triangles_clipped++;
-    for (int i = 0; i < n; i++) {
-        corners[i] = project_corner(&r->lens, &out[i]);
-    }
-    r->stats.triangles_culled += n < 3 || !ph_list_fan(r, material, kind, corners, (uint32_t)n);
-}
-
-void ph_draw_clipped(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
-                     const struct ph_clip_vertex in[3])
-{
-    if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_triangle(r, material, kind, in);
-    } else {
-        clip_triangle(r, material, kind, in);
-    }
 }
 
 /* The channels of lit colours take the places of light, u and v, 16 bits each: see ph_list_corners. */
@@ -322,20 +285,6 @@ static void draw_triangles(struct part_context *c, const struct ph_part *part)
     c->r->stats.triangles_culled += part->count - seen;
 }
 
-static void draw_clip_line(struct ph_renderer *r, const struct ph_material *material,
-                           const struct ph_clip_vertex ends[2])
-{
-    if (r->lens.kind == PH_FISHEYE) {
-        ph_fisheye_line(r, material, ends);
-        return;
-    }
-    struct ph_clip_vertex out[PH_CLIP_MAX];
-    if (ph_clip(&r->lens, ends, 2, out) == 2) {
-        const struct ph_corner corners[2] = {project_corner(&r->lens, &out[0]), project_corner(&r->lens, &out[1])};
-        ph_list_segment(r, material, corners);
-    }
-}
-
 /* Draws each edge of the mesh once, as a line. */
 static NOINLINE void draw_edges(const struct part_context *c)
 {
@@ -350,7 +299,7 @@ static NOINLINE void draw_edges(const struct part_context *c)
             continue;
         }
         const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
-        draw_clip_line(c->r, c->material, ends);
+        ph_draw_clipped_line(c->r, c->material, ends);
         ph_list_again(c->r, &c->draw);
     }
 }
@@ -498,20 +447,4 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     }
     r->stats.triangles_drawn = ph_ref_count(r);
     return PH_OK;
-}
-
-void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material)
-{
-    const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &r->view);
-    const struct ph_clip_vertex ends[2] = {ph_clip_place(&r->lens, &matrix, &a), ph_clip_place(&r->lens, &matrix, &b)};
-    const uint32_t before = ph_ref_count(r);
-    if (material->blend != NULL && !ph_list_blend(r, material->blend)) {
-        r->stats.triangles_dropped++;
-        return;
-    }
-    draw_clip_line(r, material, ends);
-    if (material->blend != NULL) {
-        ph_list_put_after(r, before);
-    }
-    r->stats.triangles_drawn = ph_ref_count(r);
 }
