@@ -14,13 +14,13 @@
 /* Measures the list of triangles on the board, or on every board to find the longest list. */
 static int measure(struct asset *asset, const struct board *board)
 {
-    for (uint32_t i = 0; i < board_count; i++) {
-        const int status = board == NULL || board == board_list[i] ? asset_measure(asset, board_list[i]) : 0;
-        if (status != 0) {
-            return status;
-        }
+    int status = 0;
+    for (uint32_t i = 0; i < board_count && status == 0; i++) {
+        progress_show("measuring", i, board_count);
+        status = board == NULL || board == board_list[i] ? asset_measure(asset, board_list[i]) : 0;
     }
-    return 0;
+    progress_show("measuring", board_count, board_count);
+    return status;
 }
 
 static uint64_t texture_bytes(const struct asset *asset)

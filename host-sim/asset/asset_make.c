@@ -1,6 +1,7 @@
 #include "asset_mesh.h"
 #include "complain.h"
 #include "model_texture.h"
+#include "progress.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -139,6 +140,7 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
     bool is_done = indices != NULL;
     uint32_t first = 0;
     for (uint32_t m = 0; m < from->mesh_count && is_done; m++) {
+        progress_show("ordering", m, from->mesh_count);
         const struct ph_mesh *mesh = &from->meshes[m];
         struct ph_mesh *to = &asset->model.meshes[asset->model.mesh_count];
         const size_t n = take(rest, first, mesh->vertex_count, indices);
@@ -152,6 +154,7 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
             }
         }
     }
+    progress_show("ordering", from->mesh_count, from->mesh_count);
     free(indices);
     return is_done;
 }

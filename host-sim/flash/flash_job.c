@@ -1,6 +1,8 @@
 /* See flash_job.h. */
 #include "flash_job.h"
 
+#include "flash_program.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -93,6 +95,29 @@ static int check_size(struct flash_job *job)
         }
     }
     return 0;
+}
+
+/* Checks that data behind a program, a scene, do not overwrite the program. */
+static int check_program(struct flash_job *job)
+{
+    uint32_t end = 0, first = 0;
+    if (job->image->used[0]) {
+        return 0;
+    }
+    const int status = told(job, flash_program_end(job->boot, &end), "reading", 0);
+    while (first < job->image->sectors && !job->image->used[first]) {
+        first++;
+    }
+    const uint32_t start = FLASH_BASE + first * FLASH_SECTOR;
+    if (status == 0 && end > start) {
+        snprintf(
+            job->error, sizeof job->error,
+            "the program on the board ends at 0x%08x and would be overwritten from 0x%08x on; make the scene a part "
+            "of the image (make firmware SCENE=); nothing was changed",
+            end - 1, start);
+        return FLASH_DIFFERS;
+    }
+    return status;
 }
 
 /* ---- writing and reading back ------------------------------------------------------------------- */
@@ -193,6 +218,9 @@ static int run(struct flash_job *job)
     int status = told(job, flash_boot_begin(job->boot), "preparing", 0);
     if (status == 0) {
         status = check_size(job);
+    }
+    if (status == 0) {
+        status = check_program(job);
     }
     if (status == 0) {
         status = write_all(job, all);

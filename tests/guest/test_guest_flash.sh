@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 . tests/guest/flash_in_guest.sh
-guest_begin "pinhole-flash writes a virtual RP2040" libusb-1.0
+guest_begin "pinhole-flash writes a virtual RP2040" libusb-1.0 assimp libcjson
 chmod 755 "$dir" # somebody without rights reads the images, too
 guest_build && make_images "$dir" a 50000 b 70001 large 700000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"
@@ -14,6 +14,7 @@ printf '\177ELF\001\001\001' >"$dir/a.elf"
 "$dir/uf2" 0x57755a57 0x08000000 "$dir/a.bin" "$dir/stm32.uf2"
 "$dir/uf2" 0xe48bff56 0x20000000 "$dir/a.bin" "$dir/ram.uf2"
 head -c 51200 "$dir/a.uf2" >"$dir/short.uf2"
+make -s -j2 B="$B" "$B/pinhole-asset" && "$B/pinhole-asset" tests/host-sim/asset/surfaces.gltf --texture-size 16 -o "$dir/a.phs" && head -c 1000 "$dir/a.phs" >"$dir/half.phs" || exit 1
 
 cat >"$dir/in_guest" <<EOT
 images=$dir
@@ -21,7 +22,7 @@ EOT
 cat >>"$dir/in_guest" <<'EOT'
 . tests/guest/flash_in_guest.sh
 cd $GUEST
-for flash in uf2 bin kept small stalls cut int killed; do cp $images/old $flash; done
+for flash in uf2 bin kept small stalls cut int killed scene; do cp $images/old $flash; done
 run none $images/a.uf2
 run list-none --list
 run_on uf2 uf2 "" $images/a.uf2
@@ -32,6 +33,7 @@ run again $images/b.bin --serial E0C9125B0D9B
 wait $usb_device
 run left --list
 plug --flash kept && one=$usb_device
+run refuse-half.phs $images/half.phs --at-scene
 for image in a.elf stm32.uf2 ram.uf2 short.uf2 nothing.uf2; do run refuse-$image $images/$image; done
 run serial $images/a.uf2 --serial NONE
 plug --flash kept
@@ -39,6 +41,7 @@ run two $images/a.uf2
 run list-two --list
 kill $one && wait $one
 pull
+run_on scene scene "" $images/a.phs --at-scene
 run_on small small "--flash-bytes 524288" $images/large.bin
 run_on rp2350 kept "--product f" $images/a.uf2
 plug --flash kept && chmod 600 /dev/bus/usb/*/*
@@ -87,6 +90,13 @@ two_are_listed() {
         [ "$(sort -u "$guest_out/list-two.out" | wc -l)" = 2 ] && ended list-two 0 ""
 }
 
+scene_is_behind_the_program() { # from 0x10080000 on; its last sector is erased behind it, and the rest is as it was
+    local bytes end
+    bytes=$(stat -c %s "$dir/a.phs") end=$(((0x80000 + $(stat -c %s "$dir/a.phs") + 4095) / 4096 * 4096))
+    cmp <(head -c $((0x80000)) "$dir/old") <(head -c $((0x80000)) "$guest_out/scene") && cmp "$dir/a.phs" <(tail -c +$((0x80001)) "$guest_out/scene" | head -c "$bytes") &&
+        cmp <(tail -c +$((end + 1)) "$dir/old") <(tail -c +$((end + 1)) "$guest_out/scene")
+}
+
 # All the boards that were cut off, and one second run.
 cut_is_completed() {
     local n
@@ -131,8 +141,10 @@ check "an ELF" refused a.elf 'an ELF file, which is for debuggers; give the .uf2
 check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), not for an RP2040 (0xe48bff56)'
 check "a UF2 for RAM" refused ram.uf2 'block 0 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)'
 check "a truncated UF2" refused short.uf2 'truncated: block 0 says that there are 196 blocks, the file has 100'
+check "a scene that is not whole" refused half.phs 'is not whole, or too large'
 check "a file that is not there" refused nothing.uf2 'cannot be opened: No such file or directory'
 check "... and nothing of this has touched the flash" cmp "$dir/old" "$guest_out/kept"
+check "a scene is written behind the program" eval 'ended scene 0 "" && scene_is_behind_the_program'
 check "an image that is larger than the flash" ended small 1 'RP2040 @: the image ends at 0x100aafff, the board'\''s flash of 524288 bytes at 0x1007ffff; nothing was changed'
 check "... which is as it was" cmp "$dir/old" "$guest_out/small"
 check "a board that refuses each command once gets its image" eval 'ended stalls 0 "" && flash_is stalls a.bin zeros'

@@ -36,7 +36,7 @@ guest_begin() {
     unset MAKEFLAGS
     export B
     why=$(guest_why)
-    [ -n "$why" ] || [ -z "${2-}" ] || pkg-config --exists "$2" || why="pkg-config finds no $2"
+    [ -n "$why" ] || [ -z "${2-}" ] || pkg-config --exists "${@:2}" || why="pkg-config finds not all of ${*:2}"
     [ -z "$why" ] || { skip "$1" "$why" && tap_end; }
     dir=$(mktemp -d) || exit 1
     trap 'rm -rf "$dir"' EXIT

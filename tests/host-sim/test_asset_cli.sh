@@ -123,6 +123,11 @@ the_simulator_shows_what_the_kit_has_room_for() { # with --board, of a model tha
         ! "$B/pinhole-sim" --model "$dir/large.obj" --max-triangles fit --crc 2>"$dir/said" && grep -q 'fit what' "$dir/said"
 }
 
+bar_is_for_terminals() { # and goes away
+    script -qec "'$asset' '$dir/large.obj' -o '$dir/bar.c' --max-triangles 1000" /dev/null | tr '\r' '\n' >"$dir/terminal" && grep -q '^measuring .*\[####' "$dir/terminal" &&
+        [ "$(tail -n 1 "$dir/terminal" | tr -d ' ')" = "" ] && "$asset" "$dir/large.obj" -o "$dir/bar.c" --max-triangles 1000 >"$dir/said" 2>&1 && [ ! -s "$dir/said" ]
+}
+
 no_area_is_dropped_or_refused() {
     printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >"$dir/line.obj" && refuses 1 'has none with an area' "$dir/line.obj" -o "$dir/line.c" && [ ! -e "$dir/line.c" ] || return 1
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 3\nf 2 3 3\n' >"$dir/some.obj" && "$asset" "$dir/some.obj" -o "$dir/some.c" && grep -q 'some: 1 triangles' "$dir/some.c"
@@ -199,6 +204,7 @@ an_image_too_large_is_not_made() {
 
 check "a triangle with two corners in one place is dropped, a model without an area refused" no_area_is_dropped_or_refused
 check "the file, the C scene and the binary scene are one picture" the_three_forms_are_one_picture
+check "long work shows a bar on a terminal" bar_is_for_terminals
 check "the simulator shows what the kit has room for" the_simulator_shows_what_the_kit_has_room_for
 check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
 check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sphere_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14

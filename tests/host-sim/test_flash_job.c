@@ -286,6 +286,71 @@ static void sectors_that_the_image_leaves_out_stay(void **state)
     assert_memory_equal(flash + 0x81000, before + 0x81000, CHIP_BYTES - 0x81000);
 }
 
+/* Makes the flash hold a program that says where it ends, as picotool reads it: a header in marks, a table of
+ * pointers, and an entry for the end as the second of two. */
+static void put_program(uint32_t header_at, uint32_t end)
+{
+    const uint32_t table = 0x3000, entries = 0x3100;
+    const uint32_t header[5] = {0x7188ebf2, FLASH_BASE + table, FLASH_BASE + table + 8, 0, 0xe71aa390};
+    for (uint32_t i = 0; i < 5; i++) {
+        uf2_put(flash + header_at + 4 * i, header[i]);
+    }
+    uf2_put(flash + table, FLASH_BASE + entries);
+    uf2_put(flash + table + 4, FLASH_BASE + entries + 12);
+    uf2_put(flash + entries + 4, 0x02031c86);
+    uf2_put(flash + entries + 8, 0x10000300);
+    uf2_put(flash + entries + 12 + 4, 0x68f465de);
+    uf2_put(flash + entries + 12 + 8, end);
+}
+
+static void make_data(uint32_t at)
+{
+    static uint8_t blocks[2 * UF2_BLOCK];
+    char error[FLASH_ERROR_SIZE];
+    uf2_make(blocks, bin, 512);
+    uf2_put(blocks + UF2_ADDRESS, at);
+    uf2_put(blocks + UF2_BLOCK + UF2_ADDRESS, at + 256);
+    flash_image_free(&image);
+    assert_int_equal(flash_file_parse(&image, blocks, sizeof blocks, error), 0);
+}
+
+static void data_do_not_overwrite_the_program(void **state)
+{
+    static const uint32_t headers[] = {256, 448, 508};
+    (void)state;
+    for (size_t k = 0; k < sizeof headers / sizeof headers[0]; k++) {
+        memcpy(flash, before, CHIP_BYTES);
+        put_program(headers[k], 0x10080001);
+        make_data(0x10080000);
+        plug_in_again();
+        assert_int_equal(run(true, true, NULL), FLASH_DIFFERS);
+        assert_string_equal(job.error,
+                            "the program on the board ends at 0x10080000 and would be overwritten from 0x10080000 on; "
+                            "make the scene a part of the image (make firmware SCENE=); nothing was changed");
+        assert_int_equal(count(ERASE) + count(WRITE), 0);
+        put_program(headers[k], 0x10080000);
+        plug_in_again();
+        assert_int_equal(run(true, true, NULL), 0);
+        assert_memory_equal(flash + 0x80000, bin, 512);
+    }
+}
+
+/* Garbage in place of the header's numbers is a flash without a program. */
+static void a_program_that_says_nothing_right_is_none(void **state)
+{
+    static const uint32_t wrong[] = {0, 0x10000001, 0x0FFFFFFF, 0x20000000, 0x11000000, 0xFFFFFFFF};
+    (void)state;
+    for (size_t k = 0; k < 2 * sizeof wrong / sizeof wrong[0]; k++) {
+        memcpy(flash, before, CHIP_BYTES);
+        put_program(256, 0x10080001);
+        uf2_put(flash + (k % 2 != 0 ? 256 + 8 : 0x3004), wrong[k / 2]);
+        make_data(0x10080000);
+        plug_in_again();
+        const int status = run(true, true, NULL);
+        assert_int_equal(status, 0);
+    }
+}
+
 /* ---- does it fit? ------------------------------------------------------------------------------- */
 
 static const char too_small[] =
@@ -491,6 +556,8 @@ int main(void)
         cmocka_unit_test_setup(the_flash_holds_the_image_and_the_rest_is_as_it_was, setup),
         cmocka_unit_test_setup(the_first_sector_is_erased_first_and_written_last, setup),
         cmocka_unit_test_setup(sectors_that_the_image_leaves_out_stay, setup),
+        cmocka_unit_test_setup(data_do_not_overwrite_the_program, setup),
+        cmocka_unit_test_setup(a_program_that_says_nothing_right_is_none, setup),
         cmocka_unit_test_setup(flash_that_is_too_small_is_left_alone, setup),
         cmocka_unit_test_setup(small_flash_that_is_erased_shows_when_it_is_read_back, setup),
         cmocka_unit_test_setup(flash_that_holds_an_image_twice_is_not_too_small, setup),
