@@ -1,7 +1,7 @@
 /*
  * Random triangles with extremes of every kind are drawn through the renderer's public interface, under
  * AddressSanitizer and UndefinedBehaviorSanitizer. Besides, no byte outside the caller's buffers may change, the bands
- * and the statistics must add up, and another band height must give the same bytes.
+ * and the statistics must add up, and another band height or a second core must give the same bytes.
  *
  * Usage: fuzz_raster [quick | long | TRIANGLES [SEED]]
  * quick (the default) is a million triangles, long twenty. Each frame has its own seed, printed when it fails;
@@ -133,27 +133,44 @@ static void unfence(struct fenced *f)
 }
 
 struct memory {
-    struct fenced vertices, triangles, bins, depth, pixels;
+    struct fenced vertices, triangles, bins, depth, pixels, samples;
     uint16_t *band; /* pixels of one band */
 };
+
+/* The depth buffer, the samples and the pixels of a band, which are returned. */
+static uint16_t *fence_pixels(struct ph_config *config, bool is_fine, struct memory *memory)
+{
+    const size_t area = (size_t)config->width * config->band_height, samples = is_fine ? 4 * area : area;
+    config->depth = fence(&memory->depth, samples * ph_depth_bytes(config->depth_format));
+    uint16_t *const all = fence(&memory->samples, is_fine ? 2 * samples : 0);
+    config->samples = is_fine ? all : NULL;
+    return fence(&memory->pixels, area * 2);
+}
+
+static void free_pixels(struct memory *memory)
+{
+    unfence(&memory->depth);
+    unfence(&memory->pixels);
+    unfence(&memory->samples);
+}
 
 static struct ph_config any_config(struct memory *memory)
 {
     static const uint16_t sizes[][2] = {{1, 1}, {1024, 3}, {3, 1024}, {1, 64}, {64, 1}, {16, 12}, {320, 24}, {128, 64}};
-    struct ph_config config = {.depth_format = (uint8_t)below(PH_DEPTH_FORMATS)};
+    struct ph_config config = {.depth_format = (uint8_t)below(PH_DEPTH_FORMATS),
+                               .depth_exponent = (uint8_t)(below(2) ? 3 + below(4) : 0)};
     uint32_t kind = below(12);
     config.width = (uint16_t)(kind < 8 ? sizes[kind][0] : 1 + below(96));
     config.height = (uint16_t)(kind < 8 ? sizes[kind][1] : 1 + below(96));
     config.band_height = (uint16_t)(below(3) ? 1 + below(config.height) : config.height);
+    const bool is_fine = config.width <= 512 && config.height <= 512 && below(8) == 0;
     config.vertex_max = below(8) ? VERTICES : 1 + below(VERTICES);
     config.triangle_max = below(4) ? 8 * TRIANGLES : 1 + below(TRIANGLES);
     config.bin_max = (uint32_t)((config.height + config.band_height - 1) / config.band_height);
     config.vertices = fence(&memory->vertices, config.vertex_max * ph_vertex_bytes);
     config.triangles = fence(&memory->triangles, config.triangle_max * ph_triangle_bytes);
     config.bins = fence(&memory->bins, config.bin_max * sizeof(*config.bins));
-    config.depth =
-        fence(&memory->depth, (size_t)config.width * config.band_height * ph_depth_bytes(config.depth_format));
-    memory->band = fence(&memory->pixels, (size_t)config.width * config.band_height * 2);
+    memory->band = fence_pixels(&config, is_fine, memory);
     return config;
 }
 
@@ -162,8 +179,7 @@ static void free_memory(struct memory *memory)
     unfence(&memory->vertices);
     unfence(&memory->triangles);
     unfence(&memory->bins);
-    unfence(&memory->depth);
-    unfence(&memory->pixels);
+    free_pixels(memory);
 }
 
 /* ---- what is drawn ------------------------------------------------------------------------------------------ */
@@ -172,7 +188,8 @@ struct content {
     struct ph_xform view, to_world;
     struct ph_projection projection;
     struct ph_scene_light light;
-    bool lit, lines;
+    struct ph_fog fog;
+    bool lit, lines, foggy;
     struct fx_vec3 positions[VERTICES];
     int16_t normals[VERTICES][3];
     fx_t uvs[VERTICES][2];
@@ -180,8 +197,9 @@ struct content {
     uint16_t edges[EDGES][2];
     struct ph_part parts[PARTS];
     struct ph_material materials[PARTS];
-    struct ph_texture textures[PARTS];
-    uint16_t ramp[PH_RAMP_SIZE];
+    struct ph_texture textures[PARTS], alphas[PARTS];
+    struct ph_blend blends[PARTS];
+    uint16_t ramp[PH_RAMP_SIZE], colours[VERTICES];
     struct ph_mesh mesh;
 };
 
@@ -214,7 +232,10 @@ static struct ph_projection any_projection(void)
     fx_t far_z = below(4) ? fx_add_sat(near_z, (fx_t)below(FX_INT(200))) : below(2) ? FX_MAX : near_z + 1;
     fx_t fov = below(4) ? FX_INT(20) + (fx_t)below(FX_INT(100)) : below(2) ? 1 + (fx_t)below(FX_ONE) : FX_INT(180) - 1;
     int result = 0;
-    switch (below(8)) {
+    switch (below(32) == 0 ? 8 : below(8)) { /* a fisheye divides a triangle into many */
+    case 8:
+        result = ph_projection_fisheye(&p, FX_INT(10) + (fx_t)below(FX_INT(230)), near_z, far_z);
+        break;
     case 0:
         p.kind = below(2) ? PH_ORTHOGRAPHIC : PH_PERSPECTIVE;
         p.scale_x_q20 = (int32_t)bits();
@@ -244,11 +265,18 @@ static struct ph_projection any_projection(void)
 
 static struct ph_light any_light(const struct content *c)
 {
-    struct ph_light light = {.kind = (uint8_t)below(2), .intensity = (fx_t)below(4 * FX_ONE + 1)};
+    struct ph_light light = {.kind = (uint8_t)below(3), .intensity = (fx_t)below(4 * FX_ONE + 1)};
     struct fx_vec3 towards = {within(FX_ONE), within(FX_ONE), within(FX_ONE)};
     fx_vec3_direction_q30(towards, &light.to_light_q30);
     light.position = below(2) ? ph_xform_point(&c->to_world, c->positions[below(VERTICES)]) : any_point(FX_ONE);
     light.reach = below(2) ? any_fx(FX_ONE) & FX_MAX : (fx_t)below(8);
+    if (below(4) == 0) {
+        light.red = (fx_t)below(FX_ONE + 1);
+        light.green = (fx_t)below(FX_ONE + 1);
+        light.blue = (fx_t)below(FX_ONE + 1);
+    }
+    light.cos_outer = within(FX_ONE);
+    light.cos_inner = below(4) ? within(FX_ONE) : light.cos_outer + (fx_t)below(3) - 1;
     return light;
 }
 
@@ -267,21 +295,37 @@ static uint32_t texels_of(const struct ph_texture *t)
     return sum;
 }
 
-static struct ph_material any_material(struct content *c, int i)
+/* It ends where the memory ends: what is read behind it is reported. */
+static struct ph_texture any_texture(void)
 {
     uint32_t log2_max = below(16) ? LOG2_MAX : LOG2_MOST;
-    struct ph_texture *const t = &c->textures[i];
-    *t = (struct ph_texture){.log2_width = (uint8_t)below(log2_max + 1),
-                             .log2_height = (uint8_t)below(log2_max + 1),
-                             .wrap = (uint8_t)below(2),
-                             .filter = below(3) & 15,
-                             .levels = below(LOG2_MOST + 1) & 15};
-    /* The texture ends where the memory ends: what is read behind it is reported. */
-    t->texels = texels + TEXELS_MOST - texels_of(t);
+    struct ph_texture t = {.log2_width = (uint8_t)below(log2_max + 1),
+                           .log2_height = (uint8_t)below(log2_max + 1),
+                           .wrap = (uint8_t)below(2),
+                           .filter = below(3) & 15,
+                           .levels = below(LOG2_MOST + 1) & 15};
+    t.texels = texels + TEXELS_MOST - texels_of(&t);
+    return t;
+}
+
+static struct ph_material any_material(struct content *c, int i)
+{
+    c->textures[i] = any_texture();
+    c->alphas[i] = any_texture();
+    c->blends[i] = (struct ph_blend){.draw = ph_draw_blended,
+                                     .kind = (uint8_t)below(PH_BLEND_ADD + 1),
+                                     .alpha = (uint8_t)below(33),
+                                     .key = (uint16_t)(below(4) * 40503u),
+                                     .alphas = &c->alphas[i]};
+    if (c->blends[i].kind != PH_BLEND_MASK && below(2)) {
+        c->blends[i].alphas = NULL;
+    }
     return (struct ph_material){.shading = (uint8_t)below(PH_SHADE_TEXTURE_GOURAUD + 1),
                                 .two_sided = (uint8_t)below(2),
                                 .shininess_log2 = (uint8_t)below(8),
                                 .depth_bias = (uint8_t)(below(2) ? below(57) : 0),
+                                .depth_bias_slope = (uint8_t)(below(8) ? 0 : below(256)),
+                                .blend = below(4) ? NULL : &c->blends[i],
                                 .ambient = (fx_t)below(FX_ONE + 1),
                                 .diffuse = (fx_t)below(FX_ONE + 1),
                                 .specular = (fx_t)below(FX_ONE + 1),
@@ -299,6 +343,7 @@ static void any_vertices(struct content *c)
         for (int k = 0; k < 3; k++) {
             c->normals[i][k] = below(4) ? (int16_t)within(16384) : below(2) ? (int16_t)0 : (int16_t)bits();
         }
+        c->colours[i] = (uint16_t)bits();
         c->uvs[i][0] = any_fx(FX_ONE);
         c->uvs[i][1] = any_fx(FX_ONE);
     }
@@ -313,6 +358,8 @@ static void any_content(struct content *c)
     any_vertices(c);
     c->lit = below(4);
     c->lines = below(4) == 0;
+    c->foggy = below(8) == 0;
+    c->fog = (struct ph_fog){(uint16_t)bits(), any_fx(c->projection.near_z), any_fx(c->projection.far_z)};
     c->light.ambient = (fx_t)below(FX_ONE + 1);
     c->light.count = below(PH_LIGHTS_MAX + 1);
     for (uint32_t i = 0; i < c->light.count; i++) {
@@ -332,6 +379,7 @@ static void any_content(struct content *c)
     c->mesh = (struct ph_mesh){.positions = c->positions,
                                .normals = (const int16_t(*)[3])c->normals,
                                .uvs = (const fx_t(*)[2])c->uvs,
+                               .colours = below(8) ? NULL : c->colours,
                                .triangles = (const uint16_t(*)[3])c->triangles,
                                .edges = (const uint16_t(*)[2])c->edges,
                                .parts = c->parts,
@@ -359,7 +407,11 @@ static bool begin(struct ph_renderer *r, const struct ph_config *config, const s
     if (result != PH_OK) {
         fail("a good configuration was refused");
     }
-    return ph_frame_begin(r, &c->view, &c->projection, c->lit ? &c->light : NULL, 0x1234) == PH_OK;
+    result = ph_frame_begin(r, &c->view, &c->projection, c->lit ? &c->light : NULL, 0x1234);
+    if (result == PH_OK && c->foggy && ph_frame_fog(r, &c->fog) != (c->fog.start < c->fog.end ? PH_OK : PH_ERR_INVAL)) {
+        fail("ph_frame_fog returned a wrong code");
+    }
+    return result == PH_OK;
 }
 
 static void draw(struct ph_renderer *r, const struct content *c)
@@ -383,42 +435,58 @@ static void check_stats(const struct ph_renderer *r)
 }
 
 /* Hash of all pixels and depth codes. */
-static uint32_t draw_bands(struct ph_renderer *r, uint16_t *pixels)
+static uint32_t draw_bands(struct ph_renderer *r, const struct ph_config *config, uint16_t *pixels)
 {
     uint32_t rows = 0, bands = ph_frame_bands(r), hash[2] = {2166136261u, 2166136261u};
     for (uint32_t band = 0; band < bands; band++) {
         uint32_t lines = ph_draw_band(r, band, pixels);
-        size_t bytes = (size_t)lines * r->config.width * 2;
-        if (lines == 0 || lines > r->config.band_height) {
+        size_t bytes = (size_t)lines * config->width * 2, fine = config->samples != NULL ? 4 : 1;
+        if (lines == 0 || lines > config->band_height) {
             fail("a band has a wrong number of lines");
         }
         hash[0] = hash_bytes(hash[0], pixels, bytes);
-        hash[1] = hash_bytes(hash[1], r->config.depth, bytes / 2 * ph_depth_bytes(r->config.depth_format));
+        hash[1] = hash_bytes(hash[1], config->depth, fine * bytes / 2 * ph_depth_bytes(config->depth_format));
         rows += lines;
     }
-    if (rows != r->config.height) {
+    if (rows != config->height) {
         fail("the bands do not add up to the picture");
     }
     return hash[0] ^ (hash[1] << 16 | hash[1] >> 16);
 }
 
-/* The frame again with another band height, in memory of its own. */
+static bool run_here(void (*run)(void *argument), void *argument)
+{
+    const bool is_free = below(8) != 0;
+    if (is_free) {
+        run(argument);
+    }
+    return is_free;
+}
+
+static void join_here(void)
+{
+}
+
+/* The frame again with another band height and perhaps with two cores, in memory of its own. */
 static uint32_t draw_again(const struct ph_config *config, const struct content *c)
 {
-    struct fenced bins, depth, band;
+    struct fenced bins;
+    struct memory memory;
     struct ph_config other = *config;
     struct ph_renderer r;
     other.band_height = (uint16_t)(1 + below(config->height));
     other.bin_max = (uint32_t)((other.height + other.band_height - 1) / other.band_height);
     other.bins = fence(&bins, other.bin_max * sizeof(*other.bins));
-    other.depth = fence(&depth, (size_t)other.width * other.band_height * ph_depth_bytes(other.depth_format));
-    uint16_t *pixels = fence(&band, (size_t)other.width * other.band_height * 2);
+    if (below(2)) {
+        other.other_core = run_here;
+        other.other_core_join = join_here;
+    }
+    uint16_t *pixels = fence_pixels(&other, config->samples != NULL, &memory);
     begin(&r, &other, c);
     draw(&r, c);
-    uint32_t hash = draw_bands(&r, pixels);
+    uint32_t hash = draw_bands(&r, &other, pixels);
     unfence(&bins);
-    unfence(&depth);
-    unfence(&band);
+    free_pixels(&memory);
     return hash;
 }
 
@@ -431,10 +499,10 @@ static struct ph_stats draw_frame(void)
     any_content(&c);
     if (begin(&r, &config, &c)) {
         draw(&r, &c);
-        uint32_t hash = draw_bands(&r, memory.band);
+        uint32_t hash = draw_bands(&r, &config, memory.band);
         check_stats(&r);
         if (draw_again(&config, &c) != hash) {
-            fail("another band height changed the picture");
+            fail("another band height or a second core changed the picture");
         }
     }
     free_memory(&memory);

@@ -85,3 +85,48 @@ void proof_rows(void)
     const struct ph_exact_strip strip = {y, i32_between(y + 1, 1024), i32_between(1, 1024)};
     ph_exact_rows(&t, &strip, &run);
 }
+
+/* Of a row at most PH_EXACT_RUN pixels are asked for: as often the loop turns. */
+void proof_pixels_in(void)
+{
+    const struct range range = {(uint64_t)nondet_i64(), (uint64_t)nondet_i64()};
+    const uint32_t n = u32_between(1, PH_EXACT_RUN);
+    const uint32_t count = pixels_in(&range, (uint64_t)nondet_i64(), (uint64_t)nondet_i64(), n);
+    CLAIM(count >= 1 && count <= n);
+}
+
+/* Stands for pixels_in. */
+uint32_t any_count(const struct range *range, uint64_t d, uint64_t gd, uint32_t n);
+
+uint32_t any_count(const struct range *range, uint64_t d, uint64_t gd, uint32_t n)
+{
+    (void)range;
+    (void)d;
+    (void)gd;
+    return u32_between(1, n);
+}
+
+void proof_run(void)
+{
+    struct ph_renderer r;
+    struct ph_triangle t, run;
+    any_codes(&r, &t.exact);
+    const int32_t x = i32_between(0, 1023), x_end = i32_between(x + 1, 1024);
+    const int32_t count = ph_exact_run(&t, x, x_end, i32_between(0, 1023), &run);
+    CLAIM(count >= 1 && count <= x_end - x);
+}
+
+/* Afterwards all depths are still below 1. */
+void proof_lift(void)
+{
+    struct ph_renderer r;
+    struct ph_exact e;
+    struct ph_linear linear;
+    any_codes(&r, &e);
+    linear = r.lens.linear;
+    const uint64_t low = (uint64_t)i64_between(0, (DEPTHS << 16) - 1);
+    store(e.low, low);
+    store(e.size, (uint64_t)i64_between(0, (DEPTHS << 16) - 1 - (int64_t)low));
+    lift(&e, &linear, u32_between(1, 255));
+    CLAIM(load(e.low) + load(e.size) < (uint64_t)DEPTHS << 16);
+}

@@ -82,17 +82,8 @@ void proof_sincos(void)
     fx_cos(nondet_i32());
 }
 
-void proof_tan(void)
-{
-    fx_tan_sat(nondet_i32());
-}
-
 void proof_atan2(void)
 {
-    fx_atan2(nondet_i32(), nondet_i32());
-}
-
-void proof_sqrt_u64(void)
-{
-    fx_sqrt_u64((uint64_t)i64_between(INT64_MIN, INT64_MAX));
+    const fx_t turns = fx_atan2(nondet_i32(), nondet_i32());
+    CLAIM(turns >= -FX_HALF && turns <= FX_HALF);
 }

@@ -211,5 +211,77 @@ END
     done
 }
 
+# fx_rsqrt_norm: 2^45 / sqrt(m) to 2^-25 of itself, in each of the 192 intervals of m that share an entry of the table.
+# S: sqrt(m); T, U, V: y S / 2^45 before and after the steps of Newton's; off: what a step rounds.
+prove_rsqrt() {
+    local table entry i=64
+    constants fx/fx_root.c 'uint32_t y = (uint32_t)rsqrt_table[(m >> 24) - 64] << 22;'
+    constants fx/fx_root.c 'for (int i = 0; i < 2; i++) {'
+    constants fx/fx_root.c 'const uint32_t square = (uint32_t)(fx_mul_wide_u(y, y) >> 29); /* 2^61 / m */'
+    constants fx/fx_root.c 'const int32_t e = (int32_t)(((uint32_t)1 << 29) - fx_mulhi_u32(m, square));'
+    constants fx/fx_root.c 'y += (uint32_t)(fx_mul_wide((int32_t)y, e) >> 30);'
+    table=$(sed -n '/rsqrt_table\[192\] = {/,/};/p' "$core/fx/fx_root.c" | sed 1d | tr -dc '0-9\n,' | tr ',' ' ')
+    [ "$(wc -w <<<"$table")" = 192 ] || { echo "no table of 192 entries" && exit 1; }
+    for entry in $table; do
+        gappa_agrees <<END
+@floor = fixed<0, dn>;
+y = $entry * 1b22;
+T = y * S * 1b-45;
+square = floor(y * y * 1b-29);
+part = floor(S * S * square * 1b-32);
+e = 1b29 - part;
+add = floor(y * e * 1b-30);
+y1 = y + add;
+U = y1 * S * 1b-45;
+square1 = floor(y1 * y1 * 1b-29);
+part1 = floor(S * S * square1 * 1b-32);
+e1 = 1b29 - part1;
+add1 = floor(y1 * e1 * 1b-30);
+V = (y1 + add1) * S * 1b-45;
+off = (add - y * e * 1b-30) - y * 1b-30 * ((part - S * S * square * 1b-32) + S * S * 1b-32 * (square - y * y * 1b-29));
+off1 = (add1 - y1 * e1 * 1b-30) - y1 * 1b-30 * ((part1 - S * S * square1 * 1b-32) + S * S * 1b-32 * (square1 - y1 * y1 * 1b-29));
+{ S in [$(awk -v m=$i 'BEGIN { printf "%.3f", sqrt(m * 2 ^ 24) - 0.001 }'), $(awk -v m=$((i + 1)) 'BEGIN { printf "%.3f", sqrt(m * 2 ^ 24) + 0.001 }')]
+  -> U - 1 in [-0.01, 0.01] /\\ V - 1 in [-1b-25, 1b-25] }
+U - 1 -> off * S * 1b-45 - (T - 1) * (T - 1) * (T + 2) / 2;
+U -> 1 + (U - 1);
+y1 -> U / S * 1b45;
+V - 1 -> off1 * S * 1b-45 - (U - 1) * (U - 1) * (U + 2) / 2;
+END
+        i=$((i + 1))
+    done
+}
+
+# fx_sqrt_u64. w - r^2 is below 2^41, and then r is less than 1.01 below the root and 0.01 above it: so the floor is r or
+# a number beside it, and the remainder tells which. s: the root of the upper word; lo: the lower word; e: the error of
+# fx_rsqrt_norm. (An estimate that is cut off at 2^29 - 1 is nearer to the root than it was.) In the second step R is the
+# root of w, D what r lacks of it, h the error of y as 2^61 / R.
+prove_sqrt_u64() {
+    constants fx/fx_root.c 'const uint32_t estimate = fx_mulhi_u32((uint32_t)(w >> 32), y); /* 2^-3 sqrt(w), 2^28 .. 2^29 */'
+    constants fx/fx_root.c 'uint32_t r = (estimate >> 29 != 0 ? ((uint32_t)1 << 29) - 1 : estimate) << 3;'
+    constants fx/fx_root.c 'const int64_t error = (int64_t)(w - fx_mul_wide_u(r, r));'
+    constants fx/fx_root.c 'r += (uint32_t)(fx_mul_wide((int32_t)(error >> #), (int32_t)y) >> #);' && local cut=${n[0]} down=${n[1]}
+    constants fx/fx_root.c 'r += rest < 0 ? (uint32_t)-1 : rest > 2 * (int64_t)r;'
+    gappa_agrees <<END
+@floor = fixed<0, dn>;
+estimate = floor(1b13 * s * (1 + e));
+r = 8 * estimate;
+error = s * s * 1b32 + lo - r * r;
+{ s in [1b15, 1b16] /\\ lo in [0, 4294967295] /\\ |e| <= 1b-25 -> |error| <= 1b41 /\\ s * 1b16 - r in [-128, 136] }
+error -> lo - (r - s * 1b16) * (r + s * 1b16);
+r - s * 1b16 -> 8 * (estimate - 1b13 * s * (1 + e)) + 1b16 * s * e;
+s * 1b16 - r -> -(r - s * 1b16);
+r + s * 1b16 -> (r - s * 1b16) + 1b17 * s;
+END
+    gappa_agrees <<END
+@floor = fixed<0, dn>;
+error = D * (2 * R - D);
+y = 1b61 / R * (1 + h);
+part = floor(error * 1b-$cut);
+step = floor(part * y * 1b-$down);
+{ D in [-128, 140] /\\ R in [1b31, 1b32] /\\ |h| <= 1b-24 -> step - D in [-1.01, 0.01] }
+step - D -> (step - part * y * 1b-$down) + (part - error * 1b-$cut) * y * 1b-$down + D * h - D * D / (2 * R) * (1 + h);
+END
+}
+
 declare -F "prove_$name" >/dev/null || { sed -n 's/^# \(Usage.*\)/\1/p' "$0" >&2 && exit 2; }
 "prove_$name"

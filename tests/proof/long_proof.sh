@@ -19,6 +19,15 @@ a sum that does not saturate       | fx/fx.c            | s/fx_sat64((int64_t)a 
 a negative that overflows          | fx/fx.c            | s/a == FX_MIN ? FX_MAX : -a/-a/                          | fx.sums
 a table one entry short            | fx/fx_trig.c       | s/sine\[64 - node\]/sine[65 - node]/                     | fx.sincos
 a quotient shifted by too much     | fx/fx.c            | s/>> (46 - shift)/>> (86 - shift)/                       | fx_div.div
+a tangent of too many bits         | fx/fx_tan.c        | s/(1 << 27)) >> 28)/(1 << 27)) >> 13)/                   | fx_cut.tan
+a remainder by 1                   | fx/fx_whole.c      | s/if (d <= 1)/if (d < 1)/                                | fx_cut.fmod
+a sine shifted too far             | fx/fx_arcsin.c     | s/a \* 32768/a * 65536/                                  | fx_cut.asin
+a root shifted by all its zeros    | fx/fx_root.c       | s/r >> (shift \/ 2)/r >> shift/                          | fx_cut.sqrt_u64
+an entry of the table of roots     | fx/fx_root.c       | s/255, 253, 251/255, 233, 251/                           | gappa.rsqrt
+a coarser step to the root         | fx/fx_root.c       | s/error >> 11/error >> 21/                               | gappa.sqrt_u64
+a run of too many pixels           | render/exact.c     | s/uint32_t count = 1;/uint32_t count = 3;/               | exact.pixels_in
+a run in another unit              | render/exact.c     | s/(x + (int32_t)count) \* 65536/(x + 64 * (int32_t)count) * 65536/ | exact.run
+a lift beyond the range            | render/exact.c     | s/const uint64_t up = by < room ? by : room;/const uint64_t up = by;/ | exact.lift
 text one digit longer              | fx/fx_text.c       | s/unit = 10000/unit = 1000000000/; s/unit > 1 \&\& whole < unit/false/ | fx_text.to_text
 a reciprocal of another table      | fx/fx_root.c       | s/4088, 4072/4088, 4172/                                 | gappa.rcp
 a rounding that is off             | fx.h               | s/>> 16) + 48)) >> 21/>> 16) + 4800)) >> 21/             | gappa.rcp

@@ -19,7 +19,8 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/proof/tools.sh
 export CC=${CC:-cc} proof_tree=$PWD
 
-# part | name: module.proof | functions that may return anything instead (proved apart) | turns of a loop | claim
+# part | name: module.proof | functions that may return anything instead, or what another one does (proved apart) |
+# turns of a loop | claim
 proofs() {
     cat <<'END'
 short | fx.sums                  |                       |  1 | sums are exact or saturate
@@ -46,6 +47,12 @@ long  | fx_math.units            |                       | 20 | no overflow
 short | fx_math.cot_half         | fx_rcp_newton         | 20 | no overflow
 long  | fx_math.whole            |                       | 20 | no overflow
 long  | fx_math.convert          |                       | 20 | no overflow
+short | fx_cut.tan               |                       | 20 | no overflow
+short | fx_cut.fmod              |                       |  1 | no overflow
+short | fx_cut.asin              |                       |  1 | no overflow
+short | fx_cut.acos              |                       |  1 | no overflow
+short | fx_cut.sqrt_u64          | fx_rsqrt_norm         |  1 | no overflow
+short | fx_cut.quotient          | fx_rcp_newton         |  1 | no overflow
 short | fx_text.to_text          |                       | 24 | no overflow, fits FX_TEXT_SIZE
 short | fx_text.to_text_rounded |                     | 24 | no overflow
 long  | fx_text.from_text        |                       | 18 | no overflow, ends within the text
@@ -88,6 +95,9 @@ short | exact.set_plane          | divide                |  4 | no overflow, ran
 short | exact.set_run            |                       |  4 | no bad shift
 short | exact.linear_code        |                       |  1 | no bad shift
 short | exact.range_of           |                       |  1 | no bad shift
+long  | exact.pixels_in          |                       | 512 | 1 .. n
+short | exact.run                | octave_of,range_of,set_run,pixels_in=any_count | 1 | no overflow
+long  | exact.lift               | linear_code           |  1 | no overflow, all depths stay below 1
 short | exact.rows               | octave_of,range_of,set_run | 4 | no overflow
 short | setup_small.slopes       |                       |  4 | no overflow, slopes below 2^15
 short | setup_small.depth_gradient |                     |  4 | no overflow
@@ -95,6 +105,8 @@ short | setup_small.light_gradient |                     |  1 | no overflow
 long  | setup_small.setup_small  | set_planes            |  4 | no overflow
 short | setup_small.float_depths |                       |  4 | no overflow
 long  | gappa.rcp                |                       |    | fx_rcp_norm is the floor of 2^62 / d
+long  | gappa.rsqrt              |                       |    | fx_rsqrt_norm to 2^-25 of itself
+short | gappa.sqrt_u64           |                       |    | fx_sqrt_u64 narrows nothing, and is the floor of the root
 short | gappa.div                |                       |    | fx_div_sat's loop turns at most twice
 short | gappa.lerp               |                       |    | clip: lerp_q30 stays between its ends
 short | gappa.reach              |                       |    | the guard band ends 2048 px from the centre
@@ -104,10 +116,10 @@ short | gappa.gradient           |                       |    | one gradient ste
 END
 }
 
-# Gappa bounds the loop of fx_div_sat, and what clip.between and clip.crossing narrow.
+# Gappa bounds the loop of fx_div_sat, and what clip.between, clip.crossing and fx_sqrt_u64 narrow.
 options() { # name
     [ "$1" = fx_div.div ] && echo --no-unwinding-assertions || echo --unwinding-assertions
-    [[ $1 =~ ^clip.(between|crossing)$ ]] || echo --conversion-check
+    [[ $1 =~ ^(clip.(between|crossing)|fx_cut.sqrt_u64)$ ]] || echo --conversion-check
 }
 
 # What the solver found wrong, a line each; nothing when all holds. The last claim is that the end is not reached.
@@ -117,8 +129,10 @@ cbmc_proof() { # name, functions, turns
         $CC -E -x c -iquote "$proof_tree/tests/proof" -I"$core"{,/render,/kernels,/kernels/portable} - -o "$at.i" || return
     tool goto-cc -c "$at.i" -o "$at.gb" || return
     for f in ${2//,/ }; do
-        remove+=(--remove-function-body "$f")
-        regex+="|$f"
+        case $f in
+        *=*) remove+=(--replace-calls "${f/=/:}") ;;
+        *) remove+=(--remove-function-body "$f") && regex+="|$f" ;;
+        esac
     done
     if [ -n "$regex" ]; then
         tool goto-instrument "${remove[@]}" "$at.gb" "$at.cut" >/dev/null 2>&1 &&

@@ -127,16 +127,24 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
     return seen;
 }
 
-/* Draws a part that shows both of its sides one behind the other: all far sides, then all near sides. */
+/* Draws a part that shows both of its sides one behind the other: all far sides, then all near sides. Each triangle
+ * counts once, also if pieces of it show either side. */
 static NOINLINE uint32_t draw_sides(struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
+    struct ph_stats *const stats = &c->r->stats;
+    const uint32_t culled = stats->triangles_culled, clipped = stats->triangles_clipped;
     uint32_t seen = 0;
     c->two_sided = false;
     for (const uint16_t(*i)[3] = index; i < end; i++) {
         const uint16_t turned[3] = {(*i)[0], (*i)[2], (*i)[1]};
         seen += draw_any(c, turned);
     }
-    return seen + draw_each(c, index, end);
+    seen -= stats->triangles_culled - culled;
+    stats->triangles_culled = culled;
+    stats->triangles_clipped = clipped;
+    seen += draw_each(c, index, end);
+    const uint32_t most = (uint32_t)(end - index) + stats->triangles_culled - culled;
+    return seen < most ? seen : most;
 }
 
 /* Triangles that one core lists, and where. */
