@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # `. tests/oracle/three/install.sh`: installs what package.json names into the folder $dir, or ends the test as skipped.
+: "${dir:?}"
 command -v node >/dev/null || { echo "no node: apt-get install nodejs" && exit 77; }
 mkdir -p "$dir" || exit 1
 if ! cmp -s tests/oracle/three/package.json "$dir/package.json" || [ ! -e "$dir/node_modules/three/package.json" ]; then
