@@ -93,7 +93,7 @@ OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 # Programs in tests/ are named after what runs them; what support/ and oracle/ hold they share.
 TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_*.c))
 FUZZ := $(patsubst %.c,$(B)/%,$(wildcard tests/*/fuzz_*.c))
-LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/*/exhaustive_*.c)) $(FUZZ)
+LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/*/exhaustive_*.c)) $(FUZZ) $(B)/tests/oracle/three/motion_dump
 TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(wildcard tests/support/*.c tests/oracle/*.c))
 
 # Includes run one way: what a folder may not know about, it does not find.

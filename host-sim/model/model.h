@@ -14,6 +14,9 @@
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
  *
+ * The first clip of a glTF file plays, and repeats: nodes, skins of up to 256 joints and morph targets move, in fixed
+ * point, as on a kit (motion.h).
+ *
  * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending,
  * emission (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
  * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Blended meshes are
@@ -27,10 +30,38 @@
 #define MODEL_H
 
 #include "demo.h"
+#include "motion.h"
 
 #define MODEL_TRIANGLES_MAX 4000000u
 #define MODEL_FILE_MAX      (1u << 30) /* bytes */
 #define MODEL_VERTICES_MAX  65535u     /* of one mesh */
+
+/* A mesh that moves: its positions and normals are written anew for each moment. */
+struct model_moving {
+    uint32_t mesh; /* of model.meshes */
+    struct ph_bound bound;
+    struct ph_skin skin;
+    struct ph_morph morph; /* target_count 0: none */
+    uint32_t first_weight;
+    int16_t (*morphed)[3];
+    struct fx_vec3 *positions;
+    int16_t (*normals)[3];
+};
+
+#define MODEL_FRAMES_A_SECOND 30
+
+struct model_motion {
+    struct ph_rig rig;
+    struct ph_xform root;               /* the file's origin and directions in the model */
+    double scale;                       /* lengths of the model in those of the file */
+    const struct ph_clip *clips, *clip; /* clip: that which plays */
+    uint32_t clip_count, moving_count, weight_count;
+    struct model_moving *moving;
+    const int32_t *rest_weights;
+    int32_t *weights;
+    struct ph_pose *pose;
+    struct ph_xform *places, *matrices;
+};
 
 struct model {
     struct ph_mesh *meshes;
@@ -39,8 +70,9 @@ struct model {
     uint32_t triangle_count; /* of all meshes */
     bool has_camera;
     struct demo_eye camera;
-    const char *note;  /* one line on what could not be used, or NULL */
-    const void *scene; /* of a binary scene: its bytes, as scene_file.h says; else NULL */
+    const char *note;            /* one line on what could not be used, or NULL */
+    struct model_motion *motion; /* NULL: nothing moves */
+    const void *scene;           /* of a binary scene: its bytes, as scene_file.h says; else NULL */
 };
 
 /* How a file is read; all zero: as it says. */
@@ -79,6 +111,12 @@ void model_set_filter(struct model *model, uint8_t filter);
 
 /* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
 uint32_t model_blend_triangles(const struct model *model, uint32_t width);
+
+/* Plays the clip of that name from now on. False: there is none. */
+bool model_play(struct model *model, const char *name);
+
+/* Moves the meshes to where the clip has them in a frame. */
+void model_move(const struct model *model, uint32_t frame);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its
  * context->state must be the model. */

@@ -5,11 +5,28 @@
 
 static const char *const views[] = {"camera", "turntable", NULL};
 
+/* The state of a demo whose meshes move: that of the still one, and the model. */
+struct moving {
+    void *still;
+    const struct model *model;
+};
+
+static int keep_model(struct demo_context *context, const struct model *model, int status)
+{
+    struct moving *const moving = status == PH_OK ? demo_alloc(&context->arena, sizeof *moving) : NULL;
+    if (moving == NULL) {
+        return PH_ERR_NOMEM;
+    }
+    *moving = (struct moving){context->state, model};
+    context->state = moving;
+    return PH_OK;
+}
+
 static int turntable_init(struct demo_context *context)
 {
     const struct model *model = context->state;
     const struct fx_vec3 centre = {0, 0, 0};
-    return demo_turntable_init(context, model->meshes, model->mesh_count, centre);
+    return keep_model(context, model, demo_turntable_init(context, model->meshes, model->mesh_count, centre));
 }
 
 static bool is_turntable(const struct demo_context *context)
@@ -20,13 +37,20 @@ static bool is_turntable(const struct demo_context *context)
 static int camera_init(struct demo_context *context)
 {
     const struct model *model = context->state;
-    return is_turntable(context) ? turntable_init(context)
-                                 : demo_still_init(context, model->meshes, model->mesh_count, &model->camera);
+    return is_turntable(context)
+               ? turntable_init(context)
+               : keep_model(context, model, demo_still_init(context, model->meshes, model->mesh_count, &model->camera));
 }
 
-static int camera_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+static int move_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    return (is_turntable(context) ? demo_turntable_frame : demo_still_frame)(context, r, frame);
+    struct moving *const moving = context->state;
+    const bool turns = !moving->model->has_camera || is_turntable(context);
+    model_move(moving->model, frame);
+    context->state = moving->still;
+    const int status = (turns ? demo_turntable_frame : demo_still_frame)(context, r, frame);
+    context->state = moving;
+    return status;
 }
 
 /* The demo of a binary scene finds the scene's bytes as its state. */
@@ -65,12 +89,12 @@ struct demo model_demo(const struct model *model)
                          .summary = "a model file",
                          .views = model->has_camera ? views : views + 1,
                          .loop_frames = demo_find("turntable")->loop_frames,
-                         .arena_bytes = DEMO_TURNTABLE_BYTES,
-                         .arena_bytes_32 = DEMO_TURNTABLE_BYTES,
+                         .arena_bytes = DEMO_TURNTABLE_BYTES + sizeof(struct moving),
+                         .arena_bytes_32 = DEMO_TURNTABLE_BYTES + sizeof(struct moving),
                          .vertex_max = vertices + DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
                          .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES +
                                          model_blend_triangles(model, 1024),
                          .init = model->has_camera ? camera_init : turntable_init,
-                         .frame = model->has_camera ? camera_frame : demo_turntable_frame};
+                         .frame = move_frame};
 }

@@ -133,6 +133,8 @@ static const struct option_row rows[] = {
     {"model", "FILE", "a model file on the turntable", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct sim_options, model)},
     MODEL_OPTION_ROWS(struct sim_options, model_options),
+    {"clip", "NAME", "the animation of the model that plays; its first by default", "the name of an animation",
+     .at = offsetof(struct sim_options, clip)},
     {"max-triangles", "N|all|fit",
      "simplifies the model to N triangles at most; fit: to what the memory of the --board has room for, as its image\n"
      "        is made. fit by default for a microcontroller kit, else all",
@@ -229,6 +231,9 @@ static int check_together(const struct sim_options *o)
 {
     if (o->demo != NULL && o->model != NULL) {
         return complain_usage("--demo and --model exclude each other");
+    }
+    if (o->clip != NULL && o->model == NULL) {
+        return complain_usage("--clip: of which model? give --model FILE");
     }
     if (o->goal.fit && o->board == NULL) {
         return complain_usage("--max-triangles fit: fit what? name a --board");

@@ -20,6 +20,7 @@ struct sim_options {
     const char *demo;  /* NULL: none asked for */
     const char *view;  /* of the demo, or NULL */
     const char *model; /* path of a model file, or NULL */
+    const char *clip;  /* of the model; NULL: its first */
     struct model_options model_options;
     struct asset_goal goal; /* how far it is simplified; the filter of its textures */
     bool goal_set;          /* else the board's memory is the goal */

@@ -63,13 +63,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) /* see long_libfuzz
 
 enum { QUICK = 400, LONG = 20000, BYTES_MOST = 8192 };
 
-/* A right file: interleaved and sparse accessors, every kind of index, textures, transforms, nodes, a camera. */
+/* A right file: interleaved and sparse accessors, every kind of index, textures, transforms, nodes, a camera, a skin,
+ * morph targets, an animation. */
 static const char right[] =
     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,2]}],\"nodes\":[{\"children\":[1],"
-    "\"translation\":[1,2,3],\"rotation\":[0,0,0.6,0.8],\"scale\":[1,-1,2]},{\"mesh\":0},{\"camera\":0,\"matrix\":"
+    "\"translation\":[1,2,3],\"rotation\":[0,0,0.6,0.8],\"scale\":[1,-1,2]},{\"mesh\":0,\"skin\":0},{\"camera\":0,"
+    "\"matrix\":"
     "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,9,1]}],\"cameras\":[{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.7,"
-    "\"znear\":0.1,\"zfar\":100}}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},"
-    "\"indices\":2,\"material\":0},{\"attributes\":{\"POSITION\":3},\"mode\":5,\"material\":1}]}],\"materials\":[{"
+    "\"znear\":0.1,\"zfar\":100}}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1,"
+    "\"JOINTS_0\":4,\"WEIGHTS_0\":5},"
+    "\"indices\":2,\"material\":0,\"targets\":[{\"POSITION\":0}]},{\"attributes\":{\"POSITION\":3,\"JOINTS_0\":9,"
+    "\"WEIGHTS_0\":10},\"mode\":5,\"material\":1,\"targets\":[{}]}]}],\"skins\":[{\"joints\":[0,1]}],"
+    "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"rotation\"}},{\"sampler\":1,"
+    "\"target\":{\"node\":1,\"path\":\"weights\"}}],\"samplers\":[{\"input\":6,\"output\":7},{\"input\":6,\"output\":8,"
+    "\"interpolation\":\"CUBICSPLINE\"}]}],\"materials\":[{"
     "\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,1,0.25,1],\"baseColorTexture\":{\"index\":0,\"texCoord\":0,"
     "\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0],\"rotation\":1,\"scale\":[2,2]}}}},"
     "\"doubleSided\":true},{\"emissiveFactor\":[1,0,0.5],\"emissiveTexture\":{\"index\":0},\"alphaMode\":\"MASK\","
@@ -81,7 +88,12 @@ static const char right[] =
     "\"componentType\":5126,\"count\":3,\"type\":\"VEC2\"},{\"bufferView\":1,\"componentType\":5121,\"count\":3,"
     "\"type\":\"SCALAR\"},{\"componentType\":5122,\"normalized\":true,\"count\":4,\"type\":\"VEC3\",\"sparse\":{"
     "\"count\":1,\"indices\":{\"bufferView\":1,\"componentType\":5121},\"values\":{\"bufferView\":1,\"byteOffset\":2}}}"
-    "],\"bufferViews\":[{\"buffer\":0,\"byteLength\":60,\"byteStride\":20},{\"buffer\":0,\"byteOffset\":60,"
+    ","
+    "{\"componentType\":5121,\"count\":3,\"type\":\"VEC4\"},{\"componentType\":5126,\"count\":3,\"type\":\"VEC4\"},"
+    "{\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"},{\"componentType\":5126,\"count\":2,\"type\":\"VEC4\"},"
+    "{\"componentType\":5126,\"count\":6,\"type\":\"SCALAR\"},{\"componentType\":5121,\"count\":4,\"type\":\"VEC4\"},"
+    "{\"componentType\":5126,\"count\":4,\"type\":\"VEC4\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":60,"
+    "\"byteStride\":20},{\"buffer\":0,\"byteOffset\":60,"
     "\"byteLength\":9}],\"buffers\":[{\"byteLength\":69,\"uri\":\"data:;base64,AAAAAAAAAAAA"
     "AAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAAAAAAAAAAAAIA/AAECAQACAAEA\"}]}";
 
@@ -158,6 +170,9 @@ static bool read_file(const uint8_t *bytes, size_t n, const char *path)
     if (strstr(said.text, "crashed or hung") != NULL) {
         fprintf(stderr, "%s holds it\n", path);
         fail("the reader crashed");
+    }
+    for (uint32_t frame = 0; status == 0 && frame < 3; frame++) {
+        model_move(model, 7 * frame);
     }
     model_close(model);
     return status == 0;

@@ -379,8 +379,10 @@ static int make_texture(struct demo_arena *arena, struct ph_texture *texture, ui
             }
         }
     }
-    *texture = (struct ph_texture){
-        .texels = texels, .log2_width = (uint8_t)(5 - down), .log2_height = (uint8_t)(7 - down), .wrap = PH_WRAP_REPEAT};
+    *texture = (struct ph_texture){.texels = texels,
+                                   .log2_width = (uint8_t)(5 - down),
+                                   .log2_height = (uint8_t)(7 - down),
+                                   .wrap = PH_WRAP_REPEAT};
     return texels ? PH_OK : PH_ERR_NOMEM;
 }
 

@@ -1,6 +1,7 @@
 #include "model_meshes.h"
 
 #include "model_camera.h"
+#include "model_gltf_motion.h"
 #include "model_places.h"
 #include "model_surface.h"
 
@@ -258,12 +259,29 @@ static size_t count_pieces(const struct model_places *places)
 }
 
 /* Copies the piece as the next mesh of the model. */
+/* Lets the mesh of a piece move, where something does. */
+static bool bind_piece(struct model_shared *shared, const struct piece *piece, const struct model_fit *fit,
+                       uint32_t mesh)
+{
+    if (shared->model.motion == NULL || shared->model.meshes[mesh].triangle_count == 0) {
+        return true;
+    }
+    unsigned *vertices = calloc(piece->vertex_count, sizeof *vertices);
+    for (unsigned i = 0; vertices != NULL && i < piece->vertex_count; i++) {
+        vertices[i] = vertex_of(piece, i);
+    }
+    const bool done = vertices != NULL ? model_gltf_motion_bind(shared, piece->place, fit, vertices, mesh)
+                                       : model_shared_failed(shared, "needs too much memory");
+    free(vertices);
+    return done;
+}
+
 static bool add_mesh(struct model_shared *shared, const struct piece *piece, const struct model_fit *fit,
                      const struct ph_material *material)
 {
     struct model *model = &shared->model;
     struct ph_mesh *mesh = &model->meshes[model->mesh_count];
-    if (!copy_mesh(shared, piece, fit, material, mesh)) {
+    if (!copy_mesh(shared, piece, fit, material, mesh) || !bind_piece(shared, piece, fit, model->mesh_count)) {
         return false;
     }
     model->mesh_count += mesh->triangle_count > 0;
@@ -297,6 +315,9 @@ static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene
     model->meshes = demo_alloc(&shared->arena, sizeof *model->meshes * count_pieces(places));
     if (model->meshes == NULL) {
         return model_shared_failed(shared, "needs too much memory");
+    }
+    if (!model_gltf_motion_begin(shared, &fit, count_pieces(places))) {
+        return false;
     }
     for (size_t i = 0; i < places->count; i++) {
         if (!copy_place(shared, &places->list[i], &fit, &materials[places->list[i].mesh->mMaterialIndex])) {

@@ -47,7 +47,7 @@ static void find_cofactors(struct model_place *place)
 static void add_places(const struct aiScene *scene, const struct aiNode *node, double parent[3][4],
                        struct model_places *places)
 {
-    struct model_place place;
+    struct model_place place = {.node = node};
     model_places_multiply(place.m, parent, &node->mTransformation);
     find_cofactors(&place);
     for (unsigned i = 0; i < node->mNumMeshes; i++) {

@@ -10,6 +10,7 @@
 /* A mesh where a node shows it. */
 struct model_place {
     const struct aiMesh *mesh;
+    const struct aiNode *node;
     double m[3][4]; /* to world: three rows, the last column is the translation */
     double cofactors[3][3];
     bool mirrors; /* left becomes right: faces must be turned over to look outwards again */

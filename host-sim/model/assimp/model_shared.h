@@ -4,11 +4,14 @@
 
 #include "model.h"
 
+struct model_gltf_motion;
+
 struct model_shared {
     struct model model;
     struct demo_arena arena; /* behind this struct */
     struct model_options options;
     const struct ph_texture *texture; /* of options.texture, once it is made */
+    struct model_gltf_motion *motion; /* what moves; NULL: nothing */
     char error[256];                  /* why it failed, one line */
     char note[512];                   /* what was left out or changed; see model_shared_note */
 };

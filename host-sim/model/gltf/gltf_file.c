@@ -12,9 +12,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const char *const list_names[GLTF_LISTS] = {"accessors", "bufferViews", "buffers",   "nodes",
-                                                   "scenes",    "meshes",      "materials", "textures",
-                                                   "images",    "samplers",    "cameras"};
+static const char *const list_names[GLTF_LISTS] = {"accessors", "bufferViews", "buffers",   "nodes",  "scenes",
+                                                   "meshes",    "materials",   "textures",  "images", "samplers",
+                                                   "cameras",   "skins",       "animations"};
 
 bool gltf_file_failed(struct gltf_file *file, const char *format, ...)
 {

@@ -32,6 +32,8 @@ enum gltf_list {
     GLTF_IMAGES,
     GLTF_SAMPLERS,
     GLTF_CAMERAS,
+    GLTF_SKINS,
+    GLTF_ANIMATIONS,
     GLTF_LISTS
 };
 

@@ -1,5 +1,7 @@
 #include "model_gltf.h"
 
+#include "model_gltf_motion.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +12,7 @@
 /* A vertex as it is compared with others. */
 struct vertex {
     float position[3], normal[3], uv[2], colour[3];
+    uint32_t source; /* of what moves: the primitive's vertex */
 };
 
 /* A primitive as the file gives it. */
@@ -18,12 +21,15 @@ struct primitive {
     uint32_t *indices;                          /* three for each triangle */
     uint32_t vertex_count, triangle_count, material;
     unsigned channels; /* of a colour: 3 or 4 */
+    struct model_gltf_moved moved;
 };
 
 struct reader {
     struct gltf_file *file;
     const struct model_gltf_uv *uvs;
     struct aiMesh **meshes;
+    struct model_gltf_moved *moved; /* of each */
+    struct model_gltf_node *nodes;
     uint32_t mesh_count, mesh_room;
     uint64_t triangle_count;
     uint32_t *first_mesh; /* of each mesh of the file, and one more */
@@ -53,6 +59,29 @@ static bool read_colours(struct gltf_file *file, const struct cJSON *attributes,
     const char *type = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "type"));
     p->channels = type != NULL && strcmp(type, "VEC4") == 0 ? 4 : 3;
     return read_attribute(file, attributes, name, p->channels, &p->vertex_count, &p->colours);
+}
+
+static bool read_moved(struct gltf_file *file, const struct cJSON *from, const struct cJSON *attributes,
+                       struct primitive *p)
+{
+    const struct cJSON *item, *targets = cJSON_GetObjectItemCaseSensitive(from, "targets");
+    struct model_gltf_moved *m = &p->moved;
+    if (!read_attribute(file, attributes, "JOINTS_0", 4, &p->vertex_count, &m->joints) ||
+        !read_attribute(file, attributes, "WEIGHTS_0", 4, &p->vertex_count, &m->weights)) {
+        return false;
+    }
+    const int count = cJSON_IsArray(targets) ? cJSON_GetArraySize(targets) : 0;
+    m->targets = calloc((size_t)count + 1, sizeof *m->targets);
+    if (m->targets == NULL || count > MODEL_GLTF_TARGETS_MAX) {
+        return gltf_file_failed(file, "a mesh has more than %d morph targets", MODEL_GLTF_TARGETS_MAX);
+    }
+    cJSON_ArrayForEach(item, targets)
+    {
+        if (!read_attribute(file, item, "POSITION", 3, &p->vertex_count, &m->targets[m->target_count++])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Makes triangles of strips and fans; every index is checked. */
@@ -101,7 +130,8 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
         return p->vertex_count == 0 && file->error[0] == '\0';
     }
     if (!read_attribute(file, attributes, "NORMAL", 3, &p->vertex_count, &p->normals) ||
-        !read_attribute(file, attributes, name, 2, &p->vertex_count, &p->uvs) || !read_colours(file, attributes, p)) {
+        !read_attribute(file, attributes, name, 2, &p->vertex_count, &p->uvs) || !read_colours(file, attributes, p) ||
+        !read_moved(file, from, attributes, p)) {
         return false;
     }
     uint32_t n = p->vertex_count, *list = NULL;
@@ -118,7 +148,7 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
 
 static struct vertex vertex_at(const struct primitive *p, uint32_t i, const struct model_gltf_uv *uv)
 {
-    struct vertex v = {.position = {0}};
+    struct vertex v = {.source = p->moved.joints != NULL || p->moved.target_count > 0 ? i : 0};
     memcpy(v.position, p->positions + 3 * (size_t)i, sizeof v.position);
     if (p->normals != NULL) {
         memcpy(v.normal, p->normals + 3 * (size_t)i, sizeof v.normal);
@@ -193,16 +223,19 @@ static bool fill_mesh(struct aiMesh *mesh, const struct welder *w, const struct 
     return true;
 }
 
-static bool add_mesh(struct reader *reader, struct aiMesh *mesh)
+static bool add_mesh(struct reader *reader, struct aiMesh *mesh, const struct model_gltf_moved *moved)
 {
     if (reader->mesh_count == reader->mesh_room) {
         reader->mesh_room = reader->mesh_room * 2 + 16;
         struct aiMesh **more = realloc(reader->meshes, sizeof *more * reader->mesh_room);
-        if (more == NULL) {
+        struct model_gltf_moved *more_moved = realloc(reader->moved, sizeof *more_moved * reader->mesh_room);
+        reader->meshes = more != NULL ? more : reader->meshes;
+        reader->moved = more_moved != NULL ? more_moved : reader->moved;
+        if (more == NULL || more_moved == NULL) {
             return false;
         }
-        reader->meshes = more;
     }
+    reader->moved[reader->mesh_count] = *moved;
     reader->meshes[reader->mesh_count++] = mesh;
     return true;
 }
@@ -229,7 +262,12 @@ static bool make_mesh(struct reader *reader, const struct primitive *p, struct w
         }
         mesh->mNumFaces++;
     }
-    return fill_mesh(mesh, w, p) && add_mesh(reader, mesh);
+    struct model_gltf_moved moved = p->moved;
+    moved.sources = calloc(w->count + 1, sizeof *moved.sources);
+    for (uint32_t i = 0; moved.sources != NULL && i < w->count; i++) {
+        moved.sources[i] = w->vertices[i].source;
+    }
+    return moved.sources != NULL && fill_mesh(mesh, w, p) && add_mesh(reader, mesh, &moved);
 }
 
 static bool make_meshes(struct reader *reader, const struct primitive *p)
@@ -319,6 +357,7 @@ static bool read_node(struct reader *reader, uint32_t i, struct aiNode *to, unsi
     if (node == NULL || depth > DEPTH_MAX || reader->is_child[i]++) {
         return gltf_file_failed(file, "node %u is missing, has two parents or lies too deep", i);
     }
+    reader->nodes[i].drawn = to;
     read_matrix(node, &to->mTransformation);
     if (gltf_file_whole(node, "camera", GLTF_NONE) == 0) {
         const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(node, "name"));
@@ -411,7 +450,6 @@ static bool read_scene(struct reader *reader, struct aiScene *scene)
     scene->mNumMeshes = reader->mesh_count;
     scene->mNumMaterials = file->lists[GLTF_MATERIALS].count + 1;
     scene->mNumLights = lights != NULL;
-    scene->mNumAnimations = cJSON_GetObjectItemCaseSensitive(file->json, "animations") != NULL;
     return read_children(reader, cJSON_GetObjectItemCaseSensitive(from, "nodes"), root, 0) &&
            (file->lists[GLTF_CAMERAS].count == 0 || read_camera(file, scene));
 }
@@ -422,12 +460,21 @@ const struct aiScene *model_gltf_read(struct model_shared *shared, struct gltf_f
     struct reader reader = {.file = file,
                             .uvs = uvs,
                             .first_mesh = calloc(file->lists[GLTF_MESHES].count + 1, sizeof(uint32_t)),
+                            .nodes = calloc(file->lists[GLTF_NODES].count + 1, sizeof(struct model_gltf_node)),
                             .is_child = calloc(file->lists[GLTF_NODES].count + 1, 1)};
+    struct model_gltf_motion *motion = calloc(1, sizeof *motion);
     struct aiScene *scene = calloc(1, sizeof *scene);
-    const bool has_memory = scene != NULL && reader.first_mesh != NULL && reader.is_child != NULL;
+    const bool has_memory =
+        scene != NULL && reader.first_mesh != NULL && reader.is_child != NULL && reader.nodes != NULL && motion != NULL;
     if (!has_memory || !read_meshes(&reader) || !read_scene(&reader, scene)) {
         model_shared_failed(shared, "is no model that can be read: %s", has_memory ? file->error : "out of memory");
         return NULL;
     }
+    *motion = (struct model_gltf_motion){.file = file, .scene = scene, .moved = reader.moved, .nodes = reader.nodes};
+    if (!model_gltf_motion_find(motion, scene->mRootNode)) {
+        model_shared_failed(shared, "is no model that can be read: %s", file->error);
+        return NULL;
+    }
+    shared->motion = motion;
     return scene;
 }

@@ -1,0 +1,705 @@
+#include "model_gltf_motion.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define JOINTS_MAX 256
+#define KEYS_MAX   65535
+#define FRAC       15 /* of positions */
+
+static double clamp(double value, double most)
+{
+    return value > most ? most : value < -most ? -most : isfinite(value) ? value : 0;
+}
+
+static int32_t q24(double value)
+{
+    return (int32_t)lround(clamp(value, 127.9999) * PH_MOTION_ONE);
+}
+
+static int16_t q15(double value)
+{
+    return (int16_t)lround(clamp(value * 32768, 32767));
+}
+
+/* ---- matrices of 3 x 4 ------------------------------------------------------------------------------------------- */
+
+typedef double matrix[3][4];
+
+static void multiply(matrix to, const double (*a)[4], const double (*b)[4])
+{
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 4; column++) {
+            to[row][column] = column == 3 ? a[row][3] : 0;
+            for (int k = 0; k < 3; k++) {
+                to[row][column] += a[row][k] * b[k][column];
+            }
+        }
+    }
+}
+
+/* False: it has no inverse. */
+static bool invert(matrix to, const double (*m)[4])
+{
+    double determinant = 0;
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            const int a = (row + 1) % 3, b = (row + 2) % 3, c = (column + 1) % 3, d = (column + 2) % 3;
+            to[column][row] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        determinant += m[0][k] * to[k][0];
+    }
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            to[row][column] /= determinant;
+        }
+        to[row][3] = -(to[row][0] * m[0][3] + to[row][1] * m[1][3] + to[row][2] * m[2][3]);
+    }
+    return determinant != 0 && isfinite(to[0][0] + to[1][1] + to[2][2] + to[0][3] + to[1][3] + to[2][3]);
+}
+
+static const double identity[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+
+/* Sixteen numbers, column by column, as glTF has them. */
+static void from_columns(matrix to, const float *m)
+{
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 4; column++) {
+            to[row][column] = (double)m[4 * column + row];
+        }
+    }
+}
+
+/* ---- nodes ------------------------------------------------------------------------------------------------------- */
+
+/* The inverse bind matrices of a skin; NULL: there are none. */
+static float *bind_matrices(struct gltf_file *file, const struct cJSON *skin, uint32_t joints)
+{
+    const uint32_t accessor = gltf_file_whole(skin, "inverseBindMatrices", GLTF_NONE);
+    uint32_t count = 0;
+    float *matrices = accessor != GLTF_NONE ? gltf_file_numbers(file, accessor, 16, &count) : NULL;
+    if (matrices != NULL && count < joints) {
+        gltf_file_failed(file, "a skin has %u joints and %u matrices", joints, count);
+    }
+    return count >= joints ? matrices : NULL;
+}
+
+/* Reads the joints of a skin, numbers of nodes in the scene. 0: file->error. */
+static uint32_t read_joints(struct model_gltf_motion *motion, const struct cJSON *skin, uint32_t *to)
+{
+    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(skin, "joints");
+    uint32_t count = 0;
+    cJSON_ArrayForEach(item, list)
+    {
+        const double i = cJSON_IsNumber(item) ? item->valuedouble : -1;
+        if (!(i >= 0 && i < motion->file->lists[GLTF_NODES].count) || count == JOINTS_MAX ||
+            motion->nodes[(uint32_t)i].drawn == NULL) {
+            gltf_file_failed(motion->file, "a skin has a joint that is not in the scene, or more than %d", JOINTS_MAX);
+            return 0;
+        }
+        to[count++] = (uint32_t)i;
+    }
+    if (count == 0) {
+        gltf_file_failed(motion->file, "a skin has no joints");
+    }
+    return count;
+}
+
+static const struct cJSON *skin_of(const struct model_gltf_motion *motion, uint32_t node)
+{
+    return gltf_file_item(motion->file, GLTF_SKINS, gltf_file_whole(motion->nodes[node].json, "skin", GLTF_NONE));
+}
+
+/* A node of its own below the root draws what follows a skin, at the place that the first joint gives it. */
+static bool move_skinned(struct model_gltf_motion *motion, struct aiNode *root, uint32_t i)
+{
+    struct model_gltf_node *node = &motion->nodes[i];
+    const struct cJSON *skin = skin_of(motion, i);
+    uint32_t joints[JOINTS_MAX];
+    if (skin == NULL && cJSON_GetObjectItemCaseSensitive(node->json, "skin") != NULL) {
+        return gltf_file_failed(motion->file, "node %u has a skin that is not there", i);
+    }
+    if (skin == NULL || node->drawn->mNumMeshes == 0) {
+        return true;
+    }
+    const uint32_t count = read_joints(motion, skin, joints);
+    const float *matrices = bind_matrices(motion->file, skin, count);
+    struct aiNode *own = calloc(1, sizeof *own);
+    struct aiNode **children = realloc(root->mChildren, sizeof *children * (root->mNumChildren + 2));
+    if (count == 0 || motion->file->error[0] != '\0' || own == NULL || children == NULL) {
+        return gltf_file_failed(motion->file, "it needs too much memory");
+    }
+    matrix bind, place;
+    memcpy(bind, identity, sizeof bind);
+    if (matrices != NULL) {
+        from_columns(bind, matrices);
+    }
+    multiply(place, (const double(*)[4])motion->nodes[joints[0]].world, (const double(*)[4])bind);
+    own->mTransformation = (struct aiMatrix4x4){(float)place[0][0],
+                                                (float)place[0][1],
+                                                (float)place[0][2],
+                                                (float)place[0][3],
+                                                (float)place[1][0],
+                                                (float)place[1][1],
+                                                (float)place[1][2],
+                                                (float)place[1][3],
+                                                (float)place[2][0],
+                                                (float)place[2][1],
+                                                (float)place[2][2],
+                                                (float)place[2][3],
+                                                0,
+                                                0,
+                                                0,
+                                                1};
+    own->mNumMeshes = node->drawn->mNumMeshes;
+    own->mMeshes = node->drawn->mMeshes;
+    node->drawn->mNumMeshes = 0;
+    node->drawn = own;
+    root->mChildren = children;
+    root->mChildren[root->mNumChildren++] = own;
+    return true;
+}
+
+static void find_order(struct model_gltf_motion *motion, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        motion->nodes[i].parent = -1;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const struct cJSON *item, *list;
+        motion->nodes[i].json = gltf_file_item(motion->file, GLTF_NODES, i);
+        list = cJSON_GetObjectItemCaseSensitive(motion->nodes[i].json, "children");
+        cJSON_ArrayForEach(item, list)
+        {
+            if (motion->nodes[i].drawn != NULL && cJSON_IsNumber(item) && item->valuedouble >= 0 &&
+                item->valuedouble < count) {
+                motion->nodes[(uint32_t)item->valuedouble].parent = (int32_t)i;
+            }
+        }
+    }
+    /* The reader has found that each node of the scene has one parent, so that each is met once. */
+    for (uint32_t i = 0; i < count; i++) {
+        if (motion->nodes[i].drawn != NULL && motion->nodes[i].parent < 0) {
+            motion->order[motion->node_count++] = i;
+        }
+    }
+    for (uint32_t k = 0; k < motion->node_count; k++) {
+        const struct cJSON *item,
+            *list = cJSON_GetObjectItemCaseSensitive(motion->nodes[motion->order[k]].json, "children");
+        cJSON_ArrayForEach(item, list)
+        {
+            motion->order[motion->node_count++] = (uint32_t)item->valuedouble;
+        }
+    }
+}
+
+bool model_gltf_motion_find(struct model_gltf_motion *motion, struct aiNode *root)
+{
+    const uint32_t count = motion->file->lists[GLTF_NODES].count;
+    motion->order = calloc((size_t)count + 1, sizeof *motion->order);
+    if (motion->order == NULL) {
+        return gltf_file_failed(motion->file, "it needs too much memory");
+    }
+    find_order(motion, count);
+    for (uint32_t k = 0; k < motion->node_count; k++) {
+        struct model_gltf_node *node = &motion->nodes[motion->order[k]];
+        matrix base;
+        memcpy(base, node->parent < 0 ? identity : motion->nodes[node->parent].world, sizeof base);
+        model_places_multiply(node->world, base, &node->drawn->mTransformation);
+        node->number = k;
+    }
+    for (uint32_t k = 0; k < motion->node_count; k++) {
+        if (!move_skinned(motion, root, motion->order[k])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- the rig ----------------------------------------------------------------------------------------------------- */
+
+/* Translation, rotation and scale of a matrix; what it shears is lost. */
+static void take_apart(const double m[16], double t[3], double q[4], double s[3])
+{
+    double r[3][3]; /* columns */
+    const double cross =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+    for (int c = 0; c < 3; c++) {
+        t[c] = m[12 + c];
+        s[c] = sqrt(m[4 * c] * m[4 * c] + m[4 * c + 1] * m[4 * c + 1] + m[4 * c + 2] * m[4 * c + 2]);
+        s[c] = c == 0 && cross < 0 ? -s[c] : s[c];
+        for (int i = 0; i < 3; i++) {
+            r[c][i] = s[c] != 0 ? m[4 * c + i] / s[c] : c == i;
+        }
+    }
+    const double most = fmax(fmax(r[0][0] + r[1][1] + r[2][2], r[0][0]), fmax(r[1][1], r[2][2]));
+    if (most == r[0][0] + r[1][1] + r[2][2]) {
+        q[3] = 1 + most, q[0] = r[1][2] - r[2][1], q[1] = r[2][0] - r[0][2], q[2] = r[0][1] - r[1][0];
+        return;
+    }
+    const int i = most == r[0][0] ? 0 : most == r[1][1] ? 1 : 2, j = (i + 1) % 3, k = (i + 2) % 3;
+    q[i] = 1 + r[i][i] - r[j][j] - r[k][k];
+    q[j] = r[i][j] + r[j][i];
+    q[k] = r[i][k] + r[k][i];
+    q[3] = r[j][k] - r[k][j];
+}
+
+static struct fx_quat quat_of(const double q[4])
+{
+    const double size = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]), most = FX_Q30_ONE;
+    if (!(size > 0) || !isfinite(size)) {
+        return fx_quat_identity;
+    }
+    return (struct fx_quat){(int32_t)lround(q[3] / size * most), (int32_t)lround(q[0] / size * most),
+                            (int32_t)lround(q[1] / size * most), (int32_t)lround(q[2] / size * most)};
+}
+
+/* The scale of a node in the rest pose that becomes a length. */
+static double own_length(const double s[3])
+{
+    const double mean = (fabs(s[0]) + fabs(s[1]) + fabs(s[2])) / 3;
+    return mean > 0 && isfinite(mean) ? mean : 1;
+}
+
+static void read_rest(struct model_gltf_motion *motion, struct model_gltf_node *node, double unit,
+                      struct ph_rig_node *to)
+{
+    double m[16], t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
+    const double above = node->parent < 0 ? unit : motion->nodes[node->parent].length;
+    if (gltf_file_vector(node->json, "matrix", 16, m)) {
+        take_apart(m, t, q, s);
+    } else {
+        gltf_file_vector(node->json, "translation", 3, t);
+        gltf_file_vector(node->json, "rotation", 4, q);
+        gltf_file_vector(node->json, "scale", 3, s);
+    }
+    const double own = own_length(s);
+    node->length = above * own;
+    to->parent = (int16_t)(node->parent < 0 ? -1 : (int32_t)motion->nodes[node->parent].number);
+    to->rest = (struct ph_pose){quat_of(q),
+                                {q24(t[0] * above), q24(t[1] * above), q24(t[2] * above)},
+                                {q24(s[0] / own), q24(s[1] / own), q24(s[2] / own)}};
+}
+
+/* The weights of morph targets that each node begins with, one behind the other. */
+static bool read_weights(struct model_shared *shared, struct model_motion *to)
+{
+    struct model_gltf_motion *motion = shared->motion;
+    for (int pass = 0; pass < 2; pass++) {
+        int32_t *weights = pass == 1 ? demo_alloc(&shared->arena, sizeof *weights * (to->weight_count + 1)) : NULL;
+        if (pass == 1 && weights == NULL) {
+            return false;
+        }
+        to->weight_count = 0;
+        for (uint32_t k = 0; k < motion->node_count; k++) {
+            struct model_gltf_node *node = &motion->nodes[motion->order[k]];
+            const struct cJSON *mesh =
+                gltf_file_item(motion->file, GLTF_MESHES, gltf_file_whole(node->json, "mesh", GLTF_NONE));
+            const struct cJSON *own = cJSON_GetObjectItemCaseSensitive(node->json, "weights"),
+                               *list = own != NULL ? own : cJSON_GetObjectItemCaseSensitive(mesh, "weights");
+            const struct aiNode *drawn = node->drawn;
+            node->weight_count = drawn->mNumMeshes > 0 ? motion->moved[drawn->mMeshes[0]].target_count : 0;
+            node->first_weight = to->weight_count;
+            for (uint32_t i = 0; pass == 1 && i < node->weight_count; i++) {
+                const struct cJSON *item = cJSON_GetArrayItem(list, (int)i);
+                weights[to->weight_count + i] = q24(cJSON_IsNumber(item) ? item->valuedouble : 0);
+            }
+            to->weight_count += node->weight_count;
+        }
+        to->rest_weights = weights;
+    }
+    return to->weight_count <= UINT16_MAX;
+}
+
+/* ---- clips ------------------------------------------------------------------------------------------------------- */
+
+/* A channel's sampler: `keys` times, and numbers in the model's units. */
+struct channel {
+    float *times, *numbers;
+    uint32_t keys, width;
+    struct ph_track track;
+};
+
+/* Tangents are multiplied by the time between their keys. */
+static void prepare(struct channel *c, double factor)
+{
+    const bool is_cubic = c->track.interpolation == PH_KEYS_CUBIC;
+    for (uint32_t k = 0; k < c->keys; k++) {
+        const double before = k > 0 ? (double)c->times[k] - (double)c->times[k - 1] : 0,
+                     behind = k + 1 < c->keys ? (double)c->times[k + 1] - (double)c->times[k] : 0;
+        const uint32_t parts = is_cubic ? 3 : 1;
+        for (uint32_t i = 0; i < parts * c->width; i++) {
+            const double times = !is_cubic || i / c->width == 1 ? 1 : i / c->width == 0 ? before : behind;
+            float *number = &c->numbers[(size_t)k * parts * c->width + i];
+            *number = (float)clamp(*number * factor * times, 120);
+        }
+    }
+}
+
+/* Numbers as 16 bits with as many bits of fraction as they have room for. */
+static bool pack(struct model_shared *shared, struct channel *c, uint8_t time_shift)
+{
+    const size_t n = (size_t)c->keys * c->width * (c->track.interpolation == PH_KEYS_CUBIC ? 3 : 1);
+    uint16_t *times = demo_alloc(&shared->arena, sizeof *times * c->keys);
+    int16_t *keys = demo_alloc(&shared->arena, sizeof *keys * n);
+    double most = 0;
+    int frac = 24;
+    if (times == NULL || keys == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < n; i++) {
+        most = fmax(most, fabs((double)c->numbers[i]));
+    }
+    while (frac > 8 && ldexp(most, frac) > 32767) {
+        frac--;
+    }
+    for (size_t i = 0; i < n; i++) {
+        keys[i] = (int16_t)lround(clamp(c->track.path == PH_PATH_ROTATION ? (double)c->numbers[i] / most * 32767
+                                                                          : ldexp((double)c->numbers[i], frac),
+                                        32767));
+    }
+    for (uint32_t k = 0; k < c->keys; k++) {
+        times[k] = (uint16_t)fmin(65535, fmax(0, rint((double)c->times[k] * 65536 / (1 << time_shift))));
+    }
+    c->track.frac = (uint8_t)frac;
+    c->track.times = times;
+    c->track.keys = keys;
+    return true;
+}
+
+static bool find_word(const struct cJSON *object, const char *key, const char *const *words, uint8_t *to)
+{
+    const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
+    for (uint8_t i = 0; text != NULL && words[i] != NULL; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *to = i;
+            return true;
+        }
+    }
+    return text == NULL;
+}
+
+/* Reads a channel. keys 0: nothing of the scene moves by it. False: file->error. */
+static bool read_channel(struct model_gltf_motion *motion, const struct cJSON *animation, const struct cJSON *from,
+                         double unit, struct channel *c)
+{
+    static const char *const paths[] = {"translation", "rotation", "scale", "weights", NULL};
+    static const char *const ways[] = {"STEP", "LINEAR", "CUBICSPLINE", NULL};
+    struct gltf_file *file = motion->file;
+    const struct cJSON *target = cJSON_GetObjectItemCaseSensitive(from, "target");
+    const struct cJSON *samplers = cJSON_GetObjectItemCaseSensitive(animation, "samplers");
+    const uint32_t number = gltf_file_whole(target, "node", GLTF_NONE),
+                   at = gltf_file_whole(from, "sampler", GLTF_NONE);
+    const struct cJSON *sampler = at < 1000000 ? cJSON_GetArrayItem(samplers, (int)at) : NULL;
+    *c = (struct channel){.track = {.path = 255, .interpolation = PH_KEYS_LINEAR}};
+    if (sampler == NULL || !find_word(sampler, "interpolation", ways, &c->track.interpolation)) {
+        return gltf_file_failed(file, "an animation has a sampler that is not there, or of another kind");
+    }
+    if (!find_word(target, "path", paths, &c->track.path) || c->track.path > PH_PATH_WEIGHTS ||
+        number >= file->lists[GLTF_NODES].count || motion->nodes[number].drawn == NULL) {
+        return true;
+    }
+    const struct model_gltf_node *node = &motion->nodes[number];
+    const uint32_t kinds[] = {3, 4, 3, node->weight_count}, parts = c->track.interpolation == PH_KEYS_CUBIC ? 3 : 1;
+    uint32_t keys = 0, count = 0;
+    c->width = kinds[c->track.path];
+    c->times = gltf_file_numbers(file, gltf_file_whole(sampler, "input", GLTF_NONE), 1, &keys);
+    c->numbers = gltf_file_numbers(file, gltf_file_whole(sampler, "output", GLTF_NONE),
+                                   c->track.path == PH_PATH_WEIGHTS ? 1 : c->width, &count);
+    if (c->times == NULL || c->numbers == NULL || keys > KEYS_MAX ||
+        count != (uint64_t)keys * parts * (c->track.path == PH_PATH_WEIGHTS ? c->width : 1)) {
+        return gltf_file_failed(file, "an animation has more than %d keys, or not a value for each", KEYS_MAX);
+    }
+    const double above = node->parent < 0 ? unit : motion->nodes[node->parent].length;
+    c->keys = c->width > 0 ? keys : 0;
+    prepare(c, c->track.path == PH_PATH_TRANSLATION ? above
+               : c->track.path == PH_PATH_SCALE     ? above / node->length
+                                                    : 1);
+    c->track.key_count = (uint16_t)keys;
+    c->track.width = (uint8_t)c->width;
+    c->track.node = (uint16_t)(c->track.path == PH_PATH_WEIGHTS ? node->first_weight : node->number);
+    return true;
+}
+
+static bool read_clip(struct model_shared *shared, const struct cJSON *animation, uint32_t index, double unit,
+                      struct ph_clip *clip)
+{
+    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(animation, "channels");
+    const size_t n = cJSON_IsArray(list) ? (size_t)cJSON_GetArraySize(list) : 0;
+    const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(animation, "name"));
+    struct channel *channels = calloc(n + 1, sizeof *channels);
+    struct ph_track *tracks = demo_alloc(&shared->arena, sizeof *tracks * (n + 1));
+    char *name = demo_alloc(&shared->arena, 64);
+    double end = 0;
+    if (channels == NULL || tracks == NULL || name == NULL) {
+        return gltf_file_failed(shared->motion->file, "it needs too much memory");
+    }
+    snprintf(name, 64, text != NULL && *text != '\0' ? "%.60s" : "%.0sclip %u", text != NULL ? text : "", index);
+    *clip = (struct ph_clip){.name = name, .tracks = tracks};
+    size_t count = 0;
+    cJSON_ArrayForEach(item, list)
+    {
+        if (!read_channel(shared->motion, animation, item, unit, &channels[count])) {
+            return false;
+        }
+        for (uint32_t k = 0; k < channels[count].keys; k++) {
+            end = fmax(end, (double)channels[count].times[k]);
+        }
+        count += channels[count].keys > 0;
+    }
+    end = fmin(end, 32767);
+    clip->duration = (fx_t)lround(end * 65536);
+    while (clip->duration >> clip->time_shift > UINT16_MAX) {
+        clip->time_shift++;
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!pack(shared, &channels[i], clip->time_shift)) {
+            return gltf_file_failed(shared->motion->file, "it needs too much memory");
+        }
+        tracks[clip->track_count++] = channels[i].track;
+    }
+    return true;
+}
+
+static bool read_clips(struct model_shared *shared, struct model_motion *to, double unit)
+{
+    struct gltf_file *file = shared->motion->file;
+    const uint32_t n = file->lists[GLTF_ANIMATIONS].count;
+    struct ph_clip *clips = demo_alloc(&shared->arena, sizeof *clips * (n + 1));
+    for (uint32_t i = 0; i < n; i++) {
+        if (clips == NULL || !read_clip(shared, gltf_file_item(file, GLTF_ANIMATIONS, i), i, unit, &clips[i])) {
+            return model_shared_failed(shared, "has an animation that cannot be read: %s",
+                                       file->error[0] != '\0' ? file->error : "too little memory");
+        }
+    }
+    to->clips = to->clip = clips;
+    to->clip_count = n;
+    return clips != NULL;
+}
+
+static bool has_motion(const struct model_gltf_motion *motion)
+{
+    bool moves = motion->file->lists[GLTF_SKINS].count > 0 || motion->file->lists[GLTF_ANIMATIONS].count > 0;
+    for (unsigned m = 0; m < motion->scene->mNumMeshes; m++) {
+        moves = moves || motion->moved[m].target_count > 0;
+    }
+    return moves && motion->node_count > 0 && motion->node_count <= INT16_MAX;
+}
+
+bool model_gltf_motion_begin(struct model_shared *shared, const struct model_fit *fit, size_t meshes)
+{
+    struct model_gltf_motion *motion = shared->motion;
+    if (motion == NULL || !has_motion(motion)) {
+        return true;
+    }
+    const uint32_t n = motion->node_count;
+    struct model_motion *to = demo_alloc(&shared->arena, sizeof *to);
+    struct ph_rig_node *nodes = demo_alloc(&shared->arena, sizeof *nodes * n);
+    if (to == NULL || nodes == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
+    *to = (struct model_motion){.rig = {nodes, n}, .root = ph_xform_identity, .scale = fit->scale};
+    for (uint32_t k = 0; k < n; k++) {
+        read_rest(motion, &motion->nodes[motion->order[k]], fit->scale, &nodes[k]);
+    }
+    if (!read_weights(shared, to)) {
+        return model_shared_failed(shared, "needs too much memory, or has too many morph targets");
+    }
+    const struct aiMatrix4x4 *m = &motion->scene->mRootNode->mTransformation;
+    const float r[9] = {m->a1, m->a2, m->a3, m->b1, m->b2, m->b3, m->c1, m->c2, m->c3};
+    for (int i = 0; i < 9; i++) {
+        to->root.r[i / 3][i % 3] = (int32_t)lround((double)r[i] * FX_Q30_ONE);
+    }
+    to->root.t = (struct fx_vec3){q24(-fit->centre[0] * fit->scale), q24(-fit->centre[1] * fit->scale),
+                                  q24(-fit->centre[2] * fit->scale)};
+    to->weights = demo_alloc(&shared->arena, sizeof *to->weights * (to->weight_count + 1));
+    to->pose = demo_alloc(&shared->arena, sizeof *to->pose * n);
+    to->places = demo_alloc(&shared->arena, sizeof *to->places * n);
+    to->matrices = demo_alloc(&shared->arena, sizeof *to->matrices * JOINTS_MAX);
+    to->moving = demo_alloc(&shared->arena, sizeof *to->moving * meshes);
+    shared->model.motion = to;
+    if (to->weights == NULL || to->pose == NULL || to->places == NULL || to->matrices == NULL || to->moving == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
+    return read_clips(shared, to, fit->scale);
+}
+
+/* ---- meshes ------------------------------------------------------------------------------------------------------ */
+
+/* Fills the inverse bind matrix of a joint for positions that are in the model already. */
+static void set_bind(struct ph_xform *to, const double (*back)[4], const float *bind, double length)
+{
+    matrix own, product;
+    memcpy(own, identity, sizeof own);
+    if (bind != NULL) {
+        from_columns(own, bind);
+    }
+    multiply(product, (const double(*)[4])own, back);
+    int32_t *const t[3] = {&to->t.x, &to->t.y, &to->t.z};
+    for (int row = 0; row < 3; row++) {
+        for (int k = 0; k < 3; k++) {
+            to->r[row][k] = (int32_t)lround(clamp(product[row][k] * length, 1.9999999) * FX_Q30_ONE);
+        }
+        *t[row] = q24(product[row][3] * length);
+    }
+}
+
+static bool set_skin(struct model_shared *shared, uint32_t node, const double (*back)[4], struct ph_skin *skin)
+{
+    struct model_gltf_motion *motion = shared->motion;
+    const struct cJSON *json = skin_of(motion, node);
+    uint32_t joints[JOINTS_MAX] = {node};
+    const uint32_t count = json != NULL ? read_joints(motion, json, joints) : 1;
+    const float *bind = json != NULL ? bind_matrices(motion->file, json, count) : NULL;
+    uint16_t *numbers = demo_alloc(&shared->arena, sizeof *numbers * count);
+    struct ph_xform *inverse = demo_alloc(&shared->arena, sizeof *inverse * count);
+    if (count == 0 || numbers == NULL || inverse == NULL) {
+        return false;
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        numbers[k] = (uint16_t)motion->nodes[joints[k]].number;
+        set_bind(&inverse[k], back, bind != NULL ? bind + 16 * (size_t)k : NULL, motion->nodes[joints[k]].length);
+    }
+    *skin = (struct ph_skin){numbers, inverse, count};
+    return true;
+}
+
+/* Four joints, the greatest share first, that sum to one. False: a joint is not there. */
+static bool set_influence(const float *joints, const float *weights, uint32_t count, struct ph_influence *to)
+{
+    double share[4], sum = 0;
+    uint32_t rest = PH_INFLUENCE_ONE;
+    *to = (struct ph_influence){{0}, {0}};
+    for (int k = 0; k < 4; k++) {
+        share[k] = isfinite(weights[k]) && weights[k] > 0 ? (double)weights[k] : 0;
+        sum += share[k];
+        if (share[k] > 0 && !(joints[k] >= 0 && joints[k] < (float)count)) {
+            return false;
+        }
+    }
+    for (int n = 0; n < 4 && sum > 0; n++) {
+        int most = 0;
+        for (int k = 1; k < 4; k++) {
+            most = share[k] > share[most] ? k : most;
+        }
+        const uint32_t part = share[most] > 0 ? (uint32_t)lround(share[most] / sum * PH_INFLUENCE_ONE) : 0;
+        to->weights[n] = (uint16_t)(part < rest ? part : rest);
+        to->joints[n] = to->weights[n] > 0 ? (uint8_t)joints[most] : 0;
+        rest -= to->weights[n];
+        share[most] = -1;
+    }
+    to->weights[0] = (uint16_t)(to->weights[0] + rest);
+    return true;
+}
+
+static bool set_influences(struct model_shared *shared, const struct model_gltf_moved *moved, const unsigned *vertices,
+                           struct model_moving *to)
+{
+    struct ph_influence *influences = demo_alloc(&shared->arena, sizeof *influences * to->bound.vertex_count);
+    for (uint32_t i = 0; influences != NULL && i < to->bound.vertex_count; i++) {
+        const size_t at = 4 * (size_t)moved->sources[vertices[i]];
+        if (!set_influence(moved->joints + at, moved->weights + at, to->skin.joint_count, &influences[i])) {
+            return model_shared_failed(shared, "is broken: a vertex follows a joint that is not there");
+        }
+    }
+    to->bound.influences = influences;
+    return influences != NULL || model_shared_failed(shared, "needs too much memory");
+}
+
+static bool set_targets(struct model_shared *shared, const struct model_gltf_moved *moved, const unsigned *vertices,
+                        const double (*to_model)[4], struct model_moving *to)
+{
+    const uint32_t n = to->bound.vertex_count;
+    int16_t(*d)[3] = demo_alloc(&shared->arena, sizeof *d * n * moved->target_count);
+    to->morphed = demo_alloc(&shared->arena, sizeof *to->morphed * n);
+    if (d == NULL || to->morphed == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
+    for (uint32_t t = 0; t < moved->target_count; t++) {
+        for (uint32_t i = 0; i < n; i++) {
+            const float *from = moved->targets[t] != NULL ? moved->targets[t] + 3 * (size_t)moved->sources[vertices[i]]
+                                                          : (const float[3]){0, 0, 0};
+            for (int row = 0; row < 3; row++) {
+                const double v = to_model[row][0] * (double)from[0] + to_model[row][1] * (double)from[1] +
+                                 to_model[row][2] * (double)from[2];
+                d[(size_t)t * n + i][row] = q15(v);
+            }
+        }
+    }
+    to->morph = (struct ph_morph){.positions = to->bound.positions,
+                                  .d_positions = (const int16_t(*)[3])d,
+                                  .vertex_count = n,
+                                  .target_count = moved->target_count};
+    return true;
+}
+
+static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *mesh, struct model_moving *to)
+{
+    const uint32_t n = mesh->vertex_count;
+    int16_t(*positions)[3] = demo_alloc(&shared->arena, sizeof *positions * n);
+    int16_t(*normals)[3] = demo_alloc(&shared->arena, sizeof *normals * n);
+    if (positions == NULL || normals == NULL) {
+        return model_shared_failed(shared, "needs too much memory");
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        const struct fx_vec3 *p = &mesh->positions[i];
+        const double v[3] = {p->x / 65536.0, p->y / 65536.0, p->z / 65536.0};
+        for (int k = 0; k < 3; k++) {
+            positions[i][k] = q15(v[k]);
+            normals[i][k] = mesh->normals[i][k];
+        }
+    }
+    to->bound = (struct ph_bound){.positions = (const int16_t(*)[3])positions,
+                                  .normals = (const int16_t(*)[3])normals,
+                                  .vertex_count = n,
+                                  .frac = FRAC};
+    to->positions = (struct fx_vec3 *)(uintptr_t)mesh->positions; /* the model's own, in the arena */
+    to->normals = (int16_t(*)[3])(uintptr_t)mesh->normals;
+    return true;
+}
+
+bool model_gltf_motion_bind(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
+                            const unsigned *vertices, uint32_t mesh)
+{
+    const struct model_gltf_motion *motion = shared->motion;
+    struct model_motion *to = shared->model.motion;
+    uint32_t node = GLTF_NONE, m = 0;
+    for (uint32_t k = 0; to != NULL && k < motion->node_count; k++) {
+        node = motion->nodes[motion->order[k]].drawn == place->node ? motion->order[k] : node;
+    }
+    if (node == GLTF_NONE) {
+        return true;
+    }
+    while (motion->scene->mMeshes[m] != place->mesh) {
+        m++;
+    }
+    const struct model_gltf_moved *moved = &motion->moved[m];
+    if (moved->target_count != motion->nodes[node].weight_count) {
+        return model_shared_failed(shared, "is broken: parts of a mesh have different numbers of morph targets");
+    }
+    struct model_moving *moving = &to->moving[to->moving_count];
+    matrix to_model, back;
+    for (int i = 0; i < 12; i++) {
+        const double centre = i % 4 == 3 ? fit->centre[i / 4] : 0;
+        to_model[i / 4][i % 4] = (place->m[i / 4][i % 4] - centre) * fit->scale;
+    }
+    if (!invert(back, (const double(*)[4])to_model)) {
+        model_shared_note(shared, "what a node flattens does not move");
+        return true;
+    }
+    *moving = (struct model_moving){.mesh = mesh, .first_weight = motion->nodes[node].first_weight};
+    to->moving_count++;
+    const bool is_skinned = skin_of(motion, node) != NULL;
+    if (is_skinned && (moved->joints == NULL || moved->weights == NULL)) {
+        return model_shared_failed(shared, "is broken: a mesh with a skin names no joints");
+    }
+    return copy_bind_pose(shared, &shared->model.meshes[mesh], moving) &&
+           (set_skin(shared, node, (const double(*)[4])back, &moving->skin) ||
+            model_shared_failed(shared, "is broken: %s", motion->file->error)) &&
+           (!is_skinned || set_influences(shared, moved, vertices, moving)) &&
+           (moved->target_count == 0 || set_targets(shared, moved, vertices, (const double(*)[4])to_model, moving));
+}

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# glTF files whose nodes, skins and morph targets move are played as three.js (npm) plays them: every vertex of 80 frames.
+# gltf-validator (npm) passes the files. Both are installed into the build directory; without node, npm or the registry
+# this is skipped.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+export B=${B:-build} CC=${CC:-cc}
+dir=$B/three-motion
+. tests/oracle/three/install.sh
+
+for library in assimp libcjson libpng; do
+    pkg-config --exists "$library" || { echo "no $library here" && exit 77; }
+done
+eval "make -s ${make_args-} B=$B $B/tests/oracle/three/motion_dump" || exit 1 # as tests/run.sh built it
+files=()
+for seed in 1 2 3; do
+    node tests/oracle/three/motion_file.mjs "$dir/seed$seed.gltf" $seed || exit 1
+    files+=("$dir/seed$seed.gltf")
+done
+exec node tests/oracle/three/motion.mjs "$dir/node_modules" "$B/tests/oracle/three/motion_dump" "${files[@]}"

@@ -1,0 +1,63 @@
+/*
+ * Usage: node motion.mjs NODE_MODULES MOTION_DUMP FILE.gltf...
+ * three.js plays each clip of each file that motion_file.mjs wrote, and so does the firmware (MOTION_DUMP prints its
+ * vertices). TAP on standard output, with the largest difference in LSB of Q16.16 (2^-16) of a model of radius 1.
+ */
+import { spawnSync } from 'node:child_process'
+import { readFileSync } from 'node:fs'
+import { pathToFileURL } from 'node:url'
+
+globalThis.self = globalThis
+globalThis.ProgressEvent ??= class extends Event {} // which three.js makes while it loads
+const [modules, dump, ...files] = process.argv.slice(2)
+const THREE = await import(pathToFileURL(`${modules}/three/build/three.module.js`))
+const { GLTFLoader } = await import(pathToFileURL(`${modules}/three/examples/jsm/loaders/GLTFLoader.js`))
+
+const { default: validator } = await import(pathToFileURL(`${modules}/gltf-validator/index.js`))
+
+const FRAMES = 80
+/* 2 LSB of arithmetic, and of 16-bit numbers: 1 of a position, 2 of the rotation of each of 4 joints above one another,
+ * and what a point moves, some 4 lengths a second, in half a step of the keys' times, 2^-15 s. */
+const ALLOWED = 2 + 1 + 4 * 2 + 4 * 2
+
+const meshes = (scene) => {
+  const skinned = [], others = []
+  scene.traverse((o) => { if (o.isMesh) (o.isSkinnedMesh ? skinned : others).push(o) })
+  return [...others, ...skinned] // as the reader has them
+}
+const order = (mesh) => [...new Set(mesh.geometry.index.array)]
+
+let count = 0, failed = 0
+for (const file of files) {
+  const { issues } = await validator.validateBytes(new Uint8Array(readFileSync(file)))
+  failed += issues.numErrors > 0
+  console.log(`${issues.numErrors > 0 ? 'not ' : ''}ok ${++count} - ${file.split('/').pop()} is glTF to the validator${issues.messages.filter((m) => m.severity === 0).slice(0, 3).map((m) => ` ${m.code} ${m.pointer}`)}`)
+  const gltf = await new GLTFLoader().parseAsync(readFileSync(file, 'utf8'), '')
+  for (const clip of gltf.animations) {
+    const mixer = new THREE.AnimationMixer(gltf.scene)
+    mixer.clipAction(clip).play()
+    const said = spawnSync(dump, [file, clip.name, String(FRAMES)], { encoding: 'utf8', maxBuffer: 1 << 28 })
+    const [fit, ...lines] = said.stdout.trim().split('\n').map((line) => line.split(' '))
+    const [x, y, z] = fit.slice(1, 4).map((v) => v / (1 << 24)), scale = Number(fit[4])
+    let most = 0, where = ''
+    for (const [frame, number, ...numbers] of lines) {
+      const time = clip.duration > 0 ? Math.floor(frame % (clip.duration * 30) * 65536 / 30) / 65536 : 0
+      mixer.setTime(time)
+      gltf.scene.updateMatrixWorld(true)
+      const mesh = meshes(gltf.scene)[number]
+      order(mesh).forEach((vertex, i) => {
+        const p = mesh.getVertexPosition(vertex, new THREE.Vector3()).applyMatrix4(mesh.matrixWorld).multiplyScalar(scale)
+        const want = [p.x + x, p.y + y, p.z + z]
+        want.forEach((v, k) => {
+          const off = Math.abs(v * 65536 - Number(numbers[3 * i + k]))
+          if (!(off <= most)) [most, where] = [off, `frame ${frame}, mesh ${number}, vertex ${vertex}`]
+        })
+      })
+    }
+    const ok = lines.length === FRAMES * 3 && most <= ALLOWED
+    failed += !ok
+    console.log(`${ok ? '' : 'not '}ok ${++count} - ${file.split('/').pop().replace('.gltf', '')} plays '${clip.name}' as three.js: off by ${most.toFixed(1)} of ${ALLOWED} LSB (${where})`)
+  }
+}
+console.log(`1..${count}`)
+process.exit(failed ? 1 : 0)

@@ -1,0 +1,116 @@
+/*
+ * Usage: node motion_file.mjs FILE.gltf SEED
+ * Writes a glTF file whose parts move: a skinned strip of 4 joints (rotations in each interpolation, translations, scales
+ * that are not 1, four joints a vertex), a box on a chain of nodes that turn, and a box with two morph
+ * targets. Clips: `all`, `one key`, `none` (no length).
+ */
+import { writeFileSync } from 'node:fs'
+
+const [path, seedText] = process.argv.slice(2)
+let seed = Number(seedText)
+function any(low = -1, high = 1) { // mulberry32
+  seed = (seed + 0x6d2b79f5) | 0
+  let t = Math.imul(seed ^ (seed >>> 15), 1 | seed)
+  t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t
+  return low + ((t ^ (t >>> 14)) >>> 0) / 4294967296 * (high - low)
+}
+const turn = (most) => {
+  const a = [any(), any(), any()], n = Math.hypot(...a), half = any(-most, most) / 2
+  return [...a.map((v) => v / n * Math.sin(half)), Math.cos(half)]
+}
+
+const parts = [], accessors = [], bufferViews = []
+let bytes = 0
+function accessor(numbers, type, width, kind = 5126, target) {
+  const array = kind === 5126 ? new Float32Array(numbers) : kind === 5123 ? new Uint16Array(numbers) : new Uint8Array(numbers)
+  const data = Buffer.from(array.buffer), count = numbers.length / width
+  const column = (i) => Array.from(array).filter((_, k) => k % width === i)
+  bufferViews.push({ buffer: 0, byteOffset: bytes, byteLength: data.length, ...(target ? { target } : {}) })
+  const limits = type === 'MAT4' ? {} : { min: [...Array(width).keys()].map((i) => Math.min(...column(i))), max: [...Array(width).keys()].map((i) => Math.max(...column(i))) }
+  accessors.push({ bufferView: bufferViews.length - 1, componentType: kind, count, type, ...limits })
+  const pad = Buffer.alloc((4 - data.length % 4) % 4)
+  parts.push(data, pad)
+  bytes += data.length + pad.length
+  return accessors.length - 1
+}
+
+// ---- meshes: rings of 4 vertices, one above the other
+
+const RINGS = 7
+function tube(x, skinned) {
+  const positions = [], normals = [], joints = [], weights = [], indices = []
+  for (let ring = 0; ring < RINGS; ring++) {
+    for (let k = 0; k < 4; k++) {
+      const [dx, dz] = [[1, 0], [0, 1], [-1, 0], [0, -1]][k]
+      positions.push(x + .2 * dx, ring * .5, .2 * dz)
+      normals.push(dx, 0, dz)
+      const at = ring / 2, low = Math.min(Math.floor(at), 2), share = at - low
+      const four = [(1 - share) * 800, share * 800, 100, k === 0 ? 124 : 0].map(Math.round)
+      four[2] += 1024 - four.reduce((a, b) => a + b)
+      joints.push(...[0, 1, 2, 3].map((i) => (low + i) % 4))
+      weights.push(...four.map((w) => w / 1024))
+      if (ring > 0) {
+        const a = ring * 4 + k, b = ring * 4 + (k + 1) % 4
+        indices.push(a - 4, a, b - 4, b - 4, a, b)
+      }
+    }
+  }
+  const attributes = { POSITION: accessor(positions, 'VEC3', 3, 5126, 34962), NORMAL: accessor(normals, 'VEC3', 3, 5126, 34962) }
+  if (skinned) {
+    attributes.JOINTS_0 = accessor(joints, 'VEC4', 4, 5121, 34962)
+    attributes.WEIGHTS_0 = accessor(weights, 'VEC4', 4, 5126, 34962)
+  }
+  return { attributes, indices: accessor(indices, 'SCALAR', 1, 5123, 34963) }
+}
+const shifts = () => accessor([...Array(RINGS * 12)].map(() => any(-.3, .3)), 'VEC3', 3, 5126, 34962)
+const meshes = [{ primitives: [tube(0, true)] }, { primitives: [tube(0, false)] },
+  { primitives: [{ ...tube(0, false), targets: [{ POSITION: shifts() }, { POSITION: shifts() }] }], weights: [.25, -.5] }]
+
+// ---- nodes: 0 .. 3 the joints, scaled by 100 and back as exporters do, 4 what is skinned, 5 .. 6 the box, 7 morphs
+
+const nodes = [
+  { name: 'hip', translation: [-1.5, .1, .2], scale: [100, 100, 100], children: [1] },
+  { translation: [0, .01, 0], rotation: turn(.4), scale: [1.1, .9, 1], children: [2] },
+  { translation: [0, .01, 0], rotation: turn(.4), children: [3] },
+  { translation: [0, .01, 0], scale: [.8, .8, .8] },
+  { mesh: 0, skin: 0, translation: [7, 7, 7] },
+  { translation: [1, 0, 0], rotation: turn(2), children: [6] },
+  { mesh: 1, scale: [.5, .7, .6] },
+  { mesh: 2, translation: [2, .3, -.2] },
+]
+const bind = [0, 1, 2, 3].flatMap((k) => [.01, 0, 0, 0, 0, .01, 0, 0, 0, 0, .01, 0, 0, -.01 * k, 0, 1])
+const skins = [{ joints: [0, 1, 2, 3], inverseBindMatrices: accessor(bind, 'MAT4', 16), skeleton: 0 }]
+
+// ---- clips
+
+const times = (n, length) => accessor([...Array(n).keys()].map((i) => length * (i + .23) / n), 'SCALAR', 1)
+function clip(name, n, length) {
+  const samplers = [], channels = []
+  const add = (node, path, interpolation, value) => {
+    if (n < 2 && interpolation === 'CUBICSPLINE') interpolation = 'LINEAR' // it needs two keys
+    const parts = interpolation === 'CUBICSPLINE' ? 3 : 1, list = []
+    let width = 1
+    for (let k = 0; k < n; k++) {
+      const keys = value()
+      width = path === 'weights' ? 1 : keys.length
+      const slope = () => keys.map(() => any(-.3, .3) * (path === 'translation' && node < 4 ? .01 : 1))
+      list.push(...(parts === 3 ? [...slope(), ...keys, ...slope()] : keys))
+    }
+    samplers.push({ input: times(n, length), output: accessor(list, { 1: 'SCALAR', 3: 'VEC3', 4: 'VEC4' }[width], width), interpolation })
+    channels.push({ sampler: samplers.length - 1, target: { node, path } })
+  }
+  add(0, 'rotation', 'LINEAR', () => turn(1))
+  add(1, 'rotation', 'CUBICSPLINE', () => turn(1))
+  add(2, 'rotation', 'STEP', () => turn(1))
+  add(2, 'translation', 'CUBICSPLINE', () => [any(-.002, .002), .01, any(-.002, .002)])
+  add(3, 'scale', 'LINEAR', () => [any(.5, 1.1), any(.5, 1.1), any(.5, 1.1)])
+  add(5, 'rotation', 'LINEAR', () => turn(3))
+  add(6, 'translation', 'LINEAR', () => [any(), any(), any()])
+  add(6, 'scale', 'CUBICSPLINE', () => [any(.4, .6), any(.6, .8), any(.5, .7)])
+  add(7, 'weights', 'LINEAR', () => [any(), any()])
+  return { name, samplers, channels }
+}
+const animations = [clip('all', 6, 2.5), clip('one key', 1, 1), clip('none', 1, 0)]
+
+const buffers = [{ byteLength: bytes, uri: `data:application/octet-stream;base64,${Buffer.concat(parts).toString('base64')}` }]
+writeFileSync(path, JSON.stringify({ asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0, 4, 5, 7] }], nodes, meshes, skins, animations, accessors, bufferViews, buffers }))
