@@ -59,7 +59,7 @@ static bool are_textures_right(const struct scene_file_head *head, const struct 
 static bool is_mesh_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
 {
     if (m->vertex_count > UINT16_MAX || m->shading > PH_SHADE_TEXTURE_GOURAUD || m->shading == PH_SHADE_WIRE ||
-        m->shininess_log2 > 7 || m->blend > SCENE_FILE_ALPHA || m->alpha > 32 ||
+        m->shininess_log2 > 7 || m->blend > SCENE_FILE_ADD || m->alpha > 32 || m->depth_bias > 56 ||
         !is_inside(head, m->positions, m->vertex_count, sizeof(struct fx_vec3)) ||
         !is_inside(head, m->normals, m->vertex_count, sizeof(int16_t[3])) ||
         !is_inside(head, m->triangles, m->triangle_count, sizeof(uint16_t[3])) ||
@@ -123,18 +123,22 @@ static struct ph_texture texture_of(const uint8_t *base, const struct scene_file
                                .levels = from->levels & 15U};
 }
 
+static const uint8_t blend_kinds[] = {
+    [SCENE_FILE_MASK] = PH_BLEND_MASK, [SCENE_FILE_ALPHA] = PH_BLEND_ALPHA, [SCENE_FILE_ADD] = PH_BLEND_ADD};
+
 static void set_drawn(struct drawn *d, const uint8_t *base, const struct scene_file_mesh *m)
 {
     d->part = (struct ph_part){.count = m->triangle_count};
     d->texture = texture_of(base, &m->texture);
     d->alphas = texture_of(base, &m->alphas);
     d->blend = (struct ph_blend){.draw = ph_draw_blended,
-                                 .kind = m->blend == SCENE_FILE_MASK ? PH_BLEND_MASK : PH_BLEND_ALPHA,
+                                 .kind = blend_kinds[m->blend],
                                  .alpha = m->alpha,
                                  .alphas = m->alphas.texels != 0 ? &d->alphas : NULL};
     d->material = (struct ph_material){.shading = m->shading,
                                        .two_sided = m->two_sided != 0,
                                        .shininess_log2 = m->shininess_log2,
+                                       .depth_bias = m->depth_bias,
                                        .ambient = m->ambient,
                                        .diffuse = m->diffuse,
                                        .specular = m->specular,

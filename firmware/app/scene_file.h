@@ -33,7 +33,7 @@ struct scene_file_texture {
     uint8_t log2_width, log2_height, wrap, filter, levels, spare[3];
 };
 
-enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA };
+enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD };
 
 struct scene_file_mesh {
     uint32_t positions, normals, uvs, colours, triangles, ramp; /* offsets; 0: none of uvs, colours */
@@ -42,7 +42,7 @@ struct scene_file_mesh {
     struct scene_file_texture texture, alphas; /* alphas: of the blend */
     uint8_t shading, two_sided, shininess_log2;
     uint8_t blend, alpha; /* enum scene_file_blend; 0 .. 32 */
-    uint8_t spare;
+    uint8_t depth_bias;   /* 0 .. 56 */
     uint16_t colour;
 };
 

@@ -37,6 +37,9 @@ static struct scene_file_texture write_texture(struct writer *to, const struct p
                                        .levels = t->levels};
 }
 
+static const uint8_t blends[] = {
+    [PH_BLEND_MASK] = SCENE_FILE_MASK, [PH_BLEND_ALPHA] = SCENE_FILE_ALPHA, [PH_BLEND_ADD] = SCENE_FILE_ADD};
+
 static struct scene_file_mesh write_mesh(struct writer *to, const struct model *model, uint32_t i,
                                          const struct scene_file_mesh *before)
 {
@@ -62,9 +65,8 @@ static struct scene_file_mesh write_mesh(struct writer *to, const struct model *
         .shading = material->shading,
         .two_sided = material->two_sided,
         .shininess_log2 = material->shininess_log2,
-        .blend = blend == NULL                  ? SCENE_FILE_OPAQUE
-                 : blend->kind == PH_BLEND_MASK ? SCENE_FILE_MASK
-                                                : SCENE_FILE_ALPHA,
+        .blend = blend == NULL ? SCENE_FILE_OPAQUE : blends[blend->kind],
+        .depth_bias = material->depth_bias,
         .alpha = blend != NULL ? blend->alpha : 0,
         .colour = material->colour};
 }

@@ -110,11 +110,13 @@ static void put_texture(FILE *file, const char *name, const struct ph_texture *t
 
 static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
 {
+    static const char *const kinds[] = {
+        [PH_BLEND_MASK] = "PH_BLEND_MASK", [PH_BLEND_ALPHA] = "PH_BLEND_ALPHA", [PH_BLEND_ADD] = "PH_BLEND_ADD"};
     if (from->alphas != NULL) {
         put_texture(file, "alphas", from->alphas, m);
     }
     fprintf(file, "\nstatic const struct ph_blend blend_%u = {.draw = ph_draw_blended, .kind = %s, .alpha = %u,\n    ",
-            (unsigned)m, from->kind == PH_BLEND_MASK ? "PH_BLEND_MASK" : "PH_BLEND_ALPHA", from->alpha);
+            (unsigned)m, kinds[from->kind], from->alpha);
     if (from->alphas != NULL) {
         fprintf(file, ".alphas = &alphas_%u", (unsigned)m);
     }
@@ -132,11 +134,11 @@ static void put_material(FILE *file, const struct model *model, uint32_t m)
     const struct ph_material *from = model->meshes[m].materials;
     fprintf(file,
             "\nstatic const struct ph_material material_%u = {\n"
-            "    .shading = %s,\n    .two_sided = %s,\n    .shininess_log2 = %u,\n    .ambient = %" PRId32
-            ",\n    .diffuse = %" PRId32 ",\n    .specular = %" PRId32
+            "    .shading = %s,\n    .two_sided = %s,\n    .shininess_log2 = %u,\n    .depth_bias = %u,\n    .ambient "
+            "= %" PRId32 ",\n    .diffuse = %" PRId32 ",\n    .specular = %" PRId32
             ",\n    .colour = W(0x%04X),\n    .ramp = ramp_%u,\n",
             (unsigned)m, shadings[from->shading], from->two_sided ? "true" : "false", from->shininess_log2,
-            from->ambient, from->diffuse, from->specular, number_of(from->colour),
+            from->depth_bias, from->ambient, from->diffuse, from->specular, number_of(from->colour),
             (unsigned)asset_first_ramp(model, m));
     if (from->texture != NULL) {
         fprintf(file, "    .texture = &texture_%u,\n", (unsigned)asset_first_texture(model, m));

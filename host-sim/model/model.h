@@ -14,9 +14,10 @@
  * The first camera of a glTF file becomes the camera of the model, moved and scaled with it. Its near and far planes
  * come as close to the model as they can. A panel of another shape shows all of the camera's picture.
  *
- * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending, emissive
- * factor, unlit, mirrored textures and KHR_texture_transform. A required extension that is not read is an error. Of MTL:
- * d and map_d. Blended meshes are drawn in the order of the file.
+ * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending,
+ * emission (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
+ * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Blended meshes are
+ * drawn in the order of the file. Emission of what has a texture is a mesh of its own, drawn over it.
  *
  * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits
  * of time and memory reads the file into shared memory: a file that crashes or hangs the reader costs one line, not the

@@ -202,8 +202,8 @@ static void no_delay_between_the_cores_changes_a_byte(void **state)
 /* Without slots a triangle is set up again in each band, in its place in drawing order. */
 static void the_number_of_slots_changes_no_byte(void **state)
 {
-    static const char *const names[] = {"turntable", "ground", "cube",        "fill",
-                                        "zfight",    "focus",  "conventions", "materials"};
+    static const char *const names[] = {"turntable", "ground",      "cube",      "fill",     "zfight",
+                                        "focus",     "conventions", "materials", "character"};
     static const uint16_t lines[] = {1, 7, 16};
     (void)state;
     for (uint32_t i = 0; i < 3 * sizeof names / sizeof names[0]; i++) {

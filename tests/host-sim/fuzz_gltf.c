@@ -47,7 +47,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) /* see long_libfuzz
     const int fd = put_file(data, size, path);
     if (gltf_file_open(&file, path)) {
         struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
-        const struct ph_material *materials = model_gltf_materials(&shared, &file, uvs);
+        const struct model_material *materials = model_gltf_materials(&shared, &file, uvs);
         const struct aiScene *scene = materials != NULL ? model_gltf_read(&shared, &file, uvs) : NULL;
         if (scene != NULL) {
             model_meshes_read(&shared, scene, materials);

@@ -132,9 +132,37 @@ static void a_texture_that_glows_on_black_is_drawn_unlit(void **state)
     assert_int_equal(material->shading, PH_SHADE_TEXTURE);
     assert_int_equal(material->texture->texels[0], ph_rgb565(128, 61, 0));
     model_close(model);
-    model = with_material("\"emissiveFactor\":[1,1,1],\"emissiveTexture\":{\"index\":0}", "glow.png", "");
-    assert_string_equal(model->note, "emissive textures are ignored");
-    assert_int_equal(model->meshes->materials->shading, PH_SHADE_GOURAUD);
+}
+
+/* The same triangle again, nearer by a code, unlit, and added; with and without a texture below. */
+static void a_glow_is_drawn_over_its_surface(void **state)
+{
+    static const char *const surfaces[] = {"", "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}},"};
+    (void)state;
+    write_picture("glow.png");
+    for (int k = 0; k < 2; k++) {
+        char material[256];
+        snprintf(material, sizeof material, "%s\"emissiveFactor\":[1,0.2158605,0],\"emissiveTexture\":{\"index\":0}",
+                 surfaces[k]);
+        struct model *model = with_material(material, "glow.png", "");
+        const struct ph_material *glow = model->meshes[1].materials;
+        assert_null(model->note);
+        assert_int_equal(model->mesh_count, 2);
+        assert_int_equal(model->meshes[0].materials->shading, k == 0 ? PH_SHADE_GOURAUD : PH_SHADE_TEXTURE_GOURAUD);
+        assert_null(model->meshes[0].materials->blend);
+        assert_int_equal(glow->shading, PH_SHADE_TEXTURE);
+        assert_int_equal(glow->texture->texels[0], ph_rgb565(128, 61, 0));
+        assert_int_equal(glow->blend->kind, PH_BLEND_ADD);
+        assert_in_range(glow->depth_bias, 8, 56);
+        assert_memory_equal(model->meshes[0].positions, model->meshes[1].positions, 3 * sizeof(struct fx_vec3));
+        model_close(model);
+    }
+    struct model *model =
+        with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}},\"emissiveFactor\":[1,1,1],"
+                      "\"emissiveTexture\":{\"index\":0,\"texCoord\":1}",
+                      "glow.png", "");
+    assert_string_equal(model->note, "emissive textures with coordinates of their own are ignored");
+    assert_int_equal(model->mesh_count, 1);
     model_close(model);
 }
 
@@ -375,6 +403,7 @@ int main(void)
         cmocka_unit_test(a_texture_transform_moves_turns_and_scales),
         cmocka_unit_test(emission_is_in_the_ramp_and_unlit_has_none),
         cmocka_unit_test(a_texture_that_glows_on_black_is_drawn_unlit),
+        cmocka_unit_test(a_glow_is_drawn_over_its_surface),
         cmocka_unit_test(a_mask_cuts_out_below_its_cut_off),
         cmocka_unit_test(a_blend_has_the_alpha_of_factor_and_texture),
         cmocka_unit_test(vertex_colours_are_multiplied_in_linear_light),

@@ -4,14 +4,14 @@
 #   frames_program folder variable=value...   makes the simulator in this build directory, with what the frames need alone
 
 frames_program() {
-    make -s -j2 B="$1" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb ROOMS="common controllers model picture sim" "${@:2}" \
+    make -s -j2 B="$1" ASSIMP=noassimp PNG=nopng GIF=nogif SDL=nosdl GPIOD=nogpiod DRM=nolibdrm USB=nousb ROOMS="common controllers model picture asset sim" "${@:2}" \
         "$1/pinhole-sim"
 }
 
 frames() {
     local demo board depth
     for demo in turntable testcard torus cube fill icosphere ground wireframe solar snake ball hitchcock parallel shadow \
-        fisheye focus conventions zfight materials; do
+        fisheye focus conventions zfight materials character; do
         "$@" --demo $demo --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 auto /" || return 1
     done
     for depth in fixed16 float16 fixed24 float24 linear-w; do

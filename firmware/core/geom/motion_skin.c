@@ -4,6 +4,8 @@
  */
 #include "motion.h"
 
+#include <stddef.h>
+
 void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places, struct ph_xform *matrices)
 {
     for (uint32_t i = 0; i < skin->joint_count; i++) {
@@ -12,7 +14,7 @@ void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places,
     }
 }
 
-/* A row of a matrix: Q2.30, and t in Q8.24. */
+/* A row of a matrix in Q2.30, and its t in Q8.24. */
 struct row {
     int32_t x, y, z, t;
 };
@@ -42,20 +44,57 @@ static inline struct row row_of(const struct ph_xform *m, int i)
     return (struct row){m->r[i][0], m->r[i][1], m->r[i][2], (&m->t.x)[i]};
 }
 
-/* A coordinate in Q16.16. An element is h 2^18 + l 2^4 and less than 2^4: h p is in 2^-12 LSB of p, |h p| <= 2^28, and
- * l p in 2^-26 LSB, |l p| < 2^29. down: from 2^-12 LSB of p to Q9.23. */
-static inline fx_t place_row(const struct row *row, const int16_t p[3], int down)
+/* A matrix as vertices need it: an element is high 2^18 + low 2^4 and less than 2^4; turn is for normals, Q2.14. */
+struct mean {
+    struct {
+        int32_t high[3], low[3], turn[3], t; /* t: Q9.23 */
+    } rows[3];
+};
+
+static void set_mean(struct mean *mean, const struct ph_xform *matrices, const struct ph_influence *in)
 {
-    const int32_t high = (row->x >> 18) * p[0] + (row->y >> 18) * p[1] + (row->z >> 18) * p[2];
-    const int32_t low = (row->x >> 4 & 0x3fff) * p[0] + (row->y >> 4 & 0x3fff) * p[1] + (row->z >> 4 & 0x3fff) * p[2];
-    return ((row->t >> 1) + ((high + (low >> 14)) >> down) + 64) >> 7;
+    const struct ph_xform *const one = !in                                  ? matrices
+                                       : in->weights[0] == PH_INFLUENCE_ONE ? &matrices[in->joints[0]]
+                                                                            : NULL;
+    for (int i = 0; i < 3; i++) {
+        const struct row row = one ? row_of(one, i) : mean_row(matrices, in, i);
+        const int32_t elements[3] = {row.x, row.y, row.z};
+        for (int k = 0; k < 3; k++) {
+            mean->rows[i].high[k] = elements[k] >> 18;
+            mean->rows[i].low[k] = elements[k] >> 4 & 0x3fff;
+            mean->rows[i].turn[k] = elements[k] >> 16;
+        }
+        mean->rows[i].t = row.t >> 1;
+    }
 }
 
-/* A component of a normal in Q4.28: 2^15 2^14 three times; a normal that is longer than 1 may wrap. */
-static inline int32_t turn_row(const struct row *row, const int16_t n[3])
+static bool is_same(const struct ph_influence *a, const struct ph_influence *b)
 {
-    return (int32_t)((uint32_t)((row->x >> 16) * n[0]) + (uint32_t)((row->y >> 16) * n[1]) +
-                     (uint32_t)((row->z >> 16) * n[2]));
+    const uint16_t *const v = a->weights, *const w = b->weights;
+    const uint8_t *const j = a->joints, *const k = b->joints;
+    return v[0] == w[0] && j[0] == k[0] && j[1] == k[1] && v[1] == w[1] && j[2] == k[2] && v[2] == w[2] &&
+           j[3] == k[3] && v[3] == w[3];
+}
+
+/* A position in Q16.16. high p is in 2^-12 LSB of p, |high p| <= 2^28, and low p in 2^-26 LSB, |low p| < 2^29.
+ * down: from 2^-12 LSB of p to Q9.23. */
+static void place(const struct mean *mean, const int16_t p[3], int down, struct fx_vec3 *to)
+{
+    const int32_t x = p[0], y = p[1], z = p[2];
+    for (int i = 0; i < 3; i++) {
+        const int32_t *const h = mean->rows[i].high, *const l = mean->rows[i].low;
+        const int32_t high = h[0] * x + h[1] * y + h[2] * z, low = l[0] * x + l[1] * y + l[2] * z;
+        (&to->x)[i] = (mean->rows[i].t + ((high + (low >> 14)) >> down) + 64) >> 7;
+    }
+}
+
+/* A normal in Q4.28: 2^15 2^14 three times; one that is longer than 1 may wrap. */
+static void turn(const struct mean *mean, const int16_t n[3], int32_t to[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const int32_t *const r = mean->rows[i].turn;
+        to[i] = (int32_t)((uint32_t)(r[0] * n[0]) + (uint32_t)(r[1] * n[1]) + (uint32_t)(r[2] * n[2]));
+    }
 }
 
 /* Length one in Q1.14. The components are brought to 14 bits. */
@@ -77,23 +116,22 @@ static void normalise(const int32_t v[3], int16_t out[3])
     out[2] = (int16_t)((z * over + half) >> shift);
 }
 
+/* Neighbours in a mesh often follow the same joints by the same shares. */
 void ph_skin_vertices(const struct ph_bound *from, const struct ph_xform *matrices, struct fx_vec3 *positions,
                       int16_t (*normals)[3])
 {
+    const struct ph_influence *const in = from->influences, *last = NULL;
     const bool lit = normals && from->normals;
-    const int down = from->frac - 11;
+    struct mean mean;
     for (uint32_t v = 0; v < from->vertex_count; v++) {
-        const struct ph_influence *const in = from->influences ? &from->influences[v] : 0;
-        const struct ph_xform *const one = !in                                  ? matrices
-                                           : in->weights[0] == PH_INFLUENCE_ONE ? &matrices[in->joints[0]]
-                                                                                : 0;
-        int32_t n[3];
-        for (int i = 0; i < 3; i++) {
-            const struct row row = one ? row_of(one, i) : mean_row(matrices, in, i);
-            (&positions[v].x)[i] = place_row(&row, from->positions[v], down);
-            n[i] = lit ? turn_row(&row, from->normals[v]) : 0;
+        if (v == 0 || (last && !is_same(&in[v], last))) {
+            last = in ? &in[v] : NULL;
+            set_mean(&mean, matrices, last);
         }
+        place(&mean, from->positions[v], from->frac - 11, &positions[v]);
         if (lit) {
+            int32_t n[3];
+            turn(&mean, from->normals[v], n);
             normalise(n, normals[v]);
         }
     }

@@ -198,7 +198,7 @@ machine.onWordStart = recorder.wordStart;
 const press = byFrame(options.press), send = byFrame(options.send), jump = byFrame(options.jump);
 const limit = Number(options['limit-ms']) * 1e6, frames = Number(options.frames);
 const report = options.report === undefined ? null : openSync(options.report, 'w');
-let frame = -1, begun = null, busTime = 0;
+let frame = -1, begun = null, busTime = 0, told = Date.now();
 
 function measure() {
   const current = { time: machine.time, bus: busTime, rest: machine.resting, idle: machine.cores.map(machine.idleOf) };
@@ -221,6 +221,10 @@ function setPins() {
 function beginFrame() {
   measure();
   frame++;
+  if (Date.now() - told >= 15000) {
+    told = Date.now();
+    console.error(`emulate: frame ${frame} of ${frames}`);
+  }
   setPins();
   setDelays(frame);
   if (send.has(frame)) {

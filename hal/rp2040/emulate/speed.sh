@@ -28,8 +28,10 @@ make -s B="$B" "$B/pinhole-sim" >&2
 # Writes `first frame, frames, name` of the demos that fit, for the button passes over the others, and `frame, demo` of the
 # frames that count. A demo that was not asked for gets two frames, because a button that is held selects only once. The last
 # frames of one that was asked for are held, so that the image writes a line about them.
-options=() frame=0 last=${!#}
-[ $# -gt 0 ] || last=
+options=() frame=0 left=$# # how many of those asked for are to come
+for demo; do
+    "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null || { echo "speed: $demo cannot be measured on $BOARD" >&2 && exit 2; }
+done
 while read -r demo loop; do
     "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 || continue
     [ $frame = 0 ] || options+=(--send "$((frame - 1)):s")
@@ -42,11 +44,12 @@ while read -r demo loop; do
             [ "$loop" = 1 ] || options+=(--jump "$((i == 0 ? first : frame)):$(((2 * i + 1) * loop / (2 * n)))")
             printf '%s\n' "$((frame + 2)) $demo" "$((frame + 3)) $demo" >>"$dir/count"
         done
-        options+=(--send "$((frame - 1)):HG") ;;
+        options+=(--send "$((frame - 1)):HG")
+        left=$((left - 1)) ;;
     esac
     frame=$((frame + 2))
     echo "$first $((frame - first)) $demo" >>"$dir/demos"
-    [ "$demo" != "$last" ] || break
+    [ "$left" != 0 ] || break
 done < <("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2, $3 }')
 
 suffix=

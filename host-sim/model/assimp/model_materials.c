@@ -147,7 +147,7 @@ static void read_alpha(struct model_shared *shared, const struct aiScene *scene,
 }
 
 static bool read_material(struct model_shared *shared, const struct aiScene *scene, const struct aiMaterial *from,
-                          const char *path, struct ph_material *to)
+                          const char *path, struct model_material *to)
 {
     struct aiColor4D c = plain, glow = {0, 0, 0, 1};
     struct aiString name = {0};
@@ -167,9 +167,9 @@ static bool read_material(struct model_shared *shared, const struct aiScene *sce
     return model_surface_make(shared, &surface, to);
 }
 
-struct ph_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path)
+struct model_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path)
 {
-    struct ph_material *materials = demo_alloc(&shared->arena, sizeof *materials * scene->mNumMaterials);
+    struct model_material *materials = demo_alloc(&shared->arena, sizeof *materials * scene->mNumMaterials);
     for (unsigned i = 0; materials != NULL && i < scene->mNumMaterials; i++) {
         if (!read_material(shared, scene, scene->mMaterials[i], path, &materials[i])) {
             return NULL;

@@ -2,7 +2,7 @@
 #ifndef MODEL_MATERIALS_H
 #define MODEL_MATERIALS_H
 
-#include "model_shared.h"
+#include "model_surface.h"
 
 #include <assimp/scene.h>
 
@@ -10,6 +10,6 @@
 void model_materials_note_missing(struct model_shared *shared, const char *path);
 
 /* Returns the materials of the scene, or NULL when the arena is full. */
-struct ph_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path);
+struct model_material *model_materials_read(struct model_shared *shared, const struct aiScene *scene, const char *path);
 
 #endif

@@ -138,7 +138,8 @@ static uint32_t copy_triangles(const struct piece *from, uint16_t (*to)[3])
 static bool copy_colours(struct model_shared *shared, const struct piece *piece, struct ph_mesh *to)
 {
     const struct aiColor4D *from = piece->place->mesh->mColors[0];
-    if (from == NULL) {
+    const struct ph_blend *blend = to->materials->blend;
+    if (from == NULL || (blend != NULL && blend->kind == PH_BLEND_ADD)) { /* a glow has its own colour */
         return true;
     }
     if (to->materials->texture != NULL) {
@@ -167,7 +168,7 @@ static bool copy_uvs(struct model_shared *shared, const struct piece *piece, str
 }
 
 /* Copies the material for the mesh; it keeps its texture only if there are texture coordinates. */
-static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *materials,
+static bool copy_material(struct model_shared *shared, const struct piece *piece, const struct ph_material *given,
                           struct ph_mesh *to)
 {
     const struct aiMesh *from = piece->place->mesh;
@@ -176,7 +177,7 @@ static bool copy_material(struct model_shared *shared, const struct piece *piece
     if (material == NULL || part == NULL) {
         return false;
     }
-    *material = materials[from->mMaterialIndex];
+    *material = *given;
     *part = (struct ph_part){.first = 0, .count = to->triangle_count, .material = 0};
     to->parts = part;
     to->part_count = 1;
@@ -214,7 +215,7 @@ static bool copy_shape(const struct piece *from, const struct model_fit *fit, st
 }
 
 static bool copy_mesh(struct model_shared *shared, const struct piece *from, const struct model_fit *fit,
-                      const struct ph_material *materials, struct ph_mesh *to)
+                      const struct ph_material *material, struct ph_mesh *to)
 {
     const uint32_t n = from->vertex_count;
     if (n == 0 || n > MODEL_VERTICES_MAX) {
@@ -231,7 +232,7 @@ static bool copy_mesh(struct model_shared *shared, const struct piece *from, con
                            .triangles = (const uint16_t(*)[3])triangles,
                            .vertex_count = n,
                            .triangle_count = copy_triangles(from, triangles)};
-    return (copy_shape(from, fit, positions, normals, to) && copy_material(shared, from, materials, to)) ||
+    return (copy_shape(from, fit, positions, normals, to) && copy_material(shared, from, material, to)) ||
            model_shared_failed(shared, "needs too much memory");
 }
 
@@ -251,31 +252,42 @@ static size_t count_pieces(const struct model_places *places)
 {
     size_t count = 0;
     for (size_t i = 0; i < places->count; i++) {
-        count += places->list[i].mesh->mNumFaces / FLAT_FACES + 1;
+        count += 2 * (places->list[i].mesh->mNumFaces / FLAT_FACES + 1); /* a glow is a mesh of its own */
     }
     return count;
 }
 
-static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
-                       const struct ph_material *materials)
+/* Copies the piece as the next mesh of the model. */
+static bool add_mesh(struct model_shared *shared, const struct piece *piece, const struct model_fit *fit,
+                     const struct ph_material *material)
 {
     struct model *model = &shared->model;
+    struct ph_mesh *mesh = &model->meshes[model->mesh_count];
+    if (!copy_mesh(shared, piece, fit, material, mesh)) {
+        return false;
+    }
+    model->mesh_count += mesh->triangle_count > 0;
+    model->triangle_count += mesh->triangle_count;
+    model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
+    return true;
+}
+
+static bool copy_place(struct model_shared *shared, const struct model_place *place, const struct model_fit *fit,
+                       const struct model_material *material)
+{
     for (unsigned first = 0; first < place->mesh->mNumFaces;) {
         const struct piece piece = next_piece(place, first);
-        struct ph_mesh *mesh = &model->meshes[model->mesh_count];
-        if (!copy_mesh(shared, &piece, fit, materials, mesh)) {
+        if (!add_mesh(shared, &piece, fit, &material->surface) ||
+            (material->glows && !add_mesh(shared, &piece, fit, &material->glow))) {
             return false;
         }
-        model->mesh_count += mesh->triangle_count > 0;
-        model->triangle_count += mesh->triangle_count;
-        model->vertex_max = mesh->vertex_count > model->vertex_max ? mesh->vertex_count : model->vertex_max;
         first += piece.count;
     }
     return true;
 }
 
 static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene, const struct model_places *places,
-                        const struct ph_material *materials)
+                        const struct model_material *materials)
 {
     struct model *model = &shared->model;
     struct model_fit fit;
@@ -287,7 +299,7 @@ static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene
         return model_shared_failed(shared, "needs too much memory");
     }
     for (size_t i = 0; i < places->count; i++) {
-        if (!copy_place(shared, &places->list[i], &fit, materials)) {
+        if (!copy_place(shared, &places->list[i], &fit, &materials[places->list[i].mesh->mMaterialIndex])) {
             return false;
         }
     }
@@ -295,7 +307,7 @@ static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene
     return model->triangle_count > 0 || model_shared_failed(shared, "has no triangles");
 }
 
-bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials)
+bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene, const struct model_material *materials)
 {
     struct model_places places;
     if (!model_places_find(scene, &places)) {

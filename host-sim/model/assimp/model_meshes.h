@@ -2,11 +2,12 @@
 #ifndef MODEL_MESHES_H
 #define MODEL_MESHES_H
 
-#include "model_shared.h"
+#include "model_surface.h"
 
 #include <assimp/scene.h>
 
 /* false: shared->error says why. */
-bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene, const struct ph_material *materials);
+bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene,
+                       const struct model_material *materials);
 
 #endif

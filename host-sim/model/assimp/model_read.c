@@ -213,7 +213,7 @@ static bool read_gltf(struct model_shared *shared, const char *path)
         return model_shared_failed(shared, "is no model that can be read: %s", file.error);
     }
     struct model_gltf_uv *uvs = calloc(file.lists[GLTF_MATERIALS].count + 1, sizeof *uvs);
-    const struct ph_material *materials = uvs != NULL ? model_gltf_materials(shared, &file, uvs) : NULL;
+    const struct model_material *materials = uvs != NULL ? model_gltf_materials(shared, &file, uvs) : NULL;
     if (materials == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
@@ -246,7 +246,7 @@ static bool read_by_assimp(struct model_shared *shared, const char *path)
     if (has_suffix(path, ".obj")) {
         model_materials_note_missing(shared, path);
     }
-    const struct ph_material *materials = model_materials_read(shared, scene, path);
+    const struct model_material *materials = model_materials_read(shared, scene, path);
     if (materials == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }

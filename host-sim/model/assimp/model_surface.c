@@ -10,24 +10,26 @@
 #define DIFFUSE        (FX_ONE * 3 / 4)
 #define GLOSS          (FX_ONE / 4)
 #define SHININESS_LOG2 5
+#define GLOW_BIAS      8 /* a code of every depth format: what is blended must be nearer */
 
 uint8_t model_surface_channel(float value)
 {
     return (uint8_t)lroundf((value > 0 ? (value < 1 ? value : 1) : 0) * 255); /* NaN gives 0 */
 }
 
-/* Returns the texture of the picture, or NULL; a note says why. */
-static const struct ph_texture *make_texture(struct model_shared *shared, const struct model_surface *from)
+/* Returns the texture of one of the surface's pictures, or NULL; a note says why. */
+static const struct ph_texture *make_texture(struct model_shared *shared, const struct model_surface *from,
+                                             const struct picture_in *picture)
 {
     struct ph_texture *texture = demo_alloc(&shared->arena, sizeof *texture);
-    if (texture == NULL || model_texture_make(&shared->arena, &from->picture.picture, texture) != 0) {
+    if (texture == NULL || model_texture_make(&shared->arena, &picture->picture, texture) != 0) {
         model_shared_note(shared, "texture %s is left out: no memory", from->name);
         return NULL;
     }
     const unsigned width = 1u << texture->log2_width, height = 1u << texture->log2_height;
-    if (width != from->picture.width || height != from->picture.height) {
-        model_shared_note(shared, "texture %s is resized from %ux%u to %ux%u", from->name,
-                          (unsigned)from->picture.width, (unsigned)from->picture.height, width, height);
+    if (width != picture->width || height != picture->height) {
+        model_shared_note(shared, "texture %s is resized from %ux%u to %ux%u", from->name, (unsigned)picture->width,
+                          (unsigned)picture->height, width, height);
     }
     if (from->wrap[0] != from->wrap[1]) {
         model_shared_note(shared, "texture %s wraps both ways as along u", from->name);
@@ -46,7 +48,7 @@ bool model_surface_take_texture(struct model_shared *shared)
     snprintf(surface.name, sizeof surface.name, "%.100s", path);
     const char *why = picture_in_file(&surface.picture, path);
     if (why == NULL) {
-        shared->texture = make_texture(shared, &surface);
+        shared->texture = make_texture(shared, &surface, &surface.picture);
         picture_in_free(&surface.picture);
     }
     return shared->texture != NULL || model_shared_failed(shared, "cannot have the texture %.100s: it %s", path,
@@ -125,35 +127,58 @@ static bool make_blend(struct model_shared *shared, const struct model_surface *
     return true;
 }
 
-bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct ph_material *to)
+/* Sets what is drawn over the surface where its ramp cannot have the emission. */
+static bool make_glow(struct model_shared *shared, const struct model_surface *from, struct model_material *to)
+{
+    const bool varies = from->glowing.picture.rgb != NULL;
+    struct ph_blend *blend = demo_alloc(&shared->arena, sizeof *blend);
+    if (blend == NULL) {
+        return false;
+    }
+    *blend = (struct ph_blend){.draw = ph_draw_blended,
+                               .kind = PH_BLEND_ADD,
+                               .alpha = 32,
+                               .alphas = to->surface.blend != NULL ? to->surface.blend->alphas : NULL};
+    to->glow = (struct ph_material){.shading = PH_SHADE_UNLIT,
+                                    .two_sided = to->surface.two_sided,
+                                    .depth_bias = GLOW_BIAS,
+                                    .colour = ph_rgb565(from->glow[0], from->glow[1], from->glow[2]),
+                                    .ramp = to->surface.ramp,
+                                    .texture = varies ? make_texture(shared, from, &from->glowing) : NULL,
+                                    .blend = blend};
+    to->glows = !varies || to->glow.texture != NULL;
+    return true;
+}
+
+bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct model_material *to)
 {
     const uint8_t *c = from->colour, *glow = from->glow;
     uint16_t *ramp = demo_alloc(&shared->arena, sizeof *ramp * PH_RAMP_SIZE);
     if (ramp == NULL) {
         return false;
     }
-    const bool glows = (glow[0] | glow[1] | glow[2]) != 0 && !from->is_unlit;
     const struct ph_texture *texture = shared->texture != NULL             ? shared->texture
-                                       : from->picture.picture.rgb != NULL ? make_texture(shared, from)
+                                       : from->picture.picture.rgb != NULL ? make_texture(shared, from, &from->picture)
                                                                            : NULL;
+    const bool glows = !from->is_unlit && (glow[0] | glow[1] | glow[2]) != 0;
+    const bool is_over = glows && (texture != NULL || from->glowing.picture.rgb != NULL);
     ph_material_ramp(ramp, c[0], c[1], c[2], GLOSS);
-    if (glows) {
+    if (glows && !is_over) {
         add_glow(ramp, glow);
     }
-    if (glows && texture != NULL) {
-        model_shared_note(shared, "emission of textured materials is ignored");
-    }
-    *to = (struct ph_material){.shading = from->is_unlit ? PH_SHADE_UNLIT : PH_SHADE_GOURAUD,
-                               .two_sided = from->two_sided || shared->options.two_sided,
-                               .shininess_log2 = SHININESS_LOG2,
-                               .ambient = AMBIENT,
-                               .diffuse = DIFFUSE,
-                               .specular = GLOSS,
-                               .colour = ph_rgb565(c[0], c[1], c[2]),
-                               .ramp = ramp,
-                               .texture = texture};
-    const bool is_made = make_blend(shared, from, to);
+    to->glows = false;
+    to->surface = (struct ph_material){.shading = from->is_unlit ? PH_SHADE_UNLIT : PH_SHADE_GOURAUD,
+                                       .two_sided = from->two_sided || shared->options.two_sided,
+                                       .shininess_log2 = SHININESS_LOG2,
+                                       .ambient = AMBIENT,
+                                       .diffuse = DIFFUSE,
+                                       .specular = GLOSS,
+                                       .colour = ph_rgb565(c[0], c[1], c[2]),
+                                       .ramp = ramp,
+                                       .texture = texture};
+    const bool is_made = make_blend(shared, from, &to->surface) && (!is_over || make_glow(shared, from, to));
     picture_in_free(&from->picture);
     picture_in_free(&from->mask);
+    picture_in_free(&from->glowing);
     return is_made;
 }

@@ -19,7 +19,9 @@ struct model_surface {
     char name[104];            /* of the texture, for notes */
     struct picture_in picture; /* of the texture; its rgb is NULL without; model_surface_make frees both */
     struct picture_in mask;    /* whose alpha counts, in place of the picture's; its alpha is NULL without */
-    uint8_t wrap[2];           /* enum ph_wrap along u and v */
+    struct picture_in
+        glowing;     /* emission in place of `glow`, at the coordinates of the texture; NULL and freed likewise */
+    uint8_t wrap[2]; /* enum ph_wrap along u and v */
     bool two_sided, is_unlit;
     uint8_t mode;         /* enum model_alpha */
     double alpha, cutoff; /* alpha is multiplied by the picture's */
@@ -28,8 +30,14 @@ struct model_surface {
 /* A channel of 0 .. 1 as one of 0 .. 255; what is outside is clamped. */
 uint8_t model_surface_channel(float value);
 
-/* Makes the material: emission is added to the ramp; what cannot be drawn is noted. false: the arena is full. */
-bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct ph_material *to);
+/* What a mesh is drawn with. Emission of a surface with a texture is drawn once more over it, and added. */
+struct model_material {
+    struct ph_material surface, glow;
+    bool glows;
+};
+
+/* Makes the material. Emission is in the ramp where there is no texture. false: the arena is full. */
+bool model_surface_make(struct model_shared *shared, struct model_surface *from, struct model_material *to);
 
 /* Makes the texture that --texture names, if it does. false: shared->error says why not. */
 bool model_surface_take_texture(struct model_shared *shared);

@@ -3,7 +3,7 @@
 #define MODEL_GLTF_H
 
 #include "gltf_file.h"
-#include "model_shared.h"
+#include "model_surface.h"
 
 #include <assimp/scene.h>
 
@@ -24,7 +24,7 @@ const struct aiScene *model_gltf_read(struct model_shared *shared, struct gltf_f
                                       const struct model_gltf_uv *uvs);
 
 /* Reads the materials of the file and one plain one, and how each maps its texture. NULL: no memory. */
-struct ph_material *model_gltf_materials(struct model_shared *shared, struct gltf_file *file,
-                                         struct model_gltf_uv *uvs);
+struct model_material *model_gltf_materials(struct model_shared *shared, struct gltf_file *file,
+                                            struct model_gltf_uv *uvs);
 
 #endif

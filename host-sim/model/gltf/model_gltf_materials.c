@@ -159,25 +159,52 @@ static void read_texture(struct model_shared *shared, struct gltf_file *file, co
     read_wrap(shared, gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE)), to, uv);
 }
 
-/* Reads the picture of a material. What emits light by a picture and is black otherwise is that picture, unlit. */
+/* Reads the emissive texture, which needs the texture's own coordinates. */
+static void read_glow(struct model_shared *shared, struct gltf_file *file, const struct cJSON *emissive,
+                      const double glow[3], struct model_surface *to, struct model_gltf_uv *uv)
+{
+    struct model_surface from = {.is_unlit = true};
+    struct model_gltf_uv other = *uv;
+    read_texture(shared, file, emissive, glow, &from, &other);
+    free(from.picture.alpha); /* it means nothing there */
+    from.picture.alpha = NULL;
+    const bool has_texture = to->picture.picture.rgb != NULL;
+    if (has_texture && (other.set != uv->set || memcmp(other.m, uv->m, sizeof other.m) != 0 ||
+                        memcmp(from.wrap, to->wrap, sizeof from.wrap) != 0)) {
+        model_shared_note(shared, "emissive textures with coordinates of their own are ignored");
+        picture_in_free(&from.picture);
+        return;
+    }
+    *uv = other;
+    to->glowing = from.picture;
+    if (!has_texture) {
+        memcpy(to->name, from.name, sizeof to->name);
+        memcpy(to->wrap, from.wrap, sizeof to->wrap);
+    }
+}
+
+/* Reads the pictures of a material. What emits light by a picture and is black otherwise is that picture, unlit. */
 static void read_pictures(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
                           const double factor[4], double glow[3], struct model_surface *to, struct model_gltf_uv *uv)
 {
     const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness");
     const struct cJSON *emissive = cJSON_GetObjectItemCaseSensitive(from, "emissiveTexture");
     const bool glows = emissive != NULL && glow[0] + glow[1] + glow[2] > 0 && !to->is_unlit;
-    if (glows && factor[0] + factor[1] + factor[2] == 0) {
-        read_texture(shared, file, emissive, glow, to, uv);
-        to->is_unlit = to->picture.picture.rgb != NULL;
-        free(to->picture.alpha); /* it means nothing there */
-        to->picture.alpha = NULL;
+    const bool is_black = factor[0] + factor[1] + factor[2] == 0;
+    if (!glows || !is_black) {
+        read_texture(shared, file, cJSON_GetObjectItemCaseSensitive(pbr, "baseColorTexture"), factor, to, uv);
+    }
+    if (!glows) {
         return;
     }
-    if (glows) {
-        model_shared_note(shared, "emissive textures are ignored");
+    read_glow(shared, file, emissive, glow, to, uv);
+    if (to->glowing.picture.rgb == NULL) {
         memset(glow, 0, 3 * sizeof *glow);
+    } else if (is_black) {
+        to->picture = to->glowing;
+        to->glowing = (struct picture_in){.picture.rgb = NULL};
+        to->is_unlit = true;
     }
-    read_texture(shared, file, cJSON_GetObjectItemCaseSensitive(pbr, "baseColorTexture"), factor, to, uv);
 }
 
 static enum model_alpha read_mode(const struct cJSON *from)
@@ -190,7 +217,7 @@ static enum model_alpha read_mode(const struct cJSON *from)
 }
 
 static bool read_material(struct model_shared *shared, struct gltf_file *file, const struct cJSON *from,
-                          struct ph_material *to, struct model_gltf_uv *uv)
+                          struct model_material *to, struct model_gltf_uv *uv)
 {
     const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness");
     const struct cJSON *extensions = cJSON_GetObjectItemCaseSensitive(from, "extensions");
@@ -216,10 +243,11 @@ static bool read_material(struct model_shared *shared, struct gltf_file *file, c
     return model_surface_make(shared, &surface, to);
 }
 
-struct ph_material *model_gltf_materials(struct model_shared *shared, struct gltf_file *file, struct model_gltf_uv *uvs)
+struct model_material *model_gltf_materials(struct model_shared *shared, struct gltf_file *file,
+                                            struct model_gltf_uv *uvs)
 {
     const uint32_t n = file->lists[GLTF_MATERIALS].count;
-    struct ph_material *materials = demo_alloc(&shared->arena, sizeof *materials * (n + 1));
+    struct model_material *materials = demo_alloc(&shared->arena, sizeof *materials * (n + 1));
     if (materials == NULL) {
         return NULL;
     }
