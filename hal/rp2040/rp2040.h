@@ -1,7 +1,7 @@
 /*
  * rp2040: the port for Raspberry Pi's RP2040, bare metal. See port.h for what it gives to an image.
  *
- *   boot2.S    second stage of the boot loader     entry.S              vectors and reset
+ *   boot2.S    second stage of the boot loader     vectors.S, entry.S   vectors; reset
  *   start.c    start, faults, the end              clocks.c             12 MHz crystal -> 125 MHz
  *   rp2040.c   struct hal_ops, USB boot loader     spi.c                the bus: SPI and one channel of DMA
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
