@@ -12,7 +12,7 @@ void rp2040_uart_init(void)
     REG(UART0_FBRD) = divisor64 % 64;
     REG(UART0_LCR_H) = 3 << 5 | 1 << 4;  /* 8 bits, FIFOs */
     REG(UART0_CR) = 1 << 9 | 1 << 8 | 1; /* receive, transmit, on */
-    rp2040_pin_output(UART_TX_PIN, true);
+    REG(PADS_BANK0(UART_TX_PIN)) = PAD_SCHMITT | PAD_8_MA | PAD_INPUT;
     rp2040_pin_function(UART_TX_PIN, FUNCTION_UART);
     rp2040_pin_input(UART_RX_PIN);
     rp2040_pin_function(UART_RX_PIN, FUNCTION_UART);
