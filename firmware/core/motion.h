@@ -40,13 +40,13 @@ struct ph_pose {
     struct fx_vec3 t, s; /* Q8.24 */
 };
 
-struct ph_node {
+struct ph_rig_node {
     int16_t parent; /* a node before it, or -1 */
     struct ph_pose rest;
 };
 
 struct ph_rig {
-    const struct ph_node *nodes;
+    const struct ph_rig_node *nodes;
     uint32_t node_count;
 };
 

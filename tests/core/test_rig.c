@@ -328,7 +328,7 @@ static void a_clip_repeats(void **state)
 /* ---- poses ------------------------------------------------------------------------------------------------------ */
 
 struct chain {
-    struct ph_node nodes[LONG];
+    struct ph_rig_node nodes[LONG];
     struct ph_pose pose[LONG];
     struct ph_xform places[LONG];
     struct matrix want[LONG];
@@ -354,7 +354,7 @@ static void make_chain(struct chain *c, const struct ph_xform *root, double scal
     for (int i = 0; i < LONG; i++) {
         const int parent = i < 2 ? -1 : i % 3 == 0 ? i - 2 : i - 1;
         c->pose[i] = any_pose(scale);
-        c->nodes[i] = (struct ph_node){(int16_t)parent, c->pose[i]};
+        c->nodes[i] = (struct ph_rig_node){(int16_t)parent, c->pose[i]};
         const struct matrix own = pose_matrix(&c->pose[i]);
         c->want[i] = product(parent < 0 ? &base : &c->want[parent], &own);
     }
@@ -537,7 +537,7 @@ static void whatever_a_matrix_holds_is_defined(void **state)
             ph_skin_vertices(&from, m, &to, normal);
         }
         struct ph_pose pose = {{a, b, c, t}, {a, b, c}, {c, b, a}};
-        const struct ph_node node = {-1, pose};
+        const struct ph_rig_node node = {-1, pose};
         struct ph_xform place;
         ph_rig_places(&(struct ph_rig){&node, 1}, &pose, &m[0], &place);
         ph_pose_blend(&pose, &(struct ph_pose){{t, c, b, a}, {t, t, t}, {b, b, b}}, 1, FX_ONE / 3);

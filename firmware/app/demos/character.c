@@ -43,7 +43,7 @@ enum {
         }                                                                                                              \
     }
 
-static const struct ph_node nodes[NODES] = {
+static const struct ph_rig_node nodes[NODES] = {
     NODE(-1, 0, 950, 0),       NODE(HIPS, 0, 120, 0),     NODE(SPINE, 0, 160, 0),     NODE(CHEST, 0, 210, 0),
     NODE(NECK, 0, 70, 0),      NODE(CHEST, 184, 122, 0),  NODE(ARM, 0, -270, 0),      NODE(ARM + 1, 0, -250, 0),
     NODE(CHEST, -184, 122, 0), NODE(ARM + 3, 0, -270, 0), NODE(ARM + 4, 0, -250, 0),  NODE(HIPS, 95, -45, 0),
