@@ -21,7 +21,7 @@ static void start_crystal(void)
     }
 }
 
-/* Datasheet 2.18: 12 MHz x 125 = 1500 MHz, / 6 / 2 = 125 MHz. */
+/* Datasheet 2.18: 12 MHz x 125 = 1500 MHz, which two dividers make slower. */
 static void start_pll(void)
 {
     unreset(RESET_PLL_SYS);
@@ -30,7 +30,7 @@ static void start_pll(void)
     REG_CLEAR(PLL_SYS_PWR) = 1 << 5 | 1; /* VCO and PLL on */
     while ((REG(PLL_SYS_CS) & 1U << 31) == 0) {
     }
-    REG(PLL_SYS_PRIM) = 6 << 16 | 2 << 12;
+    REG(PLL_SYS_PRIM) = PLL_SYS_POST_DIV;
     REG_CLEAR(PLL_SYS_PWR) = 1 << 3; /* post dividers on */
 }
 
@@ -50,8 +50,8 @@ void rp2040_clocks_init(void)
     REG(CLK_SYS_CTRL) = 1; /* takes the auxiliary source */
     while (REG(CLK_SYS_SELECTED) != 1 << 1) {
     }
-    REG(CLK_PERI_CTRL) = 1 << 11; /* on, from clk_sys */
-    REG(WATCHDOG_TICK) = 1 << 9 | CRYSTAL_MHZ;
+    start_clk_peri();
+    start_ticks(CRYSTAL_MHZ);
     REG_SET(RESETS_RESET) = RESET_DMA | RESET_SPI0 | RESET_SPI1;
     unreset(RESET_DMA | RESET_IO_BANK0 | RESET_PADS_BANK0 | RESET_SPI0 | RESET_SPI1 | RESET_TIMER | RESET_UART0);
 }

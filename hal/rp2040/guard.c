@@ -10,10 +10,9 @@ static volatile struct {
     bool seen, alive; /* since it started, since the last tick of core 0 */
 } core1;
 
-/* The load counts down twice a microsecond (erratum RP2040-E1). */
 static void feed(void)
 {
-    REG(WATCHDOG_LOAD) = 2 * WATCHDOG_US;
+    REG(WATCHDOG_LOAD) = WATCHDOG_TICKS_US * WATCHDOG_US;
 }
 
 void rp2040_tick(void)
@@ -26,13 +25,10 @@ void rp2040_tick(void)
     }
 }
 
-/* MPU: no access within the region, elsewhere as without an MPU. SysTick: on, interrupt, the core's clock. */
+/* SysTick: on, interrupt, the core's clock. */
 void rp2040_guard(uint32_t from, uint32_t bytes_log2)
 {
-    REG(MPU_RNR) = 0;
-    REG(MPU_RBAR) = from;
-    REG(MPU_RASR) = (bytes_log2 - 1) << 1 | 1;
-    REG(MPU_CTRL) = 5;
+    guard_stack(from, bytes_log2);
     REG(SYST_RVR) = CLK_HZ / 1000000 * TICK_US - 1;
     REG(SYST_CVR) = 0;
     REG(SYST_CSR) = 7;

@@ -1,5 +1,6 @@
 /*
- * registers: the registers that this port uses. Names, addresses and bits are those of the RP2040 datasheet (Raspberry
+ * registers: the registers that this port uses, and what else differs between the RP2040 and the RP2350: for the latter
+ * rp2350/registers.h takes this file's place. Names, addresses and bits are those of the RP2040 datasheet (Raspberry
  * Pi Ltd), sections 2.3 (SIO), 2.5 (DMA), 2.13 (power-on state machine), 2.14 (resets), 2.15 .. 2.18 (clocks), 2.19
  * (GPIO), 4.2 (UART), 4.4 (SPI), 4.6 (timer), 4.7 (watchdog).
  */
@@ -129,6 +130,47 @@ enum {
 #define MPU_RASR  0xe000eda0
 enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 11 };
 
-#define CLK_HZ 125000000 /* clk_sys and clk_peri, see clocks.c */
+#define CLK_HZ            125000000           /* clk_sys, see clocks.c */
+#define CLK_PERI_HZ       125000000           /* of SPI and UART */
+#define PLL_SYS_POST_DIV  (6 << 16 | 2 << 12) /* 1500 MHz / 6 / 2 */
+#define WATCHDOG_TICKS_US 2                   /* the load counts down twice a microsecond (erratum RP2040-E1) */
+
+/* clk_peri is on, from clk_sys. */
+static inline void start_clk_peri(void)
+{
+    REG(CLK_PERI_CTRL) = 1 << 11;
+}
+
+/* Timer and watchdog count microseconds. */
+static inline void start_ticks(uint32_t crystal_mhz)
+{
+    REG(WATCHDOG_TICK) = 1 << 9 | crystal_mhz;
+}
+
+/* No access within the region of the MPU, elsewhere as without one. */
+static inline void guard_stack(uint32_t from, uint32_t bytes_log2)
+{
+    REG(MPU_RNR) = 0;
+    REG(MPU_RBAR) = from;
+    REG(MPU_RASR) = (bytes_log2 - 1) << 1 | 1;
+    REG(MPU_CTRL) = 5;
+}
+
+typedef void *lookup_fn(const uint16_t *table, uint32_t code);
+typedef void reset_usb_boot_fn(uint32_t activity_pins, uint32_t disabled_interfaces);
+
+/* Reads a halfword from the ROM's first words. The asm hides the address: compilers expect no object so near to 0. */
+static inline uintptr_t rom_word(uintptr_t address)
+{
+    __asm("" : "+r"(address));
+    return *(const uint16_t *)address;
+}
+
+/* Calls the ROM's reset_usb_boot(), which the ROM finds by two letters (RP2040 datasheet 2.8.3). */
+static inline void start_boot_loader(void)
+{
+    lookup_fn *const lookup = (lookup_fn *)rom_word(0x18);
+    ((reset_usb_boot_fn *)lookup((const uint16_t *)rom_word(0x14), 'U' | 'B' << 8))(0, 0);
+}
 
 #endif

@@ -129,21 +129,9 @@ void rp2040_dark(void)
     open_output(&board_here->pins.reset, false);
 }
 
-typedef void *lookup_fn(const uint16_t *table, uint32_t code);
-typedef void reset_usb_boot_fn(uint32_t activity_pins, uint32_t disabled_interfaces);
-
-/* Reads a halfword from the ROM's first words. The asm hides the address: compilers expect no object so near to 0. */
-static uintptr_t rom_word(uintptr_t address)
-{
-    __asm("" : "+r"(address));
-    return *(const uint16_t *)address;
-}
-
-/* Calls the ROM's reset_usb_boot(), which the ROM finds by two letters (RP2040 datasheet 2.8.3). */
 void port_boot_loader(void)
 {
-    lookup_fn *const lookup = (lookup_fn *)rom_word(0x18);
     rp2040_watchdog_stop();
     rp2040_dark();
-    ((reset_usb_boot_fn *)lookup((const uint16_t *)rom_word(0x14), 'U' | 'B' << 8))(0, 0);
+    start_boot_loader();
 }

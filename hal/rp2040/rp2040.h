@@ -1,12 +1,14 @@
 /*
  * rp2040: the port for Raspberry Pi's RP2040, bare metal. See port.h for what it gives to an image.
  *
- *   boot2.S    second stage of the boot loader     entry.S              vectors and reset
+ *   boot2.S    second stage of the boot loader     vectors.S, entry.S   vectors; reset
  *   start.c    start, faults, the end              clocks.c             12 MHz crystal -> 125 MHz
  *   rp2040.c   struct hal_ops, USB boot loader     spi.c                the bus: SPI and one channel of DMA
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
  *   divide.c   / and % by the SIO's divider        cores2.c             the second core (CORES=2)
  *   guard.c    what ends a stack that runs over    binary_info.c        what picotool shows of an image
+ *
+ * rp2350/ has what an RP2350 (150 MHz) has in the place of registers.h, vectors.S, rp2040.ld, boot2.S and divide.c.
  *
  * Calls run one way: entry.S, start.c, rp2040.c, spi.c and uart.c, pins.c.
  *

@@ -15,7 +15,7 @@
 #include "rp2040.h"
 #include "spi_clock.h"
 
-_Static_assert(CLK_HZ == SPI_CLOCK_RP2040_HZ, "the simulator counts with this clock");
+_Static_assert(CLK_PERI_HZ == SPI_CLOCK_RP2040_HZ, "the simulator counts with this clock");
 
 #define SHORTS 12 /* bytes: column, row and memory write commands of a window are 11 */
 
@@ -182,7 +182,7 @@ void rp2040_spi_open(const struct board *board)
 
 int32_t rp2040_bus_clock(void *context, uint32_t hz)
 {
-    const struct spi_clock_pl022 clock = spi_clock_pl022(CLK_HZ, hz);
+    const struct spi_clock_pl022 clock = spi_clock_pl022(CLK_PERI_HZ, hz);
     if (clock.hz == 0) {
         return HAL_EINVAL;
     }

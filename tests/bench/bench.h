@@ -1,6 +1,6 @@
 /*
  * bench: what the benchmark (bench.c) needs of a machine: machine_arm.c is an emulated Cortex-M that counts
- * instructions, machine_host.c this computer under callgrind.
+ * instructions, machine_riscv.c an emulated RV32, machine_host.c this computer under callgrind.
  */
 #ifndef BENCH_H
 #define BENCH_H
@@ -16,7 +16,7 @@ extern const struct demo bench_textured_tori[3];
 void machine_start(void);
 void machine_stop(const char *const what[3], uint32_t frame);
 
-/* A loop of a million turns, two instructions each where the machine is a Cortex-M. */
+/* A loop of a million turns, two instructions each where the machine is emulated. */
 void machine_known_loop(void);
 
 void machine_print(const char *text);

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f x86_64 rp2040, all by default
+# Usage: tests/bench/bench.sh [CORE...]        make bench calls it; cores: m0plus m3 m4f m33 rv32 x86_64 rp2040, all by default
 # Instructions a frame of the eight scenes and what the same build's pictures are worth, next to the bars and the best
 # peer (bars.csv: both were measured once, on the same machine model, elsewhere); cycles on an emulated RP2040; how the
 # cost grows. Leaves $B/bench.csv, the same as $B/bench.json, $B/bench-growth.csv, $B/bench-growth.png.
-# Environment: B; FORMATS (depth formats of the Cortex-M cores; all of them by default).
+# Environment: B; FORMATS (depth formats of the microcontrollers' cores; all of them by default).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export B=${B:-build}
-[ $# -gt 0 ] || set -- m0plus m3 m4f x86_64 rp2040
+[ $# -gt 0 ] || set -- m0plus m3 m4f m33 rv32 x86_64 rp2040
 dir=$B/bench
 rm -rf "$dir"
 mkdir -p "$dir"
@@ -22,6 +22,8 @@ missing() { # core: what it needs and is not here
     case "$1" in
     x86_64) command -v valgrind >/dev/null || echo valgrind ;;
     rp2040) for tool in node npm arm-none-eabi-gcc; do command -v $tool >/dev/null || echo $tool; done ;;
+    rv32) command -v qemu-system-riscv32 >/dev/null || echo qemu-system-misc
+          command -v riscv64-unknown-elf-gcc >/dev/null || echo gcc-riscv64-unknown-elf ;;
     *) command -v qemu-system-arm >/dev/null || echo qemu-system-arm
        command -v arm-none-eabi-gcc >/dev/null || echo gcc-arm-none-eabi ;;
     esac
@@ -29,8 +31,9 @@ missing() { # core: what it needs and is not here
 
 # Code and variables of firmware/core as the benchmark has it: core, bytes, bytes.
 core_size() { # core
-    [ "$1" != x86_64 ] || return 0
-    find "$B/bench-$1/firmware/core" -name '*.o' -print0 | xargs -0 arm-none-eabi-size -t | awk -v core="$1" 'END { print core, $1, $2 + $3 }'
+    local size=arm-none-eabi-size
+    case "$1" in x86_64) return 0 ;; rv32) size=riscv64-unknown-elf-size ;; esac
+    find "$B/bench-$1/firmware/core" -name '*.o' -print0 | xargs -0 $size -t | awk -v core="$1" 'END { print core, $1, $2 + $3 }'
 }
 
 # ... of the image of all demos; and the frames a second. The icosphere does not fit in with the others.

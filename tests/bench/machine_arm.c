@@ -1,55 +1,33 @@
 /*
- * QEMU mps2-an385 (Cortex-M3) or mps2-an386 (M4F) under `-icount shift=0`: one instruction takes 1 ns, and CMSDK timer
- * 0 counts at 25 MHz, so a tick is 40 instructions. Application note AN385: timer 0 at 0x40000000, UART 0 at
- * 0x40004000.
+ * QEMU mps2-an385 (Cortex-M3), mps2-an386 (M4F) or mps2-an505 (M33) under `-icount shift=0`: one instruction takes 1
+ * ns. Application notes AN385, AN386: CMSDK timer 0 at 0x40000000 counts at 25 MHz, so a tick is 40 instructions, and
+ * UART 0 is at 0x40004000. AN505: 0x50000000, 20 MHz, 50 instructions, 0x50200000 (their secure addresses). run.sh
+ * gives these to the linker.
  */
 #include "bench.h"
+#include "machine_bare.h"
 
-#define REGISTER(address) (*(volatile uint32_t *)(address))
-#define TIMER_CTRL        REGISTER(0x40000000)
-#define TIMER_VALUE       REGISTER(0x40000004)
-#define TIMER_RELOAD      REGISTER(0x40000008)
-#define UART_DATA         REGISTER(0x40004000)
-#define UART_CTRL         REGISTER(0x40004008)
-#define UART_BAUDDIV      REGISTER(0x40004010)
+extern volatile uint32_t timer_base[], uart_base[];
+extern char instructions_a_tick[];
 
-#define INSTRUCTIONS_A_TICK 40
-#define WORDS               2
+enum { TIMER_CTRL, TIMER_VALUE, TIMER_RELOAD };
+enum { UART_DATA = 0, UART_CTRL = 2, UART_BAUDDIV = 4 };
 
-extern uint32_t stack_top[], data_load[], data_start[], data_end[], bss_start[], bss_end[];
-int main(void);
+extern uint32_t stack_top[];
 void reset(void);
 
-static uint32_t started;
-static char command_line[64];
-
-/* Arm's semihosting: operation in r0, its argument in r1, where the calling convention puts them. */
-__attribute__((naked, noinline)) static void semihost(uint32_t operation __attribute__((unused)),
-                                                      const void *argument __attribute__((unused)))
+/* The operation in r0, its argument in r1, where the calling convention puts them. */
+__attribute__((naked, noinline)) void machine_semihost(uint32_t operation __attribute__((unused)),
+                                                       const void *argument __attribute__((unused)))
 {
     __asm__ volatile("bkpt 0xAB\n"
                      "bx lr\n");
 }
 
-static void quit(int status)
-{
-    const uint32_t block[2] = {0x20026, (uint32_t)status}; /* ADP_Stopped_ApplicationExit */
-    semihost(0x20, block);                                 /* SYS_EXIT_EXTENDED */
-}
-
-static void read_command_line(void)
-{
-    const struct {
-        char *text;
-        uint32_t size;
-    } block = {command_line, sizeof command_line};
-    semihost(0x15, &block); /* SYS_GET_CMDLINE */
-}
-
 static void fault(void)
 {
     machine_print("fault\n");
-    quit(3);
+    machine_quit(3);
 }
 
 __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void) = {
@@ -57,48 +35,18 @@ __attribute__((section(".vectors"), used)) static void (*const vectors[16])(void
 
 void reset(void)
 {
-    for (uint32_t *to = data_start, *from = data_load; (uintptr_t)to < (uintptr_t)data_end;) {
-        *to++ = *from++;
-    }
-    for (uint32_t *to = bss_start; (uintptr_t)to < (uintptr_t)bss_end;) {
-        *to++ = 0;
-    }
-    UART_BAUDDIV = 16;
-    UART_CTRL = 1;
-    TIMER_RELOAD = UINT32_MAX;
-    TIMER_VALUE = UINT32_MAX;
-    TIMER_CTRL = 1;
-    read_command_line();
-    quit(main());
+    uart_base[UART_BAUDDIV] = 16;
+    uart_base[UART_CTRL] = 1;
+    timer_base[TIMER_RELOAD] = UINT32_MAX;
+    timer_base[TIMER_VALUE] = UINT32_MAX;
+    timer_base[TIMER_CTRL] = 1;
+    machine_run();
 }
 
-void machine_start(void)
+/* The timer counts down; differences of products modulo 2^32 are right. */
+uint32_t machine_count(void)
 {
-    started = TIMER_VALUE;
-}
-
-static void print_number(uint32_t n)
-{
-    char digits[11] = "";
-    int at = 10;
-    do {
-        digits[--at] = (char)('0' + n % 10);
-        n /= 10;
-    } while (n > 0);
-    machine_print(&digits[at]);
-}
-
-void machine_stop(const char *const what[3], uint32_t frame)
-{
-    const uint32_t ticks = started - TIMER_VALUE;
-    for (int i = 0; i < 3; i++) {
-        machine_print(what[i]);
-        machine_print(" ");
-    }
-    print_number(frame);
-    machine_print(" ");
-    print_number(ticks * INSTRUCTIONS_A_TICK);
-    machine_print("\n");
+    return (0u - timer_base[TIMER_VALUE]) * (uint32_t)(uintptr_t)instructions_a_tick;
 }
 
 void machine_known_loop(void)
@@ -110,27 +58,6 @@ void machine_known_loop(void)
 void machine_print(const char *text)
 {
     while (*text != '\0') {
-        UART_DATA = (uint8_t)*text++;
+        uart_base[UART_DATA] = (uint8_t)*text++;
     }
-}
-
-/* The first word is the image's name; words end at a space, which is written over here. */
-const char *machine_word(unsigned i)
-{
-    static const char *words[WORDS + 1] = {"", "", ""};
-    static int known;
-    if (!known) {
-        known = 1;
-        char *c = command_line;
-        for (unsigned n = 0; n <= WORDS && *c != '\0'; n++) {
-            words[n] = c;
-            while (*c != '\0' && *c != ' ') {
-                c++;
-            }
-            if (*c == ' ') {
-                *c++ = '\0';
-            }
-        }
-    }
-    return i < WORDS ? words[i + 1] : "";
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Usage: tests/bench/run.sh m0plus|m3|m4f|x86_64 [SCENE|all [FORMAT|all]]
+# Usage: tests/bench/run.sh m0plus|m3|m4f|m33|rv32|rv32plain|x86_64 [SCENE|all [FORMAT|all]]
 #        PROGRAM=growth tests/bench/run.sh CORE      how the cost grows (growth.c); cliffs: the rare against the usual
 # Builds the benchmark for that core and runs it: one line a stage and frame, `SCENE FORMAT STAGE FRAME COUNT` (bench.c).
 # Exits 1 when the counter is wrong (a loop of 1,000,000 x 2 instructions must read 2,000,000). Environment: B.
@@ -7,12 +7,22 @@ set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build} program=${PROGRAM:-bench} core=${1-} scene=${2:-all} format=${3:-all}
 dir=$B/bench-$core
+mps2='code_at=0 data_at=0x21000000 timer_base=0x40000000 uart_base=0x40004000 instructions_a_tick=40'
+an505='code_at=0x10000000 data_at=0x80000000 timer_base=0x50000000 uart_base=0x50200000 instructions_a_tick=50'
+virt='code_at=0x80000000 data_at=0x80400000'
 case "$core" in
-m0plus) machine=mps2-an385 cpu=armv6m flags='-mcpu=cortex-m0plus -mthumb' ;;
-m3) machine=mps2-an385 cpu=armv7m flags='-mcpu=cortex-m3 -mthumb' ;;
-m4f) machine=mps2-an386 cpu=armv7m flags='-mcpu=cortex-m4 -mthumb -mfloat-abi=soft' ;;
+m0plus) machine='arm -M mps2-an385' cpu=armv6m flags='-mcpu=cortex-m0plus -mthumb' places=$mps2 ;;
+m3) machine='arm -M mps2-an385' cpu=armv7m flags='-mcpu=cortex-m3 -mthumb' places=$mps2 ;;
+m4f) machine='arm -M mps2-an386' cpu=armv7m flags='-mcpu=cortex-m4 -mthumb -mfloat-abi=soft' places=$mps2 ;;
+m33) machine='arm -M mps2-an505' cpu=armv7m flags='-mcpu=cortex-m33 -mthumb -mfloat-abi=soft' places=$an505 ;;
+rv32) machine='riscv32 -M virt -cpu rv32,zba=true,zbb=true,zbkb=true' cpu=portable flags='-march=rv32imac_zicsr_zba_zbb_zbkb -mabi=ilp32' places=$virt ;;
+rv32plain) machine='riscv32 -M virt' cpu=portable flags='-march=rv32imac_zicsr -mabi=ilp32' places=$virt ;;
 x86_64) machine='' cpu=x86_64 flags='' ;;
 *) sed -n '2,3s/^# //p' "$0" >&2 && exit 2 ;;
+esac
+case "$core" in
+rv32*) cc=riscv64-unknown-elf-gcc own='-isystem firmware/bare/include' library="-nostdlib tests/bench/machine_riscv.c firmware/bare/memory.c $(riscv64-unknown-elf-gcc -march=rv32imac -mabi=ilp32 -print-libgcc-file-name)" options='-bios none' ;;
+*) cc=arm-none-eabi-gcc own='' library='tests/bench/machine_arm.c -lc -lgcc' options='' ;;
 esac
 unset MAKEFLAGS
 mkdir -p "$dir"
@@ -25,14 +35,15 @@ objects() { # compiler, flags: builds them and prints their names
     find "$dir/firmware/core" "$dir/firmware/app" -name '*.o' ! -name 'runner.o' ! -name 'memory_plan.o' ! -name 'self_test.o' ! -path '*/depthlab/*' | sort
 }
 
-arm() {
+bare() {
     local made
-    made=$(objects arm-none-eabi-gcc "$flags -O2 -ffreestanding -ffunction-sections -fdata-sections") || exit 1
+    made=$(objects $cc "$flags $own -O2 -ffreestanding -ffunction-sections -fdata-sections") || exit 1
     mapfile -t list <<<"$made"
+    # shellcheck disable=SC2086,SC2046 # words
+    $cc $flags $own -std=c11 -O2 -ffreestanding -fno-builtin $include $wrap -nostartfiles -Wl,--gc-sections $(printf -- '-Wl,--defsym=%s ' $places) -T tests/bench/bench.ld \
+        $sources tests/bench/machine_bare.c "${list[@]}" $library -o "$dir/$program.elf"
     # shellcheck disable=SC2086 # words
-    arm-none-eabi-gcc $flags -std=c11 -O2 $include $wrap -nostartfiles -Wl,--gc-sections -T tests/bench/bench.ld \
-        $sources tests/bench/machine_arm.c "${list[@]}" -lc -lgcc -o "$dir/$program.elf"
-    timeout 3000 qemu-system-arm -M "$machine" -icount shift=0 -display none -monitor none -serial stdio \
+    timeout 3000 qemu-system-$machine $options -icount shift=0 -display none -monitor none -serial stdio \
         -semihosting-config "enable=on,target=native,arg=bench,arg=$scene,arg=$format" -kernel "$dir/$program.elf" </dev/null
 }
 
@@ -53,7 +64,7 @@ host() {
         { print }' "$dir/said"
 }
 
-if [ -n "$machine" ]; then arm; else host; fi >"$dir/lines" || { cat "$dir/lines" && exit 1; }
+if [ -n "$machine" ]; then bare; else host; fi >"$dir/lines" || { cat "$dir/lines" && exit 1; }
 awk '$1 == "known-loop" { seen = 1; wrong = $5 < 2000000 || $5 > 2000080 } END { exit wrong || !seen }' "$dir/lines" ||
     { echo "bench: the counter is wrong: $(grep known-loop "$dir/lines")" >&2 && exit 1; }
 cat "$dir/lines"

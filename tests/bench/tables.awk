@@ -1,7 +1,7 @@
 # bars.csv, test_quality's table and the lines of run.sh with the core in front: the tables of `make bench`, and
 # bench.csv (-v csv=FILE) with the columns core,scene,metric,value,must,aim,best_peer. Means over a scene's frames.
 BEGIN {
-    split("m0plus m3 m4f x86_64", cores, " ")
+    core_count = split("m0plus m3 m4f m33 rv32 x86_64", cores, " ")
     split("fixed16 float16 fixed24 float24 linear-w", formats, " ")
     split("torus cube fill icosphere ground", demo, " ")
     split(".02 .02 .02 .02 .005", coverage_bar, " ")
@@ -127,13 +127,13 @@ function rp2040_table(   s, cores, name) {
 function cliffs_table(   i, c, line, name, of) {
     print "\nCliffs: instructions of what is rare against what is usual (and how many times that), as a kit runs"
     line = sprintf("%-18s %-20s", "", "")
-    for (c = 1; c <= 4; c++) { line = line sprintf("  %26s", cores[c]) }
+    for (c = 1; c <= core_count; c++) { line = line sprintf("  %26s", cores[c]) }
     print line
     for (i = 1; i <= cliff_count; i++) {
         name = cliffs[i]
         of = unit[name, "cliff"] (unit[name, "cliff"] == unit[name, "usual"] ? "" : " : " unit[name, "usual"])
         line = sprintf("%-18s %-20s", name, "a " of)
-        for (c = 1; c <= 4; c++) {
+        for (c = 1; c <= core_count; c++) {
             if (!((cores[c], name, "cliff") in cost)) { line = line sprintf("  %26s", "-"); continue }
             line = line sprintf("  %9.1f : %7.1f (%4.1f)", cost[cores[c], name, "cliff"], cost[cores[c], name, "usual"],
                 cost[cores[c], name, "cliff"] / cost[cores[c], name, "usual"])
@@ -169,7 +169,7 @@ function quality(core,   s, scene) {
 
 END {
     printf "core,scene,metric,value,must,aim,best_peer\n" >csv
-    for (c = 1; c <= 4; c++) {
+    for (c = 1; c <= core_count; c++) {
         if (!((cores[c], "S1", "fixed16") in seen)) { continue }
         table(cores[c], "kit")
         table(cores[c], "fixed16")

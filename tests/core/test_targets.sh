@@ -26,6 +26,13 @@ bands() { # lines
     frames "$B/gcc-O2/pinhole-sim" --band "$1" >"$B/band-$1.frames" && same "$B/band-$1.frames"
 }
 
+# On a bare microcontroller core in bands of 16 lines: every demo at 320x240 (tests/bench/frames.c).
+bare() { # core of tests/bench/run.sh
+    B=$B PROGRAM=frames tests/bench/run.sh "$1" >"$B/$1.lines" || return 1
+    awk '$4 == "frame" { $7 = sprintf("%08X", $7); print }' "$B/$1.lines" >"$B/$1.frames"
+    diff <(grep ' auto frame 1[12] ' "$golden" | grep ' 320x240 ') "$B/$1.frames"
+}
+
 differs() { # a build that draws differently is seen
     sed '3s/.$/x/' "$golden" >"$B/wrong.frames"
     ! same "$B/wrong.frames"
@@ -61,4 +68,6 @@ for cpu in aarch64-linux-gnu:aarch64 arm-linux-gnueabihf:arm s390x-linux-gnu:s39
         skip "same_frames_on_${cpu#*:}" "no qemu-user"
     fi
 done
+if_there qemu-system-arm "no qemu-system-arm" "same_frames_on_Cortex-M33" bare m33
+if_there qemu-system-riscv32 "no qemu-system-misc" "same_frames_on_RV32IMAC_with_Zba_Zbb_Zbkb" bare rv32
 tap_end
