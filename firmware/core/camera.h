@@ -90,7 +90,8 @@ struct ph_xform ph_object_look_at(struct fx_vec3 position, struct fx_vec3 target
 /* A pinhole whose image, width x height, is at the distance focal from it. Errors as ph_projection_perspective. */
 int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t height, fx_t near_z, fx_t far_z);
 
-/* Fits the camera to a picture of another aspect (width / height); the vertical extent stays. */
+/* Fits the camera to a picture of another aspect (width / height); the vertical extent stays. Errors: PH_ERR_INVAL: an
+ * aspect that is not more than 0, or a fisheye, whose pixels are square whatever the picture. */
 int ph_projection_resize(struct ph_projection *p, fx_t aspect);
 
 /* Width and height of the view volume at the distance z along the view; they saturate. */

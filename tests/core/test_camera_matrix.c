@@ -150,6 +150,16 @@ static void impossible_cameras_are_refused_and_change_nothing(void **state)
     assert_memory_equal(&p, &before, sizeof(p));
 }
 
+static void a_fisheye_has_no_aspect(void **state)
+{
+    (void)state;
+    struct ph_projection p;
+    assert_int_equal(ph_projection_fisheye(&p, FX_INT(180), FX_ONE, FX_INT(10)), PH_OK);
+    const struct ph_projection before = p;
+    assert_int_equal(ph_projection_resize(&p, FX_ONE), PH_ERR_INVAL);
+    assert_memory_equal(&p, &before, sizeof(p));
+}
+
 static void matrices_without_room_in_Q16_16_are_refused_and_change_nothing(void **state)
 {
     (void)state;
@@ -255,6 +265,7 @@ int main(void)
         cmocka_unit_test(scales_of_narrow_and_wide_views_are_within_0_6_LSB),
         cmocka_unit_test(products_of_matrices_are_rounded_once),
         cmocka_unit_test(impossible_cameras_are_refused_and_change_nothing),
+        cmocka_unit_test(a_fisheye_has_no_aspect),
         cmocka_unit_test(matrices_without_room_in_Q16_16_are_refused_and_change_nothing),
         cmocka_unit_test(matrices_of_extreme_cameras_are_rounded_once),
         cmocka_unit_test(impossible_volumes_of_a_convention_are_refused_and_change_nothing),

@@ -200,6 +200,15 @@ grid() { # side: a wrinkled sheet of that many points by as many
                            for (i = 1; i < n; i++) for (j = 1; j < n; j++) print "f", n * i + j, n * i + j + 1, n * (i - 1) + j + 1, n * (i - 1) + j }'
 }
 
+the_smallest_pictures_are_drawn() {
+    local demo size
+    for demo in $("$sim" --list | awk '$1 == "demo" { print $2 }'); do
+        for size in 1x1 1x2 2x1; do
+            "$sim" --demo "$demo" --size $size --crc >"$dir/stdout" || { echo "$demo $size" && return 1; }
+        done
+    done
+}
+
 a_model_too_large_names_what_helps() {
     grid 48 >"$dir/grid.obj" && grid 60 >"$dir/grid60.obj"
     "$sim" --model "$dir/grid.obj" --board pico-display --max-triangles all --crc 2>"$dir/stderr" >"$dir/stdout" && [ "$(wc -l <"$dir/stderr")" = 1 ] &&
@@ -438,6 +447,7 @@ check h_is_help h_is_help
 check everything_on_the_list_can_be_drawn everything_on_the_list_can_be_drawn
 check demo_has_an_effect differ --demo cube "${small[@]}" -- --demo torus "${small[@]}"
 check turntable_is_the_default same "${small[@]}" -- --demo turntable "${small[@]}"
+check the_smallest_pictures_are_drawn the_smallest_pictures_are_drawn
 check bar_is_for_terminals bar_is_for_terminals
 if "$sim" --model "$dir" --crc 2>&1 | grep -q 'without assimp'; then
     skip model_has_an_effect "built without assimp"

@@ -88,8 +88,7 @@ static struct ph_projection in_half(struct ph_projection half, bool upright, boo
 /* An orthographic projection 2.2 units wide and 5.6 high; one of them is more if the half picture's shape needs it. */
 static struct ph_projection all_rails(const struct demo_context *half)
 {
-    const int32_t w = half->width > 0 ? half->width : 1; /* half of a single pixel */
-    const int32_t h = half->height > 0 ? half->height : 1;
+    const int32_t w = half->width, h = half->height;
     const int32_t across = w * 28 < h * 11 ? w * 28 : h * 11; /* pixels a unit, times 61.6 */
     return (struct ph_projection){.kind = PH_ORTHOGRAPHIC,
                                   .scale_x_q20 = (int32_t)(((int64_t)across << 20) * 10 / 308 / w),
@@ -103,7 +102,8 @@ static int parallel_frame(struct demo_context *context, struct ph_renderer *r, u
     const struct parallel *const p = context->state;
     const bool upright = context->height > context->width;
     struct demo_context half = *context;
-    *(upright ? &half.height : &half.width) /= 2;
+    uint16_t *const side = upright ? &half.height : &half.width;
+    *side = *side > 1 ? *side / 2 : 1; /* a single pixel has no half */
     struct ph_projection deep = demo_perspective(&half, DEMO_SCALE_60_Q20, FX_HALF, SKY);
     struct ph_projection flat = all_rails(&half);
     const struct ph_xform from_above =

@@ -100,7 +100,7 @@ int ph_projection_pinhole(struct ph_projection *p, fx_t focal, fx_t width, fx_t 
 
 int ph_projection_resize(struct ph_projection *p, fx_t aspect)
 {
-    if (aspect <= 0 || p->scale_y_q20 <= 0) {
+    if (p->kind == PH_FISHEYE || aspect <= 0 || p->scale_y_q20 <= 0) {
         return PH_ERR_INVAL;
     }
     const int64_t x = (((int64_t)p->scale_y_q20 << 16) + aspect / 2) / aspect;
