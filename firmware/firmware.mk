@@ -51,7 +51,7 @@ SCENE ?=
 SCENE_TRIANGLES ?= fit
 SCENE_TEXTURE ?= 256
 SCENE_FLAGS ?=
-SCENE_PROGRAM_BYTES ?= 147456 # flash for everything but the scene's data
+SCENE_PROGRAM_BYTES ?= 192512 # flash for everything but the scene's data
 BOARD_HOME := $(firstword $(wildcard $(BOARD_DIR:%=%/$(BOARD))) boards/$(BOARD))
 
 .PHONY: firmware flash emulate speed image image-size
