@@ -242,6 +242,18 @@ static void a_blend_has_the_alpha_of_factor_and_texture(void **state)
     model_close(model);
 }
 
+static void what_a_material_does_not_get_is_said_once(void **state)
+{
+    (void)state;
+    struct model *model = with_material("\"normalTexture\":{\"index\":0},\"occlusionTexture\":{\"index\":0},"
+                                        "\"pbrMetallicRoughness\":{\"metallicRoughnessTexture\":{\"index\":0}},"
+                                        "\"extensions\":{\"KHR_materials_clearcoat\":{},\"KHR_materials_unlit\":{}}",
+                                        "none.png", "");
+    assert_string_equal(model->note, "normal maps are ignored; occlusion maps are ignored; maps of metal and roughness "
+                                     "are ignored; KHR_materials_clearcoat is ignored");
+    model_close(model);
+}
+
 /* Of three vertices: bytes with and floats without alpha, multiplied by the factor in linear light. */
 static void vertex_colours_are_multiplied_in_linear_light(void **state)
 {
@@ -406,6 +418,7 @@ int main(void)
         cmocka_unit_test(a_glow_is_drawn_over_its_surface),
         cmocka_unit_test(a_mask_cuts_out_below_its_cut_off),
         cmocka_unit_test(a_blend_has_the_alpha_of_factor_and_texture),
+        cmocka_unit_test(what_a_material_does_not_get_is_said_once),
         cmocka_unit_test(vertex_colours_are_multiplied_in_linear_light),
         cmocka_unit_test(every_component_type_is_read_interleaved),
         cmocka_unit_test(sparse_values_replace_zeros),

@@ -207,6 +207,29 @@ static void read_pictures(struct model_shared *shared, struct gltf_file *file, c
     }
 }
 
+/* Says what the material asks for and does not get: each kind once. */
+static void note_ignored(struct model_shared *shared, const struct cJSON *from)
+{
+    static const char *const read[] = {"KHR_materials_unlit", "KHR_materials_emissive_strength"};
+    const struct cJSON *pbr = cJSON_GetObjectItemCaseSensitive(from, "pbrMetallicRoughness"), *extension;
+    if (cJSON_GetObjectItemCaseSensitive(from, "normalTexture") != NULL) {
+        model_shared_note(shared, "normal maps are ignored");
+    }
+    if (cJSON_GetObjectItemCaseSensitive(from, "occlusionTexture") != NULL) {
+        model_shared_note(shared, "occlusion maps are ignored");
+    }
+    if (cJSON_GetObjectItemCaseSensitive(pbr, "metallicRoughnessTexture") != NULL) {
+        model_shared_note(shared, "maps of metal and roughness are ignored");
+    }
+    cJSON_ArrayForEach(extension, cJSON_GetObjectItemCaseSensitive(from, "extensions"))
+    {
+        const char *name = extension->string;
+        if (name != NULL && strcmp(name, read[0]) != 0 && strcmp(name, read[1]) != 0) {
+            model_shared_note(shared, "%.60s is ignored", name);
+        }
+    }
+}
+
 static enum model_alpha read_mode(const struct cJSON *from)
 {
     const char *mode = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(from, "alphaMode"));
@@ -224,6 +247,7 @@ static bool read_material(struct model_shared *shared, struct gltf_file *file, c
     const struct cJSON *strength = cJSON_GetObjectItemCaseSensitive(extensions, "KHR_materials_emissive_strength");
     const double times = gltf_file_number(strength, "emissiveStrength", 1);
     double *factor = uv->factor, glow[3] = {0, 0, 0};
+    note_ignored(shared, from);
     gltf_file_vector(pbr, "baseColorFactor", 4, factor);
     gltf_file_vector(from, "emissiveFactor", 3, glow);
     struct model_surface surface = {.two_sided = cJSON_IsTrue(cJSON_GetObjectItemCaseSensitive(from, "doubleSided")),
