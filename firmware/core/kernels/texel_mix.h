@@ -43,14 +43,14 @@ static inline uint32_t ph_mix_four(const uint16_t texels[4], uint32_t fu, uint32
     return (sum + PH_MIX_HALVES) >> 5 & PH_MIX_FIELDS;
 }
 
-/* The bilinear texel at u, v of a row. */
+/* The bilinear texel at u, v of a row, both in 2^-22 of a texel. */
 static inline uint32_t ph_mix_at(const struct ph_texel_row *r, uint32_t u, uint32_t v)
 {
     const uint32_t column = u >> 22 & r->u_mask, right = (column + 1) & r->u_mask;
-    const uint32_t line = v >> 16 & r->v_mask, below = (line + r->u_mask + 1) & r->v_mask;
+    const uint32_t width = r->u_mask + 1, line = (v >> 22) * width & r->v_mask, below = (line + width) & r->v_mask;
     const uint16_t four[4] = {r->texels[line + column], r->texels[line + right], r->texels[below + column],
                               r->texels[below + right]};
-    return ph_mix_four(four, u >> 17 & 31, v >> r->v_down & 31);
+    return ph_mix_four(four, u >> 17 & 31, v >> 17 & 31);
 }
 
 /* The nearest texel at u, v of a row. */
