@@ -146,7 +146,7 @@ int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_
     struct animation_stage *const s = context->state;
     animation_move(s, frame);
     context->state = s->view;
-    const int status = (s->is_still ? demo_still_frame : demo_turntable_frame)(context, r, frame);
+    const int status = s->is_still ? demo_still_frame(context, r, frame) : demo_turntable_frame(context, r, frame);
     context->state = s;
     return status;
 }

@@ -169,6 +169,9 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
     progress_show("ordering", from->mesh_count, from->mesh_count);
     free(indices);
     free(sources);
+    if (asset->model.motion != NULL && asset->model.motion->animation.mesh_count == 0) {
+        asset->model.motion = NULL; /* nothing remains that moves */
+    }
     return is_done;
 }
 

@@ -3,6 +3,12 @@
 
 #include <string.h>
 
+/* Bytes of the tables, on a 32-bit target. */
+#define ANIMATION_BYTES      80
+#define ANIMATION_MESH_BYTES 68
+#define CLIP_BYTES           36
+#define TRACK_BYTES          20
+
 /* Bytes of a vertex that moves, in flash. */
 static size_t vertex_bytes(const struct animation_mesh *moving)
 {
@@ -76,4 +82,46 @@ bool asset_motion_add(struct demo_arena *arena, const struct animation_mesh *fro
     return moving->bound.positions != NULL && (influences == NULL || moving->bound.influences != NULL) &&
            (targets == 0 || moving->morph.d_positions != NULL) &&
            (d_normals == NULL || moving->morph.d_normals != NULL);
+}
+
+uint32_t asset_first_skin(const struct animation *a, uint32_t i)
+{
+    const struct ph_skin *skin = &a->meshes[i].skin;
+    uint32_t first = 0;
+    while (a->meshes[first].skin.joint_count != skin->joint_count ||
+           memcmp(a->meshes[first].skin.nodes, skin->nodes, skin->joint_count * sizeof *skin->nodes) != 0 ||
+           memcmp(a->meshes[first].skin.inverse_bind, skin->inverse_bind,
+                  skin->joint_count * sizeof *skin->inverse_bind) != 0) {
+        first++;
+    }
+    return first;
+}
+
+size_t asset_key_numbers(const struct ph_track *track)
+{
+    return (size_t)track->key_count * track->width * (track->interpolation == PH_KEYS_CUBIC ? 3 : 1);
+}
+
+uint64_t asset_motion_bytes(const struct model *model)
+{
+    const struct model_motion *m = model->motion;
+    if (m == NULL) {
+        return 0;
+    }
+    const struct animation *a = &m->animation;
+    uint64_t bytes =
+        ANIMATION_BYTES + a->rig.node_count * sizeof(struct ph_rig_node) + (a->weight_count + 1) * sizeof(int32_t);
+    for (uint32_t i = 0; i < a->mesh_count; i++) {
+        const uint32_t joints = asset_first_skin(a, i) == i ? a->meshes[i].skin.joint_count : 0;
+        bytes += ANIMATION_MESH_BYTES + joints * (sizeof(uint16_t) + sizeof(struct ph_xform)) +
+                 (vertex_bytes(&a->meshes[i]) - 2 * sizeof(int16_t[3])) * a->meshes[i].bound.vertex_count;
+    }
+    for (uint32_t i = 0; i < m->clip_count; i++) {
+        bytes += CLIP_BYTES;
+        for (uint32_t k = 0; k < m->clips[i].track_count; k++) {
+            const struct ph_track *t = &m->clips[i].tracks[k];
+            bytes += TRACK_BYTES + 2 * (uint64_t)t->key_count + 2 * asset_key_numbers(t);
+        }
+    }
+    return bytes;
 }

@@ -104,8 +104,8 @@ void model_set_filter(struct model *model, uint8_t filter);
 /* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
 uint32_t model_blend_triangles(const struct model *model, uint32_t width);
 
-/* Plays the clip of that name from now on. False: there is none. */
-bool model_play(struct model *model, const char *name);
+/* Plays the clip of that name from now on; NULL changes nothing. 0, or after complaining PH_ERR_INVAL. */
+int model_play(struct model *model, const char *name);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its
  * context->state must be the model. */
