@@ -4,10 +4,12 @@
 #include <string.h>
 
 /* Bytes of the tables, on a 32-bit target. */
-#define ANIMATION_BYTES      80
-#define ANIMATION_MESH_BYTES 68
-#define CLIP_BYTES           36
-#define TRACK_BYTES          20
+#define ANIMATION_BYTES      76
+#define ANIMATION_MESH_BYTES 64
+#define CLIP_BYTES           20
+#define TRACK_BYTES          16
+
+#define ROUND4(n) (((n) + 3) & ~(uint64_t)3)
 
 /* Bytes of a vertex that moves, in flash. */
 static size_t vertex_bytes(const struct animation_mesh *moving)
@@ -113,14 +115,14 @@ uint64_t asset_motion_bytes(const struct model *model)
         ANIMATION_BYTES + a->rig.node_count * sizeof(struct ph_rig_node) + (a->weight_count + 1) * sizeof(int32_t);
     for (uint32_t i = 0; i < a->mesh_count; i++) {
         const uint32_t joints = asset_first_skin(a, i) == i ? a->meshes[i].skin.joint_count : 0;
-        bytes += ANIMATION_MESH_BYTES + joints * (sizeof(uint16_t) + sizeof(struct ph_xform)) +
+        bytes += ANIMATION_MESH_BYTES + ROUND4(joints * sizeof(uint16_t)) + joints * sizeof(struct ph_xform) +
                  (vertex_bytes(&a->meshes[i]) - 2 * sizeof(int16_t[3])) * a->meshes[i].bound.vertex_count;
     }
     for (uint32_t i = 0; i < m->clip_count; i++) {
-        bytes += CLIP_BYTES;
+        bytes += CLIP_BYTES + ROUND4(strlen(m->clips[i].name) + 1);
         for (uint32_t k = 0; k < m->clips[i].track_count; k++) {
             const struct ph_track *t = &m->clips[i].tracks[k];
-            bytes += TRACK_BYTES + 2 * (uint64_t)t->key_count + 2 * asset_key_numbers(t);
+            bytes += TRACK_BYTES + ROUND4(2 * (uint64_t)t->key_count) + ROUND4(2 * asset_key_numbers(t));
         }
     }
     return bytes;

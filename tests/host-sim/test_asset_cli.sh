@@ -207,10 +207,10 @@ reports_every_board() {
         grep -q "^camera *the file's" "$dir/report" && "$asset" "$scene" --report --turntable | grep -q '^camera *turntable$'
 }
 
-an_image_draws_it() { # in QEMU, as the compiled file on the simulated board
+an_image_draws_it() { # model, its name: in QEMU, as the compiled file on the simulated board
     local name=lm3s6965evb
-    make_image firmware BOARD="$name" SCENE="$scene" && timeout 600 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
-    compile "$B/firmware/$name-scene.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
+    make_image firmware BOARD="$name" SCENE="$1" && timeout 600 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-$2.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
+    compile "$B/firmware/$name-$2.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
         [ "$(wc -l <"$dir/emulated.crc")" = 2 ]
 }
 
@@ -251,7 +251,8 @@ check "every_board_is_in_the_report" reports_every_board
 if ! command -v arm-none-eabi-gcc >/dev/null || ! command -v qemu-system-arm >/dev/null; then
     skip "an_image_draws_it_in_an_emulated_kit" "no arm-none-eabi-gcc or no qemu-system-arm"
 else
-    check "an_image_draws_it_in_an_emulated_kit" an_image_draws_it
+    check "an_image_draws_it_in_an_emulated_kit" an_image_draws_it "$scene" scene
+    check "an_image_plays_an_animation_in_an_emulated_kit" an_image_draws_it "$moving" moving
     check "an_image_too_large_for_its_board_is_not_made" an_image_too_large_is_not_made
 fi
 tap_end

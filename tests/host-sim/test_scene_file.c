@@ -109,7 +109,7 @@ static void read_all(const struct ph_mesh *mesh)
     for (uint32_t i = 0; i < mesh->triangle_count * 3; i++) {
         const uint16_t corner = mesh->triangles[i / 3][i % 3];
         assert_true(corner < mesh->vertex_count);
-        sum += mesh->positions[corner].x + mesh->normals[corner][2];
+        sum += (int64_t)mesh->positions[corner].x + mesh->normals[corner][2];
         sum += mesh->uvs != NULL ? mesh->uvs[corner][1] : 0;
         sum += mesh->colours != NULL ? mesh->colours[corner] : 0;
     }
