@@ -1,7 +1,6 @@
 #include "scene_file.h"
 
 #include "crc32.h"
-#include "scene_motion.h"
 
 #include <string.h>
 
@@ -16,12 +15,6 @@ struct drawn {
 };
 
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
-
-bool scene_file_inside(const struct scene_file_head *head, uint32_t offset, uint32_t count, uint32_t size)
-{
-    return offset % 4 == 0 && offset >= sizeof(*head) && offset <= head->bytes &&
-           (uint64_t)count * size <= head->bytes - offset;
-}
 
 /* Texels of the first level and of those below it. */
 static uint32_t texel_count(const struct scene_file_texture *t)
@@ -97,7 +90,7 @@ const char *scene_file_wrong(const void *bytes, size_t room)
         return "is broken";
     }
     for (uint32_t i = 0; i < head->mesh_count; i++) {
-        if (!is_mesh_right(head, &scene_file_table(bytes)[i])) {
+        if (!is_mesh_right(head, &scene_file_table(head)[i])) {
             return "is broken: a mesh is not inside it";
         }
     }
@@ -153,7 +146,7 @@ struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena)
     struct ph_mesh *const meshes = demo_alloc(arena, head->mesh_count * sizeof(*meshes));
     struct drawn *const drawn = demo_alloc(arena, head->mesh_count * sizeof(*drawn));
     for (uint32_t i = 0; meshes && drawn && i < head->mesh_count; i++) {
-        const struct scene_file_mesh *const m = &scene_file_table(bytes)[i];
+        const struct scene_file_mesh *const m = &scene_file_table(head)[i];
         set_drawn(&drawn[i], base, m);
         meshes[i] = (struct ph_mesh){.positions = m->moving != 0 ? NULL : (const void *)(base + m->positions),
                                      .normals = (const void *)(base + m->normals),
@@ -185,7 +178,7 @@ static int init(struct demo_context *context)
 {
     const struct scene_file_head *const head = context->state;
     const struct ph_mesh *const meshes = scene_file_meshes(head, &context->arena);
-    const struct animation *const animation = head->motion ? scene_file_animation(head, &context->arena) : NULL;
+    const struct animation *const animation = head->motion ? scene_motion_make(head, &context->arena) : NULL;
     const struct demo_eye eye = scene_file_eye(head);
     const bool is_still = (head->flags & SCENE_FILE_CAMERA) != 0;
     if (!meshes || (head->motion && !animation)) {

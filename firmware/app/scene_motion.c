@@ -13,11 +13,6 @@ _Static_assert(sizeof(struct ph_rig_node) == 44, "a node has another size in a b
 _Static_assert(sizeof(struct ph_xform) == 48, "a matrix has another size in a binary scene");
 _Static_assert(sizeof(struct ph_influence) == 12, "an influence has another size in a binary scene");
 
-static const void *at(const void *head, uint32_t offset)
-{
-    return offset != 0 ? (const uint8_t *)head + offset : NULL;
-}
-
 /* ---- is it right? ----------------------------------------------------------------------------------------------- */
 
 static bool is_track_right(const struct scene_file_head *head, const struct scene_file_motion *motion,
@@ -36,7 +31,7 @@ static bool is_track_right(const struct scene_file_head *head, const struct scen
 static bool is_clip_right(const struct scene_file_head *head, const struct scene_file_motion *motion,
                           const struct scene_file_clip *clip)
 {
-    const struct scene_file_track *const tracks = at(head, clip->tracks);
+    const struct scene_file_track *const tracks = scene_file_at(head, clip->tracks);
     bool right = clip->name[SCENE_FILE_NAME - 1] == '\0' && clip->time_shift < 16 && clip->duration >= 0 &&
                  scene_file_inside(head, clip->tracks, clip->track_count, sizeof(*tracks));
     for (uint32_t i = 0; right && i < clip->track_count; i++) {
@@ -47,7 +42,7 @@ static bool is_clip_right(const struct scene_file_head *head, const struct scene
 
 static bool are_nodes_right(const struct scene_file_head *head, const struct scene_file_motion *motion)
 {
-    const struct ph_rig_node *const nodes = at(head, motion->nodes);
+    const struct ph_rig_node *const nodes = scene_file_at(head, motion->nodes);
     bool right = motion->node_count <= NODES_MAX &&
                  scene_file_inside(head, motion->nodes, motion->node_count, sizeof(*nodes)) &&
                  scene_file_inside(head, motion->rest_weights, motion->weight_count, sizeof(int32_t));
@@ -60,8 +55,8 @@ static bool are_nodes_right(const struct scene_file_head *head, const struct sce
 static bool are_joints_right(const struct scene_file_head *head, const struct scene_file_motion *motion,
                              const struct scene_file_mesh *mesh, const struct scene_file_moving *moving)
 {
-    const uint16_t *const joints = at(head, moving->joints);
-    const struct ph_influence *const influences = at(head, moving->influences);
+    const uint16_t *const joints = scene_file_at(head, moving->joints);
+    const struct ph_influence *const influences = scene_file_at(head, moving->influences);
     bool right = moving->joint_count > 0 && moving->joint_count <= JOINTS_MAX &&
                  scene_file_inside(head, moving->joints, moving->joint_count, sizeof(*joints)) &&
                  scene_file_inside(head, moving->inverse_bind, moving->joint_count, sizeof(struct ph_xform)) &&
@@ -80,7 +75,7 @@ static bool are_joints_right(const struct scene_file_head *head, const struct sc
 static bool is_moving_right(const struct scene_file_head *head, const struct scene_file_motion *motion,
                             const struct scene_file_mesh *mesh)
 {
-    const struct scene_file_moving *const moving = at(head, mesh->moving);
+    const struct scene_file_moving *const moving = scene_file_at(head, mesh->moving);
     if (!motion || !scene_file_inside(head, mesh->moving, 1, sizeof(*moving)) || moving->frac < 12 ||
         moving->frac > 24 || moving->target_count > TARGETS_MAX || moving->first_weight > motion->weight_count ||
         moving->target_count > motion->weight_count - moving->first_weight) {
@@ -94,14 +89,14 @@ static bool is_moving_right(const struct scene_file_head *head, const struct sce
 
 bool scene_motion_right(const struct scene_file_head *head)
 {
-    const struct scene_file_motion *const motion = at(head, head->motion);
+    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
     if (motion && (!scene_file_inside(head, head->motion, 1, sizeof(*motion)) || !are_nodes_right(head, motion) ||
                    !scene_file_inside(head, motion->clips, motion->clip_count, sizeof(struct scene_file_clip)) ||
                    (motion->clip_count > 0 && motion->playing >= motion->clip_count))) {
         return false;
     }
     for (uint32_t i = 0; motion && i < motion->clip_count; i++) {
-        if (!is_clip_right(head, motion, (const struct scene_file_clip *)at(head, motion->clips) + i)) {
+        if (!is_clip_right(head, motion, (const struct scene_file_clip *)scene_file_at(head, motion->clips) + i)) {
             return false;
         }
     }
@@ -119,45 +114,50 @@ bool scene_motion_right(const struct scene_file_head *head)
 static struct animation_mesh moving_of(const struct scene_file_head *head, uint32_t i)
 {
     const struct scene_file_mesh *const m = &scene_file_table(head)[i];
-    const struct scene_file_moving *const from = at(head, m->moving);
-    const struct ph_bound bound = {at(head, m->positions), at(head, m->normals), at(head, from->influences),
-                                   m->vertex_count, (uint8_t)from->frac};
-    return (struct animation_mesh){.mesh = i,
-                                   .bound = bound,
-                                   .skin = {at(head, from->joints), at(head, from->inverse_bind), from->joint_count},
-                                   .morph = {bound.positions, bound.normals, at(head, from->targets),
-                                             at(head, from->target_normals), m->vertex_count, from->target_count},
-                                   .first_weight = from->first_weight};
+    const struct scene_file_moving *const from = scene_file_at(head, m->moving);
+    const struct ph_bound bound = {scene_file_at(head, m->positions), scene_file_at(head, m->normals),
+                                   scene_file_at(head, from->influences), m->vertex_count, (uint8_t)from->frac};
+    return (struct animation_mesh){
+        .mesh = i,
+        .bound = bound,
+        .skin = {scene_file_at(head, from->joints), scene_file_at(head, from->inverse_bind), from->joint_count},
+        .morph = {bound.positions, bound.normals, scene_file_at(head, from->targets),
+                  scene_file_at(head, from->target_normals), m->vertex_count, from->target_count},
+        .first_weight = from->first_weight};
 }
 
-bool scene_file_clip(const void *bytes, uint32_t i, struct demo_arena *arena, struct ph_clip *clip)
+bool scene_motion_clip(const struct scene_file_head *head, uint32_t i, struct demo_arena *arena, struct ph_clip *clip)
 {
-    const struct scene_file_head *const head = bytes;
-    const struct scene_file_motion *const motion = at(head, head->motion);
-    const struct scene_file_clip *const from = (const struct scene_file_clip *)at(head, motion->clips) + i;
-    const struct scene_file_track *const tracks = at(head, from->tracks);
+    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
+    const struct scene_file_clip *const from = (const struct scene_file_clip *)scene_file_at(head, motion->clips) + i;
+    const struct scene_file_track *const tracks = scene_file_at(head, from->tracks);
     struct ph_track *const to = demo_alloc(arena, from->track_count * sizeof(*to));
     for (uint32_t k = 0; to && k < from->track_count; k++) {
         const struct scene_file_track *const t = &tracks[k];
-        to[k] = (struct ph_track){t->node, t->path,      t->interpolation,   t->width,
-                                  t->frac, t->key_count, at(head, t->times), at(head, t->keys)};
+        to[k] = (struct ph_track){t->node,
+                                  t->path,
+                                  t->interpolation,
+                                  t->width,
+                                  t->frac,
+                                  t->key_count,
+                                  scene_file_at(head, t->times),
+                                  scene_file_at(head, t->keys)};
     }
     *clip = (struct ph_clip){from->name, to, from->track_count, from->duration, (uint8_t)from->time_shift};
     return to != NULL;
 }
 
-void scene_file_play(void *bytes, uint32_t i)
+void scene_motion_play(struct scene_file_head *head, uint32_t i)
 {
-    const struct scene_file_head *const head = bytes;
-    ((struct scene_file_motion *)(void *)((uint8_t *)bytes + head->motion))->playing = i;
+    ((struct scene_file_motion *)(void *)((uint8_t *)head + head->motion))->playing = i;
 }
 
 static struct animation animation_of(const struct scene_file_head *head, const struct scene_file_motion *motion)
 {
-    struct animation a = {.rig = {at(head, motion->nodes), motion->node_count},
+    struct animation a = {.rig = {scene_file_at(head, motion->nodes), motion->node_count},
                           .root = {.t = {motion->t[0], motion->t[1], motion->t[2]}},
                           .weight_count = motion->weight_count,
-                          .rest_weights = at(head, motion->rest_weights)};
+                          .rest_weights = scene_file_at(head, motion->rest_weights)};
     memcpy(a.root.r, motion->r, sizeof(a.root.r));
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         a.mesh_count += scene_file_table(head)[i].moving != 0;
@@ -165,21 +165,20 @@ static struct animation animation_of(const struct scene_file_head *head, const s
     return a;
 }
 
-/* What scene_file_animation() makes in an arena. */
+/* What scene_motion_make() makes in an arena. */
 struct tables {
     struct animation animation;
     struct ph_clip clip;
 };
 
-const struct animation *scene_file_animation(const void *bytes, struct demo_arena *arena)
+const struct animation *scene_motion_make(const struct scene_file_head *head, struct demo_arena *arena)
 {
-    const struct scene_file_head *const head = bytes;
-    const struct scene_file_motion *const motion = at(head, head->motion);
+    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
     const struct animation a = animation_of(head, motion);
     struct tables *const tables = demo_alloc(arena, sizeof(*tables));
     struct animation_mesh *const meshes = demo_alloc(arena, a.mesh_count * sizeof(*meshes));
     if (!tables || !meshes ||
-        (motion->clip_count > 0 && !scene_file_clip(bytes, motion->playing, arena, &tables->clip))) {
+        (motion->clip_count > 0 && !scene_motion_clip(head, motion->playing, arena, &tables->clip))) {
         return NULL;
     }
     tables->animation = a;
@@ -195,12 +194,12 @@ const struct animation *scene_file_animation(const void *bytes, struct demo_aren
 
 size_t scene_motion_bytes(const struct scene_file_head *head)
 {
-    const struct scene_file_motion *const motion = at(head, head->motion);
+    const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
     if (!motion) {
         return 0;
     }
     const struct animation a = animation_of(head, motion);
-    const struct scene_file_clip *const clips = at(head, motion->clips);
+    const struct scene_file_clip *const clips = scene_file_at(head, motion->clips);
     struct animation_need need = {0};
     for (uint32_t i = 0; i < head->mesh_count; i++) {
         if (scene_file_table(head)[i].moving != 0) {

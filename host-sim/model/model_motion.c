@@ -37,7 +37,7 @@ int model_play(struct model *model, const char *name)
     }
     m->animation.clip = &m->clips[i];
     if (model->scene != NULL) {
-        scene_file_play((void *)(uintptr_t)model->scene, i); /* the model's own copy */
+        scene_motion_play((void *)(uintptr_t)model->scene, i); /* the model's own copy */
     }
     return 0;
 }

@@ -55,13 +55,13 @@ static bool make_model(struct scene *scene, const struct scene_file_head *file)
         return model->meshes != NULL;
     }
     const struct scene_file_motion *from = (const void *)((const uint8_t *)file + file->motion);
-    const struct animation *animation = scene_file_animation(file, &scene->arena);
+    const struct animation *animation = scene_motion_make(file, &scene->arena);
     struct ph_clip *clips = demo_alloc(&scene->arena, sizeof *clips * from->clip_count);
     const struct animation_stage *stage =
         animation != NULL ? animation_begin(&scene->arena, animation, model->meshes, model->mesh_count) : NULL;
     bool is_done = clips != NULL && stage != NULL;
     for (uint32_t i = 0; i < from->clip_count && is_done; i++) {
-        is_done = scene_file_clip(file, i, &scene->arena, &clips[i]);
+        is_done = scene_motion_clip(file, i, &scene->arena, &clips[i]);
     }
     if (is_done) {
         scene->motion = (struct model_motion){.animation = *animation, .clips = clips, .clip_count = from->clip_count};

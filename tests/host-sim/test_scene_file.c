@@ -133,7 +133,7 @@ static void play(const uint8_t *bytes)
     const struct ph_mesh *meshes = scene_file_meshes(bytes, &arena);
     assert_non_null(meshes);
     if (head->motion != 0) {
-        const struct animation *animation = scene_file_animation(bytes, &arena);
+        const struct animation *animation = scene_motion_make(head, &arena);
         assert_non_null(animation);
         const struct animation_stage *stage = animation_begin(&arena, animation, meshes, head->mesh_count);
         assert_non_null(stage);
