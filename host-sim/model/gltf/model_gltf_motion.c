@@ -216,7 +216,7 @@ bool model_gltf_motion_find(struct model_gltf_motion *motion, struct aiNode *roo
     for (uint32_t k = 0; k < motion->node_count; k++) {
         struct model_gltf_node *node = &motion->nodes[motion->order[k]];
         matrix base;
-        memcpy(base, node->parent < 0 ? identity : motion->nodes[node->parent].world, sizeof base);
+        memcpy(base, node->parent < 0 ? (const void *)identity : motion->nodes[node->parent].world, sizeof base);
         model_places_multiply(node->world, base, &node->drawn->mTransformation);
         node->number = k;
     }
