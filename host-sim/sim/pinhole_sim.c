@@ -208,26 +208,6 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     return status;
 }
 
-static const char *clip_name(const void *from, size_t i)
-{
-    const struct model_motion *motion = from;
-    return motion != NULL && i < motion->clip_count ? motion->clips[i].name : NULL;
-}
-
-static int choose_clip(const struct sim_options *o, struct model *model)
-{
-    char list[200] = "";
-    if (o->clip == NULL || model_play(model, o->clip)) {
-        return 0;
-    }
-    for (size_t i = 0, used = 0; clip_name(model->motion, i) != NULL && used < sizeof list; i++) {
-        used +=
-            (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", clip_name(model->motion, i));
-    }
-    return complain_usage("--clip '%s': the model has no such clip; %sit has %s", o->clip,
-                          nearest_text(o->clip, clip_name, model->motion), list[0] != '\0' ? list : "none");
-}
-
 static int choose_scene(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     if (o->model == NULL) {
@@ -244,7 +224,7 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
     if (chosen->model->note != NULL) {
         complain_note("--model %s: %s", o->model, chosen->model->note);
     }
-    status = choose_clip(o, chosen->model);
+    status = model_play(chosen->model, o->clip);
     if (status == 0) {
         status = choose_model(o, chosen, setup);
     }
