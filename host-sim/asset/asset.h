@@ -25,6 +25,7 @@ struct asset_limits {
     uint8_t filter;        /* enum ph_filter; with PH_FILTER_MIPMAP textures have all levels */
     bool is_on_turntable;  /* also where the file has a camera */
     bool is_bare;          /* without the platter below it */
+    bool is_binary;        /* a binary scene, whose tables lie in RAM */
     const char *file_name; /* of the model, for its name */
 };
 
@@ -41,7 +42,7 @@ struct asset {
     struct ph_material *materials; /* one a mesh */
     void *memory;
     char name[ASSET_NAME_BYTES]; /* of the file: letters, digits, - and _ */
-    bool is_bare;
+    bool is_bare, is_binary;
     uint32_t triangles_read, vertices_read;
     enum asset_way way;
     double error; /* by how much simplification moved the surface, about, in radii of the model: meshoptimizer's

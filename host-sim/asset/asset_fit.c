@@ -67,7 +67,7 @@ static int make(struct asset *asset, const struct model *model, const struct ass
                 bool is_bare)
 {
     const struct asset_limits limits = {triangles, goal->texture_log2, goal->filter, goal->turntable,
-                                        is_bare,   goal->model};
+                                        is_bare,   goal->is_binary,    goal->model};
     const int status = asset_make(asset, model, &limits);
     return status == 0 ? measure(asset, goal->board) : status;
 }

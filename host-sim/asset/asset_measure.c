@@ -1,6 +1,7 @@
 #include "asset.h"
 #include "complain.h"
 #include "runner.h"
+#include "scene_file.h"
 
 #include <stdlib.h>
 
@@ -103,6 +104,15 @@ int asset_measure(struct asset *asset, const struct board *board)
     return status == 0 ? 0 : complain("%s: the scene cannot be drawn there (%d)", board->name, status);
 }
 
+/* Of a binary scene, in RAM. */
+static size_t table_bytes(const struct model *model, bool on_32)
+{
+    const struct animation *a = model->motion != NULL ? &model->motion->animation : NULL;
+    const size_t moving =
+        a != NULL ? scene_motion_table_bytes(a->mesh_count, a->clip != NULL ? a->clip->track_count : 0, on_32) : 0;
+    return scene_file_table_bytes(model->mesh_count, on_32) + moving;
+}
+
 struct demo asset_demo(const struct asset *asset)
 {
     struct demo demo = model_demo(&asset->model);
@@ -115,6 +125,10 @@ struct demo asset_demo(const struct asset *asset)
         demo.arena_bytes -= less;
         demo.arena_bytes_32 -= less;
         demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
+    }
+    if (asset->is_binary) {
+        demo.arena_bytes += table_bytes(&asset->model, false);
+        demo.arena_bytes_32 += (uint32_t)table_bytes(&asset->model, true);
     }
     return demo;
 }

@@ -13,7 +13,9 @@
 
 static bool set_out(void *to, const char *value)
 {
-    ((struct asset_options *)to)->out = value;
+    struct asset_options *o = to;
+    o->out = value;
+    o->goal.is_binary = option_text_ends(value, ".phs");
     return *value != '\0';
 }
 
