@@ -25,7 +25,6 @@ struct asset_limits {
     uint8_t filter;        /* enum ph_filter; with PH_FILTER_MIPMAP textures have all levels */
     bool is_on_turntable;  /* also where the file has a camera */
     bool is_bare;          /* without the platter below it */
-    bool is_binary;        /* a binary scene, whose tables lie in RAM */
     const char *file_name; /* of the model, for its name */
 };
 
@@ -42,7 +41,7 @@ struct asset {
     struct ph_material *materials; /* one a mesh */
     void *memory;
     char name[ASSET_NAME_BYTES]; /* of the file: letters, digits, - and _ */
-    bool is_bare, is_binary;
+    bool is_bare;
     uint32_t triangles_read, vertices_read;
     enum asset_way way;
     double error; /* by how much simplification moved the surface, about, in radii of the model: meshoptimizer's
@@ -65,9 +64,13 @@ int asset_measure(struct asset *asset, const struct board *board);
 /* Its context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 
-/* The memory that the board needs to draw the whole scene, and for its bands alone; see runner_whole_bytes(). */
-uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board);
+/* The memory that the board needs to draw the whole scene, as C or as a binary scene, whose tables lie in RAM; and for
+ * its bands alone; see runner_whole_bytes(). */
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board, bool is_binary);
 uint64_t asset_band_bytes(const struct board *board);
+
+/* Memory that a binary scene takes beside that of asset_demo(), here or on a 32-bit target. */
+size_t asset_table_bytes(const struct asset *asset, bool on_32);
 
 /* Bytes of flash on a 32-bit target. */
 struct asset_sizes {

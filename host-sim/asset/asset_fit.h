@@ -10,7 +10,6 @@ struct asset_goal {
     uint32_t triangles;        /* at most; UINT32_MAX: all */
     bool fit;                  /* as many as the board has room for */
     bool turntable;            /* also where the file has a camera */
-    bool is_binary;            /* for a binary scene */
     uint8_t texture_log2;
     uint8_t filter;       /* enum ph_filter */
     uint32_t flash_bytes; /* for the data; UINT32_MAX: whatever it takes */

@@ -381,7 +381,6 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
     asset->model.has_camera = model->has_camera && !limits->is_on_turntable;
     asset->model.camera = model->camera;
     asset->is_bare = limits->is_bare && !asset->model.has_camera;
-    asset->is_binary = limits->is_binary;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         asset->vertices_read += model->meshes[m].vertex_count;
         asset->fetched_read += asset_fetches(&model->meshes[m]);

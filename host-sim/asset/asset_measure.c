@@ -104,9 +104,9 @@ int asset_measure(struct asset *asset, const struct board *board)
     return status == 0 ? 0 : complain("%s: the scene cannot be drawn there (%d)", board->name, status);
 }
 
-/* Of a binary scene, in RAM. */
-static size_t table_bytes(const struct model *model, bool on_32)
+size_t asset_table_bytes(const struct asset *asset, bool on_32)
 {
+    const struct model *model = &asset->model;
     const struct animation *a = model->motion != NULL ? &model->motion->animation : NULL;
     const size_t moving =
         a != NULL ? scene_motion_table_bytes(a->mesh_count, a->clip != NULL ? a->clip->track_count : 0, on_32) : 0;
@@ -126,10 +126,6 @@ struct demo asset_demo(const struct asset *asset)
         demo.arena_bytes_32 -= less;
         demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
     }
-    if (asset->is_binary) {
-        demo.arena_bytes += table_bytes(&asset->model, false);
-        demo.arena_bytes_32 += (uint32_t)table_bytes(&asset->model, true);
-    }
     return demo;
 }
 
@@ -142,9 +138,11 @@ static struct runner_config config_of(const struct board *board, const struct de
                                   .demo = demo};
 }
 
-uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board)
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board, bool is_binary)
 {
-    const struct demo demo = asset_demo(asset);
+    struct demo demo = asset_demo(asset);
+    demo.arena_bytes += is_binary ? asset_table_bytes(asset, false) : 0;
+    demo.arena_bytes_32 += is_binary ? (uint32_t)asset_table_bytes(asset, true) : 0;
     const struct runner_config config = config_of(board, &demo);
     return runner_whole_bytes(&config);
 }

@@ -13,9 +13,7 @@
 
 static bool set_out(void *to, const char *value)
 {
-    struct asset_options *o = to;
-    o->out = value;
-    o->goal.is_binary = option_text_ends(value, ".phs");
+    ((struct asset_options *)to)->out = value;
     return *value != '\0';
 }
 

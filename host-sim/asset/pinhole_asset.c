@@ -5,6 +5,7 @@
 #include "asset_options.h"
 #include "complain.h"
 #include "file_save.h"
+#include "option_text.h"
 #include "scene_file.h"
 
 #include <stdlib.h>
@@ -56,7 +57,7 @@ static int run_on(const struct model *model, const struct asset_options *o)
     struct asset asset;
     int status = asset_fit(&asset, model, &o->goal);
     if (status == 0 && o->out != NULL) {
-        status = (o->goal.is_binary ? save_scene : save)(&asset, o->out);
+        status = (option_text_ends(o->out, ".phs") ? save_scene : save)(&asset, o->out);
     }
     if (status == 0 && o->report) {
         status = asset_report(stdout, &asset, o->goal.board);

@@ -23,8 +23,7 @@ static int make(void **state, const char *path)
 {
     files_begin(state);
     struct asset asset;
-    const struct asset_limits limits = {
-        .triangles = UINT32_MAX, .texture_log2 = 3, .is_binary = true, .file_name = path};
+    const struct asset_limits limits = {.triangles = UINT32_MAX, .texture_log2 = 3, .file_name = path};
     struct model *model = open_good(path);
     assert_int_equal(asset_make(&asset, model, &limits), 0);
     size = asset_scene(&asset, NULL);
@@ -32,6 +31,8 @@ static int make(void **state, const char *path)
     assert_non_null(whole);
     assert_int_equal(asset_scene(&asset, whole), size);
     counted = asset_demo(&asset);
+    counted.arena_bytes += asset_table_bytes(&asset, false);
+    counted.arena_bytes_32 += (uint32_t)asset_table_bytes(&asset, true);
     asset_free(&asset);
     model_close(model);
     return 0;

@@ -79,7 +79,6 @@ static int make(struct asset *asset, struct model **model, const struct board *b
                                         PH_FILTER_NEAREST,
                                         strcmp(argv[8], "turntable") == 0,
                                         false,
-                                        false,
                                         argv[5]};
     int status = model_open(model, argv[5], NULL);
     if (status == 0) {
