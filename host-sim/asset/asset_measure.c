@@ -14,6 +14,8 @@ struct stage {
     struct demo_context context;
     struct ph_renderer r;
     void *memory;
+    uint32_t frames; /* of the clip */
+    bool turns;      /* on the turntable */
 };
 
 static uint32_t sides_of(uint32_t triangles)
@@ -27,7 +29,11 @@ static uint32_t sides_of(uint32_t triangles)
 
 static int set_up(struct stage *s, struct asset *asset, const struct board *board)
 {
+    const struct model_motion *motion = asset->model.motion;
+    const struct ph_clip *clip = motion != NULL ? motion->animation.clip : NULL;
     s->demo = asset_demo(asset);
+    s->frames = clip != NULL ? (uint32_t)((uint64_t)clip->duration * ANIMATION_FRAMES_A_SECOND >> 16) : 0;
+    s->turns = !asset->model.has_camera;
     const uint32_t triangles = asset->model.triangle_count + asset->model.triangle_count / 2 + 1536;
     const uint16_t width = panel_width(board->panel, board->rotation);
     const uint16_t height = panel_height(board->panel, board->rotation);
@@ -61,12 +67,14 @@ static int set_up(struct stage *s, struct asset *asset, const struct board *boar
     return status == 0 ? s->demo.init(&s->context) : status;
 }
 
+/* Of what moves each side is seen at another moment of the clip; orbit undoes the turntable's turn. */
 static int look_around(struct stage *s, fx_t dolly, uint32_t sides, uint32_t *most)
 {
     s->context.dolly = dolly;
     for (uint32_t side = 0; side < sides; side++) {
-        s->context.orbit = (uint32_t)(((uint64_t)side << 32) / sides);
-        const int status = s->demo.frame(&s->context, &s->r, 0);
+        const uint32_t frame = (uint32_t)((uint64_t)side * s->frames / sides), turn = s->turns ? frame << 24 : 0;
+        s->context.orbit = (uint32_t)(((uint64_t)side << 32) / sides) + turn;
+        const int status = s->demo.frame(&s->context, &s->r, frame);
         if (status != 0) {
             return status;
         }
@@ -101,11 +109,11 @@ struct demo asset_demo(const struct asset *asset)
     demo.name = asset->name;
     demo.views = NULL;
     demo.triangle_max = asset->listed;
-    if (asset->model.has_camera) {
-        demo.arena_bytes = demo.arena_bytes_32 = DEMO_STILL_BYTES;
-        demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
-    } else if (asset->is_bare) {
-        demo.arena_bytes = demo.arena_bytes_32 = DEMO_TURNTABLE_BARE_BYTES;
+    if (asset->model.has_camera || asset->is_bare) {
+        const uint32_t less =
+            DEMO_TURNTABLE_BYTES - (asset->model.has_camera ? DEMO_STILL_BYTES : DEMO_TURNTABLE_BARE_BYTES);
+        demo.arena_bytes -= less;
+        demo.arena_bytes_32 -= less;
         demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
     }
     return demo;

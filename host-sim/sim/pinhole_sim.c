@@ -126,10 +126,16 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
 {
     const struct panel *panel = setup->board->panel;
     /* A demo's own near and far planes fit its own view only. */
-    const bool lens_set = o->projection_set || o->camera_set;
-    *camera = (struct demo_camera){.view_set = o->camera_set, .projection_set = lens_set};
-    if (o->camera_set) {
-        camera->view = ph_view_look_at(o->eye, o->target, o->up);
+    const bool view_set = o->camera.set || o->view_matrix_set;
+    const bool lens_set = o->projection_set || o->lens_matrix_set || view_set;
+    *camera = (struct demo_camera){.view = o->camera.view, .view_set = view_set, .projection_set = lens_set};
+    if (o->view_matrix_set && sim_matrix_view(&o->view_matrix, (enum ph_convention)o->convention, &camera->view) != 0) {
+        return complain_usage("--view-matrix: its first three rows must be a camera's axes in the --convention, unit "
+                              "vectors at right angles, and its fourth 0,0,0,1");
+    }
+    if (o->focal < 0) { /* behind the hole the image is upside down */
+        const struct ph_xform half_turn = ph_xform_rotate_z(0x80000000u);
+        camera->view = ph_xform_mul(&half_turn, &camera->view);
     }
     int status = 0;
     if (lens_set) {
@@ -140,7 +146,14 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
     if (status == 0 && lens_set && (off_x > 2 * FX_ONE || off_y > 2 * FX_ONE)) {
         return complain_usage("--projection: the window lies more than its own size off the middle");
     }
-    if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
+    if (status == 0) {
+        status = through_convention((enum ph_convention)o->convention, camera);
+    }
+    if (status != 0 && o->lens_matrix_set) {
+        return complain_usage("--projection-matrix: is not a lens of the --convention, which gives w its sign and the "
+                              "depth its range; see camera.h");
+    }
+    if (status != 0) {
         const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
         return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near")
                       : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top "
@@ -195,26 +208,6 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     return status;
 }
 
-static const char *clip_name(const void *from, size_t i)
-{
-    const struct model_motion *motion = from;
-    return motion != NULL && i < motion->clip_count ? motion->clips[i].name : NULL;
-}
-
-static int choose_clip(const struct sim_options *o, struct model *model)
-{
-    char list[200] = "";
-    if (o->clip == NULL || model_play(model, o->clip)) {
-        return 0;
-    }
-    for (size_t i = 0, used = 0; clip_name(model->motion, i) != NULL && used < sizeof list; i++) {
-        used +=
-            (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", clip_name(model->motion, i));
-    }
-    return complain_usage("--clip '%s': the model has no such clip; %sit has %s", o->clip,
-                          nearest_text(o->clip, clip_name, model->motion), list[0] != '\0' ? list : "none");
-}
-
 static int choose_scene(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     if (o->model == NULL) {
@@ -231,7 +224,7 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
     if (chosen->model->note != NULL) {
         complain_note("--model %s: %s", o->model, chosen->model->note);
     }
-    status = choose_clip(o, chosen->model);
+    status = model_play(chosen->model, o->clip);
     if (status == 0) {
         status = choose_model(o, chosen, setup);
     }
@@ -270,6 +263,9 @@ static int show_matrices(const struct sim_options *o, const struct frame_out *ou
                                         p->runner.driver.height, (enum ph_convention)o->convention);
     if (status == PH_ERR_RANGE) {
         return complain_usage("--matrix: an element does not fit Q16.16; move --near and --far apart");
+    }
+    if (status == 0 && o->flatten != NULL) {
+        sim_matrix_print_one(report_file(out), "flatten", &o->flat);
     }
     return status == 0 ? 0 : complain_usage("--matrix: this demo's camera has no matrix; give a --projection");
 }

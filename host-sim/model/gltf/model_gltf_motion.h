@@ -35,8 +35,9 @@ struct model_gltf_motion {
     const struct aiScene *scene;
     struct model_gltf_moved *moved; /* of each mesh of the scene */
     struct model_gltf_node *nodes;
-    uint32_t *order; /* the nodes of the scene, parents first */
-    uint32_t node_count, weight_count;
+    struct animation_mesh *moving; /* the model's */
+    uint32_t *order;               /* the nodes of the scene, parents first */
+    uint32_t node_count;
 };
 
 /* Finds the nodes' places, and moves what a skin draws to where its joints have it. False: file->error says why. */

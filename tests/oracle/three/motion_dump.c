@@ -11,18 +11,24 @@
 
 int main(int argc, char *argv[])
 {
+    static uint64_t memory[1 << 16];
+    struct demo_arena arena = {.base = (uint8_t *)memory, .size = sizeof memory};
     struct model *model = NULL;
-    if (argc != 4 || model_open(&model, argv[1], NULL) != 0 || !model_play(model, argv[2])) {
+    if (argc != 4 || model_open(&model, argv[1], NULL) != 0 || model_play(model, argv[2]) != 0) {
         return EXIT_FAILURE;
     }
-    const struct model_motion *m = model->motion;
-    printf("fit %d %d %d %.17g\n", (int)m->root.t.x, (int)m->root.t.y, (int)m->root.t.z, m->scale);
+    const struct animation *a = &model->motion->animation;
+    const struct animation_stage *stage = animation_begin(&arena, a, model->meshes, model->mesh_count);
+    if (stage == NULL) {
+        return EXIT_FAILURE;
+    }
+    printf("fit %d %d %d %.17g\n", (int)a->root.t.x, (int)a->root.t.y, (int)a->root.t.z, model->motion->scale);
     for (uint32_t frame = 0; frame < (uint32_t)atoi(argv[3]); frame++) {
-        model_move(model, frame);
-        for (uint32_t i = 0; i < m->moving_count; i++) {
+        animation_move(stage, frame);
+        for (uint32_t i = 0; i < a->mesh_count; i++) {
             printf("%u %u", (unsigned)frame, (unsigned)i);
-            for (uint32_t v = 0; v < m->moving[i].bound.vertex_count; v++) {
-                const struct fx_vec3 *p = &m->moving[i].positions[v];
+            for (uint32_t v = 0; v < a->meshes[i].bound.vertex_count; v++) {
+                const struct fx_vec3 *p = &stage->meshes[a->meshes[i].mesh].positions[v];
                 printf(" %d %d %d", (int)p->x, (int)p->y, (int)p->z);
             }
             printf("\n");
