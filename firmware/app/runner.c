@@ -201,6 +201,7 @@ int runner_scene(struct runner *runner, uint32_t frame)
         return runner->demo->frame(&runner->context, &runner->renderer, frame);
     }
     runner->renderer = a->renderer;
+    runner->renderer.config.other_core = runner->config.other_core;
     runner->context = a->context;
     return a->status;
 }
@@ -209,7 +210,6 @@ static void make_ahead(void *argument)
 {
     struct runner_ahead *const a = argument;
     a->status = a->demo->frame(&a->context, &a->renderer, a->frame);
-    __atomic_store_n(&a->made, true, __ATOMIC_RELEASE);
 }
 
 /* A demo with a blur keeps the blur of a frame in its context until the bands are drawn. */
@@ -237,17 +237,8 @@ void runner_ahead(struct runner *runner, uint32_t frame)
     a->demo = runner->demo;
     a->frame = frame;
     a->buttons = runner->buttons;
-    a->made = false;
     demo_input(&a->context, a->buttons);
     runner->ahead = runner->config.other_core(make_ahead, a);
-}
-
-/* While the other core makes a scene it does not help. */
-static void share_bands(struct runner *runner)
-{
-    const struct runner_ahead *const a = runner->config.ahead;
-    const bool busy = runner->ahead && !__atomic_load_n(&a->made, __ATOMIC_ACQUIRE);
-    runner->renderer.config.other_core = busy ? NULL : runner->config.other_core;
 }
 
 /* ---- drawing and sending ------------------------------------------------------------------------- */
@@ -278,7 +269,6 @@ static uint32_t draw_band(struct runner *runner, uint32_t band)
     if (queues(runner)) {
         runner->hal.ops->bus_until(runner->hal.context, runner->written[runner->band_next]);
     }
-    share_bands(runner);
     const uint32_t lines = demo_draw_band(runner->demo, &runner->context, &runner->renderer, band, pixels);
     if (runner->config.overlay) {
         draw_overlay(runner, band, pixels, lines);

@@ -29,7 +29,6 @@ struct runner_ahead {
     const struct demo *demo;
     uint32_t frame, buttons;
     int status;
-    bool made;
 };
 
 /* Read-only for the caller: demo, context, renderer.stats, driver. Holds no pointer into itself. */

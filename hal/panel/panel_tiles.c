@@ -116,8 +116,9 @@ uint32_t panel_tiles_refresh_frames(const struct panel_tiles *t)
 
 /*
  * Takes the time of the frame before. If two in a row took longer than a whole frame takes on the bus, the kit waits
- * for its cores: then all bands rest, for signatures cost the cores time. If the third frame of the rest is no faster
- * (with few buffers the cores wait for the bus all the same), the rest ends. After SLOW_REST frames it is tried again.
+ * for its cores: then all bands rest, for signatures cost the cores time. If one of the rest's first three frames is no
+ * faster (with few buffers the cores wait for the bus all the same), the rest ends. After SLOW_REST frames it is tried
+ * again.
  */
 static void weigh(struct panel_tiles *t, const struct panel_driver *d)
 {
@@ -129,7 +130,8 @@ static void weigh(struct panel_tiles *t, const struct panel_driver *d)
         t->resting = t->slow = 0;
     } else if (t->resting > 0) {
         t->resting--;
-        if (t->resting == SLOW_REST - 3 && took_us >= t->watched_us) {
+        if (t->resting >= SLOW_REST - 3 && took_us >= t->watched_us) {
+            t->watched_us = UINT32_MAX; /* once */
             memset(t->rest, 1, t->bands);
         }
     } else if (took_us <= bus_us + bus_us / 64) {

@@ -12,6 +12,9 @@
 #include "kernels.h"
 #include "setup.h"
 
+#define ASKS_REFS 16 /* after so many references one core asks whether the other is free */
+#define SPARES    8
+
 /* The references of a band, one after the other. */
 struct feed {
     struct ph_renderer *r;
@@ -257,13 +260,34 @@ static uint32_t draw_carried(struct ph_renderer *r, struct ph_triangle *t, const
     return ph_draw_above(t, rows);
 }
 
-/* What draw_rest keeps. */
+/* A band that is being drawn. */
 struct rest {
     const struct ph_band *rows;
     struct ph_triangle *begun;  /* those that were carried on, as far as they are not drawn */
     struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
     uint32_t put, fragments;    /* put: what put_below takes */
+    bool helped;                /* the other core is free */
 };
+
+static void nothing(void *argument)
+{
+    (void)argument;
+}
+
+/* Whether there is another core, it is free, and there is a row for each. */
+static bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
+{
+    if (r->config.other_core == NULL || rows->y1 - rows->y0 < 2 || !r->config.other_core(nothing, NULL)) {
+        return false;
+    }
+    r->config.other_core_join();
+    return true;
+}
+
+static uint32_t lesser(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
  * for which there is something to do here; none at the end of the list. */
@@ -283,8 +307,10 @@ static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest
     if (ref >= f->next_first && ref != PH_NONE) {
         enter_draw(f, ref);
     }
+    rest->helped = is_helped(f->r, rest->rows);
     const uint32_t after = t != NULL ? t->order + 1 : PH_NONE;
-    return after < f->next_first ? after : f->next_first;
+    const uint32_t asks = f->r->config.other_core != NULL ? ref + ASKS_REFS : PH_NONE;
+    return lesser(asks, lesser(after, f->next_first));
 }
 
 /* Draws a triangle that is set up in a slot and goes on below the band. Returns its pixels. */
@@ -295,17 +321,17 @@ static inline uint32_t draw_beyond(struct rest *rest, struct ph_triangle *t, con
     return ph_draw_above(t, rows);
 }
 
-/* Draws all triangles of a band that are left: each is set up, drawn, and carried on if it goes on below. begun: those
- * that were carried on; carry: where the first is linked that is carried on from here. */
-static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_triangle *begun, struct ph_triangle **carry)
+/* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
+ * it goes on below. */
+static void draw_rest(struct feed *f, struct rest *rest)
 {
+    const struct ph_band *const rows = rest->rows;
     struct ph_triangle scratch, *t = take_slot_or(f->r, &scratch);
-    struct rest rest = {rows, begun, carry, PH_NONE, 0};
     uint32_t fragments = 0;
     for (uint32_t stop = 0;;) {
         if (f->ref >= stop) { /* so it is at the end of the list */
-            stop = draw_begun(f, &rest);
-            if (f->ref == PH_NONE) {
+            stop = draw_begun(f, rest);
+            if (f->ref == PH_NONE || rest->helped) {
                 break;
             }
         }
@@ -316,15 +342,14 @@ static void draw_rest(struct feed *f, const struct ph_band *rows, struct ph_tria
         if (t->y_bottom <= rows->y1) {
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {
-            fragments += draw_beyond(&rest, t, rows);
+            fragments += draw_beyond(rest, t, rows);
             t = take_slot_or(f->r, &scratch);
         } else {
             fragments += ph_draw_triangle(t, rows);
-            put_below(f, t->order, &rest.put);
+            put_below(f, t->order, &rest->put);
         }
     }
-    *rest.carry = NULL;
-    f->r->stats.fragments += fragments + rest.fragments;
+    rest->fragments += fragments;
     if (t != &scratch) {
         free_slot(f->r, t);
     }
@@ -375,9 +400,22 @@ static void draw_share(void *argument)
     }
 }
 
-/* Takes slots for the next triangles of the band, as many as there are, and of one camera. */
-static struct ph_triangle *take_chunk(struct ph_renderer *r, struct feed *f)
+/* Slots for a chunk when all others hold triangles that were carried on. */
+struct spares {
+    struct ph_triangle at[SPARES];
+    uint32_t used;
+};
+
+static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spares *spares)
 {
+    struct ph_triangle *const t = take_slot(r);
+    return t != NULL || spares->used == SPARES ? t : &spares->at[spares->used++];
+}
+
+/* Takes slots for the next triangles of the band, as many as there are, and of one camera. */
+static struct ph_triangle *take_chunk(struct feed *f, struct spares *spares)
+{
+    struct ph_renderer *const r = f->r;
     struct ph_triangle *first = NULL, **link = &first;
     while (f->ref != PH_NONE) {
         if (f->ref >= f->next_first) {
@@ -386,7 +424,7 @@ static struct ph_triangle *take_chunk(struct ph_renderer *r, struct feed *f)
         if (first == NULL) {
             ph_take_lens(r, f->draw);
         }
-        struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot(r) : NULL;
+        struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot_or_spare(r, spares) : NULL;
         if (t == NULL) {
             break;
         }
@@ -420,22 +458,29 @@ static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, 
     return first;
 }
 
-/* Carries on the triangles of a list that go on below the band. Returns where the next one is to be linked. */
-static struct ph_triangle **keep_below(struct ph_renderer *r, struct ph_triangle *list, int32_t y1,
-                                       struct ph_triangle **carry)
+/* Carries on the triangles of a list that go on below the band. */
+static void keep_below(const struct feed *f, struct ph_triangle *list, const struct spares *spares, struct rest *rest)
 {
-    while (list != NULL) {
-        struct ph_triangle *const t = list;
-        list = t->next;
-        if (t->y_bottom <= y1) {
-            free_slot(r, t);
-            continue;
+    const int32_t y1 = rest->rows->y1;
+    for (struct ph_triangle *next; list != NULL; list = next) {
+        const bool spare = list >= spares->at && list < spares->at + SPARES;
+        struct ph_triangle *const t = spare && list->y_bottom > y1 ? take_slot(f->r) : list;
+        next = list->next;
+        if (list->y_bottom <= y1) {
+            if (!spare) {
+                free_slot(f->r, t);
+            }
+        } else if (t == NULL) {
+            put_below(f, list->order, &rest->put);
+        } else {
+            if (spare) {
+                *t = *list;
+            }
+            ph_step_below(t, y1);
+            *rest->carry = t;
+            rest->carry = &t->next;
         }
-        ph_step_below(t, y1);
-        *carry = t;
-        carry = &t->next;
     }
-    return carry;
 }
 
 /* Draws a list of triangles in two halves of the band, the lower one on the other core. */
@@ -461,31 +506,36 @@ static void set_up_list(struct ph_renderer *r, struct ph_triangle *list)
     }
 }
 
-/* Draws a band of 2 rows or more with two cores, as many triangles at a time as there are slots. */
-static void draw_with_other(struct ph_renderer *r, struct feed *f, const struct ph_band *rows)
+/* Draws as many triangles of a band as there are slots, with two cores. */
+static void draw_chunk(struct feed *f, struct rest *rest, bool clears)
 {
-    struct ph_triangle *begun = r->carried, **carry = &r->carried;
-    bool clears = true;
-    while (clears || begun != NULL || f->ref != PH_NONE) {
-        struct ph_triangle *const fresh = take_chunk(r, f);
-        if (fresh == NULL && f->ref != PH_NONE) { /* there is no slot */
-            if (clears) {
-                clear(rows, r->background);
-            }
-            f->draw = NULL;
-            f->next_first = 0; /* its setting is not there yet */
-            draw_rest(f, rows, begun, carry);
-            return;
-        }
-        if (fresh != NULL) {
-            set_up_list(r, fresh);
-        }
-        struct ph_triangle *const list = merge(fresh, &begun, f->ref);
-        draw_list(r, list, rows, clears);
-        carry = keep_below(r, list, rows->y1, carry);
+    struct spares spares;
+    spares.used = 0;
+    struct ph_triangle *const fresh = take_chunk(f, &spares);
+    if (fresh != NULL) {
+        set_up_list(f->r, fresh);
+    }
+    struct ph_triangle *const list = merge(fresh, &rest->begun, f->ref);
+    draw_list(f->r, list, rest->rows, clears);
+    keep_below(f, list, &spares, rest);
+}
+
+/* Draws the triangles of a band, with the other core from when on it is free. */
+static void draw_triangles(struct feed *f, const struct ph_band *rows)
+{
+    struct ph_renderer *const r = f->r;
+    struct rest rest = {rows, r->carried, &r->carried, PH_NONE, 0, is_helped(r, rows)};
+    bool clears = rest.helped;
+    if (!clears) {
+        clear(rows, r->background);
+        draw_rest(f, &rest);
+    }
+    while (clears || rest.begun != NULL || f->ref != PH_NONE) {
+        draw_chunk(f, &rest, clears);
         clears = false;
     }
-    *carry = NULL;
+    *rest.carry = NULL;
+    r->stats.fragments += rest.fragments;
 }
 
 /* Makes pixels of the samples of a band. */
@@ -509,12 +559,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
     struct feed f;
     start(&f, r, band);
-    if (r->config.other_core != NULL && y1 - y0 >= 2) {
-        draw_with_other(r, &f, &rows);
-    } else {
-        clear(&rows, r->background);
-        draw_rest(&f, &rows, r->carried, &r->carried);
-    }
+    draw_triangles(&f, &rows);
     if (r->after != NULL) {
         r->after(r, &rows);
     } else if (r->fog != NULL) {

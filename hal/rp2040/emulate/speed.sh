@@ -3,8 +3,9 @@
 # Prints frames/s of every demo on an emulated RP2040 board, with one core and with two, as rows of a Markdown table, each as
 # soon as its demo has been drawn. "ideal flash" is the rate if flash were as fast as RAM; load is that of each core (core 0
 # sleeps while core 1 finishes its half); sent is the part of a whole frame's bytes; left out are triangles and vertices.
-# Each DEMO (all; as pinhole-sim lists them) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or four at
-# the first one, so that what was sent before counts no more, and two frames whose mean counts.
+# Each DEMO (all; as pinhole-sim lists them) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or six at
+# the first one, so that what was sent before and the first trial of whole frames count no more, and two frames whose mean
+# counts.
 # A frame for which the cores alone work no longer than a whole one takes on the bus should take no longer than that. A demo
 # whose frames are late by over 3 % of that time is marked with !, and the exit status is 1.
 # Environment: B (build directory), CHANGES=0 (whole frames), CORES ("1 2"), IDEAL=0 (flash as it is only).
@@ -39,7 +40,7 @@ while read -r demo loop; do
     case " $* " in
     '  ' | *" $demo "*)
         [ "$loop" -gt 1 ] && n=$points || n=1
-        frame=$((frame + 2))
+        frame=$((frame + 4))
         for ((i = 0; i < n; i++, frame += 4)); do
             [ "$loop" = 1 ] || options+=(--jump "$((i == 0 ? first : frame)):$(((2 * i + 1) * loop / (2 * n)))")
             printf '%s\n' "$((frame + 2)) $demo" "$((frame + 3)) $demo" >>"$dir/count"
