@@ -14,6 +14,11 @@ struct drawn {
     struct ph_texture texture, alphas;
 };
 
+#define MESH_BYTES_32  48
+#define DRAWN_BYTES_32 72
+_Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
+_Static_assert(sizeof(void *) > 4 || sizeof(struct drawn) == DRAWN_BYTES_32, "DRAWN_BYTES_32 is wrong");
+
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
 
 /* Texels of the first level and of those below it. */
@@ -97,11 +102,16 @@ const char *scene_file_wrong(const void *bytes, size_t room)
     return scene_motion_right(head) ? NULL : "is broken: its animation is not inside it";
 }
 
-size_t scene_file_arena_bytes(const void *bytes)
+size_t scene_file_table_bytes(uint32_t mesh_count, bool on_32)
+{
+    return ROUND8(mesh_count * (on_32 ? MESH_BYTES_32 : sizeof(struct ph_mesh))) +
+           ROUND8(mesh_count * (on_32 ? DRAWN_BYTES_32 : sizeof(struct drawn)));
+}
+
+size_t scene_file_arena_bytes(const void *bytes, bool on_32)
 {
     const struct scene_file_head *const head = bytes;
-    return ROUND8(head->mesh_count * sizeof(struct ph_mesh)) + ROUND8(head->mesh_count * sizeof(struct drawn)) +
-           scene_motion_bytes(head);
+    return scene_file_table_bytes(head->mesh_count, on_32) + scene_motion_bytes(head, on_32);
 }
 
 static struct ph_texture texture_of(const uint8_t *base, const struct scene_file_texture *from)
@@ -199,7 +209,8 @@ struct demo scene_file_demo(const void *bytes)
     return (struct demo){.name = head->name,
                          .summary = "a binary scene",
                          .loop_frames = 256,
-                         .arena_bytes = base + scene_file_arena_bytes(bytes),
+                         .arena_bytes = base + scene_file_arena_bytes(bytes, false),
+                         .arena_bytes_32 = (uint32_t)(base + scene_file_arena_bytes(bytes, true)),
                          .vertex_max = head->vertex_max,
                          .triangle_max = head->triangle_max,
                          .init = init,

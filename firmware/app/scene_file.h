@@ -17,8 +17,9 @@ const char *scene_file_wrong(const void *bytes, size_t room);
  */
 struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena);
 
-/* What meshes, animation and its stage take of an arena. */
-size_t scene_file_arena_bytes(const void *bytes);
+/* What meshes, animation and its stage take of an arena, here or on a 32-bit target; and the meshes alone. */
+size_t scene_file_arena_bytes(const void *bytes, bool on_32);
+size_t scene_file_table_bytes(uint32_t mesh_count, bool on_32);
 
 struct demo_eye scene_file_eye(const struct scene_file_head *head);
 

@@ -171,6 +171,13 @@ struct tables {
     struct ph_clip clip;
 };
 
+#define TABLES_BYTES_32 96
+#define MESH_BYTES_32   64
+#define TRACK_BYTES_32  16
+_Static_assert(sizeof(void *) > 4 || sizeof(struct tables) == TABLES_BYTES_32, "TABLES_BYTES_32 is wrong");
+_Static_assert(sizeof(void *) > 4 || sizeof(struct animation_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
+_Static_assert(sizeof(void *) > 4 || sizeof(struct ph_track) == TRACK_BYTES_32, "TRACK_BYTES_32 is wrong");
+
 const struct animation *scene_motion_make(const struct scene_file_head *head, struct demo_arena *arena)
 {
     const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
@@ -192,7 +199,14 @@ const struct animation *scene_motion_make(const struct scene_file_head *head, st
     return &tables->animation;
 }
 
-size_t scene_motion_bytes(const struct scene_file_head *head)
+size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t track_count, bool on_32)
+{
+    return ROUND8(on_32 ? TABLES_BYTES_32 : sizeof(struct tables)) +
+           ROUND8(mesh_count * (on_32 ? MESH_BYTES_32 : sizeof(struct animation_mesh))) +
+           ROUND8(track_count * (on_32 ? TRACK_BYTES_32 : sizeof(struct ph_track)));
+}
+
+size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32)
 {
     const struct scene_file_motion *const motion = scene_file_at(head, head->motion);
     if (!motion) {
@@ -207,7 +221,7 @@ size_t scene_motion_bytes(const struct scene_file_head *head)
             animation_add(&need, &mesh);
         }
     }
-    return ROUND8(sizeof(struct tables)) + ROUND8(a.mesh_count * sizeof(struct animation_mesh)) +
-           (motion->clip_count > 0 ? ROUND8(clips[motion->playing].track_count * sizeof(struct ph_track)) : 0) +
-           animation_bytes(&need, &a, head->mesh_count, false);
+    return scene_motion_table_bytes(a.mesh_count, motion->clip_count > 0 ? clips[motion->playing].track_count : 0,
+                                    on_32) +
+           animation_bytes(&need, &a, head->mesh_count, on_32);
 }

@@ -64,9 +64,13 @@ int asset_measure(struct asset *asset, const struct board *board);
 /* Its context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 
-/* The memory that the board needs to draw the whole scene, and for its bands alone; see runner_whole_bytes(). */
-uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board);
+/* The memory that the board needs to draw the whole scene, as C or as a binary scene, whose tables lie in RAM; and for
+ * its bands alone; see runner_whole_bytes(). */
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board, bool is_binary);
 uint64_t asset_band_bytes(const struct board *board);
+
+/* Memory that a binary scene takes beside that of asset_demo(), here or on a 32-bit target. */
+size_t asset_table_bytes(const struct asset *asset, bool on_32);
 
 /* Bytes of flash on a 32-bit target. */
 struct asset_sizes {

@@ -1,6 +1,7 @@
 #include "asset.h"
 #include "complain.h"
 #include "runner.h"
+#include "scene_file.h"
 
 #include <stdlib.h>
 
@@ -103,6 +104,15 @@ int asset_measure(struct asset *asset, const struct board *board)
     return status == 0 ? 0 : complain("%s: the scene cannot be drawn there (%d)", board->name, status);
 }
 
+size_t asset_table_bytes(const struct asset *asset, bool on_32)
+{
+    const struct model *model = &asset->model;
+    const struct animation *a = model->motion != NULL ? &model->motion->animation : NULL;
+    const size_t moving =
+        a != NULL ? scene_motion_table_bytes(a->mesh_count, a->clip != NULL ? a->clip->track_count : 0, on_32) : 0;
+    return scene_file_table_bytes(model->mesh_count, on_32) + moving;
+}
+
 struct demo asset_demo(const struct asset *asset)
 {
     struct demo demo = model_demo(&asset->model);
@@ -128,9 +138,11 @@ static struct runner_config config_of(const struct board *board, const struct de
                                   .demo = demo};
 }
 
-uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board)
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board, bool is_binary)
 {
-    const struct demo demo = asset_demo(asset);
+    struct demo demo = asset_demo(asset);
+    demo.arena_bytes += is_binary ? asset_table_bytes(asset, false) : 0;
+    demo.arena_bytes_32 += is_binary ? (uint32_t)asset_table_bytes(asset, true) : 0;
     const struct runner_config config = config_of(board, &demo);
     return runner_whole_bytes(&config);
 }

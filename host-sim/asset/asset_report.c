@@ -127,7 +127,7 @@ static void report_flash(FILE *file, const struct asset *asset)
 
 static void report_board(FILE *file, const struct asset *asset, const struct board *board)
 {
-    const uint64_t need = asset_frame_bytes(asset, board), bands = asset_band_bytes(board),
+    const uint64_t need = asset_frame_bytes(asset, board, true), bands = asset_band_bytes(board),
                    budget = runner_budget(board);
     char size[16];
     snprintf(size, sizeof size, "%ux%u", (unsigned)panel_width(board->panel, board->rotation),

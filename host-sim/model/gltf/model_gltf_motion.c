@@ -665,6 +665,30 @@ static bool set_targets(struct model_shared *shared, const struct model_gltf_mov
     return true;
 }
 
+/* What targets add to normals, turned as the normals are, and divided by the length that those had then. */
+static bool set_target_normals(struct model_shared *shared, const struct model_gltf_moved *moved,
+                               const unsigned *vertices, const struct model_place *place, struct animation_mesh *to)
+{
+    const uint32_t n = to->bound.vertex_count;
+    int16_t(*d)[3] = demo_alloc(&shared->arena, sizeof *d * n * moved->target_count);
+    for (size_t i = 0; d != NULL && i < (size_t)n * moved->target_count; i++) {
+        const float *normals = moved->target_normals[i / n];
+        const float *from = normals != NULL ? normals + 3 * (size_t)moved->sources[vertices[i % n]] : NULL;
+        double base[3];
+        model_places_normal(place, vertices[i % n], base);
+        const double length = sqrt(base[0] * base[0] + base[1] * base[1] + base[2] * base[2]);
+        for (int row = 0; row < 3; row++) {
+            const double *c = place->cofactors[row], sign = place->mirrors ? -1 : 1;
+            const double v =
+                from != NULL ? sign * (c[0] * (double)from[0] + c[1] * (double)from[1] + c[2] * (double)from[2]) : 0;
+            d[i][row] = (int16_t)lround(clamp(v / length * 16384, 32767));
+        }
+    }
+    to->morph.normals = to->bound.normals;
+    to->morph.d_normals = (const int16_t(*)[3])d;
+    return d != NULL || model_shared_failed(shared, "needs too much memory");
+}
+
 static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *mesh, struct animation_mesh *to)
 {
     const uint32_t n = mesh->vertex_count;
@@ -727,5 +751,7 @@ bool model_gltf_motion_bind(struct model_shared *shared, const struct model_plac
            (set_skin(shared, node, (const double(*)[4])back, &moving->skin) ||
             model_shared_failed(shared, "is broken: %s", motion->file->error)) &&
            (!is_skinned || set_influences(shared, moved, vertices, moving)) &&
-           (moved->target_count == 0 || set_targets(shared, moved, vertices, (const double(*)[4])to_model, moving));
+           (moved->target_count == 0 || set_targets(shared, moved, vertices, (const double(*)[4])to_model, moving)) &&
+           (!moved->has_normals || place->mesh->mNormals == NULL ||
+            set_target_normals(shared, moved, vertices, place, moving));
 }

@@ -14,7 +14,9 @@
 /* What moves the vertices of a mesh; arrays of the primitive's vertices. */
 struct model_gltf_moved {
     float *joints, *weights; /* four for each vertex, or NULL */
-    float **targets;         /* what is added to each position */
+    float **targets;         /* what is added to each position, or NULL */
+    float **target_normals;  /* the same of each normal */
+    bool has_normals;        /* some target has */
     uint32_t target_count;
     uint32_t *sources; /* the primitive's vertex of each vertex of the mesh */
 };

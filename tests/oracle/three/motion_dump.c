@@ -1,8 +1,7 @@
 /*
  * Usage: motion_dump FILE.gltf CLIP FRAMES
- * Prints how far the model is moved and scaled, and for each frame of the clip the vertices of each mesh that moves:
- *   fit x y z scale
- *   FRAME MESH x y z ...     in LSB of Q16.16
+ * Prints how far the model is moved and scaled, and for each frame of the clip the vertices of each mesh that moves,
+ * and their normals: fit x y z scale FRAME MESH x y z nx ny nz ...     in LSB of Q16.16, and of Q1.14
  */
 #include "model.h"
 
@@ -28,8 +27,10 @@ int main(int argc, char *argv[])
         for (uint32_t i = 0; i < a->mesh_count; i++) {
             printf("%u %u", (unsigned)frame, (unsigned)i);
             for (uint32_t v = 0; v < a->meshes[i].bound.vertex_count; v++) {
-                const struct fx_vec3 *p = &stage->meshes[a->meshes[i].mesh].positions[v];
-                printf(" %d %d %d", (int)p->x, (int)p->y, (int)p->z);
+                const struct ph_mesh *mesh = &stage->meshes[a->meshes[i].mesh];
+                const struct fx_vec3 *p = &mesh->positions[v];
+                const int16_t *n = mesh->normals[v];
+                printf(" %d %d %d %d %d %d", (int)p->x, (int)p->y, (int)p->z, n[0], n[1], n[2]);
             }
             printf("\n");
         }
