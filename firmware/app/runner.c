@@ -201,7 +201,6 @@ int runner_scene(struct runner *runner, uint32_t frame)
         return runner->demo->frame(&runner->context, &runner->renderer, frame);
     }
     runner->renderer = a->renderer;
-    runner->renderer.config.other_core = runner->config.other_core;
     runner->context = a->context;
     return a->status;
 }
@@ -231,7 +230,6 @@ void runner_ahead(struct runner *runner, uint32_t frame)
     struct ph_config config = runner->renderer.config;
     config.vertices = config.vertices == runner->scene ? (void *)(a + 1) : runner->scene;
     config.triangles = config.vertices;
-    config.other_core = NULL;
     a->status = ph_renderer_init(&a->renderer, &config);
     a->context = runner->context;
     a->demo = runner->demo;

@@ -27,7 +27,7 @@ BEGIN {
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
-    rule("hal/[a-z0-9]+/cores2\\.c:", "firmware/app/runner\\.c:make_ahead$")
+    rule("hal/[a-z0-9]+/cores2\\.c:serve$", "firmware/app/runner\\.c:make_ahead$")
     rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$")
     rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_band$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
