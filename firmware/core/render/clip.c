@@ -98,8 +98,9 @@ int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, 
     const int planes = lens->kind == PH_FISHEYE ? PLANE_LEFT : PLANES;
     for (int plane = 0; plane < planes && n >= 2; plane++) {
         if (!is_inside(lens, from, n, plane)) {
-            n = clip_plane(lens, from, n, work[plane & 1], plane);
-            from = work[plane & 1];
+            struct ph_clip_vertex *const to = work[from == work[0]];
+            n = clip_plane(lens, from, n, to, plane);
+            from = to;
         }
     }
     for (int i = 0; i < n; i++) {
