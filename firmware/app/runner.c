@@ -6,8 +6,8 @@
 
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
-/* A scene of fewer vertices takes less time than the other core, once it has made it, waits for the next band. */
-#define AHEAD_LEAST 128
+/* Below so many vertices the other core earns less than it takes to prepare it. */
+#define AHEAD_LEAST 32
 
 /* ---- opening ------------------------------------------------------------------------------------ */
 
