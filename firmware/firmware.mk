@@ -158,7 +158,7 @@ $(B)/image_info.h: $(B)/board-facts
 	@{ $< pins && echo '#define IMAGE_NAME "$(or $(SCENE_NAME),$(APP_NAME))"' && echo '#define IMAGE_VERSION "$(VERSION)"' && \
 	   echo '#define IMAGE_ATTRIBUTES "CORES=$(CORES) CHANGES=$(CHANGES)"'; } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 $(PORT_INFO:%.c=$(B)/%.o): $(B)/image_info.h
-$(PORT_INFO:%.c=$(B)/%.o): CPPFLAGS += -include $(B)/image_info.h
+$(PORT_INFO:%.c=$(B)/%.o): override CPPFLAGS += -include $(B)/image_info.h
 
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@

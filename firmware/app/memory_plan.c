@@ -59,8 +59,8 @@ static uint64_t list_bytes(const struct demo_level *level, uint32_t slots)
 
 static struct demo_level finest_of(const struct demo *demo)
 {
-    return (struct demo_level){demo->arena_bytes,  demo->arena_bytes_32, demo->vertex_max,
-                               demo->triangle_max, demo->corner_max,     0};
+    const uint32_t bytes_32 = demo->arena_bytes_32 != 0 ? demo->arena_bytes_32 : (uint32_t)demo->arena_bytes;
+    return (struct demo_level){demo->arena_bytes, bytes_32, demo->vertex_max, demo->triangle_max, demo->corner_max, 0};
 }
 
 /* What a level of a demo takes on a 32-bit target. */

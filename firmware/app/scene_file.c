@@ -14,18 +14,12 @@ struct drawn {
     struct ph_texture texture, alphas;
 };
 
+#define MESH_BYTES_32  48
+#define DRAWN_BYTES_32 72
+_Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
+_Static_assert(sizeof(void *) > 4 || sizeof(struct drawn) == DRAWN_BYTES_32, "DRAWN_BYTES_32 is wrong");
+
 #define ROUND8(n) (((n) + 7) & ~(size_t)7)
-
-static const struct scene_file_mesh *table_of(const void *bytes)
-{
-    return (const void *)((const uint8_t *)bytes + sizeof(struct scene_file_head));
-}
-
-static bool is_inside(const struct scene_file_head *head, uint32_t offset, uint32_t count, uint32_t size)
-{
-    return offset % 4 == 0 && offset >= sizeof(*head) && offset <= head->bytes &&
-           (uint64_t)count * size <= head->bytes - offset;
-}
 
 /* Texels of the first level and of those below it. */
 static uint32_t texel_count(const struct scene_file_texture *t)
@@ -41,7 +35,7 @@ static bool is_texture_right(const struct scene_file_head *head, const struct sc
 {
     return t->log2_width <= SIDE_LOG2_MAX && t->log2_height <= SIDE_LOG2_MAX && t->levels <= SIDE_LOG2_MAX &&
            t->wrap <= PH_WRAP_CLAMP && t->filter <= PH_FILTER_MIPMAP &&
-           is_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
+           scene_file_inside(head, t->texels, texel_count(t), sizeof(uint16_t));
 }
 
 /* Textures need coordinates, and coordinates are there for textures only. */
@@ -53,18 +47,19 @@ static bool are_textures_right(const struct scene_file_head *head, const struct 
     return is_textured == has_texture && (has_texture || has_alphas) == (m->uvs != 0) &&
            (!has_texture || is_texture_right(head, &m->texture)) &&
            (!has_alphas || is_texture_right(head, &m->alphas)) &&
-           (m->uvs == 0 || is_inside(head, m->uvs, m->vertex_count, sizeof(fx_t[2])));
+           (m->uvs == 0 || scene_file_inside(head, m->uvs, m->vertex_count, sizeof(fx_t[2])));
 }
 
 static bool is_mesh_right(const struct scene_file_head *head, const struct scene_file_mesh *m)
 {
     if (m->vertex_count > UINT16_MAX || m->shading > PH_SHADE_TEXTURE_GOURAUD || m->shading == PH_SHADE_WIRE ||
         m->shininess_log2 > 7 || m->blend > SCENE_FILE_ADD || m->alpha > 32 || m->depth_bias > 56 ||
-        !is_inside(head, m->positions, m->vertex_count, sizeof(struct fx_vec3)) ||
-        !is_inside(head, m->normals, m->vertex_count, sizeof(int16_t[3])) ||
-        !is_inside(head, m->triangles, m->triangle_count, sizeof(uint16_t[3])) ||
-        (m->colours != 0 && !is_inside(head, m->colours, m->vertex_count, sizeof(uint16_t))) ||
-        !is_inside(head, m->ramp, PH_RAMP_SIZE, sizeof(uint16_t)) || !are_textures_right(head, m)) {
+        !scene_file_inside(head, m->positions, m->vertex_count,
+                           m->moving != 0 ? sizeof(int16_t[3]) : sizeof(struct fx_vec3)) ||
+        !scene_file_inside(head, m->normals, m->vertex_count, sizeof(int16_t[3])) ||
+        !scene_file_inside(head, m->triangles, m->triangle_count, sizeof(uint16_t[3])) ||
+        (m->colours != 0 && !scene_file_inside(head, m->colours, m->vertex_count, sizeof(uint16_t))) ||
+        !scene_file_inside(head, m->ramp, PH_RAMP_SIZE, sizeof(uint16_t)) || !are_textures_right(head, m)) {
         return false;
     }
     const uint16_t *const corners = (const void *)((const uint8_t *)head + m->triangles);
@@ -100,17 +95,23 @@ const char *scene_file_wrong(const void *bytes, size_t room)
         return "is broken";
     }
     for (uint32_t i = 0; i < head->mesh_count; i++) {
-        if (!is_mesh_right(head, &table_of(bytes)[i])) {
+        if (!is_mesh_right(head, &scene_file_table(head)[i])) {
             return "is broken: a mesh is not inside it";
         }
     }
-    return NULL;
+    return scene_motion_right(head) ? NULL : "is broken: its animation is not inside it";
 }
 
-size_t scene_file_arena_bytes(const void *bytes)
+size_t scene_file_table_bytes(uint32_t mesh_count, bool on_32)
+{
+    return ROUND8(mesh_count * (on_32 ? MESH_BYTES_32 : sizeof(struct ph_mesh))) +
+           ROUND8(mesh_count * (on_32 ? DRAWN_BYTES_32 : sizeof(struct drawn)));
+}
+
+size_t scene_file_arena_bytes(const void *bytes, bool on_32)
 {
     const struct scene_file_head *const head = bytes;
-    return ROUND8(head->mesh_count * sizeof(struct ph_mesh)) + ROUND8(head->mesh_count * sizeof(struct drawn));
+    return scene_file_table_bytes(head->mesh_count, on_32) + scene_motion_bytes(head, on_32);
 }
 
 static struct ph_texture texture_of(const uint8_t *base, const struct scene_file_texture *from)
@@ -155,9 +156,9 @@ struct ph_mesh *scene_file_meshes(const void *bytes, struct demo_arena *arena)
     struct ph_mesh *const meshes = demo_alloc(arena, head->mesh_count * sizeof(*meshes));
     struct drawn *const drawn = demo_alloc(arena, head->mesh_count * sizeof(*drawn));
     for (uint32_t i = 0; meshes && drawn && i < head->mesh_count; i++) {
-        const struct scene_file_mesh *const m = &table_of(bytes)[i];
+        const struct scene_file_mesh *const m = &scene_file_table(head)[i];
         set_drawn(&drawn[i], base, m);
-        meshes[i] = (struct ph_mesh){.positions = (const void *)(base + m->positions),
+        meshes[i] = (struct ph_mesh){.positions = m->moving != 0 ? NULL : (const void *)(base + m->positions),
                                      .normals = (const void *)(base + m->normals),
                                      .uvs = m->uvs != 0 ? (const void *)(base + m->uvs) : NULL,
                                      .triangles = (const void *)(base + m->triangles),
@@ -183,19 +184,19 @@ struct demo_eye scene_file_eye(const struct scene_file_head *head)
     return eye;
 }
 
-static int turntable_init(struct demo_context *context)
+static int init(struct demo_context *context)
 {
     const struct scene_file_head *const head = context->state;
     const struct ph_mesh *const meshes = scene_file_meshes(head, &context->arena);
-    return meshes ? demo_turntable_init(context, meshes, head->mesh_count, (struct fx_vec3){0, 0, 0}) : PH_ERR_NOMEM;
-}
-
-static int still_init(struct demo_context *context)
-{
-    const struct scene_file_head *const head = context->state;
-    const struct ph_mesh *const meshes = scene_file_meshes(head, &context->arena);
+    const struct animation *const animation = head->motion ? scene_motion_make(head, &context->arena) : NULL;
     const struct demo_eye eye = scene_file_eye(head);
-    return meshes ? demo_still_init(context, meshes, head->mesh_count, &eye) : PH_ERR_NOMEM;
+    const bool is_still = (head->flags & SCENE_FILE_CAMERA) != 0;
+    if (!meshes || (head->motion && !animation)) {
+        return PH_ERR_NOMEM;
+    }
+    return animation  ? animation_init(context, animation, meshes, head->mesh_count, is_still ? &eye : NULL)
+           : is_still ? demo_still_init(context, meshes, head->mesh_count, &eye)
+                      : demo_turntable_init(context, meshes, head->mesh_count, (struct fx_vec3){0, 0, 0});
 }
 
 struct demo scene_file_demo(const void *bytes)
@@ -208,9 +209,12 @@ struct demo scene_file_demo(const void *bytes)
     return (struct demo){.name = head->name,
                          .summary = "a binary scene",
                          .loop_frames = 256,
-                         .arena_bytes = base + scene_file_arena_bytes(bytes),
+                         .arena_bytes = base + scene_file_arena_bytes(bytes, false),
+                         .arena_bytes_32 = (uint32_t)(base + scene_file_arena_bytes(bytes, true)),
                          .vertex_max = head->vertex_max,
                          .triangle_max = head->triangle_max,
-                         .init = is_still ? still_init : turntable_init,
-                         .frame = is_still ? demo_still_frame : demo_turntable_frame};
+                         .init = init,
+                         .frame = head->motion ? animation_frame
+                                  : is_still   ? demo_still_frame
+                                               : demo_turntable_frame};
 }

@@ -64,14 +64,19 @@ int asset_measure(struct asset *asset, const struct board *board);
 /* Its context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 
-/* The memory that the board needs to draw the whole scene, and for its bands alone; see runner_whole_bytes(). */
-uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board);
+/* The memory that the board needs to draw the whole scene, as C or as a binary scene, whose tables lie in RAM; and for
+ * its bands alone; see runner_whole_bytes(). */
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board, bool is_binary);
 uint64_t asset_band_bytes(const struct board *board);
+
+/* Memory that a binary scene takes beside that of asset_demo(), here or on a 32-bit target. */
+size_t asset_table_bytes(const struct asset *asset, bool on_32);
 
 /* Bytes of flash on a 32-bit target. */
 struct asset_sizes {
     uint64_t positions, normals, uvs, colours, triangles, tables; /* tables: meshes, materials, ramps, the demo */
     uint64_t textures;                                            /* and alphas */
+    uint64_t motion;                                              /* clips, skins and morph targets */
 };
 
 struct asset_sizes asset_sizes(const struct asset *asset);
@@ -84,6 +89,15 @@ uint64_t asset_texture_bytes(const struct asset *asset, uint8_t log2_max);
 uint32_t asset_first_ramp(const struct model *model, uint32_t mesh);
 uint32_t asset_first_texture(const struct model *model, uint32_t mesh);
 uint32_t asset_first_blend(const struct model *model, uint32_t mesh);
+
+/* The same for the skin of the mesh number i that moves. */
+uint32_t asset_first_skin(const struct animation *animation, uint32_t i);
+
+/* How many numbers a track's keys have. */
+size_t asset_key_numbers(const struct ph_track *track);
+
+/* Bytes of flash of what moves, beside the positions and normals of its meshes. */
+uint64_t asset_motion_bytes(const struct model *model);
 
 /* Writes the C file; the same asset gives the same bytes. Errors stay in the stream. */
 void asset_write(FILE *file, const struct asset *asset);

@@ -35,8 +35,8 @@ static double room(const struct asset *asset, const struct asset_goal *goal)
     double share = ((double)goal->flash_bytes - (double)texture_bytes(asset)) / flash;
     if (goal->board != NULL) {
         const double bands = (double)asset_band_bytes(goal->board);
-        const double frame =
-            ((double)runner_budget(goal->board) - bands) / ((double)asset_frame_bytes(asset, goal->board) - bands);
+        const double frame = ((double)runner_budget(goal->board) - bands) /
+                             ((double)asset_frame_bytes(asset, goal->board, true) - bands);
         share = frame < share ? frame : share;
     }
     return share > 0 ? share : 0;
@@ -45,7 +45,7 @@ static double room(const struct asset *asset, const struct asset_goal *goal)
 static bool fits(const struct asset *asset, const struct asset_goal *goal)
 {
     return asset_flash_bytes(asset) <= goal->flash_bytes &&
-           (goal->board == NULL || asset_frame_bytes(asset, goal->board) <= runner_budget(goal->board));
+           (goal->board == NULL || asset_frame_bytes(asset, goal->board, true) <= runner_budget(goal->board));
 }
 
 /* Tells which texture size fits when the textures alone are too large for the flash. */
@@ -146,7 +146,7 @@ static int refuse(const struct asset *asset, const struct model *model, const st
                  (unsigned long long)asset_flash_bytes(asset), (unsigned)goal->flash_bytes);
     } else {
         snprintf(need, sizeof need, "need %llu bytes of memory, and %s has %u",
-                 (unsigned long long)asset_frame_bytes(asset, goal->board), goal->board->name,
+                 (unsigned long long)asset_frame_bytes(asset, goal->board, true), goal->board->name,
                  (unsigned)runner_budget(goal->board));
     }
     struct asset smaller = {.memory = NULL};

@@ -55,10 +55,13 @@ static bool finish_mesh(struct demo_arena *arena, const struct ph_mesh *from, st
 }
 
 static bool order_mesh(struct demo_arena *arena, const struct ph_mesh *from, const unsigned *indices, size_t count,
-                       struct ph_material *material, struct ph_mesh *to)
+                       unsigned *sources, struct ph_material *material, struct ph_mesh *to)
 {
     const struct asset_shape shape = {from->positions,    from->normals, from->uvs, from->colours,
-                                      from->vertex_count, indices,       count};
+                                      from->vertex_count, indices,       count,     sources};
+    for (uint32_t i = 0; sources != NULL && i < from->vertex_count; i++) {
+        sources[i] = i;
+    }
     return asset_order(arena, &shape, to) && finish_mesh(arena, from, material, to);
 }
 
@@ -84,7 +87,7 @@ static void loosen(struct loose *l, const struct ph_mesh *from, const unsigned *
 }
 
 static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, const unsigned *indices, size_t count,
-                        struct ph_material *material, struct ph_mesh *to)
+                        unsigned *sources, struct ph_material *material, struct ph_mesh *to)
 {
     struct loose l = {malloc(sizeof *l.positions * (count + 1)), malloc(sizeof *l.normals * (count + 1)),
                       malloc(sizeof *l.uvs * (count + 1)), malloc(sizeof *l.colours * (count + 1)),
@@ -98,7 +101,11 @@ static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, co
                                           from->colours != NULL ? l.colours : NULL,
                                           (uint32_t)count,
                                           l.indices,
-                                          count};
+                                          count,
+                                          sources};
+        if (sources != NULL) {
+            memcpy(sources, indices, sizeof *sources * count);
+        }
         is_done = asset_normals(l.positions, count, is_flat(from), l.normals) && asset_order(arena, &shape, to) &&
                   finish_mesh(arena, from, material, to);
     }
@@ -136,8 +143,9 @@ static void count_mesh(struct asset *asset, const struct ph_mesh *mesh)
 static bool make_meshes(struct asset *asset, struct demo_arena *arena, const struct model *from,
                         const struct asset_rest *rest)
 {
-    unsigned *indices = malloc(sizeof *indices * 3 * ((size_t)from->triangle_count + 1));
-    bool is_done = indices != NULL;
+    const size_t most = 3 * ((size_t)from->triangle_count + 1) + from->vertex_max;
+    unsigned *indices = malloc(sizeof *indices * most), *sources = malloc(sizeof *sources * most);
+    bool is_done = indices != NULL && sources != NULL;
     uint32_t first = 0;
     for (uint32_t m = 0; m < from->mesh_count && is_done; m++) {
         progress_show("ordering", m, from->mesh_count);
@@ -148,7 +156,11 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
         if (n > 0) {
             struct ph_material *material = &asset->materials[asset->model.mesh_count];
             const bool has_normals = rest->way == ASSET_WHOLE || rest->way == ASSET_KEPT;
-            is_done = (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, material, to);
+            const struct animation_mesh *moving = model_moving(from, m);
+            is_done =
+                (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, moving != NULL ? sources : NULL,
+                                                         material, to) &&
+                (moving == NULL || asset_motion_add(arena, moving, sources, &asset->model, asset->model.mesh_count));
             if (is_done) {
                 count_mesh(asset, to);
             }
@@ -156,6 +168,10 @@ static bool make_meshes(struct asset *asset, struct demo_arena *arena, const str
     }
     progress_show("ordering", from->mesh_count, from->mesh_count);
     free(indices);
+    free(sources);
+    if (asset->model.motion != NULL && asset->model.motion->animation.mesh_count == 0) {
+        asset->model.motion = NULL; /* nothing remains that moves */
+    }
     return is_done;
 }
 
@@ -164,7 +180,7 @@ static bool is_one_place(const struct fx_vec3 *a, const struct fx_vec3 *b)
     return a->x == b->x && a->y == b->y && a->z == b->z;
 }
 
-/* Corners in one place: it is drawn nowhere, whatever the camera. */
+/* Corners in one place: if they do not move, it is drawn nowhere, whatever the camera. */
 static bool is_collapsed(const struct fx_vec3 p[3])
 {
     return is_one_place(&p[0], &p[1]) || is_one_place(&p[1], &p[2]) || is_one_place(&p[2], &p[0]);
@@ -189,7 +205,7 @@ int asset_keep_all(const struct model *model, struct asset_rest *rest)
             const struct fx_vec3 p[3] = {mesh->positions[corner[0]], mesh->positions[corner[1]],
                                          mesh->positions[corner[2]]};
             any_area = any_area || has_area(p);
-            if (is_collapsed(p)) {
+            if (is_collapsed(p) && model_moving(model, m) == NULL) {
                 continue;
             }
             for (int i = 0; i < 3; i++) {
@@ -324,7 +340,8 @@ static bool shrink_blends(struct asset *asset, struct demo_arena *arena, const s
 
 static size_t bytes_for(const struct model *model, uint32_t triangles)
 {
-    size_t bytes = 4096 + (size_t)triangles * TRIANGLE_BYTES + (size_t)model->mesh_count * MESH_BYTES * 2;
+    size_t bytes = 4096 + (size_t)triangles * TRIANGLE_BYTES + (size_t)model->mesh_count * MESH_BYTES * 2 +
+                   asset_motion_room(model, triangles);
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_texture *texture = model->meshes[m].materials->texture;
         const struct ph_blend *blend = model->meshes[m].materials->blend;
@@ -348,7 +365,8 @@ static int make(struct asset *asset, const struct model *model, const struct ass
     asset->materials = demo_alloc(&arena, sizeof *asset->materials * model->mesh_count);
     asset->way = rest->way;
     asset->error = rest->error;
-    return asset->model.meshes != NULL && asset->materials != NULL && make_meshes(asset, &arena, model, rest) &&
+    return asset->model.meshes != NULL && asset->materials != NULL &&
+                   asset_motion_begin(&arena, model, &asset->model) && make_meshes(asset, &arena, model, rest) &&
                    shrink_textures(asset, &arena, limits) && shrink_blends(asset, &arena, limits)
                ? 0
                : complain("not enough memory for the model, or too many vertices in one mesh; simplify it "

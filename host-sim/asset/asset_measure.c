@@ -1,6 +1,7 @@
 #include "asset.h"
 #include "complain.h"
 #include "runner.h"
+#include "scene_file.h"
 
 #include <stdlib.h>
 
@@ -14,6 +15,8 @@ struct stage {
     struct demo_context context;
     struct ph_renderer r;
     void *memory;
+    uint32_t frames; /* of the clip */
+    bool turns;      /* on the turntable */
 };
 
 static uint32_t sides_of(uint32_t triangles)
@@ -27,7 +30,11 @@ static uint32_t sides_of(uint32_t triangles)
 
 static int set_up(struct stage *s, struct asset *asset, const struct board *board)
 {
+    const struct model_motion *motion = asset->model.motion;
+    const struct ph_clip *clip = motion != NULL ? motion->animation.clip : NULL;
     s->demo = asset_demo(asset);
+    s->frames = clip != NULL ? (uint32_t)((uint64_t)clip->duration * ANIMATION_FRAMES_A_SECOND >> 16) : 0;
+    s->turns = !asset->model.has_camera;
     const uint32_t triangles = asset->model.triangle_count + asset->model.triangle_count / 2 + 1536;
     const uint16_t width = panel_width(board->panel, board->rotation);
     const uint16_t height = panel_height(board->panel, board->rotation);
@@ -61,12 +68,14 @@ static int set_up(struct stage *s, struct asset *asset, const struct board *boar
     return status == 0 ? s->demo.init(&s->context) : status;
 }
 
+/* Of what moves each side is seen at another moment of the clip; orbit undoes the turntable's turn. */
 static int look_around(struct stage *s, fx_t dolly, uint32_t sides, uint32_t *most)
 {
     s->context.dolly = dolly;
     for (uint32_t side = 0; side < sides; side++) {
-        s->context.orbit = (uint32_t)(((uint64_t)side << 32) / sides);
-        const int status = s->demo.frame(&s->context, &s->r, 0);
+        const uint32_t frame = (uint32_t)((uint64_t)side * s->frames / sides), turn = s->turns ? frame << 24 : 0;
+        s->context.orbit = (uint32_t)(((uint64_t)side << 32) / sides) + turn;
+        const int status = s->demo.frame(&s->context, &s->r, frame);
         if (status != 0) {
             return status;
         }
@@ -95,17 +104,26 @@ int asset_measure(struct asset *asset, const struct board *board)
     return status == 0 ? 0 : complain("%s: the scene cannot be drawn there (%d)", board->name, status);
 }
 
+size_t asset_table_bytes(const struct asset *asset, bool on_32)
+{
+    const struct model *model = &asset->model;
+    const struct animation *a = model->motion != NULL ? &model->motion->animation : NULL;
+    const size_t moving =
+        a != NULL ? scene_motion_table_bytes(a->mesh_count, a->clip != NULL ? a->clip->track_count : 0, on_32) : 0;
+    return scene_file_table_bytes(model->mesh_count, on_32) + moving;
+}
+
 struct demo asset_demo(const struct asset *asset)
 {
     struct demo demo = model_demo(&asset->model);
     demo.name = asset->name;
     demo.views = NULL;
     demo.triangle_max = asset->listed;
-    if (asset->model.has_camera) {
-        demo.arena_bytes = demo.arena_bytes_32 = DEMO_STILL_BYTES;
-        demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
-    } else if (asset->is_bare) {
-        demo.arena_bytes = demo.arena_bytes_32 = DEMO_TURNTABLE_BARE_BYTES;
+    if (asset->model.has_camera || asset->is_bare) {
+        const uint32_t less =
+            DEMO_TURNTABLE_BYTES - (asset->model.has_camera ? DEMO_STILL_BYTES : DEMO_TURNTABLE_BARE_BYTES);
+        demo.arena_bytes -= less;
+        demo.arena_bytes_32 -= less;
         demo.vertex_max -= DEMO_TURNTABLE_VERTICES;
     }
     return demo;
@@ -120,9 +138,11 @@ static struct runner_config config_of(const struct board *board, const struct de
                                   .demo = demo};
 }
 
-uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board)
+uint64_t asset_frame_bytes(const struct asset *asset, const struct board *board, bool is_binary)
 {
-    const struct demo demo = asset_demo(asset);
+    struct demo demo = asset_demo(asset);
+    demo.arena_bytes += is_binary ? asset_table_bytes(asset, false) : 0;
+    demo.arena_bytes_32 += is_binary ? (uint32_t)asset_table_bytes(asset, true) : 0;
     const struct runner_config config = config_of(board, &demo);
     return runner_whole_bytes(&config);
 }

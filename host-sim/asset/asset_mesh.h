@@ -13,12 +13,13 @@ struct asset_shape {
     uint32_t vertex_count;
     const unsigned *indices;
     size_t index_count;
+    unsigned *sources; /* NULL, or of each vertex one of the model: those of different ones stay apart */
 };
 
 /*
  * Sets positions, normals, uvs, colours, triangles and their counts in *to. Equal vertices become one; triangles are
- * ordered so that vertices are used again soon, and vertices by their first use. False: the arena is full, or more than
- * MODEL_VERTICES_MAX vertices remain.
+ * ordered so that vertices are used again soon, and vertices by their first use; so are the sources. False: the arena
+ * is full, or more than MODEL_VERTICES_MAX vertices remain.
  */
 bool asset_order(struct demo_arena *arena, const struct asset_shape *shape, struct ph_mesh *to);
 
@@ -38,6 +39,17 @@ int asset_keep_all(const struct model *model, struct asset_rest *rest);
 
 /* Keeps at most `triangles` of them, or more where the model cannot be simplified that far. 0 or COMPLAINED. */
 int asset_simplify(const struct model *model, uint32_t triangles, struct asset_rest *rest);
+
+/* The arena that all that moves takes, when so many triangles remain. */
+size_t asset_motion_room(const struct model *model, uint32_t triangles);
+
+/* Begins the animation of an asset, without its meshes. False: the arena is full. */
+bool asset_motion_begin(struct demo_arena *arena, const struct model *model, struct model *to);
+
+/* Lets mesh number `mesh` of the asset move as `from` does, of which its vertices are the sources. False: the arena is
+ * full. */
+bool asset_motion_add(struct demo_arena *arena, const struct animation_mesh *from, const unsigned *sources,
+                      struct model *to, uint32_t mesh);
 
 /* Makes normals for corners that have none. Corner i is at places[i], and three corners make a triangle. They are flat,
  * or smooth but where faces meet at more than 66 degrees. False: no memory. */

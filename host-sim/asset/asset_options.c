@@ -58,6 +58,8 @@ static const struct option_row rows[] = {
     {"filter", "nearest|bilinear|mipmap",
      "how textures are drawn, nearest by default; mipmap: they have all levels, a third more flash",
      "nearest, bilinear or mipmap", .set = set_filter},
+    {"clip", "NAME", "keeps this clip of a glTF file alone; without it all are kept, and the first plays", "a name",
+     .at = offsetof(struct asset_options, clip)},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
      "a name that pinhole-sim --list shows", .set = set_board},
     {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",

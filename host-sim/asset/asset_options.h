@@ -7,7 +7,7 @@
 struct asset_options {
     struct asset_goal goal;
     struct model_options model_options;
-    const char *out;
+    const char *out, *clip;
     bool report, help;
 };
 

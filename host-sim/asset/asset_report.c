@@ -46,10 +46,11 @@ struct asset_sizes asset_sizes(const struct asset *asset)
 {
     const struct model *model = &asset->model;
     struct asset_sizes s = {.tables = DEMO_BYTES + (model->has_camera ? EYE_BYTES : 0),
-                            .textures = asset_texture_bytes(asset, TEXTURE_LOG2_MAX)};
+                            .textures = asset_texture_bytes(asset, TEXTURE_LOG2_MAX),
+                            .motion = asset_motion_bytes(model)};
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         const struct ph_mesh *mesh = &model->meshes[m];
-        s.positions += 12 * (uint64_t)mesh->vertex_count;
+        s.positions += (model_moving(model, m) != NULL ? 6 : 12) * (uint64_t)mesh->vertex_count;
         s.normals += 6 * (uint64_t)mesh->vertex_count;
         s.uvs += mesh->uvs != NULL ? 8 * (uint64_t)mesh->vertex_count : 0;
         s.colours += mesh->colours != NULL ? 2 * (uint64_t)mesh->vertex_count : 0;
@@ -63,7 +64,7 @@ struct asset_sizes asset_sizes(const struct asset *asset)
 uint64_t asset_flash_bytes(const struct asset *asset)
 {
     const struct asset_sizes s = asset_sizes(asset);
-    return s.positions + s.normals + s.uvs + s.colours + s.triangles + s.tables + s.textures;
+    return s.positions + s.normals + s.uvs + s.colours + s.triangles + s.tables + s.textures + s.motion;
 }
 
 static void report_model(FILE *file, const struct asset *asset)
@@ -93,20 +94,31 @@ static void report_model(FILE *file, const struct asset *asset)
                               : "turntable");
 }
 
+/* The clips, and by how much the numbers that became 16 bits are off. */
+static void report_motion(FILE *file, const struct model_motion *m)
+{
+    const struct model_rounding *r = &m->rounding;
+    fprintf(file, "motion     %u nodes, %u clips:", (unsigned)m->animation.rig.node_count, (unsigned)m->clip_count);
+    for (uint32_t i = 0; i < m->clip_count; i++) {
+        fprintf(file, "%s %s (%.2f s)%s", i > 0 ? "," : "", m->clips[i].name, m->clips[i].duration / 65536.0,
+                m->animation.clip == &m->clips[i] && m->clip_count > 1 ? " plays" : "");
+    }
+    fprintf(file,
+            "\nrounding   positions %.2g, morph targets %.2g, keys of translation %.2g of the model's radius, of "
+            "rotation %.2g degrees,\n           of scale %.2g, of weights %.2g, their times %.2g s, shares of joints "
+            "%.2g, at most\n",
+            r->position, r->target, r->translation, r->rotation, r->scale, r->weight, r->time, r->share);
+}
+
 static void report_flash(FILE *file, const struct asset *asset)
 {
     const struct asset_sizes s = asset_sizes(asset);
     const struct {
         const char *name;
         uint64_t bytes;
-    } rows[] = {{"positions", s.positions},
-                {"normals", s.normals},
-                {"uvs", s.uvs},
-                {"colours", s.colours},
-                {"triangles", s.triangles},
-                {"tables", s.tables},
-                {"textures", s.textures},
-                {"in all", asset_flash_bytes(asset)}};
+    } rows[] = {{"positions", s.positions}, {"normals", s.normals},     {"uvs", s.uvs},
+                {"colours", s.colours},     {"triangles", s.triangles}, {"tables", s.tables},
+                {"textures", s.textures},   {"motion", s.motion},       {"in all", asset_flash_bytes(asset)}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         fprintf(file, "%-10s %-10s %8llu bytes\n", i == 0 ? "flash" : "", rows[i].name,
                 (unsigned long long)rows[i].bytes);
@@ -115,7 +127,7 @@ static void report_flash(FILE *file, const struct asset *asset)
 
 static void report_board(FILE *file, const struct asset *asset, const struct board *board)
 {
-    const uint64_t need = asset_frame_bytes(asset, board), bands = asset_band_bytes(board),
+    const uint64_t need = asset_frame_bytes(asset, board, true), bands = asset_band_bytes(board),
                    budget = runner_budget(board);
     char size[16];
     snprintf(size, sizeof size, "%ux%u", (unsigned)panel_width(board->panel, board->rotation),
@@ -133,6 +145,9 @@ static void report_board(FILE *file, const struct asset *asset, const struct boa
 int asset_report(FILE *file, const struct asset *asset, const struct board *board)
 {
     report_model(file, asset);
+    if (asset->model.motion != NULL) {
+        report_motion(file, asset->model.motion);
+    }
     report_flash(file, asset);
     fprintf(file, "\n%-27s %-8s %6s %10s %8s %8s %9s\n", "board: bytes for a frame", "picture", "bands", "triangles",
             "scene", "in all", "budget");

@@ -4,6 +4,7 @@
 #include "model_texture.h"
 #include "scene_file.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 struct writer {
@@ -40,16 +41,94 @@ static struct scene_file_texture write_texture(struct writer *to, const struct p
 static const uint8_t blends[] = {
     [PH_BLEND_MASK] = SCENE_FILE_MASK, [PH_BLEND_ALPHA] = SCENE_FILE_ALPHA, [PH_BLEND_ADD] = SCENE_FILE_ADD};
 
+/* Tracks of a clip; returns where. */
+static uint32_t write_tracks(struct writer *to, const struct ph_clip *clip)
+{
+    struct scene_file_track *tracks = calloc(clip->track_count + 1, sizeof *tracks);
+    uint32_t offset = 0;
+    for (uint32_t i = 0; tracks != NULL && i < clip->track_count; i++) {
+        const struct ph_track *t = &clip->tracks[i];
+        const uint32_t times = append(to, t->times, t->key_count * sizeof *t->times);
+        tracks[i] = (struct scene_file_track){.times = times,
+                                              .keys = append(to, t->keys, asset_key_numbers(t) * sizeof *t->keys),
+                                              .node = t->node,
+                                              .key_count = t->key_count,
+                                              .path = t->path,
+                                              .interpolation = t->interpolation,
+                                              .width = t->width,
+                                              .frac = t->frac};
+    }
+    offset = tracks != NULL ? append(to, tracks, clip->track_count * sizeof *tracks) : 0;
+    free(tracks);
+    return offset;
+}
+
+static uint32_t write_motion(struct writer *to, const struct model_motion *motion)
+{
+    const struct animation *a = &motion->animation;
+    struct scene_file_motion m = {.nodes = append(to, a->rig.nodes, a->rig.node_count * sizeof *a->rig.nodes),
+                                  .rest_weights = append(to, a->rest_weights, a->weight_count * sizeof(int32_t)),
+                                  .node_count = a->rig.node_count,
+                                  .weight_count = a->weight_count,
+                                  .clip_count = motion->clip_count,
+                                  .t = {a->root.t.x, a->root.t.y, a->root.t.z}};
+    memcpy(m.r, a->root.r, sizeof m.r);
+    const struct scene_file_clip none = {.tracks = 0};
+    m.clips = to->used;
+    for (uint32_t i = 0; i < motion->clip_count; i++) {
+        append(to, &none, sizeof none);
+    }
+    for (uint32_t i = 0; i < motion->clip_count; i++) {
+        const struct ph_clip *from = &motion->clips[i];
+        struct scene_file_clip clip = {.tracks = write_tracks(to, from),
+                                       .track_count = from->track_count,
+                                       .duration = from->duration,
+                                       .time_shift = from->time_shift};
+        snprintf(clip.name, sizeof clip.name, "%.*s", (int)sizeof clip.name - 1, from->name);
+        m.playing = from == a->clip ? i : m.playing;
+        if (to->bytes != NULL) {
+            memcpy(to->bytes + m.clips + i * sizeof clip, &clip, sizeof clip);
+        }
+    }
+    return append(to, &m, sizeof m);
+}
+
+/* Of meshes with one skin its data are written once; skins: where those of each mesh that moves are. */
+static uint32_t write_moving(struct writer *to, const struct animation *a, uint32_t i, struct scene_file_moving *skins)
+{
+    const struct animation_mesh *from = &a->meshes[i];
+    const struct ph_skin *skin = &from->skin;
+    const struct ph_morph *morph = &from->morph;
+    const uint32_t same = asset_first_skin(a, i), n = from->bound.vertex_count, targets = morph->target_count * n;
+    skins[i] = same < i
+                   ? skins[same]
+                   : (struct scene_file_moving){
+                         .joints = append(to, skin->nodes, skin->joint_count * sizeof *skin->nodes),
+                         .inverse_bind = append(to, skin->inverse_bind, skin->joint_count * sizeof *skin->inverse_bind),
+                         .joint_count = skin->joint_count};
+    struct scene_file_moving m = skins[i];
+    m.influences =
+        from->bound.influences != NULL ? append(to, from->bound.influences, n * sizeof *from->bound.influences) : 0;
+    m.targets = targets > 0 ? append(to, morph->d_positions, targets * sizeof(int16_t[3])) : 0;
+    m.target_normals = morph->d_normals != NULL ? append(to, morph->d_normals, targets * sizeof(int16_t[3])) : 0;
+    m.target_count = morph->target_count;
+    m.first_weight = from->first_weight;
+    m.frac = from->bound.frac;
+    return append(to, &m, sizeof m);
+}
+
 static struct scene_file_mesh write_mesh(struct writer *to, const struct model *model, uint32_t i,
                                          const struct scene_file_mesh *before)
 {
+    const struct animation_mesh *moving = model_moving(model, i);
     const struct ph_mesh *mesh = &model->meshes[i];
     const struct ph_material *material = mesh->materials;
     const struct ph_blend *blend = material->blend;
     const uint32_t n = mesh->vertex_count, ramp = asset_first_ramp(model, i), texture = asset_first_texture(model, i),
                    same = asset_first_blend(model, i);
     return (struct scene_file_mesh){
-        .positions = append(to, mesh->positions, n * sizeof *mesh->positions),
+        .positions = moving != NULL ? append(to, moving->bound.positions, n * sizeof *moving->bound.positions)
+                                    : append(to, mesh->positions, n * sizeof *mesh->positions),
         .normals = append(to, mesh->normals, n * sizeof *mesh->normals),
         .uvs = mesh->uvs != NULL ? append(to, mesh->uvs, n * sizeof *mesh->uvs) : 0,
         .colours = mesh->colours != NULL ? append(to, mesh->colours, n * sizeof *mesh->colours) : 0,
@@ -101,11 +180,17 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
 {
     struct scene_file_head head = make_head(asset);
     struct scene_file_mesh meshes[SCENE_FILE_MESHES];
+    struct scene_file_moving skins[SCENE_FILE_MESHES];
+    const struct model_motion *motion = asset->model.motion;
     struct writer to = {bytes, sizeof head};
     to.used += head.mesh_count * (uint32_t)sizeof *meshes;
     for (uint32_t i = 0; i < head.mesh_count; i++) {
         meshes[i] = write_mesh(&to, &asset->model, i, meshes);
     }
+    for (uint32_t i = 0; motion != NULL && i < motion->animation.mesh_count; i++) {
+        meshes[motion->animation.meshes[i].mesh].moving = write_moving(&to, &motion->animation, i, skins);
+    }
+    head.motion = motion != NULL ? write_motion(&to, motion) : 0;
     if (bytes != NULL) {
         head.bytes = to.used;
         memcpy(bytes, &head, sizeof head);

@@ -1,4 +1,4 @@
-#include "asset.h"
+#include "asset_write.h"
 #include "model_texture.h"
 
 #include <inttypes.h>
@@ -28,7 +28,7 @@ static void put_numbers(FILE *file, const int32_t *values, int count)
     fputc('}', file);
 }
 
-static void put_vec3(FILE *file, struct fx_vec3 v)
+void asset_put_vec3(FILE *file, struct fx_vec3 v)
 {
     put_numbers(file, (const int32_t[]){v.x, v.y, v.z}, 3);
 }
@@ -38,7 +38,7 @@ static void put_positions(FILE *file, const struct ph_mesh *mesh, uint32_t m)
     fprintf(file, "\nstatic const struct fx_vec3 positions_%u[] = {", (unsigned)m);
     for (uint32_t i = 0; i < mesh->vertex_count; i++) {
         separate(file, i, 4);
-        put_vec3(file, mesh->positions[i]);
+        asset_put_vec3(file, mesh->positions[i]);
         fputc(',', file);
     }
     fputs("\n};\n", file);
@@ -153,7 +153,9 @@ static void put_mesh_data(FILE *file, const struct model *model, uint32_t m)
 {
     const struct ph_mesh *mesh = &model->meshes[m];
     const struct ph_material *material = mesh->materials;
-    put_positions(file, mesh, m);
+    if (model_moving(model, m) == NULL) {
+        put_positions(file, mesh, m);
+    }
     put_normals(file, mesh, m);
     if (mesh->uvs != NULL) {
         put_uvs(file, mesh, m);
@@ -183,9 +185,12 @@ static void put_meshes(FILE *file, const struct model *model)
         const struct ph_mesh *mesh = &model->meshes[m];
         const unsigned n = (unsigned)m;
         fprintf(file,
-                "    {.positions = positions_%u,\n     .normals = normals_%u,\n     .triangles = triangles_%u,\n"
-                "     .parts = &part_%u,\n     .materials = &material_%u,\n",
-                n, n, n, n, n);
+                "    {.normals = normals_%u,\n     .triangles = triangles_%u,\n     .parts = &part_%u,\n"
+                "     .materials = &material_%u,\n",
+                n, n, n, n);
+        if (model_moving(model, m) == NULL) {
+            fprintf(file, "     .positions = positions_%u,\n", n);
+        }
         if (mesh->uvs != NULL) {
             fprintf(file, "     .uvs = uvs_%u,\n", n);
         }
@@ -207,7 +212,7 @@ static void put_camera(FILE *file, const struct demo_eye *eye)
         fprintf(file, "%s{%" PRId32 ", %" PRId32 ", %" PRId32 "}", row > 0 ? ", " : "", r[0], r[1], r[2]);
     }
     fputs("}, .t = ", file);
-    put_vec3(file, eye->view.t);
+    asset_put_vec3(file, eye->view.t);
     fprintf(file,
             "},\n    .lens = {.kind = %s, .scale_x_q20 = %" PRId32 ", .scale_y_q20 = %" PRId32 ", .near_z = %" PRId32
             ", .far_z = %" PRId32 "},\n};\n",
@@ -219,19 +224,25 @@ static void put_demo(FILE *file, const struct asset *asset)
 {
     const struct demo demo = asset_demo(asset);
     const unsigned count = (unsigned)asset->model.mesh_count;
-    const char *const kind = asset->model.has_camera ? "still" : "turntable";
+    const bool moves = asset->model.motion != NULL, is_still = asset->model.has_camera;
     fputs("\nstatic int init(struct demo_context *context)\n{\n", file);
-    if (asset->model.has_camera) {
+    if (moves) {
+        fprintf(file, "    return animation_init(context, &animation, meshes, %u, %s);\n}\n", count,
+                is_still ? "&eye" : "NULL");
+    } else if (is_still) {
         fprintf(file, "    return demo_still_init(context, meshes, %u, &eye);\n}\n", count);
     } else {
         fprintf(file, "    return demo_turntable_init(context, meshes, %u, (struct fx_vec3){0, 0, 0});\n}\n", count);
     }
     fprintf(file,
             "\nconst struct demo demo_scene = {\n    .name = \"%s\",\n    .summary = \"a model file\",\n"
-            "    .loop_frames = %u,\n    .arena_bytes = %u,\n    .arena_bytes_32 = %u,\n    .vertex_max = %u,\n"
-            "    .triangle_max = %u,\n    .init = init,\n    .frame = demo_%s_frame,\n};\n",
+            "    .loop_frames = %u,\n    .arena_bytes = sizeof(void *) > 4 ? %u : %u,\n    .arena_bytes_32 = %u,\n"
+            "    .vertex_max = %u,\n    .triangle_max = %u,\n    .init = init,\n    .frame = %s_frame,\n};\n",
             demo.name, (unsigned)demo.loop_frames, (unsigned)demo.arena_bytes, (unsigned)demo.arena_bytes_32,
-            (unsigned)demo.vertex_max, (unsigned)demo.triangle_max, kind);
+            (unsigned)demo.arena_bytes_32, (unsigned)demo.vertex_max, (unsigned)demo.triangle_max,
+            moves      ? "animation"
+            : is_still ? "demo_still"
+                       : "demo_turntable");
 }
 
 void asset_write(FILE *file, const struct asset *asset)
@@ -240,7 +251,7 @@ void asset_write(FILE *file, const struct asset *asset)
     fprintf(file,
             "/*\n * %s: %u triangles in %u meshes, made by pinhole-asset. Positions Q16.16, normals Q1.14, colours in "
             "wire\n"
-            " * order. The demo demo_scene (demo.h) shows it.\n */\n#include \"demo.h\"\n\n"
+            " * order. The demo demo_scene (demo.h) shows it.\n */\n#include \"animation.h\"\n\n"
             "#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__\n#define W(colour) (colour)\n#else\n"
             "#define W(colour) (((colour)&0xFF) << 8 | (colour) >> 8)\n#endif\n",
             asset->name, (unsigned)model->triangle_count, (unsigned)model->mesh_count);
@@ -248,6 +259,9 @@ void asset_write(FILE *file, const struct asset *asset)
         put_mesh_data(file, model, m);
     }
     put_meshes(file, model);
+    if (model->motion != NULL) {
+        asset_write_motion(file, model);
+    }
     if (model->has_camera) {
         put_camera(file, &model->camera);
     }

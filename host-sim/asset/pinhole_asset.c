@@ -76,7 +76,12 @@ static int run(const struct asset_options *o)
     if (model->note != NULL) {
         complain_note("%s: %s", o->goal.model, model->note);
     }
-    status = run_on(model, o);
+    status = model_play(model, o->clip);
+    if (status == 0 && o->clip != NULL) { /* the others take no flash */
+        model->motion->clips = model->motion->animation.clip;
+        model->motion->clip_count = 1;
+    }
+    status = status == 0 ? run_on(model, o) : status;
     model_close(model);
     return status;
 }

@@ -84,33 +84,6 @@ bool option_text_turns(const char *text, uint8_t *out)
     return turns >= 0;
 }
 
-bool option_text_camera(const char *text, struct fx_vec3 *eye, struct fx_vec3 *target, struct fx_vec3 *up)
-{
-    static const char *const keys[] = {"eye=", "target=", "up="};
-    struct fx_vec3 read[] = {*eye, *target, *up};
-    bool seen[3] = {false, false, false};
-    for (;;) {
-        int key = 0;
-        while (key < 3 && (seen[key] || strncmp(text, keys[key], strlen(keys[key])) != 0)) {
-            key++;
-        }
-        fx_t xyz[3];
-        if (key == 3 || !option_text_fx_list(text + strlen(keys[key]), xyz, 3, &text)) {
-            return false;
-        }
-        read[key] = (struct fx_vec3){xyz[0], xyz[1], xyz[2]};
-        seen[key] = true;
-        if (*text == '\0' && seen[0]) {
-            *eye = read[0];
-            *target = read[1];
-            *up = read[2];
-        }
-        if (*text++ != ',') {
-            return text[-1] == '\0' && seen[0];
-        }
-    }
-}
-
 static const char *const depth_names[PH_DEPTH_FORMATS] = {
     [PH_DEPTH_AUTO] = "auto",       [PH_DEPTH_FIXED16] = "fixed16", [PH_DEPTH_FLOAT16] = "float16",
     [PH_DEPTH_FIXED24] = "fixed24", [PH_DEPTH_FLOAT24] = "float24", [PH_DEPTH_LINEAR_W] = "linear-w"};

@@ -25,11 +25,6 @@ int option_text_choice(const char *text, const char *const names[], int count);
 /* "0", "90", "180" or "270" degrees as quarter turns. */
 bool option_text_turns(const char *text, uint8_t *out);
 
-/* eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z] in any order, each at most once; what is not given stays. */
-bool option_text_camera(const char *text, struct fx_vec3 *eye, struct fx_vec3 *target, struct fx_vec3 *up);
-#define OPTION_CAMERA_VALUES                                                                                           \
-    "eye=X,Y,Z and, optionally, target=X,Y,Z and up=X,Y,Z, commas between them; -32768 .. 32767.99"
-
 /* What --depth takes: enum ph_depth_format, and bits of exponent of a float ("float16-e5"), 0: as the lens needs. */
 struct option_depth {
     uint8_t format, exponent;

@@ -8,6 +8,7 @@
 
 #include "camera.h"
 #include "lab.h"
+#include "option_camera.h"
 
 #include <stdio.h>
 
@@ -39,8 +40,8 @@ struct depth_lab {
     const char *out;  /* --out: a file or directory, or NULL */
     const char *kind; /* plot's KIND or compare's FILE, or NULL */
     const char *demo, *view, *model; /* advise: a scene; NULL: not given */
-    bool camera_set, fov_set;        /* --camera, --fov were given */
-    struct fx_vec3 eye, target, up;
+    struct option_camera camera;
+    bool fov_set; /* --fov was given */
     uint32_t start, frames;
     FILE *rows; /* where the command writes; it is thrown away after an error */
 };

@@ -119,11 +119,9 @@ static int find(struct depth_layers *s, const struct depth_lab *lab)
 static void set_camera(struct depth_layers *s, const struct depth_lab *lab)
 {
     struct demo_camera *const camera = &s->context.camera;
-    camera->view_set = lab->camera_set;
-    if (lab->camera_set) {
-        camera->view = ph_view_look_at(lab->eye, lab->target, lab->up);
-    }
-    camera->projection_set = lab->camera_set || lab->fov_set || lab->near_set || lab->far_set;
+    camera->view_set = lab->camera.set;
+    camera->view = lab->camera.view;
+    camera->projection_set = lab->camera.set || lab->fov_set || lab->near_set || lab->far_set;
     depth_lab_projection(lab, &camera->projection);
 }
 

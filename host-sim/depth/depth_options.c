@@ -123,8 +123,7 @@ static bool set_tilt(void *to, const char *value)
 static bool set_camera(void *to, const char *value)
 {
     struct depth_lab *lab = to;
-    lab->camera_set = option_text_camera(value, &lab->eye, &lab->target, &lab->up);
-    return lab->camera_set;
+    return option_camera_read(value, &lab->camera);
 }
 
 static bool set_azimuth(void *to, const char *value)
@@ -189,8 +188,7 @@ static const struct option_row rows[] = {
      .at = offsetof(struct depth_lab, view)},
     {"model", "FILE", "a model file on the turntable in place of planes", "an OBJ, STL, PLY, glTF or GLB file",
      .at = offsetof(struct depth_lab, model)},
-    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
-     "target is the origin and up is the y axis by default; without it the demo has its own view", OPTION_CAMERA_VALUES,
+    {"camera", OPTION_CAMERA_FORMS, OPTION_CAMERA_TELLS ". Without it the demo has its own view", OPTION_CAMERA_VALUES,
      .set = set_camera},
     {"start", "N", "number of the first frame of the scene; 0 by default", "a whole number, 0 .. 1000000000",
      .at = offsetof(struct depth_lab, start), .least = 0, .most = 1000000000},
@@ -265,7 +263,7 @@ static int check_together(const struct depth_lab *lab, const struct depth_comman
         return complain_usage("--demo and --model exclude each other");
     }
     const bool scene = lab->demo != NULL || lab->model != NULL;
-    if (!scene && (lab->view != NULL || lab->camera_set || lab->start != 0 || lab->frames != 1)) {
+    if (!scene && (lab->view != NULL || lab->camera.set || lab->start != 0 || lab->frames != 1)) {
         return complain_usage("--view, --camera, --start, --frames: belong to a scene; give --demo or --model");
     }
     if (scene && (lab->at_count > 0 || lab->separate != 0 || lab->tilt_set)) {
@@ -305,7 +303,6 @@ int depth_options_read(struct depth_lab *lab, const struct depth_command **comma
                               .width = 240,
                               .height = 240,
                               .count = 10000,
-                              .up = {0, FX_ONE, 0},
                               .frames = 1};
     *command = NULL;
     add_format(lab, "all", 3);

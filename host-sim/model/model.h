@@ -29,38 +29,27 @@
 #ifndef MODEL_H
 #define MODEL_H
 
-#include "demo.h"
-#include "motion.h"
+#include "animation.h"
 
 #define MODEL_TRIANGLES_MAX 4000000u
 #define MODEL_FILE_MAX      (1u << 30) /* bytes */
 #define MODEL_VERTICES_MAX  65535u     /* of one mesh */
 
-/* A mesh that moves: its positions and normals are written anew for each moment. */
-struct model_moving {
-    uint32_t mesh; /* of model.meshes */
-    struct ph_bound bound;
-    struct ph_skin skin;
-    struct ph_morph morph; /* target_count 0: none */
-    uint32_t first_weight;
-    int16_t (*morphed)[3];
-    struct fx_vec3 *positions;
-    int16_t (*normals)[3];
+/* The largest errors of a file's numbers that became 16 bits. Lengths are in those of the model, whose radius is 1. */
+struct model_rounding {
+    double position, target, translation; /* of the bind pose; of morph targets; of keys */
+    double rotation;                      /* of keys, in degrees */
+    double scale, weight;                 /* of keys */
+    double share;                         /* of a joint in a vertex */
+    double time;                          /* of keys, in seconds */
 };
 
-#define MODEL_FRAMES_A_SECOND 30
-
 struct model_motion {
-    struct ph_rig rig;
-    struct ph_xform root;               /* the file's origin and directions in the model */
-    double scale;                       /* lengths of the model in those of the file */
-    const struct ph_clip *clips, *clip; /* clip: that which plays */
-    uint32_t clip_count, moving_count, weight_count;
-    struct model_moving *moving;
-    const int32_t *rest_weights;
-    int32_t *weights;
-    struct ph_pose *pose;
-    struct ph_xform *places, *matrices;
+    struct animation animation; /* its clip is that which plays */
+    const struct ph_clip *clips;
+    uint32_t clip_count;
+    double scale; /* lengths of the model in those of the file */
+    struct model_rounding rounding;
 };
 
 struct model {
@@ -105,6 +94,9 @@ void model_close(struct model *model);
 /* The filter of that name: nearest, bilinear, mipmap. False if it is none. */
 bool model_filter_named(const char *name, uint8_t *filter);
 
+/* How a mesh moves; NULL: it stands still. */
+const struct animation_mesh *model_moving(const struct model *model, uint32_t mesh);
+
 /* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. A binary scene keeps
  * its own. */
 void model_set_filter(struct model *model, uint8_t filter);
@@ -112,11 +104,8 @@ void model_set_filter(struct model *model, uint8_t filter);
 /* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
 uint32_t model_blend_triangles(const struct model *model, uint32_t width);
 
-/* Plays the clip of that name from now on. False: there is none. */
-bool model_play(struct model *model, const char *name);
-
-/* Moves the meshes to where the clip has them in a frame. */
-void model_move(const struct model *model, uint32_t frame);
+/* Plays the clip of that name from now on; NULL changes nothing. 0, or after complaining PH_ERR_INVAL. */
+int model_play(struct model *model, const char *name);
 
 /* Returns a demo of the model: with a camera it has the views `camera` and `turntable`, else `turntable` alone. Its
  * context->state must be the model. */

@@ -5,52 +5,36 @@
 
 static const char *const views[] = {"camera", "turntable", NULL};
 
-/* The state of a demo whose meshes move: that of the still one, and the model. */
-struct moving {
-    void *still;
-    const struct model *model;
-};
-
-static int keep_model(struct demo_context *context, const struct model *model, int status)
-{
-    struct moving *const moving = status == PH_OK ? demo_alloc(&context->arena, sizeof *moving) : NULL;
-    if (moving == NULL) {
-        return PH_ERR_NOMEM;
-    }
-    *moving = (struct moving){context->state, model};
-    context->state = moving;
-    return PH_OK;
-}
-
-static int turntable_init(struct demo_context *context)
-{
-    const struct model *model = context->state;
-    const struct fx_vec3 centre = {0, 0, 0};
-    return keep_model(context, model, demo_turntable_init(context, model->meshes, model->mesh_count, centre));
-}
-
 static bool is_turntable(const struct demo_context *context)
 {
     return context->view != NULL && strcmp(context->view, "turntable") == 0;
 }
 
+/* Before the eye, or (NULL) on the turntable. */
+static int init(struct demo_context *context, const struct demo_eye *eye)
+{
+    const struct model *model = context->state;
+    const struct fx_vec3 centre = {0, 0, 0};
+    return model->motion != NULL
+               ? animation_init(context, &model->motion->animation, model->meshes, model->mesh_count, eye)
+           : eye != NULL ? demo_still_init(context, model->meshes, model->mesh_count, eye)
+                         : demo_turntable_init(context, model->meshes, model->mesh_count, centre);
+}
+
+static int turntable_init(struct demo_context *context)
+{
+    return init(context, NULL);
+}
+
 static int camera_init(struct demo_context *context)
 {
     const struct model *model = context->state;
-    return is_turntable(context)
-               ? turntable_init(context)
-               : keep_model(context, model, demo_still_init(context, model->meshes, model->mesh_count, &model->camera));
+    return init(context, is_turntable(context) ? NULL : &model->camera);
 }
 
-static int move_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+static int camera_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    struct moving *const moving = context->state;
-    const bool turns = !moving->model->has_camera || is_turntable(context);
-    model_move(moving->model, frame);
-    context->state = moving->still;
-    const int status = (turns ? demo_turntable_frame : demo_still_frame)(context, r, frame);
-    context->state = moving;
-    return status;
+    return (is_turntable(context) ? demo_turntable_frame : demo_still_frame)(context, r, frame);
 }
 
 /* The demo of a binary scene finds the scene's bytes as its state. */
@@ -81,20 +65,26 @@ struct demo model_demo(const struct model *model)
         demo.init = scene_init;
         return demo;
     }
+    const struct animation *a = model->motion != NULL ? &model->motion->animation : NULL;
     uint32_t vertices = 0;
     for (uint32_t m = 0; m < model->mesh_count; m++) {
         vertices += model->meshes[m].vertex_count;
     }
+    const struct animation_need need = a != NULL ? animation_need(a) : (struct animation_need){0};
+    const size_t moving = a != NULL ? animation_bytes(&need, a, model->mesh_count, false) : 0;
+    const size_t moving_32 = a != NULL ? animation_bytes(&need, a, model->mesh_count, true) : 0;
     return (struct demo){.name = "model",
                          .summary = "a model file",
                          .views = model->has_camera ? views : views + 1,
                          .loop_frames = demo_find("turntable")->loop_frames,
-                         .arena_bytes = DEMO_TURNTABLE_BYTES + sizeof(struct moving),
-                         .arena_bytes_32 = DEMO_TURNTABLE_BYTES + sizeof(struct moving),
+                         .arena_bytes = DEMO_TURNTABLE_BYTES + moving,
+                         .arena_bytes_32 = (uint32_t)(DEMO_TURNTABLE_BYTES + moving_32),
                          .vertex_max = vertices + DEMO_TURNTABLE_VERTICES,
                          /* A clipped triangle becomes several; few are clipped. */
                          .triangle_max = model->triangle_count + model->triangle_count / 4 + DEMO_TURNTABLE_TRIANGLES +
                                          model_blend_triangles(model, 1024),
                          .init = model->has_camera ? camera_init : turntable_init,
-                         .frame = move_frame};
+                         .frame = a != NULL           ? animation_frame
+                                  : model->has_camera ? camera_frame
+                                                      : demo_turntable_frame};
 }

@@ -1,41 +1,54 @@
+#include "complain.h"
 #include "model.h"
+#include "nearest.h"
+#include "scene_file.h"
 
+#include <stdio.h>
 #include <string.h>
 
-bool model_play(struct model *model, const char *name)
+static const char *clip_name(const void *from, size_t i)
 {
-    struct model_motion *const m = model->motion;
-    for (uint32_t i = 0; m != NULL && i < m->clip_count; i++) {
-        if (strcmp(m->clips[i].name, name) == 0) {
-            m->clip = &m->clips[i];
-            return true;
-        }
-    }
-    return false;
+    const struct model_motion *motion = from;
+    return motion != NULL && i < motion->clip_count ? motion->clips[i].name : NULL;
 }
 
-void model_move(const struct model *model, uint32_t frame)
+static int refuse(const struct model_motion *motion, const char *name)
+{
+    char list[200] = "";
+    for (size_t i = 0, used = 0; clip_name(motion, i) != NULL && used < sizeof list; i++) {
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", clip_name(motion, i));
+    }
+    return complain_usage("--clip '%s': the model has no such clip; %sit has %s", name,
+                          nearest_text(name, clip_name, motion), list[0] != '\0' ? list : "none");
+}
+
+int model_play(struct model *model, const char *name)
+{
+    struct model_motion *const m = model->motion;
+    uint32_t i = 0;
+    if (name == NULL) {
+        return 0;
+    }
+    while (clip_name(m, i) != NULL && strcmp(clip_name(m, i), name) != 0) {
+        i++;
+    }
+    if (clip_name(m, i) == NULL) {
+        return refuse(m, name);
+    }
+    m->animation.clip = &m->clips[i];
+    if (model->scene != NULL) {
+        scene_motion_play((void *)(uintptr_t)model->scene, i); /* the model's own copy */
+    }
+    return 0;
+}
+
+const struct animation_mesh *model_moving(const struct model *model, uint32_t mesh)
 {
     const struct model_motion *const m = model->motion;
-    if (m == NULL) {
-        return;
-    }
-    ph_rig_rest(&m->rig, m->pose);
-    memcpy(m->weights, m->rest_weights, sizeof *m->weights * m->weight_count);
-    if (m->clip_count > 0) {
-        const uint64_t loop = m->clip->duration > 0 ? (uint64_t)m->clip->duration * MODEL_FRAMES_A_SECOND : 1;
-        const fx_t time = (fx_t)((uint64_t)frame * FX_ONE % loop / MODEL_FRAMES_A_SECOND);
-        ph_clip_sample(m->clip, time, m->pose, m->weights);
-    }
-    ph_rig_places(&m->rig, m->pose, &m->root, m->places);
-    for (uint32_t i = 0; i < m->moving_count; i++) {
-        const struct model_moving *const moving = &m->moving[i];
-        struct ph_bound bound = moving->bound;
-        if (moving->morph.target_count > 0) {
-            ph_morph_vertices(&moving->morph, m->weights + moving->first_weight, moving->morphed, NULL);
-            bound.positions = (const int16_t(*)[3])moving->morphed;
+    for (uint32_t i = 0; m != NULL && i < m->animation.mesh_count; i++) {
+        if (m->animation.meshes[i].mesh == mesh) {
+            return &m->animation.meshes[i];
         }
-        ph_skin_matrices(&moving->skin, m->places, m->matrices);
-        ph_skin_vertices(&bound, m->matrices, moving->positions, moving->normals);
     }
+    return NULL;
 }

@@ -8,9 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One block of memory: this, the arena of the meshes, the bytes of the file. */
+/* One block of memory: this, the bytes of the file, the arena of what is made of them. */
 struct scene {
     struct model model;
+    struct model_motion motion;
     struct demo_arena arena;
 };
 
@@ -41,28 +42,57 @@ static uint8_t *read_behind(const char *path, size_t before, size_t *n)
     return memory;
 }
 
+/* Makes the meshes in their bind pose, and all clips. False: the arena is full. */
+static bool make_model(struct scene *scene, const struct scene_file_head *file)
+{
+    struct model *model = &scene->model;
+    *model = (struct model){.meshes = scene_file_meshes(file, &scene->arena),
+                            .mesh_count = file->mesh_count,
+                            .has_camera = (file->flags & SCENE_FILE_CAMERA) != 0,
+                            .camera = scene_file_eye(file),
+                            .scene = file};
+    if (file->motion == 0 || model->meshes == NULL) {
+        return model->meshes != NULL;
+    }
+    const struct scene_file_motion *from = (const void *)((const uint8_t *)file + file->motion);
+    const struct animation *animation = scene_motion_make(file, &scene->arena);
+    struct ph_clip *clips = demo_alloc(&scene->arena, sizeof *clips * from->clip_count);
+    const struct animation_stage *stage =
+        animation != NULL ? animation_begin(&scene->arena, animation, model->meshes, model->mesh_count) : NULL;
+    bool is_done = clips != NULL && stage != NULL;
+    for (uint32_t i = 0; i < from->clip_count && is_done; i++) {
+        is_done = scene_motion_clip(file, i, &scene->arena, &clips[i]);
+    }
+    if (is_done) {
+        scene->motion = (struct model_motion){.animation = *animation, .clips = clips, .clip_count = from->clip_count};
+        scene->motion.animation.clip = from->clip_count > 0 ? &clips[from->playing] : NULL;
+        model->motion = &scene->motion;
+        model->meshes = stage->meshes;
+    }
+    return is_done;
+}
+
 int model_scene_open(struct model **model, const char *path)
 {
-    const size_t meshes_most =
-        SCENE_FILE_MESHES * (sizeof(struct ph_mesh) + sizeof(struct ph_part) + sizeof(struct ph_material) +
-                             sizeof(struct ph_blend) + 2 * sizeof(struct ph_texture) + 16);
-    const size_t head = ROUND16(sizeof(struct scene)), before = head + ROUND16(meshes_most);
+    const size_t head = ROUND16(sizeof(struct scene));
     size_t n = 0;
-    uint8_t *memory = read_behind(path, before, &n);
-    const char *why = memory != NULL ? scene_file_wrong(memory + before, n) : NULL;
+    uint8_t *memory = read_behind(path, head, &n);
+    const char *why = memory != NULL ? scene_file_wrong(memory + head, n) : NULL;
     if (memory == NULL || why != NULL) {
         free(memory);
         return memory == NULL ? COMPLAINED : complain("model %s: %s", path, why);
     }
+    const size_t tables =
+        8 * n + 4096; /* nothing becomes more than 8 times as long, but where things share their data */
+    uint8_t *larger = realloc(memory, head + ROUND16(n) + tables);
+    memory = larger != NULL ? larger : memory;
     struct scene *scene = (struct scene *)(void *)memory;
-    const struct scene_file_head *file = (const void *)(memory + before);
-    scene->arena = (struct demo_arena){.base = memory + head, .size = before - head};
-    scene->model = (struct model){.meshes = scene_file_meshes(file, &scene->arena),
-                                  .mesh_count = file->mesh_count,
-                                  .has_camera = (file->flags & SCENE_FILE_CAMERA) != 0,
-                                  .camera = scene_file_eye(file),
-                                  .scene = file};
-    for (uint32_t m = 0; m < file->mesh_count; m++) {
+    scene->arena = (struct demo_arena){.base = memory + head + ROUND16(n), .size = larger != NULL ? tables : 0};
+    if (!make_model(scene, (const void *)(memory + head))) {
+        free(memory);
+        return complain("model %s: not enough memory", path);
+    }
+    for (uint32_t m = 0; m < scene->model.mesh_count; m++) {
         const struct ph_mesh *mesh = &scene->model.meshes[m];
         scene->model.triangle_count += mesh->triangle_count;
         if (mesh->vertex_count > scene->model.vertex_max) {

@@ -126,10 +126,16 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
 {
     const struct panel *panel = setup->board->panel;
     /* A demo's own near and far planes fit its own view only. */
-    const bool lens_set = o->projection_set || o->camera_set;
-    *camera = (struct demo_camera){.view_set = o->camera_set, .projection_set = lens_set};
-    if (o->camera_set) {
-        camera->view = ph_view_look_at(o->eye, o->target, o->up);
+    const bool view_set = o->camera.set || o->view_matrix_set;
+    const bool lens_set = o->projection_set || o->lens_matrix_set || view_set;
+    *camera = (struct demo_camera){.view = o->camera.view, .view_set = view_set, .projection_set = lens_set};
+    if (o->view_matrix_set && sim_matrix_view(&o->view_matrix, (enum ph_convention)o->convention, &camera->view) != 0) {
+        return complain_usage("--view-matrix: its first three rows must be a camera's axes in the --convention, unit "
+                              "vectors at right angles, and its fourth 0,0,0,1");
+    }
+    if (o->focal < 0) { /* behind the hole the image is upside down */
+        const struct ph_xform half_turn = ph_xform_rotate_z(0x80000000u);
+        camera->view = ph_xform_mul(&half_turn, &camera->view);
     }
     int status = 0;
     if (lens_set) {
@@ -140,7 +146,14 @@ static int choose_camera(const struct sim_options *o, const struct sim_player_se
     if (status == 0 && lens_set && (off_x > 2 * FX_ONE || off_y > 2 * FX_ONE)) {
         return complain_usage("--projection: the window lies more than its own size off the middle");
     }
-    if (status != 0 || through_convention((enum ph_convention)o->convention, camera) != 0) {
+    if (status == 0) {
+        status = through_convention((enum ph_convention)o->convention, camera);
+    }
+    if (status != 0 && o->lens_matrix_set) {
+        return complain_usage("--projection-matrix: is not a lens of the --convention, which gives w its sign and the "
+                              "depth its range; see camera.h");
+    }
+    if (status != 0) {
         const bool planes = o->near_z <= 0 || o->far_z <= o->near_z;
         return planes ? complain_usage("--near, --far: near must be more than 0, and far more than near")
                       : complain_usage("--projection, --fov: no such view volume; left and right, bottom and top "
@@ -195,26 +208,6 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     return status;
 }
 
-static const char *clip_name(const void *from, size_t i)
-{
-    const struct model_motion *motion = from;
-    return motion != NULL && i < motion->clip_count ? motion->clips[i].name : NULL;
-}
-
-static int choose_clip(const struct sim_options *o, struct model *model)
-{
-    char list[200] = "";
-    if (o->clip == NULL || model_play(model, o->clip)) {
-        return 0;
-    }
-    for (size_t i = 0, used = 0; clip_name(model->motion, i) != NULL && used < sizeof list; i++) {
-        used +=
-            (size_t)snprintf(list + used, sizeof list - used, "%s%s", i > 0 ? ", " : "", clip_name(model->motion, i));
-    }
-    return complain_usage("--clip '%s': the model has no such clip; %sit has %s", o->clip,
-                          nearest_text(o->clip, clip_name, model->motion), list[0] != '\0' ? list : "none");
-}
-
 static int choose_scene(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     if (o->model == NULL) {
@@ -231,7 +224,7 @@ static int choose_scene(const struct sim_options *o, struct chosen *chosen, stru
     if (chosen->model->note != NULL) {
         complain_note("--model %s: %s", o->model, chosen->model->note);
     }
-    status = choose_clip(o, chosen->model);
+    status = model_play(chosen->model, o->clip);
     if (status == 0) {
         status = choose_model(o, chosen, setup);
     }
@@ -271,11 +264,16 @@ static int show_matrices(const struct sim_options *o, const struct frame_out *ou
     if (status == PH_ERR_RANGE) {
         return complain_usage("--matrix: an element does not fit Q16.16; move --near and --far apart");
     }
+    if (status == 0 && o->flatten != NULL) {
+        sim_matrix_print_one(report_file(out), "flatten", &o->flat);
+    }
     return status == 0 ? 0 : complain_usage("--matrix: this demo's camera has no matrix; give a --projection");
 }
 
 /* Where the frames go, what they are compared with, and where the buttons come from. */
 struct stage {
+    struct sim_player_setup *setup;
+    struct chosen *chosen;
     struct frame_out out;
     struct frame_check check;
     struct key_script keys;
@@ -303,13 +301,48 @@ static int show_frame(const struct sim_options *o, struct stage *stage, struct s
     return status;
 }
 
-/* Sets the kit's buttons from script and keyboard. False: the window was closed. */
-static bool press(struct stage *stage, struct sim_player *p, uint32_t frame)
+/* Gives a glass without a kit the size of the window, and the camera its aspect. */
+static int follow(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint16_t width,
+                  uint16_t height)
 {
-    uint32_t buttons = 0;
-    const bool go_on = stage->window == NULL || sim_window_buttons(stage->window, &buttons);
-    sim_buttons_set(p->sim, buttons | key_script_at(&stage->keys, frame));
-    return go_on;
+    const struct demo_context before = p->runner.context;
+    int status = sim_player_close(p);
+    *p = (struct sim_player){.sim = NULL};
+    sim_virtual(&stage->chosen->virtual_board, width, height);
+    if (status == 0) {
+        status = choose_camera(o, stage->setup, &stage->setup->camera);
+    }
+    if (status == 0) {
+        status = sim_player_open(p, stage->setup);
+    }
+    sim_player_move(p, before.orbit, before.dolly);
+    return status == 0 ? sim_window_resize(stage->window, stage->setup->board->title, width, height) : status;
+}
+
+#define DRAG_TURN  (1u << 24)    /* 256 pixels of the picture are a turn */
+#define WHEEL_AWAY (FX_ONE / 16) /* of the distance, a notch */
+
+/* Sets the kit's buttons from script and keyboard, and moves the camera by the mouse. 0, COMPLAINED, or WINDOW_CLOSED.
+ */
+#define WINDOW_CLOSED 1
+static int press(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint32_t frame)
+{
+    struct sim_window_input input = {.buttons = 0};
+    if (stage->window != NULL) {
+        if (!sim_window_input(stage->window, &input)) {
+            return WINDOW_CLOSED;
+        }
+        const bool follows = o->board == NULL && o->out == NULL && o->check == NULL;
+        if (follows && (input.width != p->picture.width || input.height != p->picture.height)) {
+            const int status = follow(o, stage, p, input.width, input.height);
+            if (status != 0) {
+                return status;
+            }
+        }
+        sim_player_move(p, 0u - (uint32_t)input.drag * DRAG_TURN, -input.notches * WHEEL_AWAY);
+    }
+    sim_buttons_set(p->sim, input.buttons | key_script_at(&stage->keys, frame));
+    return 0;
 }
 
 static int run_frames(const struct sim_options *o, struct stage *stage, struct sim_player *p)
@@ -319,7 +352,8 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
     const bool bar = o->out != NULL && !o->crc && !o->stats && stage->out.kind != FRAME_OUT_STREAM;
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
-        if (!press(stage, p, o->start + i)) {
+        status = press(o, stage, p, o->start + i);
+        if (status != 0) {
             break;
         }
         status = show_frame(o, stage, p, o->start + i);
@@ -334,12 +368,14 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
     if (bar) {
         progress_show("frames", 1, 1);
     }
-    return status;
+    return status == WINDOW_CLOSED ? 0 : status;
 }
 
-static int run(const struct sim_options *o, const struct sim_player_setup *setup)
+static int run(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
-    struct stage stage = {.out = {.scale = o->scale},
+    struct stage stage = {.setup = setup,
+                          .chosen = chosen,
+                          .out = {.scale = o->scale},
                           .check = {.reference = o->check,
                                     .difference = o->difference != NULL ? o->difference : "difference.png",
                                     .tolerance = o->tolerance,
@@ -381,7 +417,7 @@ static int draw(const struct sim_options *o)
     int status = choose(o, &chosen, &setup);
     if (status == 0) {
         signal_stop_catch();
-        status = run(o, &setup);
+        status = run(o, &chosen, &setup);
     }
     asset_free(&chosen.asset);
     model_close(chosen.model);

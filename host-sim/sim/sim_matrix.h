@@ -16,7 +16,31 @@
 
 #include "camera.h"
 
+#include <stdbool.h>
 #include <stdio.h>
+
+/* 16 numbers, rows first, commas between them. False, and *out stays as it was, if the text is something else. */
+struct sim_matrix {
+    double m[4][4];
+};
+bool sim_matrix_read(const char *text, struct sim_matrix *out);
+
+#define SIM_MATRIX_VALUES "16 numbers, rows first, commas between them; each less than 32768"
+
+/* The value of --flatten: a matrix that drops the depth (KAIST 4.7, 4.11; EECE 478, pinhole algebra; HAW, a plane). */
+bool sim_matrix_flat(const char *text, struct ph_mat4 *out);
+
+/*
+ * Set *view or *p from a matrix that is written down in the convention, and round once. A view is rigid: unit rows at
+ * right angles, within 1/10000, in the convention's handedness. A projection is one that camera.h makes, or a positive
+ * multiple of it: w grows with the distance, for PH_LMU it falls below 0. PH_ERR_INVAL: it is something else, or an
+ * element does not fit.
+ */
+int sim_matrix_view(const struct sim_matrix *from, enum ph_convention convention, struct ph_xform *view);
+int sim_matrix_projection(const struct sim_matrix *from, enum ph_convention convention, struct ph_projection *p);
+
+/* Prints one matrix and its name. */
+void sim_matrix_print_one(FILE *file, const char *name, const struct ph_mat4 *matrix);
 
 /* 0, PH_ERR_INVAL for a fisheye, which has no matrix, or PH_ERR_RANGE if an element does not fit Q16.16. After an error
  * nothing was printed. */

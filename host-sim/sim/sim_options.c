@@ -31,8 +31,41 @@ static bool set_rotate(void *to, const char *value)
 static bool set_camera(void *to, const char *value)
 {
     struct sim_options *o = to;
-    o->camera_set = option_text_camera(value, &o->eye, &o->target, &o->up);
-    return o->camera_set;
+    return option_camera_read(value, &o->camera);
+}
+
+static bool set_view_matrix(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->view_matrix_set = true;
+    return sim_matrix_read(value, &o->view_matrix);
+}
+
+static bool set_lens_matrix(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->lens_matrix_set = true;
+    return sim_matrix_read(value, &o->lens_matrix);
+}
+
+static bool set_focal(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->projection_set = true;
+    if (!option_text_fx(value, &o->focal, &value)) {
+        return false;
+    }
+    if (*value == ',' && !option_text_fx(value + 1, &o->image_height, &value)) {
+        return false;
+    }
+    return *value == '\0' && o->focal != 0 && o->focal != FX_MIN && o->image_height > 0;
+}
+
+static bool set_flatten(void *to, const char *value)
+{
+    struct sim_options *o = to;
+    o->flatten = value;
+    return sim_matrix_flat(value, &o->flat);
 }
 
 static bool set_distance(struct sim_options *o, fx_t *out, const char *value)
@@ -167,12 +200,20 @@ static const struct option_row rows[] = {
      "        board's own by default. The glass is shown with the picture upright, as you would hold it: 90 and 270\n"
      "        swap width and height; else only the bytes on the wire differ",
      "0, 90, 180 or 270 degrees", .set = set_rotate},
-    {"camera", "eye=X,Y,Z[,target=X,Y,Z][,up=X,Y,Z]",
-     "target is the origin and up is the y axis by default. Without this option the demo has its own view; it has\n"
-     "        its own lens if none of --camera, --fov, --near, --far, --projection is given",
+    {"camera", OPTION_CAMERA_FORMS,
+     OPTION_CAMERA_TELLS ". Without this option the demo has its own\n"
+                         "        view; it has its own lens if no option of the view or the lens is given",
      OPTION_CAMERA_VALUES, .set = set_camera},
+    {"view-matrix", "M", "the view as a matrix, world to camera, as the --convention writes it and --matrix prints it",
+     SIM_MATRIX_VALUES, .set = set_view_matrix},
+    {"projection-matrix", "M", "the lens as a matrix, camera to clip coordinates, as the --convention writes it",
+     SIM_MATRIX_VALUES, .set = set_lens_matrix},
     {"fov", "DEG", "vertical field of view; 60 by default, 180 with a fisheye",
      "degrees, more than 0 and less than 180; with a fisheye 10 .. 240", .set = set_fov},
+    {"focal", "F[,H]",
+     "a pinhole camera, with an image H high (2 by default) at the distance F; F below 0: the image behind the\n"
+     "        hole, upside down, which needs --camera",
+     "a number that is not 0 and, optionally, a comma and a number more than 0", .set = set_focal},
     {"near", "N", "distance of the near plane; 0.5 by default", "a number, more than 0", .set = set_near},
     {"far", "N", "distance of the far plane; 100 by default", "a number, more than near, at most 32767.99",
      .set = set_far},
@@ -199,11 +240,18 @@ static const struct option_row rows[] = {
      "presses buttons; a line is FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
      "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
      "a file", .at = offsetof(struct sim_options, keys)},
-    {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
-     .at = offsetof(struct sim_options, show_window)},
+    {"window", NULL,
+     "shows the panel live, scaled up; arrows and Enter or space are its buttons, the mouse and\n"
+     "        its wheel move the camera, Esc ends",
+     NULL, .at = offsetof(struct sim_options, show_window)},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
      NULL, .at = offsetof(struct sim_options, matrix)},
+    {"flatten", "kaist-4.7|kaist-4.11|eece=D|plane=X,Y,Z,D",
+     "prints `flatten` with --matrix: a matrix that drops the depth, in parallel (KAIST 4.7), by w = z (4.11) or\n"
+     "        w = z / D (EECE 478), or that projects from the eye onto the plane with the normal X,Y,Z at the distance "
+     "-D",
+     "kaist-4.7, kaist-4.11, eece=D or plane=X,Y,Z,D with a normal and a D that are not 0", .set = set_flatten},
     {"stats", NULL,
      "prints the cost of each frame on stderr: vertices transformed; triangles in: given; culled: facing away,\n"
      "        outside the view volume or between the pixels; clipped: cut at its border; drawn: listed (what was\n"
@@ -251,6 +299,22 @@ static int check_together(const struct sim_options *o)
     if (o->projection == OPTION_FISHEYE && o->fov_deg != 0 && o->fov_deg < FX_INT(10)) {
         return complain_usage("--fov: must be 10 .. 240 degrees for a fisheye");
     }
+    if (o->camera.set && o->view_matrix_set) {
+        return complain_usage("--camera and --view-matrix exclude each other");
+    }
+    if (o->lens_matrix_set && o->projection_set) {
+        return complain_usage("--projection-matrix holds all of the lens: leave --fov, --focal, --near, --far and "
+                              "--projection away");
+    }
+    if (o->focal != 0 && (o->fov_deg != 0 || o->projection != OPTION_PERSPECTIVE)) {
+        return complain_usage("--focal is a perspective's, and excludes --fov");
+    }
+    if (o->focal < 0 && !o->camera.set && !o->view_matrix_set) {
+        return complain_usage("--focal: below 0 it turns the view, so that it needs --camera or --view-matrix");
+    }
+    if (o->flatten != NULL && !o->matrix) {
+        return complain_usage("--flatten: is printed with --matrix; give that, too");
+    }
     if (o->projection == OPTION_FISHEYE && o->matrix) {
         return complain_usage("--matrix: a fisheye has no matrix; choose another --projection");
     }
@@ -260,7 +324,7 @@ static int check_together(const struct sim_options *o)
 int sim_options_read(struct sim_options *o, int argc, char *const argv[])
 {
     *o = (struct sim_options){
-        .up = {0, FX_ONE, 0},
+        .image_height = 2 * FX_ONE,
         .near_z = FX_HALF,
         .far_z = FX_INT(100),
         .goal = {.triangles = UINT32_MAX, .texture_log2 = ASSET_TEXTURE_LOG2, .flash_bytes = UINT32_MAX}};
@@ -288,6 +352,14 @@ static fx_t half_height(const struct sim_options *o, fx_t distance)
 int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t height, struct ph_projection *p)
 {
     const fx_t n = o->near_z, f = o->far_z;
+    if (o->lens_matrix_set) {
+        return sim_matrix_projection(&o->lens_matrix, (enum ph_convention)o->convention, p);
+    }
+    if (o->focal != 0) {
+        const int64_t across = (int64_t)o->image_height * width / height;
+        return ph_projection_pinhole(p, fx_abs_sat(o->focal), across < FX_MAX ? (fx_t)across : FX_MAX, o->image_height,
+                                     n, f);
+    }
     if (o->projection == OPTION_PERSPECTIVE) {
         const fx_t fov = o->fov_deg != 0 ? o->fov_deg : FOV_DEG;
         return ph_projection_perspective(p, fov, (fx_t)(((uint32_t)width << 16) / height), n, f);
@@ -297,7 +369,7 @@ int sim_options_projection(const struct sim_options *o, uint16_t width, uint16_t
     }
     fx_t distance = n;
     if (o->projection == OPTION_ORTHO) {
-        distance = o->camera_set ? fx_vec3_length_sat(fx_vec3_sub_sat(o->eye, o->target)) : FX_INT(3);
+        distance = o->camera.set ? o->camera.distance : FX_INT(3);
     }
     const fx_t top = half_height(o, distance);
     const fx_t right = (fx_t)((int64_t)top * width / height > FX_MAX ? FX_MAX : (int64_t)top * width / height);

@@ -7,7 +7,9 @@
 
 #include "asset_fit.h"
 #include "camera.h"
+#include "option_camera.h"
 #include "option_text.h"
+#include "sim_matrix.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -40,14 +42,18 @@ struct sim_options {
     uint8_t convention; /* enum ph_convention */
     bool crc, stats, json, overlay, antialias, matrix, show_window;
 
-    bool camera_set;
-    struct fx_vec3 eye, target, up;
+    struct option_camera camera;
+    bool view_matrix_set, lens_matrix_set;
+    struct sim_matrix view_matrix, lens_matrix; /* in the convention */
+    const char *flatten;                        /* --flatten; NULL: not given */
+    struct ph_mat4 flat;
 
     bool projection_set; /* any of the following was given */
     enum option_projection projection;
     bool window_set;
     fx_t window[4];              /* left, right, bottom, top: at the near plane (frustum), of the volume (ortho) */
     fx_t fov_deg, near_z, far_z; /* fov_deg 0: not given */
+    fx_t focal, image_height;    /* of a pinhole camera; focal 0: not given, below 0: the image is behind the hole */
 };
 
 /* Reads the command line into *o. 0 or PH_ERR_INVAL. */

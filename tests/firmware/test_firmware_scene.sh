@@ -18,6 +18,7 @@ make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit
 make_image firmware BOARD=$board >/dev/null || exit 1
 cp "$B/firmware/$board-demos.elf" "$dir/a.elf" || exit 1
 if "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board "$board" 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
+"$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/moving.phs" --board "$board" || exit 1
 printf 'v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv 0 1 0\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n' >"$dir/older.obj"
 "$B/pinhole-asset" "$dir/older.obj" -o "$dir/older.phs" 2>/dev/null || exit 1
 
@@ -29,9 +30,14 @@ emulate() { # scene, frames: what the image says, and the frames' checksums
     B=$B BOARD=$board CORES=1 hal/rp2040/emulate/emulate.sh "$dir/a.elf" "$dir/out" "$2" 2>&1
 }
 
-draws_the_simulators_frames() {
-    emulate "$dir/scene.phs" 2 >"$dir/said" && "$B/pinhole-sim" --model "$dir/scene.phs" --board "$board" --frames 2 --crc >"$dir/expected" || return 1
-    grep '^frame' "$dir/said" | diff - "$dir/expected" && grep -q '^demo scene' "$dir/said"
+draws_the_simulators_frames() { # scene, demo's name: and they differ
+    emulate "$1" 4 >"$dir/said" && "$B/pinhole-sim" --model "$1" --board "$board" --frames 4 --crc >"$dir/expected" || return 1
+    grep '^frame' "$dir/said" | diff - "$dir/expected" && grep -q "^demo $2" "$dir/said"
+}
+
+plays_the_clip() { # also the file itself
+    draws_the_simulators_frames "$dir/moving.phs" moving && "$B/pinhole-sim" --model tests/host-sim/asset/moving.gltf --board "$board" --frames 4 --crc | cmp - "$dir/expected" &&
+        "$B/pinhole-sim" --model "$dir/moving.phs" --clip hold --board "$board" --frames 4 --crc >"$dir/hold" && ! cmp -s "$dir/hold" "$dir/expected"
 }
 
 own_demo() { # scene: the image's first frame is its own, and it says this, or (empty) nothing about a scene
@@ -66,7 +72,8 @@ interrupted_writes() {
     done
 }
 
-check "a scene in flash gives the simulator's frames" draws_the_simulators_frames
+check "a scene in flash gives the simulator's frames" draws_the_simulators_frames "$dir/scene.phs" scene
+check "an animation in flash plays as in the simulator" plays_the_clip
 check "without one, or with a damaged one, the demos come, and the UART says why" damage_is_told
 check "a write that was interrupted leaves the demos ($MOMENTS moments)" interrupted_writes
 tap_end

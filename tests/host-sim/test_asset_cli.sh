@@ -9,6 +9,7 @@ unset MAKEFLAGS
 B=${B:-build}
 asset=$B/pinhole-asset
 scene=tests/host-sim/asset/scene.gltf
+moving=tests/host-sim/asset/moving.gltf
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$asset" "$B/pinhole-sim" || exit 1
@@ -67,9 +68,9 @@ close_to_the_model() { # simplified to a quarter: the outline differs in at most
     awk '{ exit !($4 > 0 && $4 < 8 * 240 * 240 * .01 && $6 < $8 / 3) }' "$dir/said"
 }
 
-clang_and_arm_compile_it() {
+clang_and_arm_compile_it() { # model
     local sizes reported
-    "$asset" "$scene" -o "$dir/c.c" --report --board pico-display >"$dir/report" || return 1
+    "$asset" "$1" -o "$dir/c.c" --report --board pico-display >"$dir/report" || return 1
     # shellcheck disable=SC2086 # lists of flags
     { ! command -v clang >/dev/null || clang $strict $include -c "$dir/c.c" -o "$dir/c.o"; } || return 1
     command -v arm-none-eabi-gcc >/dev/null || return 0
@@ -104,7 +105,7 @@ unlit='{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 the_three_forms_are_one_picture() { # the file, the C scene and the binary scene: turntable, camera and textures, unlit, alpha and vertex colours
     local model
     echo "$unlit" >"$dir/unlit.gltf"
-    for model in "$scene" "$dir/sphere.obj" "$dir/unlit.gltf" tests/host-sim/asset/surfaces.gltf; do
+    for model in "$scene" "$dir/sphere.obj" "$dir/unlit.gltf" "$moving" tests/host-sim/asset/surfaces.gltf; do
         "$asset" "$model" -o "$dir/3.c" && "$asset" "$model" -o "$dir/3.phs" && compile "$dir/3.c" "$dir/3" && "$dir/3" pico-display 4 32 | grep '^frame' | cut -d' ' -f4 >"$dir/3.compiled" &&
             "$B/pinhole-sim" --model "$model" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.model" &&
             "$B/pinhole-sim" --model "$dir/3.phs" --board pico-display --frames 128 --crc | cut -d' ' -f4 >"$dir/3.binary" || return 1
@@ -113,6 +114,22 @@ the_three_forms_are_one_picture() { # the file, the C scene and the binary scene
     done
     [ "$("$B/pinhole-sim" --model "$dir/3.phs" --view turntable --size 64x64 --crc | wc -l)" = 1 ] && truncate -s -4 "$dir/3.phs" &&
         ! "$B/pinhole-sim" --model "$dir/3.phs" --crc 2>"$dir/said" && grep -q 'is not whole' "$dir/said" && [ "$(wc -l <"$dir/said")" = 1 ]
+}
+
+clip_crcs() { # model, clip
+    "$B/pinhole-sim" --model "$1" ${2:+--clip "$2"} --size 120x90 --frames 24 --crc
+}
+
+clips_are_played_by_name() { # sway, hold
+    "$asset" "$moving" -o "$dir/clips.phs" && "$asset" "$moving" -o "$dir/hold.phs" --clip hold && clip_crcs "$moving" hold >"$dir/hold" && clip_crcs "$moving" >"$dir/sway" || return 1
+    ! cmp -s "$dir/hold" "$dir/sway" && cmp "$dir/hold" <(clip_crcs "$dir/clips.phs" hold) && cmp "$dir/hold" <(clip_crcs "$dir/hold.phs") && cmp "$dir/sway" <(clip_crcs "$dir/clips.phs") &&
+        ! "$B/pinhole-sim" --model "$dir/hold.phs" --clip sway --crc 2>"$dir/said" && grep -q 'no such clip; it has hold' "$dir/said" &&
+        refuses 2 "no such clip; did you mean hold? it has sway, hold" "$moving" -o "$dir/n.phs" --clip hoId
+}
+
+rounding_is_reported() { # half a step: of positions in Q1.15, of times in 2^-15 s; rotations have 15 bits
+    "$asset" "$moving" --report --board pico-display >"$dir/report" && cat "$dir/report" && grep -q '^motion  *8 nodes, 2 clips: sway .* plays, hold' "$dir/report" || return 1
+    tr ',\n' '  ' <"$dir/report" | sed 's/.*rounding *//' | awk '{ exit !($1 == "positions" && $2 > 1e-5 && $2 <= 1.6e-5 && $5 == $2 && $0 ~ /of rotation 0\.00[1-4][0-9]* degrees/ && $0 ~ /times (1|2|3)\.?[0-9]*e-05 s/) }'
 }
 
 the_simulator_shows_what_the_kit_has_room_for() { # with --board, of a model that is too large
@@ -190,10 +207,10 @@ reports_every_board() {
         grep -q "^camera *the file's" "$dir/report" && "$asset" "$scene" --report --turntable | grep -q '^camera *turntable$'
 }
 
-an_image_draws_it() { # in QEMU, as the compiled file on the simulated board
+an_image_draws_it() { # model, its name: in QEMU, as the compiled file on the simulated board
     local name=lm3s6965evb
-    make_image firmware BOARD="$name" SCENE="$scene" && timeout 600 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-scene.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
-    compile "$B/firmware/$name-scene.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
+    make_image firmware BOARD="$name" SCENE="$1" && timeout 600 "$B/pinhole-emulate" --machine "$name" --board "$name" "$B/firmware/$name-$2.elf" "$dir/emulated" 2 >"$dir/emulated.crc" || return 1
+    compile "$B/firmware/$name-$2.scene.c" "$dir/image" && "$dir/image" "$name" 2 1 >"$dir/simulated.crc" && cmp "$dir/emulated.crc" "$dir/simulated.crc" &&
         [ "$(wc -l <"$dir/emulated.crc")" = 2 ]
 }
 
@@ -210,6 +227,7 @@ check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_fr
 check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sphere_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
 if [ -e /usr/include/meshoptimizer.h ]; then
     check "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
+    check "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
     check "simplified_scene_is_close_to_the_model" close_to_the_model
     check "frames_move" frames_move
     check "other_data_is_seen" other_data_is_seen
@@ -220,7 +238,10 @@ if [ -e /usr/include/meshoptimizer.h ]; then
 else
     skip "simplified_scene_draws_the_simulators_bytes" "no meshoptimizer: apt-get install libmeshoptimizer-dev"
 fi
-check "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it
+check "clang_and_arm_gcc_compile_it_and_its_size_is_as_reported" clang_and_arm_compile_it "$scene"
+check "so they do with an animation" clang_and_arm_compile_it "$moving"
+check "a clip is played by its name in every form" clips_are_played_by_name
+check "the report says by how much 16-bit numbers are off" rounding_is_reported
 check "filters_are_in_the_file_and_change_the_picture" filters_are_in_the_file
 check "odd_names_stay_out_of_the_c_file" odd_names_stay_out_of_the_c_file
 check "wrong_usage_is_told" wrong_usage_is_told
@@ -230,7 +251,8 @@ check "every_board_is_in_the_report" reports_every_board
 if ! command -v arm-none-eabi-gcc >/dev/null || ! command -v qemu-system-arm >/dev/null; then
     skip "an_image_draws_it_in_an_emulated_kit" "no arm-none-eabi-gcc or no qemu-system-arm"
 else
-    check "an_image_draws_it_in_an_emulated_kit" an_image_draws_it
+    check "an_image_draws_it_in_an_emulated_kit" an_image_draws_it "$scene" scene
+    check "an_image_plays_an_animation_in_an_emulated_kit" an_image_draws_it "$moving" moving
     check "an_image_too_large_for_its_board_is_not_made" an_image_too_large_is_not_made
 fi
 tap_end

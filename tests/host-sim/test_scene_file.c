@@ -17,22 +17,37 @@
 
 static uint8_t *whole;
 static size_t size;
+static struct demo counted; /* by pinhole-asset */
 
-/* Four meshes with a mask, a blend, vertex colours and a plain one, as bytes. */
-static int make_scene(void **state)
+static int make(void **state, const char *path)
 {
     files_begin(state);
     struct asset asset;
-    const struct asset_limits limits = {.triangles = UINT32_MAX, .texture_log2 = 3, .file_name = "surfaces.gltf"};
-    struct model *model = open_good("tests/host-sim/asset/surfaces.gltf");
+    const struct asset_limits limits = {.triangles = UINT32_MAX, .texture_log2 = 3, .file_name = path};
+    struct model *model = open_good(path);
     assert_int_equal(asset_make(&asset, model, &limits), 0);
     size = asset_scene(&asset, NULL);
     whole = calloc(1, size);
     assert_non_null(whole);
     assert_int_equal(asset_scene(&asset, whole), size);
+    counted = asset_demo(&asset);
+    counted.arena_bytes += asset_table_bytes(&asset, false);
+    counted.arena_bytes_32 += (uint32_t)asset_table_bytes(&asset, true);
     asset_free(&asset);
     model_close(model);
     return 0;
+}
+
+/* Four meshes with a mask, a blend, vertex colours and a plain one, as bytes. */
+static int make_scene(void **state)
+{
+    return make(state, "tests/host-sim/asset/surfaces.gltf");
+}
+
+/* Three meshes that move: with a skin, by a node, with morph targets; two clips. */
+static int make_moving(void **state)
+{
+    return make(state, "tests/host-sim/asset/moving.gltf");
 }
 
 static int drop_scene(void **state)
@@ -51,6 +66,16 @@ static void its_checksum_is_that_of_ieee(void **state)
 {
     (void)state;
     assert_int_equal(crc32_update(0, (const uint8_t *)"123456789", 9), 0xCBF43926);
+}
+
+/* On a 32-bit target, whose pointers are shorter, too: else the list of triangles would get the arena's memory. */
+static void its_memory_is_what_the_tool_counted(void **state)
+{
+    (void)state;
+    const struct demo demo = scene_file_demo(whole);
+    assert_int_equal(demo.arena_bytes, counted.arena_bytes);
+    assert_int_equal(demo.arena_bytes_32, counted.arena_bytes_32);
+    assert_in_range(demo.arena_bytes_32, 1, demo.arena_bytes - 1);
 }
 
 static void every_bit_that_changed_is_seen(void **state)
@@ -98,7 +123,7 @@ static void read_all(const struct ph_mesh *mesh)
     for (uint32_t i = 0; i < mesh->triangle_count * 3; i++) {
         const uint16_t corner = mesh->triangles[i / 3][i % 3];
         assert_true(corner < mesh->vertex_count);
-        sum += mesh->positions[corner].x + mesh->normals[corner][2];
+        sum += (int64_t)mesh->positions[corner].x + mesh->normals[corner][2];
         sum += mesh->uvs != NULL ? mesh->uvs[corner][1] : 0;
         sum += mesh->colours != NULL ? mesh->colours[corner] : 0;
     }
@@ -109,26 +134,48 @@ static void read_all(const struct ph_mesh *mesh)
     (void)sum;
 }
 
-/* With the right checksum, every number of the head and of the mesh is set to numbers that cannot be. */
+/* Draws nothing, but moves what moves, through two seconds, in no more memory than the scene says. */
+static void play(const uint8_t *bytes)
+{
+    struct demo_arena arena = {.size = scene_file_arena_bytes(bytes, false)};
+    const struct scene_file_head *head = (const void *)bytes;
+    if (arena.size > 1u << 24) { /* crafted: all meshes share one long list of vertices */
+        return;
+    }
+    arena.base = malloc(arena.size + 1);
+    assert_non_null(arena.base);
+    const struct ph_mesh *meshes = scene_file_meshes(bytes, &arena);
+    assert_non_null(meshes);
+    if (head->motion != 0) {
+        const struct animation *animation = scene_motion_make(head, &arena);
+        assert_non_null(animation);
+        const struct animation_stage *stage = animation_begin(&arena, animation, meshes, head->mesh_count);
+        assert_non_null(stage);
+        for (uint32_t frame = 0; frame < 60; frame += 19) {
+            animation_move(stage, frame);
+        }
+        meshes = stage->meshes;
+    }
+    for (uint32_t m = 0; m < head->mesh_count; m++) {
+        read_all(&meshes[m]);
+    }
+    free(arena.base);
+}
+
+/* With the right checksum, every number of the scene is set to numbers that cannot be. */
 static void no_number_leads_out_of_the_scene(void **state)
 {
     static const uint32_t wrong[] = {0, 1, 2, 4, 0x7FFFFFFC, 0x80000000, 0xFFFFFFFC, 0xFFFFFFFF};
     uint8_t *bytes = malloc(size);
-    static uint64_t memory[4096];
     (void)state;
     assert_non_null(bytes);
-    for (size_t at = 8; at + 4 <= sizeof(struct scene_file_head) + 4 * sizeof(struct scene_file_mesh); at += 4) {
+    for (size_t at = 8; at + 4 <= size; at += 4) {
         for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
             memcpy(bytes, whole, size);
             memcpy(bytes + at, &wrong[k], 4);
             seal(bytes);
             if (scene_file_wrong(bytes, size) == NULL) { /* then all that it names can be read */
-                struct demo_arena arena = {.base = (uint8_t *)memory, .size = sizeof memory};
-                const struct scene_file_head *head = (const void *)bytes;
-                const struct ph_mesh *meshes = scene_file_meshes(bytes, &arena);
-                for (uint32_t m = 0; m < head->mesh_count; m++) {
-                    read_all(&meshes[m]);
-                }
+                play(bytes);
             }
         }
     }
@@ -168,12 +215,62 @@ static void it_becomes_an_image_behind_the_programs(void **state)
     assert_non_null(strstr(error, "cannot be read"));
 }
 
+/* Each number of the tables of what moves that leads out of the scene, by a little. */
+static void an_animation_outside_of_it_is_seen(void **state)
+{
+    (void)state;
+    uint8_t *bytes = malloc(size);
+    assert_non_null(bytes);
+    const struct scene_file_head *head = (const void *)bytes;
+    memcpy(bytes, whole, size);
+    const struct scene_file_mesh *mesh = (const void *)(bytes + sizeof *head);
+    struct scene_file_motion *motion = (void *)(bytes + head->motion);
+    struct scene_file_moving *moving = (void *)(bytes + mesh[2].moving);
+    struct scene_file_clip *clip = (void *)(bytes + motion->clips);
+    struct scene_file_track *track = (void *)(bytes + clip->tracks);
+    struct ph_rig_node *node = (void *)(bytes + motion->nodes);
+    struct ph_influence *influence = (void *)(bytes + moving->influences);
+    uint16_t *joint = (void *)(bytes + moving->joints);
+    assert_true(moving->influences != 0 && clip->track_count > 0 && track->path == PH_PATH_ROTATION);
+#define REFUSED(number, wrong)                                                                                         \
+    do {                                                                                                               \
+        memcpy(bytes, whole, size);                                                                                    \
+        (number) = (wrong);                                                                                            \
+        seal(bytes);                                                                                                   \
+        assert_string_equal(scene_file_wrong(bytes, size), "is broken: its animation is not inside it");               \
+    } while (0)
+    REFUSED(node->parent, 0);
+    REFUSED(node->parent, -2);
+    REFUSED(motion->playing, motion->clip_count);
+    REFUSED(clip->time_shift, 16);
+    REFUSED(clip->duration, -1);
+    REFUSED(track->node, (uint16_t)motion->node_count);
+    REFUSED(track->width, 3);
+    REFUSED(track->interpolation, 3);
+    REFUSED(track->frac, 7);
+    REFUSED(track->frac, 25);
+    REFUSED(track->key_count, 60000);
+    REFUSED(joint[moving->joint_count - 1], (uint16_t)motion->node_count);
+    REFUSED(influence->joints[3], (uint8_t)moving->joint_count);
+    REFUSED(moving->frac, 11);
+    REFUSED(moving->joint_count, 257);
+    REFUSED(moving->target_count, motion->weight_count + 1);
+    free(bytes);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(its_checksum_is_that_of_ieee),       cmocka_unit_test(every_bit_that_changed_is_seen),
-        cmocka_unit_test(what_is_cut_off_or_erased_is_seen),  cmocka_unit_test(no_number_leads_out_of_the_scene),
-        cmocka_unit_test(a_corner_that_is_not_there_is_seen), cmocka_unit_test(it_becomes_an_image_behind_the_programs),
+        cmocka_unit_test(its_memory_is_what_the_tool_counted),     cmocka_unit_test(its_checksum_is_that_of_ieee),
+        cmocka_unit_test(every_bit_that_changed_is_seen),          cmocka_unit_test(what_is_cut_off_or_erased_is_seen),
+        cmocka_unit_test(no_number_leads_out_of_the_scene),        cmocka_unit_test(a_corner_that_is_not_there_is_seen),
+        cmocka_unit_test(it_becomes_an_image_behind_the_programs),
     };
-    return cmocka_run_group_tests(tests, make_scene, drop_scene);
+    const struct CMUnitTest moving[] = {
+        cmocka_unit_test(its_memory_is_what_the_tool_counted), cmocka_unit_test(every_bit_that_changed_is_seen),
+        cmocka_unit_test(what_is_cut_off_or_erased_is_seen),   cmocka_unit_test(no_number_leads_out_of_the_scene),
+        cmocka_unit_test(an_animation_outside_of_it_is_seen),
+    };
+    return cmocka_run_group_tests(tests, make_scene, drop_scene) +
+           cmocka_run_group_tests(moving, make_moving, drop_scene);
 }

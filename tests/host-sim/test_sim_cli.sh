@@ -78,7 +78,7 @@ depth_of_other_widths_is_refused() {
 help_names_every_option() {
     local option
     "$sim" --help >"$dir/help" || return 1
-    for option in demo model board size frames start out rotate camera fov near far projection convention depth band crc \
+    for option in demo model board size frames start out rotate camera fov focal near far projection convention view-matrix projection-matrix flatten depth band crc \
         view keys window matrix stats list help; do
         grep -q "^  --$option\b" "$dir/help" || { echo "$option" && return 1; }
     done
@@ -270,6 +270,62 @@ END
         [ "$(matrices 4 "${camera[@]}" --convention d3d)" = "0 0 -1 5" ] &&
         [ "$(matrices 11,15 "${camera[@]}" | tr '\n' ' ')" = "viewport 100 0 0 100 0 -50 0 50 0 0 1 0 0 0 0 1 " ] &&
         [ "$(matrices 13 "${camera[@]}" --convention lmu)" = "0 50 0 50" ] && [ "$("$sim" --matrix "${camera[@]}" | wc -l)" = 15 ]
+}
+
+# The same camera in the documents' own words: HAW's exercise 2 (at (5,0,0), its axes in columns), PHIGS of EECE, LMU's quaternion.
+ways_to_state_a_view_agree() {
+    local way
+    for way in vrp=5,0,0,vpn=1,0,0 vpn=2,0,0,vup=0,3,0,vrp=5,0,0 ypr=90,0,0,eye=5,0,0 ypr=450,0,0,eye=5,0,0 quat=1,0,1,0,eye=5,0,0 \
+        quat=-.5,0,-.5,0,eye=5,0,0; do
+        same --demo cube "${small[@]}" --camera eye=5,0,0 -- --demo cube "${small[@]}" --camera $way || { echo "$way" && return 1; }
+    done
+    [ "$(matrices 2,5 --camera quat=1,0,1,0,eye=5,0,0 | tr '\n' ' ')" = "0 0 -1 0 0 1 0 0 1 0 0 -5 0 0 0 1 " ] &&
+        [ "$(matrices 2,5 --camera ypr=0,90,0 | tr '\n' ' ')" = "1 0 0 0 0 0 1 0 0 -1 0 0 0 0 0 1 " ] && # looks up the y axis
+        [ "$(matrices 2,5 --camera ypr=0,0,90 | tr '\n' ' ')" = "0 1 0 0 -1 0 0 0 0 0 1 0 0 0 0 1 " ]   # its right is up
+}
+
+# KAIST 4.10, 4600: y' = y f / z: an image 2 high at the distance 1 sees 90 degrees; HAW: behind the hole it is upside down.
+focal_is_the_distance_of_the_image() {
+    same "${odd[@]}" --fov 90 -- "${odd[@]}" --focal 1 && same "${odd[@]}" --fov 90 -- "${odd[@]}" --focal 3,6 &&
+        differ "${odd[@]}" --focal 1 -- "${odd[@]}" --focal 1,1 &&
+        same --demo cube "${small[@]}" --camera eye=2,1,5,up=0,-1,0 --fov 90 -- --demo cube "${small[@]}" --camera eye=2,1,5 --focal -1
+}
+
+# One camera between the ground and the sky, with much behind it, in the matrices of the documents, by hand. LMU's w is
+# negative for what is visible, and a matrix may be multiplied by anything above 0.
+matrices_of_all_conventions_draw_the_same() {
+    local camera=(--demo ground --size 200x100) view=1,0,0,0,0,1,0,-1,0,0 below=0,0,0,1 convention z lens
+    while read -r convention z lens; do
+        same "${camera[@]}" --camera eye=0,1,-3,target=0,1,-4 --fov 90 --near 2 --far 10 -- \
+            "${camera[@]}" --convention "$convention" --view-matrix "$view,$z,$below" --projection-matrix "$lens" ||
+            { echo "$convention" && return 1; }
+    done <<'END'
+gl 1,3 .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0
+gl 1,3 1,0,0,0,0,2,0,0,0,0,-3,-10,0,0,-2,0
+d3d -1,-3 .5,0,0,0,0,1,0,0,0,0,1.25,-2.5,0,0,1,0
+lmu 1,3 -.5,0,0,0,0,-1,0,0,0,0,-1.5,-5,0,0,1,0
+reversed 1,3 .5,0,0,0,0,1,0,0,0,0,.25,2.5,0,0,-1,0
+END
+    differ "${camera[@]}" --convention gl --projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0 -- \
+        "${camera[@]}" --convention gl --projection-matrix .5,0,.25,0,0,1,.5,0,0,0,-1.5,-5,0,0,-1,0 || return 1
+    # off-axis (EECE's glFrustum) and parallel (KAIST 4.8), with a view of odd numbers: what is printed is read again
+    for lens in frustum=-.5,.25,-.5,.5 ortho=-2,2.5,-1,1; do
+        "$sim" "${odd[@]}" --projection "$lens" --near 1 --far 3 --matrix >"$dir/matrix" || return 1
+        view=$(sed -n 2,5p "$dir/matrix" | tr ' \n' ,,) lens=$(sed -n 7,10p "$dir/matrix" | tr ' \n' ,,)
+        "$sim" "${small[@]}" --view-matrix "${view%,}" --projection-matrix "${lens%,}" --matrix | cmp - "$dir/matrix" || return 1
+    done
+}
+
+flattening_matrices_are_the_documents() {
+    local flat expected
+    while read -r flat expected; do
+        [ "$(matrices 16,20 --flatten "$flat" | tr '\n' ' ')" = "flatten $expected " ] || { matrices 16,20 --flatten "$flat" && return 1; }
+    done <<'END'
+kaist-4.7 1 0 0 0 0 1 0 0 0 0 0 0 0 0 0 1
+kaist-4.11 1 0 0 0 0 1 0 0 0 0 0 0 0 0 1 0
+eece=4 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0.25 0
+plane=0,2,0,3 3 0 0 0 0 3 0 0 0 0 3 0 0 -1 0 0
+END
 }
 
 matrices_round_trip() { # what is printed is a whole number of 65536ths, exactly
@@ -467,6 +523,10 @@ check camera_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 
 check camera_target_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,2 -- --demo torus "${small[@]}" --camera eye=0,0,2,target=.5,0,-3
 check camera_up_has_an_effect differ --demo torus "${small[@]}" --camera eye=0,0,1 -- --demo torus "${small[@]}" --camera up=1,0,0,eye=0,0,1
 check camera_at_its_own_target_is_drawn "$sim" "${small[@]}" --camera eye=0,0,0,target=0,0,0,up=0,0,0 --crc
+check ways_to_state_a_view_agree ways_to_state_a_view_agree
+check focal_is_the_distance_of_the_image focal_is_the_distance_of_the_image
+check matrices_of_all_conventions_draw_the_same matrices_of_all_conventions_draw_the_same
+check flattening_matrices_are_the_documents flattening_matrices_are_the_documents
 check fov_has_an_effect differ --demo torus "${small[@]}" --fov 60 -- --demo torus "${small[@]}" --fov 30
 check lens_is_the_documented_one_or_the_demo_s lens_is_the_documented_one_or_the_demo_s
 check near_cuts near_cuts
@@ -562,6 +622,30 @@ exclude|--board x --size 8x8 --crc
 --rotate|--rotate 360 --crc
 --rotate|--rotate 090 --crc
 --camera|--camera 0,0,3 --crc
+--camera|--camera vrp=0,0,3 --crc
+--camera|--camera vrp=0,0,3,vpn=0,0,1,up=0,1,0 --crc
+--camera|--camera quat=0,0,0,0 --crc
+--camera|--camera quat=1,0,0 --crc
+--camera|--camera ypr=1,2,3,target=0,0,0 --crc
+--view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0 --crc
+--view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1,0 --crc
+--view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,0x1,0,0,0,0,1 --crc
+--view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,-1,0,0,0,0,1 --crc
+--view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 --convention d3d --crc
+--view-matrix|--view-matrix 2,0,0,0,0,2,0,0,0,0,2,0,0,0,0,1 --crc
+--view-matrix|--view-matrix 1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 --camera eye=0,0,1 --crc
+--projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,1,0 --crc
+--projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0 --convention lmu --crc
+--projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,nan --crc
+--projection-matrix|--projection-matrix .5,.1,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0 --crc
+--projection-matrix|--projection-matrix .5,0,0,0,0,1,0,0,0,0,-1.5,-5,0,0,-1,0 --near 1 --crc
+--focal|--focal 0 --crc
+--focal|--focal 1,0 --crc
+--focal|--focal -1 --crc
+--focal|--focal 1 --fov 60 --crc
+--flatten|--flatten eece=0 --matrix
+--flatten|--flatten plane=0,0,0,1 --matrix
+--flatten|--flatten kaist-4.7 --crc
 --camera|--camera eye=0,0 --crc
 --camera|--camera eye=0,0,3, --crc
 --camera|--camera eye=0,0,3,eye=0,0,2 --crc

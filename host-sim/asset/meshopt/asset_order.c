@@ -7,7 +7,7 @@
 
 #define CACHE 16
 
-static size_t list_streams(const struct asset_shape *shape, struct meshopt_Stream streams[4])
+static size_t list_streams(const struct asset_shape *shape, struct meshopt_Stream streams[5])
 {
     streams[0] = (struct meshopt_Stream){shape->positions, sizeof *shape->positions, sizeof *shape->positions};
     streams[1] = (struct meshopt_Stream){shape->normals, sizeof *shape->normals, sizeof *shape->normals};
@@ -17,6 +17,9 @@ static size_t list_streams(const struct asset_shape *shape, struct meshopt_Strea
     }
     if (shape->colours != NULL) {
         streams[n++] = (struct meshopt_Stream){shape->colours, sizeof *shape->colours, sizeof *shape->colours};
+    }
+    if (shape->sources != NULL) {
+        streams[n++] = (struct meshopt_Stream){shape->sources, sizeof *shape->sources, sizeof *shape->sources};
     }
     return n;
 }
@@ -30,7 +33,7 @@ struct order {
 /* Makes equal vertices one and leaves out unused ones. */
 static void join(struct order *order, const struct asset_shape *shape)
 {
-    struct meshopt_Stream streams[4];
+    struct meshopt_Stream streams[5];
     const size_t n = list_streams(shape, streams);
     order->vertex_count = meshopt_generateVertexRemapMulti(order->remap, shape->indices, shape->index_count,
                                                            shape->vertex_count, streams, n);
@@ -96,6 +99,10 @@ static bool copy(struct demo_arena *arena, const struct order *order, const stru
     }
     if (colours != NULL) {
         meshopt_remapVertexBuffer(colours, from->colours, from->vertex_count, sizeof *colours, order->remap);
+    }
+    if (from->sources != NULL) {
+        meshopt_remapVertexBuffer(from->sources, from->sources, from->vertex_count, sizeof *from->sources,
+                                  order->remap);
     }
     for (size_t i = 0; i < from->index_count; i++) {
         corners[i / 3][i % 3] = (uint16_t)order->indices[i];

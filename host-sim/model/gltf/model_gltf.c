@@ -72,14 +72,18 @@ static bool read_moved(struct gltf_file *file, const struct cJSON *from, const s
     }
     const int count = cJSON_IsArray(targets) ? cJSON_GetArraySize(targets) : 0;
     m->targets = calloc((size_t)count + 1, sizeof *m->targets);
-    if (m->targets == NULL || count > MODEL_GLTF_TARGETS_MAX) {
+    m->target_normals = calloc((size_t)count + 1, sizeof *m->target_normals);
+    if (m->targets == NULL || m->target_normals == NULL || count > MODEL_GLTF_TARGETS_MAX) {
         return gltf_file_failed(file, "a mesh has more than %d morph targets", MODEL_GLTF_TARGETS_MAX);
     }
     cJSON_ArrayForEach(item, targets)
     {
-        if (!read_attribute(file, item, "POSITION", 3, &p->vertex_count, &m->targets[m->target_count++])) {
+        if (!read_attribute(file, item, "POSITION", 3, &p->vertex_count, &m->targets[m->target_count]) ||
+            !read_attribute(file, item, "NORMAL", 3, &p->vertex_count, &m->target_normals[m->target_count])) {
             return false;
         }
+        m->has_normals = m->has_normals || m->target_normals[m->target_count] != NULL;
+        m->target_count++;
     }
     return true;
 }

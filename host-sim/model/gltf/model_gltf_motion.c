@@ -7,6 +7,7 @@
 
 #define JOINTS_MAX 256
 #define KEYS_MAX   65535
+#define PI         3.14159265358979323846
 #define FRAC       15 /* of positions */
 
 static double clamp(double value, double most)
@@ -19,9 +20,16 @@ static int32_t q24(double value)
     return (int32_t)lround(clamp(value, 127.9999) * PH_MOTION_ONE);
 }
 
-static int16_t q15(double value)
+static void note(double *most, double error)
 {
-    return (int16_t)lround(clamp(value * 32768, 32767));
+    *most = fmax(*most, fabs(error));
+}
+
+static int16_t q15(double value, double *error)
+{
+    const long rounded = lround(clamp(value * 32768, 32767));
+    note(error, value - (double)rounded / 32768);
+    return (int16_t)rounded;
 }
 
 /* ---- matrices of 3 x 4 ------------------------------------------------------------------------------------------- */
@@ -208,7 +216,7 @@ bool model_gltf_motion_find(struct model_gltf_motion *motion, struct aiNode *roo
     for (uint32_t k = 0; k < motion->node_count; k++) {
         struct model_gltf_node *node = &motion->nodes[motion->order[k]];
         matrix base;
-        memcpy(base, node->parent < 0 ? identity : motion->nodes[node->parent].world, sizeof base);
+        memcpy(base, node->parent < 0 ? (const void *)identity : motion->nodes[node->parent].world, sizeof base);
         model_places_multiply(node->world, base, &node->drawn->mTransformation);
         node->number = k;
     }
@@ -286,7 +294,7 @@ static void read_rest(struct model_gltf_motion *motion, struct model_gltf_node *
 }
 
 /* The weights of morph targets that each node begins with, one behind the other. */
-static bool read_weights(struct model_shared *shared, struct model_motion *to)
+static bool read_weights(struct model_shared *shared, struct animation *to)
 {
     struct model_gltf_motion *motion = shared->motion;
     for (int pass = 0; pass < 2; pass++) {
@@ -340,6 +348,27 @@ static void prepare(struct channel *c, double factor)
     }
 }
 
+/* Notes how far the keys are from the numbers. */
+static void compare(const struct channel *c, const int16_t *keys, struct model_rounding *r)
+{
+    double *const errors[] = {&r->translation, &r->rotation, &r->scale, &r->weight};
+    const uint32_t w = c->width, parts = c->track.interpolation == PH_KEYS_CUBIC ? 3 : 1;
+    for (uint32_t k = 0; k < c->keys; k++) {
+        const size_t at = ((size_t)k * parts + parts / 2) * w; /* behind the tangent before it */
+        double own = 0, other = 0, dot = 0;
+        for (uint32_t i = 0; i < w; i++) {
+            const double number = (double)c->numbers[at + i], key = keys[at + i];
+            own += number * number, other += key * key, dot += number * key;
+            if (c->track.path != PH_PATH_ROTATION) {
+                note(errors[c->track.path], number - ldexp(key, -c->track.frac));
+            }
+        }
+        if (c->track.path == PH_PATH_ROTATION && own > 0 && other > 0) {
+            note(&r->rotation, 2 * acos(fmin(1, dot / sqrt(own * other))) * 180 / PI);
+        }
+    }
+}
+
 /* Numbers as 16 bits with as many bits of fraction as they have room for. */
 static bool pack(struct model_shared *shared, struct channel *c, uint8_t time_shift)
 {
@@ -364,10 +393,12 @@ static bool pack(struct model_shared *shared, struct channel *c, uint8_t time_sh
     }
     for (uint32_t k = 0; k < c->keys; k++) {
         times[k] = (uint16_t)fmin(65535, fmax(0, rint((double)c->times[k] * 65536 / (1 << time_shift))));
+        note(&shared->model.motion->rounding.time, (double)c->times[k] - ldexp(times[k], time_shift - 16));
     }
     c->track.frac = (uint8_t)frac;
     c->track.times = times;
     c->track.keys = keys;
+    compare(c, keys, &shared->model.motion->rounding);
     return true;
 }
 
@@ -476,7 +507,8 @@ static bool read_clips(struct model_shared *shared, struct model_motion *to, dou
                                        file->error[0] != '\0' ? file->error : "too little memory");
         }
     }
-    to->clips = to->clip = clips;
+    to->clips = clips;
+    to->animation.clip = n > 0 ? clips : NULL;
     to->clip_count = n;
     return clips != NULL;
 }
@@ -499,32 +531,26 @@ bool model_gltf_motion_begin(struct model_shared *shared, const struct model_fit
     const uint32_t n = motion->node_count;
     struct model_motion *to = demo_alloc(&shared->arena, sizeof *to);
     struct ph_rig_node *nodes = demo_alloc(&shared->arena, sizeof *nodes * n);
-    if (to == NULL || nodes == NULL) {
+    motion->moving = demo_alloc(&shared->arena, sizeof *motion->moving * meshes);
+    if (to == NULL || nodes == NULL || motion->moving == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
-    *to = (struct model_motion){.rig = {nodes, n}, .root = ph_xform_identity, .scale = fit->scale};
+    *to = (struct model_motion){.animation = {.rig = {nodes, n}, .root = ph_xform_identity, .meshes = motion->moving},
+                                .scale = fit->scale};
+    shared->model.motion = to;
     for (uint32_t k = 0; k < n; k++) {
         read_rest(motion, &motion->nodes[motion->order[k]], fit->scale, &nodes[k]);
     }
-    if (!read_weights(shared, to)) {
+    if (!read_weights(shared, &to->animation)) {
         return model_shared_failed(shared, "needs too much memory, or has too many morph targets");
     }
     const struct aiMatrix4x4 *m = &motion->scene->mRootNode->mTransformation;
     const float r[9] = {m->a1, m->a2, m->a3, m->b1, m->b2, m->b3, m->c1, m->c2, m->c3};
     for (int i = 0; i < 9; i++) {
-        to->root.r[i / 3][i % 3] = (int32_t)lround((double)r[i] * FX_Q30_ONE);
+        to->animation.root.r[i / 3][i % 3] = (int32_t)lround((double)r[i] * FX_Q30_ONE);
     }
-    to->root.t = (struct fx_vec3){q24(-fit->centre[0] * fit->scale), q24(-fit->centre[1] * fit->scale),
-                                  q24(-fit->centre[2] * fit->scale)};
-    to->weights = demo_alloc(&shared->arena, sizeof *to->weights * (to->weight_count + 1));
-    to->pose = demo_alloc(&shared->arena, sizeof *to->pose * n);
-    to->places = demo_alloc(&shared->arena, sizeof *to->places * n);
-    to->matrices = demo_alloc(&shared->arena, sizeof *to->matrices * JOINTS_MAX);
-    to->moving = demo_alloc(&shared->arena, sizeof *to->moving * meshes);
-    shared->model.motion = to;
-    if (to->weights == NULL || to->pose == NULL || to->places == NULL || to->matrices == NULL || to->moving == NULL) {
-        return model_shared_failed(shared, "needs too much memory");
-    }
+    to->animation.root.t = (struct fx_vec3){q24(-fit->centre[0] * fit->scale), q24(-fit->centre[1] * fit->scale),
+                                            q24(-fit->centre[2] * fit->scale)};
     return read_clips(shared, to, fit->scale);
 }
 
@@ -569,7 +595,8 @@ static bool set_skin(struct model_shared *shared, uint32_t node, const double (*
 }
 
 /* Four joints, the greatest share first, that sum to one. False: a joint is not there. */
-static bool set_influence(const float *joints, const float *weights, uint32_t count, struct ph_influence *to)
+static bool set_influence(const float *joints, const float *weights, uint32_t count, struct ph_influence *to,
+                          double *error)
 {
     double share[4], sum = 0;
     uint32_t rest = PH_INFLUENCE_ONE;
@@ -590,6 +617,7 @@ static bool set_influence(const float *joints, const float *weights, uint32_t co
         to->weights[n] = (uint16_t)(part < rest ? part : rest);
         to->joints[n] = to->weights[n] > 0 ? (uint8_t)joints[most] : 0;
         rest -= to->weights[n];
+        note(error, share[most] > 0 ? share[most] / sum - (double)part / PH_INFLUENCE_ONE : 0);
         share[most] = -1;
     }
     to->weights[0] = (uint16_t)(to->weights[0] + rest);
@@ -597,12 +625,13 @@ static bool set_influence(const float *joints, const float *weights, uint32_t co
 }
 
 static bool set_influences(struct model_shared *shared, const struct model_gltf_moved *moved, const unsigned *vertices,
-                           struct model_moving *to)
+                           struct animation_mesh *to)
 {
     struct ph_influence *influences = demo_alloc(&shared->arena, sizeof *influences * to->bound.vertex_count);
     for (uint32_t i = 0; influences != NULL && i < to->bound.vertex_count; i++) {
         const size_t at = 4 * (size_t)moved->sources[vertices[i]];
-        if (!set_influence(moved->joints + at, moved->weights + at, to->skin.joint_count, &influences[i])) {
+        if (!set_influence(moved->joints + at, moved->weights + at, to->skin.joint_count, &influences[i],
+                           &shared->model.motion->rounding.share)) {
             return model_shared_failed(shared, "is broken: a vertex follows a joint that is not there");
         }
     }
@@ -611,12 +640,11 @@ static bool set_influences(struct model_shared *shared, const struct model_gltf_
 }
 
 static bool set_targets(struct model_shared *shared, const struct model_gltf_moved *moved, const unsigned *vertices,
-                        const double (*to_model)[4], struct model_moving *to)
+                        const double (*to_model)[4], struct animation_mesh *to)
 {
     const uint32_t n = to->bound.vertex_count;
     int16_t(*d)[3] = demo_alloc(&shared->arena, sizeof *d * n * moved->target_count);
-    to->morphed = demo_alloc(&shared->arena, sizeof *to->morphed * n);
-    if (d == NULL || to->morphed == NULL) {
+    if (d == NULL) {
         return model_shared_failed(shared, "needs too much memory");
     }
     for (uint32_t t = 0; t < moved->target_count; t++) {
@@ -626,7 +654,7 @@ static bool set_targets(struct model_shared *shared, const struct model_gltf_mov
             for (int row = 0; row < 3; row++) {
                 const double v = to_model[row][0] * (double)from[0] + to_model[row][1] * (double)from[1] +
                                  to_model[row][2] * (double)from[2];
-                d[(size_t)t * n + i][row] = q15(v);
+                d[(size_t)t * n + i][row] = q15(v, &shared->model.motion->rounding.target);
             }
         }
     }
@@ -637,7 +665,31 @@ static bool set_targets(struct model_shared *shared, const struct model_gltf_mov
     return true;
 }
 
-static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *mesh, struct model_moving *to)
+/* What targets add to normals, turned as the normals are, and divided by the length that those had then. */
+static bool set_target_normals(struct model_shared *shared, const struct model_gltf_moved *moved,
+                               const unsigned *vertices, const struct model_place *place, struct animation_mesh *to)
+{
+    const uint32_t n = to->bound.vertex_count;
+    int16_t(*d)[3] = demo_alloc(&shared->arena, sizeof *d * n * moved->target_count);
+    for (size_t i = 0; d != NULL && i < (size_t)n * moved->target_count; i++) {
+        const float *normals = moved->target_normals[i / n];
+        const float *from = normals != NULL ? normals + 3 * (size_t)moved->sources[vertices[i % n]] : NULL;
+        double base[3];
+        model_places_normal(place, vertices[i % n], base);
+        const double length = sqrt(base[0] * base[0] + base[1] * base[1] + base[2] * base[2]);
+        for (int row = 0; row < 3; row++) {
+            const double *c = place->cofactors[row], sign = place->mirrors ? -1 : 1;
+            const double v =
+                from != NULL ? sign * (c[0] * (double)from[0] + c[1] * (double)from[1] + c[2] * (double)from[2]) : 0;
+            d[i][row] = (int16_t)lround(clamp(v / length * 16384, 32767));
+        }
+    }
+    to->morph.normals = to->bound.normals;
+    to->morph.d_normals = (const int16_t(*)[3])d;
+    return d != NULL || model_shared_failed(shared, "needs too much memory");
+}
+
+static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *mesh, struct animation_mesh *to)
 {
     const uint32_t n = mesh->vertex_count;
     int16_t(*positions)[3] = demo_alloc(&shared->arena, sizeof *positions * n);
@@ -649,7 +701,7 @@ static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *me
         const struct fx_vec3 *p = &mesh->positions[i];
         const double v[3] = {p->x / 65536.0, p->y / 65536.0, p->z / 65536.0};
         for (int k = 0; k < 3; k++) {
-            positions[i][k] = q15(v[k]);
+            positions[i][k] = q15(v[k], &shared->model.motion->rounding.position);
             normals[i][k] = mesh->normals[i][k];
         }
     }
@@ -657,8 +709,6 @@ static bool copy_bind_pose(struct model_shared *shared, const struct ph_mesh *me
                                   .normals = (const int16_t(*)[3])normals,
                                   .vertex_count = n,
                                   .frac = FRAC};
-    to->positions = (struct fx_vec3 *)(uintptr_t)mesh->positions; /* the model's own, in the arena */
-    to->normals = (int16_t(*)[3])(uintptr_t)mesh->normals;
     return true;
 }
 
@@ -681,7 +731,7 @@ bool model_gltf_motion_bind(struct model_shared *shared, const struct model_plac
     if (moved->target_count != motion->nodes[node].weight_count) {
         return model_shared_failed(shared, "is broken: parts of a mesh have different numbers of morph targets");
     }
-    struct model_moving *moving = &to->moving[to->moving_count];
+    struct animation_mesh *moving = &motion->moving[to->animation.mesh_count];
     matrix to_model, back;
     for (int i = 0; i < 12; i++) {
         const double centre = i % 4 == 3 ? fit->centre[i / 4] : 0;
@@ -691,8 +741,8 @@ bool model_gltf_motion_bind(struct model_shared *shared, const struct model_plac
         model_shared_note(shared, "what a node flattens does not move");
         return true;
     }
-    *moving = (struct model_moving){.mesh = mesh, .first_weight = motion->nodes[node].first_weight};
-    to->moving_count++;
+    *moving = (struct animation_mesh){.mesh = mesh, .first_weight = motion->nodes[node].first_weight};
+    to->animation.mesh_count++;
     const bool is_skinned = skin_of(motion, node) != NULL;
     if (is_skinned && (moved->joints == NULL || moved->weights == NULL)) {
         return model_shared_failed(shared, "is broken: a mesh with a skin names no joints");
@@ -701,5 +751,7 @@ bool model_gltf_motion_bind(struct model_shared *shared, const struct model_plac
            (set_skin(shared, node, (const double(*)[4])back, &moving->skin) ||
             model_shared_failed(shared, "is broken: %s", motion->file->error)) &&
            (!is_skinned || set_influences(shared, moved, vertices, moving)) &&
-           (moved->target_count == 0 || set_targets(shared, moved, vertices, (const double(*)[4])to_model, moving));
+           (moved->target_count == 0 || set_targets(shared, moved, vertices, (const double(*)[4])to_model, moving)) &&
+           (!moved->has_normals || place->mesh->mNormals == NULL ||
+            set_target_normals(shared, moved, vertices, place, moving));
 }

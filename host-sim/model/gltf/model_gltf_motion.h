@@ -14,7 +14,9 @@
 /* What moves the vertices of a mesh; arrays of the primitive's vertices. */
 struct model_gltf_moved {
     float *joints, *weights; /* four for each vertex, or NULL */
-    float **targets;         /* what is added to each position */
+    float **targets;         /* what is added to each position, or NULL */
+    float **target_normals;  /* the same of each normal */
+    bool has_normals;        /* some target has */
     uint32_t target_count;
     uint32_t *sources; /* the primitive's vertex of each vertex of the mesh */
 };
@@ -35,8 +37,9 @@ struct model_gltf_motion {
     const struct aiScene *scene;
     struct model_gltf_moved *moved; /* of each mesh of the scene */
     struct model_gltf_node *nodes;
-    uint32_t *order; /* the nodes of the scene, parents first */
-    uint32_t node_count, weight_count;
+    struct animation_mesh *moving; /* the model's */
+    uint32_t *order;               /* the nodes of the scene, parents first */
+    uint32_t node_count;
 };
 
 /* Finds the nodes' places, and moves what a skin draws to where its joints have it. False: file->error says why. */

@@ -19,11 +19,18 @@ const FRAMES = 80
 /* 2 LSB of arithmetic, and of 16-bit numbers: 1 of a position, 2 of the rotation of each of 4 joints above one another,
  * and what a point moves, some 4 lengths a second, in half a step of the keys' times, 2^-15 s. */
 const ALLOWED = 2 + 1 + 4 * 2 + 4 * 2
+const ALLOWED_NORMAL = 1 / 1024 // motion.h; and the weights' times
 
 const meshes = (scene) => {
   const skinned = [], others = []
   scene.traverse((o) => { if (o.isMesh) (o.isSkinnedMesh ? skinned : others).push(o) })
   return [...others, ...skinned] // as the reader has them
+}
+/* What targets add to a normal counts by their weights; then it has length one. */
+const normal = (mesh, vertex) => {
+  const n = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.normal, vertex)
+  mesh.morphTargetInfluences.forEach((w, k) => n.addScaledVector(new THREE.Vector3().fromBufferAttribute(mesh.geometry.morphAttributes.normal[k], vertex), w))
+  return n.applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(mesh.matrixWorld)).normalize()
 }
 const order = (mesh) => [...new Set(mesh.geometry.index.array)]
 
@@ -39,7 +46,7 @@ for (const file of files) {
     const said = spawnSync(dump, [file, clip.name, String(FRAMES)], { encoding: 'utf8', maxBuffer: 1 << 28 })
     const [fit, ...lines] = said.stdout.trim().split('\n').map((line) => line.split(' '))
     const [x, y, z] = fit.slice(1, 4).map((v) => v / (1 << 24)), scale = Number(fit[4])
-    let most = 0, where = ''
+    let most = 0, where = '', turned = 0
     for (const [frame, number, ...numbers] of lines) {
       const time = clip.duration > 0 ? Math.floor(frame % (clip.duration * 30) * 65536 / 30) / 65536 : 0
       mixer.setTime(time)
@@ -49,14 +56,16 @@ for (const file of files) {
         const p = mesh.getVertexPosition(vertex, new THREE.Vector3()).applyMatrix4(mesh.matrixWorld).multiplyScalar(scale)
         const want = [p.x + x, p.y + y, p.z + z]
         want.forEach((v, k) => {
-          const off = Math.abs(v * 65536 - Number(numbers[3 * i + k]))
+          const off = Math.abs(v * 65536 - Number(numbers[6 * i + k]))
           if (!(off <= most)) [most, where] = [off, `frame ${frame}, mesh ${number}, vertex ${vertex}`]
         })
+        const n = mesh.morphTargetInfluences ? normal(mesh, vertex).toArray() : [] // others' joints scale axes differently
+        n.forEach((v, k) => { turned = Math.max(turned, Math.abs(v - Number(numbers[6 * i + 3 + k]) / 16384)) })
       })
     }
-    const ok = lines.length === FRAMES * 3 && most <= ALLOWED
+    const ok = lines.length === FRAMES * 3 && most <= ALLOWED && turned <= ALLOWED_NORMAL
     failed += !ok
-    console.log(`${ok ? '' : 'not '}ok ${++count} - ${file.split('/').pop().replace('.gltf', '')} plays '${clip.name}' as three.js: off by ${most.toFixed(1)} of ${ALLOWED} LSB (${where})`)
+    console.log(`${ok ? '' : 'not '}ok ${++count} - ${file.split('/').pop().replace('.gltf', '')} plays '${clip.name}' as three.js: off by ${most.toFixed(1)} of ${ALLOWED} LSB (${where}), normals by ${turned.toFixed(5)}`)
   }
 }
 console.log(`1..${count}`)

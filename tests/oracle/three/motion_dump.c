@@ -1,8 +1,7 @@
 /*
  * Usage: motion_dump FILE.gltf CLIP FRAMES
- * Prints how far the model is moved and scaled, and for each frame of the clip the vertices of each mesh that moves:
- *   fit x y z scale
- *   FRAME MESH x y z ...     in LSB of Q16.16
+ * Prints how far the model is moved and scaled, and for each frame of the clip the vertices of each mesh that moves,
+ * and their normals: fit x y z scale FRAME MESH x y z nx ny nz ...     in LSB of Q16.16, and of Q1.14
  */
 #include "model.h"
 
@@ -11,19 +10,27 @@
 
 int main(int argc, char *argv[])
 {
+    static uint64_t memory[1 << 16];
+    struct demo_arena arena = {.base = (uint8_t *)memory, .size = sizeof memory};
     struct model *model = NULL;
-    if (argc != 4 || model_open(&model, argv[1], NULL) != 0 || !model_play(model, argv[2])) {
+    if (argc != 4 || model_open(&model, argv[1], NULL) != 0 || model_play(model, argv[2]) != 0) {
         return EXIT_FAILURE;
     }
-    const struct model_motion *m = model->motion;
-    printf("fit %d %d %d %.17g\n", (int)m->root.t.x, (int)m->root.t.y, (int)m->root.t.z, m->scale);
+    const struct animation *a = &model->motion->animation;
+    const struct animation_stage *stage = animation_begin(&arena, a, model->meshes, model->mesh_count);
+    if (stage == NULL) {
+        return EXIT_FAILURE;
+    }
+    printf("fit %d %d %d %.17g\n", (int)a->root.t.x, (int)a->root.t.y, (int)a->root.t.z, model->motion->scale);
     for (uint32_t frame = 0; frame < (uint32_t)atoi(argv[3]); frame++) {
-        model_move(model, frame);
-        for (uint32_t i = 0; i < m->moving_count; i++) {
+        animation_move(stage, frame);
+        for (uint32_t i = 0; i < a->mesh_count; i++) {
             printf("%u %u", (unsigned)frame, (unsigned)i);
-            for (uint32_t v = 0; v < m->moving[i].bound.vertex_count; v++) {
-                const struct fx_vec3 *p = &m->moving[i].positions[v];
-                printf(" %d %d %d", (int)p->x, (int)p->y, (int)p->z);
+            for (uint32_t v = 0; v < a->meshes[i].bound.vertex_count; v++) {
+                const struct ph_mesh *mesh = &stage->meshes[a->meshes[i].mesh];
+                const struct fx_vec3 *p = &mesh->positions[v];
+                const int16_t *n = mesh->normals[v];
+                printf(" %d %d %d %d %d %d", (int)p->x, (int)p->y, (int)p->z, n[0], n[1], n[2]);
             }
             printf("\n");
         }

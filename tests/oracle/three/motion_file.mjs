@@ -64,7 +64,7 @@ function tube(x, skinned) {
 }
 const shifts = () => accessor([...Array(RINGS * 12)].map(() => any(-.3, .3)), 'VEC3', 3, 5126, 34962)
 const meshes = [{ primitives: [tube(0, true)] }, { primitives: [tube(0, false)] },
-  { primitives: [{ ...tube(0, false), targets: [{ POSITION: shifts() }, { POSITION: shifts() }] }], weights: [.25, -.5] }]
+  { primitives: [{ ...tube(0, false), targets: [{ POSITION: shifts(), NORMAL: shifts() }, { POSITION: shifts(), NORMAL: shifts() }] }], weights: [.25, -.5] }]
 
 // ---- nodes: 0 .. 3 the joints, scaled by 100 and back as exporters do, 4 what is skinned, 5 .. 6 the box, 7 morphs
 

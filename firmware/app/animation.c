@@ -1,0 +1,152 @@
+#include "animation.h"
+
+#include <string.h>
+
+#define ROUND8(n) (((n) + 7) & ~(size_t)7)
+
+#define STAGE_BYTES_32 40
+#define MESH_BYTES_32  48
+_Static_assert(sizeof(void *) > 4 || sizeof(struct animation_stage) == STAGE_BYTES_32, "STAGE_BYTES_32 is wrong");
+_Static_assert(sizeof(void *) > 4 || sizeof(struct ph_mesh) == MESH_BYTES_32, "MESH_BYTES_32 is wrong");
+
+static uint32_t larger(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+void animation_add(struct animation_need *need, const struct animation_mesh *mesh)
+{
+    const size_t n = mesh->bound.vertex_count;
+    const uint32_t morphed = mesh->morph.target_count > 0 ? mesh->morph.vertex_count : 0;
+    need->joints = larger(need->joints, mesh->skin.joint_count);
+    need->morphed = larger(need->morphed, morphed);
+    need->morphed_normals = larger(need->morphed_normals, mesh->morph.d_normals ? morphed : 0);
+    need->vertex_bytes += ROUND8(n * sizeof(struct fx_vec3)) + ROUND8(n * sizeof(int16_t[3]));
+}
+
+struct animation_need animation_need(const struct animation *a)
+{
+    struct animation_need need = {0};
+    for (uint32_t i = 0; i < a->mesh_count; i++) {
+        animation_add(&need, &a->meshes[i]);
+    }
+    return need;
+}
+
+size_t animation_bytes(const struct animation_need *need, const struct animation *a, uint32_t mesh_count, bool on_32)
+{
+    return ROUND8(on_32 ? STAGE_BYTES_32 : sizeof(struct animation_stage)) +
+           ROUND8(mesh_count * (on_32 ? MESH_BYTES_32 : sizeof(struct ph_mesh))) +
+           ROUND8(a->rig.node_count * sizeof(struct ph_pose)) + ROUND8(a->rig.node_count * sizeof(struct ph_xform)) +
+           ROUND8(need->joints * sizeof(struct ph_xform)) + ROUND8(a->weight_count * sizeof(int32_t)) +
+           ROUND8(need->morphed * sizeof(int16_t[3])) + ROUND8(need->morphed_normals * sizeof(int16_t[3])) +
+           need->vertex_bytes;
+}
+
+/* Gives a mesh vertices of its own, in the bind pose. */
+static bool bind(struct demo_arena *arena, const struct animation_mesh *from, struct ph_mesh *mesh)
+{
+    const uint32_t n = from->bound.vertex_count;
+    const int up = 16 - from->bound.frac;
+    struct fx_vec3 *const positions = demo_alloc(arena, n * sizeof(*positions));
+    int16_t(*const normals)[3] = demo_alloc(arena, n * sizeof(*normals));
+    if (!positions || !normals) {
+        return false;
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        const int16_t *const p = from->bound.positions[i];
+        positions[i] = up >= 0 ? (struct fx_vec3){p[0] * (1 << up), p[1] * (1 << up), p[2] * (1 << up)}
+                               : (struct fx_vec3){p[0] >> -up, p[1] >> -up, p[2] >> -up};
+    }
+    memcpy(normals, from->bound.normals, n * sizeof(*normals));
+    mesh->positions = positions;
+    mesh->normals = (const int16_t(*)[3])normals;
+    return true;
+}
+
+struct animation_stage *animation_begin(struct demo_arena *arena, const struct animation *a,
+                                        const struct ph_mesh *meshes, uint32_t mesh_count)
+{
+    const struct animation_need need = animation_need(a);
+    struct animation_stage *const s = demo_alloc(arena, sizeof(*s));
+    if (!s) {
+        return NULL;
+    }
+    *s = (struct animation_stage){.animation = a,
+                                  .meshes = demo_alloc(arena, mesh_count * sizeof(*meshes)),
+                                  .pose = demo_alloc(arena, a->rig.node_count * sizeof(*s->pose)),
+                                  .places = demo_alloc(arena, a->rig.node_count * sizeof(*s->places)),
+                                  .matrices = demo_alloc(arena, need.joints * sizeof(*s->matrices)),
+                                  .weights = demo_alloc(arena, a->weight_count * sizeof(*s->weights)),
+                                  .morphed = demo_alloc(arena, need.morphed * sizeof(*s->morphed)),
+                                  .morphed_normals =
+                                      demo_alloc(arena, need.morphed_normals * sizeof(*s->morphed_normals))};
+    if (!s->meshes || !s->pose || !s->places || !s->matrices || !s->weights || !s->morphed || !s->morphed_normals) {
+        return NULL;
+    }
+    memcpy(s->meshes, meshes, mesh_count * sizeof(*meshes));
+    for (uint32_t i = 0; i < a->mesh_count; i++) {
+        if (!bind(arena, &a->meshes[i], &s->meshes[a->meshes[i].mesh])) {
+            return NULL;
+        }
+    }
+    return s;
+}
+
+/* Seconds from the first frame on, Q16.16, rounded down. */
+static fx_t time_of(const struct ph_clip *clip, uint32_t frame)
+{
+    const uint32_t seconds = frame / ANIMATION_FRAMES_A_SECOND, rest = frame % ANIMATION_FRAMES_A_SECOND;
+    const uint32_t time = seconds * FX_ONE + rest * FX_ONE / ANIMATION_FRAMES_A_SECOND;
+    return clip->duration > 0 ? (fx_t)(time % (uint32_t)clip->duration) : 0;
+}
+
+void animation_move(const struct animation_stage *s, uint32_t frame)
+{
+    const struct animation *const a = s->animation;
+    ph_rig_rest(&a->rig, s->pose);
+    memcpy(s->weights, a->rest_weights, a->weight_count * sizeof(*s->weights));
+    if (a->clip) {
+        ph_clip_sample(a->clip, time_of(a->clip, frame), s->pose, s->weights);
+    }
+    ph_rig_places(&a->rig, s->pose, &a->root, s->places);
+    for (uint32_t i = 0; i < a->mesh_count; i++) {
+        const struct animation_mesh *const from = &a->meshes[i];
+        const struct ph_mesh *const to = &s->meshes[from->mesh];
+        struct ph_bound bound = from->bound;
+        if (from->morph.target_count > 0) {
+            int16_t(*const normals)[3] = from->morph.d_normals ? s->morphed_normals : NULL;
+            ph_morph_vertices(&from->morph, s->weights + from->first_weight, s->morphed, normals);
+            bound.positions = (const int16_t(*)[3])s->morphed;
+            bound.normals = normals ? (const int16_t(*)[3])normals : bound.normals;
+        }
+        ph_skin_matrices(&from->skin, s->places, s->matrices);
+        ph_skin_vertices(&bound, s->matrices, (struct fx_vec3 *)(uintptr_t)to->positions,
+                         (int16_t(*)[3])(uintptr_t)to->normals); /* its own: bind() */
+    }
+}
+
+int animation_init(struct demo_context *context, const struct animation *a, const struct ph_mesh *meshes,
+                   uint32_t mesh_count, const struct demo_eye *eye)
+{
+    struct animation_stage *const s = animation_begin(&context->arena, a, meshes, mesh_count);
+    if (!s) {
+        return PH_ERR_NOMEM;
+    }
+    const int status = eye ? demo_still_init(context, s->meshes, mesh_count, eye)
+                           : demo_turntable_init(context, s->meshes, mesh_count, (struct fx_vec3){0, 0, 0});
+    s->is_still = eye != NULL;
+    s->view = context->state;
+    context->state = s;
+    return status;
+}
+
+int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    struct animation_stage *const s = context->state;
+    animation_move(s, frame);
+    context->state = s->view;
+    const int status = s->is_still ? demo_still_frame(context, r, frame) : demo_turntable_frame(context, r, frame);
+    context->state = s;
+    return status;
+}

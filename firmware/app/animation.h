@@ -1,0 +1,70 @@
+/*
+ * animation: the meshes of a scene follow a clip of a rig, with skins and morph targets (motion.h). All data are const
+ * and may lie in flash; what a frame changes is in the arena.
+ */
+#ifndef ANIMATION_H
+#define ANIMATION_H
+
+#include "demo.h"
+#include "motion.h"
+
+#define ANIMATION_FRAMES_A_SECOND 30
+
+/* A mesh that moves. */
+struct animation_mesh {
+    uint32_t mesh; /* its number in the scene */
+    struct ph_bound bound;
+    struct ph_skin skin;
+    struct ph_morph morph; /* target_count 0: none */
+    uint32_t first_weight; /* of the morph targets */
+};
+
+struct animation {
+    struct ph_rig rig;
+    struct ph_xform root;       /* the rig's origin and directions in the scene, t in Q8.24 */
+    const struct ph_clip *clip; /* it repeats; NULL: the rest pose */
+    const struct animation_mesh *meshes;
+    uint32_t mesh_count, weight_count;
+    const int32_t *rest_weights;
+};
+
+/* A scene that moves; it lies in an arena. */
+struct animation_stage {
+    const struct animation *animation;
+    struct ph_mesh *meshes; /* those of the scene; those that move have positions and normals of their own here */
+    struct ph_pose *pose;
+    struct ph_xform *places, *matrices;
+    int32_t *weights;
+    int16_t (*morphed)[3], (*morphed_normals)[3];
+    void *view; /* the state of the demo that draws it */
+    bool is_still;
+};
+
+/* What the stage needs for meshes that move; starts with zeros. */
+struct animation_need {
+    uint32_t joints, morphed, morphed_normals; /* of the mesh with most of them */
+    size_t vertex_bytes;
+};
+
+void animation_add(struct animation_need *need, const struct animation_mesh *mesh);
+
+/* What animation_begin() takes of an arena, here or on a 32-bit target; the animation's meshes are those added. */
+size_t animation_bytes(const struct animation_need *need, const struct animation *animation, uint32_t mesh_count,
+                       bool on_32);
+struct animation_need animation_need(const struct animation *animation);
+
+/* Copies the table of the meshes; the positions of a mesh that moves may be NULL. The vertices are in the bind pose.
+ * NULL: the arena is full. */
+struct animation_stage *animation_begin(struct demo_arena *arena, const struct animation *animation,
+                                        const struct ph_mesh *meshes, uint32_t mesh_count);
+
+/* Moves the vertices to where the clip has them in a frame. */
+void animation_move(const struct animation_stage *stage, uint32_t frame);
+
+/* A demo of it, before an eye of its own, or (NULL) on the turntable; see demo_still_init(), demo_turntable_init(). The
+ * camera is that for the bind pose. */
+int animation_init(struct demo_context *context, const struct animation *animation, const struct ph_mesh *meshes,
+                   uint32_t mesh_count, const struct demo_eye *eye);
+int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame);
+
+#endif

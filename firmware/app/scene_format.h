@@ -1,0 +1,97 @@
+/*
+ * scene_format: the bytes of a binary scene (scene_file.h): a head, a table of meshes behind it, and what both name by
+ * offsets from the head's first byte, all 4-byte aligned. Numbers are of little endian, colours in wire order.
+ */
+#ifndef SCENE_FORMAT_H
+#define SCENE_FORMAT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define SCENE_FILE_MAGIC   0x53484850u /* "PHHS" */
+#define SCENE_FILE_VERSION 3u
+#define SCENE_FILE_MESHES  4096u /* at most */
+#define SCENE_FILE_NAME    40
+
+enum scene_file_flag { SCENE_FILE_CAMERA = 1, SCENE_FILE_BARE = 2 }; /* bare: without the platter of the turntable */
+
+struct scene_file_head {
+    uint32_t magic, version;
+    uint32_t bytes; /* of all */
+    uint32_t crc;   /* CRC-32 (IEEE 802.3) of what follows it */
+    uint32_t mesh_count, flags, vertex_max, triangle_max;
+    char name[SCENE_FILE_NAME];
+    int32_t r[3][3], t[3]; /* the camera: struct ph_xform, and the lens: struct ph_projection */
+    uint32_t lens_kind;
+    int32_t scale_x_q20, scale_y_q20, near_z, far_z;
+    uint32_t motion; /* offset of struct scene_file_motion; 0: nothing moves */
+};
+
+struct scene_file_texture {
+    uint32_t texels; /* offset; 0: there is no texture */
+    uint8_t log2_width, log2_height, wrap, filter, levels, spare[3];
+};
+
+enum scene_file_blend { SCENE_FILE_OPAQUE, SCENE_FILE_MASK, SCENE_FILE_ALPHA, SCENE_FILE_ADD };
+
+/* Positions of a mesh that moves are those of struct ph_bound, else those of struct ph_mesh. */
+struct scene_file_mesh {
+    uint32_t positions, normals, uvs, colours, triangles, ramp; /* offsets; 0: none of uvs, colours */
+    uint32_t vertex_count, triangle_count;
+    int32_t ambient, diffuse, specular;
+    struct scene_file_texture texture, alphas; /* alphas: of the blend */
+    uint8_t shading, two_sided, shininess_log2;
+    uint8_t blend, alpha; /* enum scene_file_blend; 0 .. 32 */
+    uint8_t depth_bias;   /* 0 .. 56 */
+    uint16_t colour;
+    uint32_t moving; /* offset of struct scene_file_moving; 0: it stands still */
+};
+
+/* See struct animation. nodes: struct ph_rig_node. */
+struct scene_file_motion {
+    uint32_t nodes, rest_weights, clips; /* offsets */
+    uint32_t node_count, weight_count, clip_count;
+    uint32_t playing; /* which clip */
+    int32_t r[3][3], t[3];
+};
+
+struct scene_file_clip {
+    char name[SCENE_FILE_NAME];
+    uint32_t tracks; /* offset */
+    uint32_t track_count;
+    int32_t duration;
+    uint32_t time_shift;
+};
+
+struct scene_file_track {
+    uint32_t times, keys; /* offsets */
+    uint16_t node, key_count;
+    uint8_t path, interpolation, width, frac;
+};
+
+/* See struct animation_mesh. */
+struct scene_file_moving {
+    uint32_t joints, inverse_bind, influences; /* offsets: uint16_t, struct ph_xform, struct ph_influence or 0 */
+    uint32_t targets, target_normals;          /* offsets; 0: none */
+    uint32_t joint_count, target_count, first_weight, frac;
+};
+
+static inline const struct scene_file_mesh *scene_file_table(const struct scene_file_head *head)
+{
+    return (const void *)((const uint8_t *)head + sizeof(*head));
+}
+
+/* What is at an offset; 0: NULL. */
+static inline const void *scene_file_at(const struct scene_file_head *head, uint32_t offset)
+{
+    return offset != 0 ? (const uint8_t *)head + offset : NULL;
+}
+
+/* Whether so many things from an offset on lie behind the head, and in the scene. */
+static inline bool scene_file_inside(const struct scene_file_head *head, uint32_t offset, uint32_t count, uint32_t size)
+{
+    return offset % 4 == 0 && offset >= sizeof(*head) && offset <= head->bytes &&
+           (uint64_t)count * size <= head->bytes - offset;
+}
+
+#endif

@@ -1,0 +1,28 @@
+/* scene_motion: what moves in a binary scene (scene_format.h). */
+#ifndef SCENE_MOTION_H
+#define SCENE_MOTION_H
+
+#include "animation.h"
+#include "scene_format.h"
+
+/* Whether every offset and number can be used; the meshes are right already. */
+bool scene_motion_right(const struct scene_file_head *head);
+
+/* The functions below take what is right only, and but for scene_motion_bytes() where head->motion is not 0. */
+
+/* Makes the clip number i in the arena. False: it is full. */
+bool scene_motion_clip(const struct scene_file_head *head, uint32_t i, struct demo_arena *arena, struct ph_clip *clip);
+
+/* Makes what moves, with the clip that plays, in the arena. NULL: it is full. */
+const struct animation *scene_motion_make(const struct scene_file_head *head, struct demo_arena *arena);
+
+/* What that and its stage take of an arena, here or on a 32-bit target; 0 if nothing moves. */
+size_t scene_motion_bytes(const struct scene_file_head *head, bool on_32);
+
+/* What it takes of that beside its stage, with so many meshes that move and tracks of the clip that plays. */
+size_t scene_motion_table_bytes(uint32_t mesh_count, uint32_t track_count, bool on_32);
+
+/* Plays the clip number i from the next scene_motion_make() on: changes a scene that lies in RAM. */
+void scene_motion_play(struct scene_file_head *head, uint32_t i);
+
+#endif
