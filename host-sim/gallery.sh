@@ -18,9 +18,7 @@ save() { # NAME.ppm: to NAME.png, without times, so that the same picture is the
 
 all=
 for demo in $("$B/pinhole-sim" --list | sed -n 's/^demo *\([^ ]*\).*/\1/p'); do
-    depth=auto
-    [ "$demo" != zfight ] || depth=fixed16
-    "$B/pinhole-sim" --demo "$demo" --board rpi-waveshare-1in3 --depth $depth --start 40 --out "$work/all-$demo.ppm"
+    "$B/pinhole-sim" --demo "$demo" --board rpi-waveshare-1in3 --start 40 --out "$work/all-$demo.ppm"
     all="$all $work/all-$demo.ppm"
 done
 # shellcheck disable=SC2086 # names without spaces, one word each

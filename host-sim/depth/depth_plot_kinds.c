@@ -93,20 +93,22 @@ static void put_camera(const struct depth_lab *lab, FILE *script)
 
 /* ---- the documents' curves ---------------------------------------------------------------------------- */
 
-/* Writes the curve of the real matrix of the camera (GL convention, elements in Q16.16) as data block $c<tag>. */
+/* Writes the curves of the camera's real matrices (elements in Q16.16) as data block $c<tag>: z, GL's depth from -1 to 1,
+ * and the depth from 0 to 1 of course 4600. */
 static int put_curve(FILE *script, int tag, fx_t near_z, fx_t far_z)
 {
     struct ph_projection projection = {.kind = PH_PERSPECTIVE};
-    struct ph_mat4 m;
+    struct ph_mat4 gl, d3d;
     if (ph_projection_perspective(&projection, FX_INT(60), FX_ONE, near_z, far_z) != 0 ||
-        ph_matrix_projection(&m, &projection, PH_GL) != 0) {
+        ph_matrix_projection(&gl, &projection, PH_GL) != 0 || ph_matrix_projection(&d3d, &projection, PH_D3D) != 0) {
         return complain_usage("--near, --far: this camera's matrix does not fit Q16.16; move them apart");
     }
     const double n = depth_metres(near_z), f = depth_metres(far_z);
     fprintf(script, "$c%d << EOD\n", tag);
     for (int i = 0; i <= CURVE; i++) {
         const double z = -f + (f - n) * i / CURVE;
-        fprintf(script, "%.6f %.6f\n", z, (depth_metres(m.m[2][2]) * z + depth_metres(m.m[2][3])) / -z);
+        fprintf(script, "%.6f %.6f %.6f\n", z, (depth_metres(gl.m[2][2]) * z + depth_metres(gl.m[2][3])) / -z,
+                (depth_metres(d3d.m[2][2]) * -z + depth_metres(d3d.m[2][3])) / -z);
     }
     fputs("EOD\n", script);
     return 0;
@@ -142,6 +144,10 @@ static int write_curves(FILE *script, const char *name, const fx_t nears[], int 
                 i + 1, colours[i], depth_metres(nears[i]), depth_metres(far_z),
                 half_of(depth_metres(nears[i]), depth_metres(far_z)));
     }
+    for (int i = 0; i < count; i++) {
+        fprintf(script, ", $c%d using 1:3 with lines lw 1.2 dt %d lc '%s' title 'the same from 0 to 1 (course 4600)'", i,
+                i + 1, colours[i]);
+    }
     fputc('\n', script);
     return status;
 }
@@ -150,8 +156,8 @@ static int write_ndc(const struct depth_lab *lab, FILE *script)
 {
     const fx_t far_z = lab->far_set ? lab->far_z : FX_INT(10);
     const fx_t nears[] = {lab->near_set ? lab->near_z : FX_HALF, FX_ONE};
-    fputs("set title 'z_{ndc}(z_c): -1 at the near plane, 1 at the far plane; half of all values lie right of the "
-          "dotted line'\n",
+    fputs("set title 'z_{ndc}(z_c): -1 (thin: 0) at the near plane, 1 at the far plane; half of all values lie right of "
+          "the dotted line'\n",
           script);
     return write_curves(script, "z_{ndc}", nears, lab->near_set || far_z <= FX_ONE ? 1 : 2, far_z);
 }

@@ -272,6 +272,8 @@ static int show_matrices(const struct sim_options *o, const struct frame_out *ou
 
 /* Where the frames go, what they are compared with, and where the buttons come from. */
 struct stage {
+    struct sim_player_setup *setup;
+    struct chosen *chosen;
     struct frame_out out;
     struct frame_check check;
     struct key_script keys;
@@ -299,13 +301,48 @@ static int show_frame(const struct sim_options *o, struct stage *stage, struct s
     return status;
 }
 
-/* Sets the kit's buttons from script and keyboard. False: the window was closed. */
-static bool press(struct stage *stage, struct sim_player *p, uint32_t frame)
+/* Gives a glass without a kit the size of the window, and the camera its aspect. */
+static int follow(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint16_t width,
+                  uint16_t height)
 {
-    uint32_t buttons = 0;
-    const bool go_on = stage->window == NULL || sim_window_buttons(stage->window, &buttons);
-    sim_buttons_set(p->sim, buttons | key_script_at(&stage->keys, frame));
-    return go_on;
+    const struct demo_context before = p->runner.context;
+    int status = sim_player_close(p);
+    *p = (struct sim_player){.sim = NULL};
+    sim_virtual(&stage->chosen->virtual_board, width, height);
+    if (status == 0) {
+        status = choose_camera(o, stage->setup, &stage->setup->camera);
+    }
+    if (status == 0) {
+        status = sim_player_open(p, stage->setup);
+    }
+    sim_player_move(p, before.orbit, before.dolly);
+    return status == 0 ? sim_window_resize(stage->window, stage->setup->board->title, width, height) : status;
+}
+
+#define DRAG_TURN  (1u << 24)    /* 256 pixels of the picture are a turn */
+#define WHEEL_AWAY (FX_ONE / 16) /* of the distance, a notch */
+
+/* Sets the kit's buttons from script and keyboard, and moves the camera by the mouse. 0, COMPLAINED, or WINDOW_CLOSED.
+ */
+#define WINDOW_CLOSED 1
+static int press(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint32_t frame)
+{
+    struct sim_window_input input = {.buttons = 0};
+    if (stage->window != NULL) {
+        if (!sim_window_input(stage->window, &input)) {
+            return WINDOW_CLOSED;
+        }
+        const bool follows = o->board == NULL && o->out == NULL && o->check == NULL;
+        if (follows && (input.width != p->picture.width || input.height != p->picture.height)) {
+            const int status = follow(o, stage, p, input.width, input.height);
+            if (status != 0) {
+                return status;
+            }
+        }
+        sim_player_move(p, 0u - (uint32_t)input.drag * DRAG_TURN, -input.notches * WHEEL_AWAY);
+    }
+    sim_buttons_set(p->sim, input.buttons | key_script_at(&stage->keys, frame));
+    return 0;
 }
 
 static int run_frames(const struct sim_options *o, struct stage *stage, struct sim_player *p)
@@ -315,7 +352,8 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
     const bool bar = o->out != NULL && !o->crc && !o->stats && stage->out.kind != FRAME_OUT_STREAM;
     int status = o->matrix ? show_matrices(o, &stage->out, p) : 0;
     for (uint32_t i = 0; drawn && i < o->frames && status == 0 && signal_stop == 0; i++) {
-        if (!press(stage, p, o->start + i)) {
+        status = press(o, stage, p, o->start + i);
+        if (status != 0) {
             break;
         }
         status = show_frame(o, stage, p, o->start + i);
@@ -330,12 +368,14 @@ static int run_frames(const struct sim_options *o, struct stage *stage, struct s
     if (bar) {
         progress_show("frames", 1, 1);
     }
-    return status;
+    return status == WINDOW_CLOSED ? 0 : status;
 }
 
-static int run(const struct sim_options *o, const struct sim_player_setup *setup)
+static int run(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
-    struct stage stage = {.out = {.scale = o->scale},
+    struct stage stage = {.setup = setup,
+                          .chosen = chosen,
+                          .out = {.scale = o->scale},
                           .check = {.reference = o->check,
                                     .difference = o->difference != NULL ? o->difference : "difference.png",
                                     .tolerance = o->tolerance,
@@ -377,7 +417,7 @@ static int draw(const struct sim_options *o)
     int status = choose(o, &chosen, &setup);
     if (status == 0) {
         signal_stop_catch();
-        status = run(o, &setup);
+        status = run(o, &chosen, &setup);
     }
     asset_free(&chosen.asset);
     model_close(chosen.model);

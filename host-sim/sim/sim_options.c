@@ -240,8 +240,10 @@ static const struct option_row rows[] = {
      "presses buttons; a line is FRAME BUTTON[+BUTTON...] [COUNT], # comments; up down left right select;\n"
      "        left and right orbit (steer the snake), up comes nearer, down goes away, select takes the next demo",
      "a file", .at = offsetof(struct sim_options, keys)},
-    {"window", NULL, "shows the panel live, scaled up; arrows and Enter or space are its buttons, Esc ends", NULL,
-     .at = offsetof(struct sim_options, show_window)},
+    {"window", NULL,
+     "shows the panel live, scaled up; arrows and Enter or space are its buttons, the mouse and\n"
+     "        its wheel move the camera, Esc ends",
+     NULL, .at = offsetof(struct sim_options, show_window)},
     {"matrix", NULL,
      "prints the camera of the first frame: `view`, `projection`, `viewport`, each with 4 rows of 4 exact decimals",
      NULL, .at = offsetof(struct sim_options, matrix)},

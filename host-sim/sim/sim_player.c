@@ -79,6 +79,12 @@ int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *vie
     return 0;
 }
 
+void sim_player_move(struct sim_player *p, uint32_t turn32, fx_t away)
+{
+    p->runner.context.orbit += turn32;
+    p->runner.context.dolly += away;
+}
+
 int sim_player_frame(struct sim_player *p, uint32_t frame)
 {
     p->counters = sim_counters(p->sim);

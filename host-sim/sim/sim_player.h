@@ -38,6 +38,10 @@ struct sim_player {
 /* Powers the kit on and builds the scene. 0 or COMPLAINED. Close it in any case. */
 int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
 
+/* Turns the camera around the scene, counter-clockwise from above, and moves it away by a share of its distance, as the
+ * kit's buttons do (demo_input). */
+void sim_player_move(struct sim_player *p, uint32_t turn32, fx_t away);
+
 /* Gives the demo the kit's buttons, draws frame number `frame` and sends it to the panel; then p->picture is what the
  * glass shows. 0 or COMPLAINED. */
 int sim_player_frame(struct sim_player *p, uint32_t frame);

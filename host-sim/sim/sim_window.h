@@ -14,9 +14,19 @@ struct sim_window;
  * the screen. 0 or COMPLAINED. */
 int sim_window_open(struct sim_window **window, const char *title, uint16_t width, uint16_t height);
 
-/* Gets the buttons (enum hal_button) that were pressed since the last call or are held now: the arrows, and Enter or
- * space as select. False: the user has closed the window or pressed Esc. */
-bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons);
+/* What the user did since the last call. */
+struct sim_window_input {
+    uint32_t buttons;       /* enum hal_button, pressed or held: the arrows, and Enter or space as select */
+    int32_t drag;           /* pixels of the picture that the mouse moved to the right while its left button was held */
+    int32_t notches;        /* that the wheel was turned away from the user */
+    uint16_t width, height; /* for a picture of this size the window has room, 1 .. 1024 each */
+};
+
+/* False: the user has closed the window or pressed Esc. */
+bool sim_window_input(const struct sim_window *window, struct sim_window_input *input);
+
+/* Pictures have this size, and the window this title, from now on. 0 or COMPLAINED. */
+int sim_window_resize(struct sim_window *window, const char *title, uint16_t width, uint16_t height);
 
 /* Shows a picture (RGB888 rows) frame_ns after the previous one, or at once if that time is over. */
 void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns);

@@ -30,7 +30,7 @@ plot() { # kind, file
 
 words_of() { # what must stand in the SVG, a pattern a line
     case $1 in
-    ndc) printf '%s\n' 'n = 0.5 m, f = 10 m' 'n = 1 m, f = 10 m' ;;
+    ndc) printf '%s\n' 'n = 0.5 m, f = 10 m' 'n = 1 m, f = 10 m' 'course 4600' ;;
     g) printf '%s\n' 'n = 1 m, f = 3 m' 'g(z)' ;;
     resolve) printf '%s\n' 'separation \[m\]' 'distance z \[m\]' 'ripe for z-fighting' 'very good' fixed16 'ndc-q16 16 bits' ;;
     others) printf '%s\n' 'recip-q16 24 bits' 'clip-q16 24 bits' float16 ;;

@@ -104,6 +104,34 @@ an_arrow_moves_the_camera() { # key: from some frame on, and not before
     ! cmp -s "$dir/stdout" "$dir/alone"
 }
 
+# Runs until Escape; what was printed last is the frame that these options give.
+ends_like() { # option...
+    local frame
+    xdotool key Escape
+    ended && frame=$(wc -l <"$dir/stdout") && "$sim" --frames "$frame" --crc "$@" | tail -n 1 | cmp - <(tail -n 1 "$dir/stdout")
+}
+
+# 128 pixels of the screen are 64 of the picture, a quarter of a turn, as 64 frames of an arrow; a notch is an eighth of the way that the camera can come
+# nearer, as 4 frames of an arrow.
+the_mouse_turns_and_the_wheel_moves() {
+    printf '0 left 64\n0 up 8\n' >"$dir/keys"
+    start --demo turntable --crc && xdotool mousemove --window "$id" 300 200 mousedown 1 && sleep .2 &&
+        xdotool mousemove --window "$id" 350 200 mousemove --window "$id" 428 230 && sleep .2 &&
+        xdotool mouseup 1 mousemove --window "$id" 100 100 click 4 click 4 && sleep 2 || return 1
+    ends_like "${kit[@]}" --demo turntable --keys "$dir/keys"
+}
+
+without_a_kit_the_glass_follows_the_window() { # 8 pixels of the screen for one of the picture's
+    local kit=(--size 96x64) title='no kit'
+    start --demo cube --camera eye=2,1,5 --crc && xdotool windowsize "$id" 808 480 && sleep 2 || return 1
+    ends_like --size 101x60 --demo cube --camera eye=2,1,5
+}
+
+a_kit_keeps_its_glass() {
+    start --demo cube --crc && xdotool windowsize "$id" 500 480 && sleep 1 || return 1
+    ends_like "${kit[@]}" --demo cube
+}
+
 frames_limit_it() {
     "$sim" --window "${kit[@]}" --frames 7 --crc >"$dir/seven" && cmp "$dir/seven" <("$sim" "${kit[@]}" --frames 7 --crc)
 }
@@ -144,7 +172,7 @@ without_sdl2_it_says_what_to_install() { # nosdl's window comes before the libra
 }
 
 tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it select_takes_the_next_demo
-    frames_limit_it it_keeps_the_rate_of_the_bus)
+    the_mouse_turns_and_the_wheel_moves without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass frames_limit_it it_keeps_the_rate_of_the_bus)
 
 check without_sdl2_it_says_what_to_install without_sdl2_it_says_what_to_install
 missing=

@@ -1,10 +1,11 @@
 /*
- * solar: sun, earth and moon as a scene graph; the camera is one of its nodes (source: K. Juenemann, HAW Hamburg,
- * chapter 9, the sun-earth-moon example).
+ * solar: sun, earth and moon as a scene graph (source: K. Juenemann, HAW Hamburg, chapter 9, the sun-earth-moon
+ * example). `outside` looks down on all of it. The other three cameras are nodes of the graph in the earth's centre,
+ * and the view is the inverse of their world matrix. Each looks along its own -z:
  *
- *   outside   looks down on all of it
- *   sun, moon from the earth's centre to the sun, to the moon
- *   fixed     from the earth's centre to the point (1, 0, 0) of the earth's own frame: it turns with the earth
+ *   sun     a child of the earth's place: the sun is always on its -x
+ *   moon    a child of the month, whose x axis goes to the moon
+ *   fixed   a child of the turning earth: it looks at the point (1, 0, 0) of the earth's own frame
  *
  * From its own centre the earth is invisible, because its surface faces away.
  */
@@ -12,32 +13,41 @@
 #include "demo_scene.h"
 #include "models.h"
 
+#include <string.h>
+
 #define LOOP_FRAMES 1024 /* a year of 8 months and 32 days */
 #define MONTHS      8
 #define DAYS        32
-#define STARS       96
-#define STARS_FEW   48 /* and coarser spheres, where memory is small */
+#define STARS       224
+#define STARS_FEW   80 /* and coarser spheres, where memory is small */
+#define GLOW_SIDES  16
 #define ORBIT_STEPS 48
 #define EARTH_ORBIT FX_INT(4)
 #define MOON_ORBIT  (FX_ONE * 9 / 10)
 #define SKY         FX_INT(40)
 
-enum { SUN, YEAR, EARTH, DAY, MONTH, MOON, NODES };
-enum { VIEW_OUTSIDE, VIEW_SUN, VIEW_MOON, VIEW_FIXED };
+enum { SUN, YEAR, EARTH, DAY, MONTH, MOON, EYE_SUN, EYE_MOON, EYE_FIXED, NODES };
 
 struct solar {
-    struct ph_mesh sphere, sun, earth, moon, stars;
-    struct ph_material sun_colour, earth_colours[2], moon_colour, star, orbit;
-    struct ph_part earth_parts[2], star_part;
-    uint16_t ramps[4][PH_RAMP_SIZE];
-    struct fx_vec3 star_corners[3 * STARS];
-    uint16_t star_triangles[STARS][3];
+    struct ph_mesh sphere, sun, earth, moon, glow;
+    struct ph_material sun_colour, earth_colours[2], moon_colour, star, dim_star, orbit;
+    struct ph_part earth_parts[2], glow_part;
+    uint16_t ramps[3][PH_RAMP_SIZE];
+    struct ph_node nodes[NODES];
+    struct ph_xform world[NODES];
+    struct ph_scene_light light;
+    uint32_t star_count;
+    struct fx_vec3 stars[STARS];
+    struct fx_vec3 glow_corners[3 * GLOW_SIDES];
+    uint16_t glow_colours[3 * GLOW_SIDES], glow_triangles[4 * GLOW_SIDES][3];
     uint16_t earth_triangles[MODEL_ICOSPHERE_TRIANGLES(2)][3];
 };
 
-/* Sunlight and no other light; the sun itself shines by its ambient share. */
-static const struct ph_scene_light sunlight = {
-    .ambient = FX_ONE, .count = 1, .lights = {{.kind = PH_LIGHT_POINT, .intensity = FX_ONE * 12 / 10}}};
+/* Sunlight, and a weak light from the eye that shows the near side of what stands before the sun. */
+static const struct ph_scene_light sunlight = {.ambient = FX_ONE,
+                                               .count = 2,
+                                               .lights = {{.kind = PH_LIGHT_POINT, .intensity = FX_ONE * 12 / 10},
+                                                          {.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE / 4}}};
 
 /* First the triangles whose middle is on land, then those in the sea. */
 static void make_continents(struct solar *s)
@@ -65,10 +75,11 @@ static void make_continents(struct solar *s)
     s->earth.materials = s->earth_colours;
 }
 
-/* Small triangles all over the sky, and some larger ones; all face the middle. */
+/* Points all over the sky. */
 static void make_stars(struct solar *s, uint32_t count)
 {
     uint32_t random = 12345;
+    s->star_count = count;
     for (uint32_t i = 0; i < count; i++) {
         struct fx_vec3 p;
         struct fx_vec3 unit;
@@ -78,36 +89,47 @@ static void make_stars(struct solar *s, uint32_t count)
             *axes[k] = (fx_t)(random >> 15) - FX_ONE;
         }
         fx_vec3_direction_q30(p, &unit);
-        const struct fx_vec3 at = fx_vec3_scale_sat((struct fx_vec3){unit.x >> 14, unit.y >> 14, unit.z >> 14}, SKY);
-        const struct ph_xform face = ph_object_look_at(at, (struct fx_vec3){0, 0, 0}, (struct fx_vec3){0, FX_ONE, 0});
-        const fx_t size = FX_ONE / 7 + (fx_t)(random >> 18);
-        s->star_corners[3 * i] = ph_xform_point(&face, (struct fx_vec3){-size, -size / 2, 0});
-        s->star_corners[3 * i + 1] = ph_xform_point(&face, (struct fx_vec3){size, -size / 2, 0});
-        s->star_corners[3 * i + 2] = ph_xform_point(&face, (struct fx_vec3){0, size, 0});
-        for (uint32_t k = 0; k < 3; k++) {
-            s->star_triangles[i][k] = (uint16_t)(3 * i + k);
-        }
+        s->stars[i] = fx_vec3_scale_sat((struct fx_vec3){unit.x >> 14, unit.y >> 14, unit.z >> 14}, SKY);
     }
-    s->star_part = (struct ph_part){0, count, 0};
-    s->stars = (struct ph_mesh){.positions = s->star_corners,
-                                .triangles = (const uint16_t(*)[3])s->star_triangles,
-                                .parts = &s->star_part,
-                                .materials = &s->star,
-                                .vertex_count = 3 * count,
-                                .triangle_count = count,
-                                .part_count = 1};
+}
+
+/* Two rings around the sun's outline, from its colour to that of the sky; they face +z. */
+static void make_glow(struct solar *s)
+{
+    const fx_t radii[3] = {FX_ONE * 18 / 20, FX_ONE * 27 / 20, FX_ONE * 38 / 20};
+    const uint16_t colours[3] = {ph_rgb565(255, 170, 40), ph_rgb565(90, 45, 20), ph_rgb565(4, 5, 14)};
+    for (uint32_t i = 0; i < 3 * GLOW_SIDES; i++) {
+        const fx_t turns = (fx_t)(i % GLOW_SIDES * (FX_ONE / GLOW_SIDES)), radius = radii[i / GLOW_SIDES];
+        s->glow_corners[i] = (struct fx_vec3){fx_mul_sat(radius, fx_cos(turns)), fx_mul_sat(radius, fx_sin(turns)), 0};
+        s->glow_colours[i] = colours[i / GLOW_SIDES];
+    }
+    for (uint32_t i = 0; i < 2 * GLOW_SIDES; i++) {
+        const uint16_t in = (uint16_t)i,
+                       next = (uint16_t)(i % GLOW_SIDES == GLOW_SIDES - 1 ? i + 1 - GLOW_SIDES : i + 1);
+        const uint16_t halves[6] = {in, (uint16_t)(in + GLOW_SIDES),   (uint16_t)(next + GLOW_SIDES),
+                                    in, (uint16_t)(next + GLOW_SIDES), next};
+        memcpy(s->glow_triangles[2 * i], halves, sizeof(halves));
+    }
+    s->glow_part = (struct ph_part){0, 4 * GLOW_SIDES, 0};
+    s->glow = (struct ph_mesh){.positions = s->glow_corners,
+                               .triangles = (const uint16_t(*)[3])s->glow_triangles,
+                               .parts = &s->glow_part,
+                               .materials = &s->sun_colour,
+                               .colours = s->glow_colours,
+                               .vertex_count = 3 * GLOW_SIDES,
+                               .triangle_count = 4 * GLOW_SIDES,
+                               .part_count = 1};
 }
 
 static void solar_colours(struct solar *s)
 {
-    s->sun_colour = demo_lit(s->ramps[0], PH_SHADE_GOURAUD, 255, 215, 70);
-    s->sun_colour.ambient = FX_ONE;
-    s->earth_colours[0] = demo_lit(s->ramps[1], PH_SHADE_GOURAUD, 90, 180, 80);
-    s->earth_colours[1] = demo_lit(s->ramps[2], PH_SHADE_GOURAUD, 50, 110, 225);
-    s->moon_colour = demo_lit(s->ramps[3], PH_SHADE_GOURAUD, 200, 200, 190);
+    s->sun_colour = demo_unlit(255, 235, 150);
+    s->earth_colours[0] = demo_lit(s->ramps[0], PH_SHADE_GOURAUD, 90, 180, 80);
+    s->earth_colours[1] = demo_lit(s->ramps[1], PH_SHADE_GOURAUD, 50, 110, 225);
+    s->moon_colour = demo_lit(s->ramps[2], PH_SHADE_GOURAUD, 200, 200, 190);
     s->earth_colours[0].ambient = s->earth_colours[1].ambient = s->moon_colour.ambient = FX_ONE / 10;
-    s->star = demo_unlit(200, 210, 235);
-    s->star.two_sided = 1;
+    s->star = demo_unlit(235, 240, 255);
+    s->dim_star = demo_unlit(110, 120, 150);
     s->orbit = demo_unlit(50, 66, 100);
 }
 
@@ -123,6 +145,7 @@ static int solar_init(struct demo_context *context)
         return PH_ERR_NOMEM;
     }
     solar_colours(s);
+    s->light = sunlight;
     const bool fine = arena->size >= ARENA(2);
     if (model_icosphere(arena, &s->sphere, fine ? 2 : 1) != PH_OK ||
         model_material(arena, &s->sphere, &s->sun_colour) != PH_OK) {
@@ -132,51 +155,68 @@ static int solar_init(struct demo_context *context)
     s->moon.materials = &s->moon_colour;
     make_continents(s);
     make_stars(s, fine ? STARS : STARS_FEW);
+    make_glow(s);
     context->state = s;
     return PH_OK;
 }
 
 /* YEAR and MONTH only turn. The earth leans by 23.4 degrees, and DAY turns it about that axis. */
-static int solar_nodes(uint32_t frame, struct ph_xform world[NODES])
+static int solar_nodes(uint32_t frame, struct solar *s)
 {
-    const uint32_t year = frame << 22;
-    struct ph_node nodes[NODES] = {
-        [SUN] = {-1, ph_xform_identity},
-        [YEAR] = {-1, ph_xform_rotate_y(year)},
-        [EARTH] = {YEAR, ph_xform_translate(EARTH_ORBIT, 0, 0)},
-        [DAY] = {EARTH, ph_xform_rotate_z(279172874)}, /* 23.4 degrees */
-        [MONTH] = {EARTH, ph_xform_rotate_y(year * (MONTHS - 1))},
-        [MOON] = {MONTH, ph_xform_translate(MOON_ORBIT, 0, 0)},
-    };
-    const struct ph_xform spin = ph_xform_rotate_y(year * (DAYS - 1));
-    nodes[DAY].local = ph_xform_mul(&nodes[DAY].local, &spin);
-    return ph_nodes_world(nodes, NODES, world);
+    const uint32_t year = frame << 22, quarter = 1u << 30;
+    struct ph_node *const n = s->nodes;
+    const struct ph_xform spin = ph_xform_rotate_y(year * (DAYS - 1)), lean = ph_xform_rotate_z(279172874);
+    n[SUN] = (struct ph_node){-1, ph_xform_identity};
+    n[YEAR] = (struct ph_node){-1, ph_xform_rotate_y(year)};
+    n[EARTH] = (struct ph_node){YEAR, ph_xform_translate(EARTH_ORBIT, 0, 0)};
+    n[DAY] = (struct ph_node){EARTH, ph_xform_mul(&lean, &spin)};
+    n[MONTH] = (struct ph_node){EARTH, ph_xform_rotate_y(year * (MONTHS - 1))};
+    n[MOON] = (struct ph_node){MONTH, ph_xform_translate(MOON_ORBIT, 0, 0)};
+    n[EYE_SUN] = (struct ph_node){EARTH, ph_xform_rotate_y(quarter)};
+    n[EYE_MOON] = (struct ph_node){MONTH, ph_xform_rotate_y(0u - quarter)};
+    n[EYE_FIXED] = (struct ph_node){DAY, ph_xform_rotate_y(0u - quarter)};
+    return ph_nodes_world(n, NODES, s->world);
 }
 
-/* The view from the earth's centre towards another node, or along x of the turning earth. */
-static struct ph_xform view_from_earth(const struct demo_context *context, const struct ph_xform world[NODES])
+static int solar_camera(const struct demo_context *context, struct ph_renderer *r)
 {
-    const struct fx_vec3 up = {0, FX_ONE, 0};
-    struct fx_vec3 target = world[SUN].t;
-    if (demo_view_is(context, &demo_solar, VIEW_MOON)) {
-        target = world[MOON].t;
-    } else if (demo_view_is(context, &demo_solar, VIEW_FIXED)) {
-        target = ph_xform_point(&world[DAY], (struct fx_vec3){FX_ONE, 0, 0});
-    }
-    return ph_view_look_at(world[EARTH].t, target, up);
-}
-
-static int solar_camera(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform world[NODES])
-{
+    struct solar *const s = context->state;
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_ONE / 4, FX_INT(60));
-    struct ph_xform view;
-    if (demo_view_is(context, &demo_solar, VIEW_OUTSIDE)) {
-        view = demo_look(0, FX_ONE * 26 / 5, FX_ONE * 37 / 5, 0, 0, 0);
+    struct ph_xform view = demo_look(0, FX_ONE * 26 / 5, FX_ONE * 37 / 5, 0, 0, 0);
+    if (demo_view_is(context, &demo_solar, 0)) {
         demo_orbit(context, &view, &projection);
-    } else {
-        view = view_from_earth(context, world);
     }
-    return demo_begin(context, r, &view, &projection, &sunlight, ph_rgb565(4, 5, 14));
+    for (uint32_t eye = EYE_SUN; eye < NODES; eye++) {
+        if (demo_view_is(context, &demo_solar, eye - EYE_SUN + 1)) {
+            view = ph_view_of_node(&s->world[eye]);
+        }
+    }
+    s->light.lights[1].to_light_q30 = (struct fx_vec3){view.r[2][0], view.r[2][1], view.r[2][2]};
+    return demo_begin(context, r, &view, &projection, &s->light, ph_rgb565(4, 5, 14));
+}
+
+/* Lines of about a pixel and a half. */
+static void draw_stars(const struct demo_context *context, struct ph_renderer *r, const struct solar *s)
+{
+    const int32_t smaller = context->width < context->height ? context->width : context->height;
+    const fx_t size = FX_INT(66) / smaller;
+    for (uint32_t i = 0; i < s->star_count; i++) {
+        const struct fx_vec3 p = s->stars[i];
+        const bool steep = p.y > SKY * 2 / 3 || p.y < -SKY * 2 / 3;
+        const struct fx_vec3 end = {p.x + (steep ? size : 0), p.y + (steep ? 0 : size), p.z};
+        ph_draw_line(r, p, end, i % 3 == 0 ? &s->star : &s->dim_star);
+    }
+}
+
+/* Half as far again as the sun, behind the planets, and as much larger. */
+static int draw_glow(struct ph_renderer *r, const struct solar *s)
+{
+    const struct fx_vec3 eye = ph_xform_inverse_rigid(&r->view).t, middle = {0, 0, 0};
+    const struct ph_xform facing = ph_object_look_at(middle, eye, (struct fx_vec3){0, FX_ONE, 0});
+    const struct ph_xform size = ph_xform_scale(FX_ONE * 3 / 2);
+    struct ph_xform at = ph_xform_mul(&facing, &size);
+    at.t = (struct fx_vec3){-eye.x / 2, -eye.y / 2, -eye.z / 2};
+    return ph_draw_mesh(r, &s->glow, &at);
 }
 
 static void draw_orbit(struct ph_renderer *r, const struct ph_xform *around, fx_t radius,
@@ -201,31 +241,32 @@ static int draw_sphere(struct ph_renderer *r, const struct ph_mesh *mesh, const 
 
 static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    const struct solar *const s = context->state;
-    struct ph_xform world[NODES];
-    int status = solar_nodes(frame, world);
-    status = status ? status : solar_camera(context, r, world);
+    struct solar *const s = context->state;
+    const struct ph_xform *const world = s->world;
+    int status = solar_nodes(frame, s);
+    status = status ? status : solar_camera(context, r);
     status = status ? status : draw_sphere(r, &s->sun, &world[SUN], FX_ONE);
     status = status ? status : draw_sphere(r, &s->earth, &world[DAY], FX_HALF);
     status = status ? status : draw_sphere(r, &s->moon, &world[MOON], FX_ONE / 6);
     if (status != PH_OK) {
         return status;
     }
-    if (demo_view_is(context, &demo_solar, VIEW_OUTSIDE)) {
+    if (demo_view_is(context, &demo_solar, 0)) {
         draw_orbit(r, &world[SUN], EARTH_ORBIT, &s->orbit);
         draw_orbit(r, &world[EARTH], MOON_ORBIT, &s->orbit);
     }
-    return ph_draw_mesh(r, &s->stars, &ph_xform_identity);
+    draw_stars(context, r, s);
+    return draw_glow(r, s);
 }
 
 static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
-#define VERTICES(stars, n) (3 * (stars) + 3 * MODEL_ICOSPHERE_VERTICES(n))
+#define VERTICES(n) (3 * GLOW_SIDES + 3 * MODEL_ICOSPHERE_VERTICES(n))
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(2), 12304), .vertex_max = VERTICES(STARS, 2), .triangle_max = 656, .corner_max = 200},
-    {DEMO_ARENA(ARENA(1), 8704), .vertex_max = VERTICES(STARS_FEW, 1), .triangle_max = 280, .corner_max = 200},
+    {DEMO_ARENA(ARENA(2), 12928), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 280},
+    {DEMO_ARENA(ARENA(1), 9328), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 240},
 };
 
 const struct demo demo_solar = {
@@ -233,10 +274,10 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(2), 12304),
-    .vertex_max = VERTICES(STARS, 2),
+    DEMO_ARENA(ARENA(2), 12928),
+    .vertex_max = VERTICES(2),
     .triangle_max = 720,
-    .corner_max = 200,
+    .corner_max = 400,
     .coarser = coarser,
     .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = solar_init,

@@ -1,17 +1,21 @@
 /*
  * zfight: pairs of parallel plates, a yellow one just before a blue one, at growing distances, each pair as large on
  * the screen as the others (source: K. Juenemann, HAW Hamburg, chapter 9, and course 4600, notes 4.1, on
- * z-fighting). Where blue shows through the yellow, the depth buffer can no longer tell
- * them apart. The plates tilt slowly, so that the pattern moves. The label says what the buffer holds; compare the
- * formats with the same frame.
+ * z-fighting). Where blue shows through the yellow, the depth buffer can no longer tell them apart. The plates tilt
+ * slowly, so that the pattern moves.
+ *
+ * The same plates stand on both sides. On the left is the picture's own depth format, on the right fixed16, or float16
+ * where fixed16 is on the left: a second renderer draws them, half as wide. When a band's left side is drawn, its depth
+ * is no longer needed: there are then the depth and the pixels of the right side.
  */
 #include "demo_scene.h"
 #include "models.h"
 #include "overlay.h"
 
+#include <string.h>
+
 #define LOOP_FRAMES 256
 #define PAIRS       6
-#define COLUMNS     2
 #define NEAR_Z      (FX_ONE / 4)
 #define FAR_Z       FX_INT(200)
 #define GAP         (FX_ONE / 64) /* between the plates of a pair */
@@ -25,23 +29,32 @@ struct zfight {
     struct ph_part part;
     struct fx_vec3 corners[PAIRS][2][4];
     uint16_t triangles[2][3];
+    struct ph_renderer right;
+    uint32_t bins[1024]; /* of the right side: a picture may have as many bands */
+    uint64_t list[1024 / 8];
 };
 
-/* Half the size of a plate and the distance between pairs, in shares of their distance, for this shape of picture. */
+/* How the pairs of a side are arranged. Half the size of a plate and the distance between pairs are in shares of the
+ * pairs' distance. */
 struct layout {
+    int32_t columns, rows;
     fx_t half, step_x, step_y;
 };
 
+/* The arrangement with the largest plates. There is one more row above, for the label. */
 static struct layout layout_of(const struct demo_context *context)
 {
     const fx_t tan_30 = 37837;
-    const int32_t w = context->width, h = context->height, smaller = w < h ? w : h;
-    const int32_t columns = w > h * 3 / 2 ? PAIRS / 2 : COLUMNS, rows = PAIRS / columns;
-    struct layout l;
-    l.step_x = (fx_t)(fx_mul_wide(tan_30, 2 * w) / (smaller * columns));
-    l.step_y = (fx_t)(fx_mul_wide(tan_30, 2 * h) / (smaller * (rows + 1))); /* one more share above, for the label */
-    l.half = (l.step_x < l.step_y ? l.step_x : l.step_y) * 2 / 5;
-    return l;
+    const int32_t w = context->width / 2 + 1, h = context->height, smaller = w < h ? w : h;
+    struct layout best = {0};
+    for (int32_t columns = 1; columns <= PAIRS / 2; columns++) {
+        struct layout l = {.columns = columns, .rows = PAIRS / columns};
+        l.step_x = (fx_t)(fx_mul_wide(tan_30, 2 * w) / (smaller * l.columns));
+        l.step_y = (fx_t)(fx_mul_wide(tan_30, 2 * h) / (smaller * (l.rows + 1)));
+        l.half = (l.step_x < l.step_y ? l.step_x : l.step_y) * 2 / 5;
+        best = l.half > best.half ? l : best;
+    }
+    return best;
 }
 
 static void make_plates(struct zfight *z, const struct layout *l)
@@ -83,29 +96,33 @@ static int zfight_init(struct demo_context *context)
     return PH_OK;
 }
 
-/* The middle of pair i in half steps from the middle of the picture: x to the right, y upwards. */
-static void place_of(const struct demo_context *context, uint32_t i, int32_t *x2, int32_t *y2)
+/* The middle of pair i in half steps from the middle of its side: x to the right, y upwards. */
+static void place_of(const struct layout *l, int32_t i, int32_t *x2, int32_t *y2)
 {
-    const int32_t columns = context->width > context->height * 3 / 2 ? PAIRS / 2 : COLUMNS;
-    const int32_t rows = PAIRS / columns;
-    *x2 = 2 * ((int32_t)i % columns) - columns + 1;
-    *y2 = rows - 2 - 2 * ((int32_t)i / columns);
+    *x2 = 2 * (i % l->columns) - l->columns + 1;
+    *y2 = l->rows - 2 - 2 * (i / l->columns);
 }
 
-static int zfight_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+/* Makes the scene of one side. The left side is in a picture of full width. */
+static int draw_side(const struct demo_context *context, struct ph_renderer *r, uint32_t frame, bool right)
 {
     const struct zfight *const z = context->state;
     const struct layout l = layout_of(context);
-    const struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, NEAR_Z, FAR_Z);
+    struct demo_context side = *context;
+    side.width = context->width / 2 + 1;
+    struct ph_projection p = demo_perspective(&side, DEMO_SCALE_60_Q20, NEAR_Z, FAR_Z);
+    p.scale_x_q20 = context->camera.projection_set ? context->camera.projection.scale_x_q20 : p.scale_x_q20 / 2;
+    side.camera.projection.scale_x_q20 = p.scale_x_q20 *= right ? 2 : 1;
+    side.camera.projection.shift_x = p.shift_x = right ? 0 : FX_HALF;
     const uint32_t sway = (uint32_t)fx_sin((fx_t)(frame << 8)) << 12; /* 22 degrees either way */
     const uint32_t nod = (uint32_t)fx_cos((fx_t)(frame << 8)) << 11;
     const struct ph_xform yaw = ph_xform_rotate_y(sway);
     const struct ph_xform pitch = ph_xform_rotate_x(nod);
-    int status = demo_begin(context, r, &ph_xform_identity, &projection, NULL, ph_rgb565(18, 20, 30));
-    for (uint32_t i = 0; i < PAIRS && status == PH_OK; i++) {
+    int status = demo_begin(&side, r, &ph_xform_identity, &p, NULL, ph_rgb565(18, 20, 30));
+    for (int32_t i = 0; i < PAIRS && status == PH_OK; i++) {
         struct ph_xform place = ph_xform_mul(&yaw, &pitch);
         int32_t x2, y2;
-        place_of(context, i, &x2, &y2);
+        place_of(&l, i, &x2, &y2);
         place.t =
             (struct fx_vec3){l.step_x * distances[i] / 2 * x2, l.step_y * distances[i] / 2 * y2, FX_INT(-distances[i])};
         status = ph_draw_mesh(r, &z->plates[i][1], &place); /* the blue one first: it stays where the two are equal */
@@ -114,33 +131,84 @@ static int zfight_frame(struct demo_context *context, struct ph_renderer *r, uin
     return status;
 }
 
+static int zfight_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    context->frame = frame;
+    return draw_side(context, r, frame, false);
+}
+
+/* Makes the scene of the right side, with the depth and the pixels of a band in the depth of the left side's bands. */
+static int begin_right(const struct demo_context *context, const struct ph_renderer *left)
+{
+    struct zfight *const z = context->state;
+    struct ph_config config = left->config;
+    config.width = context->width / 2;
+    config.height = context->height;
+    config.band_height >>= left->fine;
+    config.depth_format = left->stats.depth_format == PH_DEPTH_FIXED16 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED16;
+    config.vertices = config.triangles = z->list;
+    config.vertex_max = sizeof(z->list) / PH_VERTEX_BYTES_32;
+    config.triangle_max = 4 * PAIRS;
+    config.bins = z->bins;
+    config.bin_max = sizeof(z->bins) / sizeof(z->bins[0]);
+    config.samples = NULL;
+    config.other_core = NULL;
+    const int status = ph_renderer_init(&z->right, &config);
+    return status ? status : draw_side(context, &z->right, context->frame, true);
+}
+
+static void draw_right(struct ph_renderer *right, uint32_t band, uint16_t *pixels, uint32_t width)
+{
+    const uint32_t w = right->config.width;
+    uint16_t *const drawn = (uint16_t *)right->config.depth + w * right->config.band_height;
+    const uint32_t lines = ph_draw_band(right, band, drawn);
+    for (uint32_t y = 0; y < lines; y++) {
+        memcpy(pixels + (y + 1) * width - w, drawn + y * w, w * sizeof(*drawn));
+    }
+}
+
+/* Labels a side whose left border is at x: the format, and the distance of each pair that is large enough. */
+static void label(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
+                  uint16_t *pixels, int32_t x, unsigned format)
+{
+    static const char *const formats[PH_DEPTH_FORMATS] = {[PH_DEPTH_FIXED16] = "FIXED16",
+                                                          [PH_DEPTH_FLOAT16] = "FLOAT16",
+                                                          [PH_DEPTH_FIXED24] = "FIXED24",
+                                                          [PH_DEPTH_FLOAT24] = "FLOAT24",
+                                                          [PH_DEPTH_LINEAR_W] = "LINEAR"};
+    const struct layout l = layout_of(context);
+    const int32_t w = context->width / 2, h = context->height, text = ph_overlay_width(formats[format], 1);
+    const int32_t down = x > 0 && text > w ? PH_FONT_HEIGHT : 0; /* without room beside it, one below the other */
+    demo_text(r, band, lines, pixels, x + (text > w ? (x > 0 ? w - text : 0) : (w - text) / 2), h / 32 + down,
+              formats[format]);
+    for (int32_t i = 0; i < PAIRS && w / l.columns > 2 * ph_overlay_width("100", 1); i++) {
+        int32_t x2, y2;
+        place_of(&l, i, &x2, &y2);
+        demo_text(r, band, lines, pixels, x + w / 2 + x2 * w / (2 * l.columns) - ph_overlay_width(labels[i], 1) / 2,
+                  h / 2 - y2 * h / (2 * (l.rows + 1)) - PH_FONT_HEIGHT / 2, labels[i]);
+    }
+}
+
 static uint32_t zfight_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
-    const uint32_t lines = ph_draw_band(r, band, pixels);
-    static const char *const formats[PH_DEPTH_FORMATS] = {[PH_DEPTH_FIXED16] = "FIXED16 1/64 APART",
-                                                          [PH_DEPTH_FLOAT16] = "FLOAT16 1/64 APART",
-                                                          [PH_DEPTH_FIXED24] = "FIXED24 1/64 APART",
-                                                          [PH_DEPTH_FLOAT24] = "FLOAT24 1/64 APART",
-                                                          [PH_DEPTH_LINEAR_W] = "LINEAR 1/64 APART"};
-    const char *const format = formats[r->stats.depth_format];
-    const int32_t columns = context->width > context->height * 3 / 2 ? PAIRS / 2 : COLUMNS;
-    const int32_t rows = PAIRS / columns + 1;
-    demo_text(r, band, lines, pixels, (context->width - ph_overlay_width(format, 1)) / 2, context->height / 16, format);
-    for (uint32_t i = 0; i < PAIRS; i++) {
-        int32_t x2, y2;
-        place_of(context, i, &x2, &y2);
-        const int32_t x = context->width / 2 + x2 * context->width / (2 * columns);
-        const int32_t y = context->height / 2 - y2 * context->height / (2 * rows);
-        demo_text(r, band, lines, pixels, x - ph_overlay_width(labels[i], 1) / 2, y - PH_FONT_HEIGHT / 2, labels[i]);
+    struct zfight *const z = context->state;
+    const uint32_t lines = ph_draw_band(r, band, pixels), width = context->width;
+    if (width > 1 && (band > 0 || begin_right(context, r) == PH_OK)) {
+        if (band == 0) {
+            ph_frame_bands(&z->right);
+        }
+        draw_right(&z->right, band, pixels, width);
+        label(context, r, band, lines, pixels, (int32_t)width - (int32_t)width / 2, z->right.stats.depth_format);
     }
+    label(context, r, band, lines, pixels, 0, r->stats.depth_format);
     return lines;
 }
 
 const struct demo demo_zfight = {
     .name = "zfight",
-    .summary = "pairs of plates at growing distances: where the depth buffer gives up; try --depth fixed16",
+    .summary = "pairs of plates at growing distances: where one depth format gives up, and where another",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(sizeof(struct zfight), 1240),
+    DEMO_ARENA(sizeof(struct zfight), 8040),
     .vertex_max = 8 * PAIRS,
     .triangle_max = 4 * PAIRS,
     .init = zfight_init,

@@ -14,11 +14,17 @@ int sim_window_open(struct sim_window **window, const char *title, uint16_t widt
     return complain("--window: built without SDL2; install libsdl2-dev, then run make again");
 }
 
-bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
+bool sim_window_input(const struct sim_window *window, struct sim_window_input *input)
 {
     (void)window;
-    *buttons = 0;
-    return false;
+    *input = (struct sim_window_input){.buttons = 0};
+    return true;
+}
+
+int sim_window_resize(struct sim_window *window, const char *title, uint16_t width, uint16_t height)
+{
+    (void)window, (void)title, (void)width, (void)height;
+    return 0;
 }
 
 void sim_window_show(struct sim_window *window, const uint8_t *rgb, uint64_t frame_ns)

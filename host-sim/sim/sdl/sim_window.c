@@ -10,6 +10,7 @@ struct sim_window {
     SDL_Renderer *renderer;
     SDL_Texture *texture;
     int pitch;    /* bytes of a row */
+    int scale;    /* pixels of the screen for one of the picture's, at the start */
     uint64_t due; /* when the next picture is shown, in ticks of SDL's performance counter */
 };
 
@@ -34,18 +35,27 @@ static int scale_for(int width, int height)
     return scale > 1 ? scale : 1;
 }
 
+static bool set_size(struct sim_window *w, int width, int height)
+{
+    w->pitch = 3 * width;
+    SDL_DestroyTexture(w->texture);
+    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING, width, height);
+    return w->texture != NULL && SDL_RenderSetLogicalSize(w->renderer, width, height) == 0;
+}
+
+int sim_window_resize(struct sim_window *window, const char *title, uint16_t width, uint16_t height)
+{
+    SDL_SetWindowTitle(window->window, title);
+    return set_size(window, width, height) ? 0 : complain("--window: %s", SDL_GetError());
+}
+
 static bool open_parts(struct sim_window *w, const char *title, int width, int height)
 {
-    const int scale = scale_for(width, height), place = (int)SDL_WINDOWPOS_CENTERED;
-    w->window = SDL_CreateWindow(title, place, place, width * scale, height * scale, SDL_WINDOW_RESIZABLE);
+    const int place = (int)SDL_WINDOWPOS_CENTERED;
+    w->scale = scale_for(width, height);
+    w->window = SDL_CreateWindow(title, place, place, width * w->scale, height * w->scale, SDL_WINDOW_RESIZABLE);
     w->renderer = w->window != NULL ? SDL_CreateRenderer(w->window, -1, 0) : NULL;
-    if (w->renderer == NULL) {
-        return false;
-    }
-    SDL_RenderSetLogicalSize(w->renderer, width, height);
-    SDL_RenderSetIntegerScale(w->renderer, SDL_TRUE);
-    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_RGB24, SDL_TEXTUREACCESS_STREAMING, width, height);
-    return w->texture != NULL;
+    return w->renderer != NULL && SDL_RenderSetIntegerScale(w->renderer, SDL_TRUE) == 0 && set_size(w, width, height);
 }
 
 /* SDL would fall back to a screen that nobody sees, so the drivers are named; SDL_VIDEODRIVER of the user has priority.
@@ -65,7 +75,6 @@ int sim_window_open(struct sim_window **window, const char *title, uint16_t widt
     }
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* the program has its own */
     choose_screen();
-    w->pitch = 3 * width;
     if (SDL_Init(SDL_INIT_VIDEO) != 0 || !open_parts(w, title, width, height)) {
         const int status = complain("--window: no screen (%s); run it on a desktop, or set DISPLAY", SDL_GetError());
         sim_window_close(w);
@@ -85,21 +94,35 @@ static uint32_t button_of(SDL_Scancode key)
     return button;
 }
 
-bool sim_window_buttons(const struct sim_window *window, uint32_t *buttons)
+static uint16_t pixels(int on_screen, int scale)
 {
-    bool open = window != NULL;
-    *buttons = 0;
+    const int n = on_screen / scale;
+    return (uint16_t)(n < 1 ? 1 : n > 1024 ? 1024 : n);
+}
+
+bool sim_window_input(const struct sim_window *window, struct sim_window_input *input)
+{
+    bool open = true;
+    *input = (struct sim_window_input){.buttons = 0};
     for (SDL_Event event; SDL_PollEvent(&event);) {
         if (event.type == SDL_QUIT || (event.type == SDL_KEYDOWN && event.key.keysym.scancode == SDL_SCANCODE_ESCAPE)) {
             open = false;
         } else if (event.type == SDL_KEYDOWN) { /* a key that is up again counts, too */
-            *buttons |= button_of(event.key.keysym.scancode);
+            input->buttons |= button_of(event.key.keysym.scancode);
+        } else if (event.type == SDL_MOUSEWHEEL) {
+            input->notches += event.wheel.y;
+        } else if (event.type == SDL_MOUSEMOTION && (event.motion.state & SDL_BUTTON_LMASK) != 0) {
+            input->drag += event.motion.xrel;
         }
     }
     const uint8_t *down = SDL_GetKeyboardState(NULL);
     for (size_t i = 0; i < KEYS; i++) {
-        *buttons |= down[keyboard[i].key] ? keyboard[i].button : 0;
+        input->buttons |= down[keyboard[i].key] ? keyboard[i].button : 0;
     }
+    int width, height;
+    SDL_GetWindowSize(window->window, &width, &height);
+    input->width = pixels(width, window->scale);
+    input->height = pixels(height, window->scale);
     return open;
 }
 
