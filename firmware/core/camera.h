@@ -100,6 +100,11 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
 /* Vertical field of view in degrees at which a height h at the distance z fills the picture: 2 atan(h / 2z). */
 fx_t ph_fov_of(fx_t height, fx_t distance);
 
+/* The other way round: the distance at which a height h fills the picture at that field of view, h / 2 cot(fov / 2),
+ * within 0.5 LSB and h 2^-22; it saturates. 0: an angle that ph_projection_perspective() refuses. LMU Munich, tutorial
+ * 4, task 4: dollyZoomDist, where h is 2. */
+fx_t ph_distance_of(fx_t height, fx_t fov_deg);
+
 /*
  * Projection from the origin onto the plane n.p + d = 0, with the unit vector n in Q2.30: Q = [dE 0; -n^T 0].
  * Projecting twice is projecting once: Q Q = d Q. Source: K. Juenemann, HAW Hamburg, chapter 9.

@@ -93,7 +93,63 @@ static void the_background_does_not_keep_its_size(void **state)
 {
     (void)state;
     struct demo_stage s = demo_stage_open(demo_find("hitchcock"), 240, 240);
-    assert_true(sky_pixels(&s, 256) < sky_pixels(&s, 0) * 3 / 4);
+    assert_true(sky_pixels(&s, 1024) < sky_pixels(&s, 0) * 3 / 4);
+    demo_stage_close(&s);
+}
+
+/* LMU: 1000 equal steps from 2.5 to 18 units, and 1000 back. */
+static void the_camera_takes_1000_equal_steps_forth_and_back(void **state)
+{
+    (void)state;
+    struct demo_stage s = demo_stage_open(demo_find("hitchcock"), 32, 32);
+    for (int frame = 0; frame < 2048; frame++) {
+        const int step = frame < 1000 ? frame : frame < 1048 ? 1000 : 2048 - frame;
+        demo_stage_frame(&s, (uint32_t)frame);
+        assert_true(fabs(ldexp(-s.rig.r.view.t.z, -16) - (2.5 + 15.5 * step / 1000)) < 2e-5);
+    }
+    demo_stage_close(&s);
+}
+
+/* ---- zoom and dolly ---------------------------------------------------------------------------------------------- */
+
+/* The row of the top's upper tip in column x: above it there is nothing but sky and the label's 8 rows. */
+static int tip_row(const struct demo_stage *s, int x, int from)
+{
+    while (pixel(s, x, from) == s->rig.r.background) {
+        from++;
+    }
+    return from;
+}
+
+/* HAW: zooming keeps the place, dollying the field of view. Both see 3.2 to 6 units at the distance of the top, whose
+ * tip is 1.2 above the eye. Plain: without labels. */
+static void zoom_and_dolly_show_the_top_in_one_size_and_the_columns_in_two(void **state)
+{
+    (void)state;
+    struct demo plain = *demo_find("zoom");
+    plain.band = NULL;
+    struct demo_stage s = demo_stage_open(demo_find("zoom"), 480, 240);
+    s.demo = &plain;
+    for (int frame = 0; frame < 256; frame += 5) {
+        const double swing = (1 - cos(2 * acos(-1) * frame / 256)) / 2, seen = 3.2 + 2.8 * swing;
+        demo_stage_frame(&s, (uint32_t)frame);
+        const double tip = 120 - 240 / seen * 1.2;
+        assert_true(fabs(tip_row(&s, 120, 0) - tip) < 3 && fabs(tip_row(&s, 360, 0) - tip) < 3);
+        assert_int_equal(s.rig.r.stats.triangles_dropped, 0);
+        /* the camera of the second half, set last, is the one that moves: 60 degrees, seen / (2 tan 30) away */
+        assert_true(fabs(ldexp(-s.rig.r.view.t.z, -16) - seen / 2 / tan(acos(-1) / 6)) < 1e-4);
+        assert_true(fabs(ldexp(s.rig.r.projection.scale_y_q20, -20) - 1 / tan(acos(-1) / 6)) < 1e-5);
+        /* the nearest column, from 1.4 beside the axis and 2 behind the top: nearer to it from afar */
+        int zoomed = 120, dollied = 360;
+        while (zoomed > 1 && pixel(&s, zoomed - 1, 120) != s.rig.r.background) {
+            zoomed--;
+        }
+        while (dollied > 241 && pixel(&s, dollied - 1, 120) != s.rig.r.background) {
+            dollied--;
+        }
+        assert_true(120 - zoomed > 360 - dollied);
+        assert_true(zoomed > 1 && dollied > 241); /* no half reaches into the other */
+    }
     demo_stage_close(&s);
 }
 
@@ -328,6 +384,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_subject_keeps_its_height_within_a_pixel_over_the_whole_path),
         cmocka_unit_test(the_background_does_not_keep_its_size),
+        cmocka_unit_test(the_camera_takes_1000_equal_steps_forth_and_back),
+        cmocka_unit_test(zoom_and_dolly_show_the_top_in_one_size_and_the_columns_in_two),
         cmocka_unit_test(the_ball_never_leaves_the_frustum_in_10000_frames),
         cmocka_unit_test(the_ball_keeps_its_speed_in_10000_frames),
         cmocka_unit_test(the_ball_is_reflected_by_the_law),

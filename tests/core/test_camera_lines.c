@@ -154,6 +154,27 @@ static void subject_keeps_its_height_over_the_hitchcock_zoom(void **state)
     assert_int_equal(behind_high, SIZE);
 }
 
+/* LMU: distance = 1 / tan(fov / 2) for a height of 2, and back. */
+static void the_distance_of_a_field_of_view_is_the_inverse(void **state)
+{
+    (void)state;
+    for (int tenths = 10; tenths < 1790; tenths += 3) {
+        const fx_t fov = ref_q16(tenths / 10.);
+        for (int height = 1; height < 100; height += 7) {
+            const double half = fov / 65536. / 360 * acos(-1), exact = height / 2. / tan(half);
+            const fx_t distance = ph_distance_of(FX_INT(height), fov);
+            assert_true(fabs(ldexp(distance, -16) - exact) <= ldexp(.51, -16) + ldexp(height, -21));
+            /* one LSB of the distance changes the angle by at most 2 / height rad */
+            assert_true(fabs(ldexp(ph_fov_of(FX_INT(height), distance) - fov, -16)) <
+                        ldexp(180 * 2. / height, -16) + 1e-4);
+        }
+    }
+    assert_int_equal(ph_distance_of(FX_INT(2), FX_INT(90)), FX_ONE);
+    assert_int_equal(ph_distance_of(FX_MAX, FX_ONE), FX_MAX);
+    assert_int_equal(ph_distance_of(FX_ONE, 0), 0);
+    assert_int_equal(ph_distance_of(FX_ONE, FX_INT(180)), 0);
+}
+
 /* ---- lines ------------------------------------------------------------------------------------------------------ */
 
 struct fit {
@@ -292,6 +313,7 @@ int main(void)
         cmocka_unit_test(zoom_changes_the_size_by_the_tangent_of_half_the_angle),
         cmocka_unit_test(dolly_changes_the_size_by_the_distance),
         cmocka_unit_test(subject_keeps_its_height_over_the_hitchcock_zoom),
+        cmocka_unit_test(the_distance_of_a_field_of_view_is_the_inverse),
         cmocka_unit_test(lines_are_drawn_straight),
         cmocka_unit_test(parallel_lines_meet_in_the_vanishing_point),
         cmocka_unit_test(parallel_lines_stay_parallel_in_a_parallel_projection),

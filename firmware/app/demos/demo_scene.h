@@ -6,7 +6,7 @@
 
 extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, demo_fill, demo_icosphere, demo_ground,
     demo_wireframe, demo_solar, demo_snake, demo_ball, demo_hitchcock, demo_shadow, demo_parallel, demo_fisheye,
-    demo_focus, demo_conventions, demo_zfight, demo_materials, demo_character;
+    demo_focus, demo_conventions, demo_zfight, demo_zoom, demo_materials, demo_character;
 
 /*
  * A perspective with an angle across the smaller side of the picture (in square and landscape pictures: vertically);
@@ -28,6 +28,17 @@ struct demo_fit {
 
 struct demo_fit demo_fit(const struct demo_context *context, const struct ph_mesh *meshes, uint32_t mesh_count,
                          struct fx_vec3 centre);
+
+/*
+ * A picture of two halves: left and right, in upright pictures upper and lower. demo_half() has the size of one.
+ * demo_in_half() is the projection for the whole picture that puts `lens` into the middle of a half.
+ */
+struct demo_context demo_half(const struct demo_context *context);
+struct ph_projection demo_in_half(const struct demo_context *context, struct ph_projection lens, bool second);
+
+/* Draws text in the middle of a half's line number `line`, from its top; negative: from its bottom. */
+void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
+                    uint16_t *pixels, bool second, int32_t line, const char *text);
 
 /* Calls ph_frame_begin with the user's camera if there is one, else with the demo's. */
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,

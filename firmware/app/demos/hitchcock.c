@@ -1,16 +1,22 @@
 /*
  * hitchcock: the zoom of Vertigo (source: LMU Munich, computer graphics, summer 2020, tutorial 4, task 4). The camera
  * rolls away from a spinning top on its own axis and narrows its field of view, so that the top keeps its size on the
- * screen to the pixel while the colonnade behind it swells.
+ * screen to the pixel while the colonnade behind it swells. As there, the way is 1000 equal steps forth and 1000 back.
  *
  * The top stands in the plane through the origin. Its two tips lie on its axis, so its projected height is the axis's:
  * TOP_HEIGHT / distance / (2 tan(fov / 2)) = TOP_HEIGHT / VIEW_HEIGHT of the picture.
+ *
+ * zoom: the two halves of it, side by side (source: K. Juenemann, HAW Hamburg, chapter 9). Zooming changes the field of
+ * view and keeps the place; dollying changes the place and keeps the field of view. The top has the same size in both
+ * pictures; what is behind it has not, because perspective depends on the place alone.
  */
 #include "camera.h"
 #include "demo_scene.h"
+#include "fx_math.h"
 #include "models.h"
 
-#define LOOP_FRAMES   512
+#define LOOP_FRAMES   2048 /* it rests at the far end for 48 */
+#define STEPS         1000
 #define VIEW_HEIGHT   (FX_ONE * 7 / 2) /* seen at the distance of the top */
 #define NEAREST       (FX_ONE * 5 / 2) /* 70 degrees */
 #define FURTHEST      FX_INT(18)       /* 11 degrees */
@@ -26,6 +32,15 @@
 #define CELLS         14
 #define FLOOR_SCALE   (FX_ONE * 195 / 100)
 #define FLOOR_MIDDLE  (FX_ONE * -5 / 2)
+
+#define ZOOM_LOOP  256
+#define ZOOM_AT    FX_INT(9)         /* the place of the camera that zooms */
+#define DOLLY_FOV  FX_INT(60)        /* the field of view of the one that moves */
+#define SEEN_LEAST (FX_ONE * 16 / 5) /* at the top's distance, in both */
+#define SEEN_MOST  FX_INT(6)
+#define WALK       9 /* pieces of floor, of 2 x 2 cells */
+#define ZOOM_PAIRS 6
+#define ZOOM_FEW   3
 
 static const struct model_point top_profile[] = {
     {0, 0},
@@ -54,6 +69,7 @@ static const struct model_point column_profile[COLUMN_POINTS] = {
 struct hitchcock {
     struct ph_mesh top, column, floor;
     fx_t floor_scale;
+    int32_t pairs; /* of columns in zoom */
     struct ph_material stripes[TOP_STRIPES], stone, tiles[2];
     uint16_t ramps[TOP_STRIPES + 1][PH_RAMP_SIZE];
 };
@@ -64,12 +80,15 @@ struct hitchcock {
 #define ARENA_FINE ARENA(TOP_SIDES, COLUMN_SIDES, CELLS)
 #define ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, CELLS_FEW)
 
-static int hitchcock_init(struct demo_context *context)
+#define ZOOM_ARENA_FINE ARENA(TOP_SIDES, COLUMN_SIDES, 2)
+#define ZOOM_ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, 2)
+
+/* The floor has cells x cells cells. */
+static int make_scene(struct demo_context *context, bool fine, uint32_t cells)
 {
     static const uint8_t colours[TOP_STRIPES][3] = {{235, 60, 50}, {250, 200, 60}, {60, 130, 230}, {245, 240, 225}};
     struct demo_arena *const arena = &context->arena;
     struct hitchcock *const h = demo_alloc(arena, sizeof(*h));
-    const bool fine = arena->size >= ARENA_FINE;
     if (!h) {
         return PH_ERR_NOMEM;
     }
@@ -79,6 +98,8 @@ static int hitchcock_init(struct demo_context *context)
     h->stone = demo_lit(h->ramps[TOP_STRIPES], PH_SHADE_GOURAUD, 225, 205, 175);
     h->tiles[0] = demo_unlit(92, 72, 78);
     h->tiles[1] = demo_unlit(140, 112, 104);
+    h->floor_scale = fine ? FLOOR_SCALE : FLOOR_SCALE * CELLS / CELLS_FEW;
+    h->pairs = fine ? ZOOM_PAIRS : ZOOM_FEW;
     context->state = h;
     if (model_lathe(arena, &h->top, top_profile, TOP_POINTS, fine ? TOP_SIDES : TOP_FEW, TOP_STRIPES, h->stripes) !=
             PH_OK ||
@@ -86,30 +107,38 @@ static int hitchcock_init(struct demo_context *context)
             PH_OK) {
         return PH_ERR_NOMEM;
     }
-    h->floor_scale = fine ? FLOOR_SCALE : FLOOR_SCALE * CELLS / CELLS_FEW;
-    return model_floor(arena, &h->floor, fine ? CELLS : CELLS_FEW, h->tiles);
+    return model_floor(arena, &h->floor, cells, h->tiles);
+}
+
+static int hitchcock_init(struct demo_context *context)
+{
+    const bool fine = context->arena.size >= ARENA_FINE;
+    return make_scene(context, fine, fine ? CELLS : CELLS_FEW);
 }
 
 /* The camera's distance: it starts near, rolls away and comes back. */
 static fx_t distance_at(uint32_t frame)
 {
-    const fx_t t = demo_swing(frame, LOOP_FRAMES);
-    return fx_lerp_sat(NEAREST, FURTHEST, fx_mul_sat(t, t)); /* slow while it is near, where the eye sees most */
+    const uint32_t phase = frame % LOOP_FRAMES, step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - phase;
+    return NEAREST + (fx_t)((int64_t)(FURTHEST - NEAREST) * (step < STEPS ? step : STEPS) / STEPS);
+}
+
+/* The lens with that field of view across the smaller side of a picture. */
+static int lens_of(const struct demo_context *context, fx_t fov, fx_t distance, struct ph_projection *lens)
+{
+    struct ph_projection square;
+    const int status = ph_projection_perspective(&square, fov, FX_ONE, FX_HALF, FX_INT(60));
+    *lens = demo_perspective(context, square.scale_y_q20, FX_HALF, distance + FX_INT(40));
+    return status;
 }
 
 static int hitchcock_camera(const struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    struct ph_projection square;
+    struct ph_projection lens;
     const fx_t distance = distance_at(frame);
     const struct ph_xform view = ph_xform_translate(0, -EYE_HEIGHT, -distance);
-    const int status =
-        ph_projection_perspective(&square, ph_fov_of(VIEW_HEIGHT, distance), FX_ONE, FX_HALF, FX_INT(60));
-    if (status != PH_OK) {
-        return status;
-    }
-    const struct ph_projection projection =
-        demo_perspective(context, square.scale_y_q20, FX_HALF, distance + FX_INT(40));
-    return demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(150, 190, 225));
+    const int status = lens_of(context, ph_fov_of(VIEW_HEIGHT, distance), distance, &lens);
+    return status ? status : demo_begin(context, r, &view, &lens, &demo_daylight, ph_rgb565(150, 190, 225));
 }
 
 static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
@@ -136,6 +165,96 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
 static const struct demo_level coarser[] = {
     {DEMO_ARENA(ARENA_FINE, 14104), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS), .triangle_max = 848},
     {DEMO_ARENA(ARENA_FEW, 6464), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 440},
+};
+
+/* ---- zoom ------------------------------------------------------------------------------------------------------ */
+
+static int zoom_init(struct demo_context *context)
+{
+    return make_scene(context, context->arena.size >= ZOOM_ARENA_FINE, 2);
+}
+
+struct shot {
+    fx_t fov, distance; /* degrees, units */
+};
+
+static struct shot shot_at(uint32_t frame, bool dolly)
+{
+    const fx_t seen = fx_lerp_sat(SEEN_LEAST, SEEN_MOST, demo_swing(frame, ZOOM_LOOP));
+    return dolly ? (struct shot){DOLLY_FOV, ph_distance_of(seen, DOLLY_FOV)}
+                 : (struct shot){ph_fov_of(seen, ZOOM_AT), ZOOM_AT};
+}
+
+/* A walk so narrow, between columns so low that each half of the picture holds all of it. */
+static int draw_walk(struct ph_renderer *r, const struct hitchcock *h, uint32_t frame)
+{
+    const struct ph_xform spin = ph_xform_rotate_y(frame << 26);
+    int status = ph_draw_mesh(r, &h->top, &spin);
+    for (int32_t i = 0; i < 2 * h->pairs && status == PH_OK; i++) {
+        struct ph_xform place = ph_xform_scale(FX_ONE * 7 / 10);
+        place.t = (struct fx_vec3){(i & 1 ? FX_ONE : -FX_ONE) * 14 / 10, 0, (i >> 1) * (FX_ONE * -5 / 2) - FX_INT(2)};
+        status = ph_draw_mesh(r, &h->column, &place);
+    }
+    for (int32_t i = 0; i < WALK && status == PH_OK; i++) {
+        struct ph_xform place = ph_xform_scale(FX_ONE * 7 / 5);
+        place.t.z = FX_ONE * -11 / 10 - i * (FX_ONE * 14 / 5);
+        status = ph_draw_mesh(r, &h->floor, &place);
+    }
+    return status;
+}
+
+static int zoom_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
+{
+    const struct demo_context half = demo_half(context);
+    int status = PH_OK;
+    context->frame = frame;
+    for (uint32_t dolly = 0; dolly < 2 && status == PH_OK; dolly++) {
+        const struct shot shot = shot_at(frame, dolly);
+        const struct ph_xform view = ph_xform_translate(0, -EYE_HEIGHT, -shot.distance);
+        struct ph_projection lens;
+        status = lens_of(&half, shot.fov, shot.distance, &lens);
+        lens = demo_in_half(context, lens, dolly);
+        status = status  ? status
+                 : dolly ? demo_camera(context, r, &view, &lens)
+                         : demo_begin(context, r, &view, &lens, &demo_daylight, ph_rgb565(150, 190, 225));
+        status = status ? status : draw_walk(r, context->state, frame);
+    }
+    return status;
+}
+
+static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const uint32_t lines = ph_draw_band(r, band, pixels);
+    for (uint32_t dolly = 0; dolly < 2; dolly++) {
+        const struct shot shot = shot_at(context->frame, dolly);
+        char fov[4 + FX_TEXT_SIZE] = "FOV ", distance[5 + FX_TEXT_SIZE] = "DIST ";
+        fx_to_text_rounded(shot.fov, 0, fov + 4);
+        fx_to_text_rounded(shot.distance, 1, distance + 5);
+        demo_half_text(context, r, band, lines, pixels, dolly, 0, dolly ? "DOLLY" : "ZOOM");
+        demo_half_text(context, r, band, lines, pixels, dolly, -2, fov);
+        demo_half_text(context, r, band, lines, pixels, dolly, -1, distance);
+    }
+    return lines;
+}
+
+#define ZOOM_VERTICES(sides, column, pairs)                                                                            \
+    (2 * (9 * WALK + MODEL_LATHE_VERTICES(sides, TOP_POINTS) + 2 * (pairs)*MODEL_LATHE_VERTICES(column, COLUMN_POINTS)))
+
+static const struct demo_level zoom_coarser = {
+    DEMO_ARENA(ZOOM_ARENA_FEW, 4936), .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520};
+
+const struct demo demo_zoom = {
+    .name = "zoom",
+    .summary = "zoom beside dolly: the same size of the top, another perspective",
+    .loop_frames = ZOOM_LOOP,
+    DEMO_ARENA(ZOOM_ARENA_FINE, 7912),
+    .vertex_max = ZOOM_VERTICES(TOP_SIDES, COLUMN_SIDES, ZOOM_PAIRS),
+    .triangle_max = 1400,
+    .coarser = &zoom_coarser,
+    .coarser_count = 1,
+    .init = zoom_init,
+    .frame = zoom_frame,
+    .band = zoom_band,
 };
 
 const struct demo demo_hitchcock = {

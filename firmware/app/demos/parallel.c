@@ -71,28 +71,16 @@ static void draw_mark(struct ph_renderer *r, const struct parallel *p)
     ph_draw_line(r, (struct fx_vec3){0, at.y - arm, at.z}, (struct fx_vec3){0, at.y + arm, at.z}, &p->mark);
 }
 
-/* The projection for the whole picture that puts `lens` into the middle of its first or second half. */
-static struct ph_projection in_half(struct ph_projection half, bool upright, bool second)
-{
-    const fx_t shift = second ? -FX_HALF : FX_HALF;
-    if (upright) {
-        half.scale_y_q20 /= 2;
-        half.shift_y = half.shift_y / 2 - shift;
-    } else {
-        half.scale_x_q20 /= 2;
-        half.shift_x = shift;
-    }
-    return half;
-}
-
-/* An orthographic projection 2.2 units wide and 5.6 high; one of them is more if the half picture's shape needs it. */
+/* An orthographic projection 2.2 units wide and 6.8 high, with room for the label; one of them is more if the half
+ * picture's shape needs it. */
 static struct ph_projection all_rails(const struct demo_context *half)
 {
     const int32_t w = half->width, h = half->height;
-    const int32_t across = w * 28 < h * 11 ? w * 28 : h * 11; /* pixels a unit, times 61.6 */
+    const int32_t across = w * 34 < h * 11 ? w * 34 : h * 11; /* pixels a unit, times 74.8 */
     return (struct ph_projection){.kind = PH_ORTHOGRAPHIC,
-                                  .scale_x_q20 = (int32_t)(((int64_t)across << 20) * 10 / 308 / w),
-                                  .scale_y_q20 = (int32_t)(((int64_t)across << 20) * 10 / 308 / h),
+                                  .shift_y = FX_ONE / 6,
+                                  .scale_x_q20 = (int32_t)(((int64_t)across << 20) * 10 / 374 / w),
+                                  .scale_y_q20 = (int32_t)(((int64_t)across << 20) * 10 / 374 / h),
                                   .near_z = FX_HALF,
                                   .far_z = FX_INT(30)};
 }
@@ -100,17 +88,14 @@ static struct ph_projection all_rails(const struct demo_context *half)
 static int parallel_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct parallel *const p = context->state;
-    const bool upright = context->height > context->width;
-    struct demo_context half = *context;
-    uint16_t *const side = upright ? &half.height : &half.width;
-    *side = *side > 1 ? *side / 2 : 1; /* a single pixel has no half */
+    const struct demo_context half = demo_half(context);
     struct ph_projection deep = demo_perspective(&half, DEMO_SCALE_60_Q20, FX_HALF, SKY);
     struct ph_projection flat = all_rails(&half);
     const struct ph_xform from_above =
         demo_look(0, FX_INT(5), RAILS_MIDDLE + FX_ONE * 83 / 10, 0, FX_ONE / 4, RAILS_MIDDLE);
     const struct ph_xform from_rails = demo_look(0, EYE_HEIGHT, 0, 0, EYE_HEIGHT - FX_ONE / 4, -FX_ONE);
-    deep = in_half(deep, upright, true);
-    flat = in_half(flat, upright, false);
+    deep = demo_in_half(context, deep, true);
+    flat = demo_in_half(context, flat, false);
     int status = demo_begin(context, r, &from_above, &flat, &demo_daylight, ph_rgb565(14, 20, 34));
     status = status ? status : draw_railway(r, p, frame);
     status = status ? status : demo_camera(context, r, &from_rails, &deep);
@@ -119,6 +104,14 @@ static int parallel_frame(struct demo_context *context, struct ph_renderer *r, u
         draw_mark(r, p);
     }
     return status;
+}
+
+static uint32_t parallel_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
+{
+    const uint32_t lines = ph_draw_band(r, band, pixels);
+    demo_half_text(context, r, band, lines, pixels, false, 0, "PARALLEL");
+    demo_half_text(context, r, band, lines, pixels, true, 0, "PERSPECTIVE");
+    return lines;
 }
 
 const struct demo demo_parallel = {
@@ -132,4 +125,5 @@ const struct demo demo_parallel = {
     .corner_max = 64,
     .init = parallel_init,
     .frame = parallel_frame,
+    .band = parallel_band,
 };

@@ -129,6 +129,27 @@ struct ph_projection demo_perspective(const struct demo_context *context, int32_
     return p;
 }
 
+struct demo_context demo_half(const struct demo_context *context)
+{
+    struct demo_context half = *context;
+    uint16_t *const side = half.height > half.width ? &half.height : &half.width;
+    *side = *side > 1 ? *side / 2 : 1; /* a single pixel has no half */
+    return half;
+}
+
+struct ph_projection demo_in_half(const struct demo_context *context, struct ph_projection lens, bool second)
+{
+    const fx_t shift = second ? -FX_HALF : FX_HALF;
+    if (context->height > context->width) {
+        lens.scale_y_q20 /= 2;
+        lens.shift_y = lens.shift_y / 2 - shift;
+    } else {
+        lens.scale_x_q20 /= 2;
+        lens.shift_x = shift;
+    }
+    return lens;
+}
+
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                const struct ph_projection *projection, const struct ph_scene_light *light, uint16_t background)
 {
@@ -145,4 +166,15 @@ void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint1
                                          (int32_t)(band * (r->config.band_height >> r->fine)), (int32_t)lines};
     const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), 1};
     ph_overlay_text(&over, x, y, text, &style);
+}
+
+void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
+                    uint16_t *pixels, bool second, int32_t line, const char *text)
+{
+    const bool upright = context->height > context->width;
+    const int32_t w = context->width, h = context->height, inset = h / 8 - 6 > 2 && w == h ? h / 8 - 6 : 2;
+    const int32_t from = second && upright ? h / 2 : 0, to = second || !upright ? h - inset : h / 2;
+    const int32_t middle = upright ? w / 2 : second ? w * 3 / 4 : w / 4;
+    const int32_t y = line < 0 ? to + line * (PH_FONT_HEIGHT + 1) : from + inset + line * (PH_FONT_HEIGHT + 1);
+    demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, y, text);
 }

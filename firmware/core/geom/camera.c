@@ -144,6 +144,15 @@ fx_t ph_fov_of(fx_t height, fx_t distance)
     return (fx_t)(((uint64_t)high * 2 * 360 + ((uint64_t)1 << 15)) >> 16);
 }
 
+fx_t ph_distance_of(fx_t height, fx_t fov_deg)
+{
+    struct ph_projection p;
+    if (ph_projection_perspective(&p, fov_deg, FX_ONE, FX_ONE, FX_INT(2)) != PH_OK) {
+        return 0;
+    }
+    return fx_sat64((fx_mul_wide(height, p.scale_y_q20) + (1 << 20)) >> 21);
+}
+
 static bool parent_is_before(const struct ph_node *nodes, uint32_t i)
 {
     return nodes[i].parent < (int32_t)i && nodes[i].parent >= -1;
