@@ -94,20 +94,32 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
 
 /* ---- the list of a band ----------------------------------------------------------------------------------------- */
 
+/* The rows or columns from the first to behind the last that the corners of a reference reach. */
+struct reach {
+    int32_t from, end;
+};
+
+static struct reach reach_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref,
+                             bool rows)
+{
+    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const uint8_t *const base = ph_at(r, draw->base);
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << r->fine : 0;
+    int32_t least = INT32_MAX, most = INT32_MIN;
+    for (int i = 0; i < n; i++) {
+        const struct ph_vertex *const v = (const void *)(base + ref->corner[i] * size);
+        least = ph_min(least, rows ? v->y : v->x);
+        most = ph_max(most, rows ? v->y : v->x);
+    }
+    return (struct reach){ph_first_row(least - wide), ph_first_row(most + wide)};
+}
+
 /* Whether a triangle has rows in the band. Only asked where a list leaps over very many references. */
 static bool touches(const struct feed *f, const struct ph_draw *draw, const struct ph_ref *ref)
 {
-    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint8_t *const base = ph_at(f->r, draw->base);
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << f->r->fine : 0;
     const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
-    int32_t top = INT32_MAX, low = INT32_MIN;
-    for (int i = 0; i < n; i++) {
-        const int32_t y = ((const struct ph_vertex *)(const void *)(base + ref->corner[i] * size))->y;
-        top = ph_min(top, y);
-        low = ph_max(low, y);
-    }
-    return ph_first_row(top - wide) < y0 + height && ph_first_row(low + wide) > y0;
+    const struct reach rows = reach_of(f->r, draw, ref, true);
+    return rows.from < y0 + height && rows.end > y0;
 }
 
 /* The next reference of the band's list when it is PH_LINK_FAR or further away: the next one that has rows in the band.
@@ -538,13 +550,47 @@ static void draw_triangles(struct feed *f, const struct ph_band *rows)
     r->stats.fragments += rest.fragments;
 }
 
-/* Makes pixels of the samples of a band. */
-static void give_means(const struct ph_band *rows, uint16_t *pixels)
+/* ---- antialiasing ----------------------------------------------------------------------------------------------- */
+
+static void reach_ref(struct reach *all, struct feed *f, uint32_t ref)
+{
+    if (ref >= f->next_first) {
+        find_draw(f, ref);
+    }
+    const struct reach own = reach_of(f->r, f->draw, ph_ref_at(f->r, ref), false);
+    all->from = ph_min(all->from, own.from - 1); /* edges are rounded */
+    all->end = ph_max(all->end, own.end + 1);
+}
+
+/* The columns of pixels in which a band may differ from the background. */
+static struct reach reach_band(struct ph_renderer *r, uint32_t band)
+{
+    const int32_t width = r->config.width;
+    struct reach all = {r->after != NULL ? 0 : width, r->after != NULL ? width : 0};
+    struct feed f, carried;
+    start(&f, r, band);
+    start(&carried, r, band);
+    for (; f.ref != PH_NONE; f.ref = next_of(&f, f.ref)) {
+        reach_ref(&all, &f, f.ref);
+    }
+    for (const struct ph_triangle *t = r->carried; t != NULL; t = t->next) {
+        reach_ref(&all, &carried, t->order);
+    }
+    all.end = (ph_min(all.end, width) + 1) / 2;
+    all.from = ph_min(ph_max(all.from, 0) / 2, all.end);
+    return all;
+}
+
+/* Makes pixels of the samples of a band; outside `in` they are the background's. */
+static void give_means(const struct ph_band *rows, const struct reach *in, uint16_t background, uint16_t *pixels)
 {
     const uint32_t width = (uint32_t)rows->width, lines = (uint32_t)(rows->y1 - rows->y0) / 2;
-    const uint16_t *upper = rows->pixels;
+    const uint32_t from = (uint32_t)in->from, end = (uint32_t)in->end;
+    const uint16_t *upper = rows->pixels + 2 * from;
     for (uint32_t y = 0; y < lines; y++, upper += 2 * width, pixels += width / 2) {
-        ph_halve(pixels, upper, upper + width, width / 2);
+        ph_fill(pixels, background, from);
+        ph_halve(pixels + from, upper, upper + width, end - from);
+        ph_fill(pixels + end, background, width / 2 - end);
     }
 }
 
@@ -557,6 +603,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
+    const struct reach in = r->fine != 0 ? reach_band(r, band) : (struct reach){0, 0};
     struct feed f;
     start(&f, r, band);
     draw_triangles(&f, &rows);
@@ -566,7 +613,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
         r->fog(r, &rows);
     }
     if (r->fine != 0) {
-        give_means(&rows, pixels);
+        give_means(&rows, &in, r->background, pixels);
     }
     return (uint32_t)(y1 - y0) >> r->fine;
 }

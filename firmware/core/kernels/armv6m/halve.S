@@ -1,14 +1,13 @@
-@ ph_halve of kernels.h for ARMv6-M. Pixels are made in pairs: 16 instructions if all 8 samples are the same, else 64 at
+@ ph_halve of kernels.h for ARMv6-M. Pixels are made in pairs: 16 instructions if all 8 samples are the same, else 58 at
 @ most. A sample pair is a word: its second sample stands in the upper half.
 @
 @ Registers: r0 to, r1 upper, r2 lower, r3 16; r4 r5 upper samples, r6 r7 lower samples; r8 the end of whole pairs, r9
-@ r10 upper and lower while samples are added, r11 the channels of a spread colour, r12 half of 4 in each of them, lr n
+@ r10 upper and lower while samples are added, r11 the fields of a spread colour (red at bit 3, green at
+@ 13, blue at 24), r12 half of 4 in each of them, lr n
 #include "../thumb.inc"
 
     @ The mean of the samples in \a and \b to [r0, #\at]; r1: r11; r2: scratch
     .macro mean a b at
-    rev16 \a, \a
-    rev16 \b, \b
     movs r2, \a
     ands r2, r1
     rors \a, r3
@@ -25,7 +24,6 @@
     ands \a, r1
     lsrs \b, \a, #16
     orrs \a, \b
-    rev16 \a, \a
     strh \a, [r0, #\at]
     .endm
 
@@ -91,7 +89,7 @@
     pop {r4-r7, pc}
     .p2align 2
 channels:
-    .word 0x07e0f81f
+    .word 0x1f07e0f8
 half:
-    .word 0x00401002
+    .word 0x02004010
     .size ph_halve, . - ph_halve
