@@ -15,7 +15,8 @@
 
 /* ---- CRCs -------------------------------------------------------------------------------------------- */
 
-/* Reads `frame N crc32 XXXXXXXX` lines; others are passed over, but one must be there. */
+/* Reads `frame N crc32 XXXXXXXX` lines; others are passed over, but one must be there. A line that begins with a zero
+ * byte ends the file: it is no text, and /dev/zero has no end. */
 static int read_crcs(struct frame_check *check)
 {
     char line[256];
@@ -24,7 +25,7 @@ static int read_crcs(struct frame_check *check)
         return complain("%s: cannot be read: %s", check->reference, strerror(errno));
     }
     int status = 0;
-    while (status == 0 && fgets(line, sizeof line, file) != NULL) {
+    while (status == 0 && fgets(line, sizeof line, file) != NULL && line[0] != '\0') {
         unsigned frame, crc;
         if (sscanf(line, "frame %u crc32 %8X", &frame, &crc) != 2) {
             continue;

@@ -83,7 +83,7 @@ a_pixel_that_differs_is_told() {
 other_references_are_refused() {
     echo hello >text && cp right.png cut.png && truncate -s 200 cut.png
     fails 1 'no-such.png: cannot be read' "$sim" --demo cube --check no-such.png &&
-        fails 1 'text: is no picture' "$sim" --demo cube --check text && fails 1 'cut.png: is neither' "$sim" --demo cube --check cut.png &&
+        fails 1 'text: is no picture' "$sim" --demo cube --check text && fails 1 'zero: is no picture' timeout -s KILL 9 "$sim" --demo cube --check /dev/zero && fails 1 'cut.png: is neither' "$sim" --demo cube --check cut.png &&
         fails 1 'is 80x80, but right.png is 240x240' "$sim" --demo cube --size 80x80 --check right.png &&
         fails 1 'has no frame 7' "$sim" --demo torus --start 7 --check ref.crc && fails 1 'crc32' "$sim" --demo cube --frames 2 --check ref.crc &&
         fails 2 'CRCs have none' "$sim" --demo torus --check ref.crc --tolerance 3 && fails 2 "--tolerance '256'" "$sim" --demo cube --check right.png --tolerance 256 &&

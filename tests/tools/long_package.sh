@@ -35,7 +35,7 @@ packages_draw() {
 }
 
 check "the_tarball_passes_make_check_where_it_is_unpacked" tarball_passes_check
-if command -v dh lintian dpkg-buildpackage >/dev/null; then
+if command -v dh >/dev/null && command -v lintian >/dev/null && command -v dpkg-buildpackage >/dev/null; then
     check "the_packages_pass_lintian" packages_are_clean
     check "the_packages_hold_what_is_needed" packages_hold_what_is_needed
     check "the_packages_draw" packages_draw
