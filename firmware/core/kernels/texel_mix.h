@@ -4,28 +4,29 @@
 
 #include "texel_row.h"
 
-#define PH_MIX_FIELDS 0x07e0f81fu /* green, red, blue, each with five spare bits above */
-#define PH_MIX_HALVES (16u << 21 | 16u << 11 | 16u)
+/* A colour in wire order, read as little endian, is spread to red, green and blue, each with five spare bits above. */
+#define PH_MIX_FIELDS 0x03e0fc1fu
+#define PH_MIX_HALVES (16u << 21 | 16u << 10 | 16u)
 
-/* From wire order to a number and back, of the low 16 bits, in the registers of a CPU that knows REV16. */
-static inline uint32_t ph_mix_wire(uint32_t v)
+/* The two bytes in little-endian order, and back, on any CPU. */
+static inline uint32_t ph_mix_little(uint32_t v)
 {
     const union {
         uint8_t bytes[2];
         uint16_t value;
-    } one = {{0, 1}};
-    return one.value == 1 ? v : (v >> 8 & 255) | v << 8;
+    } one = {{1, 0}};
+    return one.value == 1 ? v : (v >> 8 & 255) | (v & 255) << 8;
 }
 
 static inline uint32_t ph_mix_spread(uint16_t wire)
 {
-    const uint32_t c = ph_mix_wire(wire);
-    return ((c & 0xffff) | c << 16) & PH_MIX_FIELDS;
+    const uint32_t c = ph_mix_little(wire);
+    return (c << 16 | c) >> 3 & PH_MIX_FIELDS;
 }
 
 static inline uint16_t ph_mix_folded(uint32_t fields)
 {
-    return (uint16_t)ph_mix_wire(fields | fields >> 16);
+    return (uint16_t)ph_mix_little(fields << 3 | fields >> 13);
 }
 
 /* Times light / 32. */
@@ -37,20 +38,20 @@ static inline uint32_t ph_mix_lit(uint32_t fields, uint32_t light)
 /* What lies between four texels at fu, fv in 32nds. */
 static inline uint32_t ph_mix_four(const uint16_t texels[4], uint32_t fu, uint32_t fv)
 {
-    const uint32_t far = fu * fv >> 5;
-    const uint32_t sum = ph_mix_spread(texels[0]) * (32 - fu - fv + far) + ph_mix_spread(texels[1]) * (fu - far) +
-                         ph_mix_spread(texels[2]) * (fv - far) + ph_mix_spread(texels[3]) * far;
+    const uint32_t a = ph_mix_spread(texels[0]), b = ph_mix_spread(texels[1]), c = ph_mix_spread(texels[2]);
+    const uint32_t d = ph_mix_spread(texels[3]), across = b - a, down = c - a, far = fu * fv >> 5;
+    const uint32_t sum = (a << 5) + across * fu + down * fv + (d - b - down) * far;
     return (sum + PH_MIX_HALVES) >> 5 & PH_MIX_FIELDS;
 }
 
-/* The bilinear texel at u, v of a row. */
+/* The bilinear texel at u, v of a row, both in 2^-22 of a texel. */
 static inline uint32_t ph_mix_at(const struct ph_texel_row *r, uint32_t u, uint32_t v)
 {
     const uint32_t column = u >> 22 & r->u_mask, right = (column + 1) & r->u_mask;
-    const uint32_t line = v >> 16 & r->v_mask, below = (line + r->u_mask + 1) & r->v_mask;
+    const uint32_t width = r->u_mask + 1, line = (v >> 22) * width & r->v_mask, below = (line + width) & r->v_mask;
     const uint16_t four[4] = {r->texels[line + column], r->texels[line + right], r->texels[below + column],
                               r->texels[below + right]};
-    return ph_mix_four(four, u >> 17 & 31, v >> r->v_down & 31);
+    return ph_mix_four(four, u >> 17 & 31, v >> 17 & 31);
 }
 
 /* The nearest texel at u, v of a row. */

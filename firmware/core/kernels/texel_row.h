@@ -27,14 +27,14 @@ struct ph_texel_row {
     const uint16_t *texels;
     uint32_t level;             /* light of the first 1 .. 4 pixels */
     uint32_t light, light_step; /* of the next four, in 2^-24, and from four to four */
-    uint32_t v_down;            /* filter: from v to 32nds of a texel; u and v are those of a texel's first corner */
 };
 
 /* Nearest texels: as they are, and times light. */
 void ph_texel_row_nearest(const struct ph_texel_row *r);
 void ph_texel_row_lit(const struct ph_texel_row *r);
 
-/* Bilinear texels: as they are, and times light. */
+/* Bilinear texels: as they are, and times light. u and v are those of a texel's first corner, and both are in 2^-22 of
+ * a texel. */
 void ph_texel_row_smooth(const struct ph_texel_row *r);
 void ph_texel_row_smooth_lit(const struct ph_texel_row *r);
 

@@ -123,7 +123,6 @@ static FX_APART uint32_t draw_special(struct ph_small_texels *s)
     struct ph_texel_run *const run = &s->run;
     struct ph_texel_row row = {.gd = run->gd, .u_mask = run->u_mask, .v_mask = run->v_mask, .texels = run->texels};
     uint32_t count = 0;
-    row.v_down = (uint32_t)s->kind.v_down - 5;
     do {
         for (; run->rows > 0; run->rows--) {
             const int32_t from = (int32_t)run->left >> 16, n = ((int32_t)run->right >> 16) - from;

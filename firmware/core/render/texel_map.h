@@ -9,6 +9,19 @@ struct ph_texel_slope {
     int32_t u, v;
 };
 
+/* v is in 2^-(16 + n) of a texel row, and this is n: the width's, which makes an index of v; a filter takes u and v
+ * alike. */
+static inline int ph_texel_row_up(const struct ph_texture *texture)
+{
+    return texture->filter == PH_FILTER_NEAREST ? texture->log2_width : 6;
+}
+
+/* Whether u and v of 2^range repeats fit into their units beside the sign, with room for as many again. */
+static inline bool ph_fits_clamped(const struct ph_texture *texture, int range)
+{
+    return range + texture->log2_width <= 8 && range + texture->log2_height + ph_texel_row_up(texture) <= 14;
+}
+
 /* The length, at most 8 % too long. */
 static inline uint32_t ph_texel_length(const struct ph_texel_slope *s)
 {

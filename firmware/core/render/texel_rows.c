@@ -271,7 +271,6 @@ static void draw_rare_row(const struct ph_tile_kind *k, struct ph_texel_rows *r)
     row.texels.u_mask = r->u_mask;
     row.texels.v_mask = r->v_mask;
     row.texels.texels = r->texels;
-    row.texels.v_down = (uint32_t)k->v_down - 5;
     r->count += left;
     for (; left > 0; i += n, left -= n) {
         n = left;

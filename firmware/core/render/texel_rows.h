@@ -2,6 +2,7 @@
 #ifndef PH_TEXEL_ROWS_H
 #define PH_TEXEL_ROWS_H
 
+#include "texel_map.h"
 #include "texel_row.h"
 #include "texture_tile.h"
 #include "triangle.h"
@@ -33,11 +34,11 @@ static inline void ph_set_texel_kind(struct ph_tile_kind *k, struct ph_texel_row
     k->smooth = (k->triangle->colour & PH_TEXELS_SMOOTH) != 0;
     if (k->plain) {
         k->u_down = 22;
-        k->v_down = 16 + width;
+        k->v_down = 16 + ph_texel_row_up(map);
     }
     r->v_mask = k->v_mask << width;
     r->u_outside = k->clamp ? UINT32_MAX << width << 22 : 0;
-    r->v_outside = k->clamp ? UINT32_MAX << (width + height) << 16 : 0;
+    r->v_outside = k->clamp ? UINT32_MAX << height << (16 + ph_texel_row_up(map)) : 0;
 }
 
 /* Sets the light of rows: column 0 of the first lies so far right of and below the place from which `shades` counts. */

@@ -137,7 +137,7 @@ static bool fits_clamped(const struct ph_texture *texture, const fx_t *const uv[
         all |= ph_without_sign(uv[i][0]) | ph_without_sign(uv[i][1]);
     }
     const int range = ph_max(16 - fx_clz32(all), 0);
-    return range + texture->log2_width <= 8 && range + texture->log2_width + texture->log2_height <= 14;
+    return ph_fits_clamped(texture, range);
 }
 
 /* The larger difference between corners, or up to twice that; Q12 from Q16. */
@@ -186,15 +186,15 @@ static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, c
                                  struct ph_plane *u)
 {
     const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, height = texture->log2_height;
-    const struct ph_texel_slope right = {(int32_t)u->gx >> 6, (int32_t)t->v.gx >> width};
-    const struct ph_texel_slope down = {(int32_t)u->gy >> 6, (int32_t)t->v.gy >> width};
+    const int width = texture->log2_width, height = texture->log2_height, v_up = ph_texel_row_up(texture);
+    const struct ph_texel_slope right = {(int32_t)u->gx >> 6, (int32_t)t->v.gx >> v_up};
+    const struct ph_texel_slope down = {(int32_t)u->gy >> 6, (int32_t)t->v.gy >> v_up};
     const int level = (int)ph_texel_level(texture, &right, &down);
     if (level > 0) {
         const int narrower = ph_min(level, width), lower = ph_min(level, height);
         t->colour = (uint16_t)(t->colour + (level << 8));
         shrink(u, &t->curves[0], narrower);
-        shrink(&t->v, &t->curves[1], narrower + lower);
+        shrink(&t->v, &t->curves[1], texture->filter == PH_FILTER_NEAREST ? narrower + lower : lower);
     }
     if ((t->colour & PH_TEXELS_SHADED) != 0) {
         set_shades(t, f, v);
@@ -208,7 +208,7 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
     static const fx_t *const origins[3] = {origin, origin, origin};
     const fx_t *const *const uv = corner_uv != NULL ? corner_uv : origins;
     const struct ph_texture *const texture = t->material->texture;
-    const int width = texture->log2_width, height = texture->log2_height;
+    const int width = texture->log2_width, v_unit = ph_texel_row_up(texture) + texture->log2_height;
     const int32_t du1 = change(uv, 1, 0), du2 = change(uv, 2, 0), dv1 = change(uv, 1, 1), dv2 = change(uv, 2, 1);
     struct frame f;
     if (!set_warp(&f.warp, v, r->lens.kind == PH_ORTHOGRAPHIC) ||
@@ -227,8 +227,8 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
         u.base &= UINT32_MAX >> (10 - width);
     }
     set_way(&u, &t->curves[0], &f, du1, du2, width + 6);
-    t->v.base = (uint32_t)uv[0][1] << (width + height);
-    set_way(&t->v, &t->curves[1], &f, dv1, dv2, width + height);
+    t->v.base = (uint32_t)uv[0][1] << v_unit;
+    set_way(&t->v, &t->curves[1], &f, dv1, dv2, v_unit);
     t->colour = ph_texture_light(t->material, v[0]);
     if (t->colour > 32) {
         set_unusual(t, &f, v, &u);

@@ -80,7 +80,7 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     k->from = -(int32_t)tile->x;
     k->clamp = map->wrap == PH_WRAP_CLAMP && !is_inside(t, map, s);
     k->plain = !k->depth24 && t->block != PH_BLOCK_LINEAR && width + height <= 16 &&
-               (!k->clamp || (range + width <= 8 && range + width + height <= 14));
+               (!k->clamp || ph_fits_clamped(map, range));
     k->u_down = 29 - range - width;
     k->v_down = 29 - range - height;
     ph_set_texel_kind(k, r, map);

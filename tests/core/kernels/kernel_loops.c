@@ -324,7 +324,6 @@ static uint32_t try_texel_row(uint32_t h, void (*draw)(const struct ph_texel_row
     const uint32_t width_log2 = below(7);
     row.u_mask = (1u << width_log2) - 1;
     row.v_mask = ((1u << below(7)) - 1) << width_log2;
-    row.v_down = 11 + width_log2;
     row.n = 1 + below(64);
     row.d = bits();
     row.gd = bits();
