@@ -29,7 +29,7 @@ void port_exit(int status);
 uint32_t port_stack_used(void);
 
 /* Runs `run(argument)` on the other core; false: there is none, or it has not yet returned from the run before.
- * port_core_join waits until it has. */
+ * port_core_join waits until it has, and meanwhile runs what that core gives to this one in the same way. */
 bool port_core_run(void (*run)(void *argument), void *argument);
 void port_core_join(void);
 

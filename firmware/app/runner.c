@@ -6,8 +6,8 @@
 
 #define TE_WAIT_US 50000 /* for the tearing-effect edge: three frames of the slowest panel */
 
-/* A scene of fewer vertices takes less time than the other core, once it has made it, waits for the next band. */
-#define AHEAD_LEAST 128
+/* Below so many vertices the other core earns less than it takes to prepare it. */
+#define AHEAD_LEAST 32
 
 /* ---- opening ------------------------------------------------------------------------------------ */
 
@@ -205,7 +205,6 @@ int runner_scene(struct runner *runner, uint32_t frame)
         return runner->demo->frame(&runner->context, &runner->renderer, frame);
     }
     runner->renderer = a->renderer;
-    runner->renderer.config.other_core = runner->config.other_core;
     runner->context = a->context;
     return a->status;
 }
@@ -235,7 +234,6 @@ void runner_ahead(struct runner *runner, uint32_t frame)
     struct ph_config config = runner->renderer.config;
     config.vertices = config.vertices == runner->scene ? (void *)(a + 1) : runner->scene;
     config.triangles = config.vertices;
-    config.other_core = NULL;
     a->status = ph_renderer_init(&a->renderer, &config);
     a->context = runner->context;
     a->demo = runner->demo;

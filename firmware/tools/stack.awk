@@ -23,11 +23,11 @@ BEGIN {
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
     rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
-    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|set_up_fresh|draw_share)(\\..*)?$"
+    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|set_up_fresh|draw_share|blur_share)(\\..*)?$"
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
-    rule("hal/[a-z0-9]+/cores2\\.c:", "firmware/app/runner\\.c:make_ahead$")
+    rule("hal/[a-z0-9]+/cores2\\.c:serve$", "firmware/app/runner\\.c:make_ahead$")
     rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$")
     rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_band$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush

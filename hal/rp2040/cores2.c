@@ -1,6 +1,6 @@
 /*
  * See port.h: the second core takes a function and its argument from the FIFO between the cores, runs it and answers
- * with a word. RP2040 datasheet 2.3.1.4 (FIFO), 2.8.2 (how core 1 is started), 2.13 (power-on state machine).
+ * with 0. While core 0 waits for that, core 1 can give it work in the same way. RP2040 datasheet 2.3.1.4 (FIFO), 2.8.2 (how core 1 is started), 2.13 (power-on state machine).
  *
  * A core that waits on an empty FIFO sleeps; the core that pushes sends an event to wake it.
  */
@@ -17,8 +17,11 @@ static struct {
     bool started, busy;
 } core1;
 
+static volatile bool core0_waits; /* for core 1: it takes work from it */
+
 static void push(uint32_t word)
 {
+    __asm volatile("" ::: "memory"); /* all that the other core reads is in memory by now */
     while ((REG(SIO_FIFO_ST) & FIFO_WRITABLE) == 0) {
     }
     REG(SIO_FIFO_WR) = word;
@@ -40,14 +43,26 @@ static void drain(void)
     }
 }
 
+static void give(void (*run)(void *argument), void *argument)
+{
+    push((uint32_t)run);
+    push((uint32_t)argument);
+}
+
+/* A core's turn: its run and argument come from the other core, which gets a 0. */
+static inline void take(uint32_t run)
+{
+    void *const argument = (void *)pull();
+    ((void (*)(void *))run)(argument);
+    push(0);
+}
+
+/* Core 1. */
 static _Noreturn void serve(void)
 {
     rp2040_guard((uint32_t)(uintptr_t)stack, GUARD_BYTES_LOG2);
     for (;;) {
-        void (*const run)(void *) = (void (*)(void *))pull();
-        void *const argument = (void *)pull();
-        run(argument);
-        push(0);
+        take(pull());
     }
 }
 
@@ -77,25 +92,36 @@ static void start_core1(void)
     core1.started = true;
 }
 
+static bool is_core1(void)
+{
+    return REG(SIO_CPUID) != 0;
+}
+
 void port_core_join(void)
 {
-    if (core1.busy) {
+    if (is_core1()) {
         (void)pull();
-        core1.busy = false;
+    } else if (core1.busy) {
+        core0_waits = true;
+        for (uint32_t run = pull(); run != 0; run = pull()) {
+            take(run);
+        }
+        core0_waits = core1.busy = false;
     }
 }
 
 bool port_core_run(void (*run)(void *argument), void *argument)
 {
-    if (core1.busy && (REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
+    if (is_core1() ? !core0_waits : core1.busy && (REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
         return false;
     }
-    port_core_join();
-    if (!core1.started) {
-        start_core1();
+    if (!is_core1()) {
+        port_core_join();
+        core1.busy = true;
+        if (!core1.started) {
+            start_core1();
+        }
     }
-    push((uint32_t)run);
-    push((uint32_t)argument);
-    core1.busy = true;
+    give(run, argument);
     return true;
 }

@@ -8,6 +8,7 @@
 #include "sim.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <stdlib.h>
 
 #define FRAMES      6 /* of each demo */
@@ -18,9 +19,12 @@ enum when { AT_ONCE, AT_JOIN, THREAD };
 static enum when when;
 static void (*waiting)(void *);
 static void *waiting_argument;
-static uint32_t scenes, busy, chance;
+static uint32_t scenes, busy, helped, chance;
 static pthread_t thread;
-static bool running, returned;
+static bool running, returned, joining, helps; /* helps: core 0 runs what the thread gave it */
+static _Thread_local bool is_thread;
+static void (*back)(void *); /* what the thread gives to core 0 while that one joins */
+static void *back_argument;
 
 static uint32_t below(uint32_t n)
 {
@@ -37,6 +41,7 @@ static void delay(void)
 
 static void *thread_main(void *steps)
 {
+    is_thread = true;
     for (volatile uintptr_t i = (uintptr_t)steps; i > 0; i--) {
     }
     waiting(waiting_argument);
@@ -44,10 +49,54 @@ static void *thread_main(void *steps)
     return NULL;
 }
 
+static bool is(const bool *flag)
+{
+    return __atomic_load_n(flag, __ATOMIC_ACQUIRE);
+}
+
+static void set(bool *flag, bool value)
+{
+    __atomic_store_n(flag, value, __ATOMIC_RELEASE);
+}
+
+static void join_thread(void)
+{
+    set(&joining, true);
+    while (!is(&returned)) {
+        if (is(&helps)) {
+            delay();
+            back(back_argument);
+            set(&helps, false);
+        }
+        sched_yield();
+    }
+    set(&joining, false);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+}
+
+/* From the thread: core 0 takes it while it joins. */
+static bool give_back(void (*run)(void *), void *argument)
+{
+    if (!is(&joining)) {
+        return false;
+    }
+    back = run;
+    back_argument = argument;
+    helped++;
+    set(&helps, true);
+    return true;
+}
+
 static void join(void)
 {
+    if (is_thread) {
+        while (is(&helps)) {
+            sched_yield();
+        }
+        return;
+    }
     if (running && when == THREAD) {
-        assert_int_equal(pthread_join(thread, NULL), 0);
+        join_thread();
     } else if (running) {
         waiting(waiting_argument);
     }
@@ -56,6 +105,9 @@ static void join(void)
 
 static bool other_core(void (*run)(void *), void *argument)
 {
+    if (is_thread) {
+        return give_back(run, argument);
+    }
     if (when == AT_ONCE) {
         run(argument);
         return true;
@@ -173,13 +225,14 @@ static void it_is_with_any_delays_between_the_cores(void **state)
     (void)state;
     const char *const given = getenv("AHEAD_SEEDS");
     when = THREAD;
-    scenes = busy = 0;
+    scenes = busy = helped = 0;
     for (uint32_t seed = 0, seeds = given ? (uint32_t)atoi(given) : 20; seed < seeds; seed++) {
         chance = seed;
         compare("pico-display", AHEAD_BYTES);
     }
-    print_message("# %u scenes made ahead, %u times the other core was busy\n", (unsigned)scenes, (unsigned)busy);
-    assert_true(scenes > 0);
+    print_message("# %u scenes made ahead, %u times the other core was busy, %u times this one helped it\n",
+                  (unsigned)scenes, (unsigned)busy, (unsigned)helped);
+    assert_true(scenes > 0 && helped > 0);
 }
 
 /* Without memory for a list it is made here. Not a byte behind what is given is touched: a sanitizer sees that. */

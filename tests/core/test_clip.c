@@ -37,6 +37,24 @@ static void slivers_in_two_planes_at_once_keep_within_their_room(void **state)
     }
 }
 
+/* One corner lies before the near plane, another one left of the guard band; the far plane between them cuts nothing.
+ */
+static void two_planes_cut_two_corners(void **state)
+{
+    (void)state;
+    const struct ph_lens lens = {.near_z = FX_ONE, .far_z = FX_INT(100)};
+    const struct ph_clip_vertex in[3] = {{.w = FX_HALF, .z = FX_HALF},
+                                         {.x = FX_INT(16), .w = FX_INT(4), .z = FX_INT(4)},
+                                         {.x = FX_INT(-48), .y = FX_INT(8), .w = FX_INT(4), .z = FX_INT(4)}};
+    struct ph_clip_vertex out[PH_CLIP_MAX];
+    assert_int_equal(ph_clip(&lens, in, 3, out), 5);
+    for (int i = 0; i < 5; i++) {
+        const struct ph_clip_vertex *const v = &out[i], *const next = &out[(i + 1) % 5];
+        assert_true(v->z >= lens.near_z && v->x >= -8 * v->w - 1);
+        assert_true(v->x != next->x || v->y != next->y || v->z != next->z);
+    }
+}
+
 /* Near plane and corners some LSB from the eye: corners are rounded, and set-up must take them (the sanitizer looks for
  * overflow). */
 static void a_triangle_some_lsb_from_the_eye_is_set_up(void **state)
@@ -67,6 +85,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slivers_in_two_planes_at_once_keep_within_their_room),
+        cmocka_unit_test(two_planes_cut_two_corners),
         cmocka_unit_test(a_triangle_some_lsb_from_the_eye_is_set_up),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

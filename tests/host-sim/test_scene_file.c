@@ -215,47 +215,60 @@ static void it_becomes_an_image_behind_the_programs(void **state)
     assert_non_null(strstr(error, "cannot be read"));
 }
 
-/* Each number of the tables of what moves that leads out of the scene, by a little. */
-static void an_animation_outside_of_it_is_seen(void **state)
+/* A number of the animation that leads out of the scene. Its place is found in the whole scene. */
+static void is_refused(const void *number, size_t width, uint32_t wrong)
+{
+    uint8_t *const at = whole + ((const uint8_t *)number - whole);
+    uint32_t right = 0;
+    memcpy(&right, at, width);
+    memcpy(at, &wrong, width);
+    seal(whole);
+    assert_string_equal(scene_file_wrong(whole, size), "is broken: its animation is not inside it");
+    memcpy(at, &right, width);
+    seal(whole);
+    assert_null(scene_file_wrong(whole, size));
+}
+
+static const struct scene_file_motion *motion_of_whole(void)
+{
+    return (const void *)(whole + ((const struct scene_file_head *)(const void *)whole)->motion);
+}
+
+static void a_clip_outside_of_it_is_seen(void **state)
 {
     (void)state;
-    uint8_t *bytes = malloc(size);
-    assert_non_null(bytes);
-    const struct scene_file_head *head = (const void *)bytes;
-    memcpy(bytes, whole, size);
-    const struct scene_file_mesh *mesh = (const void *)(bytes + sizeof *head);
-    struct scene_file_motion *motion = (void *)(bytes + head->motion);
-    struct scene_file_moving *moving = (void *)(bytes + mesh[2].moving);
-    struct scene_file_clip *clip = (void *)(bytes + motion->clips);
-    struct scene_file_track *track = (void *)(bytes + clip->tracks);
-    struct ph_rig_node *node = (void *)(bytes + motion->nodes);
-    struct ph_influence *influence = (void *)(bytes + moving->influences);
-    uint16_t *joint = (void *)(bytes + moving->joints);
-    assert_true(moving->influences != 0 && clip->track_count > 0 && track->path == PH_PATH_ROTATION);
-#define REFUSED(number, wrong)                                                                                         \
-    do {                                                                                                               \
-        memcpy(bytes, whole, size);                                                                                    \
-        (number) = (wrong);                                                                                            \
-        seal(bytes);                                                                                                   \
-        assert_string_equal(scene_file_wrong(bytes, size), "is broken: its animation is not inside it");               \
-    } while (0)
-    REFUSED(node->parent, 0);
-    REFUSED(node->parent, -2);
-    REFUSED(motion->playing, motion->clip_count);
-    REFUSED(clip->time_shift, 16);
-    REFUSED(clip->duration, -1);
-    REFUSED(track->node, (uint16_t)motion->node_count);
-    REFUSED(track->width, 3);
-    REFUSED(track->interpolation, 3);
-    REFUSED(track->frac, 7);
-    REFUSED(track->frac, 25);
-    REFUSED(track->key_count, 60000);
-    REFUSED(joint[moving->joint_count - 1], (uint16_t)motion->node_count);
-    REFUSED(influence->joints[3], (uint8_t)moving->joint_count);
-    REFUSED(moving->frac, 11);
-    REFUSED(moving->joint_count, 257);
-    REFUSED(moving->target_count, motion->weight_count + 1);
-    free(bytes);
+    const struct scene_file_motion *const motion = motion_of_whole();
+    const struct scene_file_clip *const clip = (const void *)(whole + motion->clips);
+    const struct scene_file_track *const track = (const void *)(whole + clip->tracks);
+    assert_true(clip->track_count > 0 && track->path == PH_PATH_ROTATION);
+    is_refused(&motion->playing, 4, motion->clip_count);
+    is_refused(&clip->time_shift, 4, 16);
+    is_refused(&clip->duration, 4, UINT32_MAX);
+    is_refused(&track->node, 2, motion->node_count);
+    is_refused(&track->width, 1, 3);
+    is_refused(&track->interpolation, 1, PH_KEYS_CUBIC + 1);
+    is_refused(&track->frac, 1, 7);
+    is_refused(&track->frac, 1, 25);
+    is_refused(&track->key_count, 2, 60000);
+}
+
+static void a_skin_outside_of_it_is_seen(void **state)
+{
+    (void)state;
+    const struct scene_file_motion *const motion = motion_of_whole();
+    const struct scene_file_mesh *const mesh = (const void *)(whole + sizeof(struct scene_file_head));
+    const struct scene_file_moving *const moving = (const void *)(whole + mesh[2].moving);
+    const struct ph_rig_node *const node = (const void *)(whole + motion->nodes);
+    const struct ph_influence *const influence = (const void *)(whole + moving->influences);
+    const uint16_t *const joints = (const void *)(whole + moving->joints);
+    assert_true(moving->influences != 0);
+    is_refused(&node->parent, 2, 0);
+    is_refused(&node->parent, 2, 0xFFFE);
+    is_refused(&joints[moving->joint_count - 1], 2, motion->node_count);
+    is_refused(&influence->joints[3], 1, moving->joint_count);
+    is_refused(&moving->frac, 4, 11);
+    is_refused(&moving->joint_count, 4, 257);
+    is_refused(&moving->target_count, 4, motion->weight_count + 1);
 }
 
 int main(void)
@@ -269,7 +282,7 @@ int main(void)
     const struct CMUnitTest moving[] = {
         cmocka_unit_test(its_memory_is_what_the_tool_counted), cmocka_unit_test(every_bit_that_changed_is_seen),
         cmocka_unit_test(what_is_cut_off_or_erased_is_seen),   cmocka_unit_test(no_number_leads_out_of_the_scene),
-        cmocka_unit_test(an_animation_outside_of_it_is_seen),
+        cmocka_unit_test(a_clip_outside_of_it_is_seen),        cmocka_unit_test(a_skin_outside_of_it_is_seen),
     };
     return cmocka_run_group_tests(tests, make_scene, drop_scene) +
            cmocka_run_group_tests(moving, make_moving, drop_scene);

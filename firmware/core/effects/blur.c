@@ -9,6 +9,7 @@
 #include "blur.h"
 
 #include "colour.h"
+#include "cores.h"
 #include "depth.h"
 
 #define WHOLE 2048 /* sum of all weights of a pixel */
@@ -140,10 +141,11 @@ static inline uint16_t finish(const struct mix *m, uint32_t colour)
     return (uint16_t)((red_blue >> 27) << 11 | (green >> 11) << 5 | (red_blue >> 11 & 31));
 }
 
-/* First pass: blurs a line of the picture along itself, into the ring. */
-static void take_line(struct ph_blur *b, const uint16_t *pixels, const void *depth, int fine, int32_t width)
+/* First pass: blurs line y of the picture along itself, into the ring. */
+static void take_line(const struct ph_blur *b, uint32_t y, const uint16_t *pixels, const void *depth, int fine,
+                      int32_t width)
 {
-    const uint32_t line = b->drawn++ % b->lines;
+    const uint32_t line = y % b->lines;
     uint16_t *out = b->colours + line * (uint32_t)width;
     int8_t *blurs = b->blurs + line * (uint32_t)width;
     for (int32_t x = 0; x < width; x++) {
@@ -190,23 +192,49 @@ static void give_line(const struct ph_blur *b, uint32_t y, uint32_t height, uint
     }
 }
 
+/* Lines that one core blurs: from .. end - 1 of the lines at `pixels`. */
+struct blur_share {
+    const struct ph_blur *b;
+    const struct ph_renderer *r;
+    uint16_t *pixels;
+    uint32_t y0, from, end; /* y0: the line at `pixels` */
+    bool across;            /* the second pass */
+};
+
+static void blur_share(void *argument)
+{
+    const struct blur_share *const s = argument;
+    const int fine = s->r->fine;
+    const uint32_t width = (uint32_t)s->r->config.width >> fine, height = (uint32_t)s->r->config.height >> fine;
+    for (uint32_t i = s->from; i < s->end; i++) {
+        if (s->across) {
+            give_line(s->b, s->y0 + i, height, width, s->pixels + i * width);
+        } else {
+            const uint8_t *const depth = s->r->config.depth;
+            take_line(s->b, s->y0 + i, s->pixels + i * width, depth + (i * width << 2 * fine) * (s->b->wide ? 4 : 2),
+                      fine, (int32_t)width);
+        }
+    }
+}
+
+static void blur_lines(const struct ph_blur *b, const struct ph_renderer *r, uint16_t *pixels, uint32_t y0,
+                       uint32_t count, bool across)
+{
+    struct blur_share upper = {b, r, pixels, y0, 0, count / 2, across},
+                      lower = {b, r, pixels, y0, count / 2, count, across};
+    ph_run_both(r, blur_share, &upper, &lower);
+}
+
 uint32_t ph_blur_band(struct ph_blur *blur, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
-    const int fine = r->fine;
-    const uint32_t width = (uint32_t)r->config.width >> fine, height = (uint32_t)r->config.height >> fine;
-    const uint32_t lines = (uint32_t)r->config.band_height >> fine;
+    const uint32_t height = (uint32_t)r->config.height >> r->fine, lines = (uint32_t)r->config.band_height >> r->fine;
     const uint32_t y0 = band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const uint32_t needed = y1 + blur->radius < height ? y1 + blur->radius : height;
     while (blur->drawn < needed) { /* a band each time */
         const uint32_t come = ph_draw_band(r, blur->next_band++, pixels);
-        for (uint32_t i = 0; i < come; i++) {
-            const uint8_t *depth = r->config.depth;
-            take_line(blur, pixels + i * width, depth + (i * width << 2 * fine) * (blur->wide ? 4 : 2), fine,
-                      (int32_t)width);
-        }
+        blur_lines(blur, r, pixels, blur->drawn, come, false);
+        blur->drawn += come;
     }
-    for (uint32_t y = y0; y < y1; y++) {
-        give_line(blur, y, height, width, pixels + (y - y0) * width);
-    }
+    blur_lines(blur, r, pixels, y0, y1 - y0, true);
     return y1 - y0;
 }

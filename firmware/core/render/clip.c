@@ -83,15 +83,28 @@ static int clip_plane(const struct ph_lens *lens, const struct ph_clip_vertex *i
     return count;
 }
 
+static bool is_inside(const struct ph_lens *lens, const struct ph_clip_vertex *v, int n, int plane)
+{
+    while (n > 0 && distance(lens, &v[n - 1], plane) >= 0) {
+        n--;
+    }
+    return n == 0;
+}
+
 int ph_clip(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out)
 {
     struct ph_clip_vertex work[2][PH_CLIP_MAX];
     const struct ph_clip_vertex *from = in;
     const int planes = lens->kind == PH_FISHEYE ? PLANE_LEFT : PLANES;
     for (int plane = 0; plane < planes && n >= 2; plane++) {
-        struct ph_clip_vertex *to = plane == planes - 1 ? out : work[plane & 1];
-        n = clip_plane(lens, from, n, to, plane);
-        from = to;
+        if (!is_inside(lens, from, n, plane)) {
+            struct ph_clip_vertex *const to = work[from == work[0]];
+            n = clip_plane(lens, from, n, to, plane);
+            from = to;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        out[i] = from[i];
     }
     return n;
 }

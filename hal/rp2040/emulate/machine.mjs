@@ -417,16 +417,21 @@ export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
   // What a core has slept, ns, until now.
   machine.idleOf = (own) => own.idle + (own.asleep ? Math.max(0, clock.nanos - own.time) : 0);
 
+  const sleepUntilNow = (own) => {
+    own.idle += Math.max(0, clock.nanos - own.time);
+    own.time = Math.max(own.time, clock.nanos);
+  };
+
   const advance = (time) => {
     clock.tick(Math.max(0, time - clock.nanos));
     for (const own of machine.cores) {
-      if (own.asleep && own.core.waiting && own.core.pendingSystick && own.core.checkForInterrupts()) {
-        own.core.waiting = false;
+      if (own.asleep && own.core.waiting && own.core.pendingSystick) { // its handler's vector is read now, not when the core fell asleep
+        sleepUntilNow(own);
+        own.core.waiting = !own.core.checkForInterrupts();
       }
       if (own.asleep && !own.core.waiting) {
+        sleepUntilNow(own);
         own.asleep = false;
-        own.idle += Math.max(0, clock.nanos - own.time);
-        own.time = Math.max(own.time, clock.nanos);
       }
     }
   };
