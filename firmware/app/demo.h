@@ -70,6 +70,7 @@ struct demo {
         *coarser; /* levels for less memory or smaller pictures, or for pictures at most 16:9 wide; the finest first */
     uint32_t coarser_count;
     uint8_t blur_radius; /* px; not 0: the demo wants scratch memory */
+    bool by_name_only;   /* the select button passes over it */
 
     /* Builds meshes. 0 or PH_ERR_NOMEM. */
     int (*init)(struct demo_context *context);

@@ -149,8 +149,12 @@ static const struct demo *demo_after(const struct runner *runner, const struct d
     while (i < demo_count && demo_list[i] != demo) {
         i++;
     }
-    if (i + 1 < demo_count) {
-        return demo_list[i + 1];
+    uint32_t next = i + 1;
+    while (next < demo_count && demo_list[next]->by_name_only) {
+        next++;
+    }
+    if (next < demo_count) {
+        return demo_list[next];
     }
     const bool listed = demo_find(first->name) == first;
     return i < demo_count && !listed ? first : demo_list[0];

@@ -216,7 +216,7 @@ static void every_demo_is_the_same(void **state)
     for (when = AT_ONCE; when <= AT_JOIN; when++) {
         scenes = 0;
         compare("pico-display", AHEAD_BYTES);
-        assert_true(scenes >= 2 * (demo_count - 5)); /* not focus, nor small scenes */
+        assert_true(scenes >= 2 * (demo_count - 6)); /* not focus, nor small scenes */
     }
 }
 

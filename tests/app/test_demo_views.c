@@ -7,6 +7,7 @@
 #include "demo.h"
 #include "hal.h"
 #include "demo_stage.h"
+#include "overlay.h"
 
 #include <stdlib.h>
 
@@ -92,6 +93,34 @@ static void the_four_conventions_draw_the_same_quarter(void **state)
     }
     assert_true(drawn > 1500);
     demo_stage_close(&s);
+}
+
+/* The table of camera.h: looks along, clip w, depth from near to far. */
+static void each_quarter_says_what_its_convention_does(void **state)
+{
+    (void)state;
+    static const char *const texts[4][3] = {{"GL", "-Z W>0", "-1..1"},
+                                            {"D3D", "+Z W>0", "0..1"},
+                                            {"LMU", "-Z W<0", "1..-1"},
+                                            {"REVERSED", "-Z W>0", "1..0"}};
+    const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), 0, 1};
+    struct demo plain = *demo_find("conventions");
+    plain.band = NULL;
+    struct demo_stage s = demo_stage_open(demo_find("conventions"), 240, 320), want = demo_stage_open(s.demo, 240, 320);
+    want.demo = &plain;
+    demo_stage_frame(&s, 5);
+    demo_stage_frame(&want, 5);
+    const struct ph_overlay_band whole = {want.rig.pixels, 240, 0, 320};
+    for (int i = 0; i < 4; i++) {
+        const int rows[3] = {i < 2 ? 34 : 194, i < 2 ? 142 : 270, i < 2 ? 150 : 278};
+        for (int k = 0; k < 3; k++) {
+            const int x = (i % 2 ? 180 : 60) - ph_overlay_width(texts[i][k], 1) / 2;
+            ph_overlay_text(&whole, x, rows[k], texts[i][k], &style);
+        }
+    }
+    assert_memory_equal(s.rig.pixels, want.rig.pixels, 240 * 320 * 2);
+    demo_stage_close(&s);
+    demo_stage_close(&want);
 }
 
 /* Up comes nearer: the pot grows. Down makes it smaller than at first. At both ends of the way it stops. */
@@ -273,6 +302,7 @@ int main(void)
         cmocka_unit_test(without_scratch_memory_the_focus_is_sharp),
         cmocka_unit_test(no_picture_depends_on_the_height_of_bands),
         cmocka_unit_test(the_four_conventions_draw_the_same_quarter),
+        cmocka_unit_test(each_quarter_says_what_its_convention_does),
         cmocka_unit_test(the_snake_plays_itself_until_left_or_right),
         cmocka_unit_test(left_and_right_turn_the_snake_by_a_quarter),
         cmocka_unit_test(a_snake_that_bites_itself_plays_by_itself_again),

@@ -383,9 +383,9 @@ left_is_the_other_way_than_right() {
     ! cmp -s <(pressed '10 left') <(pressed '10 right') && ! cmp -s <(pressed '10 up') <(pressed '10 down')
 }
 
-select_takes_the_next_demo_on_the_list() { # and after the last the first; once, however long it is held
+select_takes_the_next_demo_on_the_list() { # except fill; and after the last the first; once, however long it is held
     local demos n
-    mapfile -t demos < <("$sim" --list | sed -n 's/^demo *\([^ ]*\).*/\1/p')
+    mapfile -t demos < <("$sim" --list | sed -n '/^demo *fill /d; s/^demo *\([^ ]*\).*/\1/p')
     n=${#demos[@]}
     seq 1 2 $((2 * n)) | sed 's/$/ select 1/' >"$dir/round"
     "$sim" "${small[@]}" --demo "${demos[0]}" --keys "$dir/round" --frames $((2 * n + 1)) --crc >"$dir/round.crc" || return 1

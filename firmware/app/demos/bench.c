@@ -247,6 +247,7 @@ const struct demo demo_fill = {
     DEMO_ARENA(sizeof(struct fill), 880),
     .vertex_max = 4 * FILL_PARTS,
     .triangle_max = 2 * FILL_PARTS,
+    .by_name_only = true, /* on a kit it is one plain colour */
     .init = fill_init,
     .frame = fill_frame,
 };

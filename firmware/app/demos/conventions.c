@@ -1,23 +1,47 @@
 /*
  * conventions: one scene in each quarter of the picture. Its camera is written as OpenGL, Direct3D, the LMU tutorial
- * and reversed z write it. The quarters are the same to the last pixel (camera.h).
+ * and reversed z write it. The quarters are the same to the last pixel (camera.h). What differs is written below: the
+ * axis along which the camera looks, the sign of clip w, and depth from the near to the far plane. All three are taken
+ * from the convention's matrix.
  */
 #include "camera.h"
 #include "demo_scene.h"
+#include "fx_math.h"
 #include "models.h"
 #include "overlay.h"
+
+#include <string.h>
 
 #define LOOP_FRAMES 256
 #define SEGMENTS    2
 #define QUARTERS    4
+#define TEXTS       2
 #define NEAR_Z      FX_ONE
 #define FAR_Z       FX_INT(12)
 
 struct conventions {
+    char texts[QUARTERS][TEXTS][3 + 2 * FX_TEXT_SIZE];
     struct ph_mesh pot;
     struct ph_material china;
     uint16_t ramp[PH_RAMP_SIZE];
 };
+
+/* "-Z W>0" and "-1 TO 1": the sign of z in front of the camera and of w there; depth at the near and the far plane. */
+static int describe(enum ph_convention convention, char texts[TEXTS][3 + 2 * FX_TEXT_SIZE])
+{
+    static const struct ph_projection p = {PH_PERSPECTIVE, 1 << 20, 1 << 20, 0, 0, NEAR_Z, FAR_Z};
+    const fx_t sign = convention == PH_D3D ? 1 : -1;
+    struct ph_mat4 m;
+    const int status = ph_matrix_projection(&m, &p, convention);
+    const struct ph_vec4 near = ph_mat4_apply(&m, (struct ph_vec4){0, 0, sign * NEAR_Z, FX_ONE}),
+                         far = ph_mat4_apply(&m, (struct ph_vec4){0, 0, sign * FAR_Z, FX_ONE});
+    memcpy(texts[0], sign < 0 ? "-Z W>0" : "+Z W>0", 7);
+    texts[0][4] = near.w < 0 ? '<' : '>';
+    const int length = fx_to_text_rounded(fx_div_sat(near.z, near.w), 0, texts[1]);
+    memcpy(texts[1] + length, "..", 2);
+    fx_to_text_rounded(fx_div_sat(far.z, far.w), 0, texts[1] + length + 2);
+    return status;
+}
 
 static int conventions_init(struct demo_context *context)
 {
@@ -27,6 +51,11 @@ static int conventions_init(struct demo_context *context)
     }
     c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, 235, 150, 70);
     context->state = c;
+    for (uint32_t i = 0; i < QUARTERS; i++) {
+        if (describe((enum ph_convention)i, c->texts[i]) != PH_OK) {
+            return PH_ERR_INVAL;
+        }
+    }
     return model_material(&context->arena, &c->pot, &c->china);
 }
 
@@ -61,6 +90,7 @@ static int conventions_frame(struct demo_context *context, struct ph_renderer *r
     const struct conventions *const c = context->state;
     const struct ph_xform turn = ph_xform_rotate_y(frame << 24);
     int status = PH_OK;
+    context->frame = frame;
     for (uint32_t i = 0; i < QUARTERS && status == PH_OK; i++) {
         struct ph_xform view;
         fx_t near_z, far_z;
@@ -79,12 +109,21 @@ static int conventions_frame(struct demo_context *context, struct ph_renderer *r
 static uint32_t conventions_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     static const char *const names[QUARTERS] = {"GL", "D3D", "LMU", "REVERSED"};
+    const struct conventions *const c = context->state;
     const uint32_t lines = ph_draw_band(r, band, pixels);
     const int32_t inset = context->height / 8 - 6; /* so that a round glass shows the labels, too */
+    const bool low = context->height < 96;         /* there is room for one line at a time */
     for (uint32_t i = 0; i < QUARTERS; i++) {
         const int32_t middle = context->width * (i & 1 ? 3 : 1) / 4;
         const int32_t top = (i & 2 ? context->height / 2 : 0) + (inset > 2 ? inset : 2);
         demo_text(r, band, lines, pixels, middle - ph_overlay_width(names[i], 1) / 2, top, names[i]);
+        const int32_t first = low ? (int32_t)(context->frame / (LOOP_FRAMES / TEXTS) % TEXTS) : 0,
+                      least = low ? 1 : TEXTS;
+        for (int32_t k = first; k < first + least; k++) {
+            const int32_t end = (i & 2 ? context->height : context->height / 2) - (i & 2 && inset > 2 ? inset : 2);
+            demo_text(r, band, lines, pixels, middle - ph_overlay_width(c->texts[i][k], 1) / 2,
+                      end - (least - k + first) * PH_FONT_HEIGHT, c->texts[i][k]);
+        }
     }
     return lines;
 }
@@ -95,7 +134,7 @@ const struct demo demo_conventions = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
-               4424),
+               4832),
     .vertex_max = 4 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = 660,
     .init = conventions_init,

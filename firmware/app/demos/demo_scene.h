@@ -6,7 +6,7 @@
 
 extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, demo_fill, demo_icosphere, demo_ground,
     demo_wireframe, demo_solar, demo_snake, demo_ball, demo_hitchcock, demo_shadow, demo_parallel, demo_fisheye,
-    demo_focus, demo_conventions, demo_zfight, demo_zoom, demo_materials, demo_character;
+    demo_focus, demo_conventions, demo_zfight, demo_zoom, demo_pinhole, demo_materials, demo_character;
 
 /*
  * A perspective with an angle across the smaller side of the picture (in square and landscape pictures: vertically);

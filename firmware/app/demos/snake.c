@@ -298,6 +298,7 @@ static void snake_colours(struct snake *s)
     s->face = demo_lit(s->ramps[2], PH_SHADE_GOURAUD, 250, 235, 120);
     s->red = demo_lit(s->ramps[3], PH_SHADE_GOURAUD, 240, 40, 60);
     s->leaves = demo_lit(s->ramps[4], PH_SHADE_FLAT, 50, 150, 90);
+    s->leaves.ambient = s->leaves.diffuse = FX_HALF; /* below they are not black */
     s->tiles[0] = demo_unlit(96, 168, 84);
     s->tiles[1] = demo_unlit(80, 148, 72);
 }
