@@ -14,4 +14,4 @@ UF2_FAMILY = 0xe48bff59
 UF2_BASE = 0x10000000
 EMULATE = echo 'make emulate: there is no emulator of an RP2350 here' >&2; exit 2; :
 FLASH = firmware/tools/flash_with.sh 'hold BOOTSEL while the board is plugged in' picotool load -x '$(IMAGE).uf2'
-$(B)/hal/rp2040/%.o: CPPFLAGS += -include hal/rp2040/rp2350/registers.h
+$(B)/hal/rp2040/%.o: override CPPFLAGS += -include hal/rp2040/rp2350/registers.h
