@@ -61,7 +61,7 @@ static const struct option_row rows[] = {
     {"clip", "NAME", "keeps this clip of a glTF file alone; without it all are kept, and the first plays", "a name",
      .at = offsetof(struct asset_options, clip)},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
-     "a name that pinhole-sim --list shows", .set = set_board},
+     "a name that pinhole-sim --list shows", .set = set_board, .names = nearest_board},
     {"flash", "BYTES", "bytes of flash that the data must fit", "a whole number, 1 .. 1073741824",
      .at = offsetof(struct asset_options, goal.flash_bytes), .least = 1, .most = FLASH_LIMIT},
     {"turntable", NULL, "shows the model on the turntable even if the file has a camera", NULL,

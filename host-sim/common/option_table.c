@@ -1,7 +1,6 @@
 #include "option_table.h"
 
 #include "complain.h"
-#include "nearest.h"
 #include "option_text.h"
 
 #include <stdio.h>
@@ -82,7 +81,9 @@ int option_table_read(const struct option_table *table, void *options, int argc,
         }
     }
     if (!store(row, options, value)) {
-        return complain_usage("--%s '%s': must be %s", row->name, value, row->allowed);
+        const char *const meant = row->names != NULL ? nearest_text(value, row->names, NULL) : "";
+        return complain_usage("--%s '%s': must be %s%s%.*s", row->name, value, row->allowed, *meant != '\0' ? "; " : "",
+                              *meant != '\0' ? (int)strlen(meant) - 1 : 0, meant);
     }
     return i + 1;
 }

@@ -5,6 +5,8 @@
 #ifndef OPTION_TABLE_H
 #define OPTION_TABLE_H
 
+#include "nearest.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -19,6 +21,7 @@ struct option_row {
                   not 0), or of a const char *, which may not be left out and not be empty */
     uint32_t least, most; /* of a whole number */
     const char *words;    /* the only ones that a const char * may be, with | between them; NULL: any */
+    nearest_list *names;  /* what a wrong value may have meant; NULL: no list */
 };
 
 struct option_table {

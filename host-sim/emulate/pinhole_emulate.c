@@ -38,7 +38,8 @@ static bool set_board(void *to, const char *name)
 
 static const struct option_row rows[] = {
     {"machine", "lm3s6965evb|netduinoplus2", "the machine of QEMU", "lm3s6965evb or netduinoplus2", .set = set_machine},
-    {"board", "NAME", "the image's kit", "a name that pinhole-sim --list shows", .set = set_board},
+    {"board", "NAME", "the image's kit", "a name that pinhole-sim --list shows", .set = set_board,
+     .names = nearest_board},
     {"keys", "FILE", "a script of button presses, as for pinhole-sim (not before frame 2)", "a file",
      .at = offsetof(struct request, keys)},
     {"log", NULL, "shows on stderr what the image writes to its UART", NULL, .at = offsetof(struct request, log)},

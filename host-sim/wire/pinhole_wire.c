@@ -105,7 +105,7 @@ static bool set_select(void *to, const char *text)
 #define LINE_ALLOWED "a line as the board names it, or - for not wired"
 
 static const struct option_row rows[] = {
-    {"board", "NAME", "the kit", "a name that pinhole-sim --list shows", .set = set_board},
+    {"board", "NAME", "the kit", "a name that pinhole-sim --list shows", .set = set_board, .names = nearest_board},
     {"rotate", "0|90|180|270", "the rotation of the picture; the board's own by default", "0, 90, 180 or 270 degrees",
      .set = set_rotate},
     {"out", "DIR|FILE.png|FILE.gif|FILE.ppm",

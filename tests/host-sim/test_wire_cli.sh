@@ -82,6 +82,7 @@ pinhole-wire: $dir/race: a panel would not accept 1 thing" "$wire" --board $boar
         sh -c "'$wire' --board $board '$dir/red' >/dev/full"
     check "no board" says 2 '' 'pinhole-wire: --board NAME is needed; see --help' "$wire" "$dir/red"
     check "an unknown board" says 2 '' "pinhole-wire: --board 'x': must be a name that pinhole-sim --list shows" "$wire" --board x
+    check "a mistyped board" says 2 '' "pinhole-wire: --board 'pico-dispay': must be a name that pinhole-sim --list shows; did you mean pico-display?" "$wire" --board pico-dispay
     check "a wrong value" says 2 '' "pinhole-wire: --rotate '45': must be 0, 90, 180 or 270 degrees" "$wire" --board $board --rotate 45
     check "two files" says 2 '' "pinhole-wire: 'b': a word too many; see --help" "$wire" --board $board a b
     check "every option is in --help" sh -c "'$wire' --help | grep -c -e '^  --\\(board\\|rotate\\|out\\|last\\|idle\\|order\\|select\\|panel\\|dc\\|reset\\|backlight\\|help\\)\\b' | grep -qx 12"
