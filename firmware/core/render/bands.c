@@ -13,6 +13,7 @@
 #include "setup.h"
 
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is free */
+#define HELPED    0  /* in place of a reference: the other core is free */
 #define SPARES    8
 
 /* The references of a band, one after the other. */
@@ -278,7 +279,6 @@ struct rest {
     struct ph_triangle *begun;  /* those that were carried on, as far as they are not drawn */
     struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
     uint32_t put, fragments;    /* put: what put_below takes */
-    bool helped;                /* the other core is free */
 };
 
 static void nothing(void *argument)
@@ -294,11 +294,6 @@ static bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
     }
     r->config.other_core_join();
     return true;
-}
-
-static uint32_t lesser(uint32_t a, uint32_t b)
-{
-    return a < b ? a : b;
 }
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
@@ -319,10 +314,13 @@ static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest
     if (ref >= f->next_first && ref != PH_NONE) {
         enter_draw(f, ref);
     }
-    rest->helped = is_helped(f->r, rest->rows);
     const uint32_t after = t != NULL ? t->order + 1 : PH_NONE;
-    const uint32_t asks = f->r->config.other_core != NULL ? ref + ASKS_REFS : PH_NONE;
-    return lesser(asks, lesser(after, f->next_first));
+    const uint32_t stop = after < f->next_first ? after : f->next_first;
+    if (f->r->config.other_core == NULL) {
+        return stop;
+    }
+    const uint32_t asks = stop < ref + ASKS_REFS ? stop : ref + ASKS_REFS;
+    return is_helped(f->r, rest->rows) ? HELPED : asks;
 }
 
 /* Draws a triangle that is set up in a slot and goes on below the band. Returns its pixels. */
@@ -343,7 +341,7 @@ static void draw_rest(struct feed *f, struct rest *rest)
     for (uint32_t stop = 0;;) {
         if (f->ref >= stop) { /* so it is at the end of the list */
             stop = draw_begun(f, rest);
-            if (f->ref == PH_NONE || rest->helped) {
+            if (f->ref == PH_NONE || stop == HELPED) {
                 break;
             }
         }
@@ -536,8 +534,8 @@ static void draw_chunk(struct feed *f, struct rest *rest, bool clears)
 static void draw_triangles(struct feed *f, const struct ph_band *rows)
 {
     struct ph_renderer *const r = f->r;
-    struct rest rest = {rows, r->carried, &r->carried, PH_NONE, 0, is_helped(r, rows)};
-    bool clears = rest.helped;
+    struct rest rest = {rows, r->carried, &r->carried, PH_NONE, 0};
+    bool clears = is_helped(r, rows);
     if (!clears) {
         clear(rows, r->background);
         draw_rest(f, &rest);
@@ -563,7 +561,7 @@ static void reach_ref(struct reach *all, struct feed *f, uint32_t ref)
 }
 
 /* The columns of pixels in which a band may differ from the background. */
-static struct reach reach_band(struct ph_renderer *r, uint32_t band)
+static __attribute__((noinline)) void reach_band(struct ph_renderer *r, uint32_t band, struct reach *in)
 {
     const int32_t width = r->config.width;
     struct reach all = {r->after != NULL ? 0 : width, r->after != NULL ? width : 0};
@@ -576,9 +574,8 @@ static struct reach reach_band(struct ph_renderer *r, uint32_t band)
     for (const struct ph_triangle *t = r->carried; t != NULL; t = t->next) {
         reach_ref(&all, &carried, t->order);
     }
-    all.end = (ph_min(all.end, width) + 1) / 2;
-    all.from = ph_min(ph_max(all.from, 0) / 2, all.end);
-    return all;
+    in->end = (ph_min(all.end, width) + 1) / 2;
+    in->from = ph_min(ph_max(all.from, 0) / 2, in->end);
 }
 
 /* Makes pixels of the samples of a band; outside `in` they are the background's. */
@@ -603,7 +600,10 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
-    const struct reach in = r->fine != 0 ? reach_band(r, band) : (struct reach){0, 0};
+    struct reach in;            /* of a fine frame */
+    if (r->fine != 0) {
+        reach_band(r, band, &in);
+    }
     struct feed f;
     start(&f, r, band);
     draw_triangles(&f, &rows);
