@@ -46,8 +46,8 @@ static void print_list(void)
         view_names(demo_list[i], views, sizeof views);
         snprintf(loop, sizeof loop, "%u frame%s", (unsigned)demo_list[i]->loop_frames,
                  demo_list[i]->loop_frames == 1 ? "" : "s");
-        printf("demo   %-26s %-11s %s%s%s\n", demo_list[i]->name, loop, demo_list[i]->summary,
-               views[0] != '\0' ? "; --view" : "", views);
+        printf("demo   %-26s %-11s %s%s%s%s\n", demo_list[i]->name, loop, demo_list[i]->summary,
+               views[0] != '\0' ? "; --view" : "", views, demo_list[i]->by_name_only ? "; by name only" : "");
     }
     for (uint32_t i = 0; i < board_count; i++) {
         const struct panel *panel = board_list[i]->panel;

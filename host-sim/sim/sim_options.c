@@ -275,24 +275,8 @@ void sim_options_help(void)
     puts("\nExit status: 0 done; 1 failed, or the controller was misused; 2 wrong usage.");
 }
 
-static int check_together(const struct sim_options *o)
+static int check_camera(const struct sim_options *o)
 {
-    if (o->demo != NULL && o->model != NULL) {
-        return complain_usage("--demo and --model exclude each other");
-    }
-    if (o->clip != NULL && o->model == NULL) {
-        return complain_usage("--clip: of which model? give --model FILE");
-    }
-    if (o->goal.fit && o->board == NULL) {
-        return complain_usage("--max-triangles fit: fit what? name a --board");
-    }
-    if (o->board != NULL && o->width != 0) {
-        return complain_usage("--board and --size exclude each other");
-    }
-    if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
-        !o->show_window) {
-        return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix or --window (see --help)");
-    }
     if (o->projection != OPTION_FISHEYE && o->fov_deg >= FX_INT(180)) {
         return complain_usage("--fov: must be less than 180 degrees; more only with --projection fisheye");
     }
@@ -319,6 +303,32 @@ static int check_together(const struct sim_options *o)
         return complain_usage("--matrix: a fisheye has no matrix; choose another --projection");
     }
     return 0;
+}
+
+static int check_together(const struct sim_options *o)
+{
+    if (o->demo != NULL && o->model != NULL) {
+        return complain_usage("--demo and --model exclude each other");
+    }
+    const struct model_options *const m = &o->model_options;
+    if (o->model == NULL && (o->clip != NULL || o->goal_set || m->up != NULL || m->texture != NULL || m->two_sided)) {
+        return complain_usage("--%s: of which model? give --model FILE", o->clip != NULL ? "clip"
+                                                                         : o->goal_set   ? "max-triangles"
+                                                                         : m->up != NULL ? "up"
+                                                                         : m->two_sided  ? "two-sided"
+                                                                                         : "texture");
+    }
+    if (o->goal.fit && o->board == NULL) {
+        return complain_usage("--max-triangles fit: fit what? name a --board");
+    }
+    if (o->board != NULL && o->width != 0) {
+        return complain_usage("--board and --size exclude each other");
+    }
+    if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
+        !o->show_window) {
+        return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix or --window (see --help)");
+    }
+    return check_camera(o);
 }
 
 int sim_options_read(struct sim_options *o, int argc, char *const argv[])

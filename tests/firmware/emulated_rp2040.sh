@@ -52,7 +52,7 @@ expect() {
 
 sweep() {
     local i
-    demos=$("$B/pinhole-sim" --list | grep -c '^demo')
+    demos=$("$B/pinhole-sim" --list | grep '^demo' | grep -vc '; by name only$')
     for ((i = 1; i < demos; i++)); do
         echo "$((i * $1)) select"
         [ "$1" -lt 4 ] || printf '%s\n' "$((i * $1 + 1)) left+up" "$((i * $1 + 2)) right+down"

@@ -621,6 +621,10 @@ exclude|--board x --size 8x8 --crc
 --rotate|--rotate 45 --crc
 --rotate|--rotate 360 --crc
 --rotate|--rotate 090 --crc
+--up: of which model|--up z --crc
+--two-sided: of which model|--two-sided --crc
+--texture: of which model|--texture x.png --crc
+--max-triangles: of which model|--max-triangles 100 --crc
 --camera|--camera 0,0,3 --crc
 --camera|--camera vrp=0,0,3 --crc
 --camera|--camera vrp=0,0,3,vpn=0,0,1,up=0,1,0 --crc

@@ -195,6 +195,19 @@ static int solar_camera(const struct demo_context *context, struct ph_renderer *
     return demo_begin(context, r, &view, &projection, &s->light, ph_rgb565(4, 5, 14));
 }
 
+/* False for most points outside the picture, at a sixth of what a line there costs. */
+static bool may_be_seen(const struct ph_renderer *r, struct fx_vec3 p)
+{
+    const struct ph_projection *const lens = &r->projection;
+    if (lens->kind != PH_PERSPECTIVE || (lens->shift_x | lens->shift_y) != 0) {
+        return true;
+    }
+    const struct fx_vec3 v = ph_xform_point(&r->view, p);
+    const fx_t reach = SKY / 16 - v.z;
+    return fx_mul_sat(fx_abs_sat(v.x), lens->scale_x_q20 >> 4) < reach &&
+           fx_mul_sat(fx_abs_sat(v.y), lens->scale_y_q20 >> 4) < reach;
+}
+
 /* Lines of about a pixel and a half. */
 static void draw_stars(const struct demo_context *context, struct ph_renderer *r, const struct solar *s)
 {
@@ -204,7 +217,9 @@ static void draw_stars(const struct demo_context *context, struct ph_renderer *r
         const struct fx_vec3 p = s->stars[i];
         const bool steep = p.y > SKY * 2 / 3 || p.y < -SKY * 2 / 3;
         const struct fx_vec3 end = {p.x + (steep ? size : 0), p.y + (steep ? 0 : size), p.z};
-        ph_draw_line(r, p, end, i % 3 == 0 ? &s->star : &s->dim_star);
+        if (may_be_seen(r, p)) {
+            ph_draw_line(r, p, end, i % 3 == 0 ? &s->star : &s->dim_star);
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 # Prints frames/s of every demo on an emulated RP2040 board, with one core and with two, as rows of a Markdown table, each as
 # soon as its demo has been drawn. "ideal flash" is the rate if flash were as fast as RAM; load is that of each core (core 0
 # sleeps while core 1 finishes its half); sent is the part of a whole frame's bytes; left out are triangles and vertices.
-# Each DEMO (all; as pinhole-sim lists them) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or six at
+# Each DEMO (all that the select button reaches) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or six at
 # the first one, so that what was sent before and the first trial of whole frames count no more, and two frames whose mean
 # counts.
 # A frame for which the cores alone work no longer than a whole one takes on the bus should take no longer than that. A demo
@@ -30,8 +30,9 @@ make -s B="$B" "$B/pinhole-sim" >&2
 # frames that count. A demo that was not asked for gets two frames, because a button that is held selects only once. The last
 # frames of one that was asked for are held, so that the image writes a line about them.
 options=() frame=0 left=$# # how many of those asked for are to come
+by_button() { "$B/pinhole-sim" --list | awk '$1 == "demo" && !/; by name only$/ { print $2, $3 }'; }
 for demo; do
-    "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null || { echo "speed: $demo cannot be measured on $BOARD" >&2 && exit 2; }
+    by_button | grep -q "^$demo " && "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null || { echo "speed: $demo cannot be measured on $BOARD" >&2 && exit 2; }
 done
 while read -r demo loop; do
     "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 || continue
@@ -51,7 +52,7 @@ while read -r demo loop; do
     frame=$((frame + 2))
     echo "$first $((frame - first)) $demo" >>"$dir/demos"
     [ "$left" != 0 ] || break
-done < <("$B/pinhole-sim" --list | awk '$1 == "demo" { print $2, $3 }')
+done < <(by_button)
 
 suffix=
 [ "${CHANGES:-1}" = 1 ] || suffix=-whole
