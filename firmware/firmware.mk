@@ -146,7 +146,7 @@ $(B)/scene-$(SCENE_NAME).o: $(SCENE_C) $(B)/flags
 	$(SAY) CC $<
 	$(Q)$(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(INC_CORE) -Ifirmware/app -MMD -MP -c $< -o $@
 
-BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,turntable) \
+BOARD_DEFS = -DBOARD_HERE=$(BOARD_SYMBOL) -DDEMO_HERE=demo_$(if $(SCENE_C),scene,$(or $(FIRST_DEMO),turntable)) \
              -DTILES_BYTES=$(if $(filter 1,$(CHANGES)),$(PORT_TILES_BYTES),0) -DAHEAD_BYTES=$(or $(PORT_AHEAD_BYTES),0) \
              $(if $(or $(SCENE_C),$(if $(PORT_SCENE),,none)),-DSCENE_AT=0 -DSCENE_BYTES=0,-DSCENE_AT=$(UF2_BASE)+$(PORT_SCENE) -DSCENE_BYTES=$(CHIP_FLASH_BYTES)-$(PORT_SCENE))
 
