@@ -114,8 +114,8 @@ check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2
 check "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
 check "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bgeu t0, t1, 1f/bgtu t0, t1, 1f/'
 check "light_of_another_entry_for_rv32_is_seen" change_is_seen rv32 span_gouraud 's/srli t0, a5, 25/srli t0, a5, 26/'
-check "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/beqz t0, done/bnez t0, done/' 'small_gouraud small_knee'
-check "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/mv t2, s10/nop/' wide_gouraud
+check "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
+check "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
 check "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
 check "a_pixel_too_few_for_rv32_is_seen" change_is_seen rv32 fill 's/addi a4, a3, -4/addi a4, a3, -6/'
 if [ "$(uname -m)" = x86_64 ]; then
