@@ -1,8 +1,8 @@
 /*
- * pico: display packs on a Raspberry Pi Pico, and boards with an RP2040 that are wired like one.
+ * pico: display packs on a Raspberry Pi Pico or Pico 2, and boards with an RP2040 or RP2350 that are wired like one.
  *
  * Their controllers (ST7789, ST7735S, GC9A01) take a bit at the rising edge of the clock, in SPI mode 0 as in mode 3.
- * In mode 3 the RP2040's SPI unit makes no pause after a word (hal/spi_clock.h), which is 9 % more frames/s.
+ * In mode 3 these chips' SPI unit makes no pause after a word (hal/spi_clock.h), which is 9 % more frames/s.
  */
 #ifndef FAMILIES_PICO_H
 #define FAMILIES_PICO_H
@@ -40,5 +40,40 @@
                 {HAL_BUTTON_RIGHT, BOARD_PIN_LOW(20)},                                                                 \
                 {HAL_BUTTON_SELECT, BOARD_PIN_LOW(3)}},                                                                \
     .button_count = 5
+
+/* A pack or panel with all that does not depend on the chip. */
+#define PICO_DISPLAY_PACK                                                                                              \
+    .pinout = "https://shop.pimoroni.com/products/pico-display-pack", .panel = &panel_st7789_135x240,                  \
+    .rotation = PANEL_R90, /* 70h by pimoroni-pico's st7789.cpp at ROTATE_0; bit 10h is the refresh order */           \
+        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_PIMORONI, .band_height = 16, .band_buffers = 6
+
+/* 2.0 and 2.8 differ in size only. */
+#define PICO_DISPLAY_PACK_2(page)                                                                                      \
+    .pinout = "https://shop.pimoroni.com/products/" page, .panel = &panel_st7789_240x320,                              \
+    .rotation = PANEL_R90, /* as PICO_DISPLAY_PACK */                                                                  \
+        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_PIMORONI, .band_height = 16, .band_buffers = 5
+
+#define PICO_WAVESHARE_1IN3                                                                                            \
+    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-1.3", .panel = &panel_st7789_240x240,                           \
+    .rotation = PANEL_R90, /* 70h by Waveshare's LCD_1in3.c, HORIZONTAL; bit 10h is the refresh order */               \
+        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK, .band_height = 16,    \
+    .band_buffers = 6
+
+#define PICO_WAVESHARE_0IN96                                                                                           \
+    .panel = &panel_st7735s_80x160, .rotation = PANEL_R270, /* A8h by Waveshare's Pico-LCD-0.96.py */                  \
+        .format = PANEL_RGB565, .spi_hz = 10000000, .band_height = 16, .band_buffers = 5
+
+/* It has no buttons. */
+#define PICO_WAVESHARE_1IN28                                                                                           \
+    .panel = &panel_gc9a01_240x240,                                                                                    \
+    .rotation = PANEL_R0, /* 08h after B6h 20h (columns reversed) by Waveshare's LCD_1in28.c */                        \
+        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_WAVESHARE(25), .band_height = 16, .band_buffers = 6
+
+#define PICO_LCD_0IN96                                                                                                 \
+    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-0.96", PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK,             \
+    PICO_WAVESHARE_0IN96
+
+#define PICO_RAM  .ram_bytes = 118 * 1024
+#define PICO2_RAM .ram_bytes = 160 * 1024
 
 #endif
