@@ -41,39 +41,38 @@
                 {HAL_BUTTON_SELECT, BOARD_PIN_LOW(3)}},                                                                \
     .button_count = 5
 
-/* A pack or panel with all that does not depend on the chip. */
+/*
+ * A pack or a panel with all that does not depend on the chip. The rotation bytes are the makers'; their bit 10h is the
+ * refresh order.
+ */
+
+/* 70h by pimoroni-pico's st7789.cpp at ROTATE_0. */
 #define PICO_DISPLAY_PACK                                                                                              \
     .pinout = "https://shop.pimoroni.com/products/pico-display-pack", .panel = &panel_st7789_135x240,                  \
-    .rotation = PANEL_R90, /* 70h by pimoroni-pico's st7789.cpp at ROTATE_0; bit 10h is the refresh order */           \
-        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_PIMORONI, .band_height = 16, .band_buffers = 6
+    .rotation = PANEL_R90, .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 6, PICO_PIMORONI
 
-/* 2.0 and 2.8 differ in size only. */
+/* 2.0 and 2.8, whose glass alone differs in size. */
 #define PICO_DISPLAY_PACK_2(page)                                                                                      \
-    .pinout = "https://shop.pimoroni.com/products/" page, .panel = &panel_st7789_240x320,                              \
-    .rotation = PANEL_R90, /* as PICO_DISPLAY_PACK */                                                                  \
-        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_PIMORONI, .band_height = 16, .band_buffers = 5
+    .pinout = "https://shop.pimoroni.com/products/" page, .panel = &panel_st7789_240x320, .rotation = PANEL_R90,       \
+    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 5, PICO_PIMORONI
 
+/* 70h by Waveshare's LCD_1in3.c, HORIZONTAL. */
 #define PICO_WAVESHARE_1IN3                                                                                            \
-    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-1.3", .panel = &panel_st7789_240x240,                           \
-    .rotation = PANEL_R90, /* 70h by Waveshare's LCD_1in3.c, HORIZONTAL; bit 10h is the refresh order */               \
-        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK, .band_height = 16,    \
-    .band_buffers = 6
+    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-1.3", .panel = &panel_st7789_240x240, .rotation = PANEL_R90,    \
+    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 6, PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK
+
+/* A8h by Waveshare's Pico-LCD-0.96.py. */
+#define PICO_GLASS_0IN96                                                                                               \
+    .panel = &panel_st7735s_80x160, .rotation = PANEL_R270, .format = PANEL_RGB565, .spi_hz = 10000000,                \
+    .band_buffers = 5
 
 #define PICO_WAVESHARE_0IN96                                                                                           \
-    .panel = &panel_st7735s_80x160, .rotation = PANEL_R270, /* A8h by Waveshare's Pico-LCD-0.96.py */                  \
-        .format = PANEL_RGB565, .spi_hz = 10000000, .band_height = 16, .band_buffers = 5
+    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-0.96", PICO_GLASS_0IN96, PICO_WAVESHARE(13),                    \
+    PICO_WAVESHARE_JOYSTICK
 
-/* It has no buttons. */
-#define PICO_WAVESHARE_1IN28                                                                                           \
-    .panel = &panel_gc9a01_240x240,                                                                                    \
-    .rotation = PANEL_R0, /* 08h after B6h 20h (columns reversed) by Waveshare's LCD_1in28.c */                        \
-        .format = PANEL_RGB565, .spi_hz = 62500000, PICO_WAVESHARE(25), .band_height = 16, .band_buffers = 6
-
-#define PICO_LCD_0IN96                                                                                                 \
-    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-0.96", PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK,             \
-    PICO_WAVESHARE_0IN96
-
-#define PICO_RAM  .ram_bytes = 118 * 1024
-#define PICO2_RAM .ram_bytes = 160 * 1024
+/* 08h after B6h 20h (columns reversed) by Waveshare's LCD_1in28.c. No buttons. */
+#define PICO_WAVESHARE_1IN28(page)                                                                                     \
+    .pinout = page, .panel = &panel_gc9a01_240x240, .rotation = PANEL_R0, .format = PANEL_RGB565, .spi_hz = 62500000,  \
+    .band_buffers = 6, PICO_WAVESHARE(25)
 
 #endif

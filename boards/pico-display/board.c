@@ -4,5 +4,6 @@ const struct board board_pico_display = {
     .name = "pico-display",
     .title = "Raspberry Pi Pico with Pimoroni Pico Display Pack, 1.14\", 240x135",
     PICO_DISPLAY_PACK,
-    PICO_RAM,
+    .band_height = 16,
+    .ram_bytes = 118 * 1024,
 };
