@@ -38,7 +38,7 @@ struct core {
     uint32_t index;
     uint32_t r[16]; /* 13: stack pointer, 14: link register, 15: address of the instruction that runs */
     uint32_t next;  /* address of the next instruction */
-    bool n, z, c, v, q;
+    bool n, z, c, v, q, in_it;
     uint32_t ge, it;
     uint32_t primask, msplim, vtor, ipsr;
     uint64_t irq_enabled;

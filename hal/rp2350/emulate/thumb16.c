@@ -372,7 +372,7 @@ static void branch(struct core *core, uint32_t code)
 
 void thumb_run16(struct core *core, uint32_t code)
 {
-    const bool flags = core->it == 0;
+    const bool flags = !core->in_it;
     const uint32_t t = code >> 8 & 7, bytes = (code & 255) * 4;
     switch (code >> 12) {
     case 0:
