@@ -13,8 +13,13 @@ enum { HARD_FAULT = 3, SYSTICK = 15, IRQ_0 = 16, LOCKUP_AT = 0xeffffffe };
 
 void arm_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry)
 {
-    struct core fresh = {.chip = core->chip, .index = core->index, .time = core->chip->now, .idle = core->idle,
-                         .lowest = core->lowest, .started = true, .vtor = vectors};
+    struct core fresh = {.chip = core->chip,
+                         .index = core->index,
+                         .time = core->chip->now,
+                         .idle = core->idle,
+                         .lowest = core->lowest,
+                         .started = true,
+                         .vtor = vectors};
     fresh.r[13] = stack & ~3U;
     fresh.r[14] = UINT32_MAX;
     fresh.r[15] = fresh.next = entry & ~1U;
@@ -25,7 +30,8 @@ void arm_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t ent
 static uint32_t status(const struct core *core)
 {
     return (uint32_t)core->n << 31 | (uint32_t)core->z << 30 | (uint32_t)core->c << 29 | (uint32_t)core->v << 28 |
-           (uint32_t)core->q << 27 | (core->it & 3) << 25 | 1 << 24 | core->ge << 16 | (core->it >> 2) << 10 | core->ipsr;
+           (uint32_t)core->q << 27 | (core->it & 3) << 25 | 1 << 24 | core->ge << 16 | (core->it >> 2) << 10 |
+           core->ipsr;
 }
 
 static void set_flags(struct core *core, uint32_t status)
@@ -42,8 +48,8 @@ static void set_flags(struct core *core, uint32_t status)
 static void enter(struct core *core, uint32_t exception, uint32_t return_to)
 {
     const uint32_t old = core->r[13], frame = (old - 32) & ~7U;
-    const uint32_t words[8] = {core->r[0], core->r[1], core->r[2], core->r[3], core->r[12], core->r[14], return_to,
-                               status(core) | (old & 4) << 7};
+    const uint32_t words[8] = {core->r[0],  core->r[1],  core->r[2], core->r[3],
+                               core->r[12], core->r[14], return_to,  status(core) | (old & 4) << 7};
     core->faulted = false;
     if (frame < core->msplim) {
         core->r[13] = core->msplim;
@@ -96,7 +102,8 @@ void arm_branch(struct core *core, uint32_t address)
         return;
     }
     if ((address & 1) == 0) {
-        chip_warn(core->chip, "core %u branches to %08x, which is no Thumb code, at %08x", core->index, address, core->r[15]);
+        chip_warn(core->chip, "core %u branches to %08x, which is no Thumb code, at %08x", core->index, address,
+                  core->r[15]);
     }
     core->next = address & ~1U;
     core->cycles += BRANCH_CYCLES;
@@ -202,7 +209,8 @@ uint32_t arm_private_read(struct core *core, uint32_t address)
     case 0x014:
         return core->systick.reload;
     case 0x018:
-        return core->systick.zero == NEVER ? 0 : (uint32_t)((core->systick.zero - core->chip->now) / core->chip->sys_cycle);
+        return core->systick.zero == NEVER ? 0
+                                           : (uint32_t)((core->systick.zero - core->chip->now) / core->chip->sys_cycle);
     case 0x100:
     case 0x104:
         return (uint32_t)(core->irq_enabled >> (address & 4) * 8);

@@ -154,6 +154,7 @@ bool chip_go_on(struct chip *chip)
         if (event == NEVER) {
             chip_end(chip, "every core sleeps for ever");
         } else {
+            chip->resting += core == NULL && event > chip->now ? event - chip->now : 0;
             happen(chip, event);
         }
         return chip->ended == NULL;

@@ -92,12 +92,13 @@ struct chip {
     struct chip_hooks hooks;
     struct core core[CORES];
     uint32_t cores;
-    uint64_t now; /* of the core that runs, or of the event that happens */
-    uint64_t limit; /* the running core gives way then */
+    uint64_t now;     /* of the core that runs, or of the event that happens */
+    uint64_t limit;   /* the running core gives way then */
+    uint64_t resting; /* while all cores slept */
     const char *ended;
     uint32_t calls[CALLS_MOST], call_count;
-    bool free_wire;
-    uint64_t charge; /* how long a pin reads low after its pull-up is turned on */
+    bool free_wire, free_flash;
+    uint64_t charge;       /* how long a pin reads low after its pull-up is turned on */
     uint32_t seed, chance; /* delays; 0: none */
     uint32_t delay_left[CORES];
 
@@ -105,7 +106,7 @@ struct chip {
     uint8_t *flash;
     uint32_t flash_bytes;
 
-    uint32_t resets;                                  /* blocks in reset */
+    uint32_t resets; /* blocks in reset */
     uint32_t xosc_control, xosc_startup, ref_control, sys_control, sys_divider, peri_control, peri_divider;
     uint64_t xosc_stable;
     struct pll pll[2];

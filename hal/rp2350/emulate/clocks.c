@@ -11,8 +11,16 @@
 enum { PSM_ALL_BUT_OSCILLATORS = 0x1ffffff & ~(3 << 2), PSM_PROC1 = 1 << 24 };
 
 /* Block of 4 KB and offset in it. */
-enum { CLOCKS = 0x40010000, PSM = 0x40018000, RESETS = 0x40020000, XOSC = 0x40048000, PLL_SYS = 0x40050000,
-       PLL_USB = 0x40058000, WATCHDOG = 0x400d8000, TICKS = 0x40108000 };
+enum {
+    CLOCKS = 0x40010000,
+    PSM = 0x40018000,
+    RESETS = 0x40020000,
+    XOSC = 0x40048000,
+    PLL_SYS = 0x40050000,
+    PLL_USB = 0x40058000,
+    WATCHDOG = 0x400d8000,
+    TICKS = 0x40108000
+};
 
 static bool crystal_runs(const struct chip *chip)
 {
@@ -68,9 +76,11 @@ static void tick_update(struct chip *chip, uint32_t number)
     struct tick *tick = &chip->tick[number];
     tick->counted = ticks_now(chip, number);
     tick->from = chip->now;
-    tick->period = (tick->control & 1) != 0 && tick->cycles != 0 ? (uint64_t)(tick->cycles * 1e15 / chip->ref_hz + 0.5) : 0;
+    tick->period =
+        (tick->control & 1) != 0 && tick->cycles != 0 ? (uint64_t)(tick->cycles * 1e15 / chip->ref_hz + 0.5) : 0;
     if (tick->period != 0 && (tick->period < 990000000 || tick->period > 1010000000)) {
-        chip_warn(chip, "%s counts in steps of %.3f us", number == 0 ? "timer 0" : "the watchdog", (double)tick->period / 1e9);
+        chip_warn(chip, "%s counts in steps of %.3f us", number == 0 ? "timer 0" : "the watchdog",
+                  (double)tick->period / 1e9);
     }
 }
 
@@ -78,6 +88,7 @@ static void tick_update(struct chip *chip, uint32_t number)
 static void update(struct chip *chip)
 {
     const uint32_t source = chip->ref_control & 3;
+    const double ref = chip->ref_hz;
     chip->ref_hz = source == 2 && crystal_runs(chip) ? CRYSTAL_HZ : source == 0 ? RING_HZ : 0;
     const double sys = sys_source(chip) / (chip->sys_divider / 65536.0);
     if (sys <= 0 || chip->ref_hz <= 0) {
@@ -90,6 +101,9 @@ static void update(struct chip *chip)
     chip->sys_hz = sys;
     chip->sys_cycle = (uint64_t)(1e15 / sys + 0.5);
     chip->peri_hz = peri_source(chip) / (chip->peri_divider >> 16 & 3 ? chip->peri_divider >> 16 & 3 : 1);
+    for (uint32_t i = 0; i < 2 && ref != chip->ref_hz; i++) {
+        tick_update(chip, i);
+    }
     if (chip->peri_hz > SYS_LIMIT_HZ * 1.0001) {
         chip_warn(chip, "clk_peri is %.1f MHz, over the chip's 150", chip->peri_hz / 1e6);
     }

@@ -100,7 +100,7 @@ static bool is_private(uint32_t address)
 static uint32_t io_read(struct core *core, uint32_t address, uint32_t bytes)
 {
     const uint32_t block = address & 0xffff8000;
-    core->chip->now = core->time + core->cycles * core->chip->sys_cycle;
+    core->chip->now = core->time;
     if (!usable(core, block, address, bytes, "reads")) {
         return 0;
     }
@@ -118,7 +118,7 @@ static void io_write(struct core *core, uint32_t address, uint32_t value, uint32
 {
     struct chip *chip = core->chip;
     const uint32_t block = address & 0xffff8000, offset = address & 0xfff;
-    chip->now = core->time + core->cycles * chip->sys_cycle;
+    chip->now = core->time;
     if (!usable(core, block, address, bytes, "writes")) {
         return;
     }
@@ -128,7 +128,11 @@ static void io_write(struct core *core, uint32_t address, uint32_t value, uint32
         sio_write(core, address & 0x7fff, value);
     } else {
         const uint32_t how = address >> 12 & 3, old = how == 0 ? 0 : block_read(chip, block, offset);
-        block_write(chip, block, offset, how == 0 ? value : how == 1 ? old ^ value : how == 2 ? old | value : old & ~value);
+        block_write(chip, block, offset,
+                    how == 0   ? value
+                    : how == 1 ? old ^ value
+                    : how == 2 ? old | value
+                               : old & ~value);
     }
 }
 
@@ -149,7 +153,8 @@ uint32_t memory_read(struct core *core, uint32_t address, uint32_t bytes)
     if (is_io(address)) {
         return io_read(core, address, bytes);
     }
-    chip_warn(core->chip, "core %u reads %u bytes at %08x, where nothing is, at %08x", core->index, bytes, address, core->r[15]);
+    chip_warn(core->chip, "core %u reads %u bytes at %08x, where nothing is, at %08x", core->index, bytes, address,
+              core->r[15]);
     return 0;
 }
 
@@ -163,7 +168,8 @@ void memory_write(struct core *core, uint32_t address, uint32_t value, uint32_t 
     } else if (is_io(address)) {
         io_write(core, address, value, bytes);
     } else {
-        chip_warn(core->chip, "core %u writes %u bytes at %08x, where no RAM is, at %08x", core->index, bytes, address, core->r[15]);
+        chip_warn(core->chip, "core %u writes %u bytes at %08x, where no RAM is, at %08x", core->index, bytes, address,
+                  core->r[15]);
     }
 }
 

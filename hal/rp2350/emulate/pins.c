@@ -3,7 +3,7 @@
 
 enum { FUNCTION_UART = 2, FUNCTION_SIO = 5, FUNCTION_NONE = 31 };
 enum { PAD_PULL_UP = 8, PAD_INPUT = 64, PAD_OFF = 128, PAD_ISOLATED = 256, PAD_AFTER_RESET = 0x116 };
-#define PADS 0x40038000
+#define PADS    0x40038000
 #define BYTE_FS (10 * 1000000000000000ULL / 115200)
 
 void pins_reset(struct chip *chip)
@@ -41,7 +41,8 @@ void pins_set_out(struct chip *chip, uint32_t out, uint32_t enable)
 {
     const uint32_t changed = (out ^ chip->out) & enable;
     for (uint32_t i = 0; i < PINS; i++) {
-        if ((changed >> i & 1) != 0 && (chip->io_control[i] & 31) == FUNCTION_SIO && (chip->pad[i] & PAD_ISOLATED) != 0) {
+        if ((changed >> i & 1) != 0 && (chip->io_control[i] & 31) == FUNCTION_SIO &&
+            (chip->pad[i] & PAD_ISOLATED) != 0) {
             chip_warn(chip, "pin %u is driven, but its pad is isolated", i);
         }
     }
@@ -75,7 +76,8 @@ uint32_t pins_in(struct chip *chip)
 bool pins_carry(const struct chip *chip, uint32_t function, uint32_t mask, uint32_t equals)
 {
     for (uint32_t i = 0; i < PINS; i++) {
-        if ((i & mask) == equals && (chip->io_control[i] & 31) == function && (chip->pad[i] & (PAD_OFF | PAD_ISOLATED)) == 0) {
+        if ((i & mask) == equals && (chip->io_control[i] & 31) == function &&
+            (chip->pad[i] & (PAD_OFF | PAD_ISOLATED)) == 0) {
             return true;
         }
     }
@@ -128,7 +130,8 @@ uint32_t uart_read(struct chip *chip, uint32_t offset)
         return byte;
     }
     case UART_FR:
-        return (chip->uart_count == 0 ? 1 << 4 : 0) | (behind >= 32 * BYTE_FS ? 1 << 5 : 0) | (behind > 0 ? 1 << 3 : 1 << 7);
+        return (chip->uart_count == 0 ? 1 << 4 : 0) | (behind >= 32 * BYTE_FS ? 1 << 5 : 0) |
+               (behind > 0 ? 1 << 3 : 1 << 7);
     case UART_CR:
         return chip->uart_control;
     default:

@@ -1,4 +1,5 @@
-/* What the boot ROM does (5): it looks for the image definition, starts core 0 and later core 1, has a table of functions. */
+/* What the boot ROM does (5): it looks for the image definition, starts core 0 and later core 1, has a table of
+ * functions. */
 #include "chip.h"
 
 #include <string.h>
@@ -43,7 +44,8 @@ static const char *block_is_wrong(const uint8_t *block, uint32_t bytes)
         type = block[at] == ITEM_IMAGE_TYPE ? 0x10000 | word_at(block + at) >> 16 : type;
         at += 4 * words;
     }
-    if (at + 12 > bytes || chip_bits(word_at(block + at), 8, 16) != at / 4 - 1 || word_at(block + at + 8) != BLOCK_END) {
+    if (at + 12 > bytes || chip_bits(word_at(block + at), 8, 16) != at / 4 - 1 ||
+        word_at(block + at + 8) != BLOCK_END) {
         return "the image definition has no proper end";
     }
     if (word_at(block + at + 4) != 0) {

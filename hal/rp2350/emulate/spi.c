@@ -20,7 +20,8 @@ static void start_word(struct chip *chip, uint32_t unit)
         spi->count = 0;
         return;
     }
-    if (!pins_carry(chip, FUNCTION_SPI, 11, unit << 3 | PIN_CLOCK) || !pins_carry(chip, FUNCTION_SPI, 11, unit << 3 | PIN_SEND)) {
+    if (!pins_carry(chip, FUNCTION_SPI, 11, unit << 3 | PIN_CLOCK) ||
+        !pins_carry(chip, FUNCTION_SPI, 11, unit << 3 | PIN_SEND)) {
         chip_warn(chip, "SPI%u sends, but no pin carries its clock or its data", unit);
     }
     spi->hz = chip->peri_hz / (prescaler * (1.0 + (spi->cr0 >> 8 & 255)));

@@ -102,7 +102,8 @@ bool thumb_shifted(struct core *core, uint32_t first, uint32_t second)
     const uint32_t by = (second >> 12 & 7) << 2 | (second >> 6 & 3), how = second >> 4 & 3, m = core->r[second & 15];
     if ((first >> 5 & 15) == 6) { /* PKHBT, PKHTB */
         const uint32_t n = core->r[first & 15], asr = (uint32_t)((int32_t)m >> (by == 0 ? 31 : by));
-        core->r[second >> 8 & 15] = how == 2 ? (n & 0xffff0000) | (asr & 0xffff) : (n & 0xffff) | (m << by & 0xffff0000);
+        core->r[second >> 8 & 15] =
+            how == 2 ? (n & 0xffff0000) | (asr & 0xffff) : (n & 0xffff) | (m << by & 0xffff0000);
         return (first & 16) == 0 && (how & 1) == 0;
     }
     bool carry = core->c;
@@ -276,8 +277,8 @@ bool thumb_registers(struct core *core, uint32_t first, uint32_t second)
     }
     if ((first & 0x80) == 0 && (second & 0xf0) == 0) { /* shifts */
         bool carry = core->c;
-        const uint32_t result = thumb_shift(core->r[first & 15], (enum thumb_shift)(first >> 5 & 3),
-                                            core->r[second & 15] & 255, &carry);
+        const uint32_t result =
+            thumb_shift(core->r[first & 15], (enum thumb_shift)(first >> 5 & 3), core->r[second & 15] & 255, &carry);
         if (first & 16) {
             thumb_nz(core, result);
             core->c = carry;

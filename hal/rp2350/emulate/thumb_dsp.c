@@ -28,7 +28,8 @@ static uint32_t absolute_differences(uint32_t n, uint32_t m)
 static uint32_t upper_half(const struct core *core, int64_t product, uint32_t a, bool subtracts, bool rounds)
 {
     const uint64_t sum = a == 15 ? 0 : (uint64_t)core->r[a] << 32;
-    return (uint32_t)(((subtracts ? sum - (uint64_t)product : sum + (uint64_t)product) + (rounds ? 1U << 31 : 0)) >> 32);
+    return (uint32_t)(((subtracts ? sum - (uint64_t)product : sum + (uint64_t)product) + (rounds ? 1U << 31 : 0)) >>
+                      32);
 }
 
 bool thumb_multiply(struct core *core, uint32_t first, uint32_t second)
@@ -53,7 +54,8 @@ bool thumb_multiply(struct core *core, uint32_t first, uint32_t second)
         return true;
     case 2:
     case 4: {
-        const int64_t low = (int64_t)half(n, false) * half(swapped, false), high = (int64_t)half(n, true) * half(swapped, true);
+        const int64_t low = (int64_t)half(n, false) * half(swapped, false),
+                      high = (int64_t)half(n, true) * half(swapped, true);
         *d = accumulate(core, what == 2 ? low + high : low - high, a);
         return true;
     }
@@ -92,7 +94,8 @@ bool thumb_long(struct core *core, uint32_t first, uint32_t second)
     const uint64_t sum = (uint64_t)*high << 32 | *low;
     const uint64_t product_signed = (uint64_t)((int64_t)(int32_t)n * (int32_t)m), product = (uint64_t)n * m;
     const uint32_t swapped = sub & 1 ? m >> 16 | m << 16 : m;
-    const int64_t lows = (int64_t)half(n, false) * half(swapped, false), highs = (int64_t)half(n, true) * half(swapped, true);
+    const int64_t lows = (int64_t)half(n, false) * half(swapped, false),
+                  highs = (int64_t)half(n, true) * half(swapped, true);
     uint64_t result;
     if (what == 1 || what == 3) {
         divide(core, n, m, what == 1, high);
