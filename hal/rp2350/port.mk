@@ -2,7 +2,7 @@
 PORT_CPU = armv7m
 PORT_FLAGS = -mcpu=cortex-m33 -mthumb -mfloat-abi=soft
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
-           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c entry.S) hal/rp2350/vectors.S
+           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c entry.S) hal/rp2350/arm/vectors.S
 PORT_CORES = 1 2
 PORT_ISAS = arm
 PORT_INFO = hal/rp2040/binary_info.c
@@ -17,4 +17,4 @@ UF2_FAMILY = 0xe48bff59
 UF2_BASE = 0x10000000
 EMULATE = echo 'make emulate: there is no emulator of an RP2350 here' >&2; exit 2; :
 FLASH = firmware/tools/flash_with.sh 'hold BOOTSEL while the board is plugged in' picotool load -x '$(IMAGE).uf2'
-$(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2350
+$(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2350/$(ISA) -Ihal/rp2350
