@@ -2,7 +2,6 @@
 #include <cpu.h>
 #include "rp2040.h"
 
-#define TICK_US     100000 /* of each core */
 #define WATCHDOG_US 500000
 #define ARMED       0x50696e68 /* in SCRATCH0: a boot loader starts images by the watchdog, too */
 
@@ -28,7 +27,7 @@ void rp2040_tick(void)
 void rp2040_guard(uint32_t from, uint32_t bytes_log2)
 {
     guard_stack(from, bytes_log2);
-    cpu_tick_start(CLK_HZ / 1000000 * TICK_US);
+    cpu_tick_start(TICK_CYCLES);
 }
 
 void rp2040_watchdog_start(void)
