@@ -1,7 +1,7 @@
 # RP2350 with its Cortex-M33 or its Hazard3 cores: the sources of the RP2040, with other registers and memory, and what
 # differs by instruction set (ISA) in a folder. firmware/firmware.mk explains these variables.
 PORT_ISAS = arm riscv
-PORT_CPU = $(if $(filter riscv,$(ISA)),portable,armv7m)
+PORT_CPU = $(if $(filter riscv,$(ISA)),rv32,armv7m)
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
            $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c) \
            $(if $(filter riscv,$(ISA)),$(addprefix hal/rp2350/riscv/,entry.S trap.c) firmware/bare/memory.c,hal/rp2040/entry.S hal/rp2350/arm/vectors.S)
