@@ -117,6 +117,15 @@ check "light_of_another_entry_for_rv32_is_seen" change_is_seen rv32 span_gouraud
 check "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
 check "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
 check "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
+check "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'
+check "a_texture_that_is_not_clamped_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/bnez t4, clamped/bltz t4, inside/'
+check "a_bend_lost_for_rv32_is_seen" change_is_seen rv32 texture_small 's/slli s10, s10, 2/slli s10, s10, 1/'
+check "a_carry_lost_in_vertices_for_rv32_is_seen" change_is_seen rv32 vertices 's/andi \\to, \\to, 15/andi \\to, \\to, 1/'
+check "a_reciprocal_one_too_large_for_rv32_is_seen" change_is_seen rv32 vertices 's/bgez t2, 1f/j 1f/'
+check "half_the_light_for_rv32_is_seen" change_is_seen rv32 setup_small 's/addi a1, t6, -17/addi a1, t6, -16/'
+check "a_corner_of_another_octave_for_rv32_is_seen" change_is_seen rv32 setup_small 's/xori t3, t5, 31/xori t3, t5, 30/'
+check "a_triangle_on_edge_that_is_drawn_for_rv32_is_seen" change_is_seen rv32 cull 's/bltu s4, s5, found/bleu s4, s5, found/'
+check "a_clip_plane_forgotten_for_rv32_is_seen" change_is_seen rv32 cull 's/andi s0, s0, 0x3f/andi s0, s0, 0x1f/'
 check "a_pixel_too_few_for_rv32_is_seen" change_is_seen rv32 fill 's/addi a4, a3, -4/addi a4, a3, -6/'
 if [ "$(uname -m)" = x86_64 ]; then
     check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
