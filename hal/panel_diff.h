@@ -23,7 +23,7 @@
 #ifndef PANEL_DIFF_H
 #define PANEL_DIFF_H
 
-#include "panel_sender.h"
+#include "panel.h"
 
 /* State. Read-only for the caller: windows, bytes. */
 struct panel_diff {

@@ -22,7 +22,7 @@
 #ifndef PANEL_TILES_H
 #define PANEL_TILES_H
 
-#include "panel_sender.h"
+#include "panel.h"
 
 #define PANEL_TILE_PX 16
 

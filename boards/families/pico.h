@@ -1,8 +1,8 @@
 /*
- * pico: display packs on a Raspberry Pi Pico, and boards with an RP2040 that are wired like one.
+ * pico: display packs on a Raspberry Pi Pico or Pico 2, and boards with an RP2040 or RP2350 that are wired like one.
  *
  * Their controllers (ST7789, ST7735S, GC9A01) take a bit at the rising edge of the clock, in SPI mode 0 as in mode 3.
- * In mode 3 the RP2040's SPI unit makes no pause after a word (hal/spi_clock.h), which is 9 % more frames/s.
+ * In mode 3 these chips' SPI unit makes no pause after a word (hal/spi_clock.h), which is 9 % more frames/s.
  */
 #ifndef FAMILIES_PICO_H
 #define FAMILIES_PICO_H
@@ -40,5 +40,39 @@
                 {HAL_BUTTON_RIGHT, BOARD_PIN_LOW(20)},                                                                 \
                 {HAL_BUTTON_SELECT, BOARD_PIN_LOW(3)}},                                                                \
     .button_count = 5
+
+/*
+ * A pack or a panel with all that does not depend on the chip. The rotation bytes are the makers'; their bit 10h is the
+ * refresh order.
+ */
+
+/* 70h by pimoroni-pico's st7789.cpp at ROTATE_0. */
+#define PICO_DISPLAY_PACK                                                                                              \
+    .pinout = "https://shop.pimoroni.com/products/pico-display-pack", .panel = &panel_st7789_135x240,                  \
+    .rotation = PANEL_R90, .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 6, PICO_PIMORONI
+
+/* 2.0 and 2.8, whose glass alone differs in size. */
+#define PICO_DISPLAY_PACK_2(page)                                                                                      \
+    .pinout = "https://shop.pimoroni.com/products/" page, .panel = &panel_st7789_240x320, .rotation = PANEL_R90,       \
+    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 5, PICO_PIMORONI
+
+/* 70h by Waveshare's LCD_1in3.c, HORIZONTAL. */
+#define PICO_WAVESHARE_1IN3                                                                                            \
+    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-1.3", .panel = &panel_st7789_240x240, .rotation = PANEL_R90,    \
+    .format = PANEL_RGB565, .spi_hz = 62500000, .band_buffers = 6, PICO_WAVESHARE(13), PICO_WAVESHARE_JOYSTICK
+
+/* A8h by Waveshare's Pico-LCD-0.96.py. */
+#define PICO_GLASS_0IN96                                                                                               \
+    .panel = &panel_st7735s_80x160, .rotation = PANEL_R270, .format = PANEL_RGB565, .spi_hz = 10000000,                \
+    .band_buffers = 5
+
+#define PICO_WAVESHARE_0IN96                                                                                           \
+    .pinout = "https://www.waveshare.com/wiki/Pico-LCD-0.96", PICO_GLASS_0IN96, PICO_WAVESHARE(13),                    \
+    PICO_WAVESHARE_JOYSTICK
+
+/* 08h after B6h 20h (columns reversed) by Waveshare's LCD_1in28.c. No buttons. */
+#define PICO_WAVESHARE_1IN28(page)                                                                                     \
+    .pinout = page, .panel = &panel_gc9a01_240x240, .rotation = PANEL_R0, .format = PANEL_RGB565, .spi_hz = 62500000,  \
+    .band_buffers = 6, PICO_WAVESHARE(25)
 
 #endif

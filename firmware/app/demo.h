@@ -53,10 +53,11 @@ struct demo_level {
     uint16_t enough_px;                /* up to this smaller side of the picture it is taken though a finer one fits */
 };
 
-/* On a 32-bit target it does not compile if the size there is another. */
+/* On a 32-bit target it does not compile if the size there is another; x86 is none, and aligns 64-bit members less. */
 #define DEMO_ARENA(here, on_32)                                                                                        \
     .arena_bytes = (here),                                                                                             \
-    .arena_bytes_32 = (on_32) + 0 * (uint32_t)sizeof(char[sizeof(void *) > 4 || (here) == (on_32) ? 1 : -1])
+    .arena_bytes_32 = (on_32) + 0 * (uint32_t)sizeof(char[DEMO_ARENA_OTHER || (here) == (on_32) ? 1 : -1])
+#define DEMO_ARENA_OTHER (sizeof(void *) > 4 || _Alignof(uint64_t) < 8)
 
 struct demo {
     const char *name;

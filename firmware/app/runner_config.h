@@ -4,7 +4,7 @@
 
 #include "board.h"
 #include "demo.h"
-#include "panel_sender.h"
+#include "panel.h"
 
 struct runner_config {
     const struct board *board;

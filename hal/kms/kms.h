@@ -25,7 +25,7 @@
 #include "board.h"
 #include "kms_card.h"
 #include "kms_keys.h"
-#include "panel_sender.h"
+#include "panel.h"
 
 #define KMS_SIDE_MAX  1024 /* pixels of a picture */
 #define KMS_CLIPS_MAX 64

@@ -1,5 +1,5 @@
-/* See panel_sender.h: every frame whole. */
-#include "panel_sender.h"
+/* See panel.h: every frame whole. */
+#include "panel.h"
 
 static int sender_begin(void *context, struct panel_driver *d)
 {

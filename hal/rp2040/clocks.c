@@ -1,5 +1,5 @@
 /* See rp2040.h: clocks and resets. */
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 
 #define CRYSTAL_MHZ 12
@@ -21,19 +21,6 @@ static void start_crystal(void)
     }
 }
 
-/* Datasheet 2.18: 12 MHz x 125 = 1500 MHz, which two dividers make slower. */
-static void start_pll(void)
-{
-    unreset(RESET_PLL_SYS);
-    REG(PLL_SYS_CS) = 1; /* reference: the crystal / 1 */
-    REG(PLL_SYS_FBDIV_INT) = 125;
-    REG_CLEAR(PLL_SYS_PWR) = 1 << 5 | 1; /* VCO and PLL on */
-    while ((REG(PLL_SYS_CS) & 1U << 31) == 0) {
-    }
-    REG(PLL_SYS_PRIM) = PLL_SYS_POST_DIV;
-    REG_CLEAR(PLL_SYS_PWR) = 1 << 3; /* post dividers on */
-}
-
 /* clk_sys leaves the PLL while the PLL is set up: it may run already, when another image started this one. */
 void rp2040_clocks_init(void)
 {
@@ -44,8 +31,7 @@ void rp2040_clocks_init(void)
     REG(CLK_REF_CTRL) = 2; /* the crystal */
     while (REG(CLK_REF_SELECTED) != 1 << 2) {
     }
-    REG_SET(RESETS_RESET) = RESET_PLL_SYS;
-    start_pll();
+    start_pll(PLL_SYS_BASE, RESET_PLL_SYS, PLL_SYS_POST_DIV);
     REG(CLK_SYS_CTRL) = 0; /* the auxiliary source is the PLL */
     REG(CLK_SYS_CTRL) = 1; /* takes the auxiliary source */
     while (REG(CLK_SYS_SELECTED) != 1 << 1) {

@@ -1,11 +1,12 @@
 /*
  * See port.h: the second core takes a function and its argument from the FIFO between the cores, runs it and answers
- * with 0. While core 0 waits for that, core 1 can give it work in the same way. RP2040 datasheet 2.3.1.4 (FIFO), 2.8.2 (how core 1 is started), 2.13 (power-on state machine).
+ * with 0. While core 0 waits for that, core 1 can give it work in the same way. RP2040 datasheet 2.3.1.4 (FIFO), 2.8.2
+ * (how core 1 is started), 2.13 (power-on state machine).
  *
  * A core that waits on an empty FIFO sleeps; the core that pushes sends an event to wake it.
  */
 #include "port.h"
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 
 #define STACK_BYTES      5632 /* by the call graph (a scene), and the frame of a tick */

@@ -3,7 +3,7 @@
  * which takes 8 cycles; libgcc takes 50 to 140. Each core has a divider of its own, and no handler divides. The linker
  * takes these before libgcc's. Division by zero is as undefined as in C.
  */
-#include "registers.h"
+#include <registers.h>
 
 uint32_t __aeabi_uidiv(uint32_t dividend, uint32_t divisor);
 int32_t __aeabi_idiv(int32_t dividend, int32_t divisor);

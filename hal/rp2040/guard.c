@@ -1,5 +1,5 @@
 /* See rp2040.h: what happens when a stack runs over. RP2040 datasheet 4.7 (watchdog), 2.13 (what it resets). */
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 
 #define TICK_US     100000 /* of each core */

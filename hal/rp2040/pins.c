@@ -1,5 +1,5 @@
 /* See rp2040.h: pins of IO_BANK0. */
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 
 void rp2040_pin_write(uint32_t pin, bool level)

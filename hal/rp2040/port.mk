@@ -19,3 +19,4 @@ EMULATE = B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' 
 SPEED = B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
 FLASH = '$(B)/pinhole-flash' $(if $(filter %.phs,$(SCENE)),'$(SCENE)' --at-scene,'$(IMAGE).uf2') $(if $(SERIAL),--serial '$(SERIAL)')
 FLASH_NEEDS = $(B)/pinhole-flash
+$(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2040 # registers.h: the RP2350, which has these sources, too, has its own

@@ -1,7 +1,7 @@
 /* See rp2040.h and port.h: the operations of struct hal_ops, and the ROM's boot loader. */
 #include "rp2040.h"
 #include "port.h"
-#include "registers.h"
+#include <registers.h>
 
 #include <stddef.h>
 

@@ -11,7 +11,7 @@
  *
  * The handler's code and data lie in RAM, because flash may answer late.
  */
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 #include "spi_clock.h"
 

@@ -1,6 +1,6 @@
 /* The start of main(), faults and the end. The ROM comes here through boot2.S and entry.S. */
 #include "port.h"
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 
 #define BKPT_OPCODE      0xbeab /* of end_emulator */

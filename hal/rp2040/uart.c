@@ -1,6 +1,6 @@
 /* See port.h: the log on UART0, 115200 8N1, TX GP0, RX GP1. All boards leave these pins free. */
 #include "port.h"
-#include "registers.h"
+#include <registers.h>
 #include "rp2040.h"
 
 enum { UART_TX_PIN = 0, UART_RX_PIN = 1, FR_RXFE = 1 << 4, FR_TXFF = 1 << 5 };

@@ -186,12 +186,13 @@ size_adds_up() {
 # board.c's budget and what the port takes beside it, of the chip's RAM.
 at_most_60_percent() {
     local mk found=0
+    local -A database=()
     for mk in boards/*/board.mk; do
         local name=${mk#boards/} ram chip beside
         name=${name%/board.mk}
         ram=$(make -s B="$B" BOARD="$name" "$B/board-facts" && "$B/board-facts" ram_bytes) || return 1
-        make -np BOARD="$name" help 2>/dev/null >"$dir/database"
-        chip=$(sed -n 's/^CHIP_RAM_BYTES :*= *//p' "$dir/database") beside=$(sed -n 's/^PORT_RAM_BYTES :*= *//p' "$dir/database")
+        [ -n "${database[$(cat "$mk")]-}" ] || database[$(cat "$mk")]=$(make -np BOARD="$name" help 2>/dev/null | grep -E '^(CHIP|PORT)_RAM_BYTES :*=')
+        chip=$(sed -n 's/^CHIP_RAM_BYTES :*= *//p' <<<"${database[$(cat "$mk")]}") beside=$(sed -n 's/^PORT_RAM_BYTES :*= *//p' <<<"${database[$(cat "$mk")]}")
         found=$((found + 1))
         [ $((100 * (ram + ${beside:-0}))) -le $((60 * chip)) ] || { echo "$name: $ram and ${beside:-0} of $chip" && return 1; }
     done

@@ -22,6 +22,13 @@ static void kits_are_found_by_name(void **state)
                                         "waveshare-pico-lcd-1in3",
                                         "waveshare-pico-lcd-0in96",
                                         "waveshare-rp2040-lcd-1in28",
+                                        "pico2-display",
+                                        "pico2-display-2",
+                                        "pico2-display-2in8",
+                                        "waveshare-pico2-lcd-1in3",
+                                        "waveshare-pico2-lcd-0in96",
+                                        "waveshare-rp2350-lcd-1in28",
+                                        "waveshare-rp2350-lcd-0in96",
                                         "lm3s6965evb",
                                         "feather-stm32f405",
                                         "rpi-waveshare-1in3",
@@ -85,7 +92,10 @@ static void units_are_those_of_the_ports(void **state)
     static const struct {
         const char *text;
         enum board_spi_unit unit;
-    } ports[] = {{"pico.mk", BOARD_SPI_RP2040}, {"lm3s6965", BOARD_SPI_LM3S6965}, {"stm32f4", BOARD_SPI_STM32F4}};
+    } ports[] = {{"pico.mk", BOARD_SPI_RP2040},
+                 {"pico2.mk", BOARD_SPI_RP2040},
+                 {"lm3s6965", BOARD_SPI_LM3S6965},
+                 {"stm32f4", BOARD_SPI_STM32F4}};
     for (uint32_t i = 0; i < board_count; i++) {
         char path[80], text[512] = "";
         snprintf(path, sizeof path, "boards/%s/board.mk", board_list[i]->name);

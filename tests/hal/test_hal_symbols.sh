@@ -22,7 +22,7 @@ port() { # folder below hal
     local file wrong=0
     for file in "hal/$1"/*.[cS]; do
         case $file in */boot2_seal.c) continue ;; esac # runs on the machine that builds
-        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -O1 -ffreestanding -Ihal -c "$file" -o "$dir/object.o" || return 1
+        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -O1 -ffreestanding -Ihal "-Ihal/$1" -c "$file" -o "$dir/object.o" || return 1
         ! others "$1|port|__aeabi" "$dir/object.o" || wrong=1
     done
     return "$wrong"
@@ -35,7 +35,7 @@ prefix_is_missed() {
 
 check "a_symbol_without_a_prefix_is_seen" prefix_is_missed
 check "the_library_exports_only_names_with_its_prefixes" library
-for folder in cortexm lm3s6965 rp2040 stm32f4 template; do
+for folder in cortexm lm3s6965 rp2040 rp2350 stm32f4 template; do
     if command -v arm-none-eabi-gcc >/dev/null; then
         check "the_port_${folder}_exports_only_names_with_its_prefixes" port "$folder"
     else

@@ -32,6 +32,22 @@ void proof_clip_plane(void)
     CLAIM(n >= 0 && n <= PH_CLIP_MAX);
 }
 
+/* What clip_plane may do, as the proof above says. */
+int any_corners(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out, int plane)
+{
+    (void)lens, (void)in, (void)n, (void)plane;
+    struct ph_clip_vertex any;
+    out[PH_CLIP_MAX - 1] = any;
+    return i32_between(0, PH_CLIP_MAX);
+}
+
+/* What distance reads; it returns anything. */
+int64_t any_distance(const struct ph_lens *lens, const struct ph_clip_vertex *v, int plane)
+{
+    (void)plane;
+    return nondet_i64() + (lens->kind & 0) + (v->uv[1] & 0);
+}
+
 void proof_clip(void)
 {
     const struct ph_lens lens = any_lens();

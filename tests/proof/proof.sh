@@ -60,7 +60,7 @@ short | clip.distance            |                       |  1 | no overflow, bel
 long  | clip.between             |                       |  1 | no overflow
 long  | clip.crossing            |                       | 18 | no overflow, at most 15 halvings
 short | clip.clip_plane          | crossing,distance     | 10 | at most PH_CLIP_MAX corners
-short | clip.clip                | clip_plane            |  7 | no index outside
+short | clip.clip                | crossing,distance=any_distance,clip_plane=any_corners | 10 | no index outside
 short | frame.camera             | ph_depth_quotient,ph_depth_linear_of | 20 | no overflow, ranges of the lens
 short | transform.project        | ph_depth_quotient     |  1 | no overflow
 short | depth.quotient           |                       |  1 | no overflow, exponent -3 .. 31

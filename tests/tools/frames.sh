@@ -19,7 +19,7 @@ frames() {
             "$@" --demo "$demo" --size 320x240 --start 40 --depth $depth --crc | sed "s/^/$demo 320x240 $depth /" || return 1
         done
     done
-    "$@" --list | while read -r what board _; do
-        [ "$what" != board ] || "$@" --demo testcard --board "$board" --crc | sed "s/^/testcard $board auto /"
+    "$@" --list | while read -r what board _; do # boards with an RP2350 have panels of those with an RP2040
+        [[ $what != board || $board == *pico2-* || $board == *-rp2350-* ]] || "$@" --demo testcard --board "$board" --crc | sed "s/^/testcard $board auto /"
     done
 }

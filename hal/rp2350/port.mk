@@ -2,16 +2,16 @@
 PORT_CPU = armv7m
 PORT_FLAGS = -mcpu=cortex-m33 -mthumb -mfloat-abi=soft
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
-           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c entry.S rp2350/vectors.S)
+           $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c entry.S) hal/rp2350/vectors.S
 PORT_CORES = 1 2
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
-PORT_LD = hal/rp2040/rp2350/rp2350.ld
+PORT_LD = hal/rp2350/rp2350.ld
 PORT_STACK_BYTES = 6656
 PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)
-PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),262144,204800) # all code and constants; of core 1 the stack and its scene
+PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),215040,155648) # the code that runs from RAM, and what the RP2040 has here, too
 PORT_STACK_EXTRA = 32 # one interrupt puts 8 words on the stack; the handlers take none
 UF2_FAMILY = 0xe48bff59
 UF2_BASE = 0x10000000
 EMULATE = echo 'make emulate: there is no emulator of an RP2350 here' >&2; exit 2; :
 FLASH = firmware/tools/flash_with.sh 'hold BOOTSEL while the board is plugged in' picotool load -x '$(IMAGE).uf2'
-$(B)/hal/rp2040/%.o: override CPPFLAGS += -include hal/rp2040/rp2350/registers.h
+$(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2350
