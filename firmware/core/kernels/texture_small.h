@@ -31,8 +31,8 @@ struct ph_texel_run {
     uint32_t rows; /* until the lower edge takes the place of the left or of the right one; above 0 */
     uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
     uint32_t x;                                             /* column 0 in the picture, for the caller's use */
-    uint32_t light, light_dy, glight; /* of ph_texel_run_rows: 32nds in 2^-24, at column 0 */
-    uint32_t kind;                    /* ... how a row is drawn: PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH */
+    uint32_t light, light_dy, glight;                       /* of ph_texel_run_rows: 32nds in 2^-24, at column 0 */
+    uint32_t kind; /* ... how a row is drawn: PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH */
 };
 
 /* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
