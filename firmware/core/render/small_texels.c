@@ -4,6 +4,12 @@
 #include "texel_map.h"
 #include "texel_mix.h"
 
+/* Whether ph_texture_small can draw a small triangle. */
+static inline bool is_usual(const struct ph_triangle *t)
+{
+    return t->colour == 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
+}
+
 /* u or v of a small triangle, n rows below the row from which they count. */
 static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
                                   const struct ph_curve *curve, uint32_t n)
@@ -81,44 +87,10 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
 {
     const struct ph_texture texture = ph_texel_map(t->material->texture, t->colour >> 8);
     begin_run(&s->run, t, y, stride_bytes, &texture);
-    s->usual = ph_texels_are_usual(t);
+    s->usual = is_usual(t);
     if (!s->usual) {
         begin_unusual(s, t, y, &texture);
     }
-}
-
-uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
-{
-    const struct ph_small_triangle *const s = &t->small;
-    const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
-    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
-    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
-    struct ph_texel_run r;
-    begin_run(&r, t, y, 2 * (uint32_t)band->width, t->material->texture);
-    r.left_dx = s->left_dx;
-    r.right_dx = s->right_dx;
-    r.left = s->left - (x << 16) + above * r.left_dx;
-    r.right = s->right - (x << 16) + above * r.right_dx;
-    r.lower_is_right = s->lower_is_right;
-    r.lower_x = (uint32_t)s->lower.x - (x << 16);
-    r.lower_dx = (uint32_t)s->lower.dx;
-    r.lower_rows = s->lower_rows;
-    r.rows = s->upper_rows - above;
-    if ((int32_t)r.rows <= 0) { /* it begins below the upper rows */
-        r.lower_x -= r.rows * r.lower_dx;
-        r.lower_rows += r.rows;
-        ph_texel_run_lower(&r);
-    }
-    if (r.rows + r.lower_rows > rows) {
-        r.rows = r.rows < rows ? r.rows : rows;
-        r.lower_rows = rows - r.rows;
-    }
-    r.gd = s->gd;
-    r.d_dy = s->d_dy;
-    r.d = s->d + x * r.gd + above * r.d_dy;
-    r.depth = (uint16_t *)band->depth + at;
-    r.pixels = band->pixels + at;
-    return ph_texture_small(&r);
 }
 
 /* Draws the rows of a run with light or a filter. */
@@ -181,6 +153,46 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 static uint32_t draw_run_of(struct ph_small_texels *s)
 {
     return s->usual ? ph_texture_small(&s->run) : s->kind.clamp ? draw_clamped(s) : draw_special(s);
+}
+
+uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const struct ph_small_triangle *const s = &t->small;
+    const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
+    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
+    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
+    struct ph_small_texels texels;
+    struct ph_texel_run *const r = &texels.run;
+    texels.usual = is_usual(t);
+    if (texels.usual) {
+        begin_run(r, t, y, 2 * (uint32_t)band->width, t->material->texture);
+    } else {
+        ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->width);
+    }
+    r->left_dx = s->left_dx;
+    r->right_dx = s->right_dx;
+    r->left = s->left - (x << 16) + above * r->left_dx;
+    r->right = s->right - (x << 16) + above * r->right_dx;
+    r->lower_is_right = s->lower_is_right;
+    r->lower_x = (uint32_t)s->lower.x - (x << 16);
+    r->lower_dx = (uint32_t)s->lower.dx;
+    r->lower_rows = s->lower_rows;
+    r->rows = s->upper_rows - above;
+    if ((int32_t)r->rows <= 0) { /* it begins below the upper rows */
+        r->lower_x -= r->rows * r->lower_dx;
+        r->lower_rows += r->rows;
+        ph_texel_run_lower(r);
+    }
+    if (r->rows + r->lower_rows > rows) {
+        r->rows = r->rows < rows ? r->rows : rows;
+        r->lower_rows = rows - r->rows;
+    }
+    r->gd = s->gd;
+    r->d_dy = s->d_dy;
+    r->d = s->d + x * r->gd + above * r->d_dy;
+    r->depth = (uint16_t *)band->depth + at;
+    r->pixels = band->pixels + at;
+    return draw_run_of(&texels);
 }
 
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
