@@ -39,10 +39,10 @@ struct ph_texel_run {
  * stand at the next row. */
 uint32_t ph_texture_small(struct ph_texel_run *r);
 
-/* Draws rows with light or a filter until the lower edge takes over or there are no more, or until one whose light is
- * not 0 .. 32 everywhere: that one is not drawn, row->level becomes UINT32_MAX, row->light its first light. Returns the
- * number of pixels, also of that row. Of `row` the members are set that are the same in all rows: gd, the masks, texels,
- * light_step, and both bends. */
+/* Draws rows with light or a filter until none are left above the lower edge, or none at all, or until one whose light
+ * is not 0 .. 32 everywhere: that one is not drawn, row->level becomes UINT32_MAX, row->light its first light. Returns
+ * the number of pixels, also of that row. Of `row` the members are set that are the same in all rows: gd, the masks,
+ * texels, light_step, and both bends. */
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row);
 
 /* The lower edge takes over; false if there are no lower rows. */

@@ -398,15 +398,18 @@ static uint32_t try_texel_run(uint32_t h)
     struct ph_texel_run r = texel_run();
     const int steep = (int)below(12);
     r.light = below(33 << 24);
-    r.light_dy = (below(1 << 22) - (1 << 21)) << 9 >> steep;
-    r.glight = (below(1 << 22) - (1 << 21)) << 9;
-    r.glight = (uint32_t)((int32_t)r.glight >> (steep + 3));
+    r.light_dy = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> steep);
+    r.glight = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> (steep + 3));
     r.kind = below(4);
     struct ph_texel_row row = {.gd = r.gd, .u_mask = 63, .v_mask = 63 * 64, .texels = texels};
     row.light_step = 4 * r.glight;
     row.u.bend = 4 * r.u.bend;
     row.v.bend = 4 * r.v.bend;
-    h = word(h, ph_texel_run_rows(&r, &row));
+    uint32_t count = 0;
+    do {
+        count += ph_texel_run_rows(&r, &row);
+    } while (row.level != UINT32_MAX && ph_texel_run_lower(&r));
+    h = word(h, count);
     h = hash(hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v), &r.left, 3 * sizeof r.left);
     h = word(word(word(h, r.light), (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels) + r.rows);
     if (row.level == UINT32_MAX) {

@@ -72,36 +72,39 @@ uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
         .texels = r->texels, .mask = (uint64_t)r->v_mask << 48 | r->u_mask << 22, .bend = 4 * b.bend};
     const uint32_t gd = r->gd, glight = r->glight, half = (uint32_t)((int32_t)glight >> 1), end = (uint32_t)33 << 24;
     uint16_t *depth = r->depth, *pixels = r->pixels;
-    uint32_t left = r->left, right = r->right, d = r->d, light = r->light, count = 0, rows = r->rows;
-    for (; rows > 0; rows--) {
-        const int32_t from = (int32_t)left >> 16, to = (int32_t)right >> 16, n = to - from;
-        if (n > 0) {
-            const uint32_t first = light + (uint32_t)from * glight, more = (uint32_t)(n - 1) & 3;
-            if (first >= end || first + (uint32_t)(n - 1) * glight >= end) {
-                break;
+    uint32_t d = r->d, light = r->light, count = 0, rows;
+    do {
+        uint32_t left = r->left, right = r->right;
+        for (rows = r->rows; rows > 0; rows--) {
+            const int32_t from = (int32_t)left >> 16, to = (int32_t)right >> 16, n = to - from;
+            if (n > 0) {
+                const uint32_t first = light + (uint32_t)from * glight, more = (uint32_t)(n - 1) & 3;
+                if (first >= end || first + (uint32_t)(n - 1) * glight >= end) {
+                    break;
+                }
+                line.w = texels2_walk(&b, from, (uint32_t)n);
+                line.w.d = d + (uint32_t)from * gd;
+                line.w.gd = gd;
+                draw_lit_row(&line, depth + to, pixels + to, (uint32_t)n, (first + more * half) >> 24,
+                             first + (more + 2) * glight + half, 4 * glight);
+                count += (uint32_t)n;
             }
-            line.w = texels2_walk(&b, from, (uint32_t)n);
-            line.w.d = d + (uint32_t)from * gd;
-            line.w.gd = gd;
-            draw_lit_row(&line, depth + to, pixels + to, (uint32_t)n, (first + more * half) >> 24,
-                         first + (more + 2) * glight + half, 4 * glight);
-            count += (uint32_t)n;
+            left += r->left_dx;
+            right += r->right_dx;
+            d += r->d_dy;
+            light += r->light_dy;
+            depth = ph_row_below(depth, r->stride_bytes);
+            pixels = ph_row_below(pixels, r->stride_bytes);
+            texels2_line_down(&b);
         }
-        left += r->left_dx;
-        right += r->right_dx;
-        d += r->d_dy;
-        light += r->light_dy;
-        depth = ph_row_below(depth, r->stride_bytes);
-        pixels = ph_row_below(pixels, r->stride_bytes);
-        texels2_line_down(&b);
-    }
-    r->left = left;
-    r->right = right;
+        r->left = left;
+        r->right = right;
+        r->rows = rows;
+    } while (rows == 0 && ph_texel_run_lower(r));
     r->d = d;
     r->light = light;
     r->depth = depth;
     r->pixels = pixels;
-    r->rows = rows;
     texels2_line_part(&b, r);
     return rows > 0 ? count + ph_texel_run_rows_plain(r, row) : count;
 }
