@@ -10,14 +10,15 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CORES=1|2                                     how many cores the image uses
-#   VERSION=1.0                                   what picotool info shows as its version (RP2040); Pinhole's by default
+#   ISA=arm|riscv                                 which cores of an RP2350 it is for
+#   VERSION=1.0                                   what picotool info shows as its version; Pinhole's by default
 #
 # A microcontroller board has, beside board.c (its data), a boards/NAME/board.mk with
 #   PORT              a folder of hal/
 #   CHIP_FLASH_BYTES  the board's flash
 #   CHIP_RAM_BYTES    the chip's RAM; an image may take board.c's ram_bytes of it, stack included
 # A port has, beside its C and assembler files, a hal/PORT/port.mk with
-#   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m
+#   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m, rv32
 #   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
 #   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/cortexm
 #   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/cortexm
@@ -26,10 +27,11 @@
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
+#   PORT_ISAS         optional: the values that ISA may have, the default first
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_SCENE        optional: offset in flash of a binary scene, behind every image; it may fill the rest of the flash
 #   PORT_INFO         optional: a .c file that tells about the image; it gets macros BOARD_... (firmware/tools/board_facts.c)
-#                     and IMAGE_NAME, IMAGE_VERSION, IMAGE_ATTRIBUTES
+#                     and IMAGE_NAME, IMAGE_VERSION, IMAGE_ATTRIBUTES, IMAGE_ISA
 #   PORT_FINISH       optional: a shell command between linking and objcopy, e.g. for a checksum; "$1" is the ELF file
 #   UF2_FAMILY        the number of the chip's family; empty: no UF2 file. UF2_BASE: the address of the BIN's first byte
 #   EMULATE           the command of `make emulate`; its arguments are the ELF, an empty folder for frames, and FRAMES
@@ -73,9 +75,11 @@ $(if $(call odd,$(APP)),$(error APP='$(APP)': $(NO_SUCH_NAME)))
 $(if $(call odd,$(SCENE)),$(error SCENE='$(SCENE)': $(NO_SUCH_NAME)))
 $(if $(call odd,$(VERSION)),$(error VERSION='$(VERSION)': a version has no spaces or other special characters))
 $(if $(wildcard $(APP_FILE)),,$(error APP=$(APP): there is no $(APP_FILE); take demos, depth or a file NAME.c))
+ISA ?= $(firstword $(PORT_ISAS))
+$(if $(filter $(or $(ISA),none),$(or $(PORT_ISAS),none)),,$(error ISA=$(ISA): $(BOARD) has $(or $(PORT_ISAS),no other ISA)))
 CHANGES ?= $(if $(PORT_TILES_BYTES),1,0)
 $(if $(filter $(CHANGES),$(if $(PORT_TILES_BYTES),0 1,0)),,$(error CHANGES=$(CHANGES): $(BOARD) has $(if $(PORT_TILES_BYTES),0 1,0)))
-IMAGE_CORES := $(if $(filter-out 1,$(CORES)),-cores$(CORES))$(if $(PORT_TILES_BYTES),$(if $(filter 0,$(CHANGES)),-whole))
+IMAGE_CORES := $(if $(filter-out $(firstword $(PORT_ISAS)),$(ISA)),-$(ISA))$(if $(filter-out 1,$(CORES)),-cores$(CORES))$(if $(PORT_TILES_BYTES),$(if $(filter 0,$(CHANGES)),-whole))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
 IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
@@ -91,7 +95,7 @@ $(B)/board-facts: INC = -Ihal -Iboards
 # A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
+             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' ISA='$(ISA)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
@@ -156,7 +160,7 @@ $(B)/board_here.flags: $(B)/board-facts
 # What a port may tell about an image (PORT_INFO).
 $(B)/image_info.h: $(B)/board-facts
 	@{ $< pins && echo '#define IMAGE_NAME "$(or $(SCENE_NAME),$(APP_NAME))"' && echo '#define IMAGE_VERSION "$(VERSION)"' && \
-	   echo '#define IMAGE_ATTRIBUTES "CORES=$(CORES) CHANGES=$(CHANGES)"'; } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	   echo '#define IMAGE_ATTRIBUTES "CORES=$(CORES) CHANGES=$(CHANGES)"' && echo '#define IMAGE_ISA "$(ISA)"'; } >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 $(PORT_INFO:%.c=$(B)/%.o): $(B)/image_info.h
 $(PORT_INFO:%.c=$(B)/%.o): override CPPFLAGS += -include $(B)/image_info.h
 

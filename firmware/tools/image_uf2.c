@@ -2,6 +2,11 @@
  * Usage: image-uf2 FAMILY ADDRESS IMAGE.bin IMAGE.uf2
  * Packs a flash image into UF2 blocks (https://github.com/microsoft/uf2). A block has 512 bytes, 256 of them payload,
  * and the chip's family number. This program runs on the computer that builds the image.
+ *
+ * A file for an RP2350 begins with one block more, as picotool writes it: the boot loader of revision A2 sets up the
+ * flash only when it writes a block of the family "absolute" (erratum RP2350-E10). Without that it refuses a file that
+ * is dropped on its drive if the flash has a partition table. Later revisions skip the block, because its extension tag
+ * says so.
  */
 #include <errno.h>
 #include <stdint.h>
@@ -11,6 +16,12 @@
 
 #define PAYLOAD 256
 #define BLOCK   512
+
+#define RP2350_ARM_S    0xE48BFF59U
+#define RP2350_RISCV    0xE48BFF5AU
+#define RP2350_ABSOLUTE 0xE48BFF57U
+#define FLASH_LAST_PAGE 0x10FFFF00U /* of the largest flash; a smaller one repeats in the address space */
+#define TAG_IGNORE      0x9957E304U /* extension: 4 bytes in all, type 9957E3h */
 
 static void put32(uint8_t *to, uint32_t value)
 {
@@ -32,6 +43,15 @@ static void fill(uint8_t block[BLOCK], uint32_t number, uint32_t count, uint32_t
     put32(block + BLOCK - 4, 0x0AB16F30);
 }
 
+/* The block against erratum E10. The boot loader takes it for the first of two, and so waits for the rest. */
+static void fill_first(uint8_t block[BLOCK])
+{
+    memset(block + 32, 0xEF, PAYLOAD);
+    fill(block, 0, 2, FLASH_LAST_PAGE, RP2350_ABSOLUTE);
+    put32(block + 8, 0x0000A000); /* a family number and extension tags are present */
+    put32(block + 32 + PAYLOAD, TAG_IGNORE);
+}
+
 static int pack(FILE *in, FILE *out, uint32_t family, uint32_t address)
 {
     if (fseek(in, 0, SEEK_END) != 0) {
@@ -40,6 +60,13 @@ static int pack(FILE *in, FILE *out, uint32_t family, uint32_t address)
     const long size = ftell(in);
     const uint32_t count = (uint32_t)((size + PAYLOAD - 1) / PAYLOAD);
     rewind(in);
+    if (family == RP2350_ARM_S || family == RP2350_RISCV) {
+        uint8_t block[BLOCK] = {0};
+        fill_first(block);
+        if (fwrite(block, BLOCK, 1, out) != 1) {
+            return -1;
+        }
+    }
     for (uint32_t i = 0; i < count; i++) {
         uint8_t block[BLOCK] = {0};
         if (fread(block + 32, 1, PAYLOAD, in) == 0) {

@@ -1,16 +1,17 @@
 /*
- * The binary information of an image: what `picotool info` shows of a file or of a chip. A header within 256 bytes
- * after boot2, in marks, names a table of pointers to entries. Format: pico-sdk, pico_binary_info/structure.h.
- * firmware.mk includes the macros IMAGE_... and BOARD_... before this file's first line.
+ * The binary information of an image: what `picotool info` shows of a file or of a chip. A header in marks, within 256
+ * bytes after boot2 or the first 1024 bytes of an RP2350's flash, names a table of pointers to entries. Format:
+ * pico-sdk, pico_binary_info/structure.h. firmware.mk includes the macros IMAGE_... and BOARD_... before this file's
+ * first line.
  */
-#include <stdint.h>
+#include <registers.h>
 
 #ifdef BOARD_PINS /* make lint reads this file without a board */
 
 #define RASPBERRY_PI ('R' | 'P' << 8) /* who defines the types and the numbers below */
 
 enum { ID_AND_INT = 5, ID_AND_STRING = 6, PINS_WITH_FUNCTION = 8, PINS_WITH_NAME = 9 };
-enum { SEVERAL_PINS = 2, SPI = 1, UART = 2 }; /* functions: as in registers.h */
+enum { SEVERAL_PINS = 2 };
 
 #define BINARY_END      0x68f465deU
 #define PROGRAM_NAME    0x02031c86U
@@ -25,7 +26,7 @@ struct entry {
     const void *value;
 };
 
-extern const uint32_t ld_flash_end[]; /* rp2040.ld */
+extern const uint32_t ld_flash_end[]; /* by the linker script */
 
 #define ENTRY(type, id, value)                                                                                         \
     &(const struct entry)                                                                                              \
@@ -41,11 +42,11 @@ static const struct entry *const table[] = {
     ENTRY(ID_AND_STRING, PROGRAM_NAME, "Pinhole " IMAGE_NAME),
     ENTRY(ID_AND_STRING, PROGRAM_VERSION, IMAGE_VERSION),
     ENTRY(ID_AND_STRING, BOARD, BOARD_NAME),
-    ENTRY(ID_AND_STRING, BOOT2_NAME, "boot2.S, command EBh or 03h"),
+    ENTRY(ID_AND_STRING, CHIP_INFO, CHIP_INFO_TEXT),
     ENTRY(ID_AND_STRING, BUILD_ATTRIBUTE, IMAGE_ATTRIBUTES),
     ENTRY(ID_AND_INT, BINARY_END, ld_flash_end),
-    TWO_PINS(UART, 0, 1),
-    TWO_PINS(SPI, BOARD_CLOCK_PIN, BOARD_DATA_PIN),
+    TWO_PINS(FUNCTION_UART, 0, 1),
+    TWO_PINS(FUNCTION_SPI, BOARD_CLOCK_PIN, BOARD_DATA_PIN),
     BOARD_PINS /* the port's log needs no names */
 };
 

@@ -67,6 +67,9 @@ enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 11 };
 #define PLL_SYS_POST_DIV  (6 << 16 | 2 << 12) /* 1500 MHz / 6 / 2 */
 #define WATCHDOG_TICKS_US 2                   /* the load counts down twice a microsecond (erratum RP2040-E1) */
 
+#define CHIP_INFO      BOOT2_NAME /* of binary_info.c */
+#define CHIP_INFO_TEXT "boot2.S, command EBh or 03h"
+
 /* clk_peri is on, from clk_sys. */
 static inline void start_clk_peri(void)
 {

@@ -4,7 +4,10 @@ PORT_FLAGS = -mcpu=cortex-m33 -mthumb -mfloat-abi=soft
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
            $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c entry.S) hal/rp2350/vectors.S
 PORT_CORES = 1 2
+PORT_ISAS = arm
+PORT_INFO = hal/rp2040/binary_info.c
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
+PORT_SCENE = 524288 # FLASH_SCENE of host-sim/flash/flash_scene.h
 PORT_LD = hal/rp2350/rp2350.ld
 PORT_STACK_BYTES = 6656
 PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)

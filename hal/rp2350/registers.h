@@ -60,6 +60,9 @@ enum { IRQ_TIMER_0 = 0, IRQ_DMA_0 = 10 };
 #define PLL_SYS_POST_DIV  (5 << 16 | 2 << 12) /* 1500 MHz / 5 / 2 */
 #define WATCHDOG_TICKS_US 1
 
+#define CHIP_INFO      BUILD_ATTRIBUTE /* of binary_info.c; picotool itself reads the image definition */
+#define CHIP_INFO_TEXT "ISA=" IMAGE_ISA
+
 /* clk_peri comes from the PLL that nobody needs for USB: 1500 MHz / 6 / 2. */
 static inline void start_clk_peri(void)
 {

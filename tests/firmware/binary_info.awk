@@ -1,9 +1,9 @@
-# Usage: od -An -v -tu1 -w16 IMAGE.bin | awk -f tests/firmware/binary_info.awk
-# Prints the binary information of an RP2040 image as `picotool info` finds it: the header is looked for in the 256 bytes
-# after boot2, and pointers are addresses in flash. A line an entry: `name Pinhole demos`, `pin 12 button up`.
+# Usage: od -An -v -tu1 -w16 IMAGE.bin | awk [-v rp2350=1] -f tests/firmware/binary_info.awk
+# Prints the binary information of an image as `picotool info` finds it: the header is looked for in the 256 bytes after
+# boot2, of an RP2350 in the first 1024 bytes, and pointers are addresses in flash. A line an entry: `name Pinhole demos`, `pin 12 button up`.
 { for (i = 1; i <= NF; i++) { byte[n++] = $i } }
 function word(at) { return byte[at] + 256 * (byte[at + 1] + 256 * (byte[at + 2] + 256 * byte[at + 3])) }
-function pointer(at,    to) { to = word(at) - 268435456; if (to < 512 || to >= n) { print "a pointer leaves the image"; exit }; return to }
+function pointer(at,    to) { to = word(at) - 268435456; if (to < (rp2350 ? 256 : 512) || to >= n) { print "a pointer leaves the image"; exit }; return to }
 function text(at,    s) { for (s = ""; byte[at] != 0; at++) { s = s sprintf("%c", byte[at]) } return s }
 function field(value, from, bits) { return int(value / 2 ^ from) % 2 ^ bits }
 function names(mask, label,    pin) { for (pin = 0; pin < 30; pin++) { if (field(mask, pin, 1)) { print "pin", pin, label } } }
@@ -27,7 +27,7 @@ function entry(at,    type, id, name) {
 END {
     known["33758342"] = "name"; known["296336442"] = "version"; known["1760847326"] = "end"; known["1115025619"] = "attribute"
     known["3057450939"] = "board"; known["2139652833"] = "boot2"
-    for (at = 256; at < 512; at += 4) {
+    for (at = rp2350 ? 0 : 256; at < (rp2350 ? 1024 - 16 : 512); at += 4) {
         if (word(at) == 1904798706 && word(at + 16) == 3877282704) {
             if (word(pointer(at + 12)) != 0) { print "copies" }
             for (i = pointer(at + 4); i < pointer(at + 8); i += 4) { entry(pointer(i)) }
