@@ -133,9 +133,18 @@ void flash_boot_end(struct flash_boot *boot)
 
 const char *flash_boot_refusal(const struct flash_boot *boot)
 {
-    static const char *const names[] = {"no reason given",          "unknown command", "wrong length of the command",
-                                        "wrong length of the data", "bad address",     "bad alignment",
-                                        "interleaved write",        "rebooting",       "unknown error"};
+    static const char *const names[] = {"no reason given",
+                                        "unknown command",
+                                        "wrong length of the command",
+                                        "wrong length of the data",
+                                        "bad address",
+                                        "bad alignment",
+                                        "interleaved write",
+                                        "rebooting",
+                                        "unknown error",
+                                        "invalid state",
+                                        "not permitted",
+                                        "unknown refusal"};
     const size_t count = sizeof names / sizeof names[0];
     return names[boot->refusal < count ? boot->refusal : count - 1];
 }

@@ -135,7 +135,7 @@ static int check_family(struct uf2 *uf2, const struct block *b, char *error)
         return flash_image_wrong(error, "block %u does not say for which chip it is; the board would ignore it",
                                  b->index);
     }
-    if (b->family != RP2040 && b->family != RP2350 && b->family != RISCV) {
+    if (b->family != RP2040 && b->family != RP2350 && b->family != RISCV && b->family != ABSOLUTE) {
         return flash_image_wrong(error, "for %s (family 0x%08x), not for an RP2040 or RP2350", family_name(b->family),
                                  b->family);
     }

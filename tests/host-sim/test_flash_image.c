@@ -247,6 +247,22 @@ static void an_rp2350_starts_what_has_a_definition(void **state)
     refuses(UF2_BLOCK, "truncated: block 0 says that there are 2 blocks, the file has 1");
 }
 
+static void an_rp2350_has_three_families(void **state)
+{
+    (void)state;
+    static const uint32_t families[] = {0xE48BFF59, 0xE48BFF5A, 0xE48BFF57};
+    uf2_for_rp2350(file, BLOCKS);
+    for (size_t k = 0; k < sizeof families / sizeof families[0]; k++) {
+        struct flash_image image;
+        for (uint32_t i = 0; i < BLOCKS; i++) {
+            uf2_put(block(i) + UF2_FAMILY, families[k]);
+        }
+        accepts(file, FILE_BYTES, &image);
+        assert_int_equal(image.chip, FLASH_RP2350);
+        flash_image_free(&image);
+    }
+}
+
 static const char no_boot2[] = "no image for an RP2040: its first 256 bytes (boot2) have a wrong checksum";
 
 static void an_image_without_boot2_would_not_start(void **state)
@@ -330,6 +346,7 @@ int main(void)
         cmocka_unit_test_setup(sizes_and_places, setup),
         cmocka_unit_test_setup(families, setup),
         cmocka_unit_test_setup(an_rp2350_starts_what_has_a_definition, setup),
+        cmocka_unit_test_setup(an_rp2350_has_three_families, setup),
         cmocka_unit_test_setup(an_image_without_boot2_would_not_start, setup),
         cmocka_unit_test_setup(files_of_other_kinds, setup),
         cmocka_unit_test_setup(a_bin_larger_than_the_address_space, setup),

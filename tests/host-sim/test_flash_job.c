@@ -15,7 +15,7 @@
 #include <string.h>
 
 enum { CHIP_BYTES = 2 << 20, IMAGE_BYTES = 3 * 4096 + 256, COMMANDS = 4096 };
-enum { EXCLUSIVE = 1, REBOOT = 2, ERASE = 3, WRITE = 5, EXIT_XIP = 6, READ = 0x84 };
+enum { EXCLUSIVE = 1, REBOOT = 2, ERASE = 3, WRITE = 5, EXIT_XIP = 6, REBOOT2 = 10, READ = 0x84 };
 
 /* ---- the board ---------------------------------------------------------------------------------- */
 
@@ -26,7 +26,7 @@ struct board {
     uint32_t token;
     uint8_t id, refusal; /* the last command's */
     uint32_t address, left;
-    bool exclusive, answered, rebooted;
+    bool exclusive, answered, rebooted, is_rp2350;
     struct {
         uint8_t id;
         uint32_t address;
@@ -67,7 +67,8 @@ static int refuse(struct board *b, uint8_t why)
 
 static int begin(struct board *b, const uint8_t *c)
 {
-    static const uint8_t argument_bytes[256] = {[EXCLUSIVE] = 1, [REBOOT] = 12, [ERASE] = 8, [WRITE] = 8, [READ] = 8};
+    static const uint8_t argument_bytes[256] = {
+        [EXCLUSIVE] = 1, [REBOOT] = 12, [REBOOT2] = 16, [ERASE] = 8, [WRITE] = 8, [READ] = 8};
     b->id = c[8];
     b->address = uf2_get(c + 16);
     const uint32_t n = uf2_get(c + 20);
@@ -92,7 +93,9 @@ static int begin(struct board *b, const uint8_t *c)
     assert_true(b->id != ERASE || (n == 4096 && b->address % 4096 == 0));
     assert_true(b->id != WRITE || (n % 256 == 0 && b->address % 256 == 0));
     b->exclusive = b->exclusive || (b->id == EXCLUSIVE && c[16] == 1);
-    b->rebooted = b->id == REBOOT && b->address == 0 && n == 0;
+    assert_int_not_equal(b->id, b->is_rp2350 ? REBOOT : REBOOT2);
+    b->rebooted = (b->id == REBOOT && b->address == 0 && n == 0) ||
+                  (b->id == REBOOT2 && b->address == 0 && n == 100 && uf2_get(c + 24) == 0 && uf2_get(c + 28) == 0);
     b->left = data ? n : 0;
     b->answered = false;
     if (b->id == ERASE) {
@@ -213,7 +216,7 @@ static void plug_in_again(void)
 
 static int run(bool verify, bool reboot, const volatile sig_atomic_t *stop)
 {
-    boot = (struct flash_boot){.ops = &ops, .context = &board};
+    boot = (struct flash_boot){.ops = &ops, .context = &board, .is_rp2350 = board.is_rp2350};
     job = (struct flash_job){.boot = &boot, .image = &image, .verify = verify, .reboot = reboot, .stop = stop};
     return flash_job_run(&job);
 }
@@ -248,6 +251,26 @@ static void the_flash_holds_the_image_and_the_rest_is_as_it_was(void **state)
     assert_int_equal(count(ERASE), 4);
     assert_int_equal(count(WRITE), 4);
     assert_int_equal(count(READ), 4);
+}
+
+/* ... with REBOOT2: kind 0, which is a normal boot, and milliseconds. */
+static void an_rp2350_is_written_likewise_and_rebooted(void **state)
+{
+    (void)state;
+    board.is_rp2350 = true;
+    assert_int_equal(run(true, true, NULL), 0);
+    assert_written(IMAGE_BYTES);
+    assert_true(board.rebooted);
+    assert_int_equal(count(REBOOT2), 1);
+}
+
+static void a_locked_rp2350_says_so(void **state)
+{
+    (void)state;
+    boot.refusal = 10;
+    assert_string_equal(flash_boot_refusal(&boot), "not permitted");
+    boot.refusal = 99;
+    assert_string_equal(flash_boot_refusal(&boot), "unknown refusal");
 }
 
 static void the_first_sector_is_erased_first_and_written_last(void **state)
@@ -554,6 +577,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(the_flash_holds_the_image_and_the_rest_is_as_it_was, setup),
+        cmocka_unit_test_setup(an_rp2350_is_written_likewise_and_rebooted, setup),
+        cmocka_unit_test_setup(a_locked_rp2350_says_so, setup),
         cmocka_unit_test_setup(the_first_sector_is_erased_first_and_written_last, setup),
         cmocka_unit_test_setup(sectors_that_the_image_leaves_out_stay, setup),
         cmocka_unit_test_setup(data_do_not_overwrite_the_program, setup),
