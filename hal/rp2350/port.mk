@@ -15,6 +15,8 @@ PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),215040,155648) # the code that runs 
 PORT_STACK_EXTRA = 32 # one interrupt puts 8 words on the stack; the handlers take none
 UF2_FAMILY = 0xe48bff59
 UF2_BASE = 0x10000000
-EMULATE = echo 'make emulate: there is no emulator of an RP2350 here' >&2; exit 2; :
+EMULATE = CHIP=rp2350 B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh
+EMULATE_NEEDS = $(B)/rp2350-emulate
+SPEED = CHIP=rp2350 B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
 FLASH = firmware/tools/flash_with.sh 'hold BOOTSEL while the board is plugged in' picotool load -x '$(IMAGE).uf2'
 $(B)/hal/rp2040/%.o: INC = -Ihal -Ihal/rp2350
