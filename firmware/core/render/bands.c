@@ -616,11 +616,13 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     }
     struct feed f;
     start(&f, r, band);
-    draw_triangles(&f, &rows);
-    if (r->after != NULL) {
-        r->after(r, &rows);
-    } else if (r->fog != NULL) {
-        r->fog(r, &rows);
+    if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) { /* else no sample is read */
+        draw_triangles(&f, &rows);
+        if (r->after != NULL) {
+            r->after(r, &rows);
+        } else if (r->fog != NULL) {
+            r->fog(r, &rows);
+        }
     }
     if (r->fine != 0) {
         give_means(&rows, &in, r->background, pixels);
