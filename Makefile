@@ -202,6 +202,10 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/tests/%.o $(B)/libtests.a $(LIBS)
 
 $(B)/tests/hal/test_hal: $(B)/hal/template/template.o # a port, so it is in no library
 
+$(B)/rp2350-emulate: $(call objects,$(wildcard hal/rp2350/emulate/*.c)) # for firmware/firmware.mk
+	$(SAY) LD $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ -o $@.part && mv $@.part $@
+
 core-objects: $(call objects,$(CORE))
 firmware-objects: core-objects $(call objects,$(APP_SRC) $(wildcard hal/panel/*.c))
 test-programs: $(TESTS) $(FUZZ)
@@ -250,4 +254,4 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
 	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
--include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d)
+-include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard hal/rp2350/emulate/*.c))

@@ -24,6 +24,8 @@ PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),215040,155648) # the code that runs 
 PORT_STACK_EXTRA = $(if $(filter riscv,$(ISA)),160,32) # an interrupt's registers, and its handler's on RISC-V
 UF2_FAMILY = $(if $(filter riscv,$(ISA)),0xe48bff5a,0xe48bff59)
 UF2_BASE = 0x10000000
-EMULATE = echo 'make emulate: there is no emulator of an RP2350 here' >&2; exit 2; :
+EMULATE = CHIP=rp2350 B='$(B)' CORES='$(CORES)' BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' hal/rp2040/emulate/emulate.sh
+EMULATE_NEEDS = $(B)/rp2350-emulate
+SPEED = CHIP=rp2350 B='$(B)' hal/rp2040/emulate/speed.sh '$(BOARD)'
 FLASH = firmware/tools/flash_with.sh 'hold BOOTSEL while the board is plugged in' picotool load -x '$(IMAGE).uf2'
 $(B)/hal/rp2040/%.o $(B)/hal/rp2350/%.o: INC = -Ihal -Ihal/rp2350/$(or $(ISA),arm) -Ihal/rp2350

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Usage: emulate.sh IMAGE.elf DIR FRAMES [option of emulate.mjs ...] | --install
-# Runs an image of an RP2040 board in rp2040js. pinhole-wire makes its frames, DIR/frame-NNNN.ppm, from the chip's wires.
+# Runs an image of an RP2040 board in rp2040js, or with CHIP=rp2350 of an RP2350 board in hal/rp2350/emulate. pinhole-wire
+# makes its frames, DIR/frame-NNNN.ppm, from the chip's wires.
 # Prints their checksums and how fast they came. DIR/events and DIR/report stay (see emulate.mjs).
-# Needs node and npm. npm gets rp2040js (package.json has the version) into the build directory; --install does only that.
+# An RP2040 needs node and npm. npm gets rp2040js (package.json has the version) into the build directory; --install does
+# only that.
 # Environment: B (build directory), BOARD, BOARD_HOME, CORES (of the chip; 2), EVENTS_ONLY=1 (no pictures), HOSTCC.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,7 +15,6 @@ stop() {
     echo "emulate: $1" >&2
     exit 1
 }
-command -v node >/dev/null || stop "no node here: apt-get install nodejs"
 
 node='' new='' unfinished=''
 leave() { # no node goes on, no half-written file stays
@@ -24,15 +25,25 @@ leave() { # no node goes on, no half-written file stays
 trap leave EXIT
 trap 'stop interrupted' INT TERM HUP
 
-modules=$B/rp2040js
-if ! cmp -s "$here/package.json" "$modules/package.json" || [ ! -e "$modules/node_modules/rp2040js/package.json" ]; then
-    command -v npm >/dev/null || stop "no npm here: apt-get install npm"
-    new=$(mktemp -d)
-    cp "$here/package.json" "$new/"
-    timeout 120 npm install --prefix "$new" --no-package-lock --ignore-scripts --no-audit --no-fund --fetch-retries=1 \
-        >"$new/log" 2>&1 || stop "npm did not get rp2040js: $(grep -m1 'npm.*ERR\|npm error' "$new/log")"
-    rm -rf "$modules" && mkdir -p "$modules"
-    mv "$new/node_modules" "$new/package.json" "$modules/"
+install_rp2040js() {
+    command -v node >/dev/null || stop "no node here: apt-get install nodejs"
+    modules=$B/rp2040js
+    if ! cmp -s "$here/package.json" "$modules/package.json" || [ ! -e "$modules/node_modules/rp2040js/package.json" ]; then
+        command -v npm >/dev/null || stop "no npm here: apt-get install npm"
+        new=$(mktemp -d)
+        cp "$here/package.json" "$new/"
+        timeout 120 npm install --prefix "$new" --no-package-lock --ignore-scripts --no-audit --no-fund --fetch-retries=1 \
+            >"$new/log" 2>&1 || stop "npm did not get rp2040js: $(grep -m1 'npm.*ERR\|npm error' "$new/log")"
+        rm -rf "$modules" && mkdir -p "$modules"
+        mv "$new/node_modules" "$new/package.json" "$modules/"
+    fi
+}
+if [ "${CHIP-}" = rp2350 ]; then
+    emulator=("$B/rp2350-emulate")
+    make -s B="$B" "${emulator[@]}" >&2
+else
+    install_rp2040js
+    emulator=(node "$here/emulate.mjs" --modules "$modules/node_modules")
 fi
 [ "$1" != --install ] || exit 0
 elf=$1 out=$2 frames=$3
@@ -48,7 +59,7 @@ pin() { sed -n "s/.*\.$1 = { *1, *[01], *(\([0-9]*\)).*/\1/p" <<<"$board"; } # {
 calls=$("${CROSS-arm-none-eabi-}nm" "$elf" 2>/dev/null | awk '{ at[$3] = $1 } END { if ("runner_send" in at) { print at["runner_send"] "," at["rp2040_bus_write"] "," at["rp2040_bus_write_rows"] "," at["runner_scene"] "," at["runner_ahead"] } }')
 mkdir -p "$out"
 unfinished=$out
-node "$here/emulate.mjs" --modules "$modules/node_modules" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
+"${emulator[@]}" --dc "$(pin dc)" --select "$(pin select)" --cores "${CORES:-2}" \
     --frames "$frames" --events "$out/events" --report "$out/report" ${calls:+--calls "$calls"} "$@" "${elf%.elf}.bin" &
 node=$!
 wait "$node" || { node='' && exit 1; }

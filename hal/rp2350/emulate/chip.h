@@ -1,0 +1,216 @@
+/*
+ * chip: an emulated RP2350 with two Cortex-M33 cores. What a sane image never does, the model complains about.
+ *
+ *   chip.c      time, the cores in turns, resets      memory.c    what lies where
+ *   arm.c       exceptions, interrupts, sleep         thumb16.c, thumb32.c, thumb_data.c   instructions
+ *   rom.c       what the boot ROM does                 clocks.c    oscillator, PLLs, resets, ticks, watchdog, timer
+ *   sio.c       FIFOs between the cores, spin locks   pins.c      pins and pads
+ *   spi.c       PL022, whose words take time          dma.c       channels
+ *   record.c    the events on the wires               rp2350_emulate.c   options, frames, report
+ *
+ * Section numbers in the sources are those of the RP2350 datasheet (Raspberry Pi Ltd). Time is in femtoseconds: a
+ * uint64_t holds five hours.
+ */
+#ifndef CHIP_H
+#define CHIP_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define ROM_BYTES   0x8000
+#define RAM_BASE    0x20000000
+#define RAM_BYTES   0x82000
+#define FLASH_BASE  0x10000000
+#define FLASH_BYTES 0x1000000
+#define NEVER       UINT64_MAX
+#define FS_PER_US   1000000000ULL
+#define CORES       2
+#define PINS        30
+#define CHANNELS    16
+#define FIFO_WORDS  4
+
+enum { IRQ_TIMER0_0 = 0, IRQ_DMA_0 = 10, IRQ_DMA_1 = 11 };
+
+struct chip;
+
+struct core {
+    struct chip *chip;
+    uint32_t index;
+    uint32_t r[16]; /* 13: stack pointer, 14: link register, 15: address of the instruction that runs */
+    uint32_t next;  /* address of the next instruction */
+    bool n, z, c, v, q, in_it;
+    uint32_t ge, it;
+    uint32_t primask, msplim, vtor, ipsr;
+    uint64_t irq_enabled;
+    bool event, asleep, sleeps_for_interrupt, started, locked, faulted;
+    struct {
+        uint32_t control, reload;
+        uint64_t zero; /* when it reaches 0 next; NEVER: off */
+        bool pending;
+    } systick;
+    uint32_t fifo[FIFO_WORDS], fifo_count; /* what this core reads */
+    uint64_t time, idle;                   /* of the next instruction; slept so far */
+    uint64_t cycles;
+    uint32_t lowest; /* stack pointer */
+};
+
+struct spi {
+    uint32_t cr0, cr1, cpsr, dmacr;
+    uint16_t fifo[8];
+    uint32_t first, count;
+    bool busy; /* a word is on its way */
+    uint32_t word;
+    uint64_t start, end;
+    double hz;
+};
+
+struct channel {
+    uint32_t read, write, count, reload, control;
+    bool busy;
+};
+
+struct pll {
+    uint32_t cs, power, feedback, post;
+    uint64_t locked_from;
+};
+
+/* What the user of the chip sets. */
+struct chip_hooks {
+    void *user;
+    void (*word)(void *user, const struct spi *spi, uint32_t bits);
+    void (*word_start)(void *user);
+    void (*levels)(void *user);
+    void (*uart)(void *user, uint8_t byte);
+    void (*trouble)(void *user, const char *text);
+    void (*warn)(void *user, const char *text);
+    void (*call)(void *user, struct core *core); /* core 0 comes to one of `calls` */
+};
+
+#define CALLS_MOST 8
+
+struct chip {
+    struct chip_hooks hooks;
+    struct core core[CORES];
+    uint32_t cores;
+    uint64_t now;     /* of the core that runs, or of the event that happens */
+    uint64_t limit;   /* the running core gives way then */
+    uint64_t resting; /* while all cores slept */
+    const char *ended;
+    uint32_t calls[CALLS_MOST], call_count;
+    bool free_wire, free_flash;
+    uint64_t charge;       /* how long a pin reads low after its pull-up is turned on */
+    uint32_t seed, chance; /* delays; 0: none */
+    uint32_t delay_left[CORES];
+
+    uint8_t rom[ROM_BYTES], ram[RAM_BYTES];
+    uint8_t *flash;
+    uint32_t flash_bytes;
+
+    uint32_t resets; /* blocks in reset */
+    uint32_t xosc_control, xosc_startup, ref_control, sys_control, sys_divider, peri_control, peri_divider;
+    uint64_t xosc_stable;
+    struct pll pll[2];
+    double ref_hz, sys_hz, peri_hz;
+    uint64_t sys_cycle; /* fs */
+    uint32_t psm_off, psm_watchdog;
+    struct tick {
+        uint32_t control, cycles;
+        uint64_t period, from; /* fs; when `counted` was right */
+        uint64_t counted;
+    } tick[2]; /* of timer 0, of the watchdog */
+    uint32_t alarm, timer_enabled, timer_interrupts;
+    uint64_t alarm_time;
+    uint32_t watchdog_control, watchdog_load, watchdog_reason, watchdog_scratch[8];
+    uint64_t watchdog_time; /* when it bites */
+
+    uint32_t out, out_enable, levels, low; /* low: pins that the user pulls low */
+    uint32_t io_control[PINS], pad[PINS];
+    uint64_t pulled_up[PINS];
+    uint32_t core1_words, core1_word[6]; /* of the handshake with the ROM */
+    uint32_t locks;
+
+    struct spi spi[2];
+    struct channel channel[CHANNELS];
+    uint32_t dma_interrupts, dma_enabled[2];
+
+    uint32_t uart_control, uart_line, uart_divisor, uart_fraction;
+    uint64_t uart_free;
+    uint8_t uart_in[256];
+    uint32_t uart_first, uart_count;
+};
+
+/* chip.c */
+void chip_init(struct chip *chip, uint32_t cores, const uint8_t *image, uint32_t bytes);
+void chip_reset(struct chip *chip);
+/* Goes on for at most so many events or turns; false: the image has ended. */
+bool chip_go_on(struct chip *chip);
+uint64_t chip_idle(const struct core *core);
+void chip_set_delays(struct chip *chip, uint32_t frame);
+void chip_event_at(struct chip *chip, uint64_t time);
+void chip_end(struct chip *chip, const char *why);
+void chip_warn(struct chip *chip, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* memory.c: bytes is 1, 2 or 4. */
+uint32_t memory_read(struct core *core, uint32_t address, uint32_t bytes);
+void memory_write(struct core *core, uint32_t address, uint32_t value, uint32_t bytes);
+uint32_t memory_fetch(struct core *core, uint32_t address);
+uint32_t memory_dma_read(struct chip *chip, uint32_t address, uint32_t bytes);
+
+/* arm.c */
+void arm_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry);
+void arm_run(struct core *core, uint64_t until);
+void arm_wake(struct core *core);
+void arm_fault(struct core *core);
+void arm_branch(struct core *core, uint32_t address);
+void arm_set_stack(struct core *core, uint32_t address);
+void arm_wait(struct core *core, bool for_interrupt);
+void arm_send_event(struct core *core);
+void arm_undefined(struct core *core, uint32_t code);
+uint32_t arm_special(const struct core *core, uint32_t number);
+void arm_set_special(struct core *core, uint32_t number, uint32_t value);
+uint32_t arm_private_read(struct core *core, uint32_t address);
+void arm_private_write(struct core *core, uint32_t address, uint32_t value);
+
+/* rom.c */
+const char *rom_refuses(const uint8_t *image, uint32_t bytes);
+void rom_start(struct chip *chip);
+bool rom_call(struct core *core);
+void rom_breakpoint(struct core *core, uint32_t number);
+void rom_core1_word(struct chip *chip, uint32_t word);
+
+/* Registers of the blocks: the offset is that within the block. */
+uint32_t clocks_read(struct chip *chip, uint32_t address);
+void clocks_write(struct chip *chip, uint32_t address, uint32_t value);
+void clocks_reset(struct chip *chip);
+uint32_t timer_read(struct chip *chip, uint32_t offset);
+void timer_write(struct chip *chip, uint32_t offset, uint32_t value);
+void timer_event(struct chip *chip);
+uint32_t sio_read(struct core *core, uint32_t offset);
+void sio_write(struct core *core, uint32_t offset, uint32_t value);
+uint32_t pins_read(struct chip *chip, uint32_t address);
+void pins_write(struct chip *chip, uint32_t address, uint32_t value);
+uint32_t pins_in(struct chip *chip);
+void pins_set_out(struct chip *chip, uint32_t out, uint32_t enable);
+bool pins_carry(const struct chip *chip, uint32_t function, uint32_t mask, uint32_t equals);
+void pins_reset(struct chip *chip);
+uint32_t spi_read(struct chip *chip, uint32_t unit, uint32_t offset);
+void spi_write(struct chip *chip, uint32_t unit, uint32_t offset, uint32_t value);
+void spi_event(struct chip *chip, uint32_t unit);
+void spi_push(struct chip *chip, uint32_t unit, uint32_t word);
+bool spi_wants(const struct chip *chip, uint32_t unit);
+uint32_t dma_read(struct chip *chip, uint32_t offset);
+void dma_write(struct chip *chip, uint32_t offset, uint32_t value);
+void dma_feed(struct chip *chip);
+uint32_t uart_read(struct chip *chip, uint32_t offset);
+void uart_write(struct chip *chip, uint32_t offset, uint32_t value);
+void uart_feed(struct chip *chip, uint8_t byte);
+
+/* Interrupts that ask now, as bits. */
+uint64_t chip_interrupts(const struct chip *chip);
+
+static inline uint32_t chip_bits(uint32_t value, uint32_t low, uint32_t count)
+{
+    return value >> low & ((1U << count) - 1);
+}
+
+#endif
