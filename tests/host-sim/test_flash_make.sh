@@ -51,8 +51,6 @@ an_image_is_made_first() {
 }
 
 check "an RP2040 gets its UF2 from pinhole-flash" calls "BOARD=pico-display" pinhole-flash "$dir/b/firmware/pico-display-demos.uf2"
-check "... and so does an RP2350" calls "BOARD=pico2-display" pinhole-flash "$dir/b/firmware/pico2-display-demos.uf2"
-check "... of RISC-V" calls "BOARD=pico2-display ISA=riscv" pinhole-flash "$dir/b/firmware/pico2-display-demos-riscv.uf2"
 check "... the one of several that SERIAL names" calls "BOARD=pico-display APP=depth SERIAL=1:7" \
     pinhole-flash "$dir/b/firmware/pico-display-depth.uf2" --serial 1:7
 check "an RP2350 gets its UF2 for the cores that ISA names" calls "BOARD=pico2-display ISA=riscv CORES=2 SERIAL=E6" \
