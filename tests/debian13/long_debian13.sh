@@ -67,6 +67,27 @@ picotool_shows_what_the_image_is() {
     done
 }
 
+# Every RP2350 board. The images are built outside: the compiler for RISC-V is a package of the tests there.
+picotool_knows_rp2350_images() { # ISA, suffix of the image, family, image type
+    local board line kind version
+    version=$(sed -n 's/^#define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)
+    for board in $(rp2350_boards); do
+        make -s -j"$(nproc)" B="$B" firmware BOARD="$board" ISA="$1" || return 1
+        for kind in uf2 elf bin; do
+            cp "$B/firmware/$board-demos$2.$kind" "$debian13_root/tmp/rp2350.$kind" &&
+                debian13 picotool info -a "/tmp/rp2350.$kind" | tr -s ' ' >"$debian13_root/tmp/info" || return 1
+            for line in 'name: Pinhole demos' "version: $version" "pico_board: $board" 'target chip: RP2350' "image type: $4" "build attributes: ISA=$1"; do
+                grep -qxF " $line" "$debian13_root/tmp/info" || { cat "$debian13_root/tmp/info" && echo "$board.$kind: no '$line'" && return 1; }
+            done
+            [ "$kind" != uf2 ] || grep -qF "family ID '$3'" "$debian13_root/tmp/info" || { echo "$board: not of $3" && return 1; }
+        done
+    done
+}
+
+rp2350_boards() {
+    grep -l 'hal/rp2350\|families/pico2' boards/*/board.mk | cut -d / -f 2
+}
+
 picotool_writes_the_same_uf2() {
     debian13 picotool uf2 convert "$image.bin" /tmp/other.uf2 --offset 0x10000000 --family rp2040 &&
         debian13 cmp "$image.uf2" /tmp/other.uf2
@@ -114,6 +135,8 @@ script "QEMU 10 runs an image" tests/firmware/test_firmware_lm3s.sh
 image=build/firmware/pico-display-demos
 timed "picotool reads our UF2, ELF and BIN" picotool_reads_images
 timed "picotool shows name, version, board and pins" picotool_shows_what_the_image_is
+timed "picotool agrees on the name, version, board and family of every RP2350 image for Arm" picotool_knows_rp2350_images arm '' rp2350-arm-s 'ARM Secure'
+timed "... and for RISC-V" picotool_knows_rp2350_images riscv -riscv rp2350-riscv RISC-V
 timed "picotool makes the same UF2 of our BIN" picotool_writes_the_same_uf2
 
 timed "make deb builds packages that lintian takes" debs_build
