@@ -173,6 +173,14 @@ void memory_write(struct core *core, uint32_t address, uint32_t value, uint32_t 
     }
 }
 
+void memory_check_aligned(struct core *core, uint32_t address)
+{
+    if (address & 3) {
+        chip_warn(core->chip, "core %u reads or writes words at %08x with an instruction that needs them aligned",
+                  core->index, address);
+    }
+}
+
 uint32_t memory_fetch(struct core *core, uint32_t address)
 {
     const uint8_t *from = readable(core->chip, address, 2);

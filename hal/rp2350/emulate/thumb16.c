@@ -341,6 +341,7 @@ static void multiple(struct core *core, uint32_t code)
     const uint32_t n = code >> 8 & 7;
     const bool loads = code >> 11 & 1;
     uint32_t at = core->r[n];
+    memory_check_aligned(core, at);
     for (uint32_t i = 0; i < 8; i++) {
         if ((code >> i & 1) == 0) {
             continue;
