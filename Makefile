@@ -60,10 +60,10 @@ TEST_LIBS := $(foreach l,cmocka mpfr gmp osmesa glu,$(if $(call have,$(l)),$(she
 
 CPU := $(CPU)
 
-# Assembly replaces C where the compiler makes Thumb code; a computer tries a microcontroller's C files without it.
+# Assembly replaces C where the compiler makes Thumb or RV32 code; a computer tries a microcontroller's C files without it.
 KERNELS := firmware/core/kernels
 CPU_S := $(wildcard $(KERNELS)/$(CPU)/*.S)
-CPU_S := $(if $(CPU_S),$(if $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null | grep __thumb__),$(CPU_S)))
+CPU_S := $(if $(CPU_S),$(if $(shell $(CC) $(CFLAGS) -dM -E -x c /dev/null 2>/dev/null | grep -E '__thumb__|__riscv_xlen 32'),$(CPU_S)))
 CPU_SRC := $(wildcard $(KERNELS)/$(CPU)/*.c) $(CPU_S)
 CORE := $(wildcard $(patsubst %,firmware/core/%/*.c,fx geom render effects)) $(CPU_SRC) \
         $(filter-out $(patsubst $(KERNELS)/$(CPU)/%,$(KERNELS)/portable/%.c,$(basename $(CPU_SRC))),$(wildcard $(KERNELS)/portable/*.c))
@@ -252,6 +252,6 @@ clean: ## removes build/
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(filter %Makefile %.mk,$(MAKEFILE_LIST)) | awk -F'\t' '{ printf "make %-16s %s\n", $$1, $$2 }'
-	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
+	@echo 'Variables: CC CFLAGS CPU=portable|x86_64|armv6m|armv7m|rv32 B=build V=1 PREFIX DESTDIR LIBDIR BOARD_DIR'
 
 -include $(patsubst %.o,%.d,$(OBJ) $(TEST_OBJ) $(B)/hal/template/template.o) $(TESTS:=.d) $(LONG:=.d) $(MAINS:%.c=$(B)/%.d) $(patsubst %.c,$(B)/%.d,$(wildcard hal/rp2350/emulate/*.c))

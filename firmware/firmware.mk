@@ -18,7 +18,7 @@
 #   CHIP_FLASH_BYTES  the board's flash
 #   CHIP_RAM_BYTES    the chip's RAM; an image may take board.c's ram_bytes of it, stack included
 # A port has, beside its C and assembler files, a hal/PORT/port.mk with
-#   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m
+#   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m, rv32
 #   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
 #   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/cortexm
 #   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/cortexm

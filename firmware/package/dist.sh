@@ -44,6 +44,7 @@ guard_of() { # folder of core/kernels
     case $1 in
     armv6m) echo 'defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__)' ;;
     armv7m) echo 'defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__) || defined(__ARM_ARCH_8M_MAIN__)' ;;
+    rv32) echo 'defined(__riscv_mul) && defined(__riscv_compressed) && __riscv_xlen == 32' ;;
     esac
 }
 
@@ -60,7 +61,7 @@ take() { # folder, name, folder that it goes to
 # but not beside the CPU's assembly.
 choose() { # name, folder that its texts go to
     local cpu word='#if'
-    for cpu in armv6m armv7m; do
+    for cpu in armv6m armv7m rv32; do
         echo "$word $(guard_of $cpu)"
         word='#elif'
         if [ -e "$core/kernels/$cpu/$1" ]; then
@@ -80,8 +81,8 @@ arduino() {
     mkdir -p "$src" "$to/examples/Hello"
     cp "$core"/{fx,geom,render,effects}/*.[ch] "$core"/*.h "$core"/kernels/*.inc "$src"
     for name in "$core"/kernels/*.h; do flat "$name" >"$src/${name##*/}"; done
-    for name in $(find "$core"/kernels/{portable,armv6m,armv7m} -type f -printf '%f\n' | sort -u); do
-        if [ "$(find "$core"/kernels/{portable,armv6m,armv7m} -name "$name" | wc -l)" = 1 ] && [[ $name == *.inc || $name == *_plain.h ]]; then
+    for name in $(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -type f -printf '%f\n' | sort -u); do
+        if [ "$(find "$core"/kernels/{portable,armv6m,armv7m,rv32} -name "$name" | wc -l)" = 1 ] && [[ $name == *.inc || $name == *_plain.h ]]; then
             cp "$core"/kernels/*/"$name" "$src" # what the texts of one folder share
         else
             choose "$name" "$src" >"$work/text" && mv "$work/text" "$src/$name"

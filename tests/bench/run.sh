@@ -15,8 +15,8 @@ m0plus) machine='arm -M mps2-an385' cpu=armv6m flags='-mcpu=cortex-m0plus -mthum
 m3) machine='arm -M mps2-an385' cpu=armv7m flags='-mcpu=cortex-m3 -mthumb' places=$mps2 ;;
 m4f) machine='arm -M mps2-an386' cpu=armv7m flags='-mcpu=cortex-m4 -mthumb -mfloat-abi=soft' places=$mps2 ;;
 m33) machine='arm -M mps2-an505' cpu=armv7m flags='-mcpu=cortex-m33 -mthumb -mfloat-abi=soft' places=$an505 ;;
-rv32) machine='riscv32 -M virt -cpu rv32,zba=true,zbb=true,zbkb=true' cpu=portable flags='-march=rv32imac_zicsr_zba_zbb_zbkb -mabi=ilp32' places=$virt ;;
-rv32plain) machine='riscv32 -M virt' cpu=portable flags='-march=rv32imac_zicsr -mabi=ilp32' places=$virt ;;
+rv32) machine='riscv32 -M virt -cpu rv32,zba=true,zbb=true,zbkb=true' cpu=rv32 flags='-march=rv32imac_zicsr_zba_zbb_zbkb -mabi=ilp32' places=$virt ;;
+rv32plain) machine='riscv32 -M virt' cpu=rv32 flags='-march=rv32imc_zicsr -mabi=ilp32' places=$virt ;;
 x86_64) machine='' cpu=x86_64 flags='' ;;
 *) sed -n '2,3s/^# //p' "$0" >&2 && exit 2 ;;
 esac

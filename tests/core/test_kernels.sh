@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The kernels of each CPU do what the portable ones do, bit for bit: on random input, and in every frame of
-# tests/tools/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions.
+# tests/tools/frames.sh. The assembly for ARMv6-M and ARMv7-M runs under qemu-arm, whose cores know all its instructions, that
+# for RV32 under qemu-riscv32, with and without the extensions that it uses where they are there.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -10,8 +11,8 @@ unset MAKEFLAGS
 B=${B:-build}/kernels
 cross=arm-linux-gnueabihf-gcc core=-mcpu=cortex-a15 # one that divides, as a Cortex-M3 does
 mkdir -p "$B"
-for tool in $cross qemu-arm; do
-    command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf qemu-user" && exit 77; }
+for tool in $cross qemu-arm riscv64-unknown-elf-gcc; do
+    command -v "$tool" >/dev/null || { echo "no $tool: apt-get install gcc-arm-linux-gnueabihf gcc-riscv64-unknown-elf qemu-user" && exit 77; }
 done
 
 kernels=firmware/core/kernels
@@ -24,14 +25,29 @@ c_loops() {
 }
 loops=("${loops[@]/#/$kernels/portable/}")
 
+thumb() { # CPU, files: compiles and runs them
+    [ ! -e "$kernels/$1/fx_clz.c" ] || set -- "$@" "$kernels/$1/fx_clz.c"
+    "$cross" "$core" -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-I$kernels/$1" "-I$kernels/portable" "${include[@]}" "${@:2}" -o "$B/$1" &&
+        qemu-arm "$B/$1"
+}
+
+riscv() { # architecture, -cpu of QEMU, files: compiles them without a C library and runs them
+    local compiler=(riscv64-unknown-elf-gcc "-march=$1" -mabi=ilp32)
+    "${compiler[@]}" -O2 -std=c11 -ffreestanding -fno-builtin -static -nostdlib -Wl,--no-warn-rwx-segments "-I$kernels/portable" "${include[@]}" \
+        -isystem firmware/bare/include -isystem tests/core/kernels/riscv "${@:3}" tests/core/kernels/riscv/start.c firmware/bare/memory.c \
+        "$("${compiler[@]}" -print-libgcc-file-name)" -o "$B/$1" && qemu-riscv32 -cpu "$2" "$B/$1"
+}
+
 assembled() { # CPU, folder with the .S, name: its lines in $B/NAME.lines
-    local files=(firmware/core/fx/fx_root.c) loop
+    local files=(tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c) loop
     for loop in "${loops[@]##*/}"; do
         if [ -e "$2/$loop.S" ]; then files+=("$2/$loop.S"); else files+=("$kernels/portable/$loop.c"); fi
     done
-    [ ! -e "$kernels/$1/fx_clz.c" ] || files+=("$kernels/$1/fx_clz.c")
-    "$cross" "$core" -O2 -std=c11 -mthumb -static -Wl,-z,noexecstack "-I$kernels/$1" "-I$kernels/portable" "${include[@]}" tests/core/kernels/kernel_loops.c "${files[@]}" -o "$B/$3" &&
-        qemu-arm "$B/$3" >"$B/$3.lines"
+    case $1 in
+    rv32) riscv rv32imc rv32 "${files[@]}" >"$B/$3.lines" &&
+        riscv rv32imac_zba_zbb_zbkb rv32,zba=true,zbb=true,zbkb=true "${files[@]}" >"$B/$3-zb.lines" && diff "$B/$3.lines" "$B/$3-zb.lines" ;;
+    *) thumb "$1" "${files[@]}" >"$B/$3.lines" ;;
+    esac
 }
 
 # The loops of this computer, which has a few of its own.
@@ -55,7 +71,7 @@ same_loops() { assembled "$1" "$kernels/$1" "$1" && diff "$B/c.lines" "$B/$1.lin
 
 # One change in the assembly of one loop is seen, and in no other loop than those that are made of it.
 change_is_seen() { # CPU, loop, sed command, loops that are made of it (this one by default)
-    rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r "$kernels/armv6m" "$kernels/armv7m" "$kernels"/*.inc "$B/changed/" || return 1
+    rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r "$kernels/armv6m" "$kernels/armv7m" "$kernels/rv32" "$kernels"/*.inc "$B/changed/" || return 1
     sed -i "$3" "$B/changed/$1/$2.S"
     ! cmp -s "$B/changed/$1/$2.S" "$kernels/$1/$2.S" || { echo "nothing changed" && return 1; }
     assembled "$1" "$B/changed/$1" changed-lines || return 1
@@ -95,6 +111,13 @@ check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vert
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
 check "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m cull 's/tst r6, #0x3f/tst r6, #0x1f/'
 check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #31/movs r2, #0/'
+check "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
+check "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bgeu t0, t1, 1f/bgtu t0, t1, 1f/'
+check "light_of_another_entry_for_rv32_is_seen" change_is_seen rv32 span_gouraud 's/srli t0, a5, 25/srli t0, a5, 26/'
+check "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
+check "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
+check "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
+check "a_pixel_too_few_for_rv32_is_seen" change_is_seen rv32 fill 's/addi a4, a3, -4/addi a4, a3, -6/'
 if [ "$(uname -m)" = x86_64 ]; then
     check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'

@@ -52,6 +52,7 @@ check "same_frames_with_gcc_O3" target gcc-O3 "" gcc -O3
 check "same_frames_with_the_portable_files" target portable "" gcc -O2 CPU=portable
 check "same_frames_with_the_files_for_armv6m" target armv6m "" gcc -O2 CPU=armv6m
 check "same_frames_with_the_files_for_armv7m" target armv7m "" gcc -O2 CPU=armv7m
+check "same_frames_with_the_files_for_rv32" target rv32-files "" gcc -O2 CPU=rv32
 if_there clang "no clang" "same_frames_with_clang_O0" target clang-O0 "" clang -O0
 if_there clang "no clang" "same_frames_with_clang_O2" target clang-O2 "" clang -O2
 if_there clang "no clang" "same_frames_with_clang_O3" target clang-O3 "" clang -O3
@@ -70,4 +71,5 @@ for cpu in aarch64-linux-gnu:aarch64 arm-linux-gnueabihf:arm s390x-linux-gnu:s39
 done
 if_there qemu-system-arm "no qemu-system-arm" "same_frames_on_Cortex-M33" bare m33
 if_there qemu-system-riscv32 "no qemu-system-misc" "same_frames_on_RV32IMAC_with_Zba_Zbb_Zbkb" bare rv32
+if_there qemu-system-riscv32 "no qemu-system-misc" "same_frames_on_RV32IMC" bare rv32plain
 tap_end

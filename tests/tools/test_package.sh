@@ -79,7 +79,8 @@ cmake_builds_for_riscv() { # no C library: what the core calls is here
         'void _start(void) { main(); }' >>"$dir/bare.c"
     cmake_project riscv ../bare.c && echo 'target_link_libraries(hello PRIVATE gcc)' >>CMakeLists.txt &&
         toolchain riscv64-unknown-elf-gcc '-march=rv32imac -mabi=ilp32 -ffreestanding -fno-builtin' -nostdlib &&
-        cmake_builds -DCMAKE_TOOLCHAIN_FILE="$PWD/toolchain.cmake" && riscv64-unknown-elf-nm b/hello | grep -q ' T ph_draw_band$'
+        cmake_builds -DCMAKE_TOOLCHAIN_FILE="$PWD/toolchain.cmake" && riscv64-unknown-elf-nm b/hello | grep -q ' T ph_draw_band$' &&
+        find b -name 'small_gouraud.S.*' | grep -q .
 }
 
 dist() { git rev-parse -q --verify HEAD >/dev/null && make -s dist B="$B/package"; }
@@ -123,13 +124,14 @@ int main() { return ph_rgb565(1, 2, 3) == 0; }' >"$dir/all.cpp"
 
 esp_idf_builds() { # what ESP-IDF's function does with the component, for RISC-V
     unpack "pinhole-$version-esp-idf.zip" esp && grep -qx "version: \"$version\"" pinhole/idf_component.yml || return 1
-    printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(esp C)' 'function(idf_component_register)' \
+    printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(esp C ASM)' 'set(CONFIG_IDF_TARGET_ARCH_RISCV y)' 'function(idf_component_register)' \
         '  cmake_parse_arguments(a "" "" "SRCS;INCLUDE_DIRS;PRIV_INCLUDE_DIRS" ${ARGN})' \
         '  set(COMPONENT_LIB component PARENT_SCOPE)' '  add_library(component STATIC ${a_SRCS})' \
         '  target_include_directories(component PUBLIC ${a_INCLUDE_DIRS} PRIVATE ${a_PRIV_INCLUDE_DIRS})' 'endfunction()' \
         'add_subdirectory(pinhole)' >CMakeLists.txt
     toolchain riscv64-unknown-elf-gcc '-march=rv32imc -mabi=ilp32 -ffreestanding' -nostdlib &&
-        cmake -S . -B b -DCMAKE_TOOLCHAIN_FILE="$PWD/toolchain.cmake" && cmake --build b -j2 && riscv64-unknown-elf-nm b/pinhole/libcomponent.a | grep -q ' T ph_show$'
+        cmake -S . -B b -DCMAKE_TOOLCHAIN_FILE="$PWD/toolchain.cmake" && cmake --build b -j2 && riscv64-unknown-elf-nm b/pinhole/libcomponent.a | grep -q ' T ph_show$' &&
+        ! find b -name 'small_gouraud.c.*' | grep . && find b -name 'small_gouraud.S.*' | grep -q .
 }
 
 tarball_builds() {
