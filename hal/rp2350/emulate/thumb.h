@@ -37,7 +37,7 @@ static inline uint32_t thumb_extend(uint32_t value, uint32_t bits)
 /* In an instruction the program counter is 4 ahead. */
 static inline uint32_t thumb_pc(const struct core *core)
 {
-    return core->r[15] + 4;
+    return core->pc + 4;
 }
 
 static inline uint32_t thumb_get(const struct core *core, uint32_t number)

@@ -286,11 +286,11 @@ static void hint(struct core *core, uint32_t what)
     switch (what) {
     case 2:
     case 3:
-        arm_wait(core, what == 3);
+        core_wait(core, what == 3);
         break;
     case 4:
         for (uint32_t i = 0; i < core->chip->cores; i++) {
-            arm_send_event(&core->chip->core[i]);
+            core_send_event(&core->chip->core[i]);
         }
         break;
     default:
