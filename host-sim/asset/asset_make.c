@@ -186,25 +186,16 @@ static bool is_collapsed(const struct fx_vec3 p[3])
     return is_one_place(&p[0], &p[1]) || is_one_place(&p[1], &p[2]) || is_one_place(&p[2], &p[0]);
 }
 
-static bool has_area(const struct fx_vec3 p[3])
-{
-    const double a[3] = {(double)p[1].x - p[0].x, (double)p[1].y - p[0].y, (double)p[1].z - p[0].z};
-    const double b[3] = {(double)p[2].x - p[0].x, (double)p[2].y - p[0].y, (double)p[2].z - p[0].z};
-    return a[1] * b[2] != a[2] * b[1] || a[2] * b[0] != a[0] * b[2] || a[0] * b[1] != a[1] * b[0];
-}
-
 int asset_keep_all(const struct model *model, struct asset_rest *rest)
 {
     *rest = (struct asset_rest){.indices = malloc(sizeof *rest->indices * 3 * ((size_t)model->triangle_count + 1))};
     uint32_t first = 0;
-    bool any_area = false;
     for (uint32_t m = 0; m < model->mesh_count && rest->indices != NULL; m++) {
         const struct ph_mesh *mesh = &model->meshes[m];
         for (uint32_t t = 0; t < mesh->triangle_count; t++) {
             const uint16_t *corner = mesh->triangles[t];
             const struct fx_vec3 p[3] = {mesh->positions[corner[0]], mesh->positions[corner[1]],
                                          mesh->positions[corner[2]]};
-            any_area = any_area || has_area(p);
             if (is_collapsed(p) && model_moving(model, m) == NULL) {
                 continue;
             }
@@ -214,7 +205,6 @@ int asset_keep_all(const struct model *model, struct asset_rest *rest)
         }
         first += mesh->vertex_count;
     }
-    rest->index_count = any_area ? rest->index_count : 0;
     return rest->indices != NULL ? 0 : complain("not enough memory for the model");
 }
 
@@ -388,7 +378,7 @@ int asset_make(struct asset *asset, const struct model *model, const struct asse
     int status = model->triangle_count > limits->triangles ? asset_simplify(model, limits->triangles, &rest)
                                                            : asset_keep_all(model, &rest);
     if (status == 0 && rest.index_count == 0) {
-        status = complain("no triangle remains of the model; it has none with an area, or too few are allowed");
+        status = complain("no triangle remains of the model: too few are allowed");
     }
     if (status == 0) {
         status = make(asset, model, limits, &rest);

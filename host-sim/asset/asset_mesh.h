@@ -34,7 +34,7 @@ struct asset_rest {
     double error; /* as struct asset */
 };
 
-/* Keeps all triangles but those with two corners in one place; none if none has an area. 0 or COMPLAINED. */
+/* Keeps all triangles but those with two corners in one place. 0 or COMPLAINED. */
 int asset_keep_all(const struct model *model, struct asset_rest *rest);
 
 /* Keeps at most `triangles` of them, or more where the model cannot be simplified that far. 0 or COMPLAINED. */

@@ -19,7 +19,8 @@
  *
  * Of glTF these are read, too: base colour factor times texture, vertex colours, alpha masks and blending,
  * emission (a factor, and a texture at the coordinates of the base colour's), unlit, mirrored textures and
- * KHR_texture_transform. A required extension that is not read is an error. Of MTL: d and map_d. Blended meshes are
+ * KHR_texture_transform. A required extension that is not read is an error. A URI is a path from the file's folder, and
+ * may leave it (../textures/a.png): the reader opens what the user may open. Of MTL: d and map_d. Blended meshes are
  * drawn in the order of the file. Emission of what has a texture is a mesh of its own, drawn over it.
  *
  * assimp/ does it with libcjson (glTF, GLB) and libassimp; noassimp/ says what to install. A child process with limits

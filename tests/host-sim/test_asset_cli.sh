@@ -146,7 +146,7 @@ bar_is_for_terminals() { # and goes away
 }
 
 no_area_is_dropped_or_refused() {
-    printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >"$dir/line.obj" && refuses 1 'has none with an area' "$dir/line.obj" -o "$dir/line.c" && [ ! -e "$dir/line.c" ] || return 1
+    printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >"$dir/line.obj" && refuses 1 'has no triangle with an area' "$dir/line.obj" -o "$dir/line.c" && [ ! -e "$dir/line.c" ] || return 1
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 3\nf 2 3 3\n' >"$dir/some.obj" && "$asset" "$dir/some.obj" -o "$dir/some.c" && grep -q 'some: 1 triangles' "$dir/some.c"
 }
 

@@ -227,7 +227,8 @@ model_has_an_effect() {
     differ --model "$dir/one.obj" "${small[@]}" -- --demo turntable "${small[@]}" &&
         differ --model "$dir/one.obj" "${small[@]}" --start 0 -- --model "$dir/one.obj" "${small[@]}" --start 32 &&
         [ "$(stat_of dropped --model "$dir/one.obj" "${small[@]}")" = 0 ] && printf 'v 1 2 3\nv 3 2 1\nv 2 2 2\np 1 2 3\n' >"$dir/points.obj" &&
-        refuses 1 'no triangles' --model "$dir/points.obj" --crc
+        refuses 1 'no triangles' --model "$dir/points.obj" --crc &&
+        printf 'v 0 0 0\nv 1 1 0\nv 2 2 0\nf 1 2 3\n' >"$dir/thin.obj" && refuses 1 'no triangle with an area' --model "$dir/thin.obj" --crc
 }
 
 fisheye_sees_behind_itself() { # beyond what a perspective can

@@ -304,6 +304,29 @@ static bool copy_place(struct model_shared *shared, const struct model_place *pl
     return true;
 }
 
+static bool has_area(const struct ph_mesh *mesh, uint32_t triangle)
+{
+    const struct fx_vec3 *p[3];
+    for (int i = 0; i < 3; i++) {
+        p[i] = &mesh->positions[mesh->triangles[triangle][i]];
+    }
+    const double a[3] = {(double)p[1]->x - p[0]->x, (double)p[1]->y - p[0]->y, (double)p[1]->z - p[0]->z};
+    const double b[3] = {(double)p[2]->x - p[0]->x, (double)p[2]->y - p[0]->y, (double)p[2]->z - p[0]->z};
+    return a[1] * b[2] != a[2] * b[1] || a[2] * b[0] != a[0] * b[2] || a[0] * b[1] != a[1] * b[0];
+}
+
+static bool any_has_area(const struct model *model)
+{
+    for (uint32_t m = 0; m < model->mesh_count; m++) {
+        for (uint32_t t = 0; t < model->meshes[m].triangle_count; t++) {
+            if (has_area(&model->meshes[m], t)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene, const struct model_places *places,
                         const struct model_material *materials)
 {
@@ -325,7 +348,9 @@ static bool copy_meshes(struct model_shared *shared, const struct aiScene *scene
         }
     }
     model_camera_read(shared, scene, &fit);
-    return model->triangle_count > 0 || model_shared_failed(shared, "has no triangles");
+    return model->triangle_count == 0
+               ? model_shared_failed(shared, "has no triangles")
+               : any_has_area(model) || model_shared_failed(shared, "has no triangle with an area");
 }
 
 bool model_meshes_read(struct model_shared *shared, const struct aiScene *scene, const struct model_material *materials)
