@@ -15,7 +15,7 @@ dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
 
-builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" && image "$board" 1 && image "$board" 2; }
+builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" && image "$board" 1 && image "$board" 2 && ISA=riscv image "$board" 1 && ISA=riscv image "$board" 2; }
 
 every_demo() { # cores
     sweep 2
@@ -47,7 +47,7 @@ patched() { # sed command; the image definition of the demos, changed, in $dir/b
 
 wrong_definitions_are_refused() {
     patched 's/\xd3\xde\xff\xff/\xd3\xde\xff\xfe/' && refused 'there is no image definition in the first 4 KB' "$dir/bad.bin" &&
-        patched 's/\x42\x01\x21\x10/\x42\x01\x21\x11/' && refused 'is for RISC-V cores: the boot ROM would not start' "$dir/bad.bin" &&
+        patched 's/\x42\x01\x21\x10/\x42\x01\x21\x12/' && refused 'for no CPU of this chip: the boot ROM would not start' "$dir/bad.bin" &&
         patched 's/\x42\x01\x21\x10/\x42\x01\x21\x00/' && refused 'is for another chip' "$dir/bad.bin" &&
         patched 's/\x42\x01\x21\x10/\x42\x01\x22\x10/' && refused 'not that of a program' "$dir/bad.bin" &&
         patched 's/\x79\x35\x12\xab/\x79\x35\x12\xac/' && refused 'has no proper end' "$dir/bad.bin" &&
@@ -57,7 +57,8 @@ wrong_definitions_are_refused() {
 other_families_are_refused() {
     local uf2=$B/firmware/$board-demos.uf2
     "$B/rp2350-emulate" "$uf2" --dc 16 --frames 1 --events /dev/null 2>/dev/null &&
-        LC_ALL=C sed 's/\x59\xff\x8b\xe4/\x56\xff\x8b\xe4/g' "$uf2" >"$dir/bad.uf2" && refused 'is not for an RP2350 with Arm cores' "$dir/bad.uf2"
+        LC_ALL=C sed 's/\x59\xff\x8b\xe4/\x56\xff\x8b\xe4/g' "$uf2" >"$dir/bad.uf2" && refused 'of the UF2 file is not for an RP2350' "$dir/bad.uf2" &&
+        LC_ALL=C sed 's/\x59\xff\x8b\xe4/\x5a\xff\x8b\xe4/g' "$uf2" >"$dir/bad.uf2" && refused "family is not that of the image definition" "$dir/bad.uf2"
 }
 
 moves_dc() { # "" or the lines that wait for the last bit
@@ -92,6 +93,12 @@ check "every_demo_is_the_simulators" every_demo 1
 check "two_cores_draw_the_same" every_demo 2
 check "both_cores_work" both_cores_work
 check "they_do_with_any_delays_between_them" any_delays
+export ISA=riscv
+check "on_the_Hazard3_every_demo_is_the_simulators" every_demo 1
+check "its_two_cores_draw_the_same" every_demo 2
+check "both_of_them_work" both_cores_work
+check "and_do_with_any_delays_between_them" any_delays
+unset ISA
 check "an_image_without_mistakes_works" works <<<"store 0x40080008, 1; $dma_of_100_bytes"
 check "a_wrong_image_definition_is_refused" wrong_definitions_are_refused
 check "a_UF2_file_of_another_family_is_refused" other_families_are_refused

@@ -277,6 +277,8 @@ void arm_step(struct core *core)
     core->next = at + (is_long ? 4 : 2);
     core->cycles++;
     core->in_it = it != 0;
+    core->after_load = core->loads;
+    core->loads = false;
     core->it = it & 7 ? (it & 0xe0) | (it << 1 & 31) : 0;
     if (is_long) {
         const uint32_t second = memory_fetch(core, at + 2);

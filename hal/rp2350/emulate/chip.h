@@ -44,7 +44,7 @@ struct core {
     uint64_t irq_enabled, tick_at; /* the next interrupt by SysTick or the timer of SIO; NEVER: off */
     bool event, asleep, sleeps_for_interrupt, started, locked;
 
-    bool n, z, c, v, q, in_it, faulted; /* Arm */
+    bool n, z, c, v, q, in_it, faulted, loads, after_load; /* Arm */
     uint32_t ge, it;
     uint32_t primask, msplim, vtor, ipsr;
     struct {

@@ -260,7 +260,8 @@ static void pop(struct core *core, uint32_t list)
     uint32_t at = core->r[13], target = 0;
     for (uint32_t i = 0; i < 16; i++) {
         if (list >> i & 1) {
-            const uint32_t word = thumb_load(core, at, 4);
+            const uint32_t word = memory_read(core, at, 4);
+            core->cycles++;
             at += 4;
             if (i == 15) {
                 target = word;

@@ -9,7 +9,8 @@ static void dual(struct core *core, uint32_t first, uint32_t second)
     const uint32_t at = before ? moved : base;
     memory_check_aligned(core, at);
     if (first >> 4 & 1) {
-        const uint32_t low = thumb_load(core, at, 4), high = thumb_load(core, at + 4, 4);
+        const uint32_t low = memory_read(core, at, 4), high = memory_read(core, at + 4, 4);
+        core->cycles += 2;
         core->r[t] = low;
         core->r[t2] = high;
     } else {
