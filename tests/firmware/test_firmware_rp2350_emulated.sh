@@ -14,6 +14,7 @@ board=pico2-display
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
+command -v riscv64-unknown-elf-gcc >/dev/null || { echo "no riscv64-unknown-elf-gcc: apt-get install gcc-riscv64-unknown-elf" && exit 77; }
 
 builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" && image "$board" 1 && image "$board" 2 && ISA=riscv image "$board" 1 && ISA=riscv image "$board" 2; }
 
