@@ -38,12 +38,12 @@ worse_is_seen() {
 
 readme_rows() { # as in README.md here: scene, then for each core with a best peer ours, the bar, the peer
     awk -F, -v metric="$1" '$3 == metric && $5 != "" && $7 != "" { row[$2] = row[$2] sprintf(" %.2f | %s | %.2f |", $4, $5, $7) }
-        END { for (s = 1; s <= 6; s++) { if ("S" s in row) { print "| S" s " |" row["S" s] } } }' "$golden"
+        END { for (s = 1; s <= 8; s++) { if ("S" s in row) { print "| S" s " |" row["S" s] } } }' "$golden"
 }
 
 readme_bars() { # ... scene, then for each core without one ours and the bar
     awk -F, -v metric="$1" '$3 == metric && $5 != "" && $7 == "" { row[$2] = row[$2] sprintf(" %.2f | %s |", $4, $5) }
-        END { for (s = 1; s <= 6; s++) { if ("S" s in row) { print "| S" s " |" row["S" s] } } }' "$golden"
+        END { for (s = 1; s <= 8; s++) { if ("S" s in row) { print "| S" s " |" row["S" s] } } }' "$golden"
 }
 
 readme_agrees() {
