@@ -20,6 +20,8 @@
 # A port has, beside its C and assembler files, a hal/PORT/port.mk with
 #   PORT_CPU          a folder of firmware/core/kernels: armv6m, armv7m, rv32
 #   PORT_FLAGS        for compiler and linker: -mcpu=... -mthumb
+#   PORT_CROSS        optional: the prefix of the compiler's name; without it arm-none-eabi-
+#   PORT_LIBS         optional: what is linked last; without it --specs=nano.specs
 #   PORT_SRC          its .c and .S files, and those of a shared folder, e.g. hal/cortexm
 #   PORT_LD           the linker script; it finds what it includes in hal/PORT and hal/cortexm
 #   PORT_STACK_BYTES  the stack's size; the linker script gets it as the symbol stack_bytes
@@ -43,7 +45,6 @@
 # All code of a port is compiled with -Wconversion. APP's file has the image's main(); see hal/port.h, firmware/app/image.h
 # and firmware/app/runner.h. board_here.c gives each image its board and its memory.
 
-CROSS ?= arm-none-eabi-
 HOSTCC ?= cc
 APP ?= demos
 FRAMES ?= 4
@@ -68,6 +69,7 @@ endif
 NO_SUCH_NAME = make takes no names with spaces or other special characters; rename or copy the file
 include $(BOARD_HOME)/board.mk
 include hal/$(PORT)/port.mk
+CROSS ?= $(or $(PORT_CROSS),arm-none-eabi-)
 APP_FILE := $(if $(filter %.c,$(APP)),$(APP),firmware/app/images/$(APP).c)
 APP_NAME := $(basename $(notdir $(APP)))
 $(if $(filter $(CORES),$(or $(PORT_CORES),1)),,$(error CORES=$(CORES): $(BOARD) has $(or $(PORT_CORES),1)))
@@ -93,7 +95,7 @@ $(B)/board-facts: FORCE
 $(B)/board-facts: INC = -Ihal -Iboards
 
 # A make of its own builds the image, with the target's compiler in place of the computer's.
-image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi))\
+image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install $(if $(PORT_CROSS),gcc-$(PORT_CROSS:%-=%),gcc-arm-none-eabi libnewlib-arm-none-eabi)))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
              CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' ISA='$(ISA)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
@@ -132,7 +134,7 @@ IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAM
 LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/cores$(CORES) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
-	$(Q)firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
+	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
 	    stack='$(PORT_STACK_BYTES)' extra='$(PORT_STACK_EXTRA)' || { rm -f '$(OUT).bin' '$(OUT).uf2'; exit 1; } # so that nobody flashes it
 
 image-size: $(OUT).elf
@@ -170,8 +172,8 @@ $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 $(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/cores$(CORES)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
-	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles --specs=nano.specs $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
-	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ)
+	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \
+	    -Wl,--defsym=stack_bytes=$(PORT_STACK_BYTES) $(IMAGE_OBJ) $(or $(PORT_LIBS),--specs=nano.specs)
 	$(Q)$(if $(PORT_FINISH),set -- '$@.part'; $(PORT_FINISH))
 	$(Q)mv $@.part $@
 

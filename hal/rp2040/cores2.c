@@ -6,7 +6,7 @@
  * A core that waits on an empty FIFO sleeps; the core that pushes sends an event to wake it.
  */
 #include "port.h"
-#include <registers.h>
+#include <cpu.h>
 #include "rp2040.h"
 
 #define STACK_BYTES      5632 /* by the call graph (a scene), and the frame of a tick */
@@ -26,13 +26,13 @@ static void push(uint32_t word)
     while ((REG(SIO_FIFO_ST) & FIFO_WRITABLE) == 0) {
     }
     REG(SIO_FIFO_WR) = word;
-    __asm volatile("sev" ::: "memory");
+    cpu_send_event();
 }
 
 static uint32_t pull(void)
 {
     while ((REG(SIO_FIFO_ST) & FIFO_READABLE) == 0) {
-        __asm volatile("wfe" ::: "memory");
+        cpu_wait_event();
     }
     return REG(SIO_FIFO_RD);
 }
@@ -79,13 +79,13 @@ static void reset_core1(void)
 /* The ROM echoes each word of the sequence; after a wrong echo the sequence starts again. */
 static void start_core1(void)
 {
-    const uint32_t vector_table = REG(VTOR);
+    const uint32_t vector_table = cpu_vectors();
     const uint32_t words[] = {0, 0, 1, vector_table, (uint32_t)(uintptr_t)(stack + sizeof stack / 8), (uint32_t)serve};
     reset_core1();
     for (uint32_t i = 0; i < sizeof words / sizeof *words;) {
         if (words[i] == 0) {
             drain();
-            __asm volatile("sev");
+            cpu_send_event();
         }
         push(words[i]);
         i = pull() == words[i] ? i + 1 : 0;

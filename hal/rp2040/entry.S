@@ -1,5 +1,5 @@
 /*
- * The two entries that C cannot express; vectors.S has the vectors. Symbols ld_... come from the linker script.
+ * What C cannot express; vectors.S has the vectors. Symbols ld_... come from the linker script.
  */
     .syntax unified
     .thumb
@@ -36,11 +36,20 @@ rp2040_reset:
     ldr r0, =rp2040_start
     bx r0
 
-/* Every fault comes here. Its frame on the stack (r0 .. r3, r12, lr, pc, psr) goes to rp2040_fault(). */
+/* Every fault comes here. Of its frame on the stack (r0 .. r3, r12, lr, pc, psr) pc and lr go to rp2040_fault(). */
     .global rp2040_on_fault
     .thumb_func
 rp2040_on_fault:
-    mrs r0, msp
-    ldr r1, =rp2040_fault
-    bx r1
+    mrs r2, msp
+    ldr r0, [r2, #24]
+    ldr r1, [r2, #20]
+    ldr r2, =rp2040_fault
+    bx r2
+
+/* The arguments are in r0 and r1. */
+    .global rp2040_semihosting
+    .thumb_func
+rp2040_semihosting:
+    bkpt 0xab
+    bx lr
     .ltorg

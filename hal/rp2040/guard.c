@@ -1,8 +1,7 @@
 /* See rp2040.h: what happens when a stack runs over. RP2040 datasheet 4.7 (watchdog), 2.13 (what it resets). */
-#include <registers.h>
+#include <cpu.h>
 #include "rp2040.h"
 
-#define TICK_US     100000 /* of each core */
 #define WATCHDOG_US 500000
 #define ARMED       0x50696e68 /* in SCRATCH0: a boot loader starts images by the watchdog, too */
 
@@ -25,13 +24,10 @@ void rp2040_tick(void)
     }
 }
 
-/* SysTick: on, interrupt, the core's clock. */
 void rp2040_guard(uint32_t from, uint32_t bytes_log2)
 {
     guard_stack(from, bytes_log2);
-    REG(SYST_RVR) = CLK_HZ / 1000000 * TICK_US - 1;
-    REG(SYST_CVR) = 0;
-    REG(SYST_CSR) = 7;
+    cpu_tick_start(TICK_CYCLES);
 }
 
 void rp2040_watchdog_start(void)
@@ -46,7 +42,7 @@ void rp2040_watchdog_stop(void)
 {
     REG_CLEAR(WATCHDOG_CTRL) = WATCHDOG_ENABLE;
     REG(WATCHDOG_SCRATCH0) = 0;
-    REG(SYST_CSR) = 0;
+    cpu_tick_stop();
 }
 
 bool rp2040_watchdog_bit(void)

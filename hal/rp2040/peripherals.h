@@ -84,12 +84,7 @@ enum { SSPSR_TNF = 2, SSPSR_BSY = 16, SSPCR1_SSE = 2, SSPDMACR_TXDMAE = 2 };
 #define DMA_INTS0                  0x5000040c
 enum { DMA_EN = 1, DMA_HALFWORDS = 1 << 2, DMA_INCR_READ = 1 << 4 };
 
-/* Each Arm core's own; Architecture Reference Manuals of ARMv6-M, B3.3 (SysTick), and ARMv8-M, B11, D1.2. */
-#define SYST_CSR  0xe000e010
-#define SYST_RVR  0xe000e014
-#define SYST_CVR  0xe000e018
-#define NVIC_ISER 0xe000e100
-#define VTOR      0xe000ed08
+#define TICK_CYCLES (CLK_HZ / 10) /* from tick to tick of each core, see rp2040.h: 100 ms */
 
 /* The crystal has 12 MHz. A PLL makes 12 MHz x 125 = 1500 MHz of it, which two post dividers make slower. */
 static inline void start_pll(uint32_t pll, uint32_t reset, uint32_t post_dividers)

@@ -1,7 +1,7 @@
 /* See rp2040.h and port.h: the operations of struct hal_ops, and the ROM's boot loader. */
 #include "rp2040.h"
 #include "port.h"
-#include <registers.h>
+#include <cpu.h>
 
 #include <stddef.h>
 
@@ -34,7 +34,7 @@ static int rp2040_open(void *context, const struct board *board)
         rp2040_pin_input(board->pins.tearing.number);
     }
     REG(TIMER_INTE) = 1;
-    REG(NVIC_ISER) = 1U << IRQ_TIMER_0;
+    cpu_interrupt_enable(IRQ_TIMER_0);
     rp2040_spi_open(board);
     return HAL_OK;
 }
@@ -64,7 +64,7 @@ static void rp2040_delay_us(void *context, uint32_t us)
     }
     while (rp2040_time_us(context) - start <= us) {
         if (sleep) {
-            __asm volatile("wfe");
+            cpu_wait_event();
         }
     }
 }

@@ -11,7 +11,7 @@
  *
  * The handler's code and data lie in RAM, because flash may answer late.
  */
-#include <registers.h>
+#include <cpu.h>
 #include "rp2040.h"
 #include "spi_clock.h"
 
@@ -147,7 +147,7 @@ void rp2040_spi_interrupt(void)
 static void wait_for_dma(uint32_t waiting)
 {
     while (spi.given - spi.sent > waiting) {
-        __asm volatile("wfe" ::: "memory");
+        cpu_wait_event();
     }
 }
 
@@ -176,7 +176,7 @@ void rp2040_spi_open(const struct board *board)
     REG(SPI_SSPDMACR(spi.unit)) = SSPDMACR_TXDMAE;
     REG(DMA_CH0_WRITE_ADDR) = SPI_SSPDR(spi.unit);
     REG(DMA_INTE0) = 1;
-    REG(NVIC_ISER) = 1U << IRQ_DMA_0;
+    cpu_interrupt_enable(IRQ_DMA_0);
     rp2040_bus_clock(NULL, 1000000);
 }
 
@@ -223,13 +223,13 @@ static struct write *place(void)
 /* Hands over the place, which is filled. */
 static void give(void)
 {
-    __asm volatile("cpsid i" ::: "memory"); /* all that the DMA reads is in memory by now */
+    cpu_interrupts_off(); /* all that the DMA reads is in memory by now */
     const bool idle = spi.sent == spi.given;
     spi.given++;
     if (idle) {
         go_on();
     }
-    __asm volatile("cpsie i" ::: "memory");
+    cpu_interrupts_on();
 }
 
 static void add_copies(struct write *w, enum hal_dc dc, const uint8_t *bytes, uint32_t n)
@@ -245,12 +245,12 @@ static void add_copies(struct write *w, enum hal_dc dc, const uint8_t *bytes, ui
 static bool joins(enum hal_dc dc, const uint8_t *bytes, uint32_t n)
 {
     struct write *last = &spi.writes[(spi.given - 1) % WRITES];
-    __asm volatile("cpsid i" ::: "memory");
+    cpu_interrupts_off();
     const bool room = spi.sent != spi.given && last->copied && last->count + n <= SHORTS;
     if (room) {
         add_copies(last, dc, bytes, n);
     }
-    __asm volatile("cpsie i" ::: "memory");
+    cpu_interrupts_on();
     return room;
 }
 

@@ -1,15 +1,16 @@
 /* The start of main(), faults and the end. The ROM comes here through boot2.S and entry.S. */
 #include "port.h"
-#include <registers.h>
+#include <cpu.h>
 #include "rp2040.h"
 
-#define BKPT_OPCODE      0xbeab /* of end_emulator */
-#define GUARD_BYTES_LOG2 16     /* below RAM, where it costs nothing */
+#define GUARD_BYTES_LOG2 16 /* below RAM, where it costs nothing */
 
 extern uint32_t ld_stack[], ld_stack_top[]; /* rp2040.ld */
 
-_Noreturn void rp2040_start(void);             /* for entry.S */
-_Noreturn void rp2040_fault(const uint32_t *); /* for entry.S */
+/* For entry.S, which has the third: a semihosting call (Arm, "Semihosting for AArch32 and AArch64"). */
+_Noreturn void rp2040_start(void);
+_Noreturn void rp2040_fault(uint32_t pc, uint32_t called_from);
+void rp2040_semihosting(uint32_t operation, uint32_t reason);
 int main(void);
 
 static void put_hex(uint32_t value)
@@ -26,36 +27,29 @@ static _Noreturn void stop(void)
 {
     rp2040_watchdog_stop();
     for (;;) {
-        __asm volatile("cpsid i\n wfi");
+        cpu_interrupts_off();
+        __asm volatile("wfi");
     }
 }
 
-void rp2040_fault(const uint32_t *frame)
+void rp2040_fault(uint32_t pc, uint32_t called_from)
 {
     rp2040_dark();
-    if (*(const uint16_t *)(uintptr_t)frame[6] == BKPT_OPCODE) {
+    if (cpu_is_semihosting(pc)) {
         stop(); /* from port_exit, without a debugger */
     }
     port_log("\r\nfault at ");
-    put_hex(frame[6]);
+    put_hex(pc);
     port_log(", called from ");
-    put_hex(frame[5]);
+    put_hex(called_from);
     port_log(REG(SIO_CPUID) == 0 ? ", core 0\r\n" : ", core 1\r\n");
     stop();
-}
-
-/* A semihosting call (Arm, "Semihosting for AArch32 and AArch64"); the arguments lie in r0 and r1. */
-__attribute__((naked, noinline)) static void end_emulator(uint32_t operation __attribute__((unused)),
-                                                          uint32_t reason __attribute__((unused)))
-{
-    __asm volatile("bkpt 0xab\n"
-                   "bx lr\n");
 }
 
 void port_exit(int status)
 {
     rp2040_dark();
-    end_emulator(0x18, status == 0 ? 0x20026 : 0x20023); /* SYS_EXIT: application exit, or an error */
+    rp2040_semihosting(0x18, status == 0 ? 0x20026 : 0x20023); /* SYS_EXIT: application exit, or an error */
     stop();
 }
 

@@ -3,19 +3,18 @@
 
 #include "flash_image.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 #define MAGIC     0x431FD10Bu
 #define REBOOT_MS 100 /* for the answer to arrive */
 
 enum { COMMAND_BYTES = 32, STATUS_BYTES = 16, TRIES = 2 };
-enum command { EXCLUSIVE_ACCESS = 1, REBOOT = 2, FLASH_ERASE = 3, WRITE = 5, EXIT_XIP = 6, READ = 0x84 };
+enum command { EXCLUSIVE_ACCESS = 1, REBOOT = 2, FLASH_ERASE = 3, WRITE = 5, EXIT_XIP = 6, REBOOT2 = 10, READ = 0x84 };
 
 struct request {
     enum command id;
     uint8_t argument_bytes;
-    uint32_t arguments[3];
+    uint32_t arguments[4];
     const uint8_t *out; /* data to the board, */
     uint8_t *in;        /* or from it, or neither */
     uint32_t n;
@@ -36,7 +35,7 @@ static void make_command(uint8_t command[COMMAND_BYTES], const struct request *r
     command[8] = (uint8_t)r->id;
     command[9] = r->argument_bytes;
     put_u32(command + 12, r->n);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         put_u32(command + 16 + 4 * i, r->arguments[i]);
     }
 }
@@ -58,7 +57,7 @@ static int attempt(struct flash_boot *boot, const struct request *r)
         return status;
     }
     status = boot->ops->in(boot->context, &nothing, 0);
-    const bool left = r->id == REBOOT && (status == HAL_ENODEV || status == HAL_EIO);
+    const bool left = (r->id == REBOOT || r->id == REBOOT2) && (status == HAL_ENODEV || status == HAL_EIO);
     return left ? 0 : status;
 }
 
@@ -123,7 +122,8 @@ int flash_boot_read(struct flash_boot *boot, uint32_t address, uint8_t *bytes, u
 int flash_boot_reboot(struct flash_boot *boot)
 {
     const struct request r = {.id = REBOOT, .argument_bytes = 12, .arguments = {0, 0, REBOOT_MS}};
-    return perform(boot, &r);
+    const struct request r2 = {.id = REBOOT2, .argument_bytes = 16, .arguments = {0, REBOOT_MS}};
+    return perform(boot, boot->is_rp2350 ? &r2 : &r);
 }
 
 void flash_boot_end(struct flash_boot *boot)

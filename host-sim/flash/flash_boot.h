@@ -1,17 +1,18 @@
 /*
- * flash_boot: an RP2040 in its USB boot loader (BOOTSEL), over the PICOBOOT interface: commands of 32 bytes and their
- * data on two bulk endpoints. A command that the board refuses is repeated once after a reset of the interface, which
- * clears what another program or a disturbance left behind.
+ * flash_boot: an RP2040 or RP2350 in its USB boot loader (BOOTSEL), over the PICOBOOT interface: commands of 32 bytes
+ * and their data on two bulk endpoints. A command that the board refuses is repeated once after a reset of the
+ * interface, which clears what another program or a disturbance left behind.
  *
  * Results are 0 or more, or a negative status. Nothing waits for longer than FLASH_WAIT_MS.
  *
- * Source: RP2040 datasheet, section 2.8.5 (USB PICOBOOT interface).
+ * Sources: RP2040 datasheet, section 2.8.5, RP2350 datasheet, section 5.6 (USB PICOBOOT interface).
  */
 #ifndef FLASH_BOOT_H
 #define FLASH_BOOT_H
 
 #include "hal.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -35,6 +36,7 @@ struct flash_link_ops {
 struct flash_boot {
     const struct flash_link_ops *ops;
     void *context;
+    bool is_rp2350; /* it knows another command for a reboot */
     uint32_t token;
     uint32_t refusal; /* after FLASH_STALL: why, see flash_boot_refusal */
 };

@@ -4,6 +4,7 @@
 #include "flash_uf2.h"
 
 #include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,10 +29,37 @@ static int has_boot2(const uint8_t *bytes)
     return crc == stored;
 }
 
+/* Has the image a block that an RP2350 looks for in its first 4 KB? */
+static bool has_definition(const struct flash_image *image)
+{
+    static const uint8_t begin[4] = {0xD3, 0xDE, 0xFF, 0xFF};
+    for (uint32_t at = 0; at < FLASH_SECTOR; at += sizeof begin) {
+        if (memcmp(image->bytes + at, begin, sizeof begin) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Would its chip start the image? A BIN file does not say for which chip it is: what it begins with does. */
+static int check_start(struct flash_image *image, char *error)
+{
+    if (image->chip == FLASH_ANY) {
+        image->chip = has_boot2(image->bytes) || !has_definition(image) ? FLASH_RP2040 : FLASH_RP2350;
+    }
+    if (image->chip == FLASH_RP2040 && !has_boot2(image->bytes)) {
+        return flash_image_wrong(error, "no image for an RP2040: its first 256 bytes (boot2) have a wrong checksum");
+    }
+    if (image->chip == FLASH_RP2350 && !has_definition(image)) {
+        return flash_image_wrong(error, "no image for an RP2350: its first 4096 bytes have no image definition");
+    }
+    return 0;
+}
+
 static int parse_bin(struct flash_image *image, const uint8_t *bytes, size_t n, char *error)
 {
     if (n > FLASH_SPAN) {
-        return flash_image_wrong(error, "%zu bytes do not fit into the flash: an RP2040 addresses %u", n, FLASH_SPAN);
+        return flash_image_wrong(error, "%zu bytes do not fit into the flash: the chip addresses %u", n, FLASH_SPAN);
     }
     if (n < FLASH_PAGE) {
         return flash_image_wrong(error, "%zu bytes are no image: not even boot2, its first 256, is whole", n);
@@ -55,11 +83,10 @@ int flash_file_parse(struct flash_image *image, const uint8_t *bytes, size_t n, 
     if (bytes[0] == ':') {
         return flash_image_wrong(error, "looks like Intel HEX; give a UF2 or BIN file");
     }
-    const int status =
-        flash_uf2_is(bytes, n) ? flash_uf2_parse(image, bytes, n, error) : parse_bin(image, bytes, n, error);
-    if (status == 0 && image->used[0] && !has_boot2(image->bytes)) {
+    int status = flash_uf2_is(bytes, n) ? flash_uf2_parse(image, bytes, n, error) : parse_bin(image, bytes, n, error);
+    if (status == 0 && image->used[0] && check_start(image, error) != 0) {
         flash_image_free(image);
-        return flash_image_wrong(error, "no image for an RP2040: its first 256 bytes (boot2) have a wrong checksum");
+        status = PH_ERR_INVAL;
     }
     return status;
 }

@@ -1,9 +1,10 @@
 /*
  * flash_file: images from UF2 or BIN files. Nothing in a file is trusted: every block of a UF2 must be there once,
- * whole, for this chip, inside the flash, and without overlap. An image with bytes in the first page of the flash must
- * have a boot2 there with the right checksum, or the chip would not start it.
+ * whole, for one chip, inside the flash, and without overlap. An image with bytes in the first sector of the flash must
+ * have what its chip starts there: an RP2040 a boot2 with the right checksum, an RP2350 an image definition.
  *
- * Source: RP2040 datasheet, sections 2.8.1.3.1 (checksum of boot2), 2.8.4.2 (UF2 blocks of 256 bytes).
+ * Sources: RP2040 datasheet, sections 2.8.1.3.1 (checksum of boot2), 2.8.4.2 (UF2 blocks of 256 bytes); RP2350
+ * datasheet, section 5.9.5 (image definition).
  */
 #ifndef FLASH_FILE_H
 #define FLASH_FILE_H

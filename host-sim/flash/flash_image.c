@@ -29,6 +29,12 @@ int flash_image_make(struct flash_image *image, uint32_t end, char *error)
     return 0;
 }
 
+const char *flash_chip_name(enum flash_chip chip)
+{
+    static const char *const names[] = {[FLASH_ANY] = "RP2040 or RP2350", [FLASH_RP2040] = "RP2040", "RP2350"};
+    return names[chip];
+}
+
 void flash_image_put(struct flash_image *image, uint32_t offset, const uint8_t *bytes, uint32_t n)
 {
     memcpy(image->bytes + offset, bytes, n);

@@ -1,6 +1,6 @@
 /*
- * flash_image: the content of the flash of an RP2040. Source: RP2040 datasheet, section 2.6.3 (flash at 10000000h, 16
- * MB).
+ * flash_image: the content of the flash of an RP2040 or RP2350. Sources: RP2040 datasheet, section 2.6.3, RP2350
+ * datasheet, section 4.4 (flash at 10000000h; here the first 16 MB of it).
  */
 #ifndef FLASH_IMAGE_H
 #define FLASH_IMAGE_H
@@ -16,12 +16,18 @@
 #define FLASH_PAGE       256u        /* is written as a whole */
 #define FLASH_ERROR_SIZE 256
 
+enum flash_chip { FLASH_ANY, FLASH_RP2040, FLASH_RP2350 };
+
 struct flash_image {
-    uint32_t sectors; /* from FLASH_BASE up to the last one that the image uses */
-    uint8_t *bytes;   /* of all these sectors; FFh where the image has none */
-    uint8_t *used;    /* a sector each: 1 if the image has bytes in it */
-    uint32_t size;    /* bytes of the image itself */
+    enum flash_chip chip; /* FLASH_ANY: data without a program */
+    uint32_t sectors;     /* from FLASH_BASE up to the last one that the image uses */
+    uint8_t *bytes;       /* of all these sectors; FFh where the image has none */
+    uint8_t *used;        /* a sector each: 1 if the image has bytes in it */
+    uint32_t size;        /* bytes of the image itself */
 };
+
+/* "RP2040", "RP2350", or "RP2040 or RP2350". */
+const char *flash_chip_name(enum flash_chip chip);
 
 /* Makes an erased image of `end` bytes from FLASH_BASE. 0, or a status with a line in error. */
 int flash_image_make(struct flash_image *image, uint32_t end, char *error);

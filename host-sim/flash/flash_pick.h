@@ -4,8 +4,8 @@
 
 #include "flash_usb.h"
 
-/* Index of the board with this serial number or BUS:ADDRESS (NULL: of the only one), or a status with a line in error
- * (FLASH_ERROR_SIZE). */
-int flash_pick(const struct flash_board *boards, int count, const char *serial, char *error);
+/* Index of the board of this chip (FLASH_ANY: of any) with this serial number or BUS:ADDRESS (NULL: of the only one),
+ * or a status with a line in error (FLASH_ERROR_SIZE). */
+int flash_pick(const struct flash_board *boards, int count, enum flash_chip chip, const char *serial, char *error);
 
 #endif

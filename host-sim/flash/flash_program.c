@@ -2,7 +2,7 @@
 
 #include "flash_image.h"
 
-#define HEAD_BYTES   512 /* boot2, and 256 bytes in which the header begins */
+#define HEAD_BYTES   1024 /* in which the header begins; an RP2040's in bytes 256 to 511 */
 #define BEGIN        0x7188ebf2u
 #define FINISH       0xe71aa390u
 #define BINARY_END   0x68f465deu
@@ -24,7 +24,7 @@ static int find_table(struct flash_boot *boot, uint32_t *first, uint32_t *count)
     uint8_t head[HEAD_BYTES + 16];
     const int status = flash_boot_read(boot, FLASH_BASE, head, sizeof head);
     *count = 0;
-    for (uint32_t at = 256; status == 0 && at < HEAD_BYTES; at += 4) {
+    for (uint32_t at = 0; status == 0 && at < HEAD_BYTES; at += 4) {
         const uint32_t from = word_at(head + at + 4), end = word_at(head + at + 8);
         if (word_at(head + at) == BEGIN && word_at(head + at + 16) == FINISH && is_in_flash(from) && end > from &&
             end - from <= 4 * ENTRIES_MOST) {

@@ -12,6 +12,10 @@ enum { NOT_FOR_FLASH = 0x1, FILE_CONTAINER = 0x1000, HAS_FAMILY = 0x2000 };
 #define MAGIC_1   0x9E5D5157u
 #define MAGIC_END 0x0AB16F30u
 #define RP2040    0xE48BFF56u
+#define ABSOLUTE  0xE48BFF57u
+#define RP2350    0xE48BFF59u
+#define RISCV     0xE48BFF5Au
+#define LAST_PAGE (FLASH_BASE + FLASH_SPAN - FLASH_PAGE)
 #define PAGES     (FLASH_SPAN / FLASH_PAGE)
 
 struct block {
@@ -26,6 +30,7 @@ struct uf2 {
     uint8_t *numbers; /* by block number */
     uint8_t *pages;   /* by page of the flash */
     uint32_t end;     /* of the last page, from FLASH_BASE */
+    uint32_t family;  /* of the blocks so far; 0: none */
 };
 
 static uint32_t u32(const uint8_t *p)
@@ -44,9 +49,15 @@ static const char *family_name(uint32_t family)
     static const struct {
         uint32_t family;
         const char *name;
-    } known[] = {{0xE48BFF57, "RP2350, absolute"}, {0xE48BFF59, "RP2350"},  {0xE48BFF5A, "RP2350, RISC-V"},
-                 {0xE48BFF5B, "RP2350"},           {0x57755A57, "STM32F4"}, {0x68ED2B88, "SAMD21"},
-                 {0x55114460, "SAMD51"},           {0xADA52840, "nRF52840"}};
+    } known[] = {{RP2040, "RP2040"},
+                 {RP2350, "RP2350"},
+                 {RISCV, "RP2350, RISC-V"},
+                 {ABSOLUTE, "RP2350, absolute"},
+                 {0xE48BFF5B, "RP2350, non-secure"},
+                 {0x57755A57, "STM32F4"},
+                 {0x68ED2B88, "SAMD21"},
+                 {0x55114460, "SAMD51"},
+                 {0xADA52840, "nRF52840"}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         if (known[i].family == family) {
             return known[i].name;
@@ -98,7 +109,7 @@ static int check_place(struct uf2 *uf2, const struct block *b, char *error)
 {
     const uint32_t offset = b->address - FLASH_BASE;
     if (b->size != FLASH_PAGE) {
-        return flash_image_wrong(error, "damaged: block %u has %u bytes, an RP2040 takes 256 a block", b->index,
+        return flash_image_wrong(error, "damaged: block %u has %u bytes, the chip takes 256 a block", b->index,
                                  b->size);
     }
     if (b->address < FLASH_BASE || offset >= FLASH_SPAN) {
@@ -118,24 +129,35 @@ static int check_place(struct uf2 *uf2, const struct block *b, char *error)
     return 0;
 }
 
+static int check_family(struct uf2 *uf2, const struct block *b, char *error)
+{
+    if ((b->flags & HAS_FAMILY) == 0) {
+        return flash_image_wrong(error, "block %u does not say for which chip it is; the board would ignore it",
+                                 b->index);
+    }
+    if (b->family != RP2040 && b->family != RP2350 && b->family != RISCV) {
+        return flash_image_wrong(error, "for %s (family 0x%08x), not for an RP2040 or RP2350", family_name(b->family),
+                                 b->family);
+    }
+    if (uf2->family != 0 && b->family != uf2->family) {
+        return flash_image_wrong(error, "block %u is for %s, those before it for %s: no image has blocks for two chips",
+                                 b->index, family_name(b->family), family_name(uf2->family));
+    }
+    uf2->family = b->family;
+    return 0;
+}
+
 static int check_block(struct uf2 *uf2, const struct block *b, char *error)
 {
-    const int status = check_number(uf2, b, error);
+    int status = check_number(uf2, b, error);
     if (status != 0 || (b->flags & NOT_FOR_FLASH) != 0) {
         return status;
     }
     if ((b->flags & FILE_CONTAINER) != 0) {
         return flash_image_wrong(error, "block %u is of a file container, not of a flash image", b->index);
     }
-    if ((b->flags & HAS_FAMILY) == 0) {
-        return flash_image_wrong(error, "block %u does not say for which chip it is; an RP2040 would ignore it",
-                                 b->index);
-    }
-    if (b->family != RP2040) {
-        return flash_image_wrong(error, "for %s (family 0x%08x), not for an RP2040 (0x%08x)", family_name(b->family),
-                                 b->family, RP2040);
-    }
-    return check_place(uf2, b, error);
+    status = check_family(uf2, b, error);
+    return status != 0 ? status : check_place(uf2, b, error);
 }
 
 static int check_blocks(struct uf2 *uf2, const uint8_t *bytes, size_t n, char *error)
@@ -160,6 +182,7 @@ static int check_blocks(struct uf2 *uf2, const uint8_t *bytes, size_t n, char *e
 static int take_blocks(struct flash_image *image, const struct uf2 *uf2, const uint8_t *bytes, char *error)
 {
     const int status = flash_image_make(image, uf2->end, error);
+    image->chip = uf2->family == RP2040 ? FLASH_RP2040 : FLASH_RP2350;
     for (uint32_t i = 0; i < uf2->blocks && status == 0; i++) {
         const struct block b = read_block(bytes + (size_t)i * BLOCK, i);
         if ((b.flags & NOT_FOR_FLASH) == 0) {
@@ -169,8 +192,20 @@ static int take_blocks(struct flash_image *image, const struct uf2 *uf2, const u
     return status;
 }
 
+/* Files for an RP2350 begin with a block against its erratum E10, which is not of the image (picotool writes it). */
+static bool is_against_e10(const uint8_t *at)
+{
+    const struct block b = read_block(at, 0);
+    return has_magic(at) && (b.flags & HAS_FAMILY) != 0 && b.family == ABSOLUTE && b.address == LAST_PAGE &&
+           b.number == 0 && b.total == 2;
+}
+
 int flash_uf2_parse(struct flash_image *image, const uint8_t *bytes, size_t n, char *error)
 {
+    if (n >= 2 * (size_t)BLOCK && is_against_e10(bytes)) {
+        bytes += BLOCK;
+        n -= BLOCK;
+    }
     struct uf2 uf2 = {.blocks = (uint32_t)(n / BLOCK)};
     int status = 0;
     uf2.numbers = calloc((size_t)uf2.blocks + 1, 1);

@@ -1,11 +1,12 @@
 /*
- * flash_usb: RP2040s in their boot loader, on USB. usb/ uses libusb; nousb/ refuses. Results are 0 or more, or a status
- * as in flash_boot.h.
+ * flash_usb: RP2040s and RP2350s in their boot loader, on USB. usb/ uses libusb; nousb/ refuses. Results are 0 or more,
+ * or a status as in flash_boot.h.
  */
 #ifndef FLASH_USB_H
 #define FLASH_USB_H
 
 #include "flash_boot.h"
+#include "flash_image.h"
 
 #include <stdint.h>
 
@@ -13,9 +14,9 @@
 
 struct flash_board {
     uint8_t bus, address; /* as lsusb shows them */
-    int rp2350;           /* 1: not an RP2040 but its successor */
-    int status;           /* 0, or why it cannot be opened; there is no serial number then */
-    char serial[64];      /* without control characters */
+    enum flash_chip chip;
+    int status;      /* 0, or why it cannot be opened; there is no serial number then */
+    char serial[64]; /* without control characters */
 };
 
 /* Lists the boards; returns how many, at most FLASH_BOARDS_MAX. */

@@ -1,4 +1,4 @@
-/* pinhole-flash: an image into the flash of an RP2040 that is in its USB boot loader. See flash_job.h. */
+/* pinhole-flash: an image into the flash of an RP2040 or RP2350 that is in its USB boot loader. See flash_job.h. */
 
 #include "complain.h"
 #include "flash_file.h"
@@ -24,7 +24,7 @@ static const struct option_row rows[] = {
      "a serial number or BUS:ADDRESS", .at = offsetof(struct request, serial)},
     {"at-scene", NULL, "IMAGE is a binary scene (.phs): it goes to 0x10080000, and the image on the board shows it",
      NULL, .at = offsetof(struct request, at_scene)},
-    {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number", NULL,
+    {"list", NULL, "the boards that are in their boot loader: BUS:ADDRESS, serial number, chip", NULL,
      .at = offsetof(struct request, list)},
     {"no-verify", NULL, "does not read back and compare what was written", NULL,
      .at = offsetof(struct request, no_verify)},
@@ -36,9 +36,10 @@ static const struct option_table table = {rows, sizeof rows / sizeof rows[0]};
 static void print_help(void)
 {
     puts("pinhole-flash IMAGE [options]\n"
-         "Writes IMAGE, a UF2 or BIN file, into the flash of an RP2040 that is in its boot loader (plugged in with "
-         "BOOTSEL\n"
-         "held; or a running Pinhole image was sent B over its UART, or started with a button held), reads it back,\n"
+         "Writes IMAGE, a UF2 or BIN file, into the flash of an RP2040 or RP2350 that is in its boot loader (plugged "
+         "in\n"
+         "with BOOTSEL held; or a running Pinhole image was sent B over its UART, or started with a button held), "
+         "reads it back,\n"
          "compares, and starts it.\n");
     option_table_help(&table);
     puts("\nExit status: 0 done; 1 failed; 2 wrong usage; 130, 143, 129 stopped by Ctrl-C, SIGTERM, SIGHUP.");
@@ -78,24 +79,21 @@ static int complain_board(const struct flash_board *board, int status)
     } else if (status == HAL_ENODEV) {
         why = "unplugged; plug it in again with BOOTSEL held";
     }
-    return complain("RP2040 %u:%u: %s", board->bus, board->address, why);
+    return complain("%s %u:%u: %s", flash_chip_name(board->chip), board->bus, board->address, why);
 }
 
 static int list(const struct flash_board *boards, int count)
 {
-    int shown = 0;
     for (int i = 0; i < count; i++) {
         const struct flash_board *b = &boards[i];
-        if (!b->rp2350) {
-            printf("%u:%u %s\n", b->bus, b->address, b->status < 0 ? "(cannot be opened)" : b->serial);
-            shown++;
-        }
-        if (!b->rp2350 && b->status < 0) {
+        printf("%u:%u %s %s\n", b->bus, b->address, b->status < 0 ? "(cannot be opened)" : b->serial,
+               flash_chip_name(b->chip));
+        if (b->status < 0) {
             complain_board(b, b->status);
         }
     }
     char error[FLASH_ERROR_SIZE];
-    return shown == 0 && flash_pick(boards, count, NULL, error) < 0 ? complain("%s", error) : 0;
+    return count == 0 && flash_pick(boards, count, FLASH_ANY, NULL, error) < 0 ? complain("%s", error) : 0;
 }
 
 /* ---- the job ------------------------------------------------------------------------------------ */
@@ -112,7 +110,7 @@ static int write_image(const struct request *r, const struct flash_image *image,
     if (status < 0) {
         return complain_board(board, status);
     }
-    struct flash_boot boot = {.ops = &flash_usb_ops, .context = usb};
+    struct flash_boot boot = {.ops = &flash_usb_ops, .context = usb, .is_rp2350 = board->chip == FLASH_RP2350};
     struct flash_job job = {.boot = &boot,
                             .image = image,
                             .verify = !r->no_verify,
@@ -122,11 +120,11 @@ static int write_image(const struct request *r, const struct flash_image *image,
     status = flash_job_run(&job);
     flash_usb_close(usb);
     if (status < 0) {
-        complain("RP2040 %u:%u: %s", board->bus, board->address, job.error);
+        complain("%s %u:%u: %s", flash_chip_name(board->chip), board->bus, board->address, job.error);
         return status == FLASH_STOPPED ? status : COMPLAINED;
     }
-    printf("RP2040 %u:%u: %u bytes written%s%s\n", board->bus, board->address, (unsigned)image->size,
-           r->no_verify ? "" : ", read back and equal", r->no_reboot ? "" : ", started");
+    printf("%s %u:%u: %u bytes written%s%s\n", flash_chip_name(board->chip), board->bus, board->address,
+           (unsigned)image->size, r->no_verify ? "" : ", read back and equal", r->no_reboot ? "" : ", started");
     return 0;
 }
 
@@ -139,7 +137,7 @@ static int run(const struct request *r)
         return complain("%s: %s", r->path, error);
     }
     const int count = flash_usb_list(boards);
-    const int picked = count < 0 || r->list ? -1 : flash_pick(boards, count, r->serial, error);
+    const int picked = count < 0 || r->list ? -1 : flash_pick(boards, count, image.chip, r->serial, error);
     int status;
     if (count < 0) {
         status = complain_usb(count);

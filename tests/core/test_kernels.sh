@@ -17,7 +17,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud span_blend halve small_gouraud small_knee wide_gouraud setup_small float_depths texture_tile texture_small texel_row_lit texel_row_smooth texel_row_smooth_lit vertices cull)
+loops=(fill span_flat span_gouraud span_blend halve small_gouraud small_knee wide_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -105,8 +105,10 @@ check "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's
 check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 check "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
 check "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
-check "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r7, r5, #24/lsrs r7, r5, #23/'
-check "light_of_other_pixels_for_armv7m_is_seen" change_is_seen armv7m texel_row_lit 's/adds r7, r6, #1/adds r7, r6, #2/'
+check "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r7, r5, #24/lsrs r7, r5, #23/' 'texel_row_lit texel_run_rows'
+check "light_of_other_pixels_for_armv7m_is_seen" change_is_seen armv7m texel_row_lit 's/adds r7, r6, #1/adds r7, r6, #2/' 'texel_row_lit texel_run_rows'
+check "a_highlight_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    movs r0, #33/    movs r0, #34/'
+check "light_of_a_row_beside_for_armv7m_is_seen" change_is_seen armv7m texel_run_rows 's/^    mla r4, r5, r6, r4/    mov r4, r4/'
 check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
 check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
 check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
@@ -132,6 +134,7 @@ if [ "$(uname -m)" = x86_64 ]; then
     check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
     check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
     check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
+    check "another_texel_light_for_x86_64_is_seen" vector_change_is_seen texel_run_rows.c 's/level >> 5/level >> 6/'
     check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
 else
     skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"

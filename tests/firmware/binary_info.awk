@@ -3,7 +3,7 @@
 # boot2, of an RP2350 in the first 1024 bytes, and pointers are addresses in flash. A line an entry: `name Pinhole demos`, `pin 12 button up`.
 { for (i = 1; i <= NF; i++) { byte[n++] = $i } }
 function word(at) { return byte[at] + 256 * (byte[at + 1] + 256 * (byte[at + 2] + 256 * byte[at + 3])) }
-function pointer(at,    to) { to = word(at) - 268435456; if (to < (rp2350 ? 256 : 512) || to >= n) { print "a pointer leaves the image"; exit }; return to }
+function pointer(at,    to) { to = word(at) - 268435456; if (to < (rp2350 ? 64 : 512) || to >= n) { print "a pointer leaves the image"; exit }; return to }
 function text(at,    s) { for (s = ""; byte[at] != 0; at++) { s = s sprintf("%c", byte[at]) } return s }
 function field(value, from, bits) { return int(value / 2 ^ from) % 2 ^ bits }
 function names(mask, label,    pin) { for (pin = 0; pin < 30; pin++) { if (field(mask, pin, 1)) { print "pin", pin, label } } }

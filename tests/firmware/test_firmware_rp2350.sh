@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Images for the RP2350 (Cortex-M33) keep to their budgets, and are what its boot ROM starts: vectors at the beginning of
-# flash, an image definition within the first 4 KB, UF2 blocks of the chip's family. No emulator runs them yet.
+# Images for the RP2350, for its Arm and its RISC-V cores, keep to their budgets, and are what its boot ROM starts: vectors at
+# the beginning of flash or an entry point, an image definition within the first 4 KB, UF2 blocks of the right family.
 # shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -11,31 +11,60 @@ command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 board=pico2-display-2
-image=$B/firmware/$board-demos-cores2
+
+of() { # ISA: what follows is about this image
+    isa=$1 cross=arm-none-eabi- image=$B/firmware/$board-demos-cores2
+    [ "$isa" = arm ] || cross=riscv64-unknown-elf- image=$B/firmware/$board-demos-$isa-cores2
+}
+
+firmware() { make -s -j2 B="$B" firmware BOARD="$board" ISA="$isa" CORES=2 "$@" >"$dir/said" 2>&1; }
 
 builds() {
-    make -s -j2 B="$B" firmware BOARD="$board" CORES=2 >"$dir/said" 2>&1 || { cat "$dir/said" && return 1; }
+    firmware || { cat "$dir/said" && return 1; }
     cat "$dir/said"
     grep -q '^flash .* of 4194304 bytes' "$dir/said" && grep -q '^stack ' "$dir/said"
 }
 
+# 256 bytes are core 1's guard; an interrupt's frame is 32 bytes for Arm, 64 for RISC-V.
+stack_of_core_1_has_a_bound() {
+    local size bound frame=64
+    [ "$isa" = riscv ] || frame=32
+    size=$((0x$("${cross}nm" -S "$image.elf" | awk '$4 == "stack" { print $2 }')))
+    bound=$(find "${image/-demos/}-objects" -name '*.ci' -exec cat {} + | awk -v library=96 -v list=1 -v of=hal/rp2040/cores2.c:serve -f firmware/tools/stack.awk | awk '/^worst/ { print $2 }')
+    echo "at most $bound of $size"
+    [ "$bound" -gt 1000 ] && [ $((bound + frame)) -le $((size - 256)) ]
+}
+
+refuses() { # pattern in its one line, C text
+    printf '%s\n' "$2" >"$dir/mine.c"
+    firmware APP="$dir/mine.c" && echo "accepts it" && return 1
+    grep -q "$1" "$dir/said" || { cat "$dir/said" && return 1; }
+}
+
+only_its_compilers_library() { grep -q 'libgcc\.a' "$image.map" && ! grep -qE "/lib(c|g|m|nosys)(_nano)?\.a" "$image.map"; }
+
+bit_manipulation_is_used() { "${cross}objdump" -d "$image.elf" | grep -qE '\ssh[123]add\s'; }
+
 words() { od -An -v -tx4 -w4 "$1" | tr -d ' '; } # of a BIN file, one a line
 
-symbol() { arm-none-eabi-nm "$image.elf" | awk -v name="$1" '$3 == name { print $1 }'; }
+symbol() { "${cross}nm" "$image.elf" | awk -v name="$1" '$3 == name { print $1 }'; }
 
 odd() { printf '%08x' $((0x$1 | 1)); } # address of Thumb code as a vector has it
 
-# Words of the block in the order of the RP2350 datasheet, 5.9.5: marker, image type, last item, link to itself, marker.
+# Words of the block in the order of the RP2350 datasheet, 5.9.5: marker, image type, last item, link to itself, marker; for
+# RISC-V also an entry point (5.9.3.4).
 definition_is_there() { # BIN
-    words "$1" | head -n 1024 | awk '
+    local expected='ffffded3 10210142 000001ff 00000000 ab123579 '
+    [ "$isa" = arm ] || expected="ffffded3 11010142 00000344 $(symbol rp2040_reset) $(symbol ld_stack_top) 000004ff 00000000 ab123579 "
+    words "$1" | head -n 1024 | awk -v expected="$expected" '
         $1 == "ffffded3" { at = NR }
         at { block = block $1 " " }
-        at && NR == at + 4 { exit }
-        END { if (block != "ffffded3 10210142 000001ff 00000000 ab123579 ") { print "block: " block; exit 1 } }'
+        at && $1 == "ab123579" { exit }
+        END { if (block != expected) { print "block: " block; exit 1 } }'
 }
 
 other_chips_definition_is_seen() {
-    sed 's/\x42\x01\x21\x10/\x42\x01\x21\x00/' "$image.bin" >"$dir/wrong.bin"
+    LC_ALL=C sed 's/\x42\x01\(.\)[\x10\x11]/\x42\x01\1\x00/' "$image.bin" >"$dir/wrong.bin"
     ! cmp -s "$image.bin" "$dir/wrong.bin" && ! definition_is_there "$dir/wrong.bin" >/dev/null
 }
 
@@ -67,9 +96,9 @@ uf2_holds_the_bin() { # family
 
 binary_info() { od -An -v -tu1 -w16 "$image.bin" | awk -v rp2350=1 -f tests/firmware/binary_info.awk; }
 
-image_tells_what_it_is() { # ISA
+image_tells_what_it_is() {
     binary_info | diff - <(printf '%s\n' 'name Pinhole demos' "version $(sed -n 's/^.define PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h)" "board $board" \
-        "attribute ISA=$1" 'attribute CORES=2 CHANGES=1' "end $((0x10000000 + $(stat -c %s "$image.bin")))" \
+        "attribute ISA=$isa" 'attribute CORES=2 CHANGES=1' "end $((0x10000000 + $(stat -c %s "$image.bin")))" \
         'pin 0 function 2' 'pin 1 function 2' 'pin 18 function 1' 'pin 19 function 1' 'pin 18 clock' 'pin 19 data' 'pin 17 chip select' \
         'pin 16 D/C' 'pin 20 backlight' 'pin 12 button up' 'pin 13 button down' 'pin 14 button left' 'pin 15 button right')
 }
@@ -80,13 +109,29 @@ registers_are_the_chips_own() {
     grep -q '^400800' "$dir/words" && grep -q '^400380' "$dir/words" && ! grep -Eq '^4001c0|^4003c0|^d0000060$' "$dir/words"
 }
 
-check "an_image_for_two_cores_keeps_to_its_budget" builds
+every_image() { # UF2 family
+    check "an_image_for_two_cores_of_${isa}_keeps_to_its_budget" builds
+    check "its_image_definition_is_within_the_first_4_KB" definition_is_there "$image.bin"
+    check "... that_of_another_chip_is_seen" other_chips_definition_is_seen
+    check "its_UF2_begins_with_the_block_against_erratum_E10" first_block_is_against_E10 "$image.uf2"
+    check "... one_that_does_not_is_seen" a_file_without_that_block_is_seen
+    check "its_UF2_holds_the_BIN_with_its_family" uf2_holds_the_bin "$1"
+    check "it_tells_its_name_its_board_and_its_pins" image_tells_what_it_is
+    check "the_stack_of_its_second_core_has_a_bound" stack_of_core_1_has_a_bound
+}
+
+of arm
+every_image e48bff59
 check "the_vectors_are_at_the_beginning_of_flash" vectors_are_at_the_beginning
-check "the_image_definition_is_within_the_first_4_KB" definition_is_there "$image.bin"
-check "the_image_definition_of_another_chip_is_seen" other_chips_definition_is_seen
-check "the_UF2_begins_with_the_block_against_erratum_E10" first_block_is_against_E10 "$image.uf2"
-check "... one that does not is seen" a_file_without_that_block_is_seen
-check "the_UF2_holds_the_BIN_with_the_family_rp2350_arm_s" uf2_holds_the_bin e48bff59
-check "the_image_tells_its_name_its_board_and_its_pins" image_tells_what_it_is arm
 check "the_registers_are_the_chips_own" registers_are_the_chips_own
+of riscv
+if command -v riscv64-unknown-elf-gcc >/dev/null; then
+    every_image e48bff5a
+    check "its_only_library_is_the_compilers" only_its_compilers_library
+    check "it_uses_the_bit_manipulation_of_Hazard3" bit_manipulation_is_used
+    check "floating_point_is_refused_there_too" refuses 'floating point, heap' 'volatile float x = 2; int main(void) { x = x * x; return 0; }'
+    check "recursion_is_refused_there_too" refuses 'recursion' 'volatile int n = 9; int f(int a); int f(int a) { return a > 0 ? f(a - 1) * a + n : 1; } int main(void) { return f(n); }'
+else
+    skip "images_for_RISC-V" "no riscv64-unknown-elf-gcc: apt-get install gcc-riscv64-unknown-elf"
+fi
 tap_end

@@ -21,6 +21,11 @@ make_images() { # directory, then name and bytes of each
     done
 }
 
+# DIR/NAME.bin, .uf2: an image of so many random bytes for an RP2350, which starts what has an image definition.
+make_rp2350_image() { # directory, name, bytes
+    { printf '\323\336\377\377' && head -c $(($3 - 4)) /dev/urandom; } >"$1/$2.bin" && "$1/uf2" 0xe48bff59 0x10000000 "$1/$2.bin" "$1/$2.uf2"
+}
+
 # ---- in the guest --------------------------------------------------------------------------------
 
 run() { # name, argument...
@@ -66,7 +71,7 @@ cut_and_again() { # number, image, flash as it should be
     local same=no
     cp "$images/old" "$GUEST/flash"
     cut "$1" "$2"
-    run_on second flash "" "$2"
+    run_on second flash "${product-}" "$2"
     cmp -s "$GUEST/flash" "$3" && same=yes
     echo "$(cat "$GUEST/first.status") $(cat "$GUEST/second.status") $same $(cat "$GUEST/first.err")" >>"$GUEST/cuts"
 }
@@ -78,7 +83,7 @@ ended() { # name, status, line
     local status
     status=$(cat "$guest_out/$1.status" 2>&1)
     [ "$status" = "$2" ] || { echo "status $status, not $2"; cat "$guest_out/$1.err"; return 1; }
-    sed 's/RP2040 [0-9]*:[0-9]*:/RP2040 @:/' "$guest_out/$1.err" | diff - <(if [ -n "$3" ]; then echo "pinhole-flash: $3"; fi)
+    sed -E 's/(RP2[0-9]*) [0-9]+:[0-9]+:/\1 @:/' "$guest_out/$1.err" | diff - <(if [ -n "$3" ]; then echo "pinhole-flash: $3"; fi)
 }
 
 said() { # name, line

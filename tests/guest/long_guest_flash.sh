@@ -8,12 +8,13 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/guest/flash_in_guest.sh
 guest_begin "a virtual RP2040 is pulled at any moment" libusb-1.0
 make -s B="$B" all && guest_build || exit 1
-make_images "$dir" a 40000 || exit 1
+make_images "$dir" a 40000 && make_rp2350_image "$dir" pico2 40000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"
-{
-    cat "$dir/a.bin" && head -c $((40192 - 40000)) /dev/zero && head -c $((40960 - 40192)) /dev/zero | tr '\0' '\377'
+expected() { # image
+    cat "$1" && head -c $((40192 - 40000)) /dev/zero && head -c $((40960 - 40192)) /dev/zero | tr '\0' '\377'
     tail -c +40961 "$dir/old"
-} >"$dir/expected"
+}
+expected "$dir/a.bin" >"$dir/expected" && expected "$dir/pico2.bin" >"$dir/expected-pico2"
 seed=${SEED:-$RANDOM}
 
 in_guest() { # name, script
@@ -39,18 +40,18 @@ by_bytes='
     cut() {
         local after=$(((RANDOM * 32768 + RANDOM) % 42016))
         [ $(($1 % 3)) != 0 ] || after=$((42016 - RANDOM % 352)) # while it is read back
-        run_on first flash "--unplug-after $after" "$2"
+        run_on first flash "--unplug-after $after $product" "$2"
     }
-    for i in {1..60}; do cut_and_again $i $images/a.uf2 $images/expected; done
+    for i in {1..60}; do cut_and_again $i $images/$image.uf2 $images/$wanted; done
 '
 by_time='
     cut() {
-        plug --flash $GUEST/flash
+        plug --flash $GUEST/flash $product
         (sleep 0.$(printf %03d $((RANDOM % 250))) && kill $usb_device) &
         run first "$2"
         wait
     }
-    for i in {1..40}; do cut_and_again $i $images/a.uf2 $images/expected; done
+    for i in {1..40}; do cut_and_again $i $images/$image.uf2 $images/$wanted; done
 '
 by_signal='
     cut() {
@@ -73,12 +74,17 @@ checked='
     run_on pulled flash "--unplug-after 9000" $images/a.uf2
     run_on refused flash "--stall-after 9000" $images/a.uf2
 '
-unplugged='^pinhole-flash: (RP2040 [0-9]+:[0-9]+: unplugged|no RP2040 in its boot loader|RP2040 [0-9]+:[0-9]+: cannot be opened)'
-in_guest bytes "$by_bytes"
-check "60 boards, each pulled after a random number of bytes (SEED=$seed): a line, and a second run completes" \
-    cuts_are_mended 60 1 "$unplugged"
-in_guest time "$by_time"
-check "40 boards, each pulled after a random time: a line, and a second run completes" cuts_are_mended 40 1 "$unplugged"
+unplugged='^pinhole-flash: (RP2[0-9]+ [0-9]+:[0-9]+: unplugged|no RP2[0-9]+ in its boot loader|RP2[0-9]+ [0-9]+:[0-9]+: cannot be opened)'
+pulled() { # chip, product of the virtual board, image, flash as it should be
+    local options="product='$2' image=$3 wanted=$4"
+    in_guest "bytes-$3" "$options$by_bytes"
+    check "60 times an $1, each pulled after a random number of bytes (SEED=$seed): a line, and a second run completes" \
+        cuts_are_mended 60 1 "$unplugged"
+    in_guest "time-$3" "$options$by_time"
+    check "40 times an $1, each pulled after a random time: a line, and a second run completes" cuts_are_mended 40 1 "$unplugged"
+}
+pulled RP2040 '' a expected
+pulled RP2350 '--product f' pico2 expected-pico2
 in_guest signals "$by_signal"
 check "40 runs, each ended by a signal at a random time: a line or killed, and a second run completes" \
     cuts_are_mended 40 "130 143 137" '^$|^pinhole-flash: RP2040 [0-9]+:[0-9]+: stopped before'

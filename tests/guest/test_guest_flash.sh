@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/guest/flash_in_guest.sh
 guest_begin "pinhole-flash writes a virtual RP2040" libusb-1.0 assimp libcjson
 chmod 755 "$dir" # somebody without rights reads the images, too
-guest_build && make_images "$dir" a 50000 b 70001 large 700000 || exit 1
+guest_build && make_images "$dir" a 50000 b 70001 large 700000 && make_rp2350_image "$dir" pico2 50000 || exit 1
 head -c 2097152 /dev/urandom >"$dir/old"
 printf '\177ELF\001\001\001' >"$dir/a.elf"
 "$dir/uf2" 0x57755a57 0x08000000 "$dir/a.bin" "$dir/stm32.uf2"
@@ -22,7 +22,7 @@ EOT
 cat >>"$dir/in_guest" <<'EOT'
 . tests/guest/flash_in_guest.sh
 cd $GUEST
-for flash in uf2 bin kept small stalls cut int killed scene; do cp $images/old $flash; done
+for flash in uf2 pico2 pico2-bin bin kept small stalls cut int killed scene; do cp $images/old $flash; done
 run none $images/a.uf2
 run list-none --list
 run_on uf2 uf2 "" $images/a.uf2
@@ -44,6 +44,15 @@ pull
 run_on scene scene "" $images/a.phs --at-scene
 run_on small small "--flash-bytes 524288" $images/large.bin
 run_on rp2350 kept "--product f" $images/a.uf2
+run_on rp2040 kept "" $images/pico2.uf2
+plug --flash kept && one=$usb_device
+run_on pico2 pico2 "--product f" $images/pico2.uf2
+plug --flash pico2 --product f
+run list-pico2 --list
+kill $one && wait $one
+pull
+run_on cut-pico2 pico2-bin "--product f --unplug-after 20000" $images/pico2.bin
+run_on pico2-bin pico2-bin "--product f --stall-once" $images/pico2.bin
 plug --flash kept && chmod 600 /dev/bus/usb/*/*
 guest_wrap="setpriv --reuid 65534 --clear-groups" run nouser $images/a.uf2
 guest_wrap="setpriv --reuid 65534 --clear-groups" run list-nouser --list
@@ -73,6 +82,7 @@ guest_run --icount --timeout 2500 --out "$dir/guest" -- bash "$dir/in_guest" >"$
 guest_out=$dir/guest
 
 again='plug it in with BOOTSEL held and run this again'
+nothing='no RP2040 or RP2350 in its boot loader (2e8a:0003 or 2e8a:000f) on USB; plug it in with BOOTSEL held, or send B to the UART of a running image'
 nobody='no RP2040 in its boot loader (2e8a:0003) on USB; plug it in with BOOTSEL held, or send B to the UART of a running image'
 two="2 RP2040s match: @, @; choose one with --serial BUS:ADDRESS (their serial numbers are alike)"
 
@@ -86,7 +96,7 @@ refused() { # image, line
 
 two_are_listed() {
     sed -i 's/[0-9]*:[0-9]* (E0C9125B0D9B)/@/g' "$guest_out/two.err"
-    ended two 1 "$two" && [ "$(grep -c '^[0-9]*:[0-9]* E0C9125B0D9B$' "$guest_out/list-two.out")" = 2 ] &&
+    ended two 1 "$two" && [ "$(grep -c '^[0-9]*:[0-9]* E0C9125B0D9B RP2040$' "$guest_out/list-two.out")" = 2 ] &&
         [ "$(sort -u "$guest_out/list-two.out" | wc -l)" = 2 ] && ended list-two 0 ""
 }
 
@@ -109,7 +119,7 @@ cut_is_completed() {
 
 stopped() { # name, status, flash
     [ "$(cat "$guest_out/$1.status")" = "$2" ] || { cat "$guest_out/$1.status" "$guest_out/$1.err" && return 1; }
-    said "$1-list" '@ E0C9125B0D9B' && ended "$3" 0 "" && flash_is "$3" large.bin zeros
+    said "$1-list" '@ E0C9125B0D9B RP2040' && ended "$3" 0 "" && flash_is "$3" large.bin zeros
 }
 
 interrupt_is_one_line() {
@@ -126,19 +136,23 @@ a_terminal_shows_a_bar() {
 check "a UF2 is written, read back and started" eval 'ended uf2 0 "" && said uf2 "RP2040 @: 50176 bytes written, read back and equal, started"'
 check "... and the flash holds it, byte by byte, and what it held elsewhere" flash_is uf2 a.bin zeros
 check "a BIN is written; --no-verify and --no-reboot do neither" eval 'ended bin 0 "" && said bin "RP2040 @: 70001 bytes written"'
-check "... and the board is still there" eval 'ended list 0 "" && said list "@ E0C9125B0D9B"'
+check "... and the board is still there" eval 'ended list 0 "" && said list "@ E0C9125B0D9B RP2040"'
 check "... for --serial, which writes it again" eval 'ended again 0 "" && said again "RP2040 @: 70001 bytes written, read back and equal, started"'
 check "... byte by byte" flash_is bin b.bin erased
-check "... and has left then" ended left 1 "$nobody"
-check "no board" eval 'ended none 1 "$nobody" && ended list-none 1 "$nobody"'
+check "... and has left then" ended left 1 "$nothing"
+check "no board" eval 'ended none 1 "$nobody" && ended list-none 1 "$nothing"'
 check "an RP2350 is another board" ended rp2350 1 "${nobody/ on USB/ on USB (an RP2350 is, which needs another image)}"
+check "... and so is an RP2040" ended rp2040 1 "no RP2350 in its boot loader (2e8a:000f) on USB (an RP2040 is, which needs another image); ${nobody#*; }"
+check "an RP2350 beside an RP2040 gets its image, and reboots" eval 'ended pico2 0 "" && said pico2 "RP2350 @: 50176 bytes written, read back and equal, started" && flash_is pico2 pico2.bin zeros'
+check "... and is listed" eval '[ "$(sed "s/[^ ]* //" "$guest_out/list-pico2.out" | sort | tr "\n" ,)" = "E0C9125B0D9B RP2040,E0C9125B0D9B RP2350," ]'
+check "one that is pulled is a line, and a second run completes" eval 'grep -q ": unplugged while writing 0x1000[0-9a-f]*; " "$guest_out/cut-pico2.err" && ended pico2-bin 0 "" && flash_is pico2-bin pico2.bin erased'
 check "several boards, which have the same serial number" two_are_listed
 check "a serial number that no board has" eval 'sed -i "s/[0-9]*:[0-9]* (E0/@ (E0/" "$guest_out/serial.err" && ended serial 1 "no RP2040 in its boot loader is '\''NONE'\''; on USB: @ (E0C9125B0D9B)"'
 check "no permission names the rule" ended nouser 1 'RP2040 @: no permission; copy boards/udev/60-pinhole.rules to /etc/udev/rules.d, run udevadm control --reload, and plug it in again'
-check "... for --list, too" eval 'said list-nouser "@ (cannot be opened)" && grep -q 60-pinhole.rules "$guest_out/list-nouser.err"'
+check "... for --list, too" eval 'said list-nouser "@ (cannot be opened) RP2040" && grep -q 60-pinhole.rules "$guest_out/list-nouser.err"'
 check "another program has the board" ended busy 1 'RP2040 @: in use by another program; end that one'
 check "an ELF" refused a.elf 'an ELF file, which is for debuggers; give the .uf2 or .bin beside it'
-check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), not for an RP2040 (0xe48bff56)'
+check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), not for an RP2040 or RP2350'
 check "a UF2 for RAM" refused ram.uf2 'block 0 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)'
 check "a truncated UF2" refused short.uf2 'truncated: block 0 says that there are 196 blocks, the file has 100'
 check "a scene that is not whole" refused half.phs 'is not whole, or too large'

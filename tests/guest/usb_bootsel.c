@@ -1,4 +1,5 @@
-/* An RP2040 in its USB boot loader: the PICOBOOT interface of the RP2040 datasheet, section 2.8.5. */
+/* An RP2040 or RP2350 in its USB boot loader: the PICOBOOT interface of the RP2040 datasheet, section 2.8.5, and of the
+ * RP2350 datasheet, section 5.6, which has REBOOT2 in place of REBOOT. */
 #define _GNU_SOURCE
 #include "usb.h"
 
@@ -15,7 +16,7 @@
 #define ROM_BYTES  0x4000u
 #define SECTORS    4096u /* of 16 MB */
 
-enum { EXCLUSIVE = 1, REBOOT = 2, ERASE = 3, WRITE = 5, EXIT_XIP = 6, ENTER_XIP = 7, READ = 0x84 };
+enum { EXCLUSIVE = 1, REBOOT = 2, ERASE = 3, WRITE = 5, EXIT_XIP = 6, ENTER_XIP = 7, REBOOT2 = 10, READ = 0x84 };
 enum { OK = 0, UNKNOWN_COMMAND = 1, BAD_ARGUMENTS = 2, BAD_LENGTH = 3, BAD_ADDRESS = 4, BAD_ALIGNMENT = 5 };
 enum { INTERFACE_RESET = 0x41, COMMAND_STATUS = 0x42 };
 
@@ -126,13 +127,15 @@ static uint32_t start(struct bootsel *b, const uint8_t *command)
 {
     static const struct {
         uint8_t id, arguments;
-    } known[] = {{EXCLUSIVE, 1}, {REBOOT, 12}, {ERASE, 8}, {READ, 8}, {WRITE, 8}, {EXIT_XIP, 0}, {ENTER_XIP, 0}};
+    } known[] = {{EXCLUSIVE, 1}, {ERASE, 8},     {READ, 8},    {WRITE, 8},
+                 {EXIT_XIP, 0},  {ENTER_XIP, 0}, {REBOOT, 12}, {REBOOT2, 16}};
+    const uint8_t other = b->options.product == 3 ? REBOOT2 : REBOOT;
     const uint32_t length = u32(command + 12), address = u32(command + 16), size = u32(command + 20);
     size_t i = 0;
     while (i < sizeof known / sizeof known[0] && known[i].id != b->command) {
         i++;
     }
-    if (i == sizeof known / sizeof known[0]) {
+    if (i == sizeof known / sizeof known[0] || b->command == other) {
         return UNKNOWN_COMMAND;
     }
     if (command[9] != known[i].arguments) {
@@ -144,7 +147,7 @@ static uint32_t start(struct bootsel *b, const uint8_t *command)
     }
     b->address = address;
     b->left = length;
-    b->rebooting = b->command == REBOOT;
+    b->rebooting = b->command == REBOOT || b->command == REBOOT2;
     if (b->command == ERASE) {
         return erase(b, address, size);
     }

@@ -18,12 +18,12 @@ library() {
     make -s -j2 B="$B" "$B/libpinhole-hal.a" && ! others 'linux|kms|ft232h|null|panel|board' "$B/libpinhole-hal.a"
 }
 
-port() { # folder below hal
+port() { # folder below hal, other prefix, compiler and its flags
     local file wrong=0
     for file in "hal/$1"/*.[cS]; do
         case $file in */boot2_seal.c) continue ;; esac # runs on the machine that builds
-        arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -O1 -ffreestanding -Ihal "-Ihal/$1" -c "$file" -o "$dir/object.o" || return 1
-        ! others "$1|port|__aeabi" "$dir/object.o" || wrong=1
+        "${@:3}" -O1 -ffreestanding -Ihal "-Ihal/$1" "-Ihal/${1%/*}" -c "$file" -o "$dir/object.o" || return 1
+        ! others "${1%/*}|$2|port|__aeabi" "$dir/object.o" || wrong=1
     done
     return "$wrong"
 }
@@ -35,11 +35,13 @@ prefix_is_missed() {
 
 check "a_symbol_without_a_prefix_is_seen" prefix_is_missed
 check "the_library_exports_only_names_with_its_prefixes" library
-for folder in cortexm lm3s6965 rp2040 rp2350 stm32f4 template; do
-    if command -v arm-none-eabi-gcc >/dev/null; then
-        check "the_port_${folder}_exports_only_names_with_its_prefixes" port "$folder"
+named() { # folder, other prefix, compiler and its flags
+    if command -v "$3" >/dev/null; then
+        check "the_port_${1}_exports_only_names_with_its_prefixes" port "$@"
     else
-        skip "the_port_${folder}_exports_only_names_with_its_prefixes" "no arm-none-eabi-gcc"
+        skip "the_port_${1}_exports_only_names_with_its_prefixes" "no $3"
     fi
-done
+}
+for folder in cortexm lm3s6965 rp2040 rp2350/arm stm32f4 template; do named "$folder" "$folder" arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb; done
+named rp2350/riscv rp2040 riscv64-unknown-elf-gcc -march=rv32imac_zicsr -mabi=ilp32
 tap_end

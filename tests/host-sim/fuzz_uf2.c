@@ -29,9 +29,13 @@ static void fail(const char *what)
 /* Every byte of the image comes from a block for it, or is erased; every block's bytes are there. */
 static void check_blocks(const struct flash_image *image, const uint8_t *file, size_t n)
 {
+    const bool has_e10 = n > UF2_BLOCK && uf2_get(file + UF2_FAMILY) == 0xE48BFF57;
+    file += has_e10 ? UF2_BLOCK : 0;
+    n -= has_e10 ? UF2_BLOCK : 0;
     const size_t blocks = n / UF2_BLOCK, size = (size_t)image->sectors * FLASH_SECTOR;
     uint8_t *expected = malloc(size);
     uint32_t taken = 0;
+    const uint32_t family = image->chip == FLASH_RP2040 ? 0xE48BFF56 : 0xE48BFF59;
     if (expected == NULL) {
         fail("out of memory");
     }
@@ -46,7 +50,7 @@ static void check_blocks(const struct flash_image *image, const uint8_t *file, s
             continue;
         }
         if (uf2_get(b + UF2_TOTAL) != blocks || uf2_get(b + UF2_NUMBER) >= blocks ||
-            uf2_get(b + UF2_FAMILY) != 0xE48BFF56 || at + 256 > size || !image->used[at / FLASH_SECTOR]) {
+            uf2_get(b + UF2_FAMILY) != family || at + 256 > size || !image->used[at / FLASH_SECTOR]) {
             fail("a wrong block was taken");
         }
         memcpy(expected + at, b + UF2_DATA, 256);
@@ -63,7 +67,8 @@ static void check_bin(const struct flash_image *image, const uint8_t *file, size
     uint8_t boot2[256];
     memcpy(boot2, file, sizeof boot2);
     uf2_seal_boot2(boot2);
-    if (image->size != n || memcmp(image->bytes, file, n) != 0 || memcmp(boot2, file, sizeof boot2) != 0) {
+    const bool starts = memcmp(boot2, file, sizeof boot2) == 0 || image->chip == FLASH_RP2350;
+    if (image->size != n || memcmp(image->bytes, file, n) != 0 || !starts) {
         fail("a BIN is not itself");
     }
 }
@@ -112,6 +117,9 @@ static uint32_t right_file(uint8_t *file)
     const uint32_t pages = 1 + below(PAGES_MOST);
     uf2_make_bin(bin, pages * 256, below(1000));
     uf2_make(file, bin, pages * 256);
+    if (below(2) == 0) {
+        uf2_for_rp2350(file, pages);
+    }
     for (uint32_t i = 0; i < pages; i++) {
         uint8_t *a = file + (size_t)i * UF2_BLOCK, *b = file + (size_t)below(pages) * UF2_BLOCK, c[UF2_BLOCK];
         memcpy(c, a, UF2_BLOCK);
@@ -134,9 +142,9 @@ static enum verdict change(uint8_t *file, uint32_t pages)
     case 0: /* bytes after the payload */
         b[UF2_DATA + 256 + below(476 - 256)] ^= (uint8_t)(1 + below(255));
         return RIGHT;
-    case 1: /* payload: right, but for boot2 with its checksum */
+    case 1: /* payload: right, but for boot2 with its checksum, or the definition */
         b[UF2_DATA + below(256)] ^= (uint8_t)(1 + below(255));
-        return first ? WRONG : RIGHT;
+        return first ? (uf2_get(b + UF2_FAMILY) == 0xE48BFF56 ? WRONG : EITHER) : RIGHT;
     case 2: /* to a free page */
         uf2_put(b + UF2_ADDRESS, FLASH_BASE + 256 * (PAGES_MOST + below(2048)));
         return first && pages > 1 ? WRONG : RIGHT; /* the first sector would have lost its boot2 */

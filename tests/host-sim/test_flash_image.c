@@ -1,4 +1,4 @@
-/* What pinhole-flash takes for an image of an RP2040, and every line with which it refuses another. */
+/* What pinhole-flash takes for an image of an RP2040 or RP2350, and every line with which it refuses another. */
 #define _POSIX_C_SOURCE 200809L
 #include <setjmp.h>
 #include <stdarg.h>
@@ -197,9 +197,9 @@ static void block_numbers_and_totals(void **state)
 static void sizes_and_places(void **state)
 {
     (void)state;
-    refuses_field(2, UF2_SIZE, 476, "damaged: block 2 has 476 bytes, an RP2040 takes 256 a block");
-    refuses_field(2, UF2_SIZE, 0, "damaged: block 2 has 0 bytes, an RP2040 takes 256 a block");
-    refuses_field(2, UF2_SIZE, 0xFFFFFFFF, "damaged: block 2 has 4294967295 bytes, an RP2040 takes 256 a block");
+    refuses_field(2, UF2_SIZE, 476, "damaged: block 2 has 476 bytes, the chip takes 256 a block");
+    refuses_field(2, UF2_SIZE, 0, "damaged: block 2 has 0 bytes, the chip takes 256 a block");
+    refuses_field(2, UF2_SIZE, 0xFFFFFFFF, "damaged: block 2 has 4294967295 bytes, the chip takes 256 a block");
     refuses_field(2, UF2_ADDRESS, 0x10000201, "damaged: block 2 is for address 0x10000201, no multiple of 256");
     refuses_field(2, UF2_ADDRESS, 0x20000000,
                   "block 2 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)");
@@ -213,15 +213,38 @@ static void sizes_and_places(void **state)
 static void families(void **state)
 {
     (void)state;
-    refuses_field(0, UF2_FAMILY, 0x57755A57, "for STM32F4 (family 0x57755a57), not for an RP2040 (0xe48bff56)");
-    refuses_field(9, UF2_FAMILY, 0xE48BFF59, "for RP2350 (family 0xe48bff59), not for an RP2040 (0xe48bff56)");
-    refuses_field(9, UF2_FAMILY, 7, "for another chip (family 0x00000007), not for an RP2040 (0xe48bff56)");
-    refuses_field(9, UF2_FLAGS, 0, "block 9 does not say for which chip it is; an RP2040 would ignore it");
+    refuses_field(0, UF2_FAMILY, 0x57755A57, "for STM32F4 (family 0x57755a57), not for an RP2040 or RP2350");
+    refuses_field(9, UF2_FAMILY, 0xE48BFF59,
+                  "block 9 is for RP2350, those before it for RP2040: no image has blocks for two chips");
+    refuses_field(9, UF2_FAMILY, 7, "for another chip (family 0x00000007), not for an RP2040 or RP2350");
+    refuses_field(9, UF2_FLAGS, 0, "block 9 does not say for which chip it is; the board would ignore it");
     refuses_field(9, UF2_FLAGS, 0x3000, "block 9 is of a file container, not of a flash image");
     for (uint32_t i = 0; i < BLOCKS; i++) {
         uf2_put(block(i) + UF2_FLAGS, 0x2001);
     }
     refuses(FILE_BYTES, "no block is for the flash");
+}
+
+static void an_rp2350_starts_what_has_a_definition(void **state)
+{
+    (void)state;
+    static uint8_t with_e10[UF2_BLOCK + FILE_BYTES];
+    struct flash_image image;
+    uf2_for_rp2350(file, BLOCKS);
+    uf2_make_e10(with_e10);
+    memcpy(with_e10 + UF2_BLOCK, file, FILE_BYTES);
+    accepts(with_e10, sizeof with_e10, &image);
+    assert_int_equal(image.chip, FLASH_RP2350);
+    assert_int_equal(image.size, BYTES);
+    memcpy(file, image.bytes, BYTES); /* as a BIN */
+    flash_image_free(&image);
+    accepts(file, BYTES, &image);
+    assert_int_equal(image.chip, FLASH_RP2350);
+    flash_image_free(&image);
+    memcpy(file, with_e10 + UF2_BLOCK, FILE_BYTES);
+    refuses_field(0, UF2_DATA, 0, "no image for an RP2350: its first 4096 bytes have no image definition");
+    memcpy(file, with_e10, UF2_BLOCK); /* it is of no use elsewhere, or alone */
+    refuses(UF2_BLOCK, "truncated: block 0 says that there are 2 blocks, the file has 1");
 }
 
 static const char no_boot2[] = "no image for an RP2040: its first 256 bytes (boot2) have a wrong checksum";
@@ -262,7 +285,7 @@ static void a_bin_larger_than_the_address_space(void **state)
     assert_int_equal(image.sectors, 4096);
     flash_image_free(&image);
     assert_int_equal(flash_file_parse(&image, large, FLASH_SPAN + 1, error), PH_ERR_INVAL);
-    assert_string_equal(error, "16777217 bytes do not fit into the flash: an RP2040 addresses 16777216");
+    assert_string_equal(error, "16777217 bytes do not fit into the flash: the chip addresses 16777216");
     free(large);
 }
 
@@ -306,6 +329,7 @@ int main(void)
         cmocka_unit_test_setup(block_numbers_and_totals, setup),
         cmocka_unit_test_setup(sizes_and_places, setup),
         cmocka_unit_test_setup(families, setup),
+        cmocka_unit_test_setup(an_rp2350_starts_what_has_a_definition, setup),
         cmocka_unit_test_setup(an_image_without_boot2_would_not_start, setup),
         cmocka_unit_test_setup(files_of_other_kinds, setup),
         cmocka_unit_test_setup(a_bin_larger_than_the_address_space, setup),

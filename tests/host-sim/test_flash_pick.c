@@ -10,26 +10,28 @@
 #include <stdio.h>
 #include <string.h>
 
-static const struct flash_board alike[] = {{.bus = 1, .address = 7, .serial = "E0C9125B0D9B"},
-                                           {.bus = 3, .address = 12, .serial = "E0C9125B0D9B"}};
-static const struct flash_board mixed[] = {{.bus = 1, .address = 2, .rp2350 = 1, .serial = "AAAA"},
-                                           {.bus = 1, .address = 3, .serial = "BBBB"},
-                                           {.bus = 1, .address = 4, .serial = "CCCC"},
-                                           {.bus = 1, .address = 5, .serial = ""}};
-static const struct flash_board closed[] = {{.bus = 2, .address = 9, .serial = "BBBB"},
-                                            {.bus = 2, .address = 10, .status = HAL_EACCES}};
+static const struct flash_board alike[] = {{.bus = 1, .address = 7, .chip = FLASH_RP2040, .serial = "E0C9125B0D9B"},
+                                           {.bus = 3, .address = 12, .chip = FLASH_RP2040, .serial = "E0C9125B0D9B"}};
+static const struct flash_board mixed[] = {{.bus = 1, .address = 2, .chip = FLASH_RP2350, .serial = "AAAA"},
+                                           {.bus = 1, .address = 3, .chip = FLASH_RP2040, .serial = "BBBB"},
+                                           {.bus = 1, .address = 4, .chip = FLASH_RP2040, .serial = "CCCC"},
+                                           {.bus = 1, .address = 5, .chip = FLASH_RP2040, .serial = ""}};
+static const struct flash_board closed[] = {{.bus = 2, .address = 9, .chip = FLASH_RP2040, .serial = "BBBB"},
+                                            {.bus = 2, .address = 10, .chip = FLASH_RP2040, .status = HAL_EACCES}};
+
+static enum flash_chip chip = FLASH_RP2040;
 
 static void picks(const struct flash_board *boards, int count, const char *serial, int index)
 {
     char error[FLASH_ERROR_SIZE] = "";
-    assert_int_equal(flash_pick(boards, count, serial, error), index);
+    assert_int_equal(flash_pick(boards, count, chip, serial, error), index);
     assert_string_equal(error, "");
 }
 
 static void refuses(const struct flash_board *boards, int count, const char *serial, const char *line)
 {
     char error[FLASH_ERROR_SIZE] = "";
-    assert_int_equal(flash_pick(boards, count, serial, error), PH_ERR_INVAL);
+    assert_int_equal(flash_pick(boards, count, chip, serial, error), PH_ERR_INVAL);
     assert_string_equal(error, line);
 }
 
@@ -99,12 +101,33 @@ static void many_with_long_numbers(void **state)
     static struct flash_board many[FLASH_BOARDS_MAX];
     char error[FLASH_ERROR_SIZE];
     for (int i = 0; i < FLASH_BOARDS_MAX; i++) {
-        many[i] = (struct flash_board){.bus = 255, .address = (uint8_t)(200 + i)};
+        many[i] = (struct flash_board){.bus = 255, .address = (uint8_t)(200 + i), .chip = FLASH_RP2040};
         memset(many[i].serial, 'S', sizeof many[i].serial - 1);
     }
-    assert_int_equal(flash_pick(many, FLASH_BOARDS_MAX, NULL, error), PH_ERR_INVAL);
+    assert_int_equal(flash_pick(many, FLASH_BOARDS_MAX, FLASH_RP2040, NULL, error), PH_ERR_INVAL);
     assert_non_null(strstr(error, "choose one with --serial BUS:ADDRESS (their serial numbers are alike)"));
-    assert_int_equal(flash_pick(many, FLASH_BOARDS_MAX, "255:231", error), 31);
+    assert_int_equal(flash_pick(many, FLASH_BOARDS_MAX, FLASH_RP2040, "255:231", error), 31);
+}
+
+/* An image for an RP2350, and a scene, which is for any chip. */
+static void the_image_names_the_chip(void **state)
+{
+    (void)state;
+    chip = FLASH_RP2350;
+    picks(mixed, 4, NULL, 0);
+    picks(mixed, 4, "AAAA", 0);
+    refuses(alike, 2, NULL,
+            "no RP2350 in its boot loader (2e8a:000f) on USB (an RP2040 is, which needs another image); plug it in "
+            "with BOOTSEL held, or send B to the UART of a running image");
+    refuses(mixed, 4, "BBBB", "no RP2350 in its boot loader is 'BBBB'; on USB: 1:2 (AAAA)");
+    chip = FLASH_ANY;
+    picks(mixed, 4, "AAAA", 0);
+    picks(mixed, 4, "BBBB", 1);
+    refuses(mixed, 0, NULL,
+            "no RP2040 or RP2350 in its boot loader (2e8a:0003 or 2e8a:000f) on USB; plug it in with BOOTSEL held, or "
+            "send B to the UART of a running image");
+    refuses(mixed, 2, NULL, "2 boards match: 1:2 (AAAA), 1:3 (BBBB); choose one with --serial NUMBER or BUS:ADDRESS");
+    chip = FLASH_RP2040;
 }
 
 int main(void)
@@ -115,6 +138,7 @@ int main(void)
         cmocka_unit_test(none),
         cmocka_unit_test(several),
         cmocka_unit_test(another_number),
+        cmocka_unit_test(the_image_names_the_chip),
         cmocka_unit_test(many_with_long_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

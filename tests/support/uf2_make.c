@@ -64,3 +64,22 @@ void uf2_make(uint8_t *blocks, const uint8_t *bytes, uint32_t n)
         uf2_put(b + UF2_MAGIC_END, 0x0AB16F30);
     }
 }
+
+void uf2_for_rp2350(uint8_t *blocks, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        uf2_put(blocks + (size_t)i * UF2_BLOCK + UF2_FAMILY, 0xE48BFF59);
+    }
+    uf2_put(blocks + UF2_DATA, 0xFFFFDED3);
+}
+
+void uf2_make_e10(uint8_t block[UF2_BLOCK])
+{
+    const uint8_t page[256] = {0xEF};
+    uf2_make(block, page, sizeof page);
+    uf2_put(block + UF2_FLAGS, 0xA000);
+    uf2_put(block + UF2_ADDRESS, 0x10FFFF00);
+    uf2_put(block + UF2_TOTAL, 2);
+    uf2_put(block + UF2_FAMILY, 0xE48BFF57);
+    uf2_put(block + UF2_DATA + 256, 0x9957E304);
+}

@@ -1,4 +1,4 @@
-/* uf2_make: images for an RP2040 as tests want them, made without the code under test. */
+/* uf2_make: images for an RP2040 or RP2350 as tests want them, made without the code under test. */
 #ifndef UF2_MAKE_H
 #define UF2_MAKE_H
 
@@ -31,5 +31,11 @@ void uf2_make_bin(uint8_t *bytes, uint32_t n, uint32_t seed);
 
 /* A right UF2 of n bytes (a multiple of 256) at address 10000000h: n * 2 bytes. */
 void uf2_make(uint8_t *blocks, const uint8_t *bytes, uint32_t n);
+
+/* Makes of these n blocks a file for an RP2350: family, and in the first one what an image definition begins with. */
+void uf2_for_rp2350(uint8_t *blocks, uint32_t n);
+
+/* A block against erratum E10, as picotool puts it before the others. */
+void uf2_make_e10(uint8_t block[UF2_BLOCK]);
 
 #endif

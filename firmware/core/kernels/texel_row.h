@@ -29,6 +29,8 @@ struct ph_texel_row {
     uint32_t light, light_step; /* of the next four, in 2^-24, and from four to four */
 };
 
+enum { PH_TEXEL_ROW_LIT = 1, PH_TEXEL_ROW_SMOOTH = 2 };
+
 /* Nearest texels: as they are, and times light. */
 void ph_texel_row_nearest(const struct ph_texel_row *r);
 void ph_texel_row_lit(const struct ph_texel_row *r);
@@ -37,5 +39,19 @@ void ph_texel_row_lit(const struct ph_texel_row *r);
  * a texel. */
 void ph_texel_row_smooth(const struct ph_texel_row *r);
 void ph_texel_row_smooth_lit(const struct ph_texel_row *r);
+
+/* One of these. kind: 0, PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH, or both. */
+static inline void ph_texel_row_draw(const struct ph_texel_row *r, uint32_t kind)
+{
+    if (kind == (PH_TEXEL_ROW_SMOOTH | PH_TEXEL_ROW_LIT)) {
+        ph_texel_row_smooth_lit(r);
+    } else if (kind == PH_TEXEL_ROW_SMOOTH) {
+        ph_texel_row_smooth(r);
+    } else if (kind == PH_TEXEL_ROW_LIT) {
+        ph_texel_row_lit(r);
+    } else {
+        ph_texel_row_nearest(r);
+    }
+}
 
 #endif

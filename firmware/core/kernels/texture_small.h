@@ -1,5 +1,5 @@
 /*
- * texture_small: the kernel that draws rows of a small textured triangle (see texels.h). See kernels.h.
+ * texture_small: the kernels that draw rows of a small textured triangle (see texels.h). See kernels.h.
  *
  * u and v are as in texture_tile.h, also in their pairs of pixels, but the second differences do not change: over the
  * whole triangle u and v are polynomials of the second order. Columns count from one of the triangle's own; they may be
@@ -8,8 +8,9 @@
 #ifndef PH_TEXTURE_SMALL_H
 #define PH_TEXTURE_SMALL_H
 
+#include "texel_row.h"
+
 #include <stdbool.h>
-#include <stdint.h>
 
 struct ph_texel_line {
     uint32_t at, step;       /* of the row */
@@ -30,11 +31,19 @@ struct ph_texel_run {
     uint32_t rows; /* until the lower edge takes the place of the left or of the right one; above 0 */
     uint32_t lower_rows, lower_is_right, lower_x, lower_dx; /* 0 rows or more; 0, 1; as left and left_dx */
     uint32_t x;                                             /* column 0 in the picture, for the caller's use */
+    uint32_t light, light_dy, glight;                       /* of ph_texel_run_rows: 32nds in 2^-24, at column 0 */
+    uint32_t kind; /* ... how a row is drawn: PH_TEXEL_ROW_LIT, PH_TEXEL_ROW_SMOOTH */
 };
 
 /* Draws the rows and returns the number of their pixels. No row has more than PH_SMALL_COLUMNS. Afterwards u and v
  * stand at the next row. */
 uint32_t ph_texture_small(struct ph_texel_run *r);
+
+/* Draws rows with light or a filter until none are left above the lower edge, or none at all, or until one whose light
+ * is not 0 .. 32 everywhere: that one is not drawn, row->level becomes UINT32_MAX, row->light its first light. Returns
+ * the number of pixels, also of that row. Of `row` the members are set that are the same in all rows: gd, the masks,
+ * texels, light_step, and both bends. */
+uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row);
 
 /* The lower edge takes over; false if there are no lower rows. */
 static inline bool ph_texel_run_lower(struct ph_texel_run *r)

@@ -86,17 +86,14 @@ static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct
     return ph_draw_rows_split(t, &r, at, NULL);
 }
 
-/* Draws a small textured triangle that crosses octaves, or that is not usual. */
-static PH_NOINLINE uint32_t draw_small_texture(const struct ph_triangle *t, const struct ph_band *band)
+/* Draws a small textured triangle that crosses octaves. */
+static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_small_triangle r = t->small;
     const struct ph_place at = cut_rows(t, band, &r);
     struct ph_small_texels texels;
     ph_small_texels_begin(&texels, t, t->y_top > band->y0 ? t->y_top : band->y0, 2 * at.stride);
-    if (t->block != PH_BLOCK_NONE) {
-        return ph_draw_rows_split(t, &r, at, &texels);
-    }
-    return ph_small_texels_draw(&texels, &r, at.depth, at.pixels);
+    return ph_draw_rows_split(t, &r, at, &texels);
 }
 
 /* Draws a small triangle. Only the borders of the band can cut it. */
@@ -121,8 +118,7 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
         return draw_cut(t, band);
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
-        return t->block == PH_BLOCK_NONE && ph_texels_are_usual(t) ? ph_draw_small_texels(t, band)
-                                                                   : draw_small_texture(t, band);
+        return t->block == PH_BLOCK_NONE ? ph_draw_small_texels(t, band) : draw_split_texture(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
         return ph_draw_line_rows(t, band);

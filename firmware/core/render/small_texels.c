@@ -4,6 +4,12 @@
 #include "texel_map.h"
 #include "texel_mix.h"
 
+/* Whether ph_texture_small can draw a small triangle. */
+static inline bool is_usual(const struct ph_triangle *t)
+{
+    return t->colour == 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
+}
+
 /* u or v of a small triangle, n rows below the row from which they count. */
 static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
                                   const struct ph_curve *curve, uint32_t n)
@@ -43,101 +49,70 @@ static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t
     set_small_line(&r->v, &t->v, &t->curves[1], below);
 }
 
+/* Sets the rest for rows that may leave a clamped texture. */
+static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_texture *texture)
+{
+    s->kind.plain = true;
+    ph_set_texel_kind(&s->kind, &s->rows, texture);
+    s->rows.light -= PH_TILE * s->rows.glight;
+    s->rows.stride_bytes = s->run.stride_bytes;
+    s->rows.columns = 2 * PH_TILE - 1;
+}
+
 /* The same for what ph_texture_small cannot draw: a clamped texture, light, or a filter. */
 static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y,
                                    const struct ph_texture *texture)
 {
-    struct ph_texel_rows *const r = &s->rows;
-    s->kind = (struct ph_tile_kind){.triangle = t, .clamp = texture->wrap == PH_WRAP_CLAMP, .plain = true};
-    ph_set_texel_kind(&s->kind, r, texture);
-    ph_set_texel_light(r, t, &t->small_shades, s->kind.clamp ? 0u - PH_TILE : 0,
-                       (uint32_t)(y - t->y_top - t->range_log2 + 1));
-    if (s->kind.smooth && !s->kind.clamp) {
-        s->run.u.at -= (uint32_t)1 << 21;
-        s->run.v.at -= (uint32_t)1 << (s->kind.v_down - 1);
+    struct ph_texel_run *const run = &s->run;
+    s->kind.triangle = t;
+    s->kind.lit = t->colour % PH_TEXELS_SMOOTH != 32;
+    s->kind.smooth = (t->colour & PH_TEXELS_SMOOTH) != 0;
+    s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
+    ph_set_texel_light(&s->rows, t, &t->small_shades, 0, (uint32_t)(y - t->y_top - t->range_log2 + 1));
+    if (s->kind.clamp) {
+        begin_clamped(s, texture);
+        return;
     }
-    r->stride_bytes = s->run.stride_bytes;
-    r->columns = 2 * PH_TILE - 1;
+    run->light = s->rows.light;
+    run->light_dy = s->rows.light_dy;
+    run->glight = s->rows.glight;
+    run->kind = (s->kind.lit ? PH_TEXEL_ROW_LIT : 0u) | (s->kind.smooth ? PH_TEXEL_ROW_SMOOTH : 0u);
+    if (s->kind.smooth) {
+        run->u.at -= (uint32_t)1 << 21;
+        run->v.at -= (uint32_t)1 << (15 + ph_texel_row_up(texture));
+    }
 }
 
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
 {
     const struct ph_texture texture = ph_texel_map(t->material->texture, t->colour >> 8);
     begin_run(&s->run, t, y, stride_bytes, &texture);
-    s->usual = ph_texels_are_usual(t);
+    s->usual = is_usual(t);
     if (!s->usual) {
         begin_unusual(s, t, y, &texture);
     }
-}
-
-uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
-{
-    const struct ph_small_triangle *const s = &t->small;
-    const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
-    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
-    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
-    struct ph_texel_run r;
-    begin_run(&r, t, y, 2 * (uint32_t)band->width, t->material->texture);
-    r.left_dx = s->left_dx;
-    r.right_dx = s->right_dx;
-    r.left = s->left - (x << 16) + above * r.left_dx;
-    r.right = s->right - (x << 16) + above * r.right_dx;
-    r.lower_is_right = s->lower_is_right;
-    r.lower_x = (uint32_t)s->lower.x - (x << 16);
-    r.lower_dx = (uint32_t)s->lower.dx;
-    r.lower_rows = s->lower_rows;
-    r.rows = s->upper_rows - above;
-    if ((int32_t)r.rows <= 0) { /* it begins below the upper rows */
-        r.lower_x -= r.rows * r.lower_dx;
-        r.lower_rows += r.rows;
-        ph_texel_run_lower(&r);
-    }
-    if (r.rows + r.lower_rows > rows) {
-        r.rows = r.rows < rows ? r.rows : rows;
-        r.lower_rows = rows - r.rows;
-    }
-    r.gd = s->gd;
-    r.d_dy = s->d_dy;
-    r.d = s->d + x * r.gd + above * r.d_dy;
-    r.depth = (uint16_t *)band->depth + at;
-    r.pixels = band->pixels + at;
-    return ph_texture_small(&r);
-}
-
-/* Draws the next row of a run with light or a filter, n pixels from column `from` on. */
-static inline void draw_special_row(struct ph_small_texels *s, struct ph_texel_row *row, uint32_t from, uint32_t n)
-{
-    const struct ph_texel_run *const run = &s->run;
-    row->depth = run->depth + (int32_t)from;
-    row->pixels = run->pixels + (int32_t)from;
-    row->n = n;
-    row->d = run->d + from * run->gd;
-    row->u = ph_texel_walk_from(run->u.at, run->u.step, run->u.bend, from, n);
-    row->v = ph_texel_walk_from(run->v.at, run->v.step, run->v.bend, from, n);
-    ph_draw_texel_row(&s->kind, row, s->rows.light + from * s->rows.glight, s->rows.glight);
 }
 
 /* Draws the rows of a run with light or a filter. */
 static FX_APART uint32_t draw_special(struct ph_small_texels *s)
 {
     struct ph_texel_run *const run = &s->run;
-    struct ph_texel_row row = {.gd = run->gd, .u_mask = run->u_mask, .v_mask = run->v_mask, .texels = run->texels};
+    struct ph_texel_row row = {.gd = run->gd,
+                               .u.bend = 4 * run->u.bend,
+                               .v.bend = 4 * run->v.bend,
+                               .u_mask = run->u_mask,
+                               .v_mask = run->v_mask,
+                               .texels = run->texels,
+                               .light_step = 4 * run->glight};
     uint32_t count = 0;
     do {
-        for (; run->rows > 0; run->rows--) {
-            const int32_t from = (int32_t)run->left >> 16, n = ((int32_t)run->right >> 16) - from;
-            if (n > 0) {
-                draw_special_row(s, &row, (uint32_t)from, (uint32_t)n);
-                count += (uint32_t)n;
+        while (run->rows > 0) {
+            row.level = 0;
+            count += ph_texel_run_rows(run, &row);
+            if (row.level == UINT32_MAX) {
+                ph_draw_texel_row(&s->kind, &row, row.light, run->glight);
+                row.light_step = 4 * run->glight;
             }
-            run->left += run->left_dx;
-            run->right += run->right_dx;
-            run->d += run->d_dy;
-            s->rows.light += s->rows.light_dy;
-            run->depth = ph_row_below(run->depth, run->stride_bytes);
-            run->pixels = ph_row_below(run->pixels, run->stride_bytes);
-            ph_texel_line_down(&run->u);
-            ph_texel_line_down(&run->v);
         }
     } while (ph_texel_run_lower(run));
     return count;
@@ -180,6 +155,46 @@ static uint32_t draw_run_of(struct ph_small_texels *s)
     return s->usual ? ph_texture_small(&s->run) : s->kind.clamp ? draw_clamped(s) : draw_special(s);
 }
 
+uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const struct ph_small_triangle *const s = &t->small;
+    const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
+    const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
+    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
+    struct ph_small_texels texels;
+    struct ph_texel_run *const r = &texels.run;
+    texels.usual = is_usual(t);
+    if (texels.usual) {
+        begin_run(r, t, y, 2 * (uint32_t)band->width, t->material->texture);
+    } else {
+        ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->width);
+    }
+    r->left_dx = s->left_dx;
+    r->right_dx = s->right_dx;
+    r->left = s->left - (x << 16) + above * r->left_dx;
+    r->right = s->right - (x << 16) + above * r->right_dx;
+    r->lower_is_right = s->lower_is_right;
+    r->lower_x = (uint32_t)s->lower.x - (x << 16);
+    r->lower_dx = (uint32_t)s->lower.dx;
+    r->lower_rows = s->lower_rows;
+    r->rows = s->upper_rows - above;
+    if ((int32_t)r->rows <= 0) { /* it begins below the upper rows */
+        r->lower_x -= r->rows * r->lower_dx;
+        r->lower_rows += r->rows;
+        ph_texel_run_lower(r);
+    }
+    if (r->rows + r->lower_rows > rows) {
+        r->rows = r->rows < rows ? r->rows : rows;
+        r->lower_rows = rows - r->rows;
+    }
+    r->gd = s->gd;
+    r->d_dy = s->d_dy;
+    r->d = s->d + x * r->gd + above * r->d_dy;
+    r->depth = (uint16_t *)band->depth + at;
+    r->pixels = band->pixels + at;
+    return draw_run_of(&texels);
+}
+
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
                               uint16_t *pixels)
 {
@@ -207,7 +222,7 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
     struct ph_texel_run *const r = &s->run;
     const uint32_t x = piece->x - r->x;
     const struct ph_texel_line u = r->u, v = r->v;
-    const uint32_t light = s->rows.light;
+    const uint32_t light = s->run.light;
     r->left = x << 16;
     r->right = (x + piece->n) << 16;
     r->d = piece->d - x * piece->gd;
@@ -220,6 +235,6 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
     if (!piece->last) {
         r->u = u;
         r->v = v;
-        s->rows.light = light;
+        s->run.light = light;
     }
 }

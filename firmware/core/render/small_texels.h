@@ -14,12 +14,6 @@ struct ph_small_texels {
     struct ph_tile_kind kind;
 };
 
-/* Whether ph_texture_small can draw a small triangle. */
-static inline bool ph_texels_are_usual(const struct ph_triangle *t)
-{
-    return t->colour == 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
-}
-
 /* Begins at row y of a small textured triangle. */
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
 
@@ -27,7 +21,7 @@ void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *r, uint16_t *depth,
                               uint16_t *pixels);
 
-/* Draws the rows of a small textured triangle that lie in the band, if it is usual and lies in one octave. */
+/* Draws the rows of a small textured triangle that lie in the band, if it lies in one octave. */
 uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band);
 
 /* n pixels of a row from column x on; d: of the first, a 16.16 code. */

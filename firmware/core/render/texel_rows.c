@@ -246,14 +246,8 @@ void ph_draw_texel_row(const struct ph_tile_kind *k, struct ph_texel_row *row, u
 {
     if (k->lit && set_row_light(row, light, glight) > 32) {
         draw_shining_row(row, k->smooth);
-    } else if (k->smooth && k->lit) {
-        ph_texel_row_smooth_lit(row);
-    } else if (k->smooth) {
-        ph_texel_row_smooth(row);
-    } else if (k->lit) {
-        ph_texel_row_lit(row);
     } else {
-        ph_texel_row_nearest(row);
+        ph_texel_row_draw(row, (k->lit ? PH_TEXEL_ROW_LIT : 0u) | (k->smooth ? PH_TEXEL_ROW_SMOOTH : 0u));
     }
 }
 

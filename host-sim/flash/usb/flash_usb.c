@@ -1,4 +1,4 @@
-/* See flash_usb.h. Sources: libusb 1.0 (synchronous transfers); RP2040 datasheet, section 2.8.5. */
+/* See flash_usb.h. Sources: libusb 1.0 (synchronous transfers); the datasheets, see flash_boot.h. */
 #define _POSIX_C_SOURCE 200809L
 #include "flash_usb.h"
 
@@ -66,7 +66,7 @@ static bool look_at(libusb_device *device, struct flash_board *board)
     }
     *board = (struct flash_board){.bus = libusb_get_bus_number(device),
                                   .address = libusb_get_device_address(device),
-                                  .rp2350 = d.idProduct == RP2350};
+                                  .chip = d.idProduct == RP2350 ? FLASH_RP2350 : FLASH_RP2040};
     read_serial(device, d.iSerialNumber, board);
     return true;
 }

@@ -340,6 +340,11 @@ static uint32_t try_texel_row(uint32_t h, void (*draw)(const struct ph_texel_row
     return hash_rows(h);
 }
 
+static uint32_t try_texel_row_nearest(uint32_t h)
+{
+    return try_texel_row(h, ph_texel_row_nearest);
+}
+
 static uint32_t try_texel_row_lit(uint32_t h)
 {
     return try_texel_row(h, ph_texel_row_lit);
@@ -355,7 +360,7 @@ static uint32_t try_texel_row_smooth_lit(uint32_t h)
     return try_texel_row(h, ph_texel_row_smooth_lit);
 }
 
-static uint32_t try_texture_small(uint32_t h)
+static struct ph_texel_run texel_run(void)
 {
     const bool wild = below(4) == 0;
     struct ph_texel_run r = {.u_mask = 63, .v_mask = 63 * 64, .texels = texels};
@@ -377,8 +382,40 @@ static uint32_t try_texture_small(uint32_t h)
     r.lower_is_right = below(2);
     r.lower_x = r.lower_is_right ? r.right + r.rows * r.right_dx : r.left + r.rows * r.left_dx;
     r.lower_dx = below(1 << 16) - (1 << 15);
+    return r;
+}
+
+static uint32_t try_texture_small(uint32_t h)
+{
+    struct ph_texel_run r = texel_run();
     h = word(h, ph_texture_small(&r));
     return hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v);
+}
+
+/* Light is mostly in its range, and now and then a little or far beyond it. */
+static uint32_t try_texel_run(uint32_t h)
+{
+    struct ph_texel_run r = texel_run();
+    const int steep = (int)below(12);
+    r.light = below(33 << 24);
+    r.light_dy = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> steep);
+    r.glight = (uint32_t)(((int32_t)below(1 << 30) - (1 << 29)) >> (steep + 3));
+    r.kind = below(4);
+    struct ph_texel_row row = {.gd = r.gd, .u_mask = 63, .v_mask = 63 * 64, .texels = texels};
+    row.light_step = 4 * r.glight;
+    row.u.bend = 4 * r.u.bend;
+    row.v.bend = 4 * r.v.bend;
+    uint32_t count = 0;
+    do {
+        count += ph_texel_run_rows(&r, &row);
+    } while (row.level != UINT32_MAX && ph_texel_run_lower(&r));
+    h = word(h, count);
+    h = hash(hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v), &r.left, 3 * sizeof r.left);
+    h = word(word(word(h, r.light), (uint32_t)(r.depth - depth)), (uint32_t)(r.pixels - pixels) + r.rows);
+    if (row.level == UINT32_MAX) {
+        h = hash(word(word(h, row.light), (uint32_t)(row.depth - depth)), &row.n, 9 * sizeof row.n);
+    }
+    return h;
 }
 
 static int32_t around(int32_t most)
@@ -488,9 +525,11 @@ int main(void)
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
                  {"texture_small", try_texture_small},
+                 {"texel_row_nearest", try_texel_row_nearest},
                  {"texel_row_lit", try_texel_row_lit},
                  {"texel_row_smooth", try_texel_row_smooth},
                  {"texel_row_smooth_lit", try_texel_row_smooth_lit},
+                 {"texel_run_rows", try_texel_run},
                  {"vertices", try_vertices},
                  {"cull", try_cull}};
     randomise(texels, TEXELS);

@@ -2,8 +2,7 @@
 #ifndef PH_TEXELS2_H
 #define PH_TEXELS2_H
 
-#include <stdbool.h>
-#include <stdint.h>
+#include "texture_small.h"
 
 #define TEXELS2_SIGN                                                                                                   \
     ((uint64_t)1 << 31) /* added to u, so that it is not negative; a multiple of the texture's width                   \
@@ -28,6 +27,42 @@ static inline void texels2_part(uint64_t both, uint32_t *u, uint32_t *v)
     *v = (uint32_t)((both - (uint64_t)(int64_t)(int32_t)*u) >> 32);
 }
 
+/* Whether u of a run, over 32 columns and 32 rows to all sides, stays below 2^31 and never wraps. */
+static inline bool texels2_fit(const struct ph_texel_run *r)
+{
+    const struct ph_texel_line *const u = &r->u;
+    return r->rows + r->lower_rows <= 32 && r->u_mask < 512 && texels2_below(u->at, 29) && texels2_below(u->step, 24) &&
+           texels2_below(u->bend, 17) && texels2_below(u->at_dy, 24) && texels2_below(u->step_dy, 17) &&
+           texels2_below(u->at_ddy, 18);
+}
+
+/* All coefficients of a run as 2^32 v + u, so that one operation serves both. */
+struct texels2_line {
+    uint64_t at, step, at_dy, step_dy, at_ddy, bend;
+};
+
+static inline struct texels2_line texels2_line(const struct ph_texel_run *r)
+{
+    return (struct texels2_line){texels2(r->u.at, r->v.at) + TEXELS2_SIGN, texels2(r->u.step, r->v.step),
+                                 texels2(r->u.at_dy, r->v.at_dy),          texels2(r->u.step_dy, r->v.step_dy),
+                                 texels2(r->u.at_ddy, r->v.at_ddy),        texels2(r->u.bend, r->v.bend)};
+}
+
+static inline void texels2_line_down(struct texels2_line *b)
+{
+    b->at += b->at_dy;
+    b->step += b->step_dy;
+    b->at_dy += b->at_ddy;
+}
+
+/* Gives u and v back to the run. */
+static inline void texels2_line_part(const struct texels2_line *b, struct ph_texel_run *r)
+{
+    texels2_part(b->at - TEXELS2_SIGN, &r->u.at, &r->v.at);
+    texels2_part(b->step, &r->u.step, &r->v.step);
+    texels2_part(b->at_dy, &r->u.at_dy, &r->v.at_dy);
+}
+
 /* The state along a row. */
 struct texels2_walk {
     uint64_t at, step;
@@ -44,6 +79,13 @@ static inline __attribute__((always_inline)) void texels2_draw(struct texels2_wa
     }
     w->d += w->gd;
     w->at += w->step;
+}
+
+/* u and v along n pixels from column `from` on. */
+static inline struct texels2_walk texels2_walk(const struct texels2_line *b, int32_t from, uint32_t n)
+{
+    const uint64_t first = (uint64_t)(int64_t)from, pair = 2 * (first + 1 - (n & 1));
+    return (struct texels2_walk){.at = b->at + first * (b->step + first * b->bend), .step = b->step + pair * b->bend};
 }
 
 /* Draws the n pixels before depth and pixels. The step grows by `bend` behind every second pixel, counted from the last

@@ -1,0 +1,63 @@
+/* texel_run_plain: ph_texel_run_rows of texture_small.h in plain C. */
+#ifndef PH_TEXEL_RUN_PLAIN_H
+#define PH_TEXEL_RUN_PLAIN_H
+
+#include "texel_mix.h"
+#include "texture_small.h"
+#include "triangle.h"
+
+/* Sets the light of a row, whose first and last light these are. False if they are not within 0 .. 32. */
+static inline bool ph_set_run_light(struct ph_texel_row *row, uint32_t first, uint32_t last, uint32_t glight)
+{
+    const uint32_t end = (uint32_t)33 << 24, more = (row->n - 1) & 3, half = (uint32_t)((int32_t)glight >> 1);
+    const bool in_range = first < end && last < end;
+    row->level = in_range ? (first + more * half) >> 24 : UINT32_MAX;
+    row->light = in_range ? first + (more + 2) * glight + half : first;
+    return in_range;
+}
+
+/* Sets n pixels of the run's next row, from column `from` on. False if its light is not within 0 .. 32. */
+static inline bool ph_set_run_row(const struct ph_texel_run *r, struct ph_texel_row *row, uint32_t from, uint32_t n)
+{
+    const uint32_t light = r->light + from * r->glight;
+    row->depth = r->depth + (int32_t)from;
+    row->pixels = r->pixels + (int32_t)from;
+    row->n = n;
+    row->d = r->d + from * r->gd;
+    row->u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n);
+    row->v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n);
+    return ph_set_run_light(row, light, light + (n - 1) * r->glight, r->glight);
+}
+
+static inline void ph_run_row_down(struct ph_texel_run *r)
+{
+    r->left += r->left_dx;
+    r->right += r->right_dx;
+    r->d += r->d_dy;
+    r->light += r->light_dy;
+    r->depth = ph_row_below(r->depth, r->stride_bytes);
+    r->pixels = ph_row_below(r->pixels, r->stride_bytes);
+    ph_texel_line_down(&r->u);
+    ph_texel_line_down(&r->v);
+    r->rows--;
+}
+
+static inline uint32_t ph_texel_run_rows_plain(struct ph_texel_run *r, struct ph_texel_row *row)
+{
+    uint32_t count = 0;
+    while (r->rows > 0) {
+        const int32_t from = (int32_t)r->left >> 16, n = ((int32_t)r->right >> 16) - from;
+        const bool any = n > 0, usual = !any || ph_set_run_row(r, row, (uint32_t)from, (uint32_t)n);
+        ph_run_row_down(r);
+        if (any) {
+            count += (uint32_t)n;
+            if (!usual) {
+                break;
+            }
+            ph_texel_row_draw(row, r->kind);
+        }
+    }
+    return count;
+}
+
+#endif
