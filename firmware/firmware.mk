@@ -5,7 +5,7 @@
 #   make firmware BOARD=pico-display SCENE=my.glb a model, through pinhole-asset: build/firmware/pico-display-my.elf
 #                                                 SCENE_TRIANGLES=N|all|fit, SCENE_TEXTURE=N, SCENE_FLAGS=--turntable
 #   make size BOARD=pico-display                  the image's size by module
-#   make flash BOARD=pico-display SCENE=my.phs    writes a binary scene (RP2040) behind the image that is there already
+#   make flash BOARD=pico-display SCENE=my.phs    writes a binary scene (RP2040, RP2350) behind the image that is there already
 #   make flash BOARD=pico-display                 builds the image and writes it into the flash (SERIAL=S: of which board)
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)

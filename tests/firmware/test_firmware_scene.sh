@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# A binary scene in the flash of an emulated RP2040: the image draws the simulator's frames of it, says what is wrong with a
-# damaged one, and shows its own demos then, at whatever moment the writing was interrupted (long_firmware_scene.sh: 100).
+# A binary scene in the flash of an emulated RP2040 (CHIP=rp2350 SCENE_BOARD=pico2-display: an RP2350): the image draws the
+# simulator's frames of it, says what is wrong with a damaged one, and shows its own demos then, at whatever moment the writing
+# was interrupted (long_firmware_scene.sh: 100).
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -8,14 +9,14 @@ cd "$(dirname "$0")/../.." || exit 1
 unset MAKEFLAGS
 B=${B:-build}
 MOMENTS=${MOMENTS:-2}
-board=pico-display
+board=${SCENE_BOARD:-pico-display}
 offset=$((0x80000))
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
 hal/rp2040/emulate/emulate.sh --install 2>/dev/null || { echo "no rp2040js: needs node, npm and its registry" && exit 77; }
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 make -s -j2 B="$B" "$B/pinhole-asset" "$B/pinhole-sim" "$B/pinhole-wire" || exit 1
-make_image firmware BOARD=$board >/dev/null || exit 1
+make_image firmware BOARD="$board" >/dev/null || exit 1
 cp "$B/firmware/$board-demos.elf" "$dir/a.elf" || exit 1
 if "$B/pinhole-asset" tests/host-sim/asset/scene.gltf -o "$dir/scene.phs" --board "$board" 2>&1 | grep -q 'without assimp'; then echo "built without assimp: apt-get install libassimp-dev" && exit 77; fi
 "$B/pinhole-asset" tests/host-sim/asset/moving.gltf -o "$dir/moving.phs" --board "$board" || exit 1

@@ -53,6 +53,9 @@ an_image_is_made_first() {
 check "an RP2040 gets its UF2 from pinhole-flash" calls "BOARD=pico-display" pinhole-flash "$dir/b/firmware/pico-display-demos.uf2"
 check "... the one of several that SERIAL names" calls "BOARD=pico-display APP=depth SERIAL=1:7" \
     pinhole-flash "$dir/b/firmware/pico-display-depth.uf2" --serial 1:7
+check "an RP2350 gets its UF2 for the cores that ISA names" calls "BOARD=pico2-display ISA=riscv CORES=2 SERIAL=E6" \
+    pinhole-flash "$dir/b/firmware/pico2-display-demos-riscv-cores2.uf2" --serial E6
+check "... and a binary scene behind its image" calls "BOARD=pico2-display SCENE=my.phs" pinhole-flash my.phs --at-scene
 check "an STM32 gets its BIN from dfu-util, at the start of its flash" calls "BOARD=feather-stm32f405" \
     dfu-util --device 0483:df11 --alt 0 --dfuse-address 0x08000000:leave --download "$dir/b/firmware/feather-stm32f405-demos.bin"
 check "an LM3S6965 gets its ELF from openocd" calls "BOARD=lm3s6965evb" \

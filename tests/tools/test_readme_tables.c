@@ -57,12 +57,6 @@ static bool is_kit(const struct board *board)
     return strncmp(board->name, "sim-", 4) != 0;
 }
 
-/* No emulator of an RP2350 runs here. */
-static bool has_rp2350(const struct board *board)
-{
-    return strstr(board->name, "pico2") != NULL || strstr(board->name, "rp2350") != NULL;
-}
-
 /* Whether the row stands in the README as a line of its own. */
 static unsigned missing_with(const struct row *row, const char *end)
 {
@@ -141,9 +135,9 @@ static void boards_are_all_there(void **state)
         struct row row = {{0}, 0};
         add(&row, "| `%s` | %s | `%s` | %.4g%s | %u | %s |", board->name, board->title, board->panel->name,
             m.clock_hz / 1e6, board->over_limit ? " (!)" : "", (unsigned)(1000000 / m.frame_us),
-            board->pins.dc.line != NULL                  ? "simulator, Linux guest"
-            : board->pins.dc.wired && !has_rp2350(board) ? "simulator, emulated chip"
-                                                         : "simulator");
+            board->pins.dc.line != NULL ? "simulator, Linux guest"
+            : board->pins.dc.wired      ? "simulator, emulated chip"
+                                        : "simulator");
         count += missing_with(&row, " "); /* one more column is for people */
     }
     assert_int_equal(count, 0);

@@ -550,21 +550,28 @@ static void draw_triangles(struct feed *f, const struct ph_band *rows)
 
 /* ---- antialiasing ----------------------------------------------------------------------------------------------- */
 
-static void reach_ref(struct reach *all, struct feed *f, uint32_t ref)
+/* Widens `all`, in 1/256 sample, by the corners of a reference. */
+static inline void reach_ref(struct reach *all, struct feed *f, uint32_t ref)
 {
     if (ref >= f->next_first) {
         find_draw(f, ref);
     }
-    const struct reach own = reach_of(f->r, f->draw, ph_ref_at(f->r, ref), false);
-    all->from = ph_min(all->from, own.from - 1); /* edges are rounded */
-    all->end = ph_max(all->end, own.end + 1);
+    const uint32_t kind = f->draw->kind, last = (kind & PH_DRAW_LINES) != 0 ? 0 : 2;
+    const size_t size = (kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const uint8_t *const base = ph_at(f->r, f->draw->base);
+    const struct ph_ref *const at = ph_ref_at(f->r, ref);
+    const int32_t a = ((const struct ph_vertex *)(const void *)(base + at->corner[0] * size))->x;
+    const int32_t b = ((const struct ph_vertex *)(const void *)(base + at->corner[1] * size))->x;
+    const int32_t c = ((const struct ph_vertex *)(const void *)(base + at->corner[last] * size))->x;
+    all->from = ph_min(all->from, ph_min(ph_min(a, b), c));
+    all->end = ph_max(all->end, ph_max(ph_max(a, b), c));
 }
 
-/* The columns of pixels in which a band may differ from the background. */
+/* The columns of pixels in which a band may differ from the background: edges are rounded, and lines have a width. */
 static __attribute__((noinline)) void reach_band(struct ph_renderer *r, uint32_t band, struct reach *in)
 {
-    const int32_t width = r->config.width;
-    struct reach all = {r->after != NULL ? 0 : width, r->after != NULL ? width : 0};
+    const int32_t width = r->config.width, margin = 2 * 256;
+    struct reach all = {width << 8, -margin};
     struct feed f, carried;
     start(&f, r, band);
     start(&carried, r, band);
@@ -574,8 +581,11 @@ static __attribute__((noinline)) void reach_band(struct ph_renderer *r, uint32_t
     for (const struct ph_triangle *t = r->carried; t != NULL; t = t->next) {
         reach_ref(&all, &carried, t->order);
     }
-    in->end = (ph_min(all.end, width) + 1) / 2;
-    in->from = ph_min(ph_max(all.from, 0) / 2, in->end);
+    if (r->after != NULL) {
+        all = (struct reach){0, width << 8};
+    }
+    in->end = ph_min((all.end + margin + 511) >> 9, width / 2);
+    in->from = ph_min(ph_max((all.from - margin) >> 9, 0), in->end);
 }
 
 /* Makes pixels of the samples of a band; outside `in` they are the background's. */
@@ -606,11 +616,13 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     }
     struct feed f;
     start(&f, r, band);
-    draw_triangles(&f, &rows);
-    if (r->after != NULL) {
-        r->after(r, &rows);
-    } else if (r->fog != NULL) {
-        r->fog(r, &rows);
+    if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) { /* else no sample is read */
+        draw_triangles(&f, &rows);
+        if (r->after != NULL) {
+            r->after(r, &rows);
+        } else if (r->fog != NULL) {
+            r->fog(r, &rows);
+        }
     }
     if (r->fine != 0) {
         give_means(&rows, &in, r->background, pixels);
