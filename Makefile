@@ -148,7 +148,7 @@ COMPILE = $(CC) $(STD) $(CFLAGS) $(CPPFLAGS) $(DEFS) $(INC) -MMD -MP
 .DELETE_ON_ERROR:
 .SECONDARY:
 
-all: $(PROGRAMS) ## the programs, under build/
+all: $(PROGRAMS) $(B)/rp2350-emulate ## the programs, under build/
 
 # What was built with other flags or from other files is built again (but while tests run in it: BUILT, of tests/run.sh); the bench links all objects of core and app that it finds.
 $(B)/flags: FORCE

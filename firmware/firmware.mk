@@ -124,8 +124,8 @@ emulate: firmware $(EMULATE_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [FRAMES=n]: ru
 	$(Q)rm -rf '$(B)/emulate/$(BOARD)'; mkdir -p '$(B)/emulate/$(BOARD)'
 	$(Q)$(EMULATE) '$(IMAGE).elf' '$(B)/emulate/$(BOARD)' '$(FRAMES)'
 
-speed: ## BOARD=x of an RP2040: frames/s and load of each core for every demo, with one core and with two, emulated
-	$(Q)$(NO_BOARD)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 have an emulator whose bus takes time' >&2; exit 2)
+speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for every demo, with one core and with two, emulated
+	$(Q)$(NO_BOARD)$(or $(SPEED),echo 'make speed: BOARD=$(BOARD): only the boards of an RP2040 or RP2350 have an emulator whose bus takes time' >&2; exit 2)
 
 # ---- in the make that builds the image -----------------------------------------------------------------------------------------------
 ifneq ($(OUT),)

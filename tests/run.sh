@@ -27,10 +27,10 @@ fi
 slow_units='test_panel_diff test_ft232h test_runner'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
 # What takes longest, or has steps that only one processor can take, comes first.
-first='test_targets test_guest_panel test_make test_firmware_rp2040 test_firmware_lm3s test_firmware test_guest_flash
+first='test_targets test_guest_panel test_make test_firmware_rp2040 test_firmware_rp2350_emulated test_firmware_lm3s test_firmware test_guest_flash
 test_guest_hal test_firmware_wires test_kernels test_panel_diff.asan test_firmware_stm32f4 test_firmware_uart
 test_firmware_boot test_guest_panel_usb test_readme test_bench test_quality.asan test_asset_cli test_proof test_guest_usb test_run
-long_firmware_rp2040 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel long_mutants long_proof long_debian13 long_guest_flash'
+long_firmware_rp2040 long_firmware_rp2350 exhaustive_fx_math exhaustive_fx long_guest_soak long_guest_panel long_mutants long_proof long_debian13 long_guest_flash'
 
 export B=${B:-build} CC=${CC:-cc} CMOCKA_MESSAGE_OUTPUT=TAP UBSAN_OPTIONS=print_stacktrace=1 MAKEFLAGS=
 export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressions=0

@@ -3,7 +3,7 @@
 #   rp2040_here                              exits 77 where something is missing
 #   emulate BOARD CORES FRAMES [KEYS] [option of emulate.mjs ...]
 #                                            runs the image of all demos; KEYS is a file for pinhole-sim --keys, or -
-#                                            (CHANGES=0 in the environment: the image that sends whole frames);
+#                                            (in the environment CHANGES=0: the image that sends whole frames, ISA=riscv);
 #                                            frames to $dir/seen, the UART to $dir/log, the wires to $dir/out/events
 #   expect BOARD FRAMES [KEYS]               pinhole-sim's frames, to $dir/expected
 #   sweep EACH                               keys that show every demo for EACH frames and press buttons, to $dir/keys
@@ -22,6 +22,7 @@ image() { # board, cores
 
 elf_of() { # board, cores
     local name=$1-demos
+    [ "${ISA:-arm}" = arm ] || name=$name-$ISA
     [ "$2" = 1 ] || name=$name-cores$2
     [ "${CHANGES:-1}" = 1 ] || name=$name-whole
     echo "$B/firmware/$name.elf"

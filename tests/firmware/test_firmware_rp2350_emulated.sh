@@ -2,19 +2,21 @@
 # Images for a Pico 2 run on the emulated RP2350 (hal/rp2350/emulate). Frames are pinhole-sim's, byte for byte, with one
 # core and with two; the wires obey the panel; requests and faults have their effect. Any complaint of the emulator fails,
 # and what an image must not do is complained about. tests/firmware/long_firmware_rp2350.sh takes every board.
-# shellcheck disable=SC2317 # functions are called by check
+# shellcheck disable=SC2317,SC2015 # functions are called by check; `A && B || { cat; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 . tests/firmware/emulated_rp2040.sh
+. tests/firmware/rp2350_misuse.sh
 unset MAKEFLAGS
 export B=${B:-build} CHIP=rp2350
 board=pico2-display
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
+command -v riscv64-unknown-elf-gcc >/dev/null || { echo "no riscv64-unknown-elf-gcc: apt-get install gcc-riscv64-unknown-elf" && exit 77; }
 
-builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" && image "$board" 1 && image "$board" 2; }
+builds() { make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" && image "$board" 1 && image "$board" 2 && ISA=riscv image "$board" 1 && ISA=riscv image "$board" 2; }
 
 every_demo() { # cores
     sweep 2
@@ -33,9 +35,93 @@ both_cores_work() { # the second one a tenth of the time at least
     awk '{ load += $6 } END { print "# core 1: " load / NR " %"; exit !(load / NR >= 10) }' "$dir/out/report"
 }
 
+# ---- mistakes: tests/firmware/rp2350_misuse.sh has the small images that make them -----------------
+
+refused() { # text, image
+    "$B/rp2350-emulate" "$2" --dc 16 --frames 1 --events /dev/null >"$dir/said" 2>&1 && return 1
+    grep -qF -- "$1" "$dir/said" || { cat "$dir/said" && return 1; }
+}
+
+patched() { # sed command; the image definition of the demos, changed, in $dir/bad.bin
+    LC_ALL=C sed "$1" "$B/firmware/$board-demos.bin" >"$dir/bad.bin" && ! cmp -s "$B/firmware/$board-demos.bin" "$dir/bad.bin"
+}
+
+wrong_definitions_are_refused() {
+    patched 's/\xd3\xde\xff\xff/\xd3\xde\xff\xfe/' && refused 'there is no image definition in the first 4 KB' "$dir/bad.bin" &&
+        patched 's/\x42\x01\x21\x10/\x42\x01\x21\x12/' && refused 'for no CPU of this chip: the boot ROM would not start' "$dir/bad.bin" &&
+        patched 's/\x42\x01\x21\x10/\x42\x01\x21\x00/' && refused 'is for another chip' "$dir/bad.bin" &&
+        patched 's/\x42\x01\x21\x10/\x42\x01\x22\x10/' && refused 'not that of a program' "$dir/bad.bin" &&
+        patched 's/\x79\x35\x12\xab/\x79\x35\x12\xac/' && refused 'has no proper end' "$dir/bad.bin" &&
+        { head -c 4096 /dev/zero && cat "$B/firmware/$board-demos.bin"; } >"$dir/bad.bin" && refused 'there is no image definition' "$dir/bad.bin"
+}
+
+other_families_are_refused() {
+    local uf2=$B/firmware/$board-demos.uf2
+    "$B/rp2350-emulate" "$uf2" --dc 16 --frames 1 --events /dev/null 2>/dev/null &&
+        LC_ALL=C sed 's/\x59\xff\x8b\xe4/\x56\xff\x8b\xe4/g' "$uf2" >"$dir/bad.uf2" && refused 'of the UF2 file is not for an RP2350' "$dir/bad.uf2" &&
+        LC_ALL=C sed 's/\x59\xff\x8b\xe4/\x5a\xff\x8b\xe4/g' "$uf2" >"$dir/bad.uf2" && refused "family is not that of the image definition" "$dir/bad.uf2"
+}
+
+moves_dc() { # "" or the lines that wait for the last bit
+    misuse_image <<EOT || return 1
+    store 0xd0000018, 0x10000            @ data
+    store 0xd0000020, 0x20000            @ selected
+    store 0x40080008, 0x55
+$1
+    store 0xd0000020, 0x10000            @ a command
+    store 0x40080008, 0x00
+1:  ldr r0, =0x4008000c
+    ldr r0, [r0]
+    lsls r0, r0, #27
+    bmi 1b
+EOT
+    misuse_run || return 1
+    "$B/pinhole-wire" --board "$board" "$dir/misuse.events" >"$dir/said" 2>&1
+    grep -q ': D/C moved during a transfer of 1 bytes' "$dir/said"
+}
+
+dc_in_mid_word_is_caught() {
+    moves_dc '' && ! moves_dc '0:  ldr r0, =0x4008000c; ldr r0, [r0]; lsls r0, r0, #27; bmi 0b' && grep -q 'frame -1: exit' "$dir/misuse.log" ||
+        { cat "$dir/said" "$dir/misuse.log" && return 1; }
+}
+
+nine_words() { for _ in 1 2 3 4 5 6 7 8 9 10; do echo 'str r1, [r0]'; done; }
+
+dma_of_100_bytes='store 0x50000000, 0x20000000; store 0x50000004, 0x40080008; store 0x50000008, 100; store 0x5000000c, 0x300011'
+
 check "images_are_within_their_budgets" builds
 check "every_demo_is_the_simulators" every_demo 1
 check "two_cores_draw_the_same" every_demo 2
 check "both_cores_work" both_cores_work
 check "they_do_with_any_delays_between_them" any_delays
+export ISA=riscv
+check "on_the_Hazard3_every_demo_is_the_simulators" every_demo 1
+check "its_two_cores_draw_the_same" every_demo 2
+check "both_of_them_work" both_cores_work
+check "and_do_with_any_delays_between_them" any_delays
+unset ISA
+check "an_image_without_mistakes_works" works <<<"store 0x40080008, 1; $dma_of_100_bytes"
+check "a_wrong_image_definition_is_refused" wrong_definitions_are_refused
+check "a_UF2_file_of_another_family_is_refused" other_families_are_refused
+check "D_C_that_moves_in_mid_word_is_caught" dc_in_mid_word_is_caught
+check "a_clock_over_the_limit" complains "over the chip's 150" <<<"
+    store 0x40048000, 0xfabaa0; store 0x40050000, 1; store 0x40050008, 125; store 0x4005000c, 0x42000; store 0x40050004, 0
+    store 0x4001003c, 1"
+check "a_PLL_out_of_its_range" complains 'a PLL oscillates at 1920000000 Hz' <<<'store 0x40050000, 1; store 0x40050008, 160; store 0x40050004, 0'
+check "a_block_in_reset" complains 'whose block is in reset' <<<'store 0x40020000, 0x40000; store 0x40080000, 7'
+check "an_isolated_pad" complains 'pin 16 is driven, but its pad is isolated' <<<'store 0x40038044, 0x152; store 0xd0000018, 0x10000'
+check "a_bus_without_pins" complains 'SPI0 sends, but no pin carries' <<<'store 0x40028094, 31; store 0x40080008, 1'
+check "a_full_FIFO" complains 'the full FIFO of SPI0' <<<"ldr r0, =0x40080008; $(nine_words)"
+check "a_bus_that_is_off" complains 'SPI0, which is off' <<<'store 0x40080004, 0; store 0x40080008, 1'
+check "a_bus_set_up_in_mid_word" complains 'is set up while a word is on its way' <<<'store 0x40080008, 1; store 0x40080000, 15'
+check "a_DMA_channel_that_works" complains 'DMA channel 0 is set up while it works' <<<"$dma_of_100_bytes; store 0x50000000, 0x20000000"
+check "a_DMA_to_a_bus_that_is_off" complains 'the DMA writes to SPI0, which is off' <<<"store 0x40080004, 0; $dma_of_100_bytes"
+check "a_DMA_from_nowhere" complains 'the DMA reads 1 bytes at 30000000' <<<"${dma_of_100_bytes/0x20000000/0x30000000}"
+check "an_address_where_nothing_is" complains 'reads 4 bytes at 30000000, where nothing is' <<<'ldr r0, =0x30000000; ldr r0, [r0]'
+check "a_register_that_is_half_written" complains 'writes 2 bytes at 40080000, where only words are' <<<'ldr r0, =0x40080000; strh r0, [r0]'
+check "words_that_are_not_aligned" complains 'words at 20000002 with an instruction that needs them aligned' <<<'ldr r0, =0x20000002; ldmia r0, {r1, r2}'
+check "a_write_into_flash" complains 'where no RAM is' <<<'store 0x10000100, 1'
+check "an_empty_FIFO_between_the_cores" complains 'core 0 read an empty FIFO' <<<'ldr r0, =0xd0000058; ldr r0, [r0]'
+check "a_call_of_Arm_code" complains 'which is no Thumb code' <<<'ldr r0, =0x10000000; bx r0'
+check "a_watchdog_without_ticks" complains 'the watchdog is on, but has no tick' <<<'store 0x400d8000, 0x40000000'
 tap_end

@@ -150,9 +150,14 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
     return r->count;
 }
 
+static uint32_t draw_unusual(struct ph_small_texels *s)
+{
+    return s->kind.clamp ? draw_clamped(s) : draw_special(s);
+}
+
 static uint32_t draw_run_of(struct ph_small_texels *s)
 {
-    return s->usual ? ph_texture_small(&s->run) : s->kind.clamp ? draw_clamped(s) : draw_special(s);
+    return s->usual ? ph_texture_small(&s->run) : draw_unusual(s);
 }
 
 uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band *band)
@@ -163,8 +168,8 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
     struct ph_small_texels texels;
     struct ph_texel_run *const r = &texels.run;
-    texels.usual = is_usual(t);
-    if (texels.usual) {
+    const bool usual = is_usual(t);
+    if (usual) {
         begin_run(r, t, y, 2 * (uint32_t)band->width, t->material->texture);
     } else {
         ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->width);
@@ -192,7 +197,7 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     r->d = s->d + x * r->gd + above * r->d_dy;
     r->depth = (uint16_t *)band->depth + at;
     r->pixels = band->pixels + at;
-    return draw_run_of(&texels);
+    return usual ? ph_texture_small(r) : draw_unusual(&texels);
 }
 
 uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Usage: speed.sh BOARD [POINTS [DEMO...]]
-# Prints frames/s of every demo on an emulated RP2040 board, with one core and with two, as rows of a Markdown table, each as
+# Prints frames/s of every demo on an emulated RP2040 board, or with CHIP=rp2350 (and ISA=arm|riscv) on an RP2350's, with one core and with two, as rows of a Markdown table, each as
 # soon as its demo has been drawn. "ideal flash" is the rate if flash were as fast as RAM; load is that of each core (core 0
 # sleeps while core 1 finishes its half); sent is the part of a whole frame's bytes; left out are triangles and vertices.
 # Each DEMO (all that the select button reaches) is drawn at POINTS (6) points of its cycle, evenly spaced: two frames, or six at
@@ -60,7 +60,7 @@ suffix=
 [ "${CHANGES:-1}" = 1 ] || suffix=-whole
 for cores in ${CORES:-1 2}; do
     make -s B="$B" firmware BOARD="$BOARD" CORES="$cores" CHANGES="${CHANGES:-1}" >/dev/null
-    elf=$B/firmware/$BOARD-demos$([ "$cores" = 1 ] || echo "-cores$cores")$suffix.elf
+    elf=$B/firmware/$BOARD-demos$([ "${ISA:-arm}" = arm ] || echo "-$ISA")$([ "$cores" = 1 ] || echo "-cores$cores")$suffix.elf
     for flash in real $([ "${IDEAL:-1}" = 0 ] || echo ideal); do
         flag=()
         [ "$flash" = real ] || flag=(--free-flash)

@@ -11,20 +11,12 @@ enum { BRANCH_CYCLES = 2, ENTRY_CYCLES = 12, RETURN_CYCLES = 10 };
 enum { HARD_FAULT = 3, SYSTICK = 15, IRQ_0 = 16, LOCKUP_AT = 0xeffffffe };
 #define RETURN_TO_THREAD 0xfffffff9
 
-void arm_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry)
+void arm_start(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry)
 {
-    struct core fresh = {.chip = core->chip,
-                         .index = core->index,
-                         .time = core->chip->now,
-                         .idle = core->idle,
-                         .lowest = core->lowest,
-                         .started = true,
-                         .vtor = vectors};
-    fresh.r[13] = stack & ~3U;
-    fresh.r[14] = UINT32_MAX;
-    fresh.r[15] = fresh.next = entry & ~1U;
-    fresh.systick.zero = NEVER;
-    *core = fresh;
+    core->vtor = vectors;
+    core->r[13] = stack & ~3U;
+    core->r[14] = UINT32_MAX;
+    core->pc = core->next = entry & ~1U;
 }
 
 static uint32_t status(const struct core *core)
@@ -59,9 +51,7 @@ static void enter(struct core *core, uint32_t exception, uint32_t return_to)
             memory_write(core, frame + 4 * i, words[i], 4);
         }
     }
-    if (core->r[13] < core->lowest) {
-        core->lowest = core->r[13];
-    }
+    core_stack_is(core, core->r[13]);
     core->ipsr = exception;
     core->it = 0;
     core->r[14] = RETURN_TO_THREAD;
@@ -103,7 +93,7 @@ void arm_branch(struct core *core, uint32_t address)
     }
     if ((address & 1) == 0) {
         chip_warn(core->chip, "core %u branches to %08x, which is no Thumb code, at %08x", core->index, address,
-                  core->r[15]);
+                  core->pc);
     }
     core->next = address & ~1U;
     core->cycles += BRANCH_CYCLES;
@@ -117,26 +107,21 @@ void arm_set_stack(struct core *core, uint32_t address)
         return;
     }
     core->r[13] = address & ~3U;
-    if (core->r[13] < core->lowest) {
-        core->lowest = core->r[13];
-    }
+    core_stack_is(core, core->r[13]);
 }
 
 void arm_fault(struct core *core)
 {
     if (core->ipsr == HARD_FAULT) {
-        char text[32] = "core 0 locks up";
-        text[5] = (char)('0' + core->index);
-        core->locked = true;
-        core->chip->hooks.trouble(core->chip->hooks.user, text);
+        core_lock_up(core);
     } else {
-        enter(core, HARD_FAULT, core->r[15]);
+        enter(core, HARD_FAULT, core->pc);
     }
 }
 
 void arm_undefined(struct core *core, uint32_t code)
 {
-    chip_warn(core->chip, "core %u: no instruction that the model knows: %x at %08x", core->index, code, core->r[15]);
+    chip_warn(core->chip, "core %u: no instruction that the model knows: %x at %08x", core->index, code, core->pc);
 }
 
 uint32_t arm_special(const struct core *core, uint32_t number)
@@ -186,15 +171,15 @@ void arm_set_special(struct core *core, uint32_t number, uint32_t value)
 static void systick_start(struct core *core)
 {
     const uint64_t cycles = (uint64_t)core->systick.reload + 1;
-    core->systick.zero = core->systick.control & 1 && core->systick.reload > 0
-                             ? core->chip->now + cycles * core->chip->sys_cycle
-                             : NEVER;
-    chip_event_at(core->chip, core->systick.zero);
+    core->tick_at = core->systick.control & 1 && core->systick.reload > 0
+                        ? core->chip->now + cycles * core->chip->sys_cycle
+                        : NEVER;
+    chip_event_at(core->chip, core->tick_at);
 }
 
 static bool systick_due(struct core *core)
 {
-    if (core->systick.zero <= core->chip->now) {
+    if (core->tick_at <= core->chip->now) {
         systick_start(core);
         core->systick.pending = core->systick.control >> 1 & 1;
     }
@@ -209,8 +194,7 @@ uint32_t arm_private_read(struct core *core, uint32_t address)
     case 0x014:
         return core->systick.reload;
     case 0x018:
-        return core->systick.zero == NEVER ? 0
-                                           : (uint32_t)((core->systick.zero - core->chip->now) / core->chip->sys_cycle);
+        return core->tick_at == NEVER ? 0 : (uint32_t)((core->tick_at - core->chip->now) / core->chip->sys_cycle);
     case 0x100:
     case 0x104:
         return (uint32_t)(core->irq_enabled >> (address & 4) * 8);
@@ -266,52 +250,35 @@ static uint32_t waiting(struct core *core)
     return irqs == 0 ? 0 : IRQ_0 + (uint32_t)__builtin_ctzll(irqs);
 }
 
-void arm_wait(struct core *core, bool for_interrupt)
+bool arm_takes_ticks(const struct core *core)
 {
-    if (!for_interrupt && core->event) {
-        core->event = false;
-        return;
-    }
-    core->asleep = true;
-    core->sleeps_for_interrupt = for_interrupt;
-}
-
-static void awake(struct core *core)
-{
-    core->asleep = false;
-    core->chip->limit = core->chip->now; /* it may be another core that runs: this one is behind it */
-    if (core->chip->now > core->time) {
-        core->idle += core->chip->now - core->time;
-        core->time = core->chip->now;
-    }
-}
-
-void arm_send_event(struct core *core)
-{
-    if (core->asleep && !core->sleeps_for_interrupt) {
-        awake(core);
-    } else {
-        core->event = true;
-    }
+    return core->systick.control >> 1 & 1;
 }
 
 /* WFI ends with an interrupt that PRIMASK holds back, too; WFE with one that is taken. */
-void arm_wake(struct core *core)
+bool arm_wakes(struct core *core)
 {
-    const uint32_t exception = waiting(core);
-    if (exception != 0 && core->ipsr == 0 && (core->sleeps_for_interrupt || core->primask == 0)) {
-        awake(core);
+    return waiting(core) != 0 && core->ipsr == 0 && (core->sleeps_for_interrupt || core->primask == 0);
+}
+
+void arm_interrupt(struct core *core)
+{
+    const uint32_t exception = core->ipsr == 0 && core->primask == 0 ? waiting(core) : 0;
+    if (exception != 0) {
+        core->systick.pending &= exception != SYSTICK;
+        enter(core, exception, core->next);
     }
 }
 
-static void step(struct core *core)
+void arm_step(struct core *core)
 {
-    const uint32_t at = core->next, first = memory_fetch(core, at), it = core->it;
+    const uint32_t at = core->pc, first = memory_fetch(core, at), it = core->it;
     const bool is_long = first >= 0xe800, runs = it == 0 || thumb_passes(core, it >> 4);
-    core->r[15] = at;
     core->next = at + (is_long ? 4 : 2);
     core->cycles++;
     core->in_it = it != 0;
+    core->after_load = core->loads;
+    core->loads = false;
     core->it = it & 7 ? (it & 0xe0) | (it << 1 & 31) : 0;
     if (is_long) {
         const uint32_t second = memory_fetch(core, at + 2);
@@ -324,41 +291,5 @@ static void step(struct core *core)
     if (core->faulted) {
         core->next = at;
         arm_fault(core);
-    }
-}
-
-static bool is_call(const struct core *core)
-{
-    const struct chip *chip = core->chip;
-    for (uint32_t i = 0; i < chip->call_count && core->index == 0; i++) {
-        if (chip->calls[i] == core->next) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Until then, or until the chip's limit, which falls when an event comes nearer. */
-void arm_run(struct core *core, uint64_t until)
-{
-    struct chip *chip = core->chip;
-    chip->limit = until;
-    while (core->time < chip->limit && !core->asleep && !core->locked && chip->ended == NULL) {
-        chip->now = core->time;
-        if (core->ipsr == 0 && core->primask == 0) {
-            const uint32_t exception = waiting(core);
-            if (exception != 0) {
-                core->systick.pending &= exception != SYSTICK;
-                enter(core, exception, core->next);
-            }
-        }
-        if (is_call(core)) {
-            chip->hooks.call(chip->hooks.user, core);
-        }
-        if (core->next >= ROM_BYTES || !rom_call(core)) {
-            step(core);
-        }
-        core->time += core->cycles * chip->sys_cycle;
-        core->cycles = 0;
     }
 }

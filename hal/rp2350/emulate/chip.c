@@ -45,10 +45,11 @@ void chip_reset(struct chip *chip)
     memset(chip->dma_enabled, 0, sizeof chip->dma_enabled);
     chip->dma_interrupts = chip->timer_interrupts = chip->timer_enabled = 0;
     chip->alarm_time = NEVER;
-    chip->core1_words = chip->locks = 0;
+    chip->core1_words = chip->locks = chip->mtime_control = 0;
+    chip->mtime = 0;
     chip->uart_control = 0;
     for (uint32_t i = 0; i < CORES; i++) {
-        arm_reset(&chip->core[i], 0, RAM_BASE + RAM_BYTES, 0);
+        core_reset(&chip->core[i], 0, RAM_BASE + RAM_BYTES, 0);
         chip->core[i].started = i == 0;
     }
     rom_start(chip);
@@ -84,8 +85,8 @@ static uint64_t next_event(const struct chip *chip)
     }
     for (uint32_t i = 0; i < chip->cores; i++) {
         const struct core *core = &chip->core[i];
-        if (core->asleep && core->systick.zero < next && (core->systick.control & 2) != 0) {
-            next = core->systick.zero;
+        if (core->asleep && core_next_tick(core) < next) {
+            next = core_next_tick(core);
         }
     }
     return next;
@@ -102,7 +103,7 @@ static void happen(struct chip *chip, uint64_t time)
     timer_event(chip);
     for (uint32_t i = 0; i < chip->cores; i++) {
         if (chip->core[i].asleep) {
-            arm_wake(&chip->core[i]);
+            core_wake(&chip->core[i]);
         }
     }
 }
@@ -166,9 +167,9 @@ bool chip_go_on(struct chip *chip)
             until = other->time + TURN;
         }
     }
-    arm_run(core, until);
+    core_run(core, until);
     if (core->asleep) {
-        arm_wake(core);
+        core_wake(core);
     }
     if (chip->seed != 0) {
         delay(chip, core);

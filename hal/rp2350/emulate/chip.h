@@ -1,8 +1,11 @@
 /*
- * chip: an emulated RP2350 with two Cortex-M33 cores. What a sane image never does, the model complains about.
+ * chip: an emulated RP2350 with two Cortex-M33 or two Hazard3 cores. What a sane image never does, the model complains
+ * about.
  *
  *   chip.c      time, the cores in turns, resets      memory.c    what lies where
- *   arm.c       exceptions, interrupts, sleep         thumb16.c, thumb32.c, thumb_data.c   instructions
+ *   core.c      how a core runs, sleeps and wakes
+ *   arm.c       Cortex-M33: exceptions                 thumb16.c, thumb32.c, thumb_data.c, thumb_dsp.c   instructions
+ *   riscv.c     Hazard3: traps                         riscv_data.c, riscv_expand.c   instructions
  *   rom.c       what the boot ROM does                 clocks.c    oscillator, PLLs, resets, ticks, watchdog, timer
  *   sio.c       FIFOs between the cores, spin locks   pins.c      pins and pads
  *   spi.c       PL022, whose words take time          dma.c       channels
@@ -36,18 +39,26 @@ struct chip;
 struct core {
     struct chip *chip;
     uint32_t index;
-    uint32_t r[16]; /* 13: stack pointer, 14: link register, 15: address of the instruction that runs */
-    uint32_t next;  /* address of the next instruction */
-    bool n, z, c, v, q, in_it;
+    uint32_t r[32];                /* Arm: 13 stack pointer, 14 link register; RISC-V: x0 .. x31 */
+    uint32_t pc, next;             /* addresses of the instruction that runs and of the next one */
+    uint64_t irq_enabled, tick_at; /* the next interrupt by SysTick or the timer of SIO; NEVER: off */
+    bool event, asleep, sleeps_for_interrupt, started, locked;
+
+    bool n, z, c, v, q, in_it, faulted, loads, after_load; /* Arm */
     uint32_t ge, it;
     uint32_t primask, msplim, vtor, ipsr;
-    uint64_t irq_enabled;
-    bool event, asleep, sleeps_for_interrupt, started, locked, faulted;
     struct {
         uint32_t control, reload;
-        uint64_t zero; /* when it reaches 0 next; NEVER: off */
         bool pending;
     } systick;
+
+    struct csr { /* RISC-V */
+        uint32_t mstatus, mie, mtvec, mcountinhibit, mscratch, mepc, mcause, mtval, pmpcfg0, pmpaddr0, pmpcfgm0;
+    } csr;
+    uint32_t forbidden, forbidden_bytes; /* by the PMP */
+    uint32_t late;                       /* the register that the last load filled; 0: none */
+    uint64_t compare;                    /* of the timer of SIO */
+
     uint32_t fifo[FIFO_WORDS], fifo_count; /* what this core reads */
     uint64_t time, idle;                   /* of the next instruction; slept so far */
     uint64_t cycles;
@@ -92,6 +103,7 @@ struct chip {
     struct chip_hooks hooks;
     struct core core[CORES];
     uint32_t cores;
+    bool riscv;       /* the instruction set of the cores, which the image definition says */
     uint64_t now;     /* of the core that runs, or of the event that happens */
     uint64_t limit;   /* the running core gives way then */
     uint64_t resting; /* while all cores slept */
@@ -105,6 +117,7 @@ struct chip {
     uint8_t rom[ROM_BYTES], ram[RAM_BYTES];
     uint8_t *flash;
     uint32_t flash_bytes;
+    uint32_t entry, stack; /* of core 0, by the image definition; 0: the first words of flash are stack and entry */
 
     uint32_t resets; /* blocks in reset */
     uint32_t xosc_control, xosc_startup, ref_control, sys_control, sys_divider, peri_control, peri_divider;
@@ -128,6 +141,8 @@ struct chip {
     uint64_t pulled_up[PINS];
     uint32_t core1_words, core1_word[6]; /* of the handshake with the ROM */
     uint32_t locks;
+    uint32_t mtime_control;
+    uint64_t mtime, mtime_from; /* the timer of SIO had that value then */
 
     struct spi spi[2];
     struct channel channel[CHANNELS];
@@ -154,25 +169,51 @@ void chip_warn(struct chip *chip, const char *format, ...) __attribute__((format
 uint32_t memory_read(struct core *core, uint32_t address, uint32_t bytes);
 void memory_write(struct core *core, uint32_t address, uint32_t value, uint32_t bytes);
 uint32_t memory_fetch(struct core *core, uint32_t address);
+/* Of several words: that is a fault unless they are aligned. */
+void memory_check_aligned(struct core *core, uint32_t address);
 uint32_t memory_dma_read(struct chip *chip, uint32_t address, uint32_t bytes);
 
+/* core.c */
+void core_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry);
+void core_run(struct core *core, uint64_t until);
+void core_wake(struct core *core);
+void core_wait(struct core *core, bool for_interrupt);
+void core_send_event(struct core *core);
+void core_stack_is(struct core *core, uint32_t address);
+void core_lock_up(struct core *core);
+void core_fault(struct core *core);
+uint32_t core_argument(struct core *core, uint32_t number);
+void core_set_argument(struct core *core, uint32_t number, uint32_t value);
+void core_return(struct core *core);
+/* When a tick would end the sleep of this core; NEVER: none would. */
+uint64_t core_next_tick(const struct core *core);
+
 /* arm.c */
-void arm_reset(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry);
-void arm_run(struct core *core, uint64_t until);
-void arm_wake(struct core *core);
+void arm_start(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry);
+void arm_step(struct core *core);
+void arm_interrupt(struct core *core);
+bool arm_wakes(struct core *core);
+bool arm_takes_ticks(const struct core *core);
 void arm_fault(struct core *core);
 void arm_branch(struct core *core, uint32_t address);
 void arm_set_stack(struct core *core, uint32_t address);
-void arm_wait(struct core *core, bool for_interrupt);
-void arm_send_event(struct core *core);
 void arm_undefined(struct core *core, uint32_t code);
 uint32_t arm_special(const struct core *core, uint32_t number);
 void arm_set_special(struct core *core, uint32_t number, uint32_t value);
 uint32_t arm_private_read(struct core *core, uint32_t address);
 void arm_private_write(struct core *core, uint32_t address, uint32_t value);
 
+/* riscv.c */
+void riscv_start(struct core *core, uint32_t vectors, uint32_t stack, uint32_t entry);
+void riscv_step(struct core *core);
+void riscv_interrupt(struct core *core);
+bool riscv_wakes(struct core *core);
+bool riscv_takes_ticks(const struct core *core);
+void riscv_fault(struct core *core);
+
 /* rom.c */
-const char *rom_refuses(const uint8_t *image, uint32_t bytes);
+/* Reads the image definition; NULL: the ROM starts the image, else why it does not. */
+const char *rom_refuses(struct chip *chip, const uint8_t *image, uint32_t bytes);
 void rom_start(struct chip *chip);
 bool rom_call(struct core *core);
 void rom_breakpoint(struct core *core, uint32_t number);

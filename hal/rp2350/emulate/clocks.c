@@ -290,7 +290,7 @@ static void psm_write(struct chip *chip, uint32_t offset, uint32_t value)
     } else if (offset == 4) {
         chip->psm_off = value;
         if (value & PSM_PROC1) {
-            arm_reset(&chip->core[1], 0, RAM_BASE + RAM_BYTES, 0);
+            core_reset(&chip->core[1], 0, RAM_BASE + RAM_BYTES, 0);
             chip->core[1].started = false;
             chip->core1_words = 0;
         }

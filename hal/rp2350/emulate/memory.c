@@ -154,7 +154,7 @@ uint32_t memory_read(struct core *core, uint32_t address, uint32_t bytes)
         return io_read(core, address, bytes);
     }
     chip_warn(core->chip, "core %u reads %u bytes at %08x, where nothing is, at %08x", core->index, bytes, address,
-              core->r[15]);
+              core->pc);
     return 0;
 }
 
@@ -169,7 +169,15 @@ void memory_write(struct core *core, uint32_t address, uint32_t value, uint32_t 
         io_write(core, address, value, bytes);
     } else {
         chip_warn(core->chip, "core %u writes %u bytes at %08x, where no RAM is, at %08x", core->index, bytes, address,
-                  core->r[15]);
+                  core->pc);
+    }
+}
+
+void memory_check_aligned(struct core *core, uint32_t address)
+{
+    if (address & 3) {
+        chip_warn(core->chip, "core %u reads or writes words at %08x with an instruction that needs them aligned",
+                  core->index, address);
     }
 }
 

@@ -32,6 +32,7 @@ static struct {
 } options = {.events = "-", .frames = 16, .cores = 2, .dc = 64, .select = -1, .fault = -2, .limit_ms = 60000};
 
 static struct chip chip;
+static uint32_t uf2_families; /* bit 1: rp2350-arm-s, bit 2: rp2350-riscv */
 static FILE *report;
 
 /* What a frame is measured by. */
@@ -148,8 +149,7 @@ static void begin_frame(void)
         uart_feed(&chip, (uint8_t)*text);
     }
     if (options.fault == run.frame) {
-        chip.core[0].r[15] = chip.core[0].next;
-        arm_fault(&chip.core[0]);
+        core_fault(&chip.core[0]);
     }
 }
 
@@ -189,11 +189,11 @@ static void called(void *user, struct core *core)
         }
         begin_frame();
     } else if (at == chip.calls[1]) {
-        run.given += core->r[3];
+        run.given += core_argument(core, 3);
     } else if (at == chip.calls[2]) {
-        run.given += (uint64_t)core->r[2] * memory_read(core, core->r[13], 4);
+        run.given += (uint64_t)core_argument(core, 2) * core_argument(core, 4);
     } else {
-        core->r[1] = scene_of(core->r[1]);
+        core_set_argument(core, 1, scene_of(core_argument(core, 1)));
     }
 }
 
@@ -333,21 +333,23 @@ static uint32_t word_at(const uint8_t *from)
  * "absolute" is for erratum RP2350-E10 and not part of the image. */
 static uint32_t unpack_uf2(const uint8_t *file, uint32_t bytes, uint8_t *image)
 {
-    uint32_t end = 0;
+    uint32_t end = 0, families = 0;
     for (uint32_t at = 0; at + 512 <= bytes; at += 512) {
         const uint8_t *block = file + at;
         const uint32_t to = word_at(block + 12) - FLASH_BASE, size = word_at(block + 16), family = word_at(block + 28);
         if (word_at(block) == 0x0a324655 && word_at(block + 4) == 0x9e5d5157 && family == 0xe48bff57) {
             continue;
         }
-        if (word_at(block) != 0x0a324655 || word_at(block + 4) != 0x9e5d5157 || family != 0xe48bff59 || size > 476 ||
-            to > FLASH_BYTES - size) {
-            fprintf(stderr, "emulate: block %u of the UF2 file is not for an RP2350 with Arm cores\n", at / 512);
+        if (word_at(block) != 0x0a324655 || word_at(block + 4) != 0x9e5d5157 ||
+            (family != 0xe48bff59 && family != 0xe48bff5a) || size > 476 || to > FLASH_BYTES - size) {
+            fprintf(stderr, "emulate: block %u of the UF2 file is not for an RP2350\n", at / 512);
             exit(1);
         }
         memcpy(image + to, block + 32, size);
+        families |= 1U << (family & 3);
         end = to + size > end ? to + size : end;
     }
+    uf2_families = families;
     return end;
 }
 
@@ -434,7 +436,10 @@ int main(int count, char **arguments)
     (void)count;
     read_options(arguments + 1);
     const uint32_t bytes = read_image(image);
-    const char *refused = rom_refuses(image, bytes);
+    const char *refused = rom_refuses(&chip, image, bytes);
+    if (refused == NULL && uf2_families != 0 && uf2_families != (chip.riscv ? 4 : 2)) {
+        refused = "the UF2 file's family is not that of the image definition";
+    }
     if (refused != NULL) {
         fprintf(stderr, "emulate: %s: the boot ROM would not start this image\n", refused);
         return 1;

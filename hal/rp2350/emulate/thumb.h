@@ -37,7 +37,7 @@ static inline uint32_t thumb_extend(uint32_t value, uint32_t bits)
 /* In an instruction the program counter is 4 ahead. */
 static inline uint32_t thumb_pc(const struct core *core)
 {
-    return core->r[15] + 4;
+    return core->pc + 4;
 }
 
 static inline uint32_t thumb_get(const struct core *core, uint32_t number)
@@ -56,9 +56,11 @@ static inline void thumb_set(struct core *core, uint32_t number, uint32_t value)
     }
 }
 
+/* A load takes two cycles, but one after another load (DDI 0439, 3.3.2). */
 static inline uint32_t thumb_load(struct core *core, uint32_t address, uint32_t bytes)
 {
-    core->cycles++;
+    core->cycles += !core->after_load;
+    core->loads = true;
     return memory_read(core, address, bytes);
 }
 

@@ -260,7 +260,8 @@ static void pop(struct core *core, uint32_t list)
     uint32_t at = core->r[13], target = 0;
     for (uint32_t i = 0; i < 16; i++) {
         if (list >> i & 1) {
-            const uint32_t word = thumb_load(core, at, 4);
+            const uint32_t word = memory_read(core, at, 4);
+            core->cycles++;
             at += 4;
             if (i == 15) {
                 target = word;
@@ -286,11 +287,11 @@ static void hint(struct core *core, uint32_t what)
     switch (what) {
     case 2:
     case 3:
-        arm_wait(core, what == 3);
+        core_wait(core, what == 3);
         break;
     case 4:
         for (uint32_t i = 0; i < core->chip->cores; i++) {
-            arm_send_event(&core->chip->core[i]);
+            core_send_event(&core->chip->core[i]);
         }
         break;
     default:
@@ -341,6 +342,7 @@ static void multiple(struct core *core, uint32_t code)
     const uint32_t n = code >> 8 & 7;
     const bool loads = code >> 11 & 1;
     uint32_t at = core->r[n];
+    memory_check_aligned(core, at);
     for (uint32_t i = 0; i < 8; i++) {
         if ((code >> i & 1) == 0) {
             continue;

@@ -7,8 +7,10 @@ static void dual(struct core *core, uint32_t first, uint32_t second)
     const bool before = first >> 8 & 1, up = first >> 7 & 1, back = first >> 5 & 1;
     const uint32_t base = n == 15 ? thumb_pc(core) & ~3U : core->r[n], moved = up ? base + by : base - by;
     const uint32_t at = before ? moved : base;
+    memory_check_aligned(core, at);
     if (first >> 4 & 1) {
-        const uint32_t low = thumb_load(core, at, 4), high = thumb_load(core, at + 4, 4);
+        const uint32_t low = memory_read(core, at, 4), high = memory_read(core, at + 4, 4);
+        core->cycles += 2;
         core->r[t] = low;
         core->r[t2] = high;
     } else {
@@ -46,6 +48,7 @@ static void multiple(struct core *core, uint32_t first, uint32_t list)
     const bool down = first >> 8 & 1, loads = first >> 4 & 1, back = first >> 5 & 1;
     const uint32_t base = core->r[n], end = down ? base - bytes : base + bytes;
     uint32_t at = down ? end : base, target = 0;
+    memory_check_aligned(core, base);
     if (back && !loads) {
         thumb_set(core, n, end);
     }

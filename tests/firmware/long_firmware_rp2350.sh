@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Like tests/firmware/test_firmware_rp2350_emulated.sh for every RP2350 board, both instruction sets, with one core and with
+# two: every demo for some frames, with buttons pressed.
+# shellcheck disable=SC2317 # functions are called by check
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/tools/tap.sh
+. tests/firmware/emulated_rp2040.sh
+unset MAKEFLAGS
+export B=${B:-build} CHIP=rp2350 ISA
+dir=$(mktemp -d) || exit 1
+trap 'rm -rf "$dir"' EXIT
+command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi" && exit 77; }
+command -v riscv64-unknown-elf-gcc >/dev/null || { echo "no riscv64-unknown-elf-gcc: apt-get install gcc-riscv64-unknown-elf" && exit 77; }
+
+every_demo() { # board, cores, option of the emulator...
+    image "$1" "$2" && sweep 4 && emulate "$1" "$2" $((4 * demos)) "$dir/keys" "${@:3}" && expect "$1" $((4 * demos)) "$dir/keys" && same $((4 * demos))
+}
+
+make -s -j2 B="$B" "$B/pinhole-sim" "$B/pinhole-wire" "$B/rp2350-emulate" || exit 1
+for mk in boards/*/board.mk; do
+    { grep -q 'families/pico2.mk' "$mk" && in_share; } || continue
+    board=$(basename "$(dirname "$mk")")
+    for ISA in arm riscv; do
+        check "every_demo_is_the_simulators_on_${board}_with_one_core_$ISA" every_demo "$board" 1
+        check "every_demo_is_the_simulators_on_${board}_with_two_cores_$ISA" every_demo "$board" 2 --delays 7 --limit-ms 1000000
+    done
+done
+tap_end
