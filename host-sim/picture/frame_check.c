@@ -132,31 +132,54 @@ static int draw_difference(const struct frame_check *check, uint32_t frame, cons
     return frame_out_close(&out, status);
 }
 
+/* Compares pictures of one size. */
+static int check_pixels(struct frame_check *check, uint32_t frame, const struct ppm *picture, struct ppm *reference,
+                        const char *name)
+{
+    const struct difference d = compare(picture, reference, check->tolerance);
+    if (d.pixels == 0) {
+        return 0;
+    }
+    check->wrong++;
+    printf("frame %u: %u of %u pixels differ from %s, by at most %u of 255, in columns %u .. %u, rows %u .. %u\n",
+           (unsigned)frame, (unsigned)d.pixels, (unsigned)(picture->width * picture->height), name, (unsigned)d.most,
+           (unsigned)d.x0, (unsigned)d.x1, (unsigned)d.y0, (unsigned)d.y1);
+    return draw_difference(check, frame, reference);
+}
+
+/* Compares at the size of the glass, or scaled if the reference is. */
+static int check_sizes(struct frame_check *check, uint32_t frame, const struct ppm *picture, struct ppm *reference,
+                       const char *name)
+{
+    const uint32_t scale = check->scale > 0 ? check->scale : 1;
+    struct ppm large;
+    if (reference->width == picture->width && reference->height == picture->height) {
+        return check_pixels(check, frame, picture, reference, name);
+    }
+    if (reference->width != picture->width * scale || reference->height != picture->height * scale) {
+        check->wrong++;
+        printf("frame %u: is %ux%u, but %s is %ux%u\n", (unsigned)frame, (unsigned)(picture->width * scale),
+               (unsigned)(picture->height * scale), name, (unsigned)reference->width, (unsigned)reference->height);
+        return 0;
+    }
+    int status = frame_out_enlarge(picture, scale, &large);
+    if (status == 0) {
+        status = check_pixels(check, frame, &large, reference, name);
+    }
+    free(large.rgb);
+    return status;
+}
+
 static int check_picture(struct frame_check *check, uint32_t frame, const struct ppm *picture)
 {
     char name[PATH_MAX];
     struct ppm reference;
     int status = name_reference(check, frame, name);
     status = status == 0 ? frame_out_load(name, &reference) : status;
-    if (status != 0) {
-        return status;
+    if (status == 0) {
+        status = check_sizes(check, frame, picture, &reference, name);
+        free(reference.rgb);
     }
-    if (reference.width != picture->width || reference.height != picture->height) {
-        check->wrong++;
-        printf("frame %u: is %ux%u, but %s is %ux%u\n", (unsigned)frame, (unsigned)picture->width,
-               (unsigned)picture->height, name, (unsigned)reference.width, (unsigned)reference.height);
-    } else {
-        const struct difference d = compare(picture, &reference, check->tolerance);
-        if (d.pixels > 0) {
-            check->wrong++;
-            printf(
-                "frame %u: %u of %u pixels differ from %s, by at most %u of 255, in columns %u .. %u, rows %u .. %u\n",
-                (unsigned)frame, (unsigned)d.pixels, (unsigned)(picture->width * picture->height), name,
-                (unsigned)d.most, (unsigned)d.x0, (unsigned)d.x1, (unsigned)d.y0, (unsigned)d.y1);
-            status = draw_difference(check, frame, &reference);
-        }
-    }
-    free(reference.rgb);
     return status;
 }
 

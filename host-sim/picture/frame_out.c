@@ -119,13 +119,12 @@ static int name_file(const struct frame_out *out, uint32_t frame, char name[PATH
     return n < PATH_MAX ? 0 : -ENAMETOOLONG;
 }
 
-/* Every pixel `scale` times as wide and high. The caller frees to->rgb. 0 or PH_ERR_NOMEM. */
-static int enlarge(const struct ppm *from, uint32_t scale, struct ppm *to)
+int frame_out_enlarge(const struct ppm *from, uint32_t scale, struct ppm *to)
 {
     *to = (struct ppm){from->width * scale, from->height * scale, NULL};
     to->rgb = malloc((size_t)to->width * to->height * 3);
     if (to->rgb == NULL) {
-        return PH_ERR_NOMEM;
+        return complain("not enough memory for --scale");
     }
     uint8_t *rgb = to->rgb;
     for (uint32_t y = 0; y < to->height; y++) {
@@ -175,7 +174,7 @@ int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *pictu
         return save(out, frame, picture);
     }
     struct ppm large;
-    int status = enlarge(picture, out->scale, &large) == 0 ? 0 : complain("not enough memory for --scale");
+    int status = frame_out_enlarge(picture, out->scale, &large);
     if (status == 0) {
         status = save(out, frame, &large);
     }

@@ -379,6 +379,7 @@ static int run(const struct sim_options *o, struct chosen *chosen, struct sim_pl
                           .check = {.reference = o->check,
                                     .difference = o->difference != NULL ? o->difference : "difference.png",
                                     .tolerance = o->tolerance,
+                                    .scale = o->scale,
                                     .several = o->frames > 1}};
     struct sim_player player;
     const uint32_t last = o->start + (o->frames == UINT32_MAX ? FRAME_LIMIT : o->frames - 1);
