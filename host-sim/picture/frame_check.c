@@ -15,6 +15,13 @@
 
 /* ---- CRCs -------------------------------------------------------------------------------------------- */
 
+/* Is this a line of --crc, as text or as JSON? */
+static bool is_crc_line(const char *line, unsigned *frame, unsigned *crc)
+{
+    return sscanf(line, "frame %u crc32 %8X", frame, crc) == 2 ||
+           sscanf(line, "{\"frame\": %u, \"crc32\": \"%8X\"}", frame, crc) == 2;
+}
+
 /* Reads `frame N crc32 XXXXXXXX` lines; others are passed over, but one must be there. A line that begins with a zero
  * byte ends the file: it is no text, and /dev/zero has no end. */
 static int read_crcs(struct frame_check *check)
@@ -27,7 +34,7 @@ static int read_crcs(struct frame_check *check)
     int status = 0;
     while (status == 0 && fgets(line, sizeof line, file) != NULL && line[0] != '\0') {
         unsigned frame, crc;
-        if (sscanf(line, "frame %u crc32 %8X", &frame, &crc) != 2) {
+        if (!is_crc_line(line, &frame, &crc)) {
             continue;
         }
         struct frame_check_crc *const more = realloc(check->crcs, (check->crc_count + 1) * sizeof *more);

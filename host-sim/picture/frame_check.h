@@ -2,7 +2,8 @@
  * frame_check: compares frames with reference pictures that were kept: golden frames of a scene.
  *
  * A reference is a PNG or PPM (of several frames: FILE-NNNN.png, as --out names them), a folder of frame-NNNN.png or
- * .ppm, or a text file with lines `frame N crc32 XXXXXXXX`, as --crc prints them.
+ * .ppm, or a text file with lines `frame N crc32 XXXXXXXX`, as --crc prints them (with
+ * --json, too).
  */
 #ifndef FRAME_CHECK_H
 #define FRAME_CHECK_H

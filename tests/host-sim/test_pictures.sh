@@ -118,6 +118,13 @@ stats_are_json() { # with the numbers of the other form
         json_is_read 'd.depth' float16-e4 <stats.json && json_is_read 'Object.keys(d).length' 15 <stats.json
 }
 
+crcs_are_json() { # with the numbers of the other form; a reference for --check, too
+    "$sim" --demo torus --start 8 --frames 3 --crc --json >json.crc && "$sim" --demo torus --start 8 --frames 3 --crc >text.crc &&
+        json_is_read "d.map(f => 'frame ' + f.frame + ' crc32 ' + f.crc32).join('\n')" "$(<text.crc)" <<<"[$(paste -sd, json.crc)]" &&
+        [ "$(wc -l <json.crc)" = 3 ] && "$sim" --demo torus --start 8 --frames 3 --check json.crc && fails 1 'crc32' "$sim" --demo cube --start 8 --check json.crc &&
+        "$sim" --demo torus --start 8 --crc --json --out - 2>said >/dev/null && head -n 1 json.crc | cmp - said && fails 2 '--json: of what?' "$sim" --demo cube --json --out x.png
+}
+
 # The recipe of the paper, line for line, in a repository of its own: it passes, and after a change of the scene it fails.
 the_recipe_works() {
     local recipe
@@ -150,5 +157,6 @@ check "one_pixel_that_differs_is_told_drawn_and_tolerated" a_pixel_that_differs_
 check "wrong_references_give_one_line" other_references_are_refused
 check "the_list_is_JSON" the_list_is_json
 check "the_stats_are_JSON" stats_are_json
+check "the_CRCs_are_JSON" crcs_are_json
 check "the_recipe_for_CI_works" the_recipe_works
 tap_end
