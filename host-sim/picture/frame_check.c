@@ -181,8 +181,11 @@ static int check_picture(struct frame_check *check, uint32_t frame, const struct
 {
     char name[PATH_MAX];
     struct ppm reference;
+    const uint32_t scaled = picture->width * picture->height * check->scale * check->scale;
     int status = name_reference(check, frame, name);
-    status = status == 0 ? frame_out_load(name, &reference) : status;
+    if (status == 0) {
+        status = frame_out_load(name, scaled > FRAME_OUT_PIXELS_MAX ? scaled : FRAME_OUT_PIXELS_MAX, &reference);
+    }
     if (status == 0) {
         status = check_sizes(check, frame, picture, &reference, name);
         free(reference.rgb);

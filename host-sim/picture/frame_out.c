@@ -195,13 +195,25 @@ int frame_out_close(struct frame_out *out, int status)
     return status;
 }
 
-int frame_out_load(const char *path, struct ppm *picture)
+static int too_large(const char *path, uint32_t width, uint32_t height, uint32_t most_pixels)
 {
-    struct picture_in in = {.most = PPM_SIDE_MAX};
-    const int status = ppm_load(path, picture);
+    return complain("%s: is %ux%u, and there is room for %u pixels: shrink it", path, (unsigned)width, (unsigned)height,
+                    (unsigned)most_pixels);
+}
+
+int frame_out_load(const char *path, uint32_t most_pixels, struct ppm *picture)
+{
+    struct picture_in in = {.most = PPM_SIDE_MAX, .most_pixels = most_pixels};
+    const int status = ppm_load(path, most_pixels, picture);
+    if (status == PH_ERR_NOMEM) {
+        return too_large(path, picture->width, picture->height, most_pixels);
+    }
     if (status == PH_ERR_INVAL && picture_in_file(&in, path) == NULL) {
         *picture = in.picture;
         return 0;
+    }
+    if ((uint64_t)in.width * in.height > most_pixels) {
+        return too_large(path, in.width, in.height, most_pixels);
     }
     if (status == PH_ERR_INVAL) {
         return complain("%s: is neither a binary PPM (P6) nor a PNG or JPEG that can be read", path);
