@@ -223,7 +223,7 @@ check: ## the unit tests and the quick scripts, for every edit; installs nothing
 test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
 	$(Q)B='$(B)' tests/run.sh test $(MAKEOVERRIDES)
 
-test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/3: a third
+test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/5: a fifth
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
 
 proof: ## proves by CBMC and Gappa that no sum overflows, and how far results are off (about 10 minutes on 2 idle cores)

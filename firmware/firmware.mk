@@ -111,9 +111,9 @@ ifneq ($(if $(OUT),,$(SCENE_C)),)
 $(SCENE_C): $(B)/pinhole-asset FORCE
 	@mkdir -p $(@D)
 	$(SAY) ASSET '$(SCENE)'
-	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$@.new' --board $(BOARD) --flash "$$(($(CHIP_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
+	$(Q)$(B)/pinhole-asset '$(SCENE)' --out '$(@:.c=.new.c)' --board $(BOARD) --flash "$$(($(CHIP_FLASH_BYTES) - $(SCENE_PROGRAM_BYTES)))" \
 	    --max-triangles $(SCENE_TRIANGLES) --texture-size $(SCENE_TEXTURE) $(SCENE_FLAGS)
-	@if cmp -s '$@.new' '$@'; then rm '$@.new'; else mv '$@.new' '$@'; fi
+	@if cmp -s '$(@:.c=.new.c)' '$@'; then rm '$(@:.c=.new.c)'; else mv '$(@:.c=.new.c)' '$@'; fi
 endif
 
 flash: $(if $(and $(PORT_SCENE),$(filter %.phs,$(SCENE))),,firmware) $(FLASH_NEEDS) ## BOARD=x [APP=..] [SCENE=..] [SERIAL=S]: builds an image and writes it into the flash of the board that is plugged in

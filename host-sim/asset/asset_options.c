@@ -10,11 +10,12 @@
 
 #define TEXTURE_LOG2_LIMIT 10
 #define FLASH_LIMIT        (1u << 30)
+#define OUT_TAKES          "a file that ends in .c or .phs (a binary scene), or -"
 
 static bool set_out(void *to, const char *value)
 {
     ((struct asset_options *)to)->out = value;
-    return *value != '\0';
+    return strcmp(value, "-") == 0 || option_text_ends(value, ".c") || option_text_ends(value, ".phs");
 }
 
 static bool set_board(void *to, const char *value)
@@ -47,7 +48,7 @@ static bool set_filter(void *to, const char *value)
 }
 
 static const struct option_row rows[] = {
-    {"out", "FILE.c|FILE.phs", "where the C file goes, - is stdout, or the binary scene; also -o FILE", "a file",
+    {"out", "FILE.c|FILE.phs", "where the C file goes, - is stdout, or the binary scene; also -o FILE", OUT_TAKES,
      .set = set_out},
     {"max-triangles", "N|all|fit",
      "simplifies to N triangles at most; fit: to what the board has room for. all by default",
@@ -110,8 +111,11 @@ int asset_options_read(struct asset_options *o, int argc, char *const argv[])
         .goal = {.triangles = UINT32_MAX, .texture_log2 = ASSET_TEXTURE_LOG2, .flash_bytes = UINT32_MAX}};
     for (int i = 1; i < argc;) {
         if (strcmp(argv[i], "-o") == 0) {
-            if (i + 1 == argc || !set_out(o, argv[i + 1])) {
-                return complain_usage("-o needs a value: FILE.c");
+            if (i + 1 == argc) {
+                return complain_usage("-o needs a value: FILE.c or FILE.phs");
+            }
+            if (!set_out(o, argv[i + 1])) {
+                return complain_usage("-o '%s': must be " OUT_TAKES, argv[i + 1]);
             }
             i += 2;
         } else if (argv[i][0] == '-') {

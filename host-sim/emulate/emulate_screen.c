@@ -11,7 +11,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#define SCALE 4
+#define SCALE             4
+#define SCREEN_PIXELS_MAX (1u << 26)
 
 static const struct {
     uint32_t button;
@@ -78,7 +79,7 @@ static int look(struct qemu *q, struct ppm *picture)
     }
     close(fd);
     int status = emulate_qemu_command(q, "screendump", "\"filename\": \"%s\"", path);
-    if (status == 0 && ppm_load(path, &screen) != 0) {
+    if (status == 0 && ppm_load(path, SCREEN_PIXELS_MAX, &screen) != 0) {
         status = complain("%s: QEMU's screen cannot be read", path);
     }
     unlink(path);

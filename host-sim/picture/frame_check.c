@@ -15,6 +15,13 @@
 
 /* ---- CRCs -------------------------------------------------------------------------------------------- */
 
+/* Is this a line of --crc, as text or as JSON? */
+static bool is_crc_line(const char *line, unsigned *frame, unsigned *crc)
+{
+    return sscanf(line, "frame %u crc32 %8X", frame, crc) == 2 ||
+           sscanf(line, "{\"frame\": %u, \"crc32\": \"%8X\"}", frame, crc) == 2;
+}
+
 /* Reads `frame N crc32 XXXXXXXX` lines; others are passed over, but one must be there. A line that begins with a zero
  * byte ends the file: it is no text, and /dev/zero has no end. */
 static int read_crcs(struct frame_check *check)
@@ -27,7 +34,7 @@ static int read_crcs(struct frame_check *check)
     int status = 0;
     while (status == 0 && fgets(line, sizeof line, file) != NULL && line[0] != '\0') {
         unsigned frame, crc;
-        if (sscanf(line, "frame %u crc32 %8X", &frame, &crc) != 2) {
+        if (!is_crc_line(line, &frame, &crc)) {
             continue;
         }
         struct frame_check_crc *const more = realloc(check->crcs, (check->crc_count + 1) * sizeof *more);
@@ -132,31 +139,57 @@ static int draw_difference(const struct frame_check *check, uint32_t frame, cons
     return frame_out_close(&out, status);
 }
 
+/* Compares pictures of one size. */
+static int check_pixels(struct frame_check *check, uint32_t frame, const struct ppm *picture, struct ppm *reference,
+                        const char *name)
+{
+    const struct difference d = compare(picture, reference, check->tolerance);
+    if (d.pixels == 0) {
+        return 0;
+    }
+    check->wrong++;
+    printf("frame %u: %u of %u pixels differ from %s, by at most %u of 255, in columns %u .. %u, rows %u .. %u\n",
+           (unsigned)frame, (unsigned)d.pixels, (unsigned)(picture->width * picture->height), name, (unsigned)d.most,
+           (unsigned)d.x0, (unsigned)d.x1, (unsigned)d.y0, (unsigned)d.y1);
+    return draw_difference(check, frame, reference);
+}
+
+/* Compares at the size of the glass, or scaled if the reference is. */
+static int check_sizes(struct frame_check *check, uint32_t frame, const struct ppm *picture, struct ppm *reference,
+                       const char *name)
+{
+    const uint32_t scale = check->scale > 0 ? check->scale : 1;
+    struct ppm large;
+    if (reference->width == picture->width && reference->height == picture->height) {
+        return check_pixels(check, frame, picture, reference, name);
+    }
+    if (reference->width != picture->width * scale || reference->height != picture->height * scale) {
+        check->wrong++;
+        printf("frame %u: is %ux%u, but %s is %ux%u\n", (unsigned)frame, (unsigned)(picture->width * scale),
+               (unsigned)(picture->height * scale), name, (unsigned)reference->width, (unsigned)reference->height);
+        return 0;
+    }
+    int status = frame_out_enlarge(picture, scale, &large);
+    if (status == 0) {
+        status = check_pixels(check, frame, &large, reference, name);
+    }
+    free(large.rgb);
+    return status;
+}
+
 static int check_picture(struct frame_check *check, uint32_t frame, const struct ppm *picture)
 {
     char name[PATH_MAX];
     struct ppm reference;
+    const uint32_t scaled = picture->width * picture->height * check->scale * check->scale;
     int status = name_reference(check, frame, name);
-    status = status == 0 ? frame_out_load(name, &reference) : status;
-    if (status != 0) {
-        return status;
+    if (status == 0) {
+        status = frame_out_load(name, scaled > FRAME_OUT_PIXELS_MAX ? scaled : FRAME_OUT_PIXELS_MAX, &reference);
     }
-    if (reference.width != picture->width || reference.height != picture->height) {
-        check->wrong++;
-        printf("frame %u: is %ux%u, but %s is %ux%u\n", (unsigned)frame, (unsigned)picture->width,
-               (unsigned)picture->height, name, (unsigned)reference.width, (unsigned)reference.height);
-    } else {
-        const struct difference d = compare(picture, &reference, check->tolerance);
-        if (d.pixels > 0) {
-            check->wrong++;
-            printf(
-                "frame %u: %u of %u pixels differ from %s, by at most %u of 255, in columns %u .. %u, rows %u .. %u\n",
-                (unsigned)frame, (unsigned)d.pixels, (unsigned)(picture->width * picture->height), name,
-                (unsigned)d.most, (unsigned)d.x0, (unsigned)d.x1, (unsigned)d.y0, (unsigned)d.y1);
-            status = draw_difference(check, frame, &reference);
-        }
+    if (status == 0) {
+        status = check_sizes(check, frame, picture, &reference, name);
+        free(reference.rgb);
     }
-    free(reference.rgb);
     return status;
 }
 

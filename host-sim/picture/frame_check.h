@@ -2,7 +2,8 @@
  * frame_check: compares frames with reference pictures that were kept: golden frames of a scene.
  *
  * A reference is a PNG or PPM (of several frames: FILE-NNNN.png, as --out names them), a folder of frame-NNNN.png or
- * .ppm, or a text file with lines `frame N crc32 XXXXXXXX`, as --crc prints them.
+ * .ppm, or a text file with lines `frame N crc32 XXXXXXXX`, as --crc prints them (with
+ * --json, too).
  */
 #ifndef FRAME_CHECK_H
 #define FRAME_CHECK_H
@@ -19,6 +20,7 @@ struct frame_check {
     const char *reference;  /* NULL: nothing is compared */
     const char *difference; /* FILE.png: where a difference is drawn; several: FILE-NNNN.png */
     uint32_t tolerance;     /* of 255: a pixel differs if a channel is further off */
+    uint32_t scale;         /* a reference may be so many times as wide and high, as --out --scale wrote it; 0 is 1 */
     bool several;
     int digits;
     struct frame_check_crc *crcs; /* NULL: the references are pictures */
@@ -26,7 +28,7 @@ struct frame_check {
     uint32_t wrong; /* frames that differ so far */
 };
 
-/* Call this with the first four members set; `last` is the highest number of a frame to come. 0, COMPLAINED, or
+/* Call this with the first five members set; `last` is the highest number of a frame to come. 0, COMPLAINED, or
  * PH_ERR_INVAL for a tolerance with CRCs. Close it in any case. */
 int frame_check_open(struct frame_check *check, uint32_t last);
 

@@ -119,13 +119,12 @@ static int name_file(const struct frame_out *out, uint32_t frame, char name[PATH
     return n < PATH_MAX ? 0 : -ENAMETOOLONG;
 }
 
-/* Every pixel `scale` times as wide and high. The caller frees to->rgb. 0 or PH_ERR_NOMEM. */
-static int enlarge(const struct ppm *from, uint32_t scale, struct ppm *to)
+int frame_out_enlarge(const struct ppm *from, uint32_t scale, struct ppm *to)
 {
     *to = (struct ppm){from->width * scale, from->height * scale, NULL};
     to->rgb = malloc((size_t)to->width * to->height * 3);
     if (to->rgb == NULL) {
-        return PH_ERR_NOMEM;
+        return complain("not enough memory for --scale");
     }
     uint8_t *rgb = to->rgb;
     for (uint32_t y = 0; y < to->height; y++) {
@@ -175,7 +174,7 @@ int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *pictu
         return save(out, frame, picture);
     }
     struct ppm large;
-    int status = enlarge(picture, out->scale, &large) == 0 ? 0 : complain("not enough memory for --scale");
+    int status = frame_out_enlarge(picture, out->scale, &large);
     if (status == 0) {
         status = save(out, frame, &large);
     }
@@ -196,13 +195,25 @@ int frame_out_close(struct frame_out *out, int status)
     return status;
 }
 
-int frame_out_load(const char *path, struct ppm *picture)
+static int too_large(const char *path, uint32_t width, uint32_t height, uint32_t most_pixels)
 {
-    struct picture_in in = {.most = PPM_SIDE_MAX};
-    const int status = ppm_load(path, picture);
+    return complain("%s: is %ux%u, and there is room for %u pixels: shrink it", path, (unsigned)width, (unsigned)height,
+                    (unsigned)most_pixels);
+}
+
+int frame_out_load(const char *path, uint32_t most_pixels, struct ppm *picture)
+{
+    struct picture_in in = {.most = PPM_SIDE_MAX, .most_pixels = most_pixels};
+    const int status = ppm_load(path, most_pixels, picture);
+    if (status == PH_ERR_NOMEM) {
+        return too_large(path, picture->width, picture->height, most_pixels);
+    }
     if (status == PH_ERR_INVAL && picture_in_file(&in, path) == NULL) {
         *picture = in.picture;
         return 0;
+    }
+    if ((uint64_t)in.width * in.height > most_pixels) {
+        return too_large(path, in.width, in.height, most_pixels);
     }
     if (status == PH_ERR_INVAL) {
         return complain("%s: is neither a binary PPM (P6) nor a PNG or JPEG that can be read", path);

@@ -44,7 +44,13 @@ int frame_out_put(struct frame_out *out, uint32_t frame, const struct ppm *pictu
 /* Writes a GIF if `status`, of what was done so far, is 0. Returns status, or COMPLAINED. */
 int frame_out_close(struct frame_out *out, int status);
 
-/* Reads a PPM or a PNG, whatever its name is. 0 or COMPLAINED. The caller frees picture->rgb. */
-int frame_out_load(const char *path, struct ppm *picture);
+/* Every pixel `scale` times as wide and high. 0 or COMPLAINED. The caller frees to->rgb in any case. */
+int frame_out_enlarge(const struct ppm *from, uint32_t scale, struct ppm *to);
+
+#define FRAME_OUT_PIXELS_MAX (1u << 26) /* what pictures that were read may have together: 192 MB */
+
+/* Reads a PPM or a PNG of most_pixels at most, whatever its name is. A larger one is refused before it is decoded. 0 or
+ * COMPLAINED. The caller frees picture->rgb. */
+int frame_out_load(const char *path, uint32_t most_pixels, struct ppm *picture);
 
 #endif

@@ -13,6 +13,9 @@ bool picture_in_begin(struct picture_in *in, uint32_t width, uint32_t height, bo
     const size_t n = (size_t)w * h;
     in->width = width;
     in->height = height;
+    if (in->most_pixels > 0 && n > in->most_pixels) {
+        return false;
+    }
     in->picture = (struct ppm){w, h, malloc(n * 3)};
     in->alpha = has_alpha ? malloc(n) : NULL;
     const bool shrinks = w < width || h < height;

@@ -15,6 +15,7 @@
 struct picture_in {
     uint32_t most;          /* sides that are longer become this long: pixel i of n goes to i * most / n, and each is
                                the mean, rounded down, of what comes to it */
+    uint32_t most_pixels;   /* of the picture, after that; 0: no limit */
     uint32_t width, height; /* of the file, 1 .. PPM_SIDE_MAX */
     struct ppm picture;     /* picture_in_free() frees it and what follows */
     uint8_t *alpha;         /* of each pixel of the picture; NULL if the file has none */

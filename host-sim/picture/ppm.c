@@ -45,7 +45,7 @@ static int read_number(FILE *file, uint32_t max, uint32_t *out)
                                                                                                         : PH_ERR_INVAL;
 }
 
-static int read_picture(FILE *file, struct ppm *picture)
+static int read_picture(FILE *file, uint32_t most_pixels, struct ppm *picture)
 {
     uint32_t maximum;
     char magic[2];
@@ -56,7 +56,7 @@ static int read_picture(FILE *file, struct ppm *picture)
         return PH_ERR_INVAL;
     }
     const size_t n = (size_t)picture->width * picture->height * 3;
-    picture->rgb = malloc(n);
+    picture->rgb = n / 3 <= most_pixels ? malloc(n) : NULL;
     if (picture->rgb == NULL) {
         return PH_ERR_NOMEM;
     }
@@ -67,13 +67,13 @@ static int read_picture(FILE *file, struct ppm *picture)
     return 0;
 }
 
-int ppm_load(const char *path, struct ppm *picture)
+int ppm_load(const char *path, uint32_t most_pixels, struct ppm *picture)
 {
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
         return file_save_status();
     }
-    const int result = read_picture(file, picture);
+    const int result = read_picture(file, most_pixels, picture);
     fclose(file);
     return result;
 }

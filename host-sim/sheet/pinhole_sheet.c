@@ -16,6 +16,7 @@ struct sheet {
     struct frame_out frames;
     uint32_t width, gap; /* pixels */
     uint32_t count;
+    uint32_t pixels; /* of all pictures */
     struct ppm *pictures;
     struct ppm paper;
 };
@@ -54,14 +55,19 @@ static void put_picture(struct ppm *paper, const struct ppm *p, uint32_t x, uint
 
 static int make_paper(struct sheet *s)
 {
-    s->paper = (struct ppm){.width = s->width, .height = s->gap};
+    const uint64_t scale = s->frames.scale > 0 ? s->frames.scale : 1;
+    uint64_t width = s->width, height = s->gap;
     for (struct row row = {0}; row.end < s->count;) {
         row = next_row(s, row.end);
-        s->paper.width = row.width > s->paper.width ? row.width : s->paper.width;
-        s->paper.height += row.height + s->gap;
+        width = row.width > width ? row.width : width;
+        height += row.height + s->gap;
     }
-    const size_t pixels = (size_t)s->paper.width * s->paper.height;
-    s->paper.rgb = malloc(pixels * 3);
+    if (width * height * scale * scale > FRAME_OUT_PIXELS_MAX) {
+        return complain("the sheet would be %llux%llu, more than %u pixels: take fewer pictures, or smaller ones",
+                        (unsigned long long)(width * scale), (unsigned long long)(height * scale), FRAME_OUT_PIXELS_MAX);
+    }
+    const size_t pixels = (size_t)(width * height);
+    s->paper = (struct ppm){(uint32_t)width, (uint32_t)height, malloc(pixels * 3)};
     if (s->paper.rgb == NULL) {
         return complain("not enough memory for a sheet of %u x %u pixels", (unsigned)s->paper.width,
                         (unsigned)s->paper.height);
@@ -111,7 +117,22 @@ static void print_help(void)
 {
     puts("pinhole-sheet --out SHEET.png [options] FILE...: puts pictures (PPM, PNG) of any sizes on one sheet.\n");
     option_table_help(&table);
-    puts("\nExit status: 0 done; 1 failed; 2 wrong usage.");
+    puts("\nThe sheet has 67108864 pixels at most.\nExit status: 0 done; 1 failed; 2 wrong usage.");
+}
+
+static int load(struct sheet *s, const char *path)
+{
+    struct ppm *const picture = &s->pictures[s->count];
+    const int status = frame_out_load(path, FRAME_OUT_PIXELS_MAX, picture);
+    if (status != 0) {
+        return status;
+    }
+    s->count++; /* it is freed with the others, whatever comes */
+    s->pixels += picture->width * picture->height;
+    return s->pixels <= FRAME_OUT_PIXELS_MAX
+               ? 0
+               : complain("%s: with it the pictures have more than %u pixels: take fewer, or smaller ones", path,
+                          FRAME_OUT_PIXELS_MAX);
 }
 
 /* Reads the command line; pictures are loaded on the way. */
@@ -124,11 +145,10 @@ static int read_arguments(struct sheet *s, int argc, char *argv[])
                 return i;
             }
         } else {
-            const int status = frame_out_load(argv[i], &s->pictures[s->count]);
+            const int status = load(s, argv[i]);
             if (status != 0) {
                 return status;
             }
-            s->count++;
             i++;
         }
     }

@@ -280,6 +280,13 @@ struct stage {
     struct sim_window *window; /* NULL: none asked for */
 };
 
+static void print_crc(FILE *file, const struct sim_options *o, uint32_t frame, const struct ppm *picture)
+{
+    const uint32_t crc = crc32_update(0, picture->rgb, (size_t)picture->width * picture->height * 3);
+    fprintf(file, o->json ? "{\"frame\": %u, \"crc32\": \"%08X\"}\n" : "frame %u crc32 %08X\n", (unsigned)frame,
+            (unsigned)crc);
+}
+
 static int show_frame(const struct sim_options *o, struct stage *stage, struct sim_player *p, uint32_t frame)
 {
     struct frame_out *const out = &stage->out;
@@ -291,9 +298,7 @@ static int show_frame(const struct sim_options *o, struct stage *stage, struct s
         status = frame_check_put(&stage->check, frame, &p->picture);
     }
     if (status == 0 && o->crc) {
-        const size_t n = (size_t)p->picture.width * p->picture.height * 3;
-        fprintf(report_file(out), "frame %u crc32 %08X\n", (unsigned)frame,
-                (unsigned)crc32_update(0, p->picture.rgb, n));
+        print_crc(report_file(out), o, frame, &p->picture);
     }
     if (status == 0 && o->stats) {
         (o->json ? sim_player_print_json : sim_player_print_stats)(p, frame);
@@ -379,6 +384,7 @@ static int run(const struct sim_options *o, struct chosen *chosen, struct sim_pl
                           .check = {.reference = o->check,
                                     .difference = o->difference != NULL ? o->difference : "difference.png",
                                     .tolerance = o->tolerance,
+                                    .scale = o->scale,
                                     .several = o->frames > 1}};
     struct sim_player player;
     const uint32_t last = o->start + (o->frames == UINT32_MAX ? FRAME_LIMIT : o->frames - 1);

@@ -184,7 +184,7 @@ static const struct option_row rows[] = {
      "DIR/frame-NNNN.ppm; FILE.png or .ppm (several frames: FILE-NNNN.png); all frames as a GIF; - streams PPM to\n"
      "        stdout",
      FRAME_OUT_TAKES, .at = offsetof(struct sim_options, out)},
-    {"scale", "N", "makes every pixel of --out N x N pixels", "a whole number, 1 .. 16",
+    {"scale", "N", "makes every pixel of --out N x N pixels; --check takes references of both sizes", "a whole number, 1 .. 16",
      .at = offsetof(struct sim_options, scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
     {"check", "REF",
      "compares each frame with FILE.png or .ppm (several frames: FILE-NNNN.png), with a folder of such frames, or "
@@ -258,7 +258,7 @@ static const struct option_row rows[] = {
      "        clipped may give several); dropped: no room in the scene's budget; fragments: pixels tested for depth;\n"
      "        wire, bus: bytes and time of the frame on the SPI bus",
      NULL, .at = offsetof(struct sim_options, stats)},
-    {"json", NULL, "prints --stats and --list as JSON; host-sim/README.md has the keys", NULL,
+    {"json", NULL, "prints --crc, --stats and --list as JSON; host-sim/README.md has the keys", NULL,
      .at = offsetof(struct sim_options, json)},
     {"list", NULL, "prints the demos with the frames of their loops, and the boards with their sizes", NULL,
      .set = set_list},
@@ -327,6 +327,9 @@ static int check_together(const struct sim_options *o)
     if (o->action == OPTION_RUN && o->out == NULL && o->check == NULL && !o->crc && !o->stats && !o->matrix &&
         !o->show_window) {
         return complain_usage("nothing to do: give --out, --check, --crc, --stats, --matrix or --window (see --help)");
+    }
+    if (o->json && o->action == OPTION_RUN && !o->crc && !o->stats) {
+        return complain_usage("--json: of what? it is a form of --list, --crc and --stats");
     }
     return check_camera(o);
 }

@@ -69,6 +69,18 @@ references_match() {
         matches folder && matches ref.png && matches ref.crc && mkdir -p pngs && for i in 0 1 2; do cp ref-000$i.png pngs/frame-000$i.png || return 1; done && matches pngs
 }
 
+# Scaled references are compared with --scale; those of the glass's size with and without; and what differs is still seen.
+scaled_references_match() {
+    "$sim" --demo cube --size 40x30 --frames 2 --scale 3 --out large.png && "$sim" --demo cube --size 40x30 --frames 2 --out small.png || return 1
+    "$sim" --demo cube --size 40x30 --frames 2 --scale 3 --check large.png && "$sim" --demo cube --size 40x30 --frames 2 --scale 3 --check small.png &&
+        fails 1 'is 40x30, but large-0000.png is 120x90' "$sim" --demo cube --size 40x30 --frames 2 --check large.png &&
+        fails 1 'is 80x60, but large-0000.png is 120x90' "$sim" --demo cube --size 40x30 --frames 2 --scale 2 --check large.png &&
+        convert large-0001.png -fill '#ff00ff' -draw 'point 61,47' large-0001.png &&
+        fails 1 'frame 1: 1 of 10800 pixels differ from large-0001.png' "$sim" --demo cube --size 40x30 --frames 2 --scale 3 --check large.png --difference d.png &&
+        fails 1 'columns 61 .. 61, rows 47 .. 47' "$sim" --demo cube --size 40x30 --frames 2 --scale 3 --check large.png --difference d.png &&
+        [ "$(identify -format %wx%h d-0001.png)" = 120x90 ]
+}
+
 # One pixel is changed by 9 of 255.
 a_pixel_that_differs_is_told() {
     local pixel
@@ -106,6 +118,13 @@ stats_are_json() { # with the numbers of the other form
         json_is_read 'd.depth' float16-e4 <stats.json && json_is_read 'Object.keys(d).length' 15 <stats.json
 }
 
+crcs_are_json() { # with the numbers of the other form; a reference for --check, too
+    "$sim" --demo torus --start 8 --frames 3 --crc --json >json.crc && "$sim" --demo torus --start 8 --frames 3 --crc >text.crc &&
+        json_is_read "d.map(f => 'frame ' + f.frame + ' crc32 ' + f.crc32).join('\n')" "$(<text.crc)" <<<"[$(paste -sd, json.crc)]" &&
+        [ "$(wc -l <json.crc)" = 3 ] && "$sim" --demo torus --start 8 --frames 3 --check json.crc && fails 1 'crc32' "$sim" --demo cube --start 8 --check json.crc &&
+        "$sim" --demo torus --start 8 --crc --json --out - 2>said >/dev/null && head -n 1 json.crc | cmp - said && fails 2 '--json: of what?' "$sim" --demo cube --json --out x.png
+}
+
 # The recipe of the paper, line for line, in a repository of its own: it passes, and after a change of the scene it fails.
 the_recipe_works() {
     local recipe
@@ -133,9 +152,11 @@ else
 fi
 check "pinhole-sheet_reads_and_writes_PNG" wire_and_sheet_write_png
 check "every_kind_of_reference_matches" references_match
+check "scaled_references_match" scaled_references_match
 check "one_pixel_that_differs_is_told_drawn_and_tolerated" a_pixel_that_differs_is_told
 check "wrong_references_give_one_line" other_references_are_refused
 check "the_list_is_JSON" the_list_is_json
 check "the_stats_are_JSON" stats_are_json
+check "the_CRCs_are_JSON" crcs_are_json
 check "the_recipe_for_CI_works" the_recipe_works
 tap_end

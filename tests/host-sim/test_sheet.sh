@@ -61,6 +61,23 @@ wrong_pictures_are_refused() {
     [ ! -e "$dir/x.ppm" ]
 }
 
+# A PNG of 31 KB that is 16,000 pixels wide and high, a PPM that says so, and pictures that are too much together.
+white() { # file, width, height: a black PNG
+    node -e 'const [, file, w, h] = process.argv, zlib = require("zlib"), chunk = (t, d) => { const b = Buffer.concat([Buffer.from(t), d]), n = Buffer.alloc(4), c = Buffer.alloc(4);
+        n.writeUInt32BE(d.length); let crc = ~0; for (const x of b) { crc ^= x; for (let k = 0; k < 8; k++) crc = crc >>> 1 ^ (crc & 1 ? 0xEDB88320 : 0) } c.writeUInt32BE(~crc >>> 0); return Buffer.concat([n, b, c]) }
+        const head = Buffer.alloc(13); head.writeUInt32BE(+w, 0); head.writeUInt32BE(+h, 4); head[8] = 1; const rows = zlib.deflateSync(Buffer.alloc((Math.ceil(w / 8) + 1) * h));
+        require("fs").writeFileSync(file, Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), chunk("IHDR", head), chunk("IDAT", rows), chunk("IEND", Buffer.alloc(0))]))' "$@"
+}
+
+huge_pictures_are_refused() {
+    white "$dir/huge.png" 16000 16000 && white "$dir/half.png" 8192 4097 && white "$dir/thin.png" 16000 1 && printf 'P6\n16000 16000\n255\n' >"$dir/wide.ppm" || return 1
+    (ulimit -v 700000 && refuses 1 --out "$dir/x.png" "$dir/huge.png" && grep -q 'huge.png: is 16000x16000, and there is room for 67108864 pixels' "$dir/stderr" &&
+        refuses 1 --out "$dir/x.png" "$dir/wide.ppm" && grep -q 'is 16000x16000' "$dir/stderr" &&
+        refuses 1 --out "$dir/x.png" "$dir/half.png" "$dir/half.png" && grep -q 'with it' "$dir/stderr" &&
+        refuses 1 --out "$dir/x.png" --scale 16 --gap 200 "$dir/thin.png" && grep -q 'the sheet would be 262400x6416' "$dir/stderr") && [ ! -e "$dir/x.png" ] &&
+        "$sheet" --gap 0 --out "$dir/thin.ppm" "$dir/thin.png" && [ "$(wc -c <"$dir/thin.ppm")" = $((3 * 16000 + 15)) ]
+}
+
 wrong_usage_is_refused() {
     refuses 2 && refuses 2 "$dir/a.ppm" && refuses 2 --out "$dir/x.ppm" && refuses 2 --out && refuses 2 --gap x --out "$dir/x.ppm" "$dir/a.ppm" &&
         refuses 2 --width 0 --out "$dir/x.ppm" "$dir/a.ppm" && refuses 2 --nonsense &&
@@ -81,6 +98,13 @@ check gap_and_width_have_an_effect gap_and_width_have_an_effect
 check header_comments_are_read header_comments_are_read
 check stdout_gets_the_same stdout_gets_the_same
 check wrong_pictures_are_refused wrong_pictures_are_refused
+if ! command -v node >/dev/null; then
+    skip huge_pictures_are_refused "no node: apt-get install nodejs"
+elif ! pkg-config --exists libpng; then
+    skip huge_pictures_are_refused "no libpng: apt-get install libpng-dev"
+else
+check huge_pictures_are_refused huge_pictures_are_refused
+fi
 check wrong_usage_is_refused wrong_usage_is_refused
 check demo_leaves_what_it_says demo_leaves_what_it_says
 check help_is_there "$sheet" --help
