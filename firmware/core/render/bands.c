@@ -567,20 +567,16 @@ static bool draw_chunk(struct feed *f, struct rest *rest, bool clears)
     spares.used = 0;
     struct ph_triangle *const fresh = r->ahead != NULL ? r->ahead : set_up_chunk(f, &spares);
     struct ph_triangle *const list = merge(fresh, &rest->begun, f->ref);
-    if (f->ref != PH_NONE) {
-        draw_list(f, list, rest, clears);
-        keep_below(f, list, &spares, rest);
-        return true;
-    }
-    struct feed below;
-    const bool goes_on = spares.used == 0 && rest->rows->y1 + 2 <= r->config.height;
-    if (goes_on) {
+    const bool more = f->ref != PH_NONE;
+    struct feed below, *next = more ? f : NULL;
+    if (!more && spares.used == 0 && rest->rows->y1 + 2 <= r->config.height) {
         start(&below, r, f->band + 1);
+        next = &below;
     }
-    draw_list(goes_on ? &below : NULL, list, rest, clears);
-    r->ahead_ref = goes_on ? below.ref : PH_NONE;
+    draw_list(next, list, rest, clears);
+    r->ahead_ref = next != NULL ? next->ref : PH_NONE;
     keep_below(f, list, &spares, rest);
-    return false;
+    return more;
 }
 
 /* Draws the triangles of a band, with the other core from when on it is free. */
