@@ -574,7 +574,6 @@ static bool draw_chunk(struct feed *f, struct rest *rest, bool clears)
         next = &below;
     }
     draw_list(next, list, rest, clears);
-    r->ahead_ref = next != NULL ? next->ref : PH_NONE;
     keep_below(f, list, &spares, rest);
     return more;
 }
@@ -585,7 +584,9 @@ static void draw_triangles(struct feed *f, const struct ph_band *rows)
     struct ph_renderer *const r = f->r;
     struct rest rest = {r, rows, r->carried, &r->carried, PH_NONE, 0};
     bool clears = r->ahead != NULL || is_helped(r, rows);
-    f->ref = r->ahead != NULL ? r->ahead_ref : f->ref;
+    for (const struct ph_triangle *t = r->ahead; t != NULL; t = t->next) {
+        f->ref = next_of(f, t->order);
+    }
     bool more = clears;
     if (!clears) {
         clear(rows, r->background);
