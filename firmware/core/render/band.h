@@ -22,11 +22,19 @@ void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const stru
 /* The same for a triangle that ends in the band. */
 static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->kind != PH_KIND_SMALL || t->block != PH_BLOCK_NONE || t->y_top < band->y0) {
+    if (t->kind != PH_KIND_SMALL || t->y_top < band->y0) {
         return ph_draw_triangle(t, band);
     }
     const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
     return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
+}
+
+/* The same for one that was carried on to this band, where a small one stands at the first row. */
+static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return t->kind == PH_KIND_SMALL
+               ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->width)
+               : ph_draw_triangle(t, band);
 }
 
 /* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */

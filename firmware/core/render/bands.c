@@ -203,10 +203,10 @@ static __attribute__((noinline)) void enter_draw(struct feed *f, uint32_t ref)
     ph_setting_of(&f->setting, f->r, f->draw);
 }
 
-/* Goes on to the next reference. */
-static inline void next_ref(struct feed *f, const struct ph_ref *at)
+/* The reference after number ref, which stands at `at`. */
+static inline uint32_t next_ref(const struct feed *f, const struct ph_ref *at, uint32_t ref)
 {
-    f->ref = at->link - 1u < PH_LINK_FAR - 1u ? f->ref + at->link : next_of(f, f->ref);
+    return at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : next_of(f, ref);
 }
 
 /* ---- slots ------------------------------------------------------------------------------------------------------ */
@@ -259,20 +259,6 @@ static void clear(const struct ph_band *rows, uint16_t background)
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
 }
 
-/* Draws a triangle that was carried on from above, and carries it on if it goes on below. Returns its pixels. */
-static uint32_t draw_carried(struct ph_renderer *r, struct ph_triangle *t, const struct ph_band *rows,
-                             struct ph_triangle ***carry)
-{
-    if (t->y_bottom <= rows->y1) {
-        const uint32_t count = ph_draw_fresh(t, rows);
-        free_slot(r, t);
-        return count;
-    }
-    **carry = t;
-    *carry = &t->next;
-    return ph_draw_above(t, rows);
-}
-
 /* A band that is being drawn. */
 struct rest {
     const struct ph_band *rows;
@@ -280,6 +266,14 @@ struct rest {
     struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
     uint32_t put, fragments;    /* put: what put_below takes */
 };
+
+/* Draws a triangle that stands in a slot and goes on below the band. Returns its pixels. */
+static inline uint32_t draw_beyond(struct rest *rest, struct ph_triangle *t, const struct ph_band *rows)
+{
+    *rest->carry = t;
+    rest->carry = &t->next;
+    return ph_draw_above(t, rows);
+}
 
 static void nothing(void *argument)
 {
@@ -301,34 +295,32 @@ static bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest *rest)
 {
     const uint32_t ref = f->ref;
-    struct ph_triangle *t = rest->begun, **carry = rest->carry;
-    uint32_t fragments = 0;
+    struct ph_renderer *const r = f->r;
+    const struct ph_band *const rows = rest->rows;
+    struct ph_triangle *t = rest->begun;
+    uint32_t fragments = rest->fragments;
     while (t != NULL && t->order < ref) {
         struct ph_triangle *const next = t->next;
-        fragments += draw_carried(f->r, t, rest->rows, &carry);
+        if (t->y_bottom <= rows->y1) {
+            fragments += ph_draw_end(t, rows);
+            free_slot(r, t);
+        } else {
+            fragments += draw_beyond(rest, t, rows);
+        }
         t = next;
     }
     rest->begun = t;
-    rest->carry = carry;
-    rest->fragments += fragments;
+    rest->fragments = fragments;
     if (ref >= f->next_first && ref != PH_NONE) {
         enter_draw(f, ref);
     }
     const uint32_t after = t != NULL ? t->order + 1 : PH_NONE;
     const uint32_t stop = after < f->next_first ? after : f->next_first;
-    if (f->r->config.other_core == NULL) {
+    if (r->config.other_core == NULL) {
         return stop;
     }
     const uint32_t asks = stop < ref + ASKS_REFS ? stop : ref + ASKS_REFS;
-    return is_helped(f->r, rest->rows) ? HELPED : asks;
-}
-
-/* Draws a triangle that is set up in a slot and goes on below the band. Returns its pixels. */
-static inline uint32_t draw_beyond(struct rest *rest, struct ph_triangle *t, const struct ph_band *rows)
-{
-    *rest->carry = t;
-    rest->carry = &t->next;
-    return ph_draw_above(t, rows);
+    return is_helped(r, rows) ? HELPED : asks;
 }
 
 /* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
@@ -337,18 +329,19 @@ static void draw_rest(struct feed *f, struct rest *rest)
 {
     const struct ph_band *const rows = rest->rows;
     struct ph_triangle scratch, *t = take_slot_or(f->r, &scratch);
-    uint32_t fragments = 0;
+    uint32_t fragments = 0, ref = f->ref;
     for (uint32_t stop = 0;;) {
-        if (f->ref >= stop) { /* so it is at the end of the list */
+        if (ref >= stop) { /* so it is at the end of the list */
+            f->ref = ref;
             stop = draw_begun(f, rest);
-            if (f->ref == PH_NONE || stop == HELPED) {
+            if (ref == PH_NONE || stop == HELPED) {
                 break;
             }
         }
-        const struct ph_ref *const at = ph_ref_at(f->r, f->ref);
+        const struct ph_ref *const at = ph_ref_at(f->r, ref);
         ph_setup(&f->setting, at, t);
-        t->order = f->ref;
-        next_ref(f, at);
+        t->order = ref;
+        ref = next_ref(f, at, ref);
         if (t->y_bottom <= rows->y1) {
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {

@@ -99,9 +99,6 @@ static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, cons
 /* Draws a small triangle. Only the borders of the band can cut it. */
 static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_band *band)
 {
-    if (t->block != PH_BLOCK_NONE) {
-        return draw_split(t, band);
-    }
     if (t->y_top < band->y0 || t->y_bottom > band->y1) {
         return draw_cut(t, band);
     }
@@ -116,6 +113,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     }
     if (t->kind == PH_KIND_SMALL_KNEE) {
         return draw_cut(t, band);
+    }
+    if (t->kind == PH_KIND_SMALL_SPLIT) {
+        return draw_split(t, band);
     }
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE ? ph_draw_small_texels(t, band) : draw_split_texture(t, band);
@@ -138,7 +138,7 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
 /* Whether a triangle is small and has a plane of codes, with or without a knee. */
 static inline bool can_step(const struct ph_triangle *t)
 {
-    return t->kind == PH_KIND_SMALL_KNEE || (t->kind == PH_KIND_SMALL && t->block == PH_BLOCK_NONE);
+    return t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_KNEE;
 }
 
 /* Steps a small triangle or a line down to row y1, where the next band begins; y_bottom is below y1. A triangle that

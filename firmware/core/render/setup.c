@@ -275,6 +275,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         }
     } else {
         if (t->block != PH_BLOCK_NONE) {
+            t->kind = PH_KIND_SMALL_SPLIT;
             ph_set_knee(t, d);
         }
         ph_set_light(s, v[0], &t->small);

@@ -208,10 +208,9 @@ known:
     ldr r2, [r3, #usual_ramp]
     str r1, [r0, #triangle_material]
     str r2, [r0, #triangle_ramp]
-    movs r1, #3 @ PH_KIND_SMALL
-    strb r1, [r0, #triangle_kind]
-    movs r1, #255 @ PH_BLOCK_NONE
-    strb r1, [r0, #triangle_block]
+    movs r1, #0xfc
+    mvns r1, r1 @ PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
+    strh r1, [r0, #triangle_kind]
     subs r5, #12
     movs r3, r5
     subs r5, #own_depths - own_sides

@@ -143,10 +143,8 @@ known:
     sub r1, r2, #own_sides - own_corners
     str r6, [r0, #triangle_ramp]
     str r7, [r0, #triangle_material]
-    movs r4, #3 @ PH_KIND_SMALL
-    movs r5, #255 @ PH_BLOCK_NONE
-    strb r4, [r0, #triangle_kind]
-    strb r5, [r0, #triangle_block]
+    mvn r4, #0xfc @ PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
+    strh r4, [r0, #triangle_kind]
     push {r0-r3}
     b begin
 apart: @ the corners have other exponents

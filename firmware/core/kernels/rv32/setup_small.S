@@ -159,12 +159,10 @@
     add s9, s9, t0
 known:
     words lw, a0, usual_ramp, t0, t1
-    li t2, 3 // PH_KIND_SMALL
-    li t3, 255 // PH_BLOCK_NONE
+    li t2, ~0xfc // PH_KIND_SMALL and PH_BLOCK_NONE, which stands beside it
     sw t0, triangle_ramp(a2)
     sw t1, triangle_material(a2)
-    sb t2, triangle_kind(a2)
-    sb t3, triangle_block(a2)
+    sh t2, triangle_kind(a2)
     mv a0, a2
     j begin
 apart: // the corners have other exponents
