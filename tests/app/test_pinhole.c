@@ -12,6 +12,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define SIZE 480
 
@@ -126,10 +127,71 @@ static void z_kept_bends_lines_and_a_plus_b_over_z_does_not(void **state)
     demo_stage_close(&s);
 }
 
+/*
+ * The plane through (0, 0, -1.5) is turned by 20 degrees sin(t) about y, and then by 13 degrees sin(2t) about its own
+ * x. Where the line from the hole to a point of the house meets it, the image shows that point; the house's own image
+ * on the wall stays where it was.
+ */
+static void the_image_lies_where_the_ray_meets_any_plane(void **state)
+{
+    (void)state;
+    static const double points[2][2] = {{0, .6}, {-.34, -.5}};
+    const uint16_t colours[2] = {ph_rgb565(225, 70, 50), ph_rgb565(60, 110, 200)};
+    struct demo_stage s = demo_stage_open(demo_find("pinhole"), SIZE, SIZE);
+    const double pi = acos(-1);
+    double least = 9, most = 0;
+    s.context.view = "plane";
+    for (uint32_t frame = 0; frame < 256; frame += 8) {
+        const double t = 2 * pi * frame / 256, sway = pi / 8 * sin(t + pi / 4);
+        const double yaw = 2 * pi * 3640 / 65536 * sin(t), pitch = 2 * pi * 2366 / 65536 * sin(2 * t);
+        const double normal[3] = {sin(yaw) * cos(pitch), -sin(pitch), cos(yaw) * cos(pitch)};
+        demo_stage_frame(&s, frame);
+        for (int i = 0; i < 2; i++) {
+            const double at[3] = {points[i][0] * cos(sway), points[i][1], -3.2 - points[i][0] * sin(sway)};
+            const double share = -1.5 * normal[2] / (normal[0] * at[0] + normal[1] * at[1] + normal[2] * at[2]);
+            const double image[3] = {at[0] * share, at[1] * share, at[2] * share},
+                         behind[3] = {-at[0] * 1.5 / -at[2], -at[1] * 1.5 / -at[2], 1.5};
+            double row;
+            if (!shows(&s, image, colours[i], &row) || !shows(&s, behind, colours[i], &row)) {
+                fail_msg("frame %u: point %d is not at row %.0f", frame, i, row);
+            }
+            least = fmin(least, -image[2]);
+            most = fmax(most, -image[2]);
+        }
+    }
+    assert_true(least < 1.45 && most > 1.55); /* it really turns */
+    demo_stage_close(&s);
+}
+
+/* `all`, which a kit shows, is each of the others in turn. */
+static void each_lesson_is_seen_without_naming_its_view(void **state)
+{
+    (void)state;
+    static const struct {
+        uint32_t frame;
+        const char *view;
+    } shown[] = {{64, "plane"}, {300, "camera"}, {512, "depth"}, {700, "camera"}, {900, "plane"}};
+    for (int size = 0; size < 2; size++) {
+        struct demo_stage s = demo_stage_open(demo_find("pinhole"), size ? 128 : 240, size ? 64 : 240);
+        for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
+            s.context.view = NULL;
+            const uint32_t crc = demo_stage_frame(&s, shown[i].frame);
+            for (size_t k = 0; k < 3; k++) {
+                s.context.view = shown[k].view;
+                const bool same = crc == demo_stage_frame(&s, shown[i].frame);
+                assert_int_equal(same, strcmp(shown[k].view, shown[i].view) == 0);
+            }
+        }
+        demo_stage_close(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_image_is_upside_down_behind_the_hole_and_upright_before_it),
+        cmocka_unit_test(the_image_lies_where_the_ray_meets_any_plane),
+        cmocka_unit_test(each_lesson_is_seen_without_naming_its_view),
         cmocka_unit_test(z_kept_bends_lines_and_a_plus_b_over_z_does_not),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,26 +5,36 @@
  *            is upside down. On a plane as far before the hole it is upright, and otherwise the same: that is where
  *            graphics puts it. Both images are the house times a projection onto a plane: [dE 0; -n^T 0] with d for the
  *            plane in front, and with the negative distance -d for the wall behind.
- *   depth    why depth is a + b/z. Four straight lines between near and far plane, seen from the side in normalized
- *            device coordinates: on the left z stays as it is, and they become curves; on the right it is a + b/z, and
- *            they stay straight. The thin lines are the chords.
+ *   plane    the plane before the hole turns, and the same light draws another image on it: [dE 0; -n^T 0] with its
+ * normal n. Rays go on through the same points of house and image, however the plane stands. depth    why depth is a +
+ * b/z. Four straight lines between near and far plane, seen from the side in normalized device coordinates: on the left
+ * z stays as it is, and they become curves; on the right it is a + b/z, and they stay straight. The thin lines are the
+ * chords.
+ *
+ * The view `all` shows them one after the other. Between the house and the curves a shutter closes and opens.
  */
 #include "camera.h"
 #include "demo_scene.h"
 #include "models.h"
 
-#define LOOP_FRAMES 256
+#define LOOP_FRAMES 1024
+#define VIEW_FRAMES 256
+#define DEPTH_FROM  384 /* of `all`: the first frame of depth, and the first after it */
+#define DEPTH_TO    (DEPTH_FROM + VIEW_FRAMES)
+#define SHUTTER     12 /* frames in which it closes, and opens */
 #define FOCAL       (FX_ONE * 3 / 2)
 #define HOUSE_Z     (FX_ONE * -16 / 5)
 #define CORNERS     15
 #define TRIANGLES   7
-#define COLOURS     3                /* wall, roof, door */
+#define COLOURS     3 /* wall, roof, door */
+#define BACKGROUND  ph_rgb565(16, 22, 36)
 #define BOX         (FX_ONE * 4 / 5) /* half the size of the box, and of the plane */
 #define CURVES      4
 #define SAMPLES     16
 #define NEAR_Z      FX_ONE
 #define FAR_Z       FX_INT(8)
 
+enum { VIEW_ALL, VIEW_CAMERA, VIEW_PLANE, VIEW_DEPTH };
 enum { LINE_BOX, LINE_PLANE, LINE_RAY, LINE_CHORD, LINES };
 
 /* In sixteenths: the wall, the chimney, the roof, and the door, which lies on the wall. */
@@ -46,6 +56,13 @@ struct pinhole {
     struct ph_mat4 device;                           /* to clip coordinates, for depth */
 };
 
+/* Box and house are side by side: they need the width, and are half as high. */
+static int32_t scale_of(const struct demo_context *context)
+{
+    const int32_t w = context->width, h = context->height, wide = 2 * w > 3 * h ? 3 * h / 2 : w;
+    return FX_ONE * 16 * 27 / 10 / h * (wide > h ? wide : h);
+}
+
 /* The cameras, which stand still. */
 static void make_cameras(const struct demo_context *context, struct pinhole *p)
 {
@@ -56,7 +73,7 @@ static void make_cameras(const struct demo_context *context, struct pinhole *p)
     struct ph_projection flat = demo_perspective(&half, FX_ONE * 16 * 4 / 5, FX_HALF, FX_INT(4));
     flat.kind = PH_ORTHOGRAPHIC;
     p->view = ph_xform_mul(&look, &back);
-    p->lens = demo_perspective(context, FX_ONE * 16 * 27 / 10, FX_HALF, FX_INT(20));
+    p->lens = demo_perspective(context, scale_of(context), FX_HALF, FX_INT(20));
     p->halves[0] = demo_in_half(context, flat, false);
     p->halves[1] = demo_in_half(context, flat, true);
     ph_matrix_projection(&p->device, &seen, PH_GL);
@@ -96,7 +113,7 @@ static int pinhole_init(struct demo_context *context)
 /* The house in the world; it turns a little about its axis. */
 static void make_house(struct fx_vec3 corners[CORNERS], uint32_t frame)
 {
-    const uint32_t sway = (uint32_t)fx_sin((fx_t)((frame + LOOP_FRAMES / 8) << 8)) << 12; /* 22 degrees either way */
+    const uint32_t sway = (uint32_t)fx_sin((fx_t)((frame + VIEW_FRAMES / 8) << 8)) << 12; /* 22 degrees either way */
     const struct ph_xform place = demo_place(0, 0, HOUSE_Z, sway);
     for (uint32_t i = 0; i < CORNERS; i++) {
         corners[i] =
@@ -104,10 +121,14 @@ static void make_house(struct fx_vec3 corners[CORNERS], uint32_t frame)
     }
 }
 
-/* Projects through the origin onto the plane z = -d. */
-static void project(struct fx_vec3 to[CORNERS], const struct fx_vec3 from[CORNERS], fx_t d)
+/* Projects through the origin onto the plane that goes through (0, 0, -distance), with its normal along the turned z.
+ */
+static void project(struct fx_vec3 to[CORNERS], const struct fx_vec3 from[CORNERS], const struct ph_xform *turn,
+                    fx_t distance)
 {
-    const struct ph_mat4 onto = ph_matrix_plane((struct fx_vec3){0, 0, 1 << 30}, d);
+    const struct fx_vec3 normal_q30 = {turn->r[0][2], turn->r[1][2], turn->r[2][2]};
+    const struct ph_mat4 onto =
+        ph_matrix_plane(normal_q30, (fx_t)((fx_mul_wide(distance, normal_q30.z) + (1 << 29)) >> 30));
     for (uint32_t i = 0; i < CORNERS; i++) {
         const struct ph_vec4 v = ph_mat4_apply(&onto, (struct ph_vec4){from[i].x, from[i].y, from[i].z, FX_ONE});
         to[i] = (struct fx_vec3){fx_div_sat(v.x, v.w), fx_div_sat(v.y, v.w), fx_div_sat(v.z, v.w)};
@@ -132,6 +153,31 @@ static struct fx_vec3 square(uint32_t i, fx_t half, fx_t z)
     return (struct fx_vec3){(i + 1) & 2 ? half : -half, i & 2 ? half : -half, z};
 }
 
+/* How the plane before the hole stands: 20 degrees to either side, and 13 up and down twice as often. */
+static struct ph_xform plane_turn(const struct demo_context *context, uint32_t frame)
+{
+    const uint32_t phase = frame % LOOP_FRAMES;
+    const bool far_from_depth = phase < VIEW_FRAMES || phase >= LOOP_FRAMES - VIEW_FRAMES;
+    const bool turns = demo_view_is(context, &demo_pinhole, VIEW_PLANE) ||
+                       (far_from_depth && demo_view_is(context, &demo_pinhole, VIEW_ALL));
+    const uint32_t at = turns ? frame : 0;
+    const struct ph_xform yaw = ph_xform_rotate_y((uint32_t)fx_sin((fx_t)(at << 8)) * 3640);
+    const struct ph_xform pitch = ph_xform_rotate_x((uint32_t)fx_sin((fx_t)(at << 9)) * 2366);
+    return ph_xform_mul(&yaw, &pitch);
+}
+
+static void draw_plane(struct ph_renderer *r, const struct pinhole *p, const struct ph_xform *turn)
+{
+    struct fx_vec3 at[4];
+    for (uint32_t i = 0; i < 4; i++) {
+        at[i] = ph_xform_point(turn, square(i, BOX, 0));
+        at[i].z -= FOCAL;
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        ph_draw_line(r, at[i], at[(i + 1) % 4], &p->lines[LINE_PLANE]);
+    }
+}
+
 static void draw_box(struct ph_renderer *r, const struct pinhole *p)
 {
     const struct ph_material *const line = &p->lines[LINE_BOX];
@@ -140,7 +186,6 @@ static void draw_box(struct ph_renderer *r, const struct pinhole *p)
         ph_draw_line(r, square(i, BOX, FOCAL), square(i + 1, BOX, FOCAL), line);
         ph_draw_line(r, square(i, BOX, 0), square(i, BOX, FOCAL), line);
         ph_draw_line(r, square(i, BOX / 16, 0), square(i + 1, BOX / 16, 0), line);
-        ph_draw_line(r, square(i, BOX, -FOCAL), square(i + 1, BOX, -FOCAL), &p->lines[LINE_PLANE]);
     }
 }
 
@@ -148,15 +193,17 @@ static int draw_camera(const struct demo_context *context, struct ph_renderer *r
 {
     struct pinhole *const p = context->state;
     struct fx_vec3 *const corners = p->corners, *const image = p->image;
-    int status = demo_begin(context, r, &p->view, &p->lens, NULL, ph_rgb565(16, 22, 36));
+    const struct ph_xform turn = plane_turn(context, frame);
+    int status = demo_begin(context, r, &p->view, &p->lens, NULL, BACKGROUND);
     make_house(corners, frame);
     status = status ? status : draw_house(r, p, corners);
-    project(image, corners, FOCAL);
+    project(image, corners, &turn, FOCAL);
     status = status ? status : draw_house(r, p, image);
-    project(image, corners, -FOCAL);
+    project(image, corners, &ph_xform_identity, -FOCAL);
     status = status ? status : draw_house(r, p, image);
     if (status == PH_OK) {
         draw_box(r, p);
+        draw_plane(r, p, &turn);
         for (uint32_t i = 0; i < sizeof(rays); i++) {
             ph_draw_line(r, corners[rays[i]], image[rays[i]], &p->lines[LINE_RAY]);
         }
@@ -197,7 +244,7 @@ static int draw_curve(struct ph_renderer *r, struct pinhole *p, uint32_t i, fx_t
 
 static int draw_curves(struct ph_renderer *r, struct pinhole *p, uint32_t frame, bool naive)
 {
-    const fx_t spread = FX_ONE + 5 * demo_swing(frame, LOOP_FRAMES);
+    const fx_t spread = FX_ONE + 5 * demo_swing(frame, VIEW_FRAMES);
     int status = PH_OK;
     for (int32_t i = 0; i < CURVES && status == PH_OK; i++) {
         const fx_t y0 = (2 * i - 3) * (FX_ONE * 3 / 10);
@@ -213,32 +260,65 @@ static int draw_depth(const struct demo_context *context, struct ph_renderer *r,
 {
     struct pinhole *const p = context->state;
     const struct ph_xform view = ph_xform_translate(0, 0, -FX_ONE);
-    int status = demo_begin(context, r, &view, &p->halves[0], NULL, ph_rgb565(16, 22, 36));
+    int status = demo_begin(context, r, &view, &p->halves[0], NULL, BACKGROUND);
     status = status ? status : draw_curves(r, p, frame, true);
     status = status ? status : demo_camera(context, r, &view, &p->halves[1]);
     return status ? status : draw_curves(r, p, frame, false);
 }
 
+/* ---- one after the other --------------------------------------------------------------------------------------- */
+
+static bool is_depth(const struct demo_context *context, uint32_t frame)
+{
+    const uint32_t phase = frame % LOOP_FRAMES;
+    return demo_view_is(context, &demo_pinhole, VIEW_ALL) ? phase >= DEPTH_FROM && phase < DEPTH_TO
+                                                          : demo_view_is(context, &demo_pinhole, VIEW_DEPTH);
+}
+
 static int pinhole_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    return demo_view_is(context, &demo_pinhole, 0) ? draw_camera(context, r, frame) : draw_depth(context, r, frame);
+    context->frame = frame;
+    return is_depth(context, frame) ? draw_depth(context, r, frame) : draw_camera(context, r, frame);
+}
+
+/* Lines that the shutter covers from above, and as many from below. */
+static int32_t shut_lines(const struct demo_context *context)
+{
+    const int32_t phase = (int32_t)(context->frame % LOOP_FRAMES);
+    const int32_t away = phase < (DEPTH_FROM + DEPTH_TO) / 2 ? DEPTH_FROM - phase : DEPTH_TO - phase;
+    const int32_t closed = SHUTTER - (away < 0 ? -away : away);
+    const bool shows = demo_view_is(context, &demo_pinhole, VIEW_ALL) && closed > 0;
+    return shows ? (context->height + 1) / 2 * closed / SHUTTER : 0;
+}
+
+static void shut(const struct demo_context *context, int32_t first, uint32_t lines, uint16_t *pixels)
+{
+    const int32_t covered = shut_lines(context);
+    for (int32_t i = 0; i < (int32_t)lines; i++) {
+        const bool open = first + i >= covered && first + i < context->height - covered;
+        for (int32_t x = 0; x < context->width && !open; x++) {
+            pixels[i * context->width + x] = BACKGROUND;
+        }
+    }
 }
 
 static uint32_t pinhole_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    if (!demo_view_is(context, &demo_pinhole, 0)) {
+    if (is_depth(context, context->frame)) {
         demo_half_text(context, r, band, lines, pixels, false, 0, "Z KEPT");
         demo_half_text(context, r, band, lines, pixels, true, 0, "A + B/Z");
     }
+    shut(context, (int32_t)(band * (uint32_t)(r->config.band_height >> r->fine)), lines, pixels);
     return lines;
 }
 
-static const char *const views[] = {"camera", "depth", NULL};
+static const char *const views[] = {
+    [VIEW_ALL] = "all", [VIEW_CAMERA] = "camera", [VIEW_PLANE] = "plane", [VIEW_DEPTH] = "depth", NULL};
 
 const struct demo demo_pinhole = {
     .name = "pinhole",
-    .summary = "a pinhole camera: its image upside down behind the hole, and upright on the plane before it",
+    .summary = "a pinhole camera: its image upside down behind the hole, upright on any plane before it",
     .views = views,
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(sizeof(struct pinhole), 1176),

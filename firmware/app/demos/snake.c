@@ -80,15 +80,26 @@ struct steering {
     uint32_t born[APPLES]; /* time */
 };
 
+/* A spot of shade on the lawn, a disc of eight sides; where memory is small it is a square of the first four corners.
+ */
+#define SHADE_CORNERS     8
+#define SHADE_CORNERS_FEW 4
+static const struct fx_vec3 shade_corners[SHADE_CORNERS] = {{FX_ONE, 0, 0},     {0, 0, -FX_ONE},    {-FX_ONE, 0, 0},
+                                                            {0, 0, FX_ONE},     {46341, 0, -46341}, {-46341, 0, -46341},
+                                                            {-46341, 0, 46341}, {46341, 0, 46341}};
+static const uint16_t shade_triangles[SHADE_CORNERS - 2][3] = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1},
+                                                               {1, 5, 2}, {2, 6, 3}, {3, 7, 0}};
+static const struct ph_part shade_parts[2] = {{0, SHADE_CORNERS - 2, 0}, {0, SHADE_CORNERS_FEW - 2, 0}};
+
 struct snake {
     struct steering steering;
     uint32_t frame, buttons; /* of the last frame */
     struct steering before;  /* the steering, its frame and buttons before the last frame, which may come again */
     uint32_t frame_before, buttons_before;
     fx_t lawn_scale;
-    struct ph_mesh light_ball, dark_ball, head, apple, tree, floor;
-    struct ph_material skin[2], face, red, leaves, tiles[2];
-    uint16_t ramps[5][PH_RAMP_SIZE];
+    struct ph_mesh light_ball, dark_ball, head, apple, eye, pupil, tree, floor, shade;
+    struct ph_material skin[2], face, red, white, black, leaves, tiles[2], dark;
+    uint16_t ramps[6][PH_RAMP_SIZE];
 };
 
 /* x = 5 sin t, z = 3.2 sin 2t. The path leads over the hump at t = 0 and below it half a turn later. */
@@ -301,6 +312,48 @@ static void snake_colours(struct snake *s)
     s->leaves.ambient = s->leaves.diffuse = FX_HALF; /* below they are not black */
     s->tiles[0] = demo_unlit(96, 168, 84);
     s->tiles[1] = demo_unlit(80, 148, 72);
+    s->white = demo_lit(s->ramps[5], PH_SHADE_GOURAUD, 255, 255, 255);
+    s->black = demo_unlit(20, 24, 30);
+    s->dark = demo_unlit(52, 104, 50);
+    s->dark.depth_bias = 16;
+}
+
+static struct ph_mesh shade_of(const struct snake *s, bool few)
+{
+    return (struct ph_mesh){.positions = shade_corners,
+                            .triangles = shade_triangles,
+                            .parts = &shade_parts[few],
+                            .materials = &s->dark,
+                            .vertex_count = few ? SHADE_CORNERS_FEW : SHADE_CORNERS,
+                            .triangle_count = shade_parts[few].count,
+                            .part_count = 1};
+}
+
+/* Makes one vertex of each pole of a ball, where the lathe has one for each side: the ball is drawn some 60 times. */
+static void close_poles(struct ph_mesh *ball, uint32_t sides)
+{
+    struct fx_vec3 *const positions = (struct fx_vec3 *)(uintptr_t)ball->positions;
+    int16_t(*const normals)[3] = (int16_t(*)[3])(uintptr_t)ball->normals;
+    uint16_t(*const triangles)[3] = (uint16_t(*)[3])(uintptr_t)ball->triangles;
+    const uint32_t last = ball->vertex_count - sides, fewer = sides - 1;
+    uint32_t count = 0;
+    for (uint32_t v = sides; v <= last; v++) {
+        positions[v - fewer] = positions[v];
+        memcpy(normals[v - fewer], normals[v], sizeof(normals[v]));
+    }
+    for (uint32_t i = 0; i < ball->triangle_count; i++) {
+        uint16_t corners[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            const uint32_t v = triangles[i][k] < last ? triangles[i][k] : last;
+            corners[k] = (uint16_t)(v < sides ? 0 : v - fewer);
+        }
+        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) {
+            memcpy(triangles[count++], corners, sizeof(corners));
+        }
+    }
+    ball->vertex_count = last - fewer + 1;
+    ball->triangle_count = count;
+    ((struct ph_part *)(uintptr_t)ball->parts)->count = count;
 }
 
 #define ARENA(sides, points, tree_sides, tree_points, cells)                                                           \
@@ -312,16 +365,24 @@ static void snake_colours(struct snake *s)
 static int make_fine(struct demo_arena *arena, struct snake *s)
 {
     s->lawn_scale = FX_ONE * 17 / 10;
+    s->shade = shade_of(s, false);
     const int ball = model_lathe(arena, &s->light_ball, ball_profile, BALL_POINTS, BALL_SIDES, 1, &s->skin[0]);
     const int tree = model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves);
+    if (ball == PH_OK) {
+        close_poles(&s->light_ball, BALL_SIDES);
+    }
     return ball | tree | model_floor(arena, &s->floor, CELLS, s->tiles);
 }
 
 static int make_coarse(struct demo_arena *arena, struct snake *s)
 {
     s->lawn_scale = FX_ONE * 17 / 10 * CELLS / CELLS_FEW;
+    s->shade = shade_of(s, true);
     const int ball = model_lathe(arena, &s->light_ball, gem_profile, BALL_POINTS_FEW, BALL_SIDES_FEW, 1, &s->skin[0]);
     const int tree = model_lathe(arena, &s->tree, cone_profile, TREE_POINTS_FEW, TREE_SIDES_FEW, 1, &s->leaves);
+    if (ball == PH_OK) {
+        close_poles(&s->light_ball, BALL_SIDES_FEW);
+    }
     return ball | tree | model_floor(arena, &s->floor, CELLS_FEW, s->tiles);
 }
 
@@ -340,10 +401,12 @@ static int snake_init(struct demo_context *context)
     if ((arena->size >= ARENA_FINE ? make_fine(arena, s) : make_coarse(arena, s)) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    s->dark_ball = s->head = s->apple = s->light_ball;
+    s->dark_ball = s->head = s->apple = s->eye = s->pupil = s->light_ball;
     s->dark_ball.materials = &s->skin[1];
     s->head.materials = &s->face;
     s->apple.materials = &s->red;
+    s->eye.materials = &s->white;
+    s->pupil.materials = &s->black;
     context->state = s;
     return PH_OK;
 }
@@ -355,15 +418,42 @@ static int draw_at(struct ph_renderer *r, const struct ph_mesh *mesh, struct fx_
     return ph_draw_mesh(r, mesh, &place);
 }
 
+/* Draws a ball, and its shade on the lawn below it: that of a lamp high above. */
+static int draw_shaded(struct ph_renderer *r, const struct snake *s, const struct ph_mesh *mesh, struct fx_vec3 at,
+                       fx_t size)
+{
+    const int status = draw_at(r, mesh, at, size);
+    return status ? status : draw_at(r, &s->shade, (struct fx_vec3){at.x + size / 8, 0, at.z - size / 8}, size);
+}
+
+/* The head, and its eyes, which look where it moves. */
+static int draw_head(struct ph_renderer *r, const struct snake *s, uint32_t now, bool outside)
+{
+    const uint32_t ahead = outside ? 0 : NOSE;
+    const fx_t size = outside ? RADIUS * 6 / 5 : RADIUS * 3 / 4;
+    const struct fx_vec3 at = spot(&s->steering, now, ahead), next = spot(&s->steering, now, ahead + 4);
+    struct fx_vec3 forward;
+    int status = draw_shaded(r, s, &s->head, at, size);
+    fx_vec3_direction_q30((struct fx_vec3){next.x - at.x, 0, next.z - at.z}, &forward);
+    const fx_t x = forward.x >> 14, z = forward.z >> 14;
+    for (int32_t i = 0; i < 4 && status == PH_OK; i++) { /* in hundredths of the head's size */
+        const bool pupil = i >= 2;
+        const fx_t side = (i & 1 ? size : -size) / 100 * (pupil ? 50 : 42), front = size / 100 * (pupil ? 78 : 56);
+        const struct fx_vec3 eye = {at.x + fx_mul_sat(front, x) - fx_mul_sat(side, z), at.y + size / 100 * 66,
+                                    at.z + fx_mul_sat(front, z) + fx_mul_sat(side, x)};
+        status = draw_at(r, pupil ? &s->pupil : &s->eye, eye, size / 100 * (pupil ? 22 : 38));
+    }
+    return status;
+}
+
 /* The body becomes thinner towards the tail. The camera on the head sees its nose. */
 static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t now, bool outside)
 {
-    int status =
-        draw_at(r, &s->head, spot(&s->steering, now, outside ? 0 : NOSE), outside ? RADIUS * 6 / 5 : RADIUS * 3 / 4);
+    int status = draw_head(r, s, now, outside);
     for (uint32_t i = 1; i <= balls(&s->steering) && status == PH_OK; i++) {
         const fx_t size = RADIUS - (fx_t)(i * i) * (RADIUS / (BALLS * BALLS * 2));
-        status =
-            draw_at(r, (i >> 1) & 1 ? &s->light_ball : &s->dark_ball, spot(&s->steering, now - i * SPACING, 0), size);
+        status = draw_shaded(r, s, (i >> 1) & 1 ? &s->light_ball : &s->dark_ball,
+                             spot(&s->steering, now - i * SPACING, 0), size);
     }
     return status;
 }
@@ -388,7 +478,7 @@ static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t no
         }
         if (grown > 0) {
             p.y += FX_ONE / 6;
-            status = draw_at(r, &s->apple, p, (fx_t)(grown * 2 / 3) + 256);
+            status = draw_shaded(r, s, &s->apple, p, (fx_t)(grown * 2 / 3) + 256);
         }
     }
     return status;
@@ -400,8 +490,10 @@ static int draw_garden(struct ph_renderer *r, const struct snake *s)
                                             {7, 4},   {3, 7},   {-2, 6}, {-6, 7}, {-7, 1}};
     int status = PH_OK;
     for (uint32_t i = 0; i < TREES && status == PH_OK; i++) {
-        status = draw_at(r, &s->tree, (struct fx_vec3){FX_INT(places[i][0]), 0, FX_INT(places[i][1])},
-                         FX_ONE + (fx_t)(i % 3) * (FX_ONE / 4));
+        const struct fx_vec3 at = {FX_INT(places[i][0]), 0, FX_INT(places[i][1])};
+        const fx_t size = FX_ONE + (fx_t)(i % 3) * (FX_ONE / 4);
+        status = draw_at(r, &s->tree, at, size);
+        status = status ? status : draw_at(r, &s->shade, at, size * 3 / 4);
     }
     const struct ph_xform lawn = ph_xform_scale(s->lawn_scale);
     return status ? status : ph_draw_mesh(r, &s->floor, &lawn);
@@ -436,12 +528,12 @@ static int snake_frame(struct demo_context *context, struct ph_renderer *r, uint
 
 static const char *const views[] = {"head", "outside", NULL};
 
-#define VERTICES 2181 /* of all bodies of a frame */
+#define VERTICES 2059 /* of all bodies of a frame */
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 7584), .vertex_max = VERTICES, .triangle_max = 860, .corner_max = 96},
-    {DEMO_ARENA(ARENA_FEW, 3840), .vertex_max = 720, .triangle_max = 300, .corner_max = 48},
+    {DEMO_ARENA(ARENA_FINE, 8080), .vertex_max = VERTICES, .triangle_max = 1060, .corner_max = 96},
+    {DEMO_ARENA(ARENA_FEW, 4336), .vertex_max = 642, .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_snake = {
@@ -449,9 +541,9 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 7584),
+    DEMO_ARENA(ARENA_FINE, 8080),
     .vertex_max = VERTICES,
-    .triangle_max = 1600,
+    .triangle_max = 1900,
     .corner_max = 96,
     .coarser = coarser,
     .coarser_count = sizeof coarser / sizeof coarser[0],
