@@ -101,7 +101,7 @@ static fx_t time_of(const struct ph_clip *clip, uint32_t frame)
     return clip->duration > 0 ? (fx_t)(time % (uint32_t)clip->duration) : 0;
 }
 
-void animation_move(const struct animation_stage *s, uint32_t frame)
+void animation_move(const struct animation_stage *s, const struct ph_renderer *r, uint32_t frame)
 {
     const struct animation *const a = s->animation;
     ph_rig_rest(&a->rig, s->pose);
@@ -121,8 +121,8 @@ void animation_move(const struct animation_stage *s, uint32_t frame)
             bound.normals = normals ? (const int16_t(*)[3])normals : bound.normals;
         }
         ph_skin_matrices(&from->skin, s->places, s->matrices);
-        ph_skin_vertices(&bound, s->matrices, (struct fx_vec3 *)(uintptr_t)to->positions,
-                         (int16_t(*)[3])(uintptr_t)to->normals); /* its own: bind() */
+        ph_skin_mesh(r, &bound, s->matrices, (struct fx_vec3 *)(uintptr_t)to->positions,
+                     (int16_t(*)[3])(uintptr_t)to->normals); /* its own: bind() */
     }
 }
 
@@ -144,7 +144,7 @@ int animation_init(struct demo_context *context, const struct animation *a, cons
 int animation_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     struct animation_stage *const s = context->state;
-    animation_move(s, frame);
+    animation_move(s, r, frame);
     context->state = s->view;
     const int status = s->is_still ? demo_still_frame(context, r, frame) : demo_turntable_frame(context, r, frame);
     context->state = s;

@@ -6,7 +6,7 @@
  *   ph_rig_places(&rig, pose, &root, places)             each node's place in the model
  *   ph_morph_vertices(&morph, weights, ..)               optional: the vertices of this moment before they are skinned
  *   ph_skin_matrices(&skin, places, matrices)            each joint's way from the bind pose
- *   ph_skin_vertices(&from, matrices, positions, normals) what struct ph_mesh draws
+ *   ph_skin_vertices(&from, matrices, positions, normals) what struct ph_mesh draws, or ph_skin_mesh(r, ..) by two cores
  *
  * It is the animation of glTF 2.0, and all of it may lie in flash. Translations, scales and morph weights are Q8.24:
  * -128 .. 127.9999999. So a chain of joints adds no error that Q16.16 shows; make the model about 1 in size. Rotations
@@ -137,6 +137,11 @@ struct ph_bound {
 /* Positions in Q16.16, normals of length one in Q1.14 (a zero normal stays zero), where they are asked for. */
 void ph_skin_vertices(const struct ph_bound *from, const struct ph_xform *matrices, struct fx_vec3 *positions,
                       int16_t (*normals)[3]);
+
+/* The same by both cores of a renderer, if it has two; r may be NULL. */
+struct ph_renderer;
+void ph_skin_mesh(const struct ph_renderer *r, const struct ph_bound *from, const struct ph_xform *matrices,
+                  struct fx_vec3 *positions, int16_t (*normals)[3]);
 
 /* Targets: what each adds to the vertices at weight 1, with the fraction of the positions, and of normals Q1.14. */
 struct ph_morph {

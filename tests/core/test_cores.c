@@ -3,6 +3,7 @@
  * first, and however long each one waits.
  */
 #include "demo.h"
+#include "motion.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -232,6 +233,43 @@ static void two_cores_leave_out_what_one_does(void **state)
     }
 }
 
+enum { SKINNED = 200 };
+
+struct skinned {
+    struct fx_vec3 positions[SKINNED];
+    int16_t normals[SKINNED][3];
+};
+
+static void two_cores_skin_as_one_does(void **state)
+{
+    (void)state;
+    static const uint32_t counts[] = {0, 1, 31, 32, 33, SKINNED};
+    int16_t positions[SKINNED][3], normals[SKINNED][3];
+    struct ph_influence influences[SKINNED];
+    const struct ph_xform joints[2] = {ph_xform_rotate_y(1u << 29), ph_xform_rotate_y(1u << 27)};
+    for (uint32_t i = 0; i < SKINNED; i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            positions[i][k] = (int16_t)(below(60000) - 30000);
+            normals[i][k] = (int16_t)(below(16000) - 8000);
+        }
+        const uint16_t share = (uint16_t)(PH_INFLUENCE_ONE / 2 * (1 + below(2)));
+        influences[i] = (struct ph_influence){{(uint8_t)below(2), 1}, {share, (uint16_t)(PH_INFLUENCE_ONE - share)}};
+    }
+    when = AT_JOIN;
+    for (uint32_t i = 0; i < 3 * sizeof counts / sizeof *counts; i++) {
+        const struct ph_renderer r = {.config = {.other_core = other_core, .other_core_join = other_core_join}};
+        const struct ph_bound from = {(const int16_t(*)[3])positions, i % 3 == 1 ? NULL : (const int16_t(*)[3])normals,
+                                      i % 3 == 2 ? NULL : influences, counts[i / 3], 15};
+        struct skinned one = {0}, two = {0};
+        runs = 0;
+        ph_skin_vertices(&from, joints, one.positions, one.normals);
+        ph_skin_mesh(&r, &from, joints, two.positions, two.normals);
+        assert_memory_equal(&one, &two, sizeof one);
+        assert_int_equal(runs, from.vertex_count >= 32 ? 1 : 0);
+        ph_skin_mesh(&r, &from, joints, two.positions, NULL);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +278,7 @@ int main(void)
         cmocka_unit_test(no_delay_between_the_cores_changes_a_byte),
         cmocka_unit_test(the_number_of_slots_changes_no_byte),
         cmocka_unit_test(two_cores_leave_out_what_one_does),
+        cmocka_unit_test(two_cores_skin_as_one_does),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

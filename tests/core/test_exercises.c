@@ -158,6 +158,33 @@ static void matrix_of_LMU_is_its_product_of_two(void **state)
     check_clip(&p, PH_LMU, (const double[3]){0, 0, -10}, (const double[4]){0, 0, 10, -10}); /* f to -1 */
 }
 
+/*
+ * The whole curve of each document, at 200 distances of four lenses: HAW z_ndc = (f+n)/(f-n) + 2fn/(f-n)/z for z from
+ * -n to -f, so -1 .. 1; LMU (n+f)/(n-f) + 2nf/(f-n)/z with coordinates n and f, so 1 .. -1; 4600 f/(f-n) - fn/(f-n)/z
+ * for z from n to f, so 0 .. 1. Reversed is 1 minus that of 4600. Matrix and product round by half an LSB each.
+ */
+static void depth_of_each_convention_is_its_document_s_curve(void **state)
+{
+    (void)state;
+    static const double lenses[][2] = {{.5, 10}, {1, 10}, {1, 3}, {2, 100}};
+    for (int i = 0; i < 4 * 200; i++) {
+        const double n = lenses[i / 200][0], f = lenses[i / 200][1], z = real(fx(n + (f - n) * (i % 200) / 199));
+        const double want[] = {[PH_GL] = (f + n) / (f - n) - 2 * f * n / (f - n) / z,
+                               [PH_D3D] = f / (f - n) - f * n / (f - n) / z,
+                               [PH_LMU] = (-n - f) / (f - n) - 2 * n * f / (n - f) / z,
+                               [PH_REVERSED] = f * n / (f - n) / z - n / (f - n)};
+        const struct ph_projection p = perspective(90, 1, n, f);
+        for (int convention = PH_GL; convention <= PH_REVERSED; convention++) {
+            struct ph_mat4 m;
+            assert_int_equal(ph_matrix_projection(&m, &p, (enum ph_convention)convention), PH_OK);
+            const fx_t along = convention == PH_D3D ? fx(z) : -fx(z);
+            const struct ph_vec4 clip = ph_mat4_apply(&m, (struct ph_vec4){0, 0, along, FX_ONE});
+            assert_int_equal(clip.w < 0, convention == PH_LMU);
+            assert_near(real(clip.z) / real(clip.w), want[convention], (.5 * z + 1) * LSB / z);
+        }
+    }
+}
+
 /* EECE: w = z / d. KAIST 4.10: y_s = d y / z. 4600: y' = y f / z. Here the image is 6 x 4, z the distance. */
 static void pinhole_projects_y_to_d_y_over_z(void **state)
 {
@@ -444,6 +471,7 @@ int main(void)
         cmocka_unit_test(corner_of_the_frustum_maps_to_the_corner_of_clip_space),
         cmocka_unit_test(matrix_of_4600_maps_near_to_0_and_far_to_1),
         cmocka_unit_test(matrix_of_LMU_is_its_product_of_two),
+        cmocka_unit_test(depth_of_each_convention_is_its_document_s_curve),
         cmocka_unit_test(pinhole_projects_y_to_d_y_over_z),
         cmocka_unit_test(focal_length_to_infinity_is_a_parallel_projection),
         cmocka_unit_test(projection_onto_the_line_of_exercise_4),

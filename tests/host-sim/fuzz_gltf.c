@@ -164,7 +164,7 @@ static void move(const struct model *model)
         fail("its animation takes more memory than it says");
     }
     for (uint32_t frame = 0; frame < 3; frame++) {
-        animation_move(stage, 7 * frame);
+        animation_move(stage, NULL, 7 * frame);
     }
     free(arena.base);
 }

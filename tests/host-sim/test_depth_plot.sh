@@ -66,6 +66,29 @@ halves_are_those_of_the_formula() {
     grep -q 'half before 0.95 m' "$dir/ndc.svg" && grep -q 'half before 1.82 m' "$dir/ndc.svg" && grep -q 'half before 1.50 m' "$dir/g.svg"
 }
 
+# Every point that the plots of `ndc` and `g` hand to gnuplot: HAW's curve from -1 to 1, course 4600's from 0 to 1. The
+# matrix rounds to 1/131072, which the division by z enlarges.
+curves_are_those_of_the_documents() {
+    mkdir -p "$dir/fake" && printf '#!/bin/sh\ntee "%s"\n' "$dir/script" >"$dir/fake/gnuplot" && chmod +x "$dir/fake/gnuplot" || return 1
+    local kind near far tag
+    while read -r kind near far tag; do
+        PATH="$dir/fake:$PATH" "$depth" plot "$kind" --out "$dir/fake.svg" || return 1
+        sed -n "/^\$c$tag << EOD/,/^EOD/p" "$dir/script" | awk -v n="$near" -v f="$far" -v kind="$kind" '
+            function off(got, want) { return got - want > bound || want - got > bound }
+            NF == 3 && $1 ~ /^-/ {
+                z = -$1; points++; bound = 1e-6 + (1 + 1 / z) / 65536
+                if (off($2, (f + n) / (f - n) - 2 * f * n / (f - n) / z) || off($3, f / (f - n) * (1 - n / z))) { print kind, $0; bad = 1 }
+            }
+            NR == 2 { first = $1 }
+            NF == 3 && $1 ~ /^-/ { last = $1 }
+            END { exit bad || points < 100 || first != -f || last != -n }' || return 1
+    done <<'END'
+ndc 0.5 10 0
+ndc 1 10 1
+g 1 3 0
+END
+}
+
 refuses() { # status, arguments: one line, nothing on stdout
     local want=$1 got=0
     shift
@@ -177,6 +200,7 @@ if command -v gnuplot >/dev/null; then
 else
     skip "plots_are_pictures" "gnuplot is missing"
 fi
+check "curves_are_those_of_the_documents_at_every_point" curves_are_those_of_the_documents
 check "wrong_usage_is_refused_in_one_line" wrong_usage_is_refused
 check "missing_gnuplot_is_one_line" missing_gnuplot_is_one_line
 check "the_error_picture_shows_what_is_counted" error_picture_shows_what_is_counted

@@ -152,7 +152,7 @@ static void play(const uint8_t *bytes)
         const struct animation_stage *stage = animation_begin(&arena, animation, meshes, head->mesh_count);
         assert_non_null(stage);
         for (uint32_t frame = 0; frame < 60; frame += 19) {
-            animation_move(stage, frame);
+            animation_move(stage, NULL, frame);
         }
         meshes = stage->meshes;
     }

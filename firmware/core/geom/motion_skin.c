@@ -68,12 +68,19 @@ static void set_mean(struct mean *mean, const struct ph_xform *matrices, const s
     }
 }
 
+/* Whether two vertices follow the same joints by the same shares. From the first share of 0 on nothing counts, and is
+ * not read: a word of a slow flash takes longer than the rest of this. */
 static bool is_same(const struct ph_influence *a, const struct ph_influence *b)
 {
-    const uint16_t *const v = a->weights, *const w = b->weights;
-    const uint8_t *const j = a->joints, *const k = b->joints;
-    return v[0] == w[0] && j[0] == k[0] && j[1] == k[1] && v[1] == w[1] && j[2] == k[2] && v[2] == w[2] &&
-           j[3] == k[3] && v[3] == w[3];
+    for (int k = 0; k < 4; k++) {
+        if (a->weights[k] != b->weights[k] || (a->weights[k] != 0 && a->joints[k] != b->joints[k])) {
+            return false;
+        }
+        if (a->weights[k] == 0) {
+            break;
+        }
+    }
+    return true;
 }
 
 /* A position in Q16.16. high p is in 2^-12 LSB of p, |high p| <= 2^28, and low p in 2^-26 LSB, |low p| < 2^29.
