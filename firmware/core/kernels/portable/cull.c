@@ -24,7 +24,9 @@ static inline enum answer judge(const struct ph_vertex *a, const struct ph_verte
 static inline struct ph_ref *list(struct ph_ref *to, const uint16_t corner[3], uint32_t band, bool mark,
                                   struct ph_vertex *const v[3])
 {
-    *--to = (struct ph_ref){{corner[0], corner[1], corner[2]}, (uint16_t)band};
+    to--;
+    __builtin_memcpy(to->corner, corner, sizeof to->corner); /* without it gcc shifts the four members together */
+    to->link = (uint16_t)band;
     if (mark) {
         ph_mark(v[0]);
         ph_mark(v[1]);
