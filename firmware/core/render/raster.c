@@ -111,14 +111,14 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     if (t->kind == PH_KIND_SMALL) {
         return draw_small(t, band);
     }
+    if (t->kind == PH_KIND_SMALL_TEXTURE) {
+        return t->block == PH_BLOCK_NONE ? ph_draw_small_texels(t, band) : draw_split_texture(t, band);
+    }
     if (t->kind == PH_KIND_SMALL_KNEE) {
         return draw_cut(t, band);
     }
     if (t->kind == PH_KIND_SMALL_SPLIT) {
         return draw_split(t, band);
-    }
-    if (t->kind == PH_KIND_SMALL_TEXTURE) {
-        return t->block == PH_BLOCK_NONE ? ph_draw_small_texels(t, band) : draw_split_texture(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
         return ph_draw_line_rows(t, band);

@@ -11,11 +11,12 @@ struct ph_setting {
                               entry; bias: what is added to the codes of the format */
     const struct ph_renderer *r;
     struct ph_draw draw;
-    uint32_t far;    /* N/f in units of fixed16 */
-    bool is_small;   /* small triangles are drawn as such */
-    bool is_usual;   /* ph_setup_usual knows such triangles */
-    bool floats;     /* float16, else fixed16 */
-    uint8_t shading; /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
+    uint32_t far;          /* N/f in units of fixed16 */
+    bool is_small;         /* small triangles are drawn as such */
+    bool is_usual;         /* ph_setup_usual knows such triangles */
+    bool has_usual_texels; /* ... and all but u and v of such triangles, which are textured */
+    bool floats;           /* float16, else fixed16 */
+    uint8_t shading;       /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
 };
 
 #endif

@@ -234,7 +234,9 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->usual.inner_x = r->inner_x;
     s->usual.inner_y = r->inner_y;
     s->usual.material = material;
-    s->is_usual = s->is_small && s->floats && !textured && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
+    const bool usual = s->is_small && s->floats && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
+    s->is_usual = usual && !textured;
+    s->has_usual_texels = usual && textured;
     s->far = ph_depth_far(&r->lens, 0);
     s->usual.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
                               : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
@@ -320,7 +322,11 @@ void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, stru
         uv = of_corners;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    setup_front(s, v, uv, &sides, t);
+    if (!s->has_usual_texels || ph_setup_usual(&s->usual, ref, t) != PH_SMALL_SET) {
+        setup_front(s, v, uv, &sides, t);
+    } else if (!ph_setup_texels(t, s->r, v, uv, &sides)) {
+        setup_other(s, v, uv, &sides, true, t);
+    }
 }
 
 void ph_setup_number(const struct ph_renderer *r, uint32_t number, struct ph_triangle *t)
