@@ -91,8 +91,8 @@ static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */
     const int shift = fx_clz32((uint32_t)dy);
     /* 2^(47 - shift) dx / dy, never above it: a centre on the edge is on its right (top-left rule) */
-    const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
-    return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
+    const int32_t slope = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
+    return ph_edge_at_row(a->x * 256 + ((slope >> 8) * down >> (31 - shift)), slope >> (31 - shift), row, y0);
 }
 
 /* Whether x is the longer axis of a line: see line.h. */
