@@ -195,7 +195,8 @@ size_t asset_scene(const struct asset *asset, uint8_t *bytes)
         head.bytes = to.used;
         memcpy(bytes, &head, sizeof head);
         memcpy(bytes + sizeof head, meshes, head.mesh_count * sizeof *meshes);
-        memcpy(bytes + 12, &(uint32_t){crc32_update(0, bytes + 16, to.used - 16)}, 4);
+        const uint32_t crc = crc32_update(0, bytes + 16, to.used - 16);
+        memcpy(bytes + 12, &crc, sizeof crc);
     }
     return to.used;
 }

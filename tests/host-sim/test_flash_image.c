@@ -250,12 +250,12 @@ static void an_rp2350_starts_what_has_a_definition(void **state)
 static void an_rp2350_has_three_families(void **state)
 {
     (void)state;
-    static const uint32_t families[] = {0xE48BFF59, 0xE48BFF5A, 0xE48BFF57};
+    static const uint32_t theirs[] = {0xE48BFF59, 0xE48BFF5A, 0xE48BFF57};
     uf2_for_rp2350(file, BLOCKS);
-    for (size_t k = 0; k < sizeof families / sizeof families[0]; k++) {
+    for (size_t k = 0; k < sizeof theirs / sizeof theirs[0]; k++) {
         struct flash_image image;
         for (uint32_t i = 0; i < BLOCKS; i++) {
-            uf2_put(block(i) + UF2_FAMILY, families[k]);
+            uf2_put(block(i) + UF2_FAMILY, theirs[k]);
         }
         accepts(file, FILE_BYTES, &image);
         assert_int_equal(image.chip, FLASH_RP2350);

@@ -204,7 +204,7 @@ the_smallest_pictures_are_drawn() {
     local demo size
     for demo in $("$sim" --list | awk '$1 == "demo" { print $2 }'); do
         for size in 1x1 1x2 2x1; do
-            "$sim" --demo "$demo" --size $size --crc >"$dir/stdout" || { echo "$demo $size" && return 1; }
+            "$sim" --demo "$demo" --size "$size" --crc >"$dir/stdout" || { echo "$demo $size" && return 1; }
         done
     done
 }
@@ -278,7 +278,7 @@ ways_to_state_a_view_agree() {
     local way
     for way in vrp=5,0,0,vpn=1,0,0 vpn=2,0,0,vup=0,3,0,vrp=5,0,0 ypr=90,0,0,eye=5,0,0 ypr=450,0,0,eye=5,0,0 quat=1,0,1,0,eye=5,0,0 \
         quat=-.5,0,-.5,0,eye=5,0,0; do
-        same --demo cube "${small[@]}" --camera eye=5,0,0 -- --demo cube "${small[@]}" --camera $way || { echo "$way" && return 1; }
+        same --demo cube "${small[@]}" --camera eye=5,0,0 -- --demo cube "${small[@]}" --camera "$way" || { echo "$way" && return 1; }
     done
     [ "$(matrices 2,5 --camera quat=1,0,1,0,eye=5,0,0 | tr '\n' ' ')" = "0 0 -1 0 0 1 0 0 1 0 0 -5 0 0 0 1 " ] &&
         [ "$(matrices 2,5 --camera ypr=0,90,0 | tr '\n' ' ')" = "1 0 0 0 0 0 1 0 0 -1 0 0 0 0 0 1 " ] && # looks up the y axis

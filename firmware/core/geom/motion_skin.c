@@ -9,8 +9,8 @@
 void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places, struct ph_xform *matrices)
 {
     for (uint32_t i = 0; i < skin->joint_count; i++) {
-        const struct ph_xform *const place = &places[skin->nodes[i]];
-        matrices[i] = skin->inverse_bind ? ph_xform_mul(place, &skin->inverse_bind[i]) : *place;
+        const struct ph_xform *const joint = &places[skin->nodes[i]];
+        matrices[i] = skin->inverse_bind ? ph_xform_mul(joint, &skin->inverse_bind[i]) : *joint;
     }
 }
 

@@ -25,8 +25,8 @@ static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct p
     if (t->kind != PH_KIND_SMALL || t->y_top < band->y0) {
         return ph_draw_triangle(t, band);
     }
-    const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
-    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
+    const uint32_t width = (uint32_t)band->width, first = (uint32_t)(t->y_top - band->y0) * width;
+    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + first, band->pixels + first, 2 * width);
 }
 
 /* The same for one that was carried on to this band, where a small one stands at the first row. */

@@ -92,8 +92,8 @@ static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx
     const int top = fx_clz32((uint32_t)dy) ^ 31; /* the highest bit that is set */
     /* 2^(16 + top) dx / dy, never above it: a centre on the edge is on its right (top-left rule) */
     /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): 0 < dy < 2^14 */
-    const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (15 - top)) + (dx < 0));
-    return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> top), scaled >> top, row, y0);
+    const int32_t slope = dx * ((int32_t)fx_rcp16((uint32_t)dy << (15 - top)) + (dx < 0));
+    return ph_edge_at_row(a->x * 256 + ((slope >> 8) * down >> top), slope >> top, row, y0);
 }
 
 /* Whether x is the longer axis of a line: see line.h. */

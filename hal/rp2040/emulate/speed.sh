@@ -34,7 +34,10 @@ by_button() {
     "$B/pinhole-sim" --list | awk -v first="${FIRST_DEMO-}" '$1 == "demo" && (first == "" ? !/; by name only$/ : $2 == first) { print $2, $3 }'
 }
 for demo; do
-    by_button | grep -q "^$demo " && "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null || { echo "speed: $demo cannot be measured on $BOARD" >&2 && exit 2; }
+    if ! by_button | grep -q "^$demo " || ! "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null; then
+        echo "speed: $demo cannot be measured on $BOARD" >&2
+        exit 2
+    fi
 done
 while read -r demo loop; do
     "$B/pinhole-sim" --board "$BOARD" --demo "$demo" --crc >/dev/null 2>&1 || continue

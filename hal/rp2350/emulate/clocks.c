@@ -176,7 +176,8 @@ static void watchdog_write(struct chip *chip, uint32_t offset, uint32_t value)
     if (offset == 0 && (value & WATCHDOG_ON) != 0 && chip->tick[1].period == 0) {
         chip_warn(chip, "the watchdog is on, but has no tick");
     }
-    chip->watchdog_time = chip->watchdog_control & WATCHDOG_ON ? chip->now + chip->watchdog_load * FS_PER_US : NEVER;
+    chip->watchdog_time =
+        (chip->watchdog_control & WATCHDOG_ON) != 0 ? chip->now + chip->watchdog_load * FS_PER_US : NEVER;
     chip_event_at(chip, chip->watchdog_time);
 }
 
