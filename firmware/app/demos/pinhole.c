@@ -278,7 +278,7 @@ static bool is_depth(const struct demo_context *context, uint32_t frame)
 static int pinhole_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     context->frame = frame;
-    return (is_depth(context, frame) ? draw_depth : draw_camera)(context, r, frame);
+    return is_depth(context, frame) ? draw_depth(context, r, frame) : draw_camera(context, r, frame);
 }
 
 /* Lines that the shutter covers from above, and as many from below. */
