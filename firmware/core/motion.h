@@ -6,7 +6,8 @@
  *   ph_rig_places(&rig, pose, &root, places)             each node's place in the model
  *   ph_morph_vertices(&morph, weights, ..)               optional: the vertices of this moment before they are skinned
  *   ph_skin_matrices(&skin, places, matrices)            each joint's way from the bind pose
- *   ph_skin_vertices(&from, matrices, positions, normals) what struct ph_mesh draws, or ph_skin_mesh(r, ..) by two cores
+ *   ph_skin_vertices(&from, matrices, positions, normals) what struct ph_mesh draws, or ph_skin_mesh(r, ..) by two
+ * cores
  *
  * It is the animation of glTF 2.0, and all of it may lie in flash. Translations, scales and morph weights are Q8.24:
  * -128 .. 127.9999999. So a chain of joints adds no error that Q16.16 shows; make the model about 1 in size. Rotations

@@ -15,10 +15,12 @@ rm -rf "$deb" && mkdir -p "$deb"
 git archive --format=tar.gz --prefix="pinhole-$VERSION/" -o "$deb/pinhole_$VERSION.orig.tar.gz" HEAD
 tar -xzf "$deb/pinhole_$VERSION.orig.tar.gz" -C "$deb"
 cp -r firmware/package/debian "$deb/pinhole-$VERSION/debian"
+# Revision 0pinhole1, as upstreams and derived distributions number theirs: Debian's own package, -1, would replace it, and the
+# changelog of a first upload to Debian (-1) would have to close a bug there.
 maintainer="${DEBFULLNAME:-The Pinhole authors} <${DEBEMAIL:-packages@pinhole.invalid}>"
 sed -i "s|@MAINTAINER@|$maintainer|" "$deb/pinhole-$VERSION/debian/control"
 cat >"$deb/pinhole-$VERSION/debian/changelog" <<END
-pinhole ($VERSION-1) unstable; urgency=medium
+pinhole ($VERSION-0pinhole1) unstable; urgency=medium
 
   * Version $VERSION; what changed stands in firmware/README.md (Versions).
 
@@ -32,5 +34,5 @@ if ! env -u B -u VERSION -u MAKEFLAGS -u MFLAGS -u MAKELEVEL dpkg-buildpackage -
     exit 1
 fi
 cd "$deb"
-lintian --fail-on error,warning --suppress-tags initial-upload-closes-no-bugs,bad-distribution-in-changes-file ./*.changes
+lintian --profile debian --fail-on error,warning ./*.changes
 find . -name '*.deb' -printf "$B/deb/%f\n" | sort

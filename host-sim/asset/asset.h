@@ -61,6 +61,9 @@ void asset_free(struct asset *asset);
  * the longest list of triangles, plus a sixteenth. 0 or COMPLAINED. */
 int asset_measure(struct asset *asset, const struct board *board);
 
+/* Returns the first board whose glass has the size of board number `board`: the list is as long there. */
+uint32_t asset_first_glass(uint32_t board);
+
 /* Its context->state must be &asset->model. */
 struct demo asset_demo(const struct asset *asset);
 

@@ -11,13 +11,15 @@
 #define TRIANGLES_LEAST 16  /* fewer give no picture */
 #define TRIANGLES_FEW   400 /* below this the platter of the turntable costs more triangles than it is worth */
 
-/* Measures the list of triangles on the board, or on every board to find the longest list. */
+/* Measures the list of triangles on the board, or on boards of every size to find the longest list. */
 static int measure(struct asset *asset, const struct board *board)
 {
     int status = 0;
     for (uint32_t i = 0; i < board_count && status == 0; i++) {
         progress_show("measuring", i, board_count);
-        status = board == NULL || board == board_list[i] ? asset_measure(asset, board_list[i]) : 0;
+        if (board == NULL ? asset_first_glass(i) == i : board == board_list[i]) {
+            status = asset_measure(asset, board_list[i]);
+        }
     }
     progress_show("measuring", board_count, board_count);
     return status;

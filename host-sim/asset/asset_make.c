@@ -117,18 +117,60 @@ static bool remake_mesh(struct demo_arena *arena, const struct ph_mesh *from, co
     return is_done;
 }
 
-/* Takes the remaining triangles of the mesh, numbered from its first vertex `first`. */
-static size_t take(const struct asset_rest *rest, uint32_t first, uint32_t vertex_count, unsigned *indices)
+/* The remaining triangles mesh by mesh, each in its old order: a model may have 50,000 meshes, too many to look through
+ * all triangles for each. */
+struct by_mesh {
+    unsigned *indices; /* numbered from the mesh's first vertex */
+    size_t *ends;      /* in indices, of each mesh */
+};
+
+static void free_by_mesh(struct by_mesh *b)
 {
-    size_t n = 0;
+    free(b->indices);
+    free(b->ends);
+}
+
+/* Sorts by counting: mesh_of and first_of know the mesh of a vertex and a mesh's first vertex. */
+static void sort_by_mesh(struct by_mesh *b, const struct asset_rest *rest, const uint32_t *mesh_of,
+                         const uint32_t *first_of, uint32_t mesh_count)
+{
     for (size_t i = 0; i < rest->index_count; i += 3) {
-        if (rest->indices[i] >= first && rest->indices[i] - first < vertex_count) {
-            for (size_t k = 0; k < 3; k++) {
-                indices[n++] = rest->indices[i + k] - first;
-            }
+        b->ends[mesh_of[rest->indices[i]]] += 3;
+    }
+    size_t begin = 0;
+    for (uint32_t m = 0; m < mesh_count; m++) {
+        const size_t n = b->ends[m];
+        b->ends[m] = begin; /* so far: of what is sorted */
+        begin += n;
+    }
+    for (size_t i = 0; i < rest->index_count; i += 3) {
+        const uint32_t m = mesh_of[rest->indices[i]];
+        for (size_t k = 0; k < 3; k++) {
+            b->indices[b->ends[m]++] = rest->indices[i + k] - first_of[m];
         }
     }
-    return n;
+}
+
+/* The caller frees *b in any case. False: no memory. */
+static bool make_by_mesh(struct by_mesh *b, const struct model *from, const struct asset_rest *rest, size_t vertices)
+{
+    uint32_t *const mesh_of = malloc(sizeof *mesh_of * (vertices + 1));
+    uint32_t *const first_of = malloc(sizeof *first_of * ((size_t)from->mesh_count + 1));
+    *b = (struct by_mesh){malloc(sizeof *b->indices * (rest->index_count + 1)),
+                          calloc((size_t)from->mesh_count + 1, sizeof *b->ends)};
+    const bool is_done = mesh_of != NULL && first_of != NULL && b->indices != NULL && b->ends != NULL;
+    for (uint32_t m = 0, v = 0; m < from->mesh_count && is_done; m++) {
+        first_of[m] = v;
+        for (uint32_t i = 0; i < from->meshes[m].vertex_count; i++) {
+            mesh_of[v++] = m;
+        }
+    }
+    if (is_done) {
+        sort_by_mesh(b, rest, mesh_of, first_of, from->mesh_count);
+    }
+    free(mesh_of);
+    free(first_of);
+    return is_done;
 }
 
 static void count_mesh(struct asset *asset, const struct ph_mesh *mesh)
@@ -140,34 +182,41 @@ static void count_mesh(struct asset *asset, const struct ph_mesh *mesh)
     asset->fetched += asset_fetches(mesh);
 }
 
+/* Adds what remains of mesh number m, `n` indices, to the asset. */
+static bool make_mesh(struct asset *asset, struct demo_arena *arena, const struct model *from, uint32_t m,
+                      const unsigned *indices, size_t n, bool has_normals, unsigned *sources)
+{
+    const struct ph_mesh *const mesh = &from->meshes[m];
+    struct ph_mesh *const to = &asset->model.meshes[asset->model.mesh_count];
+    struct ph_material *const material = &asset->materials[asset->model.mesh_count];
+    const struct animation_mesh *const moving = model_moving(from, m);
+    const bool is_done =
+        (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, moving != NULL ? sources : NULL, material,
+                                                 to) &&
+        (moving == NULL || asset_motion_add(arena, moving, sources, &asset->model, asset->model.mesh_count));
+    if (is_done) {
+        count_mesh(asset, to);
+    }
+    return is_done;
+}
+
 static bool make_meshes(struct asset *asset, struct demo_arena *arena, const struct model *from,
                         const struct asset_rest *rest)
 {
+    const bool has_normals = rest->way == ASSET_WHOLE || rest->way == ASSET_KEPT;
     const size_t most = 3 * ((size_t)from->triangle_count + 1) + from->vertex_max;
-    unsigned *indices = malloc(sizeof *indices * most), *sources = malloc(sizeof *sources * most);
-    bool is_done = indices != NULL && sources != NULL;
-    uint32_t first = 0;
+    unsigned *sources = malloc(sizeof *sources * most);
+    struct by_mesh sorted;
+    bool is_done = make_by_mesh(&sorted, from, rest, (size_t)asset->vertices_read) && sources != NULL;
+    size_t begin = 0;
     for (uint32_t m = 0; m < from->mesh_count && is_done; m++) {
         progress_show("ordering", m, from->mesh_count);
-        const struct ph_mesh *mesh = &from->meshes[m];
-        struct ph_mesh *to = &asset->model.meshes[asset->model.mesh_count];
-        const size_t n = take(rest, first, mesh->vertex_count, indices);
-        first += mesh->vertex_count;
-        if (n > 0) {
-            struct ph_material *material = &asset->materials[asset->model.mesh_count];
-            const bool has_normals = rest->way == ASSET_WHOLE || rest->way == ASSET_KEPT;
-            const struct animation_mesh *moving = model_moving(from, m);
-            is_done =
-                (has_normals ? order_mesh : remake_mesh)(arena, mesh, indices, n, moving != NULL ? sources : NULL,
-                                                         material, to) &&
-                (moving == NULL || asset_motion_add(arena, moving, sources, &asset->model, asset->model.mesh_count));
-            if (is_done) {
-                count_mesh(asset, to);
-            }
-        }
+        const size_t n = sorted.ends[m] - begin;
+        is_done = n == 0 || make_mesh(asset, arena, from, m, sorted.indices + begin, n, has_normals, sources);
+        begin = sorted.ends[m];
     }
     progress_show("ordering", from->mesh_count, from->mesh_count);
-    free(indices);
+    free_by_mesh(&sorted);
     free(sources);
     if (asset->model.motion != NULL && asset->model.motion->animation.mesh_count == 0) {
         asset->model.motion = NULL; /* nothing remains that moves */

@@ -8,6 +8,7 @@
 #define SIDES_MOST  64 /* from which it is looked at */
 #define SIDES_LEAST 4
 #define WORK        1000000u /* triangles in all, about */
+#define MESH_WORK   16       /* what a mesh costs before its first triangle, in triangles */
 
 /* A renderer with room for everything, and the scene. */
 struct stage {
@@ -19,10 +20,11 @@ struct stage {
     bool turns;      /* on the turntable */
 };
 
-static uint32_t sides_of(uint32_t triangles)
+static uint32_t sides_of(const struct model *model)
 {
+    const uint64_t work = (uint64_t)model->triangle_count + (uint64_t)model->mesh_count * MESH_WORK;
     uint32_t sides = SIDES_MOST;
-    while (sides > SIDES_LEAST && (uint64_t)sides * triangles > WORK) {
+    while (sides > SIDES_LEAST && sides * work > WORK) {
         sides /= 2;
     }
     return sides;
@@ -85,10 +87,21 @@ static int look_around(struct stage *s, fx_t dolly, uint32_t sides, uint32_t *mo
     return 0;
 }
 
+uint32_t asset_first_glass(uint32_t board)
+{
+    const struct board *const b = board_list[board];
+    uint32_t i = 0;
+    while (panel_width(board_list[i]->panel, board_list[i]->rotation) != panel_width(b->panel, b->rotation) ||
+           panel_height(board_list[i]->panel, board_list[i]->rotation) != panel_height(b->panel, b->rotation)) {
+        i++;
+    }
+    return i;
+}
+
 int asset_measure(struct asset *asset, const struct board *board)
 {
     struct stage s = {.memory = NULL};
-    const uint32_t sides = sides_of(asset->model.triangle_count);
+    const uint32_t sides = sides_of(&asset->model);
     uint32_t most = 0;
     int status = set_up(&s, asset, board);
     if (status == 0) {

@@ -1,6 +1,10 @@
 #include "asset.h"
+#include "complain.h"
 #include "model_texture.h"
+#include "progress.h"
 #include "runner.h"
+
+#include <stdlib.h>
 
 /* Bytes beside the arrays, on a 32-bit target. */
 #define MESH_BYTES     48
@@ -142,8 +146,40 @@ static void report_board(FILE *file, const struct asset *asset, const struct boa
     }
 }
 
+/* Sets the list of triangles for board number i, which is the one of an earlier board with a glass of that size. */
+static int measure(struct asset *asset, uint32_t i, uint32_t *listed)
+{
+    const uint32_t first = asset_first_glass(i);
+    asset->listed = listed[first];
+    const int status = asset->listed > 0 ? 0 : asset_measure(asset, board_list[i]);
+    listed[first] = asset->listed;
+    return status;
+}
+
+static int report_boards(FILE *file, const struct asset *asset, const struct board *board, uint32_t *listed)
+{
+    for (uint32_t i = 0; i < board_count; i++) {
+        struct asset here = *asset;
+        if (board != NULL && board != board_list[i]) {
+            continue;
+        }
+        progress_show("measuring", i, board_count);
+        const int status = measure(&here, i, listed);
+        progress_show("measuring", 1, 1);
+        if (status != 0) {
+            return status;
+        }
+        report_board(file, &here, board_list[i]);
+    }
+    return 0;
+}
+
 int asset_report(FILE *file, const struct asset *asset, const struct board *board)
 {
+    uint32_t *const listed = calloc((size_t)board_count + 1, sizeof *listed);
+    if (listed == NULL) {
+        return complain("not enough memory for the report");
+    }
     report_model(file, asset);
     if (asset->model.motion != NULL) {
         report_motion(file, asset->model.motion);
@@ -151,17 +187,7 @@ int asset_report(FILE *file, const struct asset *asset, const struct board *boar
     report_flash(file, asset);
     fprintf(file, "\n%-27s %-8s %6s %10s %8s %8s %9s\n", "board: bytes for a frame", "picture", "bands", "triangles",
             "scene", "in all", "budget");
-    for (uint32_t i = 0; i < board_count; i++) {
-        struct asset here = *asset;
-        here.listed = 0;
-        if (board != NULL && board != board_list[i]) {
-            continue;
-        }
-        const int status = asset_measure(&here, board_list[i]);
-        if (status != 0) {
-            return status;
-        }
-        report_board(file, &here, board_list[i]);
-    }
-    return 0;
+    const int status = report_boards(file, asset, board, listed);
+    free(listed);
+    return status;
 }

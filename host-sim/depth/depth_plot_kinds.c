@@ -93,8 +93,8 @@ static void put_camera(const struct depth_lab *lab, FILE *script)
 
 /* ---- the documents' curves ---------------------------------------------------------------------------- */
 
-/* Writes the curves of the camera's real matrices (elements in Q16.16) as data block $c<tag>: z, GL's depth from -1 to 1,
- * and the depth from 0 to 1 of course 4600. */
+/* Writes the curves of the camera's real matrices (elements in Q16.16) as data block $c<tag>: z, GL's depth from -1 to
+ * 1, and the depth from 0 to 1 of course 4600. */
 static int put_curve(FILE *script, int tag, fx_t near_z, fx_t far_z)
 {
     struct ph_projection projection = {.kind = PH_PERSPECTIVE};
@@ -145,8 +145,8 @@ static int write_curves(FILE *script, const char *name, const fx_t nears[], int 
                 half_of(depth_metres(nears[i]), depth_metres(far_z)));
     }
     for (int i = 0; i < count; i++) {
-        fprintf(script, ", $c%d using 1:3 with lines lw 1.2 dt %d lc '%s' title 'the same from 0 to 1 (course 4600)'", i,
-                i + 1, colours[i]);
+        fprintf(script, ", $c%d using 1:3 with lines lw 1.2 dt %d lc '%s' title 'the same from 0 to 1 (course 4600)'",
+                i, i + 1, colours[i]);
     }
     fputc('\n', script);
     return status;
@@ -156,9 +156,10 @@ static int write_ndc(const struct depth_lab *lab, FILE *script)
 {
     const fx_t far_z = lab->far_set ? lab->far_z : FX_INT(10);
     const fx_t nears[] = {lab->near_set ? lab->near_z : FX_HALF, FX_ONE};
-    fputs("set title 'z_{ndc}(z_c): -1 (thin: 0) at the near plane, 1 at the far plane; half of all values lie right of "
-          "the dotted line'\n",
-          script);
+    fputs(
+        "set title 'z_{ndc}(z_c): -1 (thin: 0) at the near plane, 1 at the far plane; half of all values lie right of "
+        "the dotted line'\n",
+        script);
     return write_curves(script, "z_{ndc}", nears, lab->near_set || far_z <= FX_ONE ? 1 : 2, far_z);
 }
 

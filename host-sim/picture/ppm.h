@@ -18,8 +18,8 @@ int ppm_save(const char *path, const struct ppm *picture);
 
 #define PPM_SIDE_MAX 16384
 
-/* Reads the first picture of the file, of most_pixels at most; free picture->rgb afterwards. 0 or a negative errno value
- * (PH_ERR_INVAL: not a PPM; PH_ERR_NOMEM: too large, and its size is in picture). */
+/* Reads the first picture of the file, of most_pixels at most; free picture->rgb afterwards. 0 or a negative errno
+ * value (PH_ERR_INVAL: not a PPM; PH_ERR_NOMEM: too large, and its size is in picture). */
 int ppm_load(const char *path, uint32_t most_pixels, struct ppm *picture);
 
 #endif

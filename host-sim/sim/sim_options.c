@@ -184,8 +184,8 @@ static const struct option_row rows[] = {
      "DIR/frame-NNNN.ppm; FILE.png or .ppm (several frames: FILE-NNNN.png); all frames as a GIF; - streams PPM to\n"
      "        stdout",
      FRAME_OUT_TAKES, .at = offsetof(struct sim_options, out)},
-    {"scale", "N", "makes every pixel of --out N x N pixels; --check takes references of both sizes", "a whole number, 1 .. 16",
-     .at = offsetof(struct sim_options, scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
+    {"scale", "N", "makes every pixel of --out N x N pixels; --check takes references of both sizes",
+     "a whole number, 1 .. 16", .at = offsetof(struct sim_options, scale), .least = 1, .most = FRAME_OUT_SCALE_MAX},
     {"check", "REF",
      "compares each frame with FILE.png or .ppm (several frames: FILE-NNNN.png), with a folder of such frames, or "
      "with\n"

@@ -132,10 +132,10 @@ check "a_clip_plane_forgotten_for_rv32_is_seen" change_is_seen rv32 cull 's/andi
 if [ "$(uname -m)" = x86_64 ]; then
     check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
-    check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen span_gouraud.c 's/if (n > whole)/if (n > whole + 1)/'
+    check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/if (beyond > 0)/if (beyond > 1)/'
     check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
     check "another_texel_light_for_x86_64_is_seen" vector_change_is_seen texel_run_rows.c 's/level >> 5/level >> 6/'
-    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_gouraud.c 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
+    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_rows.h 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
 else
     skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"
 fi

@@ -156,6 +156,21 @@ odd_names_stay_out_of_the_c_file() {
     cp "$dir/sphere.obj" "$odd" && "$asset" "$odd" -o "$dir/odd.c" && compile "$dir/odd.c" "$dir/odd" && ! grep -qF '??' "$dir/odd.c"
 }
 
+# 50,000 nodes of one mesh: of triangles that can be simplified, and of fins, three on an edge, that cannot.
+nodes() { # corners' coordinates, corners of triangles: base64 of the bytes, then counts of corners and indices
+    node -e 'const [, places, faces] = process.argv, p = Float32Array.from(places.split(",")), f = Uint16Array.from(faces.split(",")), b = Buffer.concat([Buffer.from(p.buffer), Buffer.from(f.buffer)]);
+        console.log(JSON.stringify({asset: {version: "2.0"}, scenes: [{nodes: [...Array(50000).keys()]}], nodes: [...Array(50000).keys()].map(i => ({mesh: 0, translation: [i % 224 * 3, Math.floor(i / 224) * 3, 0]})),
+            meshes: [{primitives: [{attributes: {POSITION: 0}, indices: 1}]}], accessors: [{bufferView: 0, componentType: 5126, count: p.length / 3, type: "VEC3", min: [-1, 0, -1], max: [1, 1, 1]}, {bufferView: 1, componentType: 5123, count: f.length, type: "SCALAR"}],
+            bufferViews: [{buffer: 0, byteLength: p.byteLength}, {buffer: 0, byteOffset: p.byteLength, byteLength: f.byteLength}], buffers: [{byteLength: b.length, uri: "data:application/octet-stream;base64," + b.toString("base64")}]}))' "$@"
+}
+
+many_nodes_take_seconds() { # of the processor, whatever else runs
+    nodes 0,0,0,1,0,0,0,1,0 0,1,2 >"$dir/nodes.gltf" && nodes 0,0,0,0,1,0,1,0,0,-1,0,1,-1,0,-1 0,1,2,0,1,3,0,1,4 >"$dir/fins.gltf" || return 1
+    (ulimit -t 10 && "$B/pinhole-sim" --model "$dir/nodes.gltf" --board lm3s6965evb --crc 2>"$dir/said" && grep -q ' of its 50000 triangles have room' "$dir/said") &&
+        (ulimit -t 10 && "$asset" "$dir/nodes.gltf" --report >"$dir/report") && [ "$(grep -c fits "$dir/report")" -gt 3 ] &&
+        (ulimit -t 10 && refuses 1 'it cannot be simplified so far' "$dir/fins.gltf" -o "$dir/fins.c" --max-triangles 60000)
+}
+
 refuses() { # status, pattern, arguments...: one line on stderr, nothing on stdout
     local status=$1 pattern=$2 got=0
     shift 2
@@ -227,6 +242,11 @@ check "the simulator shows what the kit has room for" the_simulator_shows_what_t
 check "compiled_scene_draws_the_simulators_bytes_and_those_of_the_model" same_frames "$scene" 4294967295 pico-display waveshare-pico-lcd-1in3 lm3s6965evb sim-ili9488
 check "compiled_turntable_draws_the_simulators_bytes_and_those_of_the_model" sphere_frames "$dir/sphere.obj" 4294967295 rpi-waveshare-1in3 rpi-mini-pitft-1in14
 if [ -e /usr/include/meshoptimizer.h ]; then
+    if command -v node >/dev/null; then
+        check "fifty thousand nodes take seconds" many_nodes_take_seconds
+    else
+        skip "fifty thousand nodes take seconds" "no node: apt-get install nodejs"
+    fi
     check "simplified_scene_draws_the_simulators_bytes" same_frames "$dir/sphere.obj" 500 pico-display waveshare-pico-lcd-0in96
     check "a simplified animation draws the simulator's bytes" same_frames "$moving" 36 pico-display
     check "simplified_scene_is_close_to_the_model" close_to_the_model

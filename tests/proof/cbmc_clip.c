@@ -33,7 +33,8 @@ void proof_clip_plane(void)
 }
 
 /* What clip_plane may do, as the proof above says. */
-int any_corners(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out, int plane)
+int any_corners(const struct ph_lens *lens, const struct ph_clip_vertex *in, int n, struct ph_clip_vertex *out,
+                int plane)
 {
     (void)lens, (void)in, (void)n, (void)plane;
     struct ph_clip_vertex any;

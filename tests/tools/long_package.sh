@@ -23,7 +23,7 @@ packages_hold_what_is_needed() {
     local package
     mkdir "$dir/unpacked" && for package in "$B"/package/deb/{pinhole,libpinhole-dev}_*.deb; do dpkg-deb -x "$package" "$dir/unpacked" || return 1; done
     "$dir/unpacked/usr/bin/pinhole-sim" --demo cube --crc | grep '^frame 0 crc32' &&
-        [ "$(dpkg-deb -f "$B"/package/deb/pinhole_*.deb Version)" = "$("$dir/unpacked/usr/bin/pinhole-sim" --version | cut -d' ' -f2)-1" ] &&
+        [ "$(dpkg-deb -f "$B"/package/deb/pinhole_*.deb Version)" = "$("$dir/unpacked/usr/bin/pinhole-sim" --version | cut -d' ' -f2)-0pinhole1" ] &&
         zgrep -q pinhole-sim "$dir/unpacked/usr/share/man/man1/pinhole-sim.1.gz"
 }
 

@@ -32,9 +32,8 @@ static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct p
 /* The same for one that was carried on to this band, where a small one stands at the first row. */
 static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return t->kind == PH_KIND_SMALL
-               ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->width)
-               : ph_draw_triangle(t, band);
+    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->width)
+                                    : ph_draw_triangle(t, band);
 }
 
 /* Before the band that begins at row y1 a triangle is stepped down to it; y_bottom is below y1. */

@@ -89,10 +89,11 @@ static inline bool ph_next_row(struct ph_edge *left, struct ph_edge *right, int3
 static inline struct ph_edge ph_short_edge(const struct ph_vertex *a, int32_t dx, int32_t dy, int32_t row, int32_t y0)
 {
     const int32_t down = row * 256 + 128 - a->y; /* from a to the centre of its first row, 0 .. 255 */
-    const int shift = fx_clz32((uint32_t)dy);
-    /* 2^(47 - shift) dx / dy, never above it: a centre on the edge is on its right (top-left rule) */
-    const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (shift - 16)) + (dx < 0));
-    return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> (31 - shift)), scaled >> (31 - shift), row, y0);
+    const int top = fx_clz32((uint32_t)dy) ^ 31; /* the highest bit that is set */
+    /* 2^(16 + top) dx / dy, never above it: a centre on the edge is on its right (top-left rule) */
+    /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): 0 < dy < 2^14 */
+    const int32_t scaled = dx * ((int32_t)fx_rcp16((uint32_t)dy << (15 - top)) + (dx < 0));
+    return ph_edge_at_row(a->x * 256 + ((scaled >> 8) * down >> top), scaled >> top, row, y0);
 }
 
 /* Whether x is the longer axis of a line: see line.h. */

@@ -167,6 +167,9 @@ static uint32_t draw_wide_rows(const struct ph_triangle *t, struct ph_small_tria
         r->upper_rows = (uint16_t)n;
         if (t->block == PH_BLOCK_NONE) {
             count += ph_wide_gouraud(r, at.depth, at.pixels, 2 * at.stride);
+            if (n == rows) { /* as in every band of 16 lines */
+                return count;
+            }
             step_rows(r, n);
         } else {
             count += ph_draw_rows_split(t, r, at, NULL);

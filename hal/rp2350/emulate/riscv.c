@@ -1,6 +1,6 @@
 /*
- * A Hazard3 core: its traps, registers and instructions (3.8). Cycles are an estimate from its pipeline: a load costs one
- * more when the next instruction takes its result, a taken branch or a jump one more, a division 17 more.
+ * A Hazard3 core: its traps, registers and instructions (3.8). Cycles are an estimate from its pipeline: a load costs
+ * one more when the next instruction takes its result, a taken branch or a jump one more, a division 17 more.
  */
 #include "riscv.h"
 

@@ -138,7 +138,32 @@ static bool simplify(const struct whole *w, const unsigned *indices, size_t targ
     return is_done;
 }
 
-/* Simplifies each mesh by its share, without keeping triangles connected. */
+/* Simplifies `count` indices of one mesh to `target`, by the vertices first .. end - 1 alone: a model may have 50,000
+ * meshes, and meshoptimizer goes through all vertices that it gets. */
+static void simplify_mesh(const struct whole *w, const unsigned *from, size_t count, size_t target,
+                          struct asset_rest *rest)
+{
+    unsigned *const to = rest->indices + rest->index_count;
+    unsigned first = from[0], end = first;
+    for (size_t i = 0; i < count; i++) {
+        first = from[i] < first ? from[i] : first;
+        end = from[i] >= end ? from[i] + 1 : end;
+    }
+    for (size_t i = 0; i < count; i++) {
+        w->scratch[i] = from[i] - first;
+    }
+    float error = 0;
+    const size_t n = meshopt_simplifySloppy(to, w->scratch, count, w->places[first], end - first, sizeof *w->places,
+                                            target, ANY_ERROR, &error);
+    for (size_t i = 0; i < n; i++) {
+        to[i] += first;
+    }
+    rest->index_count += n;
+    const double moved = (double)error * meshopt_simplifyScale(w->places[first], end - first, sizeof *w->places);
+    rest->error = moved > rest->error ? moved : rest->error;
+}
+
+/* Simplifies each mesh by its share, without keeping triangles connected. What has less than a triangle goes. */
 static void simplify_sloppily(const struct whole *w, size_t target, struct asset_rest *rest)
 {
     size_t first = 0;
@@ -150,13 +175,10 @@ static void simplify_sloppily(const struct whole *w, size_t target, struct asset
         while (end < w->index_count && w->keys[w->indices[end]].mesh == mesh) {
             end++;
         }
-        float error = 0;
         const size_t share = (size_t)((uint64_t)(end - first) * target / w->index_count) / 3 * 3;
-        rest->index_count +=
-            meshopt_simplifySloppy(rest->indices + rest->index_count, w->indices + first, end - first, w->places[0],
-                                   w->vertex_count, sizeof *w->places, share, ANY_ERROR, &error);
-        const double moved = error_of(w, error);
-        rest->error = moved > rest->error ? moved : rest->error;
+        if (share > 0) {
+            simplify_mesh(w, w->indices + first, end - first, share, rest);
+        }
         first = end;
     }
     rest->way = ASSET_SLOPPY;

@@ -1,6 +1,6 @@
 /* ph_setup_small and ph_setup_usual of kernels.h. */
+#include "float_depths.h"
 #include "kernels.h"
-
 #include "list.h"
 #include "slopes.h"
 
@@ -10,7 +10,7 @@ enum {
     STEEP_LIGHT = 28, /* the head room of light allows that at 2^-9 px beside the triangle */
 };
 
-static bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_slopes *s, const uint32_t d[3])
+static inline bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_slopes *s, const uint32_t d[3])
 {
     const int32_t d1 = (int32_t)(d[1] - d[0]), d2 = (int32_t)(d[2] - d[0]);
     const int excess = 32 - PH_SLOPE_BITS - fx_clz32(ph_without_sign(d1) | ph_without_sign(d2)),
@@ -19,8 +19,8 @@ static bool set_depth_gradient(struct ph_subpixel_gradient *g, const struct ph_s
 }
 
 /* False if depth is too steep or the triangle too thin: then it is not set. */
-static bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
-                       const uint32_t d[3])
+static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                              const uint32_t d[3])
 {
     const struct ph_slopes slopes = ph_slopes_of(sides);
     const uint32_t x = (uint32_t)(128 - v[0]->x), y = (uint32_t)(t->y_top * 256 + 128 - v[0]->y);
@@ -43,13 +43,16 @@ static bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3]
 }
 
 /* The edge from a down to b at `row`, the first row of a. */
-static void set_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t row, struct ph_edge *edge)
+static inline void set_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t row, struct ph_edge *edge)
 {
     *edge = ph_short_edge(a, b->x - a->x, b->y - a->y, row, row);
 }
 
-enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3],
-                                   const struct ph_sides *sides, const uint32_t d[3])
+/* Both functions have it inlined: what the one knows of a triangle stays in registers. */
+static inline __attribute__((always_inline)) enum ph_small_setup setup_small(struct ph_triangle *t,
+                                                                             const struct ph_vertex *const v[3],
+                                                                             const struct ph_sides *sides,
+                                                                             const uint32_t d[3])
 {
     const struct ph_outline o = ph_outline(v);
     if (o.row_top >= o.row_low) {
@@ -75,6 +78,19 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
     return set_planes(t, v, sides, d) ? PH_SMALL_SET : PH_SMALL_STEEP;
 }
 
+enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex *const v[3],
+                                   const struct ph_sides *sides, const uint32_t d[3])
+{
+    return setup_small(t, v, sides, d);
+}
+
+/* ph_float_depths, without a call for most triangles. */
+static inline bool float_depths(const struct ph_usual *usual, const struct ph_vertex *const v[3], uint32_t d[3])
+{
+    return v[0]->s == v[1]->s && v[0]->s == v[2]->s ? ph_float_depths_alike(usual->lens, v, usual->bias, d)
+                                                    : ph_float_depths(usual->lens, v, usual->bias, d);
+}
+
 enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t)
 {
     const struct ph_vertex *const base = usual->base;
@@ -88,12 +104,12 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
     const uint32_t area = (uint32_t)dx2 * (uint32_t)dy1 - (uint32_t)dx1 * (uint32_t)dy2; /* wraps where not small */
     const struct ph_sides sides = {dx1, dy1, dx2, dy2, (int32_t)area, true};
     uint32_t d[3];
-    if (!ph_sides_are_small(&sides) || !ph_float_depths(usual->lens, v, usual->bias, d)) {
+    if (!ph_sides_are_small(&sides) || !float_depths(usual, v, d)) {
         return PH_SMALL_NO_ROW;
     }
     t->kind = PH_KIND_SMALL;
     t->block = PH_BLOCK_NONE;
     t->material = usual->material;
     t->small.ramp = usual->ramp;
-    return ph_setup_small(t, v, &sides, d);
+    return setup_small(t, v, &sides, d);
 }

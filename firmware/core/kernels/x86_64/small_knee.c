@@ -1,0 +1,8 @@
+/* ph_small_knee of kernels.h for x86-64. */
+#include "kernels.h"
+#include "small_rows.h"
+
+uint32_t ph_small_knee(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
+{
+    return small_draw(small, depth, pixels, stride_bytes, true);
+}
