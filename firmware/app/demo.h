@@ -34,6 +34,7 @@ struct demo_context {
     const char *view; /* one of the demo's views; NULL: the first */
     uint32_t buttons; /* pressed during this frame, enum hal_button; see demo_input() */
     uint32_t orbit;   /* turn32 by which the camera is turned around the scene, counter-clockwise from above */
+    int32_t tilt;     /* turn32 by which it is moved up over the scene, -1/4 .. 1/4 turn; see demo_orbit() */
     fx_t dolly;       /* share of its distance by which the camera is moved away, -DEMO_DOLLY_MAX .. DEMO_DOLLY_MAX */
     void *scratch;    /* demo_scratch_bytes(), 2-byte aligned; NULL: the demo does without it */
     size_t scratch_bytes;

@@ -320,7 +320,7 @@ static int follow(const struct sim_options *o, struct stage *stage, struct sim_p
     if (status == 0) {
         status = sim_player_open(p, stage->setup);
     }
-    sim_player_move(p, before.orbit, before.dolly);
+    sim_player_move(p, before.orbit, before.tilt, before.dolly);
     return status == 0 ? sim_window_resize(stage->window, stage->setup->board->title, width, height) : status;
 }
 
@@ -344,7 +344,9 @@ static int press(const struct sim_options *o, struct stage *stage, struct sim_pl
                 return status;
             }
         }
-        sim_player_move(p, 0u - (uint32_t)input.drag * DRAG_TURN, -input.notches * WHEEL_AWAY);
+        const int32_t lift = input.lift < -64 ? -64 : input.lift > 64 ? 64 : input.lift;
+        sim_player_move(p, 0u - (uint32_t)input.drag * DRAG_TURN, lift * (int32_t)DRAG_TURN,
+                        -input.notches * WHEEL_AWAY);
     }
     sim_buttons_set(p->sim, input.buttons | key_script_at(&stage->keys, frame));
     return 0;

@@ -79,8 +79,10 @@ int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *vie
     return 0;
 }
 
-void sim_player_move(struct sim_player *p, uint32_t turn32, fx_t away)
+void sim_player_move(struct sim_player *p, uint32_t turn32, int32_t up32, fx_t away)
 {
+    const int64_t tilt = (int64_t)p->runner.context.tilt + up32, most = 1 << 30; /* a quarter turn */
+    p->runner.context.tilt = (int32_t)(tilt < -most ? -most : tilt > most ? most : tilt);
     p->runner.context.orbit += turn32;
     p->runner.context.dolly += away;
 }

@@ -39,8 +39,8 @@ struct sim_player {
 int sim_player_open(struct sim_player *p, const struct sim_player_setup *setup);
 
 /* Turns the camera around the scene, counter-clockwise from above, and moves it away by a share of its distance, as the
- * kit's buttons do (demo_input). */
-void sim_player_move(struct sim_player *p, uint32_t turn32, fx_t away);
+ * kit's buttons do (demo_input); and moves it up over the scene by up32, a turn32. */
+void sim_player_move(struct sim_player *p, uint32_t turn32, int32_t up32, fx_t away);
 
 /* Gives the demo the kit's buttons, draws frame number `frame` and sends it to the panel; then p->picture is what the
  * glass shows. 0 or COMPLAINED. */

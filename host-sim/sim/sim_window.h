@@ -18,6 +18,7 @@ int sim_window_open(struct sim_window **window, const char *title, uint16_t widt
 struct sim_window_input {
     uint32_t buttons;       /* enum hal_button, pressed or held: the arrows, and Enter or space as select */
     int32_t drag;           /* pixels of the picture that the mouse moved to the right while its left button was held */
+    int32_t lift;           /* and downwards, as if it pulled the scene: the camera rises */
     int32_t notches;        /* that the wheel was turned away from the user */
     uint16_t width, height; /* for a picture of this size the window has room, 1 .. 1024 each */
 };

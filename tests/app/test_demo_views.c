@@ -9,6 +9,7 @@
 #include "demo_stage.h"
 #include "overlay.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static void views_have_names_and_differ(void **state)
@@ -51,6 +52,34 @@ static void buttons_walk_around_and_come_back(void **state)
         assert_true(demo_stage_frame(&s, 5) != own);
         demo_input(&s.context, HAL_BUTTON_DOWN);
         assert_int_equal(demo_stage_frame(&s, 5), own);
+        demo_stage_close(&s);
+    }
+}
+
+/* sin of the camera's elevation, and its distance from where its axis is nearest to the origin. */
+static double elevation(const struct demo_stage *s, double *distance)
+{
+    *distance = -s->rig.r.view.t.z / 65536.;
+    return asin(ldexp(s->rig.r.view.r[2][1], -30)) * 180 / acos(-1);
+}
+
+/* By what is asked for, at the same distance, and between 3 and 87 degrees. */
+static void the_camera_tilts_around_the_scene_and_stays_above_the_ground(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"turntable", "wireframe", "solar", "ball", "shadow", "materials"};
+    static const double asked[] = {10, -10, 80, -80};
+    for (size_t i = 0; i < 24; i++) {
+        struct demo_stage s = demo_stage_open(demo_find(names[i / 4]), 120, 100);
+        double before, after;
+        demo_stage_frame(&s, 5);
+        const double own = elevation(&s, &before), want = fmin(fmax(own + asked[i % 4], fmin(own, 3)), fmax(own, 87));
+        s.context.tilt = (int32_t)lrint(asked[i % 4] / 360 * 4294967296.);
+        demo_stage_frame(&s, 5);
+        if (fabs(elevation(&s, &after) - want) > .05 || before != after || s.rig.r.stats.triangles_dropped != 0) {
+            fail_msg("%s: from %.2f degrees to %.2f, not %.2f; %u triangles are left out", names[i / 4], own,
+                     elevation(&s, &after), want, s.rig.r.stats.triangles_dropped);
+        }
         demo_stage_close(&s);
     }
 }
@@ -298,6 +327,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(views_have_names_and_differ),
         cmocka_unit_test(buttons_walk_around_and_come_back),
+        cmocka_unit_test(the_camera_tilts_around_the_scene_and_stays_above_the_ground),
         cmocka_unit_test(up_and_down_change_the_pot_s_size_within_limits),
         cmocka_unit_test(without_scratch_memory_the_focus_is_sharp),
         cmocka_unit_test(no_picture_depends_on_the_height_of_bands),

@@ -183,6 +183,28 @@ static double clearance(struct point p)
     return fmin(side, fmin(-p.z - 1, 4 + p.z)) - radius;
 }
 
+/* From outside the whole frustum is seen, so that nothing is drawn on the outermost pixels. */
+static void the_frustum_of_the_ball_is_whole_in_every_picture(void **state)
+{
+    (void)state;
+    static const uint16_t sizes[][2] = {{240, 240}, {135, 240}, {128, 64}, {80, 160}};
+    for (size_t i = 0; i < 4; i++) {
+        struct demo_stage s = demo_stage_open(demo_find("ball"), sizes[i][0], sizes[i][1]);
+        for (uint32_t frame = 0; frame < 512; frame += 16) {
+            demo_stage_frame(&s, frame);
+            for (int x = 0; x < sizes[i][0]; x++) {
+                assert_int_equal(pixel(&s, x, 0), s.rig.r.background);
+                assert_int_equal(pixel(&s, x, sizes[i][1] - 1), s.rig.r.background);
+            }
+            for (int y = 0; y < sizes[i][1]; y++) {
+                assert_int_equal(pixel(&s, 0, y), s.rig.r.background);
+                assert_int_equal(pixel(&s, sizes[i][0] - 1, y), s.rig.r.background);
+            }
+        }
+        demo_stage_close(&s);
+    }
+}
+
 static void the_ball_never_leaves_the_frustum_in_10000_frames(void **state)
 {
     (void)state;
@@ -386,6 +408,7 @@ int main(void)
         cmocka_unit_test(the_background_does_not_keep_its_size),
         cmocka_unit_test(the_camera_takes_1000_equal_steps_forth_and_back),
         cmocka_unit_test(zoom_and_dolly_show_the_top_in_one_size_and_the_columns_in_two),
+        cmocka_unit_test(the_frustum_of_the_ball_is_whole_in_every_picture),
         cmocka_unit_test(the_ball_never_leaves_the_frustum_in_10000_frames),
         cmocka_unit_test(the_ball_keeps_its_speed_in_10000_frames),
         cmocka_unit_test(the_ball_is_reflected_by_the_law),

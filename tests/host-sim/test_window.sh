@@ -116,9 +116,25 @@ ends_like() { # option...
 the_mouse_turns_and_the_wheel_moves() {
     printf '0 left 64\n0 up 8\n' >"$dir/keys"
     start --demo turntable --crc && xdotool mousemove --window "$id" 300 200 mousedown 1 && sleep .2 &&
-        xdotool mousemove --window "$id" 350 200 mousemove --window "$id" 428 230 && sleep .2 &&
+        xdotool mousemove --window "$id" 350 200 mousemove --window "$id" 428 200 && sleep .2 &&
         xdotool mouseup 1 mousemove --window "$id" 100 100 click 4 click 4 && sleep 2 || return 1
     ends_like "${kit[@]}" --demo turntable --keys "$dir/keys"
+}
+
+# The camera rises while the mouse goes down, and is back where it was when the mouse is.
+the_mouse_lifts_the_camera() {
+    local back
+    printf '' >"$dir/keys"
+    for back in 240 200; do
+        start --demo turntable --crc && xdotool mousemove --window "$id" 300 200 mousedown 1 && sleep .2 &&
+            xdotool mousemove --window "$id" 300 240 && sleep .2 && xdotool mousemove --window "$id" 300 "$back" && sleep .2 &&
+            xdotool mouseup 1 mousemove --window "$id" 100 100 && sleep 2 || return 1
+        if [ "$back" = 200 ]; then
+            ends_like "${kit[@]}" --demo turntable --keys "$dir/keys" || return 1
+        elif ends_like "${kit[@]}" --demo turntable --keys "$dir/keys"; then
+            return 1
+        fi
+    done
 }
 
 without_a_kit_the_glass_follows_the_window() { # 8 pixels of the screen for one of the picture's
@@ -172,7 +188,7 @@ without_sdl2_it_says_what_to_install() { # nosdl's window comes before the libra
 }
 
 tests=(it_shows_the_glass_scaled_by_two escape_ends_it closing_it_ends_it a_signal_ends_it select_takes_the_next_demo
-    the_mouse_turns_and_the_wheel_moves without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass frames_limit_it it_keeps_the_rate_of_the_bus)
+    the_mouse_turns_and_the_wheel_moves the_mouse_lifts_the_camera without_a_kit_the_glass_follows_the_window a_kit_keeps_its_glass frames_limit_it it_keeps_the_rate_of_the_bus)
 
 check without_sdl2_it_says_what_to_install without_sdl2_it_says_what_to_install
 missing=

@@ -11,7 +11,7 @@ frames_program() {
 frames() {
     local demo board depth
     for demo in turntable testcard torus cube fill icosphere ground wireframe solar snake ball hitchcock parallel shadow \
-        fisheye focus conventions zfight zoom pinhole materials character; do
+        fisheye focus conventions zfight zoom pinhole materials character yard; do
         "$@" --demo $demo --size 320x240 --start 11 --frames 2 --crc | sed "s/^/$demo 320x240 auto /" || return 1
     done
     for depth in fixed16 float16 fixed24 float24 linear-w; do

@@ -16,10 +16,13 @@
 #define FAR_Z       FX_INT(4)
 #define RADIUS      DEMO_BALL_RADIUS
 #define BOUNCES     16
-#define TRAIL       32
+#define TRAIL       36 /* lines of the trail, one behind the other */
+#define TRAIL_STEP  3u /* frames between their ends */
+#define TRAIL_WIDE  (FX_ONE / 28)
+#define FADES       6                /* steps in which it fades */
 #define MIDDLE      (FX_ONE * 5 / 2) /* of the frustum, seen from its eye; it is the origin of the world */
 
-enum { LINE_FRUSTUM, LINE_RAY, LINE_TRAIL, LINES };
+enum { LINE_FRUSTUM, LINE_RAY, LINE_TRAIL, LINES = LINE_TRAIL + FADES };
 
 struct ball {
     struct ph_mesh mesh;
@@ -135,7 +138,11 @@ static int ball_init(struct demo_context *context)
     b->colour = demo_lit(b->ramp, PH_SHADE_GOURAUD, 255, 120, 40);
     b->lines[LINE_FRUSTUM] = demo_unlit(120, 220, 255);
     b->lines[LINE_RAY] = demo_unlit(50, 90, 120);
-    b->lines[LINE_TRAIL] = demo_unlit(200, 90, 40);
+    for (uint32_t i = 0; i < FADES; i++) { /* from the ball's colour to that of the background */
+        const uint32_t left = FADES - i;
+        b->lines[LINE_TRAIL + i] = demo_unlit((uint8_t)(10 + 245 * left / FADES), (uint8_t)(14 + 140 * left / FADES),
+                                              (uint8_t)(26 + 20 * left / FADES));
+    }
     context->state = b;
     if (model_icosphere(&context->arena, &b->mesh, 2) != PH_OK) {
         return PH_ERR_NOMEM;
@@ -184,13 +191,29 @@ static int ball_camera(const struct demo_context *context, struct ph_renderer *r
     struct ph_projection projection = demo_perspective(context, FX_ONE << 4, FX_HALF, FX_INT(5)); /* 90 degrees */
     struct ph_xform view = ph_xform_translate(0, 0, -MIDDLE);
     if (outside) {
-        const struct ph_xform above = demo_look(0, FX_ONE * 21 / 5, FX_ONE * 19 / 2, 0, 0, 0);
+        const struct ph_xform above = demo_look(0, FX_ONE * 19 / 4, FX_ONE * 45 / 4, 0, FX_ONE * -2 / 5, 0);
         const struct ph_xform turn = ph_xform_rotate_y(0x28000000u + ((uint32_t)demo_swing(frame, LOOP_FRAMES) << 13));
         projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_INT(4), FX_INT(20));
         view = ph_xform_mul(&above, &turn);
         demo_orbit(context, &view, &projection);
     }
     return demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(10, 14, 26));
+}
+
+/* Two lines, one above the other. */
+static void draw_trail(struct ph_renderer *r, const struct ball *b, uint32_t frame)
+{
+    struct fx_vec3 from = placed(demo_ball_position(frame));
+    for (uint32_t i = 0; i < TRAIL; i++) {
+        const struct ph_material *const line = &b->lines[LINE_TRAIL + i * FADES / TRAIL];
+        struct fx_vec3 to = placed(demo_ball_position(frame - (i + 1) * TRAIL_STEP));
+        ph_draw_line(r, from, to, line);
+        from.y += TRAIL_WIDE;
+        to.y += TRAIL_WIDE;
+        ph_draw_line(r, from, to, line);
+        to.y -= TRAIL_WIDE;
+        from = to;
+    }
 }
 
 static int ball_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
@@ -203,14 +226,9 @@ static int ball_frame(struct demo_context *context, struct ph_renderer *r, uint3
     }
     draw_frustum(r, b, outside);
     draw_far_plane(r, b);
-    struct fx_vec3 from = placed(demo_ball_position(frame));
     struct ph_xform place = ph_xform_scale(RADIUS);
-    place.t = from;
-    for (uint32_t i = 1; i <= TRAIL; i++) {
-        const struct fx_vec3 to = placed(demo_ball_position(frame - i));
-        ph_draw_line(r, from, to, &b->lines[LINE_TRAIL]);
-        from = to;
-    }
+    place.t = placed(demo_ball_position(frame));
+    draw_trail(r, b, frame);
     return ph_draw_mesh(r, &b->mesh, &place);
 }
 
@@ -223,7 +241,7 @@ const struct demo demo_ball = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
-               5288),
+               5448),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
     .triangle_max = 300,
     .corner_max = 128,

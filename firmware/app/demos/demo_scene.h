@@ -6,7 +6,7 @@
 
 extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, demo_fill, demo_icosphere, demo_ground,
     demo_wireframe, demo_solar, demo_snake, demo_ball, demo_hitchcock, demo_shadow, demo_parallel, demo_fisheye,
-    demo_focus, demo_conventions, demo_zfight, demo_zoom, demo_pinhole, demo_materials, demo_character;
+    demo_focus, demo_conventions, demo_zfight, demo_zoom, demo_pinhole, demo_materials, demo_character, demo_yard;
 
 /*
  * A perspective with an angle across the smaller side of the picture (in square and landscape pictures: vertically);
@@ -48,7 +48,10 @@ int demo_begin(const struct demo_context *context, struct ph_renderer *r, const 
 int demo_camera(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                 const struct ph_projection *projection);
 
-/* Moves a camera that looks at the origin as context->orbit and dolly say; the near and the far plane move with it. */
+/*
+ * Moves a camera that looks at the origin as context->orbit, tilt and dolly say; the near and the far plane move with
+ * it. It stays 3 degrees above the ground and below the zenith, or where the demo has it, if that is beyond.
+ */
 void demo_orbit(const struct demo_context *context, struct ph_xform *view, struct ph_projection *projection);
 
 /* Whether the demo's view number `i` is asked for (0: also if no view is named). */

@@ -7,7 +7,7 @@ const struct demo *const demo_list[] = {
     &demo_turntable, &demo_testcard,  &demo_torus,     &demo_cube,      &demo_fill,        &demo_icosphere,
     &demo_ground,    &demo_wireframe, &demo_solar,     &demo_snake,     &demo_ball,        &demo_hitchcock,
     &demo_parallel,  &demo_shadow,    &demo_fisheye,   &demo_focus,     &demo_conventions, &demo_zfight,
-    &demo_zoom,      &demo_pinhole,   &demo_materials, &demo_character,
+    &demo_zoom,      &demo_pinhole,   &demo_materials, &demo_character, &demo_yard,
 };
 const uint32_t demo_count = sizeof(demo_list) / sizeof(demo_list[0]);
 

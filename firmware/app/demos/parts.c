@@ -1,5 +1,6 @@
 /* Memory, cameras, materials and text of the demos: see demo_scene.h. */
 #include "demo_scene.h"
+#include "fx_math.h"
 #include "hal.h"
 #include "overlay.h"
 
@@ -74,8 +75,25 @@ void demo_input(struct demo_context *context, uint32_t buttons)
     context->dolly = context->dolly < -DEMO_DOLLY_MAX ? -DEMO_DOLLY_MAX : context->dolly;
 }
 
+/* How far the camera may tilt of what is asked for. */
+static uint32_t tilt_within(const struct ph_xform *view, int32_t tilt)
+{
+    const int32_t lowest = 65536 / 120, highest = 65536 / 4 - 65536 / 120; /* 3 and 87 degrees */
+    const fx_t up = fx_asin(view->r[2][1] >> 14), wanted = up + (tilt >> 16);
+    const fx_t least = up < lowest ? up : lowest, most = up > highest ? up : highest;
+    return (uint32_t)((wanted < least ? least : wanted > most ? most : wanted) - up) << 16;
+}
+
 void demo_orbit(const struct demo_context *context, struct ph_xform *view, struct ph_projection *projection)
 {
+    if (context->tilt != 0) { /* around what the camera looks at, which may come nearer then */
+        const struct ph_xform tilt = ph_xform_rotate_x(tilt_within(view, context->tilt));
+        const struct fx_vec3 at = view->t;
+        *view = ph_xform_mul(&tilt, view);
+        view->t = at;
+        projection->near_z /= 2;
+        projection->far_z += projection->near_z;
+    }
     if (context->orbit != 0) {
         const struct ph_xform turn = ph_xform_rotate_y(0u - context->orbit);
         *view = ph_xform_mul(view, &turn);

@@ -113,6 +113,7 @@ bool sim_window_input(const struct sim_window *window, struct sim_window_input *
             input->notches += event.wheel.y;
         } else if (event.type == SDL_MOUSEMOTION && (event.motion.state & SDL_BUTTON_LMASK) != 0) {
             input->drag += event.motion.xrel;
+            input->lift += event.motion.yrel;
         }
     }
     const uint8_t *down = SDL_GetKeyboardState(NULL);
