@@ -341,6 +341,7 @@ struct ph_renderer {
     struct ph_scene_light light;
     struct ph_list list;
     struct ph_triangle *carried, *slots; /* triangles that continue in the next band; slots that are unused again */
+    struct ph_triangle *ahead;           /* triangles of the next band that two cores have set up already, or NULL */
     uint32_t slots_used[2];              /* bytes behind list.used of vertices and triangles that are slots */
     uint32_t inner_x, inner_y; /* 1/256 px: a small triangle whose first corner is within lies inside the picture */
     uint32_t band_count;

@@ -11,7 +11,7 @@ export B=${B:-build}
 dir=$B/bench-walker board=pico-display-2-walker frames=${1:-64}
 rm -rf "$dir"
 mkdir -p "$dir/kits/$board"
-sed "s/board_pico_display_2 /board_${board//-/_} /; s/118 \* 1024/${KIB:-118} * 1024/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-8}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
+sed "s/board_pico_display_2 /board_${board//-/_} /; s/118 \* 1024/${KIB:-118} * 1024/; s/\.band_height = 16/.band_height = ${LINES_A_BAND:-8}, .band_buffers = ${BUFFERS:-3}/" boards/pico-display-2/board.c >"$dir/kits/$board/board.c"
 cp boards/pico-display-2/board.mk "$dir/kits/$board"
 
 make -s "$B/pinhole-wire" "$B/libpinhole.a" "$B/libpinhole-app.a" "$B/libpinhole-host.a" >&2

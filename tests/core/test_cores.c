@@ -25,7 +25,6 @@ static enum when when;
 static void (*waiting)(void *);
 static void *waiting_argument;
 static uint32_t runs, chance;
-static pthread_t thread;
 
 static uint32_t below(uint32_t n)
 {
@@ -46,14 +45,31 @@ static uint32_t any_delay(void)
     return below(most[below(8) > 0 ? below(3) : 3]);
 }
 
+/* The other core waits for work all the time: a thread that begins anew for each would mostly come too late to meet
+ * this one at the same triangle. */
 static uint32_t thread_delay;
+static uint32_t given, done; /* numbers of pieces of work */
 
 static void *thread_main(void *unused)
 {
     (void)unused;
-    delay(thread_delay);
-    waiting(waiting_argument);
+    for (uint32_t next = 1;; next++) {
+        while (__atomic_load_n(&given, __ATOMIC_ACQUIRE) != next) {
+        }
+        delay(thread_delay);
+        waiting(waiting_argument);
+        __atomic_store_n(&done, next, __ATOMIC_RELEASE);
+    }
     return NULL;
+}
+
+static void give(void)
+{
+    static pthread_t thread;
+    if (given == 0) {
+        assert_int_equal(pthread_create(&thread, NULL, thread_main, NULL), 0);
+    }
+    __atomic_store_n(&given, given + 1, __ATOMIC_RELEASE);
 }
 
 static bool other_core(void (*run)(void *), void *argument)
@@ -69,7 +85,7 @@ static bool other_core(void (*run)(void *), void *argument)
             return false;
         }
         thread_delay = any_delay();
-        assert_int_equal(pthread_create(&thread, NULL, thread_main, NULL), 0);
+        give();
         delay(any_delay());
     }
     return when != BUSY;
@@ -78,7 +94,8 @@ static bool other_core(void (*run)(void *), void *argument)
 static void other_core_join(void)
 {
     if (when == THREAD) {
-        assert_int_equal(pthread_join(thread, NULL), 0);
+        while (__atomic_load_n(&done, __ATOMIC_ACQUIRE) != given) {
+        }
     } else if (waiting != NULL) {
         waiting(waiting_argument);
     }

@@ -15,6 +15,7 @@
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is free */
 #define HELPED    0  /* in place of a reference: the other core is free */
 #define SPARES    8
+#define CHUNK     20 /* triangles that two cores set up at a time, most */
 
 /* The references of a band, one after the other. */
 struct feed {
@@ -87,7 +88,7 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
         r->config.bins[i] = PH_NONE;
     }
     sort_refs(r);
-    r->carried = r->slots = NULL;
+    r->carried = r->slots = r->ahead = NULL;
     r->slots_used[0] = r->list.used[1];
     r->slots_used[1] = r->list.used[2];
     return r->band_count;
@@ -261,6 +262,7 @@ static void clear(const struct ph_band *rows, uint16_t background)
 
 /* A band that is being drawn. */
 struct rest {
+    struct ph_renderer *r;
     const struct ph_band *rows;
     struct ph_triangle *begun;  /* those that were carried on, as far as they are not drawn */
     struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
@@ -360,46 +362,51 @@ static void draw_rest(struct feed *f, struct rest *rest)
 
 /* ---- two cores -------------------------------------------------------------------------------------------------- */
 
-/* Every second triangle of a list: one of two cores sets them up. */
+/*
+ * Triangles that two cores set up: core 0 from the first on, core 1 from the last one back, until they meet. Each says
+ * how far it claims to have come before it looks at the other's claim. So of the last triangle that both claim at once
+ * neither sets it up, and no triangle is set up twice.
+ */
 struct fresh {
     struct ph_renderer *r;
-    struct ph_triangle *first;
+    struct ph_triangle *first, *last, *met; /* met: where core 0 stopped */
+    uint32_t count;                         /* 0 until the list is complete */
+    uint32_t claimed[2];
 };
 
-static void set_up_fresh(void *argument)
+static void set_up_fresh(struct fresh *s, uint32_t core)
 {
-    const struct fresh *const s = argument;
-    struct feed f = {.r = s->r};
-    for (struct ph_triangle *t = s->first; t != NULL; t = t->next != NULL ? t->next->next : NULL) {
-        if (t->order >= f.next_first) {
+    struct feed f;
+    f.r = s->r;
+    f.draw = NULL;
+    const uint32_t count = __atomic_load_n(&s->count, __ATOMIC_SEQ_CST);
+    struct ph_triangle *t = core == 0 ? s->first : s->last;
+    for (uint32_t n = 1; count > 0; n++) {
+        __atomic_store_n(&s->claimed[core], n, __ATOMIC_SEQ_CST);
+        if (n + __atomic_load_n(&s->claimed[1 - core], __ATOMIC_SEQ_CST) > count) {
+            break;
+        }
+        struct ph_triangle *const next = core == 0 ? t->next : t->before;
+        if (f.draw == NULL || t->order < f.draw->first || t->order >= f.next_first) {
+            f.draw = NULL;
+            f.next_first = 0;
             find_draw(&f, t->order);
             ph_setting_of(&f.setting, f.r, f.draw);
         }
         ph_setup(&f.setting, ph_ref_at(f.r, t->order), t);
+        t = next;
+    }
+    if (core == 0) {
+        s->met = t;
     }
 }
 
-/* The rows that one of two cores draws. */
-struct share {
-    const struct ph_renderer *r;
-    const struct ph_triangle *first;
-    uint32_t fragments;
-    bool clears;
-    struct ph_band rows;
-};
-
-/* Nobody changes the list meanwhile. */
-static void draw_share(void *argument)
+/* When both cores have stopped: sets up the triangle that both claimed, if there is one. */
+static void finish_fresh(struct fresh *s)
 {
-    struct share *const s = argument;
-    s->fragments = 0;
-    if (s->clears) {
-        clear(&s->rows, s->r->background);
-    }
-    for (const struct ph_triangle *t = s->first; t != NULL; t = t->next) {
-        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
-            s->fragments += ph_draw_triangle(t, &s->rows);
-        }
+    if (s->count > 0 && s->claimed[0] - 1 + (s->claimed[1] > 0 ? s->claimed[1] - 1 : 0) < s->count) {
+        struct fresh one = {.r = s->r, .first = s->met, .count = 1};
+        set_up_fresh(&one, 0);
     }
 }
 
@@ -412,19 +419,21 @@ struct spares {
 static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spares *spares)
 {
     struct ph_triangle *const t = take_slot(r);
-    return t != NULL || spares->used == SPARES ? t : &spares->at[spares->used++];
+    return t != NULL || spares == NULL || spares->used == SPARES ? t : &spares->at[spares->used++];
 }
 
-/* Takes slots for the next triangles of the band, as many as there are, and of one camera. */
-static struct ph_triangle *take_chunk(struct feed *f, struct spares *spares)
+/* Takes slots for the next triangles of the band, as far as there are any, and of one camera: that of the first, or
+ * without spares that of the picture now. */
+static void take_chunk(struct feed *f, struct spares *spares, struct fresh *fresh)
 {
     struct ph_renderer *const r = f->r;
-    struct ph_triangle *first = NULL, **link = &first;
-    while (f->ref != PH_NONE) {
+    struct ph_triangle **link = &fresh->first, *last = NULL;
+    uint32_t count = 0;
+    for (; count < CHUNK && f->ref != PH_NONE; count++) {
         if (f->ref >= f->next_first) {
             find_draw(f, f->ref);
         }
-        if (first == NULL) {
+        if (count == 0 && spares != NULL) {
             ph_take_lens(r, f->draw);
         }
         struct ph_triangle *const t = f->draw->lens == r->list.lens ? take_slot_or_spare(r, spares) : NULL;
@@ -432,12 +441,43 @@ static struct ph_triangle *take_chunk(struct feed *f, struct spares *spares)
             break;
         }
         t->order = f->ref;
-        *link = t;
+        t->before = last;
+        *link = last = t;
         link = &t->next;
         f->ref = next_of(f, f->ref);
     }
     *link = NULL;
-    return first;
+    fresh->last = last;
+    __atomic_store_n(&fresh->count, count, __ATOMIC_SEQ_CST);
+}
+
+/* The rows that one of two cores draws; then it sets up the triangles that come next. */
+struct share {
+    struct fresh *fresh;
+    struct feed *next; /* core 0: it takes the next triangles from here first; NULL: it does not */
+    const struct ph_triangle *first;
+    uint32_t core, fragments;
+    bool clears;
+    struct ph_band rows;
+};
+
+/* Nobody changes the list meanwhile. */
+static void draw_share(void *argument)
+{
+    struct share *const s = argument;
+    s->fragments = 0;
+    if (s->next != NULL) {
+        take_chunk(s->next, NULL, s->fresh);
+    }
+    if (s->clears) {
+        clear(&s->rows, s->fresh->r->background);
+    }
+    for (const struct ph_triangle *t = s->first; t != NULL; t = t->next) {
+        if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
+            s->fragments += ph_draw_triangle(t, &s->rows);
+        }
+    }
+    set_up_fresh(s->fresh, s->core);
 }
 
 /* Merges two lists in drawing order: all of a, and of *b what comes before `end`. */
@@ -486,56 +526,75 @@ static void keep_below(const struct feed *f, struct ph_triangle *list, const str
     }
 }
 
-/* Draws a list of triangles in two halves of the band, the lower one on the other core. */
-static void draw_list(struct ph_renderer *r, const struct ph_triangle *list, const struct ph_band *rows, bool clears)
+/* Draws a list of triangles in two halves of the band, the lower one on the other core, and sets up those that come
+ * next there, unless it is NULL. */
+static void draw_list(struct feed *next, const struct ph_triangle *list, struct rest *rest, bool clears)
 {
-    struct share upper = {.r = r, .first = list, .clears = clears, .rows = *rows}, lower = upper;
+    const struct ph_band *const rows = rest->rows;
+    struct ph_renderer *const r = rest->r;
+    struct fresh fresh = {.r = r};
+    struct share upper = {.fresh = &fresh, .first = list, .clears = clears, .rows = *rows}, lower = upper;
     upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
+    upper.next = next;
+    lower.core = 1;
     lower.rows.pixels += above;
     lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
     ph_run_both(r, draw_share, &upper, &lower);
-    r->stats.fragments += upper.fragments + lower.fragments;
+    finish_fresh(&fresh);
+    r->ahead = fresh.first;
+    rest->fragments += upper.fragments + lower.fragments;
 }
 
-/* Sets up a list of triangles, every second one on the other core. */
-static void set_up_list(struct ph_renderer *r, struct ph_triangle *list)
+/* Sets up the next triangles of a band, as many as there are slots. */
+static struct ph_triangle *set_up_chunk(struct feed *f, struct spares *spares)
 {
-    struct fresh even = {r, list}, odd = {r, list->next};
-    if (list->next == NULL) {
-        set_up_fresh(&even);
-    } else {
-        ph_run_both(r, set_up_fresh, &even, &odd);
-    }
+    struct fresh fresh = {.r = f->r};
+    struct share mine = {.fresh = &fresh}, others = {.fresh = &fresh, .core = 1}; /* they draw nothing */
+    take_chunk(f, spares, &fresh);
+    ph_run_both(f->r, draw_share, &mine, &others);
+    finish_fresh(&fresh);
+    return fresh.first;
 }
 
-/* Draws as many triangles of a band as there are slots, with two cores. */
-static void draw_chunk(struct feed *f, struct rest *rest, bool clears)
+/* Draws some triangles of a band with two cores: those that are set up already, or the next. Triangles that come next
+ * are set up meanwhile, also of the band below, where no reference is put any more then. False: the band is finished.
+ */
+static bool draw_chunk(struct feed *f, struct rest *rest, bool clears)
 {
+    struct ph_renderer *const r = f->r;
     struct spares spares;
     spares.used = 0;
-    struct ph_triangle *const fresh = take_chunk(f, &spares);
-    if (fresh != NULL) {
-        set_up_list(f->r, fresh);
-    }
+    struct ph_triangle *const fresh = r->ahead != NULL ? r->ahead : set_up_chunk(f, &spares);
     struct ph_triangle *const list = merge(fresh, &rest->begun, f->ref);
-    draw_list(f->r, list, rest->rows, clears);
+    const bool more = f->ref != PH_NONE;
+    struct feed below, *next = more ? f : NULL;
+    if (!more && spares.used == 0 && rest->rows->y1 + 2 <= r->config.height) {
+        start(&below, r, f->band + 1);
+        next = &below;
+    }
+    draw_list(next, list, rest, clears);
     keep_below(f, list, &spares, rest);
+    return more;
 }
 
 /* Draws the triangles of a band, with the other core from when on it is free. */
 static void draw_triangles(struct feed *f, const struct ph_band *rows)
 {
     struct ph_renderer *const r = f->r;
-    struct rest rest = {rows, r->carried, &r->carried, PH_NONE, 0};
-    bool clears = is_helped(r, rows);
+    struct rest rest = {r, rows, r->carried, &r->carried, PH_NONE, 0};
+    bool clears = r->ahead != NULL || is_helped(r, rows);
+    for (const struct ph_triangle *t = r->ahead; t != NULL; t = t->next) {
+        f->ref = next_of(f, t->order);
+    }
+    bool more = clears;
     if (!clears) {
         clear(rows, r->background);
         draw_rest(f, &rest);
+        more = rest.begun != NULL || f->ref != PH_NONE;
     }
-    while (clears || rest.begun != NULL || f->ref != PH_NONE) {
-        draw_chunk(f, &rest, clears);
-        clears = false;
+    for (; more; clears = false) {
+        more = draw_chunk(f, &rest, clears);
     }
     *rest.carry = NULL;
     r->stats.fragments += rest.fragments;

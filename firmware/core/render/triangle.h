@@ -105,7 +105,10 @@ struct ph_triangle {
     uint8_t
         range_log2;  /* texture: |u|, |v| are below 2^this; PH_KIND_SMALL_TEXTURE: they count from row y_top + this */
     uint16_t colour; /* flat: wire order; texture: light 0 .. 32, flags PH_TEXELS_.., 2^8 times the level of its map */
-    const struct ph_material *material;
+    union {
+        const struct ph_material *material;
+        struct ph_triangle *before; /* until it is set up: the one before it in its list */
+    };
     union {
         struct {
             union {
