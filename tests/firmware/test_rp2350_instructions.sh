@@ -26,7 +26,8 @@ arm='adds D,N,M;adcs D,N,M;subs D,N,M;sbcs D,N,M;rsbs D,N,M;ands D,N,M;orrs D,N,
  qadd D,N,M;qsub D,N,M;qdadd D,N,M;qdsub D,N,M;ssat D,#J,N;usat D,#I,N;ssat D,#J,N,asr #J;usat D,#I,N,lsl #I;ssat16 D,#9,N;usat16 D,#7,N;
  sxtb D,N;sxth D,N,ror #8;uxtb D,N,ror #16;uxtah D,N,M;sxtab D,N,M,ror #24;sxtb16 D,N;uxtab16 D,N,M,ror #8;ubfx D,N,#3,#J2;sbfx D,N,#5,#J2;bfi D,N,#7,#J2;bfc D,#2,#J2;
  clz D,N;rbit D,N;rev D,N;rev16 D,N;revsh D,N;movw D,#0xK7;movt D,#0xK7;addw D,N,#K;
- ite cs\;addcs D,N,M\;subcc D,M,N;itte mi\;movmi D,N\;lslmi D,M,#3\;eorpl D,N,M;it gt\;mulgt D,M,D;itt ls\;cmpls N,M\;addls D,#1'
+ ite cs\;addcs D,N,M\;subcc D,M,N;itte mi\;movmi D,N\;lslmi D,M,#3\;eorpl D,N,M;push {M}\;stl N,[sp]\;lda D,[sp]\;add sp,#4;push {M}\;stlb N,[sp]\;ldah D,[sp]\;add sp,#4;
+ push {M}\;stlh N,[sp]\;ldab D,[sp]\;pop {A}\;it gt\;mulgt D,M,D;itt ls\;cmpls N,M\;addls D,#1'
 riscv='add D,N,M;sub D,N,M;sll D,N,M;srl D,N,M;sra D,N,M;slt D,N,M;sltu D,N,M;xor D,N,M;or D,N,M;and D,N,M;addi D,N,K;xori D,N,-K;slti D,N,K;sltiu D,N,-K;
  slli D,N,I;srli D,N,I;srai D,N,I;lui D,0x12K;mul D,N,M;mulh D,N,M;mulhsu D,N,M;mulhu D,N,M;div D,N,M;divu D,N,M;rem D,N,M;remu D,N,M;
  sh1add D,N,M;sh2add D,N,M;sh3add D,N,M;andn D,N,M;orn D,N,M;xnor D,N,M;clz D,N;ctz D,N;cpop D,N;max D,N,M;maxu D,N,M;min D,N,M;minu D,N,M;sext.b D,N;sext.h D,N;zext.h D,N;
@@ -70,7 +71,7 @@ on_qemu() { # isa
         { echo '.syntax unified; .thumb; .global _start; .thumb_func; _start: bl begin'
           echo 'ldr r1, =sum; str r8, [r1]; mov r0, #1; mov r2, #4; mov r7, #4; svc 0; mov r0, #0; mov r7, #1; svc 0; .ltorg; .bss; sum: .word 0; .text'
           cat "$dir/arm.S"; } >"$dir/qemu.S"
-        arm-none-eabi-gcc -march=armv7ve -mthumb -Wa,-march=armv7-a+idiv -nostdlib -o "$dir/qemu.elf" "$dir/qemu.S" && qemu-arm -cpu max "$dir/qemu.elf" >"$dir/bytes"
+        arm-none-eabi-gcc -march=armv7ve -mthumb -Wa,-march=armv8-a,-mno-warn-deprecated -nostdlib -o "$dir/qemu.elf" "$dir/qemu.S" && qemu-arm -cpu max "$dir/qemu.elf" >"$dir/bytes"
     else
         { echo '.global _start; _start: jal begin'
           echo 'la a1, sum; sw s2, 0(a1); li a0, 1; li a2, 4; li a7, 64; ecall; li a0, 0; li a7, 93; ecall; .bss; sum: .word 0; .text'

@@ -30,11 +30,25 @@ static void table_branch(struct core *core, uint32_t first, uint32_t second)
     arm_branch(core, (thumb_pc(core) + 2 * by) | 1);
 }
 
+/* LDA, STL and their forms for bytes and halves: all cores see the model's memory in one order, so that is no work. */
+static void acquire_or_release(struct core *core, uint32_t first, uint32_t second)
+{
+    const uint32_t bytes = 1u << (second >> 4 & 3), address = core->r[first & 15], t = second >> 12;
+    memory_check_aligned(core, address * (4 / bytes));
+    if (first & 0x10) {
+        thumb_set(core, t, memory_read(core, address, bytes));
+    } else {
+        memory_write(core, address, core->r[t], bytes);
+    }
+}
+
 /* LDREX, STREX and their likes are not among what the image uses; they are told as unknown. */
 static void dual_or_table(struct core *core, uint32_t first, uint32_t second)
 {
     if ((first & 0xfff0) == 0xe8d0 && (second & 0xffe0) == 0xf000) {
         table_branch(core, first, second);
+    } else if ((first & 0xffe0) == 0xe8c0 && (second & 0xfcf) == 0xf8f && (second & 0x30) != 0x30) {
+        acquire_or_release(core, first, second);
     } else if ((first & 0x120) != 0) {
         dual(core, first, second);
     } else {
