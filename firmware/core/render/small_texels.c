@@ -53,6 +53,7 @@ static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t
 static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_texture *texture)
 {
     s->kind.plain = true;
+    s->kind.depth24 = false; /* small triangles are none of 24 bits */
     ph_set_texel_kind(&s->kind, &s->rows, texture);
     s->rows.light -= PH_TILE * s->rows.glight;
     s->rows.stride_bytes = s->run.stride_bytes;
