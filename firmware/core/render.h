@@ -276,7 +276,7 @@ struct ph_config {
 
     /* Antialiasing, optional: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is the mean of 2 x
      * 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands make up for the
-     * memory. */
+     * memory. A band without anything in it leaves samples and depth as they were. */
     uint16_t *samples;
 };
 

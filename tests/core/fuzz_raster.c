@@ -439,8 +439,12 @@ static uint32_t draw_bands(struct ph_renderer *r, const struct ph_config *config
 {
     uint32_t rows = 0, bands = ph_frame_bands(r), hash[2] = {2166136261u, 2166136261u};
     for (uint32_t band = 0; band < bands; band++) {
+        const size_t fine = config->samples != NULL ? 4 : 1;
+        if (fine > 1) { /* an empty band leaves the depth of its samples as it was */
+            memset(config->depth, 0, fine * config->width * config->band_height * ph_depth_bytes(config->depth_format));
+        }
         uint32_t lines = ph_draw_band(r, band, pixels);
-        size_t bytes = (size_t)lines * config->width * 2, fine = config->samples != NULL ? 4 : 1;
+        size_t bytes = (size_t)lines * config->width * 2;
         if (lines == 0 || lines > config->band_height) {
             fail("a band has a wrong number of lines");
         }
