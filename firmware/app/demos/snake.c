@@ -411,8 +411,12 @@ static int snake_init(struct demo_context *context)
     return PH_OK;
 }
 
+/* Draws a body that reaches less than four times its size; behind the camera, where most of the snake is, none. */
 static int draw_at(struct ph_renderer *r, const struct ph_mesh *mesh, struct fx_vec3 at, fx_t size)
 {
+    if (ph_xform_point(&r->view, at).z > 4 * size) {
+        return PH_OK;
+    }
     struct ph_xform place = ph_xform_scale(size);
     place.t = at;
     return ph_draw_mesh(r, mesh, &place);
