@@ -57,7 +57,7 @@ vertices truncated in the fast loop      | kernels/portable/vertices.c | s/run->
 lines half a pixel off                   | render/line.c    | s/across \* 256 - 1/across * 256 + 32767/            | test_lines
 clamped textures repeat                  | render/texture.c | s/== PH_WRAP_CLAMP/== PH_WRAP_REPEAT/                | test_texture
 light of texels is that of a corner      | render/texels.c  | s/t->small_shades.gx = .*/t->small_shades.gx = 0;/    | test_texture_light
-a filter without its lower line          | kernels/texel_mix.h | s/(fv - far)/0/                                   | test_texture_light
+a filter without its lower line          | kernels/texel_mix.h | s/ + down \* fv//                                  | test_texture_light
 a map two levels too small               | render/texel_map.h | s/17 - fx_clz32/19 - fx_clz32/                      | test_texture_light
 texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
