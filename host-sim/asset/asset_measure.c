@@ -70,7 +70,8 @@ static int set_up(struct stage *s, struct asset *asset, const struct board *boar
     return status == 0 ? s->demo.init(&s->context) : status;
 }
 
-/* Of what moves each side is seen at another moment of the clip; orbit undoes the turntable's turn. */
+/* Looks at the model from all sides, and at one that moves at another moment of its clip from each side. The orbit
+ * takes back what the turntable turns meanwhile. `most` is raised to the most triangles listed in a frame. */
 static int look_around(struct stage *s, fx_t dolly, uint32_t sides, uint32_t *most)
 {
     s->context.dolly = dolly;

@@ -5,11 +5,13 @@
  *            is upside down. On a plane as far before the hole it is upright, and otherwise the same: that is where
  *            graphics puts it. Both images are the house times a projection onto a plane: [dE 0; -n^T 0] with d for the
  *            plane in front, and with the negative distance -d for the wall behind.
+ *
  *   plane    the plane before the hole turns, and the same light draws another image on it: [dE 0; -n^T 0] with its
- * normal n. Rays go on through the same points of house and image, however the plane stands. depth    why depth is a +
- * b/z. Four straight lines between near and far plane, seen from the side in normalized device coordinates: on the left
- * z stays as it is, and they become curves; on the right it is a + b/z, and they stay straight. The thin lines are the
- * chords.
+ *            normal n. Rays go on through the same points of house and image, however the plane stands.
+ *
+ *   depth    why depth is a + b/z. Four straight lines between near and far plane, seen from the side in normalized
+ *            device coordinates: on the left z stays as it is, and they become curves; on the right it is a + b/z, and
+ *            they stay straight. The thin lines are the chords.
  *
  * The view `all` shows them one after the other. Between the house and the curves a shutter closes and opens.
  */
