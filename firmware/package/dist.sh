@@ -30,7 +30,7 @@ esp_idf() {
     mkdir -p "$to/include/pinhole" "$to/examples"
     cp -r "$core" "$work/tree/LICENSE" "$to"
     cp "$here"/examples/{esp_lcd.c,lvgl.c,triangle.h} "$to/examples"
-    cp "$core"/*.h "$to/include/pinhole"
+    cp "$core"/*.h "$core/kernels/portable/fx_cpu.h" "$to/include/pinhole"
     fill "$here/idf_component.yml.in" >"$to/idf_component.yml"
     cp "$here/esp_idf.cmake" "$to/CMakeLists.txt"
     (cd "$work/esp" && zip -qr -X "$1" pinhole)
@@ -53,7 +53,6 @@ flat() { sed -E 's|#include "\.\./(armv[67]m)/([a-z_]+\.S)"|#include "\1_\2.inc"
 # The text of one folder of core/kernels, if it is there, as a file that is not compiled; prints the line that takes it.
 take() { # folder, name, folder that it goes to
     local of=$core/kernels/$1/$2
-    [ "$1" != portable ] || [ -e "$of" ] || of=$core/$2 # fx_cpu.h
     [ ! -e "$of" ] || { flat "$of" >"$3/$1_$2.inc" && echo "#include \"$1_$2.inc\""; }
 }
 
@@ -90,7 +89,7 @@ arduino() {
     done
     printf '/* Pinhole %s: all public headers. */\n' "$VERSION" >"$to/src/Pinhole.h"
     for name in "$core"/*.h; do
-        [ "${name##*/}" = fx_cpu.h ] || echo "#include \"pinhole/${name##*/}\"" >>"$to/src/Pinhole.h"
+        echo "#include \"pinhole/${name##*/}\"" >>"$to/src/Pinhole.h"
     done
     fill "$here/library.properties.in" >"$to/library.properties"
     fill "$here/library.json.in" >"$to/library.json"

@@ -36,7 +36,7 @@ install-programs: all
 
 install-dev: $(B)/libpinhole.a ## the library alone: headers, libpinhole.a, its sources for CMake projects of another CPU
 	install -d '$(INCLUDES)' '$(LIBRARY)/pkgconfig' '$(LIBRARY)/cmake/Pinhole' '$(SOURCES)/package' $(CORE_ROOMS:%='$(SOURCES)/core/%')
-	$(INSTALL) firmware/core/*.h '$(INCLUDES)'
+	$(INSTALL) firmware/core/*.h firmware/core/kernels/portable/fx_cpu.h '$(INCLUDES)'
 	$(INSTALL) $(B)/libpinhole.a '$(LIBRARY)'
 	$(FILL) $(HERE)/pinhole.pc.in >'$(LIBRARY)/pkgconfig/pinhole.pc'
 	$(FILL) $(HERE)/PinholeConfig.cmake.in >'$(LIBRARY)/cmake/Pinhole/PinholeConfig.cmake'
