@@ -110,8 +110,10 @@ static void put_texture(FILE *file, const char *name, const struct ph_texture *t
 
 static void put_blend(FILE *file, const struct ph_blend *from, uint32_t m)
 {
-    static const char *const kinds[] = {
-        [PH_BLEND_MASK] = "PH_BLEND_MASK", [PH_BLEND_ALPHA] = "PH_BLEND_ALPHA", [PH_BLEND_ADD] = "PH_BLEND_ADD"};
+    static const char *const kinds[] = {[PH_BLEND_MASK] = "PH_BLEND_MASK",
+                                        [PH_BLEND_TIMES] = "PH_BLEND_TIMES",
+                                        [PH_BLEND_ALPHA] = "PH_BLEND_ALPHA",
+                                        [PH_BLEND_ADD] = "PH_BLEND_ADD"};
     if (from->alphas != NULL) {
         put_texture(file, "alphas", from->alphas, m);
     }
