@@ -10,6 +10,7 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CORES=1|2                                     how many cores the image uses
+#   RAM_CODE=small                                RP2040: only what small triangles of a mesh need runs from RAM, which leaves 27 KB
 #   ISA=arm|riscv                                 which cores of an RP2350 it is for
 #   VERSION=1.0                                   what picotool info shows as its version; Pinhole's by default
 #
@@ -29,6 +30,7 @@
 #   PORT_RAM_BYTES    optional: RAM that the port takes beside the board's ram_bytes, e.g. for code that runs from RAM
 #   PORT_AHEAD_BYTES  optional: memory in which a second core makes the scene of the next frame
 #   PORT_CORES        optional: the values that CORES may have; without it 1
+#   PORT_RAM_CODES    optional: other values of RAM_CODE, folders of hal/PORT with the linker scripts that PORT_LD includes
 #   PORT_ISAS         optional: the values that ISA may have, the default first
 #   PORT_TILES_BYTES  optional: memory for the signatures of tiles (hal/panel_tiles.h); without it CHANGES is 0
 #   PORT_SCENE        optional: offset in flash of a binary scene, behind every image; it may fill the rest of the flash
@@ -81,9 +83,12 @@ ISA ?= $(firstword $(PORT_ISAS))
 $(if $(filter $(or $(ISA),none),$(or $(PORT_ISAS),none)),,$(error ISA=$(ISA): $(BOARD) has $(or $(PORT_ISAS),no other ISA)))
 CHANGES ?= $(if $(PORT_TILES_BYTES),1,0)
 $(if $(filter $(CHANGES),$(if $(PORT_TILES_BYTES),0 1,0)),,$(error CHANGES=$(CHANGES): $(BOARD) has $(if $(PORT_TILES_BYTES),0 1,0)))
+RAM_CODE ?= cores$(CORES)
+$(if $(filter $(RAM_CODE),cores$(CORES) $(PORT_RAM_CODES)),,$(error RAM_CODE=$(RAM_CODE): $(BOARD) has $(or $(PORT_RAM_CODES),no other)))
 IMAGE_CORES := $(if $(filter-out $(firstword $(PORT_ISAS)),$(ISA)),-$(ISA))$(if $(filter-out 1,$(CORES)),-cores$(CORES))$(if $(PORT_TILES_BYTES),$(if $(filter 0,$(CHANGES)),-whole))
+IMAGE_RAM := $(if $(filter-out cores%,$(RAM_CODE)),-$(RAM_CODE))
 SCENE_NAME := $(basename $(notdir $(SCENE)))
-IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)
+IMAGE_NAME := $(BOARD)-$(or $(SCENE_NAME),$(APP_NAME))$(IMAGE_CORES)$(IMAGE_RAM)
 IMAGE := $(B)/firmware/$(IMAGE_NAME)
 SCENE_C := $(if $(SCENE),$(IMAGE).scene.c)
 BOARD_SYMBOL := board_$(subst -,_,$(BOARD))
@@ -97,7 +102,7 @@ $(B)/board-facts: INC = -Ihal -Iboards
 # A make of its own builds the image, with the target's compiler in place of the computer's.
 image_make = $(if $(shell command -v '$(CROSS)gcc'),,$(error no $(CROSS)gcc here: apt-get install $(if $(PORT_CROSS),gcc-$(PORT_CROSS:%-=%),gcc-arm-none-eabi libnewlib-arm-none-eabi)))\
              $(MAKE) --no-print-directory B='$(B)/firmware/$(BOARD)$(IMAGE_CORES)$(if $(SCENE),-scene)-objects' OUT='$(IMAGE)' CC='$(CROSS)gcc' \
-             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' ISA='$(ISA)' CHANGES='$(CHANGES)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
+             CPU='$(PORT_CPU)' KIT=1 BOARD='$(BOARD)' BOARD_HOME='$(BOARD_HOME)' CORES='$(CORES)' ISA='$(ISA)' CHANGES='$(CHANGES)' RAM_CODE='$(RAM_CODE)' VERSION='$(VERSION)' APP='$(APP)' SCENE='$(SCENE)' SCENE_C='$(SCENE_C)' \
              CFLAGS='$(PORT_FLAGS) -O2 -g -ffreestanding -ffunction-sections -fdata-sections -fcallgraph-info=su'
 else
 NO_BOARD = @echo 'BOARD= is missing; microcontroller boards are: $(MCU_BOARDS)' >&2; exit 2 \#
@@ -131,7 +136,7 @@ speed: ## BOARD=x of an RP2040 or RP2350: frames/s and load of each core for eve
 ifneq ($(OUT),)
 IMAGE_SRC := $(CORE) $(APP_SRC) $(wildcard hal/panel/*.c) $(PORT_SRC) $(PORT_INFO) $(BOARD_HOME)/board.c
 IMAGE_OBJ := $(patsubst %,$(B)/%.o,$(basename $(IMAGE_SRC))) $(B)/main-$(APP_NAME).o $(B)/board_here.o $(if $(SCENE_C),$(B)/scene-$(SCENE_NAME).o)
-LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/cores$(CORES) -L hal/cortexm
+LD_SEARCH := -L hal/$(PORT) -L hal/$(PORT)/$(RAM_CODE) -L hal/cortexm
 
 image: $(OUT).bin $(if $(UF2_FAMILY),$(OUT).uf2)
 	$(Q)CROSS='$(CROSS)' firmware/tools/budget.sh '$(OUT).elf' '$(B)' 'main-$(APP_NAME)' flash='$(CHIP_FLASH_BYTES)' ram="$$(($$($(B)/board-facts ram_bytes) + $(or $(PORT_RAM_BYTES),0)))" chip_ram='$(CHIP_RAM_BYTES)' \
@@ -169,7 +174,7 @@ $(PORT_INFO:%.c=$(B)/%.o): override CPPFLAGS += -include $(B)/image_info.h
 $(B)/board_here.o: firmware/app/images/board_here.c $(B)/board_here.flags
 	$(Q)$(CC) $(STD) $(CFLAGS) $(INC_APP) @$(B)/board_here.flags -MMD -MP -c $< -o $@
 
-$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/cores$(CORES)/*.ld)
+$(OUT).elf: $(IMAGE_OBJ) $(PORT_LD) $(wildcard hal/cortexm/*.ld hal/$(PORT)/$(RAM_CODE)/*.ld)
 	@mkdir -p $(@D)
 	$(SAY) LD $@
 	$(Q)firmware/tools/link.sh '$@' '$(OUT).map' $(CC) $(CFLAGS) -nostartfiles $(LD_SEARCH) -T $(PORT_LD) -Wl,--gc-sections,--fatal-warnings \

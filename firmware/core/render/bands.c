@@ -1,5 +1,5 @@
 /*
- * Bands: the list of a frame is sorted into bands, and each band sets up and draws its triangles. See list.h, render.h.
+ * Bands: each band sets up and draws its triangles, which feed.h finds. See list.h, render.h.
  *
  * A triangle is set up in the band where it begins. If it goes on below, it is carried on in its slot; if there is no
  * slot for it, its reference moves to the next band, where it is set up again. That gives the same pixels, because what
@@ -8,185 +8,17 @@
  */
 #include "band.h"
 #include "cores.h"
-#include "edge.h"
+#include "feed.h"
+#include "fine.h"
 #include "kernels.h"
 #include "setup.h"
 
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is free */
 #define HELPED    0  /* in place of a reference: the other core is free */
 #define SPARES    8
-#define CHUNK     20 /* triangles that two cores set up at a time, most */
-
-/* The references of a band, one after the other. */
-struct feed {
-    struct ph_renderer *r;
-    uint32_t ref, band;         /* ref: PH_NONE at the end */
-    const struct ph_draw *draw; /* of the last reference that was looked up; NULL before the first */
-    uint32_t next_first;        /* first reference of the draw after that */
-    struct ph_setting setting;
-};
-
-/* Not a part of link_ref, so that the loop of sort_refs stays short. */
-static __attribute__((noinline)) void link_far(struct ph_ref *at, uint32_t next)
-{
-    at->link = next == PH_NONE ? 0 : PH_LINK_FAR;
-}
-
-/* A reference (number ref, at *at) holds how much further the next one of its list is; 0: there is none. */
-static inline void link_ref(struct ph_ref *at, uint32_t ref, uint32_t next)
-{
-    if (next - ref < PH_LINK_FAR) {
-        at->link = (uint16_t)(next - ref);
-    } else {
-        link_far(at, next);
-    }
-}
-
-/* Puts a reference before the others of its band's list. */
-static inline void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
-{
-    const uint32_t band = ref->link, next = bins[band];
-    link_ref(ref, i, next);
-    bins[band] = i;
-}
-
-static inline void sort_four(uint32_t *bins, struct ph_ref *ref, uint32_t i)
-{
-    sort_ref(bins, ref, i - 1);
-    sort_ref(bins, ref + 1, i - 2);
-    sort_ref(bins, ref + 2, i - 3);
-    sort_ref(bins, ref + 3, i - 4);
-}
-
-/* Puts the references into the lists of their bands, from the last, so that each list is in drawing order; eight a turn
- * cost a quarter less. */
-static void sort_refs(struct ph_renderer *r)
-{
-    uint32_t *const bins = r->config.bins;
-    uint32_t i = ph_ref_count(r);
-    struct ph_ref *ref = r->list.to;
-    if (r->after != NULL) { /* some of them belong into none */
-        for (; i > 0; ref++) {
-            i--;
-            if (ref->link != PH_LINK_AFTER) {
-                sort_ref(bins, ref, i);
-            }
-        }
-    }
-    for (; i >= 8; i -= 8, ref += 8) {
-        sort_four(bins, ref, i);
-        sort_four(bins, ref + 4, i - 4);
-    }
-    for (; i > 0; i--, ref++) {
-        sort_ref(bins, ref, i - 1);
-    }
-}
-
-uint32_t ph_frame_bands(struct ph_renderer *r)
-{
-    for (uint32_t i = 0; i < r->band_count; i++) {
-        r->config.bins[i] = PH_NONE;
-    }
-    sort_refs(r);
-    r->carried = r->slots = r->ahead = NULL;
-    r->slots_used[0] = r->list.used[1];
-    r->slots_used[1] = r->list.used[2];
-    return r->band_count;
-}
-
-/* ---- the list of a band ----------------------------------------------------------------------------------------- */
-
-/* The rows or columns from the first to behind the last that the corners of a reference reach. */
-struct reach {
-    int32_t from, end;
-};
-
-static struct reach reach_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref,
-                             bool rows)
-{
-    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint8_t *const base = ph_at(r, draw->base);
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << r->fine : 0;
-    int32_t least = INT32_MAX, most = INT32_MIN;
-    for (int i = 0; i < n; i++) {
-        const struct ph_vertex *const v = (const void *)(base + ref->corner[i] * size);
-        least = ph_min(least, rows ? v->y : v->x);
-        most = ph_max(most, rows ? v->y : v->x);
-    }
-    return (struct reach){ph_first_row(least - wide), ph_first_row(most + wide)};
-}
-
-/* Whether a triangle has rows in the band. Only asked where a list leaps over very many references. */
-static bool touches(const struct feed *f, const struct ph_draw *draw, const struct ph_ref *ref)
-{
-    const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
-    const struct reach rows = reach_of(f->r, draw, ref, true);
-    return rows.from < y0 + height && rows.end > y0;
-}
-
-/* The next reference of the band's list when it is PH_LINK_FAR or further away: the next one that has rows in the band.
- * It may be carried already; then it is drawn twice, and the second time changes nothing. */
-static __attribute__((noinline)) uint32_t far_next(const struct feed *f, uint32_t ref)
-{
-    const struct ph_renderer *const r = f->r;
-    const uint32_t count = ph_ref_count(r);
-    const struct ph_draw *draw = ph_at(r, r->list.first);
-    for (uint32_t i = ref + PH_LINK_FAR; i < count; i++) {
-        while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= i) {
-            draw = ph_at(r, draw->next);
-        }
-        if (touches(f, draw, ph_ref_at(r, i))) {
-            return i;
-        }
-    }
-    return PH_NONE;
-}
-
-static inline uint32_t next_of(const struct feed *f, uint32_t ref)
-{
-    const uint32_t link = ph_ref_at(f->r, ref)->link;
-    return link == 0 ? PH_NONE : link < PH_LINK_FAR ? ref + link : far_next(f, ref);
-}
-
-/* Puts a reference into the list of the band below; *after is the one put there before, or PH_NONE. */
-static __attribute__((noinline)) void put_below(const struct feed *f, uint32_t ref, uint32_t *after)
-{
-    const struct feed below = {.r = f->r, .band = f->band + 1};
-    uint32_t *const bin = &f->r->config.bins[below.band], before = *after;
-    uint32_t next = before == PH_NONE ? *bin : next_of(&below, before);
-    while (next < ref) {
-        before = next;
-        next = next_of(&below, next);
-    }
-    link_ref(ph_ref_at(f->r, ref), ref, next);
-    if (before == PH_NONE) {
-        *bin = ref;
-    } else {
-        link_ref(ph_ref_at(f->r, before), before, ref);
-    }
-    *after = ref;
-}
+#define CHUNK     24 /* triangles that two cores set up at a time, most */
 
 /* ---- set-up ----------------------------------------------------------------------------------------------------- */
-
-static void start(struct feed *f, struct ph_renderer *r, uint32_t band)
-{
-    f->r = r;
-    f->band = band;
-    f->ref = r->config.bins[band];
-    f->draw = NULL;
-    f->next_first = 0;
-}
-
-/* Finds the draw of a reference that is behind the current draw. */
-static void find_draw(struct feed *f, uint32_t ref)
-{
-    const struct ph_renderer *const r = f->r;
-    while (ref >= f->next_first) {
-        f->draw = ph_at(r, f->draw == NULL ? r->list.first : f->draw->next);
-        f->next_first = f->draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(r, f->draw->next))->first;
-    }
-}
 
 void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 {
@@ -197,17 +29,17 @@ void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw)
 }
 
 /* Prepares the draw of a reference that is behind the current draw. */
-static __attribute__((noinline)) void enter_draw(struct feed *f, uint32_t ref)
+static PH_NOINLINE void enter_draw(struct ph_feed *f, uint32_t ref)
 {
-    find_draw(f, ref);
+    ph_feed_find(f, ref);
     ph_take_lens(f->r, f->draw);
     ph_setting_of(&f->setting, f->r, f->draw);
 }
 
 /* The reference after number ref, which stands at `at`. */
-static inline uint32_t next_ref(const struct feed *f, const struct ph_ref *at, uint32_t ref)
+static inline uint32_t next_ref(const struct ph_feed *f, const struct ph_ref *at, uint32_t ref)
 {
-    return at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : next_of(f, ref);
+    return at->link - 1u < PH_LINK_FAR - 1u ? ref + at->link : ph_feed_next(f, ref);
 }
 
 /* ---- slots ------------------------------------------------------------------------------------------------------ */
@@ -266,14 +98,14 @@ struct rest {
     const struct ph_band *rows;
     struct ph_triangle *begun;  /* those that were carried on, as far as they are not drawn */
     struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
-    uint32_t put, fragments;    /* put: what put_below takes */
+    uint32_t put, fragments;    /* put: what ph_feed_put_below takes */
 };
 
-/* Draws a triangle that stands in a slot and goes on below the band. Returns its pixels. */
-static inline uint32_t draw_beyond(struct rest *rest, struct ph_triangle *t, const struct ph_band *rows)
+/* Draws a triangle that stands in a slot and goes on below the band. Returns its pixels. carry: as in struct rest. */
+static inline uint32_t draw_beyond(struct ph_triangle ***carry, struct ph_triangle *t, const struct ph_band *rows)
 {
-    *rest->carry = t;
-    rest->carry = &t->next;
+    **carry = t;
+    *carry = &t->next;
     return ph_draw_above(t, rows);
 }
 
@@ -294,23 +126,25 @@ static bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
  * for which there is something to do here; none at the end of the list. */
-static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest *rest)
+static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
 {
     const uint32_t ref = f->ref;
     struct ph_renderer *const r = f->r;
     const struct ph_band *const rows = rest->rows;
-    struct ph_triangle *t = rest->begun;
+    const int32_t y1 = rows->y1;
+    struct ph_triangle *t = rest->begun, **carry = rest->carry;
     uint32_t fragments = rest->fragments;
     while (t != NULL && t->order < ref) {
         struct ph_triangle *const next = t->next;
-        if (t->y_bottom <= rows->y1) {
+        if (t->y_bottom <= y1) {
             fragments += ph_draw_end(t, rows);
             free_slot(r, t);
         } else {
-            fragments += draw_beyond(rest, t, rows);
+            fragments += draw_beyond(&carry, t, rows);
         }
         t = next;
     }
+    rest->carry = carry;
     rest->begun = t;
     rest->fragments = fragments;
     if (ref >= f->next_first && ref != PH_NONE) {
@@ -327,7 +161,7 @@ static __attribute__((noinline)) uint32_t draw_begun(struct feed *f, struct rest
 
 /* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
  * it goes on below. */
-static void draw_rest(struct feed *f, struct rest *rest)
+static void draw_rest(struct ph_feed *f, struct rest *rest)
 {
     const struct ph_band *const rows = rest->rows;
     struct ph_triangle scratch, *t = take_slot_or(f->r, &scratch);
@@ -347,11 +181,11 @@ static void draw_rest(struct feed *f, struct rest *rest)
         if (t->y_bottom <= rows->y1) {
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {
-            fragments += draw_beyond(rest, t, rows);
+            fragments += draw_beyond(&rest->carry, t, rows);
             t = take_slot_or(f->r, &scratch);
         } else {
             fragments += ph_draw_triangle(t, rows);
-            put_below(f, t->order, &rest->put);
+            ph_feed_put_below(f, t->order, &rest->put);
         }
     }
     rest->fragments += fragments;
@@ -376,7 +210,7 @@ struct fresh {
 
 static void set_up_fresh(struct fresh *s, uint32_t core)
 {
-    struct feed f;
+    struct ph_feed f;
     f.r = s->r;
     f.draw = NULL;
     const uint32_t count = __atomic_load_n(&s->count, __ATOMIC_SEQ_CST);
@@ -390,7 +224,7 @@ static void set_up_fresh(struct fresh *s, uint32_t core)
         if (f.draw == NULL || t->order < f.draw->first || t->order >= f.next_first) {
             f.draw = NULL;
             f.next_first = 0;
-            find_draw(&f, t->order);
+            ph_feed_find(&f, t->order);
             ph_setting_of(&f.setting, f.r, f.draw);
         }
         ph_setup(&f.setting, ph_ref_at(f.r, t->order), t);
@@ -424,14 +258,14 @@ static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spar
 
 /* Takes slots for the next triangles of the band, as far as there are any, and of one camera: that of the first, or
  * without spares that of the picture now. */
-static void take_chunk(struct feed *f, struct spares *spares, struct fresh *fresh)
+static void take_chunk(struct ph_feed *f, struct spares *spares, struct fresh *fresh)
 {
     struct ph_renderer *const r = f->r;
     struct ph_triangle **link = &fresh->first, *last = NULL;
     uint32_t count = 0;
     for (; count < CHUNK && f->ref != PH_NONE; count++) {
         if (f->ref >= f->next_first) {
-            find_draw(f, f->ref);
+            ph_feed_find(f, f->ref);
         }
         if (count == 0 && spares != NULL) {
             ph_take_lens(r, f->draw);
@@ -444,7 +278,7 @@ static void take_chunk(struct feed *f, struct spares *spares, struct fresh *fres
         t->before = last;
         *link = last = t;
         link = &t->next;
-        f->ref = next_of(f, f->ref);
+        f->ref = next_ref(f, ph_ref_at(r, f->ref), f->ref);
     }
     *link = NULL;
     fresh->last = last;
@@ -454,7 +288,7 @@ static void take_chunk(struct feed *f, struct spares *spares, struct fresh *fres
 /* The rows that one of two cores draws; then it sets up the triangles that come next. */
 struct share {
     struct fresh *fresh;
-    struct feed *next; /* core 0: it takes the next triangles from here first; NULL: it does not */
+    struct ph_feed *next; /* core 0: it takes the next triangles from here first; NULL: it does not */
     const struct ph_triangle *first;
     uint32_t core, fragments;
     bool clears;
@@ -502,7 +336,8 @@ static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, 
 }
 
 /* Carries on the triangles of a list that go on below the band. */
-static void keep_below(const struct feed *f, struct ph_triangle *list, const struct spares *spares, struct rest *rest)
+static void keep_below(const struct ph_feed *f, struct ph_triangle *list, const struct spares *spares,
+                       struct rest *rest)
 {
     const int32_t y1 = rest->rows->y1;
     for (struct ph_triangle *next; list != NULL; list = next) {
@@ -514,7 +349,7 @@ static void keep_below(const struct feed *f, struct ph_triangle *list, const str
                 free_slot(f->r, t);
             }
         } else if (t == NULL) {
-            put_below(f, list->order, &rest->put);
+            ph_feed_put_below(f, list->order, &rest->put);
         } else {
             if (spare) {
                 *t = *list;
@@ -528,7 +363,7 @@ static void keep_below(const struct feed *f, struct ph_triangle *list, const str
 
 /* Draws a list of triangles in two halves of the band, the lower one on the other core, and sets up those that come
  * next there, unless it is NULL. */
-static void draw_list(struct feed *next, const struct ph_triangle *list, struct rest *rest, bool clears)
+static void draw_list(struct ph_feed *next, const struct ph_triangle *list, struct rest *rest, bool clears)
 {
     const struct ph_band *const rows = rest->rows;
     struct ph_renderer *const r = rest->r;
@@ -547,7 +382,7 @@ static void draw_list(struct feed *next, const struct ph_triangle *list, struct 
 }
 
 /* Sets up the next triangles of a band, as many as there are slots. */
-static struct ph_triangle *set_up_chunk(struct feed *f, struct spares *spares)
+static struct ph_triangle *set_up_chunk(struct ph_feed *f, struct spares *spares)
 {
     struct fresh fresh = {.r = f->r};
     struct share mine = {.fresh = &fresh}, others = {.fresh = &fresh, .core = 1}; /* they draw nothing */
@@ -560,7 +395,7 @@ static struct ph_triangle *set_up_chunk(struct feed *f, struct spares *spares)
 /* Draws some triangles of a band with two cores: those that are set up already, or the next. Triangles that come next
  * are set up meanwhile, also of the band below, where no reference is put any more then. False: the band is finished.
  */
-static bool draw_chunk(struct feed *f, struct rest *rest, bool clears)
+static bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
 {
     struct ph_renderer *const r = f->r;
     struct spares spares;
@@ -568,9 +403,9 @@ static bool draw_chunk(struct feed *f, struct rest *rest, bool clears)
     struct ph_triangle *const fresh = r->ahead != NULL ? r->ahead : set_up_chunk(f, &spares);
     struct ph_triangle *const list = merge(fresh, &rest->begun, f->ref);
     const bool more = f->ref != PH_NONE;
-    struct feed below, *next = more ? f : NULL;
+    struct ph_feed below, *next = more ? f : NULL;
     if (!more && spares.used == 0 && rest->rows->y1 + 2 <= r->config.height) {
-        start(&below, r, f->band + 1);
+        ph_feed_start(&below, r, f->band + 1);
         next = &below;
     }
     draw_list(next, list, rest, clears);
@@ -579,13 +414,13 @@ static bool draw_chunk(struct feed *f, struct rest *rest, bool clears)
 }
 
 /* Draws the triangles of a band, with the other core from when on it is free. */
-static void draw_triangles(struct feed *f, const struct ph_band *rows)
+static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
 {
     struct ph_renderer *const r = f->r;
     struct rest rest = {r, rows, r->carried, &r->carried, PH_NONE, 0};
     bool clears = r->ahead != NULL || is_helped(r, rows);
     for (const struct ph_triangle *t = r->ahead; t != NULL; t = t->next) {
-        f->ref = next_of(f, t->order);
+        f->ref = ph_feed_next(f, t->order);
     }
     bool more = clears;
     if (!clears) {
@@ -600,59 +435,6 @@ static void draw_triangles(struct feed *f, const struct ph_band *rows)
     r->stats.fragments += rest.fragments;
 }
 
-/* ---- antialiasing ----------------------------------------------------------------------------------------------- */
-
-/* Widens `all`, in 1/256 sample, by the corners of a reference. */
-static inline void reach_ref(struct reach *all, struct feed *f, uint32_t ref)
-{
-    if (ref >= f->next_first) {
-        find_draw(f, ref);
-    }
-    const uint32_t kind = f->draw->kind, last = (kind & PH_DRAW_LINES) != 0 ? 0 : 2;
-    const size_t size = (kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint8_t *const base = ph_at(f->r, f->draw->base);
-    const struct ph_ref *const at = ph_ref_at(f->r, ref);
-    const int32_t a = ((const struct ph_vertex *)(const void *)(base + at->corner[0] * size))->x;
-    const int32_t b = ((const struct ph_vertex *)(const void *)(base + at->corner[1] * size))->x;
-    const int32_t c = ((const struct ph_vertex *)(const void *)(base + at->corner[last] * size))->x;
-    all->from = ph_min(all->from, ph_min(ph_min(a, b), c));
-    all->end = ph_max(all->end, ph_max(ph_max(a, b), c));
-}
-
-/* The columns of pixels in which a band may differ from the background: edges are rounded, and lines have a width. */
-static __attribute__((noinline)) void reach_band(struct ph_renderer *r, uint32_t band, struct reach *in)
-{
-    const int32_t width = r->config.width, margin = 2 * 256;
-    struct reach all = {width << 8, -margin};
-    struct feed f, carried;
-    start(&f, r, band);
-    start(&carried, r, band);
-    for (; f.ref != PH_NONE; f.ref = next_of(&f, f.ref)) {
-        reach_ref(&all, &f, f.ref);
-    }
-    for (const struct ph_triangle *t = r->carried; t != NULL; t = t->next) {
-        reach_ref(&all, &carried, t->order);
-    }
-    if (r->after != NULL) {
-        all = (struct reach){0, width << 8};
-    }
-    in->end = ph_min((all.end + margin + 511) >> 9, width / 2);
-    in->from = ph_min(ph_max((all.from - margin) >> 9, 0), in->end);
-}
-
-/* Makes pixels of the samples of a band; outside `in` they are the background's. */
-static void give_means(const struct ph_band *rows, const struct reach *in, uint16_t background, uint16_t *pixels)
-{
-    const uint32_t width = (uint32_t)rows->width, lines = (uint32_t)(rows->y1 - rows->y0) / 2;
-    const uint32_t from = (uint32_t)in->from, end = (uint32_t)in->end;
-    const uint16_t *upper = rows->pixels + 2 * from;
-    for (uint32_t y = 0; y < lines; y++, upper += 2 * width, pixels += width / 2) {
-        ph_fill(pixels, background, from);
-        ph_halve(pixels + from, upper, upper + width, end - from);
-        ph_fill(pixels + end, background, width / 2 - end);
-    }
-}
-
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const int32_t lines = r->config.band_height, height = r->config.height;
@@ -662,12 +444,12 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
-    struct reach in;            /* of a fine frame */
+    struct ph_reach in;         /* of a fine frame */
     if (r->fine != 0) {
-        reach_band(r, band, &in);
+        ph_fine_reach(r, band, &in);
     }
-    struct feed f;
-    start(&f, r, band);
+    struct ph_feed f;
+    ph_feed_start(&f, r, band);
     if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) { /* else no sample is read */
         draw_triangles(&f, &rows);
         if (r->after != NULL) {
@@ -677,7 +459,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
         }
     }
     if (r->fine != 0) {
-        give_means(&rows, &in, r->background, pixels);
+        ph_fine_means(&rows, &in, r->background, pixels);
     }
     return (uint32_t)(y1 - y0) >> r->fine;
 }

@@ -11,8 +11,6 @@
 
 #define BLOCK 128u /* triangles that two cores cull at a time where some may have to be clipped */
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of a loop */
-
 /* What is the same for all triangles of a part. */
 struct part_context {
     struct ph_renderer *r;
@@ -29,7 +27,7 @@ struct part_context {
 };
 
 /* The light of a vertex, or its lit colour. */
-static NOINLINE uint16_t colour_of(const struct part_context *c, uint32_t i)
+static PH_NOINLINE uint16_t colour_of(const struct part_context *c, uint32_t i)
 {
     const struct ph_mesh *const mesh = c->mesh;
     const int16_t *const normal =
@@ -67,7 +65,7 @@ static struct ph_clip_vertex clip_vertex(const struct part_context *c, uint32_t 
 }
 
 /* The channels of lit colours take the places of light, u and v, 16 bits each: see ph_list_corners. */
-static NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
+static PH_NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
 {
     for (int i = 0; i < 3; i++) {
         const int32_t colour = in[flat ? 0 : i].light;
@@ -78,8 +76,8 @@ static NOINLINE void take_colours(struct ph_clip_vertex in[3], bool flat)
     in[0].light = (in[0].light >> 11) << 11 | 1 << 10;
 }
 
-static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
-                                  const struct ph_vertex *const v[3])
+static PH_NOINLINE void draw_clipped(const struct part_context *c, const uint16_t index[3],
+                                     const struct ph_vertex *const v[3])
 {
     struct ph_clip_vertex in[3];
     light_corners(c, index, v);
@@ -96,7 +94,7 @@ static NOINLINE void draw_clipped(const struct part_context *c, const uint16_t i
 }
 
 /* Draws any triangle: with clip codes, facing away, under a fisheye. False if it cannot be seen. */
-static NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3])
+static PH_NOINLINE bool draw_any(const struct part_context *c, const uint16_t index[3])
 {
     const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
@@ -129,7 +127,7 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
 
 /* Draws a part that shows both of its sides one behind the other: all far sides, then all near sides. Each triangle
  * counts once, also if pieces of it show either side. */
-static NOINLINE uint32_t draw_sides(struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+static PH_NOINLINE uint32_t draw_sides(struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     struct ph_stats *const stats = &c->r->stats;
     const uint32_t culled = stats->triangles_culled, clipped = stats->triangles_clipped;
@@ -269,7 +267,7 @@ static void light_share(void *argument)
     }
 }
 
-static NOINLINE void light_marked(const struct part_context *c)
+static PH_NOINLINE void light_marked(const struct part_context *c)
 {
     const uint32_t n = c->mesh->vertex_count;
     struct light_share mine = {c, 0, n / 2}, others = {c, n / 2, n};
@@ -294,7 +292,7 @@ static void draw_triangles(struct part_context *c, const struct ph_part *part)
 }
 
 /* Draws each edge of the mesh once, as a line. */
-static NOINLINE void draw_edges(const struct part_context *c)
+static PH_NOINLINE void draw_edges(const struct part_context *c)
 {
     for (uint32_t i = 0; i < c->mesh->edge_count; i++) {
         const uint16_t *edge = c->mesh->edges[i];
@@ -365,7 +363,7 @@ static bool shares_light(const struct part_context *c, const struct ph_part *par
 }
 
 /* Prepares the light of a part. False if there is no room for another light of its vertices. */
-static NOINLINE bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
+static PH_NOINLINE bool light_part(struct part_context *c, const struct ph_part *part, const struct ph_xform *to_world)
 {
     const struct ph_material *const material = c->material, *const before = c->lit_as;
     c->coloured = is_coloured(c);

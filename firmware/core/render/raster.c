@@ -12,24 +12,33 @@
 #include "line.h"
 #include "texture.h"
 
+/* Steps n rows down, which are fewer than the upper ones. */
+static inline void skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
+{
+    r->left += n * r->left_dx;
+    r->right += n * r->right_dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
+    r->upper_rows = (uint16_t)(upper_rows - n);
+    r->lower_rows = (uint16_t)lower_rows;
+}
+
 /* Steps n rows down, through both halves, which have so many rows. */
 static inline void skip_rows_of(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
 {
-    const uint32_t left = r->left + n * r->left_dx, right = r->right + n * r->right_dx;
-    r->d += n * r->d_dy;
-    r->light += n * r->light_dy;
-    r->left = left;
-    r->right = right;
     if (n < upper_rows) {
-        r->upper_rows = (uint16_t)(upper_rows - n);
-        r->lower_rows = (uint16_t)lower_rows;
+        skip_upper_rows(r, n, upper_rows, lower_rows);
         return;
     }
     const uint32_t below = n - upper_rows, dx = (uint32_t)r->lower.dx, x = (uint32_t)r->lower.x + below * dx;
+    r->d += n * r->d_dy;
+    r->light += n * r->light_dy;
     if (r->lower_is_right) {
+        r->left += n * r->left_dx;
         r->right = x;
         r->right_dx = dx;
     } else {
+        r->right += n * r->right_dx;
         r->left = x;
         r->left_dx = dx;
     }
@@ -167,11 +176,16 @@ uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
                    width = (uint32_t)band->width;
     const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * width;
     const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, width, false};
-    const bool in_upper = rows <= upper_rows;
-    small->upper_rows = (uint16_t)(in_upper ? rows : upper_rows);
-    small->lower_rows = (uint16_t)(in_upper ? 0 : rows - upper_rows);
+    t->y_top = (int16_t)band->y1;
+    if (rows < upper_rows) {
+        small->upper_rows = (uint16_t)rows;
+        small->lower_rows = 0;
+        const uint32_t count = draw_left(t, small, &at);
+        skip_upper_rows(small, rows, upper_rows, lower_rows);
+        return count;
+    }
+    small->lower_rows = (uint16_t)(rows - upper_rows);
     const uint32_t count = draw_left(t, small, &at);
     skip_rows_of(small, rows, upper_rows, lower_rows);
-    t->y_top = (int16_t)band->y1;
     return count;
 }

@@ -5,8 +5,6 @@
 #include "band.h"
 #include "small_texels.h"
 
-#define PH_NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
-
 /* Column 0 of the row in which a triangle goes on. */
 struct ph_place {
     uint16_t *depth, *pixels;

@@ -82,6 +82,16 @@ struct ph_curve {
     uint32_t xx, xy, yy;
 };
 
+/*
+ * The sides over their area (twice the triangle's), times 2^shift: dy1, dy2, dx2, dx1, in this order. Let d1 and d2 be
+ * the differences between the value at the second or third corner and that at the first. Then the gradient of the value
+ * is x = (d2 dy1 - d1 dy2) / area = d2 a - d1 b and y = (d1 dx2 - d2 dx1) / area = d1 d - d2 c.
+ */
+struct ph_slopes {
+    int32_t a, b, d, c;
+    int32_t shift;
+};
+
 enum ph_kind {
     PH_KIND_FLAT,
     PH_KIND_GOURAUD,
@@ -134,9 +144,14 @@ struct ph_triangle {
         };
         struct {
             struct ph_small_triangle small; /* PH_KIND_SMALL..; textured: the plane of light is the linear part of u */
-            struct ph_plane v;              /* PH_KIND_SMALL_TEXTURE: the linear part of v */
-            struct ph_curve curves[2];      /* of u, v */
-            struct ph_plane small_shades;   /* as shades; u, v and this count from the same pixel */
+            union {
+                struct {
+                    struct ph_plane v;            /* PH_KIND_SMALL_TEXTURE: the linear part of v */
+                    struct ph_curve curves[2];    /* of u, v */
+                    struct ph_plane small_shades; /* as shades; u, v and this count from the same pixel */
+                };
+                struct ph_slopes slopes; /* from ph_setup_small to ph_setup_texels */
+            };
         };
     };
     struct ph_triangle *next; /* slot: carried on or unused */

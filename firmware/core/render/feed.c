@@ -1,0 +1,156 @@
+/* feed: see feed.h. */
+#include "feed.h"
+
+#include "edge.h"
+
+/* Not a part of link_ref, so that the loop of sort_refs stays short. */
+static PH_NOINLINE void link_far(struct ph_ref *at, uint32_t next)
+{
+    at->link = next == PH_NONE ? 0 : PH_LINK_FAR;
+}
+
+/* A reference (number ref, at *at) holds how much further the next one of its list is; 0: there is none. */
+static inline void link_ref(struct ph_ref *at, uint32_t ref, uint32_t next)
+{
+    if (next - ref < PH_LINK_FAR) {
+        at->link = (uint16_t)(next - ref);
+    } else {
+        link_far(at, next);
+    }
+}
+
+/* Puts a reference before the others of its band's list. */
+static inline void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+{
+    const uint32_t band = ref->link, next = bins[band];
+    link_ref(ref, i, next);
+    bins[band] = i;
+}
+
+static inline void sort_four(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+{
+    sort_ref(bins, ref, i - 1);
+    sort_ref(bins, ref + 1, i - 2);
+    sort_ref(bins, ref + 2, i - 3);
+    sort_ref(bins, ref + 3, i - 4);
+}
+
+/* Puts the references into the lists of their bands, from the last, so that each list is in drawing order; sixteen a
+ * turn cost a quarter less. */
+static void sort_refs(struct ph_renderer *r)
+{
+    uint32_t *const bins = r->config.bins;
+    uint32_t i = ph_ref_count(r);
+    struct ph_ref *ref = r->list.to;
+    if (r->after != NULL) { /* some of them belong into none */
+        for (; i > 0; ref++) {
+            i--;
+            if (ref->link != PH_LINK_AFTER) {
+                sort_ref(bins, ref, i);
+            }
+        }
+    }
+    for (; i >= 16; i -= 16, ref += 16) {
+        sort_four(bins, ref, i);
+        sort_four(bins, ref + 4, i - 4);
+        sort_four(bins, ref + 8, i - 8);
+        sort_four(bins, ref + 12, i - 12);
+    }
+    for (; i > 0; i--, ref++) {
+        sort_ref(bins, ref, i - 1);
+    }
+}
+
+uint32_t ph_frame_bands(struct ph_renderer *r)
+{
+    for (uint32_t i = 0; i < r->band_count; i++) {
+        r->config.bins[i] = PH_NONE;
+    }
+    sort_refs(r);
+    r->carried = r->slots = r->ahead = NULL;
+    r->slots_used[0] = r->list.used[1];
+    r->slots_used[1] = r->list.used[2];
+    return r->band_count;
+}
+
+/* ---- the list of a band ----------------------------------------------------------------------------------------- */
+
+/* Rows, from the first to behind the last. */
+struct rows {
+    int32_t from, end;
+};
+
+/* The rows that the corners of a reference reach. */
+static struct rows rows_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref)
+{
+    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const uint8_t *const base = ph_at(r, draw->base);
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << r->fine : 0;
+    int32_t least = INT32_MAX, most = INT32_MIN;
+    for (int i = 0; i < n; i++) {
+        const struct ph_vertex *const v = (const void *)(base + ref->corner[i] * size);
+        least = ph_min(least, v->y);
+        most = ph_max(most, v->y);
+    }
+    return (struct rows){ph_first_row(least - wide), ph_first_row(most + wide)};
+}
+
+/* Whether a triangle has rows in the band. Only asked where a list leaps over very many references. */
+static bool touches(const struct ph_feed *f, const struct ph_draw *draw, const struct ph_ref *ref)
+{
+    const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
+    const struct rows rows = rows_of(f->r, draw, ref);
+    return rows.from < y0 + height && rows.end > y0;
+}
+
+uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)
+{
+    const struct ph_renderer *const r = f->r;
+    const uint32_t count = ph_ref_count(r);
+    const struct ph_draw *draw = ph_at(r, r->list.first);
+    for (uint32_t i = ref + PH_LINK_FAR; i < count; i++) {
+        while (draw->next != PH_NONE && ((const struct ph_draw *)ph_at(r, draw->next))->first <= i) {
+            draw = ph_at(r, draw->next);
+        }
+        if (touches(f, draw, ph_ref_at(r, i))) {
+            return i;
+        }
+    }
+    return PH_NONE;
+}
+
+void ph_feed_put_below(const struct ph_feed *f, uint32_t ref, uint32_t *after)
+{
+    const struct ph_feed below = {.r = f->r, .band = f->band + 1};
+    uint32_t *const bin = &f->r->config.bins[below.band], before = *after;
+    uint32_t next = before == PH_NONE ? *bin : ph_feed_next(&below, before);
+    while (next < ref) {
+        before = next;
+        next = ph_feed_next(&below, next);
+    }
+    link_ref(ph_ref_at(f->r, ref), ref, next);
+    if (before == PH_NONE) {
+        *bin = ref;
+    } else {
+        link_ref(ph_ref_at(f->r, before), before, ref);
+    }
+    *after = ref;
+}
+
+void ph_feed_start(struct ph_feed *f, struct ph_renderer *r, uint32_t band)
+{
+    f->r = r;
+    f->band = band;
+    f->ref = r->config.bins[band];
+    f->draw = NULL;
+    f->next_first = 0;
+}
+
+void ph_feed_find(struct ph_feed *f, uint32_t ref)
+{
+    const struct ph_renderer *const r = f->r;
+    while (ref >= f->next_first) {
+        f->draw = ph_at(r, f->draw == NULL ? r->list.first : f->draw->next);
+        f->next_first = f->draw->next == PH_NONE ? PH_NONE : ((const struct ph_draw *)ph_at(r, f->draw->next))->first;
+    }
+}

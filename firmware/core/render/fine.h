@@ -1,0 +1,20 @@
+/*
+ * fine: an antialiased picture's pixels from its samples. Private to firmware/core.
+ */
+#ifndef PH_FINE_H
+#define PH_FINE_H
+
+#include "band.h"
+
+/* Columns, from the first to behind the last. */
+struct ph_reach {
+    int32_t from, end;
+};
+
+/* The columns of pixels in which a band may differ from the background: edges are rounded, and lines have a width. */
+void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in);
+
+/* Makes pixels of the samples of a band; outside `in` they are the background's. */
+void ph_fine_means(const struct ph_band *rows, const struct ph_reach *in, uint16_t background, uint16_t *pixels);
+
+#endif
