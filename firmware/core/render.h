@@ -77,6 +77,7 @@ struct ph_band;
 enum ph_blend_kind {
     PH_BLEND_KEY,   /* cut-out: texels of the colour `key` are left out */
     PH_BLEND_MASK,  /* cut-out: texels are left out where `alphas` is below one half */
+    PH_BLEND_TIMES, /* multiplied: what is behind, or at the same depth, times the colour, as far as a says */
     PH_BLEND_ALPHA, /* blended: colour times a plus what is behind times 1 - a; a is `alpha` times the texel's alpha
                      */
     PH_BLEND_ADD,   /* blended: colour times a is added to what is behind, up to full colour */
@@ -87,16 +88,18 @@ enum ph_blend_kind {
  * hidden by what is nearer, but writes no depth: it is drawn in the order of the calls that draw it, so draw the
  * farthest object first. The far side of a two-sided mesh comes before its near side; that is the right order for a
  * convex mesh. Inside any other mesh, and where objects cut through each other, nothing is sorted.
- * The key is looked for in the nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32
- * bytes for each column of the picture from the triangle budget in a frame that has some; without room their triangles
- * are left out.
+ * What is multiplied comes with the cut-outs, before the fog, in the order of the calls, and writes no depth. It
+ * colours textures: draw a mesh with its texture, then the same mesh again, UNLIT or GOURAUD, with PH_BLEND_TIMES and
+ * colours for its vertices, or in coloured light. Both have the same depth at each pixel. The key is looked for in the
+ * nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32 bytes for each column of the
+ * picture from the triangle budget in a frame that has some; without room their triangles are left out.
  */
 struct ph_blend {
     void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: so it is linked if used */
     uint8_t kind;                                                    /* enum ph_blend_kind */
-    uint8_t alpha;                                                   /* 0 .. 32; ALPHA, ADD */
+    uint8_t alpha;                                                   /* 0 .. 32; TIMES, ALPHA, ADD */
     uint16_t key;                                                    /* wire order */
-    const struct ph_texture *alphas; /* MASK, ALPHA, ADD: the green of each texel is its alpha, beside the material's
+    const struct ph_texture *alphas; /* all but KEY: the green of each texel is its alpha, beside the material's
                                         texture or its colour; its sides may differ from the texture's. Or NULL: all
                                         have alpha 1 */
 };

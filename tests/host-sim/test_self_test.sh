@@ -11,7 +11,7 @@ make -s -j2 B="$B" "$B/pinhole-sim" || exit 1
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT
 
-# "240 135 D114E45F 99FF17F2" a row: width, height, cube, testcard.
+# "240 135 E7B4F73C 99FF17F2" a row: width, height, cube, testcard.
 grep -oE '\{[0-9]+, +[0-9]+, +\{0x[0-9A-F]{8}, +0x[0-9A-F]{8}\}\}' firmware/app/self_test.c | sed 's/0x//g' | tr -cs '0-9A-F\n' ' ' |
     sed 's/^ //; s/ $//' >"$dir/known"
 

@@ -23,30 +23,52 @@ static const uint8_t *glyph_of(char letter)
     return known ? ph_font[c - PH_FONT_FIRST] : box;
 }
 
-/* Fills a square of size x size pixels, clipped to the band. */
-static void fill(const struct ph_overlay_band *band, int32_t x, int32_t y, int32_t size, uint16_t colour)
+/* Draws pixels below each other from y on, where bits are set, from bit 0 on. */
+static void draw_column(const struct ph_overlay_band *band, int32_t x, int32_t y, uint32_t bits, uint16_t colour)
 {
-    const int32_t x0 = x > 0 ? x : 0, x1 = x + size < band->width ? x + size : band->width;
-    const int32_t y0 = y > band->y0 ? y : band->y0;
-    const int32_t y1 = y + size < band->y0 + band->lines ? y + size : band->y0 + band->lines;
-    for (int32_t row = y0; row < y1; row++) {
-        uint16_t *pixels = band->pixels + (row - band->y0) * band->width;
-        for (int32_t column = x0; column < x1; column++) {
-            pixels[column] = colour;
+    const int32_t above = band->y0 - y, hidden = above > 0 ? above : 0, below = band->y0 + band->lines - y;
+    if (x < 0 || x >= band->width || hidden > 31 || below <= 0) {
+        return;
+    }
+    bits = (below < 32 ? bits & (((uint32_t)1 << below) - 1) : bits) >> hidden;
+    uint16_t *pixel = band->pixels + (hidden - above) * band->width + x;
+    for (; bits != 0; bits >>= 1) {
+        if ((bits & 1) != 0) {
+            *pixel = colour;
+        }
+        pixel += band->width;
+    }
+}
+
+/* Draws a letter of which each pixel is a square. */
+static __attribute__((noinline)) void draw_squares(const struct ph_overlay_band *band, int32_t x, int32_t y,
+                                                   const uint8_t *glyph, int32_t scale, int32_t more, uint16_t colour)
+{
+    const uint32_t square = ((uint32_t)1 << (scale + 2 * more)) - 1;
+    for (int32_t column = 0; column < 5; column++) {
+        for (int32_t row = 0; row < 8; row++) {
+            for (int32_t i = -more; i < scale + more && (glyph[column] >> row & 1) != 0; i++) {
+                draw_column(band, x + column * scale + i, y + row * scale - more, square, colour);
+            }
         }
     }
 }
 
-/* Draws one letter: each pixel of the font is a square `scale` wide, made `more` pixels larger on all sides. */
+/* Draws one letter: each pixel of the font is a square `scale` wide, made `more` pixels (0 or 1) larger on all sides.
+ * Squares of one pixel are drawn by columns, into which the larger ones' neighbours have been put. */
 static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph, int32_t scale,
                         int32_t more, uint16_t colour)
 {
-    for (int32_t column = 0; column < 5; column++) {
-        for (int32_t row = 0; row < 8; row++) {
-            if ((glyph[column] >> row & 1) != 0) {
-                fill(band, x + column * scale - more, y + row * scale - more, scale + 2 * more, colour);
-            }
-        }
+    if (scale > 1) {
+        draw_squares(band, x, y, glyph, scale, more, colour);
+        return;
+    }
+    uint32_t before = 0, here = 0;
+    for (int32_t column = -1; column < 6; column++) {
+        const uint32_t after = column < 4 ? glyph[column + 1] : 0, near = before | here | after;
+        draw_column(band, x + column, y - 1, more > 0 ? near | near << 1 | near << 2 : here << 1, colour);
+        before = here;
+        here = after;
     }
 }
 

@@ -7,6 +7,7 @@
 
 #define OUTSIDE     PH_LIT /* clip code: not between plane and light; unused else, as shadows are not lit */
 #define POLYGON_MAX 5
+#define CHUNK       16u /* vertices that are transformed at a time */
 
 struct cast {
     struct ph_renderer *r;
@@ -16,7 +17,9 @@ struct cast {
     const struct ph_material *material;
     struct fx_vec3 light;
     int64_t light_height, highest; /* heights of the light, and of the highest point that casts a shadow */
-    struct ph_clip_matrix matrix;  /* world to clip coordinates, moved towards the viewer */
+    uint32_t whole;                /* light_height in units of 2^(down - 46), below 2^30 */
+    int down;
+    struct ph_clip_matrix matrix; /* world to clip coordinates, moved towards the viewer */
     struct ph_vertex *vertices;
     struct ph_draw draw;
 };
@@ -42,14 +45,10 @@ static fx_t along_ray(fx_t light, fx_t p, int32_t ratio)
 /* Projects a point that is not above `highest` onto the plane, from the light. */
 static struct fx_vec3 shadow_of(const struct cast *c, const struct caster *v)
 {
-    int64_t whole = c->light_height, rest = whole - v->height;
-    while (whole >> 30 != 0) { /* at most 33 times */
-        whole >>= 1;
-        rest >>= 1;
-    }
+    const int64_t rest = (c->light_height - v->height) >> c->down;
     int shift;
     const uint32_t over_rest = fx_rcp_norm(rest > 0 ? (uint32_t)rest : 1, &shift); /* 2^(62 - shift) / rest */
-    const uint64_t ratio = fx_mul_wide_u((uint32_t)whole, over_rest) >> (38 - shift);
+    const uint64_t ratio = fx_mul_wide_u(c->whole, over_rest) >> (38 - shift);
     const int32_t r = (int32_t)(ratio < (uint64_t)1 << 30 ? ratio : (uint64_t)1 << 30);
     return (struct fx_vec3){along_ray(c->light.x, v->p.x, r), along_ray(c->light.y, v->p.y, r),
                             along_ray(c->light.z, v->p.z, r)};
@@ -64,16 +63,23 @@ static struct caster caster_of(const struct cast *c, uint32_t index)
 
 static void transform_vertices(const struct cast *c)
 {
-    for (uint32_t i = 0; i < c->mesh->vertex_count; i++) {
-        const struct caster v = caster_of(c, i);
-        c->vertices[i].code = OUTSIDE;
-        if (v.height >= 0 && v.height <= c->highest) {
-            const struct fx_vec3 s = shadow_of(c, &v);
-            ph_transform(c->r, &c->matrix, &s, &c->vertices[i]);
+    const uint32_t all = c->mesh->vertex_count;
+    struct fx_vec3 points[CHUNK];
+    c->r->stats.vertices += all;
+    for (uint32_t from = 0, n; from < all; from += n) {
+        uint32_t outside = 0;
+        n = all - from < CHUNK ? all - from : CHUNK;
+        for (uint32_t i = 0; i < n; i++) {
+            const struct caster v = caster_of(c, from + i);
+            const bool is_outside = v.height < 0 || v.height > c->highest;
+            points[i] = is_outside ? c->light : shadow_of(c, &v);
+            outside |= (uint32_t)is_outside << i;
         }
-        c->vertices[i].light = PH_LIGHT_ZERO;
+        ph_transform_points(c->r, &c->matrix, points, n, c->vertices + from);
+        for (struct ph_vertex *v = c->vertices + from; outside != 0; outside >>= 1, v++) {
+            v->code = (outside & 1) != 0 ? OUTSIDE : v->code;
+        }
     }
-    c->r->stats.vertices += c->mesh->vertex_count;
 }
 
 /* ---- triangles that reach below the plane or too near to the light ---------------------------------------------- */
@@ -194,9 +200,13 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     if (c.light_height <= 0 || (material->two_sided == 0 && !sees_lit_side(r, plane))) {
         return PH_OK;
     }
+    while (c.light_height >> c.down >> 30 != 0) { /* at most 33 times */
+        c.down++;
+    }
+    c.whole = (uint32_t)(c.light_height >> c.down);
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count;
-    c.draw = (struct ph_draw){.material = material};
+    c.draw = (struct ph_draw){.material = material, .kind = PH_DRAW_SMALL};
     c.draw.base = n <= r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
     if (c.draw.base == UINT32_MAX || !ph_list_draw(r, &c.draw)) {
         r->stats.vertices_dropped += n;

@@ -25,8 +25,8 @@ struct row {
  */
 static inline struct row mean_row(const struct ph_xform *matrices, const struct ph_influence *in, int i)
 {
-    uint32_t x = 1 << 14, y = 1 << 14, z = 1 << 14, high = 0, low = 0;
-    for (int k = 0; k < 4 && in->weights[k] != 0; k++) {
+    uint32_t x = 1 << 14, y = 1 << 14, z = 1 << 14, high = 0, low = 0, sum = 0;
+    for (int k = 0; k < 4 && sum < PH_INFLUENCE_ONE && in->weights[k] != 0; k++) {
         const uint32_t w = in->weights[k];
         const struct ph_xform *const m = &matrices[in->joints[k]];
         const int32_t t = (&m->t.x)[i];
@@ -35,6 +35,7 @@ static inline struct row mean_row(const struct ph_xform *matrices, const struct 
         z += w * (uint32_t)(m->r[i][2] >> 15);
         high += w * (uint32_t)(t >> 15);    /* 2^15 2^16 */
         low += w * ((uint32_t)t & 0x7fffu); /* 2^15 2^15 */
+        sum += w;
     }
     return (struct row){(int32_t)x, (int32_t)y, (int32_t)z, (int32_t)(high + (low >> 15))};
 }
@@ -68,17 +69,19 @@ static void set_mean(struct mean *mean, const struct ph_xform *matrices, const s
     }
 }
 
-/* Whether two vertices follow the same joints by the same shares. From the first share of 0 on nothing counts, and is
- * not read: a word of a slow flash takes longer than the rest of this. */
+/* Whether two vertices follow the same joints by the same shares. What does not count is not read: a word of a slow
+ * flash takes longer than the rest of this. */
 static bool is_same(const struct ph_influence *a, const struct ph_influence *b)
 {
-    for (int k = 0; k < 4; k++) {
+    uint32_t sum = 0;
+    for (int k = 0; k < 4 && sum < PH_INFLUENCE_ONE; k++) {
         if (a->weights[k] != b->weights[k] || (a->weights[k] != 0 && a->joints[k] != b->joints[k])) {
             return false;
         }
         if (a->weights[k] == 0) {
             break;
         }
+        sum += a->weights[k];
     }
     return true;
 }

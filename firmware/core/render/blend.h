@@ -39,4 +39,19 @@ static inline uint16_t ph_add(uint16_t to, uint16_t colour, uint32_t share)
     return ph_fold((sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & PH_SPREAD);
 }
 
+/* a times b, two channels of so many bits each, rounded to nearest; what stands above them does not count. */
+static inline uint32_t ph_channel_times(uint32_t a, uint32_t b, uint32_t bits)
+{
+    const uint32_t top = (1u << bits) - 1, sum = (a & top) * (b & top) + (1u << (bits - 1));
+    return (sum + (sum >> bits)) >> bits;
+}
+
+/* Each channel times that of another colour. */
+static inline uint16_t ph_times(uint16_t wire, uint16_t colour)
+{
+    const uint32_t a = ph_wire16(wire), b = ph_wire16(colour);
+    return ph_wire16((uint16_t)(ph_channel_times(a >> 11, b >> 11, 5) << 11 | ph_channel_times(a >> 5, b >> 5, 6) << 5 |
+                                ph_channel_times(a, b, 5)));
+}
+
 #endif

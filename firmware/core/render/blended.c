@@ -85,7 +85,9 @@ static inline uint32_t alpha_of(const struct overlay *o, uint16_t key)
 static uint16_t blended(struct overlay *o, uint16_t pixel, uint16_t colour, uint32_t alpha, uint32_t code)
 {
     const bool adds = o->blend->kind == PH_BLEND_ADD;
-    if (o->r->fog != NULL) {
+    if (o->blend->kind == PH_BLEND_TIMES) { /* fog comes later */
+        colour = ph_times(pixel, colour);
+    } else if (o->r->fog != NULL) {
         o->share = ph_fog_share(o->r->fog_codes, code, o->share);
         colour = ph_mix(colour, adds ? 0 : o->r->fog_of.colour, o->share);
     }
@@ -95,10 +97,11 @@ static uint16_t blended(struct overlay *o, uint16_t pixel, uint16_t colour, uint
 /* Lays n pixels over the band. */
 static void lay(struct overlay *o, const struct rows *row, uint32_t n)
 {
-    const bool depth24 = o->band->depth24, cut = o->blend->kind < PH_BLEND_ALPHA;
+    const bool depth24 = o->band->depth24, cut = o->blend->kind < PH_BLEND_TIMES;
+    const uint32_t more = o->blend->kind == PH_BLEND_TIMES ? 0 : 1; /* TIMES: also over the same depth */
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t code = code_of(row->codes, i, depth24);
-        if (code <= code_of(row->depth, i, depth24)) {
+        if (code < code_of(row->depth, i, depth24) + more || code == 0) {
             continue;
         }
         const uint32_t alpha = alpha_of(o, row->keys[i]);
@@ -228,7 +231,7 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
     o->setting.is_small = o->setting.is_small && (o->has_keys || o->setting.shading == PH_SHADE_GOURAUD);
 }
 
-/* Draws the cut-outs or what is blended. */
+/* Draws the cut-outs and what is multiplied, or what is blended. */
 static void draw_kind(struct overlay *o, bool blends)
 {
     struct ph_renderer *const r = o->r;

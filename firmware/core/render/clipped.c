@@ -18,8 +18,8 @@ static struct ph_corner project_corner(const struct ph_lens *lens, const struct 
 }
 
 /* ph_draw_clipped without a fisheye, whose stack is deep enough without these corners. */
-static __attribute__((noinline)) void clip_triangle(struct ph_renderer *r, const struct ph_material *material,
-                                                    uint32_t kind, const struct ph_clip_vertex in[3])
+static PH_NOINLINE void clip_triangle(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
+                                      const struct ph_clip_vertex in[3])
 {
     struct ph_clip_vertex out[PH_CLIP_MAX];
     struct ph_corner corners[PH_CLIP_MAX];

@@ -7,9 +7,7 @@
 
 #include "vertex.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the usual light */
-
-static int32_t dot_q14(const int16_t a[3], const int16_t b[3])
+static inline __attribute__((always_inline)) int32_t dot_q14(const int16_t a[3], const int16_t b[3])
 {
     return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) >> 14;
 }
@@ -212,8 +210,8 @@ static int32_t in_cone(const struct ph_local_light *l, const int16_t to_light[3]
 }
 
 /* n.l and n.h of a point light (normal, direction to the light, half vector). Returns its attenuation. */
-static NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
-                                    const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
+static PH_NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
+                                       const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
 {
     const int32_t in[3] = {(l->position.x >> 1) - (position.x >> 1), (l->position.y >> 1) - (position.y >> 1),
                            (l->position.z >> 1) - (position.z >> 1)};
@@ -258,8 +256,8 @@ static inline bool add_of(const struct ph_local_lights *local, const struct ph_l
 }
 
 /* The light of a vertex under any lights. */
-static NOINLINE uint16_t any_light(const struct ph_local_lights *local, const int16_t normal[3],
-                                   const struct fx_vec3 *position)
+static PH_NOINLINE uint16_t any_light(const struct ph_local_lights *local, const int16_t normal[3],
+                                      const struct fx_vec3 *position)
 {
     int32_t diffuse = local->ambient, specular = 0;
     for (uint32_t i = 0; i < local->count; i++) {

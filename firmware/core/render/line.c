@@ -7,8 +7,6 @@
 #include "planes.h"
 #include "span.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
-
 /* The length of a line, and how much of it lies before the centre of its first pixel, 1/256 px. */
 struct part {
     int32_t length, before;
@@ -31,7 +29,7 @@ static inline int32_t step_of(const struct part *part, int32_t change)
 }
 
 /* change times before / length. */
-static NOINLINE int32_t change_before(const struct part *part, int32_t change)
+static PH_NOINLINE int32_t change_before(const struct part *part, int32_t change)
 {
     return (int32_t)(fx_mul_wide(change, part_q28(part, part->before)) >> 28);
 }
@@ -103,8 +101,8 @@ static void line_corners(const struct ph_vertex *a, const struct ph_vertex *b, s
 }
 
 /* Depth in any format, as that of a triangle that is one pixel wide across the longer axis. */
-static NOINLINE void any_depth(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
-                               struct ph_triangle *t)
+static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
+                                  struct ph_triangle *t)
 {
     struct ph_vertex corners[3];
     line_corners(a, b, corners);
@@ -125,8 +123,8 @@ static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex 
         return false;
     }
     if (!s->floats) {
-        d[0] = ph_depth_before(ph_depth_of(a), s->far, 0) + s->usual.bias;
-        d[1] = ph_depth_before(ph_depth_of(b), s->far, 0) + s->usual.bias;
+        d[0] = ph_depth_before(ph_depth_of(a), 0, 0) + s->usual.bias;
+        d[1] = ph_depth_before(ph_depth_of(b), 0, 0) + s->usual.bias;
     } else if (!ph_float_depths(&s->r->lens, v, s->usual.bias, d)) {
         return false;
     }
@@ -157,7 +155,7 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
 
 /* Leaves out the pixels that do not lie in rows or columns low .. low + size - 1 across the longer axis. Returns how
  * many that are before the first one. */
-static NOINLINE int32_t trim(struct ph_line *l, int32_t low, uint32_t size)
+static PH_NOINLINE int32_t trim(struct ph_line *l, int32_t low, uint32_t size)
 {
     int32_t skipped = 0, last = l->across + (l->count - 1) * l->slope;
     for (; l->count > 0 && (uint32_t)((l->across >> 16) - low) >= size; skipped++) {
@@ -187,7 +185,7 @@ static inline int32_t cut(struct ph_line *l, const struct ph_band *band)
 }
 
 /* Draws the pixels of a line in any depth format, one by one. */
-static NOINLINE void draw_any(const struct ph_triangle *t, struct ph_line *l, const struct ph_band *band)
+static PH_NOINLINE void draw_any(const struct ph_triangle *t, struct ph_line *l, const struct ph_band *band)
 {
     for (; l->count > 0; step(l, 1)) {
         const int32_t across = l->across >> 16;

@@ -10,8 +10,6 @@
 #include "colours.h"
 #include "edge.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
-
 enum {
     STEEP = 42,          /* for 16.16 codes: 4 codes; see is_steep */
     FLOAT16_OCTAVES = 4, /* that a plane of 32 bits may cross: with more, its far end would have too few bits */
@@ -101,7 +99,8 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
 }
 
 /* The plane with that gradient through `value` at the first corner. */
-static NOINLINE int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1, int64_t d2)
+static PH_NOINLINE int wide_plane(struct ph_plane *out, const struct plane_base *s, uint32_t value, int64_t d1,
+                                  int64_t d2)
 {
     int halved;
     const struct pixel_gradient g = wide_gradient(s, d1, d2, &halved);
@@ -146,7 +145,7 @@ static inline int scaled_plane(struct ph_plane *out, const struct plane_base *s,
  * The plane through three unsigned values. A gradient of 2^31 per pixel or more is halved until it fits, so that it
  * does not wrap: the triangle becomes flatter. Returns how often.
  */
-static NOINLINE int plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
+static PH_NOINLINE int plane_through(struct ph_plane *out, const struct plane_base *s, const uint32_t v[3])
 {
     /* If the halves differ by less than 2^29, the differences are below 2^30. */
     const int32_t half1 = (int32_t)((v[1] >> 1) - (v[0] >> 1)), half2 = (int32_t)((v[2] >> 1) - (v[0] >> 1));
@@ -237,8 +236,8 @@ static inline void fixed_depths(const struct ph_renderer *r, const struct ph_ver
 }
 
 /* d of the corners, in units of 2^-(32 + block). */
-static NOINLINE void depths_in_block(const struct ph_renderer *r, const struct ph_vertex *const v[3], int block,
-                                     uint32_t d[3])
+static PH_NOINLINE void depths_in_block(const struct ph_renderer *r, const struct ph_vertex *const v[3], int block,
+                                        uint32_t d[3])
 {
     const uint32_t far = ph_depth_far(&r->lens, block);
     for (int i = 0; i < 3; i++) {
@@ -308,8 +307,8 @@ void ph_set_knee(struct ph_triangle *t, const uint32_t d[3])
     bend_plane(t, at.near, middle);
 }
 
-NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
-                                 uint32_t d[3])
+PH_NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph_vertex *const v[3], uint32_t bias,
+                                    uint32_t d[3])
 {
     const int block = largest_block(v), down = r->lens.float_down, lowest = ph_depth_lowest(block, down);
     depths_in_block(r, v, block, d);
@@ -338,8 +337,8 @@ static void round_depth(struct ph_plane *plane, int bits)
 }
 
 /* A float format. False if 32 bits do not do. */
-static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
-                                 const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+static PH_NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane_base *s,
+                                    const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const bool float16 = r->stats.depth_format == PH_DEPTH_FLOAT16;
     uint32_t d[3];
@@ -356,8 +355,8 @@ static NOINLINE bool setup_float(const struct ph_renderer *r, const struct plane
 }
 
 /* linear-w: the plane of N/w, and how it becomes a code. False if 32 bits do not do. */
-static NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
-                                  const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
+static PH_NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plane_base *s,
+                                     const struct ph_vertex *const v[3], uint32_t bias, struct ph_triangle *t)
 {
     const int least = least_exponent(v);
     const uint32_t w[3] = {corner_over_w(v[0], least), corner_over_w(v[1], least), corner_over_w(v[2], least)};
@@ -374,8 +373,8 @@ static NOINLINE bool setup_linear(const struct ph_renderer *r, const struct plan
 }
 
 /* Depth and block. False if 32 bits do not do. */
-static NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
-                                 const struct ph_vertex *const v[3], struct ph_triangle *t)
+static PH_NOINLINE bool setup_depth(const struct ph_renderer *r, const struct plane_base *s,
+                                    const struct ph_vertex *const v[3], struct ph_triangle *t)
 {
     const uint32_t bias = ph_depth_bias(t->material);
     const unsigned format = r->stats.depth_format;
@@ -407,9 +406,9 @@ static int texture_range(const struct ph_texture *texture, const fx_t *const uv[
 }
 
 /* The planes of u/w, v/w and 1/w, once t->block is set. uv: those of each corner; NULL counts as 0. */
-static NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
-                                   const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
-                                   struct ph_triangle *t)
+static PH_NOINLINE void setup_texture(const struct ph_renderer *r, const struct plane_base *s,
+                                      const struct ph_vertex *const v[3], const fx_t *const corner_uv[3],
+                                      struct ph_triangle *t)
 {
     static const fx_t origin[2];
     static const fx_t *const origins[3] = {origin, origin, origin};
@@ -442,7 +441,8 @@ static NOINLINE void setup_texture(const struct ph_renderer *r, const struct pla
 }
 
 /* The plane of the light of texels. */
-static NOINLINE void setup_shades(const struct plane_base *s, const struct ph_vertex *const v[3], struct ph_triangle *t)
+static PH_NOINLINE void setup_shades(const struct plane_base *s, const struct ph_vertex *const v[3],
+                                     struct ph_triangle *t)
 {
     int32_t light[3];
     for (int i = 0; i < 3; i++) {
@@ -458,7 +458,7 @@ static uint16_t ramp_colour(const struct ph_material *material, uint16_t light)
 }
 
 /* plane_base for what is rare. */
-static NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
+static PH_NOINLINE void rare_base(struct plane_base *base, const struct ph_vertex *first, const struct ph_sides *sides)
 {
     plane_base(base, first, sides);
 }

@@ -13,10 +13,9 @@
 #include "planes.h"
 #include "texels.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
-
 /* The edge from a down to b at row y0, in 64 bits. */
-static NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0, struct ph_edge *edge)
+static PH_NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0,
+                                  struct ph_edge *edge)
 {
     const int32_t dx = b->x - a->x, row = ph_first_row(a->y), down = row * 256 + 128 - a->y;
     int shift;
@@ -57,9 +56,9 @@ static FX_APART void setup_outline(int32_t height, const struct ph_vertex *const
 }
 
 /* Edges and planes of any triangle. False if 32 bits do not do for its depth. */
-static NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_material *material,
-                               const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                               const struct ph_sides *sides, struct ph_triangle *t)
+static PH_NOINLINE bool setup_any(const struct ph_renderer *r, const struct ph_material *material,
+                                  const struct ph_vertex *const v[3], const fx_t *const uv[3],
+                                  const struct ph_sides *sides, struct ph_triangle *t)
 {
     setup_outline(r->config.height, v, t);
     t->material = material;
@@ -81,12 +80,12 @@ static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
-/* Whether a triangle that is not small can be drawn as one, because it is textured, as narrow, and has short sides. */
-static NOINLINE bool is_narrow(const struct ph_setting *s, const struct ph_sides *sides,
-                               const struct ph_vertex *const v[3])
+/* Whether a triangle that is not small can be drawn as one, because it is as narrow and has short sides. */
+static PH_NOINLINE bool is_narrow(const struct ph_setting *s, const struct ph_sides *sides,
+                                  const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
-    return s->shading == PH_SHADE_TEXTURE && sides->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
+    return s->takes_narrow && sides->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
            ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL &&
            is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) &&
            is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height);
@@ -105,7 +104,7 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
         return true;
     }
     for (int i = 0; i < 3; i++) {
-        d[i] = ph_depth_before(ph_depth_of(v[i]), s->far, 0) + s->usual.bias;
+        d[i] = ph_depth_before(ph_depth_of(v[i]), 0, 0) + s->usual.bias;
     }
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
@@ -148,9 +147,9 @@ static bool small_is_empty(const struct ph_small_triangle *s)
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */
-static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
-                                  const struct ph_vertex *const v[3], const struct ph_sides *sides, const uint32_t d[3],
-                                  enum ph_small_setup done)
+static PH_NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_renderer *r,
+                                     const struct ph_vertex *const v[3], const struct ph_sides *sides,
+                                     const uint32_t d[3], enum ph_small_setup done)
 {
     struct ph_small_triangle *const small = &t->small;
     struct ph_triangle any;
@@ -172,12 +171,13 @@ static NOINLINE bool finish_depth(struct ph_triangle *t, const struct ph_rendere
 
 /* Depth is the same in all shadings: that of a triangle with a texture or colours is what a small one of another
  * shading has. False if 32 bits do not do. */
-static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
-                                      const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
+static PH_NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_setting *s,
+                                         const struct ph_vertex *const v[3], const struct ph_sides *sides, bool fits)
 {
     struct ph_triangle other;
     uint32_t d[3];
     other.material = t->material;
+    other.small.ramp = NULL;
     if (!small_depths(s, v, d, &other.block)) {
         return fits;
     }
@@ -195,9 +195,9 @@ static NOINLINE bool take_small_depth(struct ph_triangle *t, const struct ph_set
 }
 
 /* Sets up any triangle that ph_setup_small cannot take. */
-static NOINLINE void setup_other(const struct ph_setting *s, const struct ph_vertex *const v[3],
-                                 const fx_t *const uv[3], const struct ph_sides *sides, bool small,
-                                 struct ph_triangle *t)
+static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_vertex *const v[3],
+                                    const fx_t *const uv[3], const struct ph_sides *sides, bool small,
+                                    struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
     const bool colours = (s->draw.kind & PH_DRAW_COLOURS) != 0;
@@ -227,28 +227,29 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->is_small = (draw->kind & (PH_DRAW_SMALL | PH_DRAW_COLOURS)) == PH_DRAW_SMALL &&
                   material->depth_bias_slope == 0 && r->stats.depth_format <= PH_DEPTH_FLOAT16 &&
                   (!textured || ph_texels_fit(material->texture));
-    s->usual.ramp = lit ? material->ramp : &material->colour;
+    s->usual.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
+    s->takes_narrow = s->shading == PH_SHADE_TEXTURE || r->fine != 0;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
-    s->usual.lens = &r->lens;
+    s->usual.lens = s->floats ? &r->lens : NULL;
     s->usual.inner_x = r->inner_x;
     s->usual.inner_y = r->inner_y;
     s->usual.material = material;
-    const bool usual = s->is_small && s->floats && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
+    const bool usual =
+        s->is_small && r->inner_x > 0 && r->inner_y > 0 && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
     s->is_usual = usual && !textured;
     s->has_usual_texels = usual && textured;
-    s->far = ph_depth_far(&r->lens, 0);
     s->usual.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
-                              : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16);
+                              : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
 }
 
 /* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
- * has no texture. */
+ * has no texture. done: PH_SMALL_STEEP if ph_setup_usual has set all but depth. */
 static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
-                        const struct ph_sides *sides, struct ph_triangle *t)
+                        const struct ph_sides *sides, enum ph_small_setup done, struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
-    const bool small = ph_sides_are_small(sides) && is_inside(r, v);
+    const bool small = done == PH_SMALL_STEEP || (ph_sides_are_small(sides) && is_inside(r, v));
     uint32_t d[3];
     if (!s->is_small || (!small && !is_narrow(s, sides, v))) {
         setup_other(s, v, uv, sides, small, t);
@@ -261,7 +262,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         setup_other(s, v, uv, sides, false, t);
         return;
     }
-    const enum ph_small_setup done = ph_setup_small(t, v, sides, d);
+    done = done == PH_SMALL_STEEP ? done : ph_setup_small(t, v, sides, d);
     if (done == PH_SMALL_STEEP && small_is_empty(&t->small)) {
         t->small.d = t->small.gd = t->small.d_dy = 0; /* no pixel asks for it */
         return;
@@ -272,7 +273,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
         return;
     }
     if (s->shading == PH_SHADE_TEXTURE) {
-        if (!ph_setup_texels(t, r, v, uv, sides)) {
+        if (!ph_setup_texels(t, r, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
         }
     } else {
@@ -285,7 +286,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
 }
 
 /* Sets up a triangle whose corners have their texture coordinates beside them. */
-static NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+static PH_NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
     const struct ph_corner *const base = (const void *)s->usual.base;
     const struct ph_vertex *v[3];
@@ -295,10 +296,11 @@ static NOINLINE void setup_corners(const struct ph_setting *s, const struct ph_r
         uv[i] = base[ref->corner[i]].uv;
     }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    setup_front(s, v, uv, &sides, t);
+    setup_front(s, v, uv, &sides, PH_SMALL_NO_ROW, t);
 }
 
-void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
+                      struct ph_triangle *t)
 {
     const struct ph_vertex *const base = s->usual.base;
     if ((s->draw.kind & PH_DRAW_LINES) != 0) {
@@ -321,11 +323,16 @@ void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, stru
         }
         uv = of_corners;
     }
+    done = s->has_usual_texels ? ph_setup_usual(&s->usual, ref, t) : done;
+    const bool is_usual = s->has_usual_texels && done == PH_SMALL_SET;
+    if (is_usual && ph_setup_texels(t, s->r, v, uv)) {
+        return;
+    }
     const struct ph_sides sides = ph_sides(v[0], v[1], v[2]);
-    if (!s->has_usual_texels || ph_setup_usual(&s->usual, ref, t) != PH_SMALL_SET) {
-        setup_front(s, v, uv, &sides, t);
-    } else if (!ph_setup_texels(t, s->r, v, uv, &sides)) {
+    if (is_usual) {
         setup_other(s, v, uv, &sides, true, t);
+    } else {
+        setup_front(s, v, uv, &sides, done, t);
     }
 }
 

@@ -9,8 +9,9 @@
 /* Prepares the set-up of a draw, whose lens is that of r. */
 void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw);
 
-/* Sets up a triangle that ph_setup_usual does not set up. */
-void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t);
+/* Sets up a triangle for which ph_setup_usual has returned `done`; PH_SMALL_NO_ROW if it was not asked. */
+void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
+                      struct ph_triangle *t);
 
 /* Gives a small triangle of one light that light. */
 static inline void ph_set_light(const struct ph_setting *s, const struct ph_vertex *first,
@@ -25,10 +26,11 @@ static inline void ph_set_light(const struct ph_setting *s, const struct ph_vert
 /* Sets up a triangle of the draw. */
 static inline void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    if (s->is_usual && ph_setup_usual(&s->usual, ref, t) == PH_SMALL_SET) {
+    const enum ph_small_setup done = s->is_usual ? ph_setup_usual(&s->usual, ref, t) : PH_SMALL_NO_ROW;
+    if (done == PH_SMALL_SET) {
         ph_set_light(s, &s->usual.base[ref->corner[0]], &t->small);
     } else {
-        ph_setup_unusual(s, ref, t);
+        ph_setup_unusual(s, ref, done, t);
     }
 }
 

@@ -6,16 +6,6 @@
 
 #define PH_SLOPE_BITS 15 /* that are kept of a difference and of a side */
 
-/*
- * The sides over their area (twice the triangle's), times 2^shift: dy1, dy2, dx1, dx2, in this order. Let d1 and d2 be
- * the differences between the value at the second or third corner and that at the first. Then the gradient of the value
- * is x = (d2 dy1 - d1 dy2) / area = d2 a - d1 b and y = (d1 dx2 - d2 dx1) / area = d1 d - d2 c.
- */
-struct ph_slopes {
-    int32_t a, b, c, d;
-    int shift;
-};
-
 static inline struct ph_slopes ph_slopes_of(const struct ph_sides *s)
 {
     const int zeros = fx_clz32((uint32_t)s->area);
@@ -24,8 +14,8 @@ static inline struct ph_slopes ph_slopes_of(const struct ph_sides *s)
     const int bits = 32 - fx_clz32(ph_without_sign(s->dx1) | ph_without_sign(s->dy1) | ph_without_sign(s->dx2) |
                                    ph_without_sign(s->dy2) | 31);
     const int down = bits + 16 - PH_SLOPE_BITS;
-    return (struct ph_slopes){s->dy1 * reciprocal >> down, s->dy2 * reciprocal >> down, s->dx1 * reciprocal >> down,
-                              s->dx2 * reciprocal >> down, 47 - zeros - down};
+    return (struct ph_slopes){s->dy1 * reciprocal >> down, s->dy2 * reciprocal >> down, s->dx2 * reciprocal >> down,
+                              s->dx1 * reciprocal >> down, 47 - zeros - down};
 }
 
 struct ph_subpixel_gradient {

@@ -23,120 +23,152 @@ static inline void set_small_line(struct ph_texel_line *line, const struct ph_pl
     line->bend = curve->xx;
 }
 
-/* The same as a tile has it, from PH_TILE columns further left on. */
+/* Columns of a tile are not negative: those of a small triangle count from so many further left. */
+enum { MARGIN = PH_TILE / 2 };
+
+/* The same as a tile has it, from MARGIN columns further left on. */
 static struct ph_texel_way way_of(const struct ph_texel_line *line)
 {
-    return (struct ph_texel_way){.at = line->at - PH_TILE * (line->step - PH_TILE * line->bend),
-                                 .step = line->step - 2 * PH_TILE * line->bend,
+    return (struct ph_texel_way){.at = line->at - MARGIN * (line->step - MARGIN * line->bend),
+                                 .step = line->step - 2 * MARGIN * line->bend,
                                  .bend = line->bend,
-                                 .at_dy = line->at_dy - PH_TILE * line->step_dy,
+                                 .at_dy = line->at_dy - MARGIN * line->step_dy,
                                  .step_dy = line->step_dy,
                                  .at_ddy = line->at_ddy};
 }
 
-/* Sets u, v and the texture, which is a map of the material's; y: the first row that is drawn. */
-static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes,
+/* The row, below that from which u and v count, with which the rows of a triangle begin at row y. */
+static inline uint32_t below_of(const struct ph_triangle *t, int32_t y)
+{
+    return (uint32_t)(y - t->y_top - t->range_log2 + 1);
+}
+
+/* Sets u, v and the texture, which is a map of the material's; below: see below_of. */
+static inline void begin_run(struct ph_texel_run *r, const struct ph_triangle *t, uint32_t below,
                              const struct ph_texture *texture)
 {
     const struct ph_plane u = {t->small.light, t->small.glight, t->small.light_dy};
-    const uint32_t below = (uint32_t)(y - t->y_top - t->range_log2 + 1);
     r->texels = texture->texels;
     r->u_mask = (1u << texture->log2_width) - 1;
     r->v_mask = ((1u << texture->log2_height) - 1) << texture->log2_width;
-    r->stride_bytes = stride_bytes;
     r->x = (uint32_t)t->y_mid;
     set_small_line(&r->u, &u, &t->curves[0], below);
     set_small_line(&r->v, &t->v, &t->curves[1], below);
 }
 
 /* Sets the rest for rows that may leave a clamped texture. */
-static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_texture *texture)
+static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_triangle *t, uint32_t below,
+                                   const struct ph_texture *texture)
 {
+    s->kind.triangle = t;
     s->kind.plain = true;
     s->kind.depth24 = false; /* small triangles are none of 24 bits */
     ph_set_texel_kind(&s->kind, &s->rows, texture);
-    s->rows.light -= PH_TILE * s->rows.glight;
+    ph_set_texel_light(&s->rows, t, &t->small_shades, 0, below);
+    s->rows.light -= MARGIN * s->rows.glight;
     s->rows.stride_bytes = s->run.stride_bytes;
-    s->rows.columns = 2 * PH_TILE - 1;
+    s->rows.columns = PH_TILE - 1;
 }
 
-/* The same for what ph_texture_small cannot draw: a clamped texture, light, or a filter. */
-static FX_APART void begin_unusual(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y,
-                                   const struct ph_texture *texture)
+/* The light of a run's rows. */
+static inline void begin_light(struct ph_texel_run *r, const struct ph_triangle *t, uint32_t below)
 {
-    struct ph_texel_run *const run = &s->run;
-    s->kind.triangle = t;
-    s->kind.lit = t->colour % PH_TEXELS_SMOOTH != 32;
-    s->kind.smooth = (t->colour & PH_TEXELS_SMOOTH) != 0;
+    const struct ph_plane *const shades = &t->small_shades;
+    const bool shaded = (t->colour & PH_TEXELS_SHADED) != 0;
+    r->light = shaded ? shades->base + below * shades->gy : (uint32_t)(t->colour % PH_TEXELS_SHADED) << 24;
+    r->light_dy = shaded ? shades->gy : 0;
+    r->glight = shaded ? shades->gx : 0;
+}
+
+/* Moves u and v of a bilinear texel to its first corner. */
+static FX_APART void begin_smooth(struct ph_texel_run *r, const struct ph_texture *texture)
+{
+    r->kind |= PH_TEXEL_ROW_SMOOTH;
+    r->u.at -= (uint32_t)1 << 21;
+    r->v.at -= (uint32_t)1 << (15 + ph_texel_row_up(texture));
+}
+
+/* See small_texels.h. Light without a filter is the usual case of what ph_texture_small cannot draw. */
+PH_NOINLINE void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y,
+                                       uint32_t stride_bytes)
+{
+    const struct ph_texture *texture = t->material->texture;
+    const uint32_t below = below_of(t, y);
+    struct ph_texture map;
+    if (t->colour >> 8 != 0) {
+        map = ph_texel_map(texture, t->colour >> 8);
+        texture = &map;
+    }
+    begin_run(&s->run, t, below, texture);
+    s->run.stride_bytes = stride_bytes;
+    s->usual = is_usual(t);
     s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
-    ph_set_texel_light(&s->rows, t, &t->small_shades, 0, (uint32_t)(y - t->y_top - t->range_log2 + 1));
-    if (s->kind.clamp) {
-        begin_clamped(s, texture);
+    if (s->usual) {
         return;
     }
-    run->light = s->rows.light;
-    run->light_dy = s->rows.light_dy;
-    run->glight = s->rows.glight;
-    run->kind = (s->kind.lit ? PH_TEXEL_ROW_LIT : 0u) | (s->kind.smooth ? PH_TEXEL_ROW_SMOOTH : 0u);
-    if (s->kind.smooth) {
-        run->u.at -= (uint32_t)1 << 21;
-        run->v.at -= (uint32_t)1 << (15 + ph_texel_row_up(texture));
+    if (s->kind.clamp) {
+        begin_clamped(s, t, below, texture);
+        return;
+    }
+    begin_light(&s->run, t, below);
+    s->run.kind = t->colour % PH_TEXELS_SMOOTH != 32 ? PH_TEXEL_ROW_LIT : 0;
+    if ((t->colour & PH_TEXELS_SMOOTH) != 0) {
+        begin_smooth(&s->run, texture);
     }
 }
 
-void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes)
+/* Draws a row whose light is not 0 .. 32 everywhere. */
+static FX_APART void draw_beyond_light(struct ph_texel_run *run, struct ph_texel_row *row)
 {
-    const struct ph_texture texture = ph_texel_map(t->material->texture, t->colour >> 8);
-    begin_run(&s->run, t, y, stride_bytes, &texture);
-    s->usual = is_usual(t);
-    if (!s->usual) {
-        begin_unusual(s, t, y, &texture);
-    }
+    struct ph_tile_kind kind;
+    kind.lit = (run->kind & PH_TEXEL_ROW_LIT) != 0;
+    kind.smooth = (run->kind & PH_TEXEL_ROW_SMOOTH) != 0;
+    ph_draw_texel_row(&kind, row, row->light, run->glight);
+    row->light_step = 4 * run->glight;
+    row->level = 0;
 }
 
-/* Draws the rows of a run with light or a filter. */
-static FX_APART uint32_t draw_special(struct ph_small_texels *s)
+/* Draws the rows of a run with light or a filter. Members that ph_texel_run_rows sets stay as they are. */
+static inline __attribute__((always_inline)) uint32_t draw_special(struct ph_texel_run *run)
 {
-    struct ph_texel_run *const run = &s->run;
-    struct ph_texel_row row = {.gd = run->gd,
-                               .u.bend = 4 * run->u.bend,
-                               .v.bend = 4 * run->v.bend,
-                               .u_mask = run->u_mask,
-                               .v_mask = run->v_mask,
-                               .texels = run->texels,
-                               .light_step = 4 * run->glight};
+    struct ph_texel_row row;
     uint32_t count = 0;
+    row.gd = run->gd;
+    row.u.bend = 4 * run->u.bend;
+    row.v.bend = 4 * run->v.bend;
+    row.u_mask = run->u_mask;
+    row.v_mask = run->v_mask;
+    row.texels = run->texels;
+    row.light_step = 4 * run->glight;
+    row.level = 0;
     do {
         while (run->rows > 0) {
-            row.level = 0;
             count += ph_texel_run_rows(run, &row);
             if (row.level == UINT32_MAX) {
-                ph_draw_texel_row(&s->kind, &row, row.light, run->glight);
-                row.light_step = 4 * run->glight;
+                draw_beyond_light(run, &row);
             }
         }
     } while (ph_texel_run_lower(run));
     return count;
 }
 
-/* Draws the rows of a run that may leave a clamped texture. Columns of a tile are not negative: they count from
- * PH_TILE columns further left. */
+/* Draws the rows of a run that may leave a clamped texture. */
 static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
 {
     struct ph_texel_run *const run = &s->run;
     struct ph_texel_rows *const r = &s->rows;
     r->count = 0;
-    r->depth = run->depth - PH_TILE;
-    r->pixels = run->pixels - PH_TILE;
-    r->d = run->d - PH_TILE * run->gd;
+    r->depth = run->depth - MARGIN;
+    r->pixels = run->pixels - MARGIN;
+    r->d = run->d - MARGIN * run->gd;
     r->d_dy = run->d_dy;
     r->gd = run->gd;
     r->u = way_of(&run->u);
     r->v = way_of(&run->v);
     do {
         const uint32_t rows = run->rows;
-        r->left = run->left + ((uint32_t)PH_TILE << 16);
-        r->right = run->right + ((uint32_t)PH_TILE << 16);
+        r->left = run->left + ((uint32_t)MARGIN << 16);
+        r->right = run->right + ((uint32_t)MARGIN << 16);
         r->left_dx = run->left_dx;
         r->right_dx = run->right_dx;
         r->rows = rows;
@@ -151,9 +183,9 @@ static FX_APART uint32_t draw_clamped(struct ph_small_texels *s)
     return r->count;
 }
 
-static uint32_t draw_unusual(struct ph_small_texels *s)
+static PH_NOINLINE uint32_t draw_unusual(struct ph_small_texels *s)
 {
-    return s->kind.clamp ? draw_clamped(s) : draw_special(s);
+    return s->kind.clamp ? draw_clamped(s) : draw_special(&s->run);
 }
 
 static uint32_t draw_run_of(struct ph_small_texels *s)
@@ -171,7 +203,8 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     struct ph_texel_run *const r = &texels.run;
     const bool usual = is_usual(t);
     if (usual) {
-        begin_run(r, t, y, 2 * (uint32_t)band->width, t->material->texture);
+        begin_run(r, t, below_of(t, y), t->material->texture);
+        r->stride_bytes = 2 * (uint32_t)band->width;
     } else {
         ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->width);
     }

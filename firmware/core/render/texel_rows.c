@@ -54,8 +54,7 @@ static inline uint32_t light_of(uint32_t light)
 }
 
 /* The texel at u, v in its light, or filtered. */
-static __attribute__((noinline)) uint16_t sample_special(const struct ph_tile_kind *k, uint32_t u, uint32_t v,
-                                                         uint32_t light)
+static PH_NOINLINE uint16_t sample_special(const struct ph_tile_kind *k, uint32_t u, uint32_t v, uint32_t light)
 {
     const uint16_t texel =
         k->smooth ? sample_smooth(k, u, v) : texel_at(k, (int32_t)u >> k->u_down, (int32_t)v >> k->v_down);
@@ -90,8 +89,8 @@ static inline __attribute__((always_inline)) void draw_run(const struct ph_tile_
 }
 
 /* Apart, because it runs from RAM where flash is slow. */
-static __attribute__((noinline)) void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r,
-                                                 uint32_t i, uint32_t n, struct ph_piece piece)
+static PH_NOINLINE void draw_other(const struct ph_tile_kind *k, const struct ph_texel_rows *r, uint32_t i, uint32_t n,
+                                   struct ph_piece piece)
 {
     if (k->depth24) {
         draw_run(k, r, i, n, piece, true);

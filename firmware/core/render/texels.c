@@ -202,7 +202,7 @@ static FX_APART void set_unusual(struct ph_triangle *t, const struct frame *f, c
 }
 
 bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const struct ph_vertex *const v[3],
-                     const fx_t *const corner_uv[3], const struct ph_sides *sides)
+                     const fx_t *const corner_uv[3])
 {
     static const fx_t origin[2];
     static const fx_t *const origins[3] = {origin, origin, origin};
@@ -217,7 +217,7 @@ bool ph_setup_texels(struct ph_triangle *t, const struct ph_renderer *r, const s
         return false;
     }
     struct ph_subpixel_gradient q;
-    f.slopes = ph_slopes_of(sides);
+    f.slopes = t->slopes;
     ph_set_gradient(&q, &f.slopes, f.warp.q[1], f.warp.q[2], 12, 22);
     f.q = shortened(&q);
     f.x = 128 - (v[0]->x & 255);

@@ -1,5 +1,5 @@
 /*
- * Textured triangles, perspective-correct, in tiles of up to 32 x 16 pixels.
+ * Textured triangles, perspective-correct, in tiles of up to 64 x 16 pixels.
  *
  * At the four corners of a tile u and v are divided exactly. Between them they follow a surface that is a parabola
  * along each row and each column and is exact in the middle of each side, too: if 1/w goes from w0 to w1 along a side,
@@ -18,9 +18,7 @@
 #include "texel_map.h"
 #include "tile_depth.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of what is usual */
-
-enum { WIDTH_LOG2 = 5, HEIGHT_LOG2 = 4 };
+enum { WIDTH_LOG2 = 6, HEIGHT_LOG2 = 4 };
 
 _Static_assert(1 << WIDTH_LOG2 == PH_TILE, "texture_tile.h");
 
@@ -88,8 +86,8 @@ static inline void set_texels(struct ph_tile_kind *k, const struct ph_tile *tile
     ph_surface_way(&r->v, &s->v, s, tile, k->v_down + range + height - 25);
 }
 
-static NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct ph_tile *tile, const struct ph_surface *s,
-                                       struct ph_texel_rows *r)
+static PH_NOINLINE void set_mapped_texels(struct ph_tile_kind *k, const struct ph_tile *tile,
+                                          const struct ph_surface *s, struct ph_texel_rows *r)
 {
     const struct ph_texture map = ph_texel_map(k->triangle->material->texture, level_of(k->triangle, tile, s));
     set_texels(k, tile, s, &map, r);
@@ -156,8 +154,12 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
         ph_texel_way_down(&r.u);
         ph_texel_way_down(&r.v);
     }
-    draw_half(&k, &rows, 0, tile, &r);
-    draw_half(&k, &rows, 1, tile, &r);
+    if (rows.y0 < t->y_mid) {
+        draw_half(&k, &rows, 0, tile, &r);
+    }
+    if (rows.y1 > t->y_mid) {
+        draw_half(&k, &rows, 1, tile, &r);
+    }
     return r.count;
 }
 

@@ -7,10 +7,16 @@
 #include "edge.h"
 #include "planes.h"
 
+/* Most tiles lie in one octave: this is apart, and runs from flash. */
+static PH_NOINLINE void nearest_octave(struct ph_octave *o, const struct ph_triangle *t, uint32_t most)
+{
+    ph_octave_of(o, t, most, t->depth.gx);
+}
+
 bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_tile_depth *depth)
 {
     const uint32_t gx = ph_without_sign((int32_t)t->depth.gx), gy = ph_without_sign((int32_t)t->depth.gy);
-    if (gx >> (31 - tile->width_log2) != 0 || gy >> (31 - tile->height_log2) != 0) { /* over the tile d could wrap */
+    if (gx >> (30 - tile->width_log2) != 0 || gy >> (30 - tile->height_log2) != 0) { /* differences below 2^31 */
         return false;
     }
     const uint32_t right = ((1u << tile->width_log2) - 1) * t->depth.gx;
@@ -22,7 +28,11 @@ bool ph_tile_octaves(const struct ph_triangle *t, const struct ph_tile *tile, st
     depth->d = d;
     depth->d_dy = t->depth.gy;
     ph_octave_of(least_in, t, least, t->depth.gx);
-    ph_octave_of(most_in, t, most, t->depth.gx);
+    if (ph_octave_holds(least_in, least, most)) {
+        most_in->up = least_in->up;
+        return least <= most;
+    }
+    nearest_octave(most_in, t, most);
     return least_in->size > 0 && most_in->size > 0 && least <= most && least_in->up - most_in->up < 2;
 }
 /* Draws rows in one octave; the first of them is row `row` of the tile. */
@@ -41,26 +51,6 @@ static void draw_rows_in_octave(const struct ph_tile_kind *k, struct ph_texel_ro
     r->d_dy = depth->d_dy;
 }
 
-/* How many next rows begin and end on the same sides of the octaves' border as the first. Without pixels: far. */
-static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t border, bool near[2])
-{
-    uint32_t left = r->left, right = r->right, d = r->d, n = 0;
-    for (; n < r->rows; n++) {
-        uint32_t i, pixels;
-        const bool any = ph_tile_columns(left, right, r->columns, &i, &pixels);
-        const bool first = any && d + i * r->gd >= border, last = any && d + (i + pixels - 1) * r->gd >= border;
-        if (n > 0 && (first != near[0] || last != near[1])) {
-            break;
-        }
-        near[0] = first;
-        near[1] = last;
-        left += r->left_dx;
-        right += r->right_dx;
-        d += r->d_dy;
-    }
-    return n;
-}
-
 /* The line on which d is at the octaves' border, as an edge of the tile at row `row`. */
 static struct ph_edge border_edge(const struct ph_tile_depth *depth, uint32_t gd, uint32_t row)
 {
@@ -72,72 +62,107 @@ static struct ph_edge border_edge(const struct ph_tile_depth *depth, uint32_t gd
     return (struct ph_edge){(int32_t)((uint32_t)x + 65535u + row * dx), (int32_t)dx};
 }
 
-/* The first of the columns i + 1 .. i + n - 1 of a row that is on the other side of the octaves' border than column i,
- * from a guess. d, gd: depth at column 0 and per column. */
-static uint32_t border_column(uint32_t d, uint32_t gd, uint32_t border, bool near, uint32_t i, uint32_t n,
-                              int32_t guess)
+/* The first of the columns 1 .. last of a row that is on the other side of the octaves' border than column 0, from a
+ * guess. d, gd: depth above the border at column 0 and per column. */
+static uint32_t border_column(uint32_t d, uint32_t gd, uint32_t last, int32_t guess)
 {
-    uint32_t x = guess <= (int32_t)i ? i + 1 : guess >= (int32_t)(i + n) ? i + n - 1 : (uint32_t)guess;
-    while (x < i + n - 1 && (d + x * gd >= border) == near) {
+    uint32_t x = guess < 1 ? 1 : guess > (int32_t)last ? last : (uint32_t)guess, at = d + x * gd;
+    for (; x < last && (int32_t)(at ^ d) >= 0; at += gd) {
         x++;
     }
-    while (x > i + 1 && (d + (x - 1) * gd >= border) != near) {
+    for (at -= gd; x > 1 && (int32_t)(at ^ d) < 0; at -= gd) {
         x--;
     }
     return x;
 }
 
-/* For how many of n rows the edge is the border to the pixel. If it is not in the first row, it is put right there. */
-static uint32_t rows_at_border(const struct ph_texel_rows *r, uint32_t border, bool near, struct ph_edge *edge,
-                               uint32_t n)
+/* On which side of the octaves' border the pixels of a row lie, from left to right. */
+enum side { FAR, NEAR, FAR_NEAR, NEAR_FAR };
+
+/* The side of a row; left, right, d: its edges and the depth above the border at column 0. *x is where the border is
+ * expected, and becomes where it is if the row has pixels on both sides. */
+static inline enum side side_of(const struct ph_texel_rows *r, uint32_t left, uint32_t right, uint32_t d, int32_t *x)
 {
-    uint32_t left = r->left, right = r->right, d = r->d;
-    for (uint32_t row = 0; row < n; row++) {
-        uint32_t i, pixels;
-        const int32_t guess = (int32_t)((uint32_t)edge->x + row * (uint32_t)edge->dx) >> 16;
-        ph_tile_columns(left, right, r->columns, &i, &pixels);
-        const uint32_t x = border_column(d, r->gd, border, near, i, pixels, guess);
-        if ((int32_t)x != guess) {
-            edge->x = row > 0 ? edge->x : (int32_t)(x << 16);
-            return row > 0 ? row : 1;
+    const enum side first = (int32_t)d < 0 ? FAR : NEAR, other = NEAR - first;
+    const uint32_t last = r->columns - 1;
+    if ((int32_t)((d + last * r->gd) ^ d) >= 0) {
+        return first;
+    }
+    const int32_t column = (int32_t)border_column(d, r->gd, last, *x);
+    if (column <= (int32_t)left >> 16) {
+        return other;
+    }
+    if (column >= (int32_t)right >> 16) {
+        return first;
+    }
+    *x = column;
+    return FAR_NEAR + first;
+}
+
+/* How many next rows lie on the same side as the first, or on both sides of this border, to the pixel. If it is not
+ * where it is in the first row, it is put right there. */
+static uint32_t rows_alike(const struct ph_texel_rows *r, uint32_t bottom, enum side *side, struct ph_edge *border)
+{
+    uint32_t left = r->left, right = r->right, d = r->d - bottom, at = (uint32_t)border->x;
+    for (uint32_t n = 0; n < r->rows; n++) {
+        const int32_t guess = (int32_t)at >> 16;
+        int32_t x = guess;
+        const enum side here = side_of(r, left, right, d, &x);
+        if (n > 0 && (here != *side || x != guess)) {
+            return n;
+        }
+        *side = here;
+        if (x != guess) {
+            border->x = (int32_t)((uint32_t)x << 16);
+            return 1;
         }
         left += r->left_dx;
         right += r->right_dx;
         d += r->d_dy;
+        at += (uint32_t)border->dx;
     }
-    return n;
+    return r->rows;
 }
 
-/* Draws rows that have a near and a far octave in them, from row `row` of the tile on. */
+/* Draws the next rows on both sides of the border, of which the first is row `row` of the tile. */
+static void draw_rows_at_border(const struct ph_tile_kind *k, struct ph_texel_rows *r,
+                                const struct ph_tile_depth *depth, uint32_t row, bool near,
+                                const struct ph_edge *border)
+{
+    const uint32_t left_dx = r->left_dx, left = r->left + r->rows * left_dx;
+    struct ph_texel_rows part = *r;
+    part.right = (uint32_t)border->x;
+    part.right_dx = (uint32_t)border->dx;
+    draw_rows_in_octave(k, &part, depth, near, row);
+    r->left = (uint32_t)border->x;
+    r->left_dx = (uint32_t)border->dx;
+    r->count = part.count;
+    draw_rows_in_octave(k, r, depth, !near, row);
+    r->left = left;
+    r->left_dx = left_dx;
+}
+
+/* Draws rows of a tile that has a near and a far octave in it, from row `row` of the tile on. */
 static void draw_rows_in_two(const struct ph_tile_kind *k, struct ph_texel_rows *r, const struct ph_tile_depth *depth,
                              uint32_t row)
 {
     const uint32_t bottom = depth->octaves[1].bottom, way = bottom - depth->d;
+    struct ph_edge border = {0, 0};
+    if (fx_magnitude((int32_t)r->gd) > fx_magnitude((int32_t)way) >> 29) { /* else it is almost a row */
+        border = border_edge(depth, r->gd, row);
+    }
     uint32_t n;
     for (uint32_t rows = r->rows; rows > 0; rows -= n, row += n) {
-        bool near[2] = {false, false};
+        struct ph_edge edge = border;
+        enum side side = FAR;
         r->rows = rows;
-        r->rows = n = rows_alike(r, bottom, near);
-        if (near[0] == near[1]) {
-            draw_rows_in_octave(k, r, depth, near[0], row);
-            continue;
+        r->rows = n = rows_alike(r, bottom, &side, &edge);
+        border.x = (int32_t)((uint32_t)border.x + n * (uint32_t)border.dx);
+        if (side <= NEAR) {
+            draw_rows_in_octave(k, r, depth, side == NEAR, row);
+        } else {
+            draw_rows_at_border(k, r, depth, row, side == NEAR_FAR, &edge);
         }
-        struct ph_edge border = {0, 0};
-        if (fx_magnitude((int32_t)r->gd) > fx_magnitude((int32_t)way) >> 29) { /* else it is almost a row */
-            border = border_edge(depth, r->gd, row);
-        }
-        r->rows = n = rows_at_border(r, bottom, near[0], &border, n);
-        const uint32_t left = r->left, left_dx = r->left_dx;
-        struct ph_texel_rows part = *r;
-        part.right = (uint32_t)border.x;
-        part.right_dx = (uint32_t)border.dx;
-        draw_rows_in_octave(k, &part, depth, near[0], row);
-        r->left = (uint32_t)border.x;
-        r->left_dx = (uint32_t)border.dx;
-        r->count = part.count;
-        draw_rows_in_octave(k, r, depth, near[1], row);
-        r->left = left + n * left_dx;
-        r->left_dx = left_dx;
     }
     r->rows = 0;
 }

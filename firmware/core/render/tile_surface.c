@@ -12,15 +12,14 @@ struct over_w {
     int shift;
 };
 
-/* Divides exactly: u and v at a point from the planes of u/w and v/w (see setup_texture), below 8 of their range. */
-static inline struct over_w divide(const struct ph_triangle *t, uint32_t x, uint32_t y, int32_t *u, int32_t *v)
+/* Divides exactly u/w and v/w (see setup_texture): u and v below 8 of their range. */
+static inline struct over_w divide(uint32_t over_w, uint32_t u_over_w, uint32_t v_over_w, int32_t *u, int32_t *v)
 {
-    const uint32_t plane = ph_plane_at(ph_over_w(t), x, y);
-    const uint32_t w = plane - 4 < ((uint32_t)1 << 30) - 4 ? plane : 4; /* 2^29 with head room */
+    const uint32_t w = over_w - 4 < ((uint32_t)1 << 30) - 4 ? over_w : 4; /* 2^29 with head room */
     struct over_w at;
     at.reciprocal = (int32_t)(fx_rcp_norm(w, &at.shift) >> 1);
-    *u = mulhi((int32_t)(ph_plane_at(&t->attribute[0], x, y) << (at.shift - 2)), at.reciprocal);
-    *v = mulhi((int32_t)(ph_plane_at(&t->attribute[1], x, y) << (at.shift - 2)), at.reciprocal);
+    *u = mulhi((int32_t)(u_over_w << (at.shift - 2)), at.reciprocal);
+    *v = mulhi((int32_t)(v_over_w << (at.shift - 2)), at.reciprocal);
     return at;
 }
 
@@ -35,11 +34,16 @@ static inline int32_t part_of(const struct over_w *end, uint32_t change)
 static void divide_side(const struct ph_triangle *t, const struct ph_tile *tile, uint32_t x, struct ph_surface *s,
                         struct over_w ends[2])
 {
-    const uint32_t height = 1u << tile->height_log2;
-    for (int i = 0; i < 2; i++) {
-        ends[i] = divide(t, x, i == 0 ? tile->y : tile->y + height, &s->u.right[i], &s->v.right[i]);
-    }
-    s->right = part_of(&ends[1], ph_over_w(t)->gy * height);
+    const struct ph_plane *const over_w = ph_over_w(t), *const attribute = t->attribute;
+    uint32_t w = ph_plane_at(over_w, x, tile->y);
+    uint32_t u = ph_plane_at(&attribute[0], x, tile->y), v = ph_plane_at(&attribute[1], x, tile->y);
+    const uint32_t change = over_w->gy << tile->height_log2;
+    ends[0] = divide(w, u, v, &s->u.right[0], &s->v.right[0]);
+    w += change;
+    u += attribute[0].gy << tile->height_log2;
+    v += attribute[1].gy << tile->height_log2;
+    ends[1] = divide(w, u, v, &s->u.right[1], &s->v.right[1]);
+    s->right = part_of(&ends[1], change);
 }
 
 void ph_surface_begin(const struct ph_triangle *t, const struct ph_tile *tile, struct ph_surface *s)

@@ -10,8 +10,6 @@
 #include "fisheye.h"
 #include "vertices.h"
 
-#define NOINLINE __attribute__((noinline)) /* keeps rare work out of the registers of a loop */
-
 /* One row of the clip matrix: row `from` of the view times `scale`. */
 static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform *object_to_view, int from,
                      int32_t scale)
@@ -85,7 +83,7 @@ static uint8_t screen_codes(const struct ph_renderer *r, const struct ph_vertex 
 }
 
 /* Projects a vertex, or only gives it clip codes: any lens, any place. */
-static NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int32_t y, int32_t z, struct ph_vertex *v)
+static PH_NOINLINE void place_vertex(const struct ph_renderer *r, int32_t x, int32_t y, int32_t z, struct ph_vertex *v)
 {
     const struct ph_lens *lens = &r->lens;
     if (lens->kind == PH_FISHEYE) {
@@ -162,8 +160,8 @@ struct part_of_mesh {
 };
 
 /* The place of the next vertex in clip coordinates; usual: ph_vertices has stopped there. */
-static NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
-                                             bool usual)
+static PH_NOINLINE struct fx_vec3 before_divide(const struct ph_vertex_run *run, const struct ph_clip_matrix *m,
+                                                bool usual)
 {
     if (!ph_matvec_in_range(&run->matvec, run->from)) {
         return ph_matrix_mul(m, run->from);
@@ -197,6 +195,13 @@ static void transform_part(void *argument)
         run.to++;
     }
     p->codes = run.codes;
+}
+
+void ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
+                         uint32_t n, struct ph_vertex *vertices)
+{
+    struct part_of_mesh part = {r, m, points, points + n, vertices, 0};
+    transform_part(&part);
 }
 
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,

@@ -4,6 +4,9 @@
 
 #include "depth.h"
 
+/* Of a function of render/: keeps rare work out of the registers of what is usual. */
+#define PH_NOINLINE __attribute__((noinline))
+
 /* Clip codes. LEFT .. FAR: the vertex lies outside that plane. GUARD: it lies outside the guard band. */
 enum {
     PH_LEFT = 1,
