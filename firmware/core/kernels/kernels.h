@@ -40,11 +40,12 @@ void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t
 void ph_halve(uint16_t *to, const uint16_t *upper, const uint16_t *lower, uint32_t n);
 
 /*
- * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL (those of
- * a textured one below PH_SIDE_SHORT downwards), and it keeps a pixel or more away from the borders of the picture. d
+ * setup_small.c: edges and planes of a small triangle. It faces the viewer, its sides are below PH_SIDE_SMALL (or below
+ * PH_SIDE_SHORT downwards), and it keeps a pixel or more away from the borders of the picture. d
  * is the depth of its corners; no two are 2^31 apart. Sets t->y_top, t->y_bottom and all of t->small but the ramp. If
- * depth changes by more than 2^25 a pixel, or if the triangle is thin, the 15 bits of a difference that are kept here
- * would show: then small.d, gd and d_dy are left to the caller.
+ * the ramp is NULL, the triangle is textured: t->slopes are set in place of the plane of light. If depth changes by
+ * more than 2^25 a pixel, or if the triangle is thin, the 15 bits of a difference that are kept here would show: then
+ * small.d, gd and d_dy are left to the caller.
  */
 enum ph_small_setup {
     PH_SMALL_NO_ROW, /* the triangle has no row, and nothing is set */
@@ -62,15 +63,15 @@ bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v
 /* What ph_setup_usual takes of the references of a draw. */
 struct ph_usual {
     const struct ph_vertex *base; /* corner 0 */
-    const struct ph_lens *lens;
-    uint32_t inner_x, inner_y; /* as in the renderer */
-    uint32_t bias;             /* for ph_float_depths */
+    const struct ph_lens *lens;   /* NULL: fixed16 */
+    uint32_t inner_x, inner_y;    /* as in the renderer; neither is 0 */
+    uint32_t bias;                /* for ph_float_depths; fixed16: what is added to N/w (depth.h) */
     const uint16_t *ramp;
     const struct ph_material *material;
 };
 
-/* setup_small.c: sets up a listed triangle as ph_setup_small does, if it is small, its first corner is inner, and
- * ph_float_depths can tell its depth. Sets kind, block, material and ramp, too, and writes over the rest of t but
+/* setup_small.c: sets up a listed triangle as ph_setup_small does, if it is small, off the borders as there, and
+ * ph_float_depths can tell its depth, or it is fixed16. Sets kind, block, material and ramp, too, and writes over the rest of t but
  * order. If it does not return PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth to the caller.
  */
 enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t);

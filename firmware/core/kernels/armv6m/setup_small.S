@@ -33,6 +33,18 @@
     subs \to, \to, r7
     .endm
 
+    @ r2, r7 and lr become the way from the first corner, at r1, to column 0 of the first row.
+    .macro to_first_row
+    movs r3, #128
+    ldmia r1, {r1, r2}
+    ldrh r7, [r0, #triangle_y_top]
+    lsls r7, r7, #8
+    adds r7, r7, r3
+    subs r7, r7, r2
+    subs r2, r3, r1
+    mov lr, r7
+    .endm
+
     @ Sets up the long edge; r5 is the lowest corner.
     .macro long_edge
     mov r4, r10
@@ -103,9 +115,10 @@ unusual:
     ldr r2, [r0, #usual_inner_x]
     ldr r0, [r0, #usual_inner_y]
     cmp r3, r2
-    bhs unusual
+    bhs border
     cmp r1, r0
-    bhs unusual
+    bhs border
+inside:
     @ The sides: r1, r2 from a to b, r6, r7 from a to c. Are they below 2^13?
     ldmia r4!, {r1, r2}
     ldmia r5, {r0, r5}
@@ -140,6 +153,10 @@ unusual:
     subs r5, #own_sides + 16 - own_corners
     ldmia r5!, {r1-r3}
     subs r5, #12
+    mov r0, r10
+    ldr r0, [r0, #usual_lens]
+    cmp r0, #0
+    beq fixed
     ldrb r4, [r1, #vertex_s]
     ldrb r6, [r2, #vertex_s]
     ldrb r7, [r3, #vertex_s]
@@ -147,8 +164,6 @@ unusual:
     bne apart
     cmp r4, r7
     bne apart
-    mov r0, r10
-    ldr r0, [r0, #usual_lens]
     ldr r6, [r0, #lens_far_q]
     ldrh r7, [r0, #lens_far_s] @ and float_down in its upper byte
     subs r7, r7, r4
@@ -218,6 +233,59 @@ known:
     subs r5, #own_sides - own_corners
     movs r1, r5
     b begin
+border: @ do all corners keep a pixel away from the borders?
+    mov r0, r10
+    ldr r2, [r0, #usual_inner_x]
+    ldr r3, [r0, #usual_inner_y]
+    movs r1, #64 @ 2 PH_SIDE_SMALL
+    lsls r1, r1, #8
+    adds r2, r2, r1
+    adds r3, r3, r1
+    mov r0, r11
+    adds r0, #own_corners + 12
+1:  subs r0, #4
+    ldr r1, [r0]
+    ldmia r1!, {r6, r7}
+    movs r1, #1
+    lsls r1, r1, #8
+    subs r6, r6, r1
+    cmp r2, r6
+    blo 2f
+    subs r7, r7, r1
+    cmp r3, r7
+    blo 2f
+    adds r6, r6, r1
+    adds r7, r7, r1
+    mov r1, r11
+    adds r1, #own_corners
+    cmp r0, r1
+    bne 1b
+    b inside
+2:  b unusual
+fixed: @ depth in fixed16; the one shift that is too long, as it is below zero, gives 0
+    mov r0, r10
+    ldr r6, [r0, #usual_bias]
+    movs r0, #3
+1:  ldmia r5!, {r4}
+    ldr r1, [r4, #vertex_q]
+    ldrb r4, [r4, #vertex_s]
+    subs r4, #2
+    movs r2, r1
+    lsrs r1, r4
+    rsbs r4, r4, #0
+    lsls r2, r4
+    orrs r1, r2
+    adds r1, r1, r6
+    str r1, [r5, #own_depths - own_corners - 4]
+    subs r0, #1
+    bne 1b
+    adds r5, #own_depths - own_corners - 12
+    ldmia r5!, {r1-r3}
+    eors r2, r1
+    eors r3, r1
+    orrs r2, r3
+    bpl known
+    b unusual
     .size ph_setup_usual, . - ph_setup_usual
 
     .p2align 2
@@ -305,6 +373,15 @@ flat_top: @ part of ph_setup_small: the first edge is the lower one
     str r0, [r3, #triangle_left_dx]
     long_edge
     b planes
+
+none:
+    movs r0, #0
+    b leave
+
+long: @ part of ph_setup_small: a side has 14 bits
+    movs r0, #0
+    subs r0, #1
+    b known_sides
 
     .p2align 2
     .global ph_setup_small
@@ -413,30 +490,22 @@ planes:
     lsrs r0, r7, #8
     bne long
     ldrb r0, [r1, r7]
-5:  mov r8, r0 @ 13 - bits
-    lsrs r7, r6, #16
-    beq 3f
+known_sides:
+    mov r8, r0 @ 13 - bits
     movs r0, #0
-1:  lsrs r7, r7, #8
+    lsrs r7, r6, #24
     bne 2f
-    adds r0, #8
+    movs r0, #8
+    lsrs r7, r6, #16
+    bne 2f
+    movs r0, #16
+    lsrs r7, r6, #8
+    bne 2f
+    movs r0, #24
     movs r7, r6
-    lsls r7, r0
-    lsrs r7, r7, #24
 2:  ldrb r7, [r1, r7]
     adds r0, r0, r7
-    b 4f
-none:
-    movs r0, #0
-    b leave
-long: @ 14 bits
-    movs r0, #0
-    subs r0, #1
-    b 5b
-3:  movs r0, #16
-    movs r7, r6
-    b 1b
-4:  lsls r6, r0
+    lsls r6, r0
     lsrs r6, r6, #16
     rcp16 r1, r6
     mov r6, r8
@@ -458,9 +527,13 @@ long: @ 14 bits
     subs r6, r6, r0
     subs r6, r6, r7
     mov r12, r6
-    @ The plane of light.
+    ldr r0, [sp]
     ldr r1, [sp, #corners]
     ldmia r1, {r1-r3}
+    ldr r4, [r0, #triangle_ramp]
+    cmp r4, #0
+    beq textured
+    @ The plane of light.
     ldrh r4, [r1, #vertex_light]
     ldrh r2, [r2, #vertex_light]
     ldrh r3, [r3, #vertex_light]
@@ -484,16 +557,7 @@ long: @ 14 bits
     blt steep_light
     asrs r5, r7
     asrs r6, r7
-5:  movs r3, #128
-    ldr r2, [r1]
-    subs r2, r3, r2
-    ldr r1, [r1, #vertex_y]
-    ldr r0, [sp]
-    ldrh r7, [r0, #triangle_y_top]
-    lsls r7, r7, #8
-    adds r7, r7, r3
-    subs r7, r7, r1
-    mov lr, r7 @ r2, lr: from the first corner to column 0 of the first row
+5:  to_first_row
     lsls r4, r4, #16
     movs r3, r5
     muls r3, r2
@@ -505,7 +569,7 @@ long: @ 14 bits
     str r4, [r0, #triangle_light]
     str r5, [r0, #triangle_glight]
     str r6, [r0, #triangle_light_dy]
-    @ The plane of depth.
+depth: @ the plane of depth
     ldr r3, [sp, #depths]
     ldmia r3, {r3-r5}
     subs r1, r4, r3
@@ -559,6 +623,16 @@ leave:
     movs r6, #8
     b 6b
 9:  b 7b @ r6 is 0: nothing to drop
+textured: @ r6: shift
+    mov r2, r9
+    mov r3, r11
+    mov r4, r10
+    mov r5, r8
+    adds r0, #triangle_slopes
+    stmia r0!, {r2-r6}
+    subs r0, #triangle_slopes + 20
+    to_first_row
+    b depth
 steep_light:
     push {r4}
     movs r4, #32 - 28

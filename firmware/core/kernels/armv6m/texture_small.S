@@ -1,9 +1,10 @@
 @ ph_texture_small (see texture_small.h) for ARMv6-M. A pixel that is drawn takes 17 instructions, a hidden one 9, a row
-@ 85, a call some 60.
+@ 84, a call some 60.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
 #include "texels.inc"
+#include "texel_line.inc"
 
     @ on the stack, behind the masks of texels.inc
     .equ self, 8   @ the struct ph_texel_run
@@ -19,27 +20,6 @@
     .equ row_d, 48
     .equ row_u, 52
     .equ frame, 56
-
-    .macro line step @ loads u or v from r0: \step becomes that of the first pixel, r6 its value
-    ldmia r0!, {r1-r6}
-    ldr r7, [sp, #pair]
-    muls r7, r6
-    adds r7, r7, r2
-    mov \step, r7
-    ldr r7, [sp, #from]
-    muls r6, r7
-    adds r6, r6, r2
-    muls r6, r7
-    adds r6, r6, r1
-    .endm
-
-    .macro line_down @ steps it to the next row
-    adds r1, r1, r3
-    adds r2, r2, r4
-    adds r3, r3, r5
-    subs r0, #24
-    stmia r0!, {r1-r3}
-    .endm
 
     function ph_texture_small @ r0: struct ph_texel_run
     save_registers
@@ -70,26 +50,9 @@
     str r1, [sp, #count]
 row:
     ldr r0, [sp, #self]
-    ldmia r0!, {r1-r6} @ left, right, d, left_dx, right_dx, d_dy
-    asrs r7, r1, #16
-    str r7, [sp, #from]
-    adds r1, r1, r4
-    asrs r4, r2, #16
-    adds r2, r2, r5
-    mov r5, r8
-    muls r5, r7
-    adds r5, r5, r3
-    str r5, [sp, #row_d]
-    adds r3, r3, r6
-    subs r0, #24
-    stmia r0!, {r1-r3}
-    adds r0, #12
-    ldr r1, [sp, #below]
-    ldr r2, [sp, #stride]
-    adds r2, r2, r1
-    str r2, [sp, #below]
-    subs r3, r4, r7
+    row_ends
     ble empty
+    str r7, [sp, #from]
     str r3, [sp, #n]
     lsls r4, r4, #1
     adds r1, r1, r4
@@ -97,19 +60,12 @@ row:
     ldr r1, [sp, #count]
     adds r1, r1, r3
     str r1, [sp, #count]
-    movs r1, #1
-    bics r1, r3
-    adds r1, r1, r7
-    lsls r1, r1, #1
-    str r1, [sp, #pair]
-    line r9
+    row_pair
+    line_at r9
     str r6, [sp, #row_u]
-    line_down
     adds r0, #12
-    line r10
-    movs r7, r6
-    line_down
-    movs r4, r7
+    line_at r10
+    movs r4, r6
     ldr r5, [sp, #n]
     lsls r5, r5, #1
     adr r6, entries
@@ -123,11 +79,7 @@ row:
     ldr r7, [sp, #mask1]
     bx r5
 empty:
-    ldmia r0!, {r1-r6}
-    line_down
-    adds r0, #12
-    ldmia r0!, {r1-r6}
-    line_down
+    lines_down
     b last
     .p2align 2
 entries: @ indexed by the number of pixels; the first is not used

@@ -9,15 +9,20 @@
     .equ own_sides, triangle_v + 12
     .equ own_depths, triangle_v + 32
 
-    @ The edge from a down to b, whose first row is given: r1 becomes x at that row, r10 the slope. r12 is 2^31 - 1.
-    @ Changes r2, r3, lr.
+    @ The edge from a down to b, whose first row is given: r1 becomes x at that row, r10 the slope, and r2 how far
+    @ it is down from a to that row. r12 is 2^31 - 1. Changes r3, lr.
     .macro edge a, b, row
-    ldrd r1, r2, [\a]
+    ldrd r1, lr, [\a]
+    rsb r2, lr, \row, lsl #8
+    adds r2, #128
+    edge_from \b
+    .endm
+
+    @ The same from a corner whose x and y are in r1 and lr; r2 is set.
+    .macro edge_from b
     ldrd r3, r10, [\b]
     subs r3, r3, r1
-    sub r10, r10, r2
-    rsb r2, r2, \row, lsl #8
-    adds r2, #128
+    sub r10, r10, lr
     clz lr, r10
     lsl r10, r10, lr
     lsr r10, r10, #16
@@ -46,6 +51,29 @@
     cmp \down, #0
     .endm
 
+    @ \v, a corner, becomes its depth in fixed16 for the bias r6. One of both shifts, by the low byte, is too long and
+    @ gives 0. Changes r7, r8.
+    .macro fixed_depth v
+    ldrb r7, [\v, #vertex_s]
+    ldr \v, [\v, #vertex_q]
+    subs r7, #2
+    lsr r8, \v, r7
+    rsbs r7, r7, #0
+    lsl r7, \v, r7
+    orr \v, r7, r8
+    add \v, \v, r6
+    .endm
+
+    @ Goes away if the corner \x, \y comes within a pixel of the borders. r9, r10: size less 2 pixels. Changes r8.
+    .macro off_borders x, y
+    sub r8, \x, #256
+    cmp r8, r9
+    itt ls
+    subls r8, \y, #256
+    cmpls r8, r10
+    bhi unusual
+    .endm
+
     function ph_setup_usual @ r0: struct ph_usual, r1: struct ph_ref, r2: struct ph_triangle
     push {r4-r11, lr}
     ldrh r3, [r1]
@@ -63,7 +91,8 @@
     itt lo
     sublo r8, r7, #8448
     cmplo r8, r10
-    bhs unusual
+    bhs border
+inside:
     @ The sides: r8, r9 from a to b, r10, r11 from a to c. Are they below 2^13?
     ldrd r8, r9, [r4]
     ldrd r10, r11, [r5]
@@ -87,6 +116,9 @@
     mls r12, r8, r11, r12
     adds r2, #own_corners
     stmia r2!, {r3-r5, r8-r12}
+    ldr r12, [r0, #usual_lens]
+    cmp r12, #0
+    beq fixed
     @ ph_float_depths, mostly of three corners with one exponent.
     ldrb r6, [r3, #vertex_s]
     ldrb r7, [r4, #vertex_s]
@@ -95,7 +127,6 @@
     it eq
     cmpeq r6, r8
     bne apart
-    ldr r12, [r0, #usual_lens]
     ldr r3, [r3, #vertex_q]
     ldr r4, [r4, #vertex_q]
     ldr r5, [r5, #vertex_q]
@@ -147,6 +178,26 @@ known:
     strh r4, [r0, #triangle_kind]
     push {r0-r3}
     b begin
+border: @ do all corners keep a pixel away from the borders?
+    add r9, r9, #16384 @ 2 PH_SIDE_SMALL
+    add r10, r10, #16384
+    off_borders r6, r7
+    ldrd r11, r12, [r4]
+    off_borders r11, r12
+    ldrd r11, r12, [r5]
+    off_borders r11, r12
+    b inside
+fixed:
+    ldr r6, [r0, #usual_bias]
+    fixed_depth r3
+    fixed_depth r4
+    fixed_depth r5
+    stmia r2, {r3-r5}
+    eors r4, r3
+    eors r5, r3
+    orrs r4, r5
+    bpl known
+    b unusual
 apart: @ the corners have other exponents
     mov r4, r0
     mov r5, r2
@@ -228,7 +279,8 @@ begin:
     str r10, [lr, #triangle_left_dx + 4]
     cmp r8, r7
     beq flat_top
-    edge r4, r5, r7
+    ldrd r1, lr, [r4]
+    edge_from r5
     str r1, [r11, #triangle_left]
     str r10, [r11, #triangle_left_dx]
     sub r2, r8, r7
@@ -266,7 +318,18 @@ planes:
     asr r8, r8, lr
     sub r10, r10, r11
     add r10, r10, #14
-    @ The plane of light.
+    ldr r3, [r0, #triangle_ramp]
+    cbnz r3, light
+    ldr r1, [r1]
+    strd r5, r8, [r0, #triangle_slopes] @ it is textured
+    strd r6, r4, [r0, #triangle_slopes + 8]
+    str r10, [r0, #triangle_slopes + 16]
+    ldrd r2, r3, [r1]
+    rsb r2, r2, #128
+    rsb r3, r3, r7, lsl #8
+    adds r3, #128
+    b depth
+light: @ the plane of light
     ldmia r1, {r1-r3}
     ldrh r9, [r1, #vertex_light]
     ldrh r2, [r2, #vertex_light]
@@ -296,7 +359,7 @@ planes:
     str r9, [r0, #triangle_light]
     str r11, [r0, #triangle_glight]
     str lr, [r0, #triangle_light_dy]
-    @ The plane of depth.
+depth: @ the plane of depth
     ldr r1, [sp, #depths]
     ldmia r1, {r1, r7, r12}
     subs r7, r7, r1

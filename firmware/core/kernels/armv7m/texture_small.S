@@ -1,5 +1,5 @@
 @ ph_texture_small (see texture_small.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
-@ row 51, a call some 25.
+@ row 47, a call some 28.
 @
 @ Registers: r0 dv, r2 d, r3 gd, r5 u_mask, r6 v_mask, r7 texels, r8 v, r9 the struct ph_texel_run, r10 u, r11 depth,
 @ r12 du, lr pixels; r1 r4 scratch. Before the pixels r8 is their first column and r0 their pair (see texture_tile.h).
@@ -8,7 +8,7 @@
 #include "texels.inc"
 
     @ on the stack
-    .equ steps, 0 @ of du and dv
+    .equ bends, 0 @ of u and v
     .equ ends, 8  @ number of pixels, column behind the last
     .equ count, 16
     .equ frame, 20
@@ -19,11 +19,12 @@
     mov r9, r0
     ldr r0, [r9, #run_u_bend]
     ldr r1, [r9, #run_v_bend]
-    lsls r0, r0, #2
-    lsls r1, r1, #2
-    strd r0, r1, [sp, #steps]
+    strd r0, r1, [sp, #bends]
     movs r0, #0
     str r0, [sp, #count]
+    ldrd r0, r1, [r9, #run_depth]
+    subs r1, r1, r0
+    str r1, [r9, #run_depth + 4] @ from a depth to its pixel
     ldr r3, [r9, #run_gd]
 row:
     ldm r9, {r0, r1, r2, r4, r5, r7} @ left, right, d, left_dx, right_dx, d_dy
@@ -38,11 +39,10 @@ row:
     subs r4, r12, r8
     ble empty
     strd r4, r12, [sp, #ends]
-    bic r0, r4, #~1
+    mvn r0, r4, lsl #31
     ldr r1, [sp, #count]
-    rsb r0, r0, #1
+    add r0, r8, r0, lsr #31
     add r1, r4
-    add r0, r8
     str r1, [sp, #count]
     lsls r0, r0, #1
     ldm lr, {r1, r4, r5, r6, r7, r12} @ at, step, at_dy, step_dy, at_ddy, bend
@@ -64,11 +64,13 @@ row:
     stm lr, {r1, r4, r5}
     ldrd r5, r6, [r9, #run_u_mask]
     ldr r7, [r9, #run_texels]
-    ldrd r4, r1, [sp, #ends]
     ldrd r11, lr, [r9, #run_depth]
-    subs r1, #32 @ the last of the 32 unrolled pixels is the last pixel of the row
+    ldr r1, [r9, #run_stride]
+    add r1, r11
+    str r1, [r9, #run_depth]
+    ldrd r4, r1, [sp, #ends]
     add r11, r11, r1, lsl #1
-    add lr, lr, r1, lsl #1
+    add lr, r11
     tbh [pc, r4, lsl #1]
 entries:
     .hword 0 @ not used
@@ -77,14 +79,9 @@ entries:
     .endr
     .p2align 1
     .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    pixel \at, r11, lr, r10, r12, r8, r0, r5, r6, r7, r1, r4
+    pixel \at, 32, r11, lr, r10, r12, r8, r0, r5, r6, r7, r1, r4
     .endr
 last:
-    ldrd r0, r1, [r9, #run_depth]
-    ldr r2, [r9, #run_stride]
-    add r0, r2
-    add r1, r2
-    strd r0, r1, [r9, #run_depth]
     ldr r0, [r9, #run_rows]
     subs r0, #1
     str r0, [r9, #run_rows]
@@ -116,5 +113,9 @@ empty:
     add r4, r6
     add r5, r7
     stm lr, {r1, r4, r5}
+    ldr r0, [r9, #run_depth]
+    ldr r1, [r9, #run_stride]
+    add r0, r1
+    str r0, [r9, #run_depth]
     b last
     .size ph_texture_small, . - ph_texture_small

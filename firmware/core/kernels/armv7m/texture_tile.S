@@ -1,8 +1,8 @@
 @ ph_texture_tile (see texture_tile.h) for ARMv7-M. A pixel that is drawn takes 14.5 instructions, a hidden one 9.5, a
-@ row 67 (15 more in a clamped texture), a call some 25.
+@ row 61 (15 more in a clamped texture), a call some 25.
 @
 @ Registers: r2 d, r3 gd, r4 u, r5 du, r6 u_mask, r7 v, r8 dv, r9 the struct ph_texel_rows, r10 v_mask, r11 texels,
-@ r12 depth, lr pixels; r0 r1 scratch. The stack has the steps of du and dv.
+@ r12 depth, lr pixels; r0 r1 scratch. The stack has the bends of u and v.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "texels.inc"
@@ -27,8 +27,8 @@
     ldr r11, [r9, #texel_texels]
 row:
     ldrd r0, r1, [r9, #texel_left]
-    usat r0, #6, r0, asr #16
-    usat r1, #6, r1, asr #16
+    usat r0, #7, r0, asr #16
+    usat r1, #7, r1, asr #16
     ldr r2, [r9, #texel_columns]
     cmp r1, r2
     it gt
@@ -63,34 +63,29 @@ row:
     bne done
     ldr r5, [r9, #texel_u + 4]
     adds r1, r8, #1
-2:  and r8, lr, #1
-    rsb r8, r8, #1
-    add r8, r0
+2:  mvn r8, lr, lsl #31
+    add r8, r0, r8, lsr #31
     lsl r8, r8, #1 @ pair
     mla r5, r2, r8, r5
-    lsls r2, r2, #2
-    str r2, [sp]
+    strd r2, r12, [sp]
     ldr r2, [r9, #texel_v + 4]
     mla r8, r12, r8, r2
-    lsl r12, r12, #2
-    str r12, [sp, #4]
     ldr r2, [r9, #texel_d]
     mla r2, r3, r0, r2
     ldr r0, [r9, #texel_count]
     add r0, lr
     str r0, [r9, #texel_count]
-    rsb r0, lr, #32
-    sub r1, #32 @ the last of the 32 unrolled pixels is the last pixel of the row
+    rsb r0, lr, #64
     ldrd r12, lr, [r9, #texel_depth]
     add r12, r12, r1, lsl #1
     add lr, lr, r1, lsl #1
     tbh [pc, r0, lsl #1]
 entries:
-    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63
     .hword (pixel_\at - entries) / 2
     .endr
-    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
-    pixel \at, r12, lr, r4, r5, r7, r8, r6, r10, r11, r0, r1
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63
+    pixel \at, 64, r12, lr, r4, r5, r7, r8, r6, r10, r11, r0, r1
     .endr
 down_rows:
     down texel_u

@@ -18,21 +18,32 @@ static inline bool set_depth_gradient(struct ph_subpixel_gradient *g, const stru
     return s->shift - drop >= ROUGH_DEPTH && ph_set_gradient(g, s, d1 >> drop, d2 >> drop, drop, STEEP_DEPTH);
 }
 
+static inline void set_light(struct ph_triangle *t, const struct ph_slopes *slopes, const struct ph_vertex *const v[3],
+                             uint32_t x, uint32_t y)
+{
+    struct ph_subpixel_gradient light;
+    /* The plane of light is in 2^-16. Of 16 bits of a difference PH_SLOPE_BITS are kept: 17 bits of the plane are
+     * dropped.
+     */
+    ph_set_gradient(&light, slopes, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17,
+                    STEEP_LIGHT);
+    t->small.glight = (uint32_t)light.x * 256;
+    t->small.light_dy = (uint32_t)light.y * 256;
+    t->small.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
+}
+
 /* False if depth is too steep or the triangle too thin: then it is not set. */
 static inline bool set_planes(struct ph_triangle *t, const struct ph_vertex *const v[3], const struct ph_sides *sides,
                               const uint32_t d[3])
 {
     const struct ph_slopes slopes = ph_slopes_of(sides);
     const uint32_t x = (uint32_t)(128 - v[0]->x), y = (uint32_t)(t->y_top * 256 + 128 - v[0]->y);
-    struct ph_subpixel_gradient depth, light;
-    /* The plane of light is in 2^-16. Of 16 bits of a difference PH_SLOPE_BITS are kept: 17 bits of the plane are
-     * dropped.
-     */
-    ph_set_gradient(&light, &slopes, (v[1]->light - v[0]->light) >> 1, (v[2]->light - v[0]->light) >> 1, 17,
-                    STEEP_LIGHT);
-    t->small.glight = (uint32_t)light.x * 256;
-    t->small.light_dy = (uint32_t)light.y * 256;
-    t->small.light = ((uint32_t)v[0]->light << 16) + (uint32_t)light.x * x + (uint32_t)light.y * y;
+    struct ph_subpixel_gradient depth;
+    if (t->small.ramp == NULL) {
+        t->slopes = slopes;
+    } else {
+        set_light(t, &slopes, v, x, y);
+    }
     if (!set_depth_gradient(&depth, &slopes, d)) {
         return false;
     }
@@ -84,19 +95,45 @@ enum ph_small_setup ph_setup_small(struct ph_triangle *t, const struct ph_vertex
     return setup_small(t, v, sides, d);
 }
 
-/* ph_float_depths, without a call for most triangles. */
-static inline bool float_depths(const struct ph_usual *usual, const struct ph_vertex *const v[3], uint32_t d[3])
+/* Codes of fixed16. False if two are 2^31 apart. */
+static inline bool fixed_depths(uint32_t bias, const struct ph_vertex *const v[3], uint32_t d[3])
 {
+    for (int i = 0; i < 3; i++) {
+        d[i] = ph_depth_before((struct ph_quotient){v[i]->q, v[i]->s}, 0, 0) + bias;
+    }
+    return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
+}
+
+/* Without a call for most triangles. */
+static inline bool usual_depths(const struct ph_usual *usual, const struct ph_vertex *const v[3], uint32_t d[3])
+{
+    if (usual->lens == NULL) {
+        return fixed_depths(usual->bias, v, d);
+    }
     return v[0]->s == v[1]->s && v[0]->s == v[2]->s ? ph_float_depths_alike(usual->lens, v, usual->bias, d)
                                                     : ph_float_depths(usual->lens, v, usual->bias, d);
+}
+
+/* Whether a corner keeps a pixel away from the borders. */
+static inline bool is_off_borders(const struct ph_usual *usual, const struct ph_vertex *v)
+{
+    return (uint32_t)v->x - 256 <= usual->inner_x + 2 * PH_SIDE_SMALL &&
+           (uint32_t)v->y - 256 <= usual->inner_y + 2 * PH_SIDE_SMALL;
+}
+
+/* Whether all do, if the triangle is small. Mostly the first corner tells: see inner() in frame.c. */
+static inline bool is_inside(const struct ph_usual *usual, const struct ph_vertex *const v[3])
+{
+    const uint32_t margin = PH_SIDE_SMALL + 256;
+    return ((uint32_t)v[0]->x - margin < usual->inner_x && (uint32_t)v[0]->y - margin < usual->inner_y) ||
+           (is_off_borders(usual, v[0]) && is_off_borders(usual, v[1]) && is_off_borders(usual, v[2]));
 }
 
 enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t)
 {
     const struct ph_vertex *const base = usual->base;
     const struct ph_vertex *const v[3] = {&base[ref->corner[0]], &base[ref->corner[1]], &base[ref->corner[2]]};
-    const uint32_t margin = PH_SIDE_SMALL + 256;
-    if ((uint32_t)v[0]->x - margin >= usual->inner_x || (uint32_t)v[0]->y - margin >= usual->inner_y) {
+    if (!is_inside(usual, v)) {
         return PH_SMALL_NO_ROW;
     }
     const int32_t dx1 = v[1]->x - v[0]->x, dx2 = v[2]->x - v[0]->x;
@@ -104,7 +141,7 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
     const uint32_t area = (uint32_t)dx2 * (uint32_t)dy1 - (uint32_t)dx1 * (uint32_t)dy2; /* wraps where not small */
     const struct ph_sides sides = {dx1, dy1, dx2, dy2, (int32_t)area, true};
     uint32_t d[3];
-    if (!ph_sides_are_small(&sides) || !float_depths(usual, v, d)) {
+    if (!ph_sides_are_small(&sides) || !usual_depths(usual, v, d)) {
         return PH_SMALL_NO_ROW;
     }
     t->kind = PH_KIND_SMALL;

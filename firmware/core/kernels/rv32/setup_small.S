@@ -69,6 +69,27 @@
 3:
     .endm
 
+    // Goes away if the corner \x, \y comes within a pixel of the borders. t0, t1: size less 2 pixels. Changes t2.
+    .macro off_borders x, y
+    addi t2, \x, -256
+    bgtu t2, t0, unusual
+    addi t2, \y, -256
+    bgtu t2, t1, unusual
+    .endm
+
+    // \to = the depth of corner \v in fixed16 for the bias t1. Changes t0.
+    .macro fixed_depth to, v
+    lb t0, vertex_s(\v)
+    lw \to, vertex_q(\v)
+    addi t0, t0, -2
+    bltz t0, 1f
+    srl \to, \to, t0
+    j 2f
+1:  neg t0, t0
+    sll \to, \to, t0
+2:  add \to, \to, t1
+    .endm
+
     function ph_setup_usual // a0: struct ph_usual, a1: struct ph_ref, a2: struct ph_triangle
     save 64, SAVED
     lhu a3, 0(a1)
@@ -86,9 +107,10 @@
     words lw, a0, usual_inner_x, t0, t1
     li t2, -8448 // PH_SIDE_SMALL + 256
     add t3, s0, t2
-    bgeu t3, t0, unusual
+    bgeu t3, t0, border
     add t3, s1, t2
-    bgeu t3, t1, unusual
+    bgeu t3, t1, border
+inside:
     // The sides. Are they below 2^13?
     words lw, a4, 0, s2, s3
     words lw, a5, 0, s4, s5
@@ -112,13 +134,14 @@
     mul s6, s4, s3
     mul t1, s2, s5
     sub s6, s6, t1
+    lw t1, usual_lens(a0)
+    beqz t1, fixed
     // ph_float_depths, mostly of three corners with one exponent.
     lbu t0, vertex_s(a3)
-    lbu t1, vertex_s(a4)
-    lbu t2, vertex_s(a5)
-    bne t0, t1, apart
+    lbu t2, vertex_s(a4)
+    lbu t3, vertex_s(a5)
     bne t0, t2, apart
-    lw t1, usual_lens(a0)
+    bne t0, t3, apart
     lw s7, vertex_q(a3)
     lw s8, vertex_q(a4)
     lw s9, vertex_q(a5)
@@ -165,6 +188,26 @@ known:
     sh t2, triangle_kind(a2)
     mv a0, a2
     j begin
+border: // do all corners keep a pixel away from the borders?
+    li t2, 16384 // 2 PH_SIDE_SMALL
+    add t0, t0, t2
+    add t1, t1, t2
+    off_borders s0, s1
+    words lw, a4, 0, s2, s3
+    off_borders s2, s3
+    words lw, a5, 0, s2, s3
+    off_borders s2, s3
+    j inside
+fixed:
+    lw t1, usual_bias(a0)
+    fixed_depth s7, a3
+    fixed_depth s8, a4
+    fixed_depth s9, a5
+    xor t0, s7, s8
+    xor t1, s7, s9
+    or t0, t0, t1
+    bgez t0, known
+    j unusual
 apart: // the corners have other exponents
     mv s10, a0
     mv s11, a2
@@ -285,6 +328,13 @@ planes:
     sra s3, s3, t5
     sra s4, s4, t5
     sra s5, s5, t5
+    slli t0, t3, 8
+    sub s1, t0, s1
+    lw t1, triangle_ramp(a0)
+    neg s0, s0
+    addi s0, s0, 128
+    addi s1, s1, 128 // s0, s1: from the first corner to column 0 of the first row
+    beqz t1, textured
     // The plane of light.
     lhu t0, vertex_light(a3)
     lhu t1, vertex_light(a4)
@@ -299,12 +349,7 @@ planes:
     blt a1, a2, steep_light
 5:  sra t4, t4, a1
     sra t5, t5, a1
-6:  slli t1, t3, 8
-    sub s1, t1, s1
-    neg s0, s0
-    addi s0, s0, 128
-    addi s1, s1, 128 // s0, s1: from the first corner to column 0 of the first row
-    mul t1, t4, s0
+6:  mul t1, t4, s0
     mul t2, t5, s1
     slli t0, t0, 16
     slli t4, t4, 8
@@ -314,7 +359,7 @@ planes:
     sw t0, triangle_light(a0)
     sw t4, triangle_glight(a0)
     sw t5, triangle_light_dy(a0)
-    // The plane of depth.
+depth: // the plane of depth
     sub s8, s8, s7
     sub s9, s9, s7
     magnitude t0, s8
@@ -353,6 +398,9 @@ flat_top: // the first edge is the lower one
     sh t5, triangle_upper_rows(a0)
     sh zero, triangle_lower_rows(a0)
     j planes
+textured:
+    words sw, a0, triangle_slopes, s3, s5, s4, s2, t6
+    j depth
 steep_light:
     flatten 28
     bgez a1, 5b

@@ -1,9 +1,10 @@
 /*
  * ph_texture_tile (see texture_tile.h) for RV32. With Zba a pixel that is drawn takes 15 instructions, a hidden one 7, a
- * row 75 (15 more in a clamped texture), a call some 70.
+ * row 80 (15 more in a clamped texture), a call some 70.
  *
  * Registers: a0 the struct ph_texel_rows, a1 depth at column 0, s0 s1 s2 s3 at, step, bend, at_dy of u, s4 s5 s6 s7 of v,
- * s8 left, ra right, t2 d at column 0; those of texels.inc. The stack begins with the way from depth to pixels.
+ * s8 left, ra right, t2 d at column 0; those of texels.inc. 52(sp) is the way from depth to
+ * pixels, 56(sp) below 0 when more than 32 pixels follow.
  */
 #include "rv32.inc"
 #include "../offsets.inc"
@@ -78,7 +79,21 @@ inside:
     sll s9, s9, t1
     add t5, t5, a1
     add t6, t6, t5
+    addi t1, t0, 32
+    sw t1, 56(sp)
+    bgez t1, unrolled
+    mv t0, t1 // first those that are more than 32
+    addi t5, t5, -64
+    addi t6, t6, -64
+unrolled:
     pixels
+    lw t0, 56(sp)
+    bgez t0, below
+    sw zero, 56(sp)
+    addi t5, t5, 64
+    addi t6, t6, 64
+    li t0, -32
+    j unrolled
 below:
     down texel_u, s0, s1, s2, s3
     down texel_v, s4, s5, s6, s7
