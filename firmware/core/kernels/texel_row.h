@@ -20,7 +20,7 @@ struct ph_texel_walk {
 
 struct ph_texel_row {
     uint16_t *depth, *pixels; /* of the first pixel */
-    uint32_t n;               /* pixels: 1 .. 2 PH_TILE */
+    uint32_t n;               /* pixels: 1 .. PH_TILE */
     uint32_t d, gd;           /* depth at the first pixel, a 16.16 code, and per pixel */
     struct ph_texel_walk u, v;
     uint32_t u_mask, v_mask; /* as in struct ph_texel_rows */

@@ -16,7 +16,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define PH_TILE 32
+#define PH_TILE 64
 
 struct ph_texel_way {
     uint32_t at, step, bend;          /* of the row */

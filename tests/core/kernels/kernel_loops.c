@@ -150,34 +150,37 @@ static struct ph_sides sides_of(const struct ph_vertex *a, const struct ph_verte
 static uint32_t hash_small(uint32_t h, const struct ph_triangle *t)
 {
     const struct ph_small_triangle *const s = &t->small;
-    const uint32_t rows[] = {s->left_dx, s->right_dx, s->d_dy,  s->light_dy, s->gd,
-                             s->glight,  s->left,     s->right, s->d,        s->light};
+    const uint32_t rows[] = {s->left_dx, s->right_dx, s->left, s->right, s->d, s->gd, s->d_dy};
+    const uint32_t light[] = {s->light, s->glight, s->light_dy};
     h = hash(h, rows, sizeof rows);
+    h = s->ramp != NULL ? hash(h, light, sizeof light) : hash(h, &t->slopes, sizeof t->slopes);
     h = s->lower_rows > 0 ? word(word(h, (uint32_t)s->lower.x), (uint32_t)s->lower.dx) : h;
     h = word(word(word(h, s->upper_rows), s->lower_rows), s->lower_is_right);
     return word(word(h, (uint32_t)t->y_top), (uint32_t)t->y_bottom);
 }
 
-/* A reference to a triangle that is mostly small, within a picture, and in one octave of depth. */
+/* A reference to a triangle that is mostly small, within a picture, and in one octave of depth or in fixed16. */
 static uint32_t try_setup_usual(uint32_t h)
 {
     const struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = 8, .float_down = 3};
     const uint32_t size = below(4) > 0 ? 5000 : below(2) > 0 ? 2 * PH_SIDE_SMALL : 40, depths = below(20);
+    const bool fixed = below(4) == 0;
+    const uint32_t left = below(4) > 0 ? 40 * 256 : 0, top = below(4) > 0 ? 40 * 256 : 60 * 256;
     struct ph_vertex corner[4];
     for (int i = 0; i < 4; i++) {
-        corner[i].x = (int32_t)(40 * 256 + below(size));
-        corner[i].y = (int32_t)(40 * 256 + below(size));
+        corner[i].x = (int32_t)(left + below(size));
+        corner[i].y = (int32_t)(top + below(size));
         corner[i].light = (uint16_t)bits();
         corner[i].q = ((uint32_t)5 << 28) + (bits() >> (2 + depths));
-        corner[i].s = (int8_t)(below(16) > 0 ? 3 : 2 + below(3));
+        corner[i].s = (int8_t)(fixed ? (int)below(6) - 1 : below(16) > 0 ? 3 : 2 + (int)below(3));
     }
     const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
     const struct ph_usual usual = {.base = corner,
-                                   .lens = &lens,
+                                   .lens = fixed ? NULL : &lens,
                                    .inner_x = 20000,
                                    .inner_y = 1000 + below(20000),
                                    .bias = below(1 << 20),
-                                   .ramp = ramp,
+                                   .ramp = below(4) > 0 ? ramp : NULL,
                                    .material = &material};
     const uint16_t first = (uint16_t)below(2), second = (uint16_t)(first + 1);
     const struct ph_sides sides = sides_of(&corner[first], &corner[second], &corner[3]);
@@ -187,7 +190,8 @@ static uint32_t try_setup_usual(uint32_t h)
     if (sides.area == 0 || ph_setup_usual(&usual, &ref, &t) != PH_SMALL_SET) {
         return word(h, 0);
     }
-    h = word(h, t.kind == PH_KIND_SMALL && t.block == PH_BLOCK_NONE && t.material == &material && t.small.ramp == ramp);
+    h = word(h, t.kind == PH_KIND_SMALL && t.block == PH_BLOCK_NONE && t.material == &material &&
+                    t.small.ramp == usual.ramp);
     return hash_small(h, &t);
 }
 
@@ -213,6 +217,7 @@ static uint32_t try_setup_small(uint32_t h)
     const struct ph_vertex *const v[3] = {&corner[0], &corner[turned ? 2 : 1], &corner[turned ? 1 : 2]};
     struct ph_triangle t;
     memset(&t, 0, sizeof t);
+    t.small.ramp = below(4) > 0 ? ramp : NULL;
     if (sides.area == 0 || !ph_setup_small(&t, v, &sides, d)) {
         return word(h, 0);
     }

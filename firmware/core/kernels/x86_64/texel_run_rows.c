@@ -1,65 +1,131 @@
-/* ph_texel_run_rows for x86-64, with u and v in one word. See texture_small.h. */
+/* ph_texel_run_rows for x86-64, with u and v in one word, and with edges and depth in one vector. See texture_small.h.
+ */
+#include "small_rows.h"
 #include "texel_mix.h"
 #include "texel_run_plain.h"
-#include "texels2.h"
+#include "texels2_row.h"
 
 /* Red, green and blue of a texel that stands in a word twice, each with five spare bits above, 3 bits up. */
 #define FIELDS (PH_MIX_FIELDS << 3)
 
-/* What draws the pixels of a row; u and v are in w. */
-struct lit_row {
-    struct texels2_walk w;
-    const uint16_t *texels;
-    uint64_t mask, bend;
+/* What all rows have in common. The compiler must not know `twice`, as in texels2_common_of. */
+struct lit_texels {
+    struct texels2_common all;
+    uint64_t twice;
+    uint32_t light_step; /* of four pixels */
 };
 
-static inline __attribute__((always_inline)) void draw_pixel(struct lit_row *r, uint16_t *depth, uint16_t *pixel,
-                                                             uint64_t level, uint64_t u_to_v, uint64_t twice)
+/* A pixel, its light, and the light of the next four. */
+struct lit_walk {
+    struct texels2_walk texel;
+    uint64_t level;
+    uint32_t light;
+};
+
+static inline __attribute__((always_inline)) void draw_texel(const struct lit_texels *t, struct lit_walk *w,
+                                                             uint16_t *depth)
 {
-    const uint16_t code = (uint16_t)(r->w.d >> 16);
+    w->texel.before = _mm_add_epi32(w->texel.before, t->all.gd);
+    const uint16_t code = (uint16_t)_mm_extract_epi16(w->texel.before, 1);
     if (*depth < code) {
-        const uint64_t texel = r->texels[(r->w.at & r->mask) * u_to_v >> 48] * twice;
-        const uint32_t lit = (uint32_t)((texel & FIELDS) * level >> 5) & FIELDS;
+        const uint64_t texel = t->all.texels[(w->texel.at & t->all.mask) * t->all.u_to_v >> 48] * t->twice;
+        const uint32_t lit = (uint32_t)((texel & FIELDS) * w->level >> 5) & FIELDS;
         *depth = code;
-        *pixel = (uint16_t)(lit | lit >> 16);
+        *(uint16_t *)(void *)((uint8_t *)depth + t->all.to_pixels) = (uint16_t)(lit | lit >> 16);
     }
-    r->w.d += r->w.gd;
-    r->w.at += r->w.step;
+    w->texel.at += w->texel.step;
 }
 
-/* Draws the n pixels before depth and pixels in light: the last four have one light, so do the four before them, and
- * so on. */
-static inline __attribute__((always_inline)) void draw_lit_row(struct lit_row *r, uint16_t *depth, uint16_t *pixels,
-                                                               uint32_t n, uint64_t level, uint32_t light,
-                                                               uint32_t step)
+static inline __attribute__((always_inline)) void next_light(const struct lit_texels *t, struct lit_walk *w)
 {
-    uint64_t u_to_v = TEXELS2_U_TO_V, twice = 1 << 16 | 1;
-    __asm__("" : "+r"(u_to_v), "+r"(twice)); /* see texels2_row */
-    intptr_t i = -(intptr_t)n;
-    if ((n & 1) != 0) {
-        draw_pixel(r, &depth[i], &pixels[i], level, u_to_v, twice);
-        r->w.step += r->bend;
-        i++;
+    w->texel.step += t->all.bend;
+    w->level = w->light >> 24;
+    w->light += t->light_step;
+}
+
+#define TEXEL(k)                                                                                                       \
+    case k:                                                                                                            \
+        draw_texel(t, &w, end - (k));
+#define NEXT(k)                                                                                                        \
+    __attribute__((fallthrough));                                                                                      \
+    TEXEL(k)
+#define FOUR(k)                                                                                                        \
+    NEXT(k) NEXT((k)-1) w.texel.step += t->all.bend;                                                                   \
+    NEXT((k)-2) NEXT((k)-3) next_light(t, &w);
+
+/* Draws the n = 1 .. PH_SMALL_COLUMNS pixels before `end`. The step grows behind every second pixel, counted from the
+ * last one. The last four have one light, so do the four before them, and so on. */
+static inline void draw_row(const struct lit_texels *t, uint16_t *end, uint64_t n, struct lit_walk w)
+{
+    switch (n) {
+        TEXEL(32)
+        NEXT(31)
+        w.texel.step += t->all.bend;
+        NEXT(30)
+        NEXT(29)
+        next_light(t, &w);
+        FOUR(28)
+        FOUR(24)
+        FOUR(20)
+        FOUR(16)
+        FOUR(12)
+        FOUR(8)
+        FOUR(4)
+        break;
+    default:
+        __builtin_unreachable();
     }
-    if ((i & 2) != 0) {
-        draw_pixel(r, &depth[i], &pixels[i], level, u_to_v, twice);
-        draw_pixel(r, &depth[i + 1], &pixels[i + 1], level, u_to_v, twice);
-        r->w.step += r->bend;
-        i += 2;
-    }
-    if ((n & 3) != 0) {
-        level = light >> 24;
-        light += step;
-    }
-    for (; i != 0; i += 4) {
-        for (int pair = 0; pair < 4; pair += 2) {
-            draw_pixel(r, &depth[i + pair], &pixels[i + pair], level, u_to_v, twice);
-            draw_pixel(r, &depth[i + pair + 1], &pixels[i + pair + 1], level, u_to_v, twice);
-            r->w.step += r->bend;
+}
+
+/* Sets the light of n pixels, of which the first one's is given. False if it is not within 0 .. 32. */
+static inline bool set_light(struct lit_walk *w, uint32_t first, uint32_t n, uint32_t glight)
+{
+    const uint32_t end = (uint32_t)33 << 24, more = (n - 1) & 3, half = (uint32_t)((int32_t)glight >> 1);
+    w->level = (first + more * half) >> 24;
+    w->light = first + (more + 2) * glight + half;
+    return first < end && first + (n - 1) * glight < end;
+}
+
+static inline struct lit_texels texels_of(const struct ph_texel_run *r, uint64_t bend)
+{
+    struct lit_texels t = {texels2_common_of(r->texels, r->u_mask, r->v_mask, r->depth, r->pixels, r->gd, bend),
+                           1 << 16 | 1, 4 * r->glight};
+    __asm__("" : "+r"(t.twice));
+    return t;
+}
+
+/* Draws the rows above the lower edge. Those from one on whose light is not within 0 .. 32 are left. */
+static inline uint64_t draw_rows(struct ph_texel_run *r, const struct lit_texels *t, struct texels2_lines *l)
+{
+    const __m128i down = _mm_loadu_si128((const __m128i *)&r->left_dx), before = _mm_slli_si128(t->all.gd, 8);
+    __m128i row = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)&r->left), before);
+    uint16_t *depth = r->depth;
+    uint32_t light = r->light, rows = r->rows;
+    uint64_t count = 0;
+    for (; rows > 0; rows--) {
+        const int64_t from = (int16_t)_mm_extract_epi16(row, 1), to = (int16_t)_mm_extract_epi16(row, 3), n = to - from;
+        if (n > 0) {
+            struct lit_walk w = {.texel.before = texels2_depth(row, (uint64_t)from, t->all.gd)};
+            if (!set_light(&w, light + (uint32_t)from * r->glight, (uint32_t)n, r->glight)) {
+                break;
+            }
+            texels2_start(l, (uint64_t)from, t->all.pair_bend[n & 1], &w.texel.at, &w.texel.step);
+            draw_row(t, depth + to, (uint64_t)n, w);
+            count += (uint64_t)n;
         }
-        level = light >> 24;
-        light += step;
+        row = _mm_add_epi32(row, down);
+        __asm__("" : "+x"(row)); /* else the compiler keeps it in two registers */
+        light += r->light_dy;
+        depth = ph_row_below(depth, r->stride_bytes);
+        texels2_lines_down(l);
     }
+    _mm_storeu_si128((__m128i *)&r->left, _mm_add_epi32(row, before));
+    _mm_storeu_si128((__m128i *)&r->left_dx, down); /* behind the row's store, which changes the first of them */
+    r->light = light;
+    r->rows = rows;
+    r->depth = depth;
+    r->pixels = (uint16_t *)(void *)((uint8_t *)depth + t->all.to_pixels);
+    return count;
 }
 
 uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
@@ -67,44 +133,12 @@ uint32_t ph_texel_run_rows(struct ph_texel_run *r, struct ph_texel_row *row)
     if (r->kind != PH_TEXEL_ROW_LIT || !texels2_fit(r)) {
         return ph_texel_run_rows_plain(r, row);
     }
-    struct texels2_line b = texels2_line(r);
-    struct lit_row line = {
-        .texels = r->texels, .mask = (uint64_t)r->v_mask << 48 | r->u_mask << 22, .bend = 4 * b.bend};
-    const uint32_t gd = r->gd, glight = r->glight, half = (uint32_t)((int32_t)glight >> 1), end = (uint32_t)33 << 24;
-    uint16_t *depth = r->depth, *pixels = r->pixels;
-    uint32_t d = r->d, light = r->light, count = 0, rows;
+    struct texels2_lines l = texels2_lines_of(r);
+    const struct lit_texels t = texels_of(r, l.bend);
+    uint64_t count = 0;
     do {
-        uint32_t left = r->left, right = r->right;
-        for (rows = r->rows; rows > 0; rows--) {
-            const int32_t from = (int32_t)left >> 16, to = (int32_t)right >> 16, n = to - from;
-            if (n > 0) {
-                const uint32_t first = light + (uint32_t)from * glight, more = (uint32_t)(n - 1) & 3;
-                if (first >= end || first + (uint32_t)(n - 1) * glight >= end) {
-                    break;
-                }
-                line.w = texels2_walk(&b, from, (uint32_t)n);
-                line.w.d = d + (uint32_t)from * gd;
-                line.w.gd = gd;
-                draw_lit_row(&line, depth + to, pixels + to, (uint32_t)n, (first + more * half) >> 24,
-                             first + (more + 2) * glight + half, 4 * glight);
-                count += (uint32_t)n;
-            }
-            left += r->left_dx;
-            right += r->right_dx;
-            d += r->d_dy;
-            light += r->light_dy;
-            depth = ph_row_below(depth, r->stride_bytes);
-            pixels = ph_row_below(pixels, r->stride_bytes);
-            texels2_line_down(&b);
-        }
-        r->left = left;
-        r->right = right;
-        r->rows = rows;
-    } while (rows == 0 && ph_texel_run_lower(r));
-    r->d = d;
-    r->light = light;
-    r->depth = depth;
-    r->pixels = pixels;
-    texels2_line_part(&b, r);
-    return rows > 0 ? count + ph_texel_run_rows_plain(r, row) : count;
+        count += draw_rows(r, &t, &l);
+    } while (r->rows == 0 && ph_texel_run_lower(r));
+    texels2_give_back(&l, r);
+    return (uint32_t)count + (r->rows > 0 ? ph_texel_run_rows_plain(r, row) : 0);
 }

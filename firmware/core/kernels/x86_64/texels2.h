@@ -1,8 +1,17 @@
-/* texels2: u and v in one word, and a row of texels, for x86-64. Private to the kernels of this folder. */
+/* texels2: u and v in one word, for x86-64. Private to the kernels of this folder. */
 #ifndef PH_TEXELS2_H
 #define PH_TEXELS2_H
 
 #include "texture_small.h"
+
+#include <emmintrin.h>
+#include <stddef.h>
+
+_Static_assert(offsetof(struct ph_texel_run, d) == offsetof(struct ph_texel_run, left) + 8 &&
+                   offsetof(struct ph_texel_run, d_dy) == offsetof(struct ph_texel_run, left_dx) + 8,
+               "left, right and d are loaded at once, and so are their steps");
+_Static_assert(offsetof(struct ph_texel_line, step_dy) == 12 && offsetof(struct ph_texel_line, bend) == 20,
+               "coefficients are loaded four and two at once");
 
 #define TEXELS2_SIGN                                                                                                   \
     ((uint64_t)1 << 31) /* added to u, so that it is not negative; a multiple of the texture's width                   \
@@ -27,85 +36,85 @@ static inline void texels2_part(uint64_t both, uint32_t *u, uint32_t *v)
     *v = (uint32_t)((both - (uint64_t)(int64_t)(int32_t)*u) >> 32);
 }
 
+/* Whether each word of v is in -limit .. limit - 1; limits are powers of 2. Adds nothing to `beyond` if it is. */
+static inline __m128i texels2_beyond(__m128i beyond, __m128i v, __m128i limit)
+{
+    const __m128i above = _mm_add_epi32(limit, _mm_sub_epi32(limit, _mm_set1_epi32(1)));
+    return _mm_or_si128(beyond, _mm_andnot_si128(above, _mm_add_epi32(v, limit)));
+}
+
 /* Whether u of a run, over 32 columns and 32 rows to all sides, stays below 2^31 and never wraps. */
 static inline bool texels2_fit(const struct ph_texel_run *r)
 {
-    const struct ph_texel_line *const u = &r->u;
-    return r->rows + r->lower_rows <= 32 && r->u_mask < 512 && texels2_below(u->at, 29) && texels2_below(u->step, 24) &&
-           texels2_below(u->bend, 17) && texels2_below(u->at_dy, 24) && texels2_below(u->step_dy, 17) &&
-           texels2_below(u->at_ddy, 18);
+    const __m128i zero = _mm_setzero_si128();
+    const __m128i linear = texels2_beyond(zero, _mm_loadu_si128((const __m128i *)&r->u),
+                                          _mm_setr_epi32(1 << 29, 1 << 24, 1 << 24, 1 << 17));
+    const __m128i beyond =
+        texels2_beyond(linear, _mm_loadl_epi64((const __m128i *)&r->u.at_ddy), _mm_setr_epi32(1 << 18, 1 << 17, 1, 1));
+    return r->rows + r->lower_rows <= 32 && r->u_mask < 512 &&
+           _mm_movemask_epi8(_mm_cmpeq_epi32(beyond, zero)) == 0xffff;
 }
 
-/* All coefficients of a run as 2^32 v + u, so that one operation serves both. */
-struct texels2_line {
-    uint64_t at, step, at_dy, step_dy, at_ddy, bend;
+/* u and v of a row in one word, and their step beside it; how both grow to the row below, and how that grows. */
+struct texels2_lines {
+    __m128i at, dy, ddy;
+    uint64_t bend;
 };
 
-static inline struct texels2_line texels2_line(const struct ph_texel_run *r)
+/* Words of u and of v become pairs: 2^32 v + u, where u may be negative. */
+static inline __m128i texels2_lower(__m128i u, __m128i v)
 {
-    return (struct texels2_line){texels2(r->u.at, r->v.at) + TEXELS2_SIGN, texels2(r->u.step, r->v.step),
-                                 texels2(r->u.at_dy, r->v.at_dy),          texels2(r->u.step_dy, r->v.step_dy),
-                                 texels2(r->u.at_ddy, r->v.at_ddy),        texels2(r->u.bend, r->v.bend)};
+    return _mm_unpacklo_epi32(u, _mm_add_epi32(v, _mm_srai_epi32(u, 31)));
 }
 
-static inline void texels2_line_down(struct texels2_line *b)
+static inline __m128i texels2_upper(__m128i u, __m128i v)
 {
-    b->at += b->at_dy;
-    b->step += b->step_dy;
-    b->at_dy += b->at_ddy;
+    return _mm_unpackhi_epi32(u, _mm_add_epi32(v, _mm_srai_epi32(u, 31)));
+}
+
+static inline struct texels2_lines texels2_lines_of(const struct ph_texel_run *r)
+{
+    const __m128i u = _mm_loadu_si128((const __m128i *)&r->u), v = _mm_loadu_si128((const __m128i *)&r->v);
+    const __m128i bent =
+        texels2_lower(_mm_loadl_epi64((const __m128i *)&r->u.at_ddy), _mm_loadl_epi64((const __m128i *)&r->v.at_ddy));
+    const __m128i sign = _mm_set_epi64x(0, (int64_t)TEXELS2_SIGN);
+    return (struct texels2_lines){_mm_add_epi64(texels2_lower(u, v), sign), texels2_upper(u, v), _mm_move_epi64(bent),
+                                  (uint64_t)_mm_cvtsi128_si64(_mm_unpackhi_epi64(bent, bent))};
 }
 
 /* Gives u and v back to the run. */
-static inline void texels2_line_part(const struct texels2_line *b, struct ph_texel_run *r)
+static inline void texels2_give_back(const struct texels2_lines *l, struct ph_texel_run *r)
 {
-    texels2_part(b->at - TEXELS2_SIGN, &r->u.at, &r->v.at);
-    texels2_part(b->step, &r->u.step, &r->v.step);
-    texels2_part(b->at_dy, &r->u.at_dy, &r->v.at_dy);
+    const __m128i at = _mm_sub_epi64(l->at, _mm_set_epi64x(0, (int64_t)TEXELS2_SIGN));
+    const __m128i u =
+        _mm_castps_si128(_mm_shuffle_ps(_mm_castsi128_ps(at), _mm_castsi128_ps(l->dy), _MM_SHUFFLE(2, 0, 2, 0)));
+    const __m128i v =
+        _mm_castps_si128(_mm_shuffle_ps(_mm_castsi128_ps(at), _mm_castsi128_ps(l->dy), _MM_SHUFFLE(3, 1, 3, 1)));
+    _mm_storeu_si128((__m128i *)&r->u, u);
+    _mm_storeu_si128((__m128i *)&r->v, _mm_sub_epi32(v, _mm_srai_epi32(u, 31)));
 }
 
-/* The state along a row. */
-struct texels2_walk {
-    uint64_t at, step;
-    uint32_t d, gd;
-};
-
-static inline __attribute__((always_inline)) void texels2_draw(struct texels2_walk *w, uint16_t *depth, uint16_t *pixel,
-                                                               const uint16_t *texels, uint64_t mask, uint64_t u_to_v)
+static inline void texels2_lines_down(struct texels2_lines *l)
 {
-    const uint16_t code = (uint16_t)(w->d >> 16);
-    if (*depth < code) {
-        *depth = code;
-        *pixel = texels[(w->at & mask) * u_to_v >> 48];
-    }
-    w->d += w->gd;
-    w->at += w->step;
+    l->at = _mm_add_epi64(l->at, l->dy);
+    l->dy = _mm_add_epi64(l->dy, l->ddy);
 }
 
-/* u and v along n pixels from column `from` on. */
-static inline struct texels2_walk texels2_walk(const struct texels2_line *b, int32_t from, uint32_t n)
+/* u and v at column `from`. pair_bend: what the first step of a row of even or odd length, as this one is, has more. */
+static inline void texels2_start(const struct texels2_lines *l, uint64_t from, uint64_t pair_bend, uint64_t *at,
+                                 uint64_t *step)
 {
-    const uint64_t first = (uint64_t)(int64_t)from, pair = 2 * (first + 1 - (n & 1));
-    return (struct texels2_walk){.at = b->at + first * (b->step + first * b->bend), .step = b->step + pair * b->bend};
+    const uint64_t bends = from * l->bend;
+    const uint64_t middle = (uint64_t)_mm_cvtsi128_si64(_mm_unpackhi_epi64(l->at, l->at)) + bends;
+    *at = (uint64_t)_mm_cvtsi128_si64(l->at) + from * middle;
+    *step = middle + bends + pair_bend;
 }
 
-/* Draws the n pixels before depth and pixels. The step grows by `bend` behind every second pixel, counted from the last
- * one. */
-static inline void texels2_row(uint16_t *depth, uint16_t *pixels, uint32_t n, struct texels2_walk w, uint64_t bend,
-                               uint64_t mask, const uint16_t *texels)
+/* Depth at column `from`; that of column 0 is in word 2 of a row. */
+static inline __m128i texels2_depth(__m128i row, uint64_t from, __m128i gd)
 {
-    uint64_t u_to_v = TEXELS2_U_TO_V;
-    __asm__("" : "+r"(u_to_v)); /* else the compiler takes several instructions in place of the product */
-    intptr_t i = -(intptr_t)n;
-    if ((n & 1) != 0) {
-        texels2_draw(&w, &depth[i], &pixels[i], texels, mask, u_to_v);
-        w.step += bend;
-        i++;
-    }
-    for (; i != 0; i += 2) {
-        texels2_draw(&w, &depth[i], &pixels[i], texels, mask, u_to_v);
-        texels2_draw(&w, &depth[i + 1], &pixels[i + 1], texels, mask, u_to_v);
-        w.step += bend;
-    }
+    const __m128i along = _mm_mul_epu32(_mm_cvtsi32_si128((int)from), gd);
+    return _mm_add_epi32(_mm_shuffle_epi32(row, _MM_SHUFFLE(3, 3, 3, 2)), along);
 }
 
 #endif

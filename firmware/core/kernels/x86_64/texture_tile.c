@@ -1,33 +1,46 @@
 /* ph_texture_tile for x86-64, with u and v in one word. See texture_tile.h. */
 #include "texture_tile_plain.h"
 
-#include "texels2.h"
+#include "texels2_row.h"
 
 /* All coefficients as 2^32 v + u, so that one operation serves both. */
 struct both {
     uint64_t at, step, bend, at_dy, step_dy, bend_dy, at_ddy, step_ddy;
 };
 
-/* Whether u, over 32 columns and 16 rows, stays below 2^31 and never wraps. */
-static bool fits_both(const struct ph_texel_rows *r)
+/* u at the first column, as near to 0 as can be where the texture repeats. */
+static uint32_t least_u(const struct ph_texel_rows *r)
 {
-    const struct ph_texel_way *const u = &r->u;
-    return r->rows <= 16 && r->u_mask < 512 && texels2_below(u->at, 30) && texels2_below(u->step, 23) &&
-           texels2_below(u->bend, 17) && texels2_below(u->at_dy, 24) && texels2_below(u->step_dy, 18) &&
-           texels2_below(u->bend_dy, 13) && texels2_below(u->at_ddy, 19) && texels2_below(u->step_ddy, 14);
+    const uint32_t period = (r->u_mask + 1) << 22;
+    return r->u_outside == 0 ? ((r->u.at + period / 2) & (period - 1)) - period / 2 : r->u.at;
 }
 
-static void draw_rows(struct ph_texel_rows *r)
+/* Whether u, over 64 columns and 16 rows, stays below 2^31 and never wraps; at: least_u. */
+static bool fits_both(const struct ph_texel_rows *r, uint32_t at)
 {
-    struct both b = {texels2(r->u.at, r->v.at) + TEXELS2_SIGN,
-                     texels2(r->u.step, r->v.step),
-                     texels2(r->u.bend, r->v.bend),
-                     texels2(r->u.at_dy, r->v.at_dy),
-                     texels2(r->u.step_dy, r->v.step_dy),
-                     texels2(r->u.bend_dy, r->v.bend_dy),
-                     texels2(r->u.at_ddy, r->v.at_ddy),
-                     texels2(r->u.step_ddy, r->v.step_ddy)};
-    const uint64_t mask = (uint64_t)r->v_mask << 48 | r->u_mask << 22;
+    const struct ph_texel_way *const u = &r->u;
+    return r->rows <= 16 && r->u_mask < 512 && texels2_below(at, 29) && texels2_below(u->step, 23) &&
+           texels2_below(u->bend, 16) && texels2_below(u->at_dy, 23) && texels2_below(u->step_dy, 18) &&
+           texels2_below(u->bend_dy, 12) && texels2_below(u->at_ddy, 19) && texels2_below(u->step_ddy, 14);
+}
+
+/* Draws the n pixels before `end`: 32 at a time, the others first. */
+static inline void draw_row(const struct texels2_common *t, uint16_t *end, uint64_t n, struct texels2_walk *w)
+{
+    for (uint64_t left = n, part; left > 0; left -= part) {
+        part = (left - 1) % 32 + 1;
+        texels2_row(t, end - left + part, part, w);
+    }
+}
+
+static void draw_rows(struct ph_texel_rows *r, uint32_t at)
+{
+    const uint32_t further = r->u.at - at;
+    struct both b = {texels2(at, r->v.at) + TEXELS2_SIGN, texels2(r->u.step, r->v.step),
+                     texels2(r->u.bend, r->v.bend),       texels2(r->u.at_dy, r->v.at_dy),
+                     texels2(r->u.step_dy, r->v.step_dy), texels2(r->u.bend_dy, r->v.bend_dy),
+                     texels2(r->u.at_ddy, r->v.at_ddy),   texels2(r->u.step_ddy, r->v.step_ddy)};
+    struct texels2_common t = texels2_common_of(r->texels, r->u_mask, r->v_mask, r->depth, r->pixels, r->gd, b.bend);
     const uint64_t outside = (uint64_t)r->v_outside << 32 | r->u_outside;
     while (r->rows > 0) {
         __asm__ volatile("" : : : "memory"); /* the state does not fit the registers: keep all of it in memory */
@@ -38,10 +51,10 @@ static void draw_rows(struct ph_texel_rows *r)
                 (((first ^ TEXELS2_SIGN) | ((b.at + i * (b.step + i * b.bend)) ^ TEXELS2_SIGN)) & outside) != 0) {
                 break;
             }
-            const struct texels2_walk w = {first, b.step + (uint64_t)row.pair * b.bend, r->d + row.first * r->gd,
-                                           r->gd};
-            texels2_row(r->depth + row.first + row.n, r->pixels + row.first + row.n, row.n, w, 4 * b.bend, mask,
-                        r->texels);
+            struct texels2_walk w = {first, b.step + (uint64_t)row.pair * b.bend,
+                                     _mm_cvtsi32_si128((int)(r->d + (row.first - 1) * r->gd))};
+            t.bend = 4 * b.bend;
+            draw_row(&t, r->depth + row.first + row.n, row.n, &w);
             r->count += row.n;
         }
         ph_row_down(r);
@@ -52,6 +65,7 @@ static void draw_rows(struct ph_texel_rows *r)
         b.step_dy += b.step_ddy;
     }
     texels2_part(b.at - TEXELS2_SIGN, &r->u.at, &r->v.at);
+    r->u.at += further;
     texels2_part(b.step, &r->u.step, &r->v.step);
     texels2_part(b.bend, &r->u.bend, &r->v.bend);
     texels2_part(b.at_dy, &r->u.at_dy, &r->v.at_dy);
@@ -60,8 +74,9 @@ static void draw_rows(struct ph_texel_rows *r)
 
 void ph_texture_tile(struct ph_texel_rows *r)
 {
-    if (fits_both(r)) {
-        draw_rows(r);
+    const uint32_t at = least_u(r);
+    if (fits_both(r, at)) {
+        draw_rows(r, at);
     } else {
         ph_texture_tile_plain(r);
     }
