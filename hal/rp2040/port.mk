@@ -4,13 +4,14 @@ PORT_FLAGS = -mcpu=cortex-m0plus -mthumb
 PORT_SRC = $(if $(filter 2,$(CORES)),hal/rp2040/cores2.c,hal/cortexm/one_core.c) \
            $(addprefix hal/rp2040/,start.c guard.c clocks.c rp2040.c spi.c pins.c uart.c divide.c boot2.S vectors.S entry.S) firmware/bare/armv6m/memory.S
 PORT_CORES = 1 2
+PORT_RAM_CODES = small
 PORT_INFO = hal/rp2040/binary_info.c
 PORT_TILES_BYTES = 1216 # 320x240 in bands of 16 lines
 PORT_SCENE = 524288 # FLASH_SCENE of host-sim/flash/flash_scene.h
 PORT_LD = hal/rp2040/rp2040.ld
 PORT_STACK_BYTES = 6656
-PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),53248)
-PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),118784,41344) # code that runs from RAM; of core 1 the stack and its scene
+PORT_AHEAD_BYTES = $(if $(filter 2,$(CORES)),$(if $(filter small,$(RAM_CODE)),0,53248))
+PORT_RAM_BYTES := $(if $(filter 2,$(CORES)),$(if $(filter small,$(RAM_CODE)),41344,118784),41344) # code that runs from RAM; of core 1 the stack and its scene
 PORT_STACK_EXTRA = 32 # one interrupt puts 8 words on the stack; the handlers take none
 PORT_FINISH = hal/rp2040/boot2_seal.sh '$(HOSTCC)' '$(CROSS)' "$$1"
 UF2_FAMILY = 0xe48bff56

@@ -134,7 +134,16 @@ says() { # pattern of its one line, make's arguments...
     grep -q "$1" <<<"$said" || { echo "$said" && return 1; }
 }
 
+ram_text() { arm-none-eabi-size -A "$B/firmware/$1.elf" | awk '$1 == ".ram_text" { print $2 }'; } # of an RP2040 image
+
+less_code_in_ram() {
+    firmware BOARD=pico-display CORES=2 >/dev/null && firmware BOARD=pico-display CORES=2 RAM_CODE=small >/dev/null || return 1
+    echo "# code in RAM: $(ram_text pico-display-demos-cores2) bytes, with RAM_CODE=small $(ram_text pico-display-demos-cores2-small)"
+    [ $(($(ram_text pico-display-demos-cores2) - $(ram_text pico-display-demos-cores2-small))) -ge 20480 ]
+}
+
 wrong_values_are_told() {
+    says "RAM_CODE=large: pico-display has small" firmware BOARD=pico-display RAM_CODE=large && says "RAM_CODE=small: $board has no other" firmware BOARD="$board" RAM_CODE=small &&
     says "CORES=3: pico-display has 1 2" firmware BOARD=pico-display CORES=3 && says "CORES=2: $board has 1" firmware BOARD="$board" CORES=2 &&
         says "APP=nonsense: there is no firmware/app/images/nonsense.c" firmware BOARD="$board" APP=nonsense &&
         says "FRAMES='0': a whole number" emulate BOARD="$board" FRAMES=0 && says "FRAMES='x': a whole number" emulate BOARD="$board" FRAMES=x &&
@@ -232,6 +241,7 @@ check "recursion_is_refused" refuses 'recursion' 'volatile int n = 9; int f(int 
 check "a_program_of_ones_own_becomes_an_image" a_program_of_ones_own
 check "the_template_of_a_port_becomes_an_image" template_links
 check "a_board_that_is_not_there_is_one_clear_line" no_such_board
+check "with_less_code_in_RAM_an_image_takes_less_of_it" less_code_in_ram
 check "wrong_values_are_one_clear_line" wrong_values_are_told
 check "names_that_cannot_be_are_one_clear_line" names_that_cannot_be_are_told
 check "names_of_other_tongues_can_be" names_of_other_tongues_can_be

@@ -79,7 +79,7 @@ reports() {
     EVENTS_ONLY=1 emulate "$board" 1 22 - --send 1:RG || return 1
     tr -d '\r' <"$dir/log" >"$dir/report"
     # shellcheck disable=SC2015 # a failure of any is one
-    grep -qx 'cube 240x135 crc32 D114E45F, as known' "$dir/report" && grep -qx 'testcard 240x135 crc32 99FF17F2, as known' "$dir/report" &&
+    grep -qx 'cube 240x135 crc32 E7B4F73C, as known' "$dir/report" && grep -qx 'testcard 240x135 crc32 99FF17F2, as known' "$dir/report" &&
         grep -qE '^turntable: 16 frames in [1-9][0-9]* ms, [1-9][0-9]*\.[0-9] frames/s, left out 0 triangles 0 vertices$' "$dir/report" &&
         grep -q "^Pinhole $(sed -n 's/.*PH_VERSION "\(.*\)"/\1/p' firmware/core/version.h) on $board: .*, 1 core\$" "$dir/report" &&
         grep -qx 'display st7789-135x240, 240x135, turned [0-9]*, bus 62500000 Hz' "$dir/report" && grep -qx 'self-test: passed' "$dir/report" ||

@@ -24,7 +24,8 @@ leave() {
 trap leave EXIT
 trap 'exit 1' INT TERM HUP
 echo "speed: $BOARD, ${*:-all demos}: some minutes" >&2
-make -s B="$B" "$B/pinhole-sim" >&2
+make -s B="$B" "$B/pinhole-sim" "$B/pinhole-wire" >&2 # what the emulators share, because they run at the same time
+hal/rp2040/emulate/emulate.sh --install
 
 # Writes `first frame, frames, name` of the demos that fit, for the button passes over the others, and `frame, demo` of the
 # frames that count. A demo that was not asked for gets two frames, because a button that is held selects only once. The last
