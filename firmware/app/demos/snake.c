@@ -411,10 +411,24 @@ static int snake_init(struct demo_context *context)
     return PH_OK;
 }
 
-/* Draws a body that reaches less than four times its size; behind the camera, where most of the snake is, none. */
+/* False for most bodies within `reach` of a point that are behind the camera, where most of the snake is, or beside the
+ * picture. */
+static bool may_be_seen(const struct ph_renderer *r, struct fx_vec3 at, fx_t reach)
+{
+    const struct ph_projection *const lens = &r->projection;
+    const struct fx_vec3 v = ph_xform_point(&r->view, at);
+    if (v.z > reach || lens->kind != PH_PERSPECTIVE || (lens->shift_x | lens->shift_y) != 0) {
+        return v.z <= reach;
+    }
+    const fx_t far = fx_sub_sat(reach, v.z);
+    return fx_mul_sat(fx_abs_sat(v.x) - reach, lens->scale_x_q20 >> 4) <= far &&
+           fx_mul_sat(fx_abs_sat(v.y) - reach, lens->scale_y_q20 >> 4) <= far;
+}
+
+/* Draws a body that reaches less than four times its size. */
 static int draw_at(struct ph_renderer *r, const struct ph_mesh *mesh, struct fx_vec3 at, fx_t size)
 {
-    if (ph_xform_point(&r->view, at).z > 4 * size) {
+    if (!may_be_seen(r, at, 4 * size)) {
         return PH_OK;
     }
     struct ph_xform place = ph_xform_scale(size);

@@ -29,8 +29,8 @@
 enum { SUN, YEAR, EARTH, DAY, MONTH, MOON, EYE_SUN, EYE_MOON, EYE_FIXED, NODES };
 
 struct solar {
-    struct ph_mesh sphere, sun, earth, moon, glow;
-    struct ph_material sun_colour, earth_colours[2], moon_colour, star, dim_star, orbit;
+    struct ph_mesh sphere, sun, earth, moon, glow, orbit;
+    struct ph_material sun_colour, earth_colours[2], moon_colour, star, dim_star, orbit_colour;
     struct ph_part earth_parts[2], glow_part;
     uint16_t ramps[3][PH_RAMP_SIZE];
     struct ph_node nodes[NODES];
@@ -41,6 +41,8 @@ struct solar {
     struct fx_vec3 glow_corners[3 * GLOW_SIDES];
     uint16_t glow_colours[3 * GLOW_SIDES], glow_triangles[4 * GLOW_SIDES][3];
     uint16_t earth_triangles[MODEL_ICOSPHERE_TRIANGLES(2)][3];
+    struct fx_vec3 orbit_corners[ORBIT_STEPS];
+    uint16_t orbit_edges[ORBIT_STEPS][2];
 };
 
 /* Sunlight, and a weak light from the eye that shows the near side of what stands before the sun. */
@@ -121,6 +123,26 @@ static void make_glow(struct solar *s)
                                .part_count = 1};
 }
 
+/* A circle of EARTH_ORBIT in the plane of x and z; a transform can make it smaller. */
+static void make_orbit(struct solar *s)
+{
+    static const struct ph_part lines = {0, 0, 0};
+    for (uint32_t i = 0; i < ORBIT_STEPS; i++) {
+        const fx_t turns = (fx_t)(i * 65536 / ORBIT_STEPS);
+        s->orbit_corners[i] =
+            (struct fx_vec3){fx_mul_sat(EARTH_ORBIT, fx_cos(turns)), 0, fx_mul_sat(EARTH_ORBIT, fx_sin(turns))};
+        s->orbit_edges[i][0] = (uint16_t)i;
+        s->orbit_edges[i][1] = (uint16_t)((i + 1) % ORBIT_STEPS);
+    }
+    s->orbit = (struct ph_mesh){.positions = s->orbit_corners,
+                                .edges = (const uint16_t(*)[2])s->orbit_edges,
+                                .parts = &lines,
+                                .materials = &s->orbit_colour,
+                                .vertex_count = ORBIT_STEPS,
+                                .edge_count = ORBIT_STEPS,
+                                .part_count = 1};
+}
+
 static void solar_colours(struct solar *s)
 {
     s->sun_colour = demo_unlit(255, 235, 150);
@@ -130,7 +152,8 @@ static void solar_colours(struct solar *s)
     s->earth_colours[0].ambient = s->earth_colours[1].ambient = s->moon_colour.ambient = FX_ONE / 10;
     s->star = demo_unlit(235, 240, 255);
     s->dim_star = demo_unlit(110, 120, 150);
-    s->orbit = demo_unlit(50, 66, 100);
+    s->orbit_colour = demo_unlit(50, 66, 100);
+    s->orbit_colour.shading = PH_SHADE_WIRE;
 }
 
 #define ARENA(n)                                                                                                       \
@@ -156,6 +179,7 @@ static int solar_init(struct demo_context *context)
     make_continents(s);
     make_stars(s, fine ? STARS : STARS_FEW);
     make_glow(s);
+    make_orbit(s);
     context->state = s;
     return PH_OK;
 }
@@ -195,17 +219,28 @@ static int solar_camera(const struct demo_context *context, struct ph_renderer *
     return demo_begin(context, r, &view, &projection, &s->light, ph_rgb565(4, 5, 14));
 }
 
-/* False for most points outside the picture, at a sixth of what a line there costs. */
-static bool may_be_seen(const struct ph_renderer *r, struct fx_vec3 p)
+/* A row of a rotation times a star, off by less than SKY / 512: of both 16 bits or fewer are taken, so that 32 do. */
+static fx_t about_row_times(const int32_t row[3], const struct fx_vec3 *p)
+{
+    return ((row[0] >> 16) * (p->x >> 10) + (row[1] >> 16) * (p->y >> 10) + (row[2] >> 16) * (p->z >> 10)) >> 4;
+}
+
+/* False for most stars outside the picture, at a fiftieth of what a line there costs. */
+static bool may_be_seen(const struct ph_renderer *r, const struct fx_vec3 *p)
 {
     const struct ph_projection *const lens = &r->projection;
     if (lens->kind != PH_PERSPECTIVE || (lens->shift_x | lens->shift_y) != 0) {
         return true;
     }
-    const struct fx_vec3 v = ph_xform_point(&r->view, p);
-    const fx_t reach = SKY / 16 - v.z;
-    return fx_mul_sat(fx_abs_sat(v.x), lens->scale_x_q20 >> 4) < reach &&
-           fx_mul_sat(fx_abs_sat(v.y), lens->scale_y_q20 >> 4) < reach;
+    const struct ph_xform *const view = &r->view;
+    const fx_t reach = fx_sub_sat(SKY / 16, fx_add_sat(view->t.z, about_row_times(view->r[2], p)));
+    if (reach <= 0) {
+        return false;
+    }
+    const fx_t x = fx_add_sat(view->t.x, about_row_times(view->r[0], p));
+    const fx_t y = fx_add_sat(view->t.y, about_row_times(view->r[1], p));
+    return fx_mul_sat(fx_abs_sat(x), lens->scale_x_q20 >> 4) < reach &&
+           fx_mul_sat(fx_abs_sat(y), lens->scale_y_q20 >> 4) < reach;
 }
 
 /* Lines of about a pixel and a half. */
@@ -217,7 +252,7 @@ static void draw_stars(const struct demo_context *context, struct ph_renderer *r
         const struct fx_vec3 p = s->stars[i];
         const bool steep = p.y > SKY * 2 / 3 || p.y < -SKY * 2 / 3;
         const struct fx_vec3 end = {p.x + (steep ? size : 0), p.y + (steep ? 0 : size), p.z};
-        if (may_be_seen(r, p)) {
+        if (may_be_seen(r, &s->stars[i])) {
             ph_draw_line(r, p, end, i % 3 == 0 ? &s->star : &s->dim_star);
         }
     }
@@ -234,20 +269,8 @@ static int draw_glow(struct ph_renderer *r, const struct solar *s)
     return ph_draw_mesh(r, &s->glow, &at);
 }
 
-static void draw_orbit(struct ph_renderer *r, const struct ph_xform *around, fx_t radius,
-                       const struct ph_material *material)
-{
-    struct fx_vec3 from = ph_xform_point(around, (struct fx_vec3){radius, 0, 0});
-    for (uint32_t i = 1; i <= ORBIT_STEPS; i++) {
-        const fx_t turns = (fx_t)(i * 65536 / ORBIT_STEPS);
-        const struct fx_vec3 on = {fx_mul_sat(radius, fx_cos(turns)), 0, fx_mul_sat(radius, fx_sin(turns))};
-        const struct fx_vec3 to = ph_xform_point(around, on);
-        ph_draw_line(r, from, to, material);
-        from = to;
-    }
-}
-
-static int draw_sphere(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *node, fx_t radius)
+/* A sphere, or an orbit. */
+static int draw_round(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *node, fx_t radius)
 {
     const struct ph_xform size = ph_xform_scale(radius);
     const struct ph_xform to_world = ph_xform_mul(node, &size);
@@ -260,15 +283,15 @@ static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint
     const struct ph_xform *const world = s->world;
     int status = solar_nodes(frame, s);
     status = status ? status : solar_camera(context, r);
-    status = status ? status : draw_sphere(r, &s->sun, &world[SUN], FX_ONE);
-    status = status ? status : draw_sphere(r, &s->earth, &world[DAY], FX_HALF);
-    status = status ? status : draw_sphere(r, &s->moon, &world[MOON], FX_ONE / 6);
+    status = status ? status : draw_round(r, &s->sun, &world[SUN], FX_ONE);
+    status = status ? status : draw_round(r, &s->earth, &world[DAY], FX_HALF);
+    status = status ? status : draw_round(r, &s->moon, &world[MOON], FX_ONE / 6);
+    if (demo_view_is(context, &demo_solar, 0)) {
+        status = status ? status : draw_round(r, &s->orbit, &world[SUN], FX_ONE);
+        status = status ? status : draw_round(r, &s->orbit, &world[EARTH], MOON_ORBIT / (EARTH_ORBIT / FX_ONE));
+    }
     if (status != PH_OK) {
         return status;
-    }
-    if (demo_view_is(context, &demo_solar, 0)) {
-        draw_orbit(r, &world[SUN], EARTH_ORBIT, &s->orbit);
-        draw_orbit(r, &world[EARTH], MOON_ORBIT, &s->orbit);
     }
     draw_stars(context, r, s);
     return draw_glow(r, s);
@@ -276,12 +299,12 @@ static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint
 
 static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
-#define VERTICES(n) (3 * GLOW_SIDES + 3 * MODEL_ICOSPHERE_VERTICES(n))
+#define VERTICES(n) (3 * GLOW_SIDES + 2 * ORBIT_STEPS + 3 * MODEL_ICOSPHERE_VERTICES(n))
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(2), 12928), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 280},
-    {DEMO_ARENA(ARENA(1), 9328), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 240},
+    {DEMO_ARENA(ARENA(2), 13744), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 88},
+    {DEMO_ARENA(ARENA(1), 10144), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_solar = {
@@ -289,10 +312,10 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(2), 12928),
+    DEMO_ARENA(ARENA(2), 13744),
     .vertex_max = VERTICES(2),
     .triangle_max = 720,
-    .corner_max = 400,
+    .corner_max = 208,
     .coarser = coarser,
     .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = solar_init,

@@ -71,13 +71,10 @@ static int yard_init(struct demo_context *context)
 {
     struct demo_arena *const arena = &context->arena;
     struct yard *const y = context->state = demo_alloc(arena, sizeof(*y));
-    const bool fine = arena->size >= ARENA_FINE, some = arena->size >= ARENA_SOME;
-    const uint32_t cells = fine ? CELLS : some ? CELLS_SOME : CELLS_FEW;
+    const uint32_t levels = arena->size >= ARENA_FINE ? 3 : arena->size >= ARENA_SOME ? 2 : 1;
+    const uint32_t cells = levels == 3 ? CELLS : levels == 2 ? CELLS_SOME : CELLS_FEW;
     if (!y || model_cube(arena, &y->crate) != PH_OK || model_material(arena, &y->crate, &y->wood) != PH_OK ||
-        model_icosphere(arena, &y->globe,
-                        fine   ? 3
-                        : some ? 2
-                               : 1) != PH_OK ||
+        model_icosphere(arena, &y->globe, levels) != PH_OK ||
         model_floor(arena, &y->plain, cells, y->tiles) != PH_OK) {
         return PH_ERR_NOMEM;
     }
@@ -96,16 +93,14 @@ static int yard_init(struct demo_context *context)
 
 static int begin(const struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
-    static const struct ph_fog fog = {.start = FX_INT(9), .end = FX_INT(22)};
     struct ph_projection projection = demo_perspective(context, DEMO_SCALE_60_Q20, FX_ONE, FX_INT(40));
     struct ph_xform view = demo_look(0, FX_ONE * 9 / 4, FX_ONE * 21 / 4, 0, FX_ONE * 3 / 4, 0);
     const struct ph_xform turn = ph_xform_rotate_y(frame << 24);
-    struct ph_fog sky = fog;
+    const struct ph_fog fog = {.start = FX_INT(9), .end = FX_INT(22), .colour = ph_rgb565(SKY)};
     view = ph_xform_mul(&view, &turn);
     demo_orbit(context, &view, &projection);
-    const int status = demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(SKY));
-    sky.colour = ph_rgb565(SKY);
-    return status ? status : ph_frame_fog(r, &sky);
+    const int status = demo_begin(context, r, &view, &projection, &demo_daylight, fog.colour);
+    return status ? status : ph_frame_fog(r, &fog);
 }
 
 static int draw_with_shadow(struct ph_renderer *r, const struct yard *y, const struct ph_mesh *mesh,
