@@ -9,6 +9,7 @@
 
 #include "ref_random.h"
 #include "render.h"
+#include "surface_row.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -42,11 +43,11 @@ static void open_stage(struct stage *s, int lines, bool antialias)
 }
 
 /* One unit is a pixel; (0, 0) is the top left corner of the picture. */
-static void begin(struct stage *s)
+static void begin(struct stage *s, const struct ph_scene_light *light)
 {
     struct ph_projection lens;
     assert_int_equal(ph_projection_ortho(&lens, 0, FX_INT(W), FX_INT(-H), 0, FX_ONE, FX_INT(9)), PH_OK);
-    assert_int_equal(ph_frame_begin(&s->r, &ph_xform_identity, &lens, NULL, 0), PH_OK);
+    assert_int_equal(ph_frame_begin(&s->r, &ph_xform_identity, &lens, light, 0), PH_OK);
 }
 
 static void finish(struct stage *s)
@@ -77,7 +78,7 @@ static void draw_triangle(struct stage *s, const double p[3][2])
                                  .vertex_count = 3,
                                  .triangle_count = 1,
                                  .part_count = 1};
-    begin(s);
+    begin(s, NULL);
     assert_int_equal(ph_draw_mesh(&s->r, &mesh, &ph_xform_identity), PH_OK);
     finish(s);
 }
@@ -136,8 +137,82 @@ static double rms_of_edges(bool antialias)
 static void coverage_is_within_an_eighth_of_64_samples(void **state)
 {
     (void)state;
-    assert_true(rms_of_edges(true) <= 1. / 8);
+    assert_true(
+        surface_row("antialiasing: coverage of pixels on edges", "RMS, of a pixel", rms_of_edges(true), 1. / 8));
     assert_true(rms_of_edges(false) > 1. / 4); /* so the test would see it if nothing were done */
+}
+
+/* A triangle whose light is share[i] at corner i, drawn with a ramp of numbers. */
+static void draw_lit(struct stage *s, const double p[3][2], const double shares[3])
+{
+    static const uint16_t corners[1][3] = {{0, 1, 2}};
+    static const struct ph_part all = {.count = 1};
+    static const struct ph_scene_light ahead = {
+        .count = 1,
+        .lights = {{.kind = PH_LIGHT_DIRECTIONAL, .intensity = FX_ONE, .to_light_q30 = {0, 0, FX_Q30_ONE}}}};
+    uint16_t ramp[PH_RAMP_SIZE];
+    struct fx_vec3 at[3];
+    int16_t normals[3][3];
+    for (unsigned i = 0; i < PH_RAMP_SIZE; i++) {
+        ramp[i] = (uint16_t)(i + 1);
+    }
+    for (int i = 0; i < 3; i++) {
+        at[i] = (struct fx_vec3){ref_q16(p[i][0]), ref_q16(-p[i][1]), -FX_INT(4)};
+        normals[i][0] = (int16_t)lrint(16384 * sqrt(1 - shares[i] * shares[i]));
+        normals[i][1] = 0;
+        normals[i][2] = (int16_t)lrint(16384 * shares[i]);
+    }
+    const struct ph_material lit = {.shading = PH_SHADE_GOURAUD, .two_sided = 1, .diffuse = FX_ONE, .ramp = ramp};
+    const struct ph_mesh mesh = {.positions = at,
+                                 .normals = (const int16_t(*)[3])normals,
+                                 .triangles = corners,
+                                 .parts = &all,
+                                 .materials = &lit,
+                                 .vertex_count = 3,
+                                 .triangle_count = 1,
+                                 .part_count = 1};
+    begin(s, &ahead);
+    assert_int_equal(ph_draw_mesh(&s->r, &mesh, &ph_xform_identity), PH_OK);
+    finish(s);
+}
+
+/* The light of a sample between the corners, as an entry of the ramp. */
+static double entry_at(const double p[3][2], const double shares[3], double x, double y)
+{
+    const double whole = side(p[0], p[1], p[2][0], p[2][1]);
+    const double share =
+        (shares[0] * side(p[1], p[2], x, y) + shares[1] * side(p[2], p[0], x, y) + shares[2] * side(p[0], p[1], x, y)) /
+        whole;
+    return 4.5 + 119 * share;
+}
+
+/* Triangles that are as narrow as small ones, and taller. */
+static void narrow_triangles_have_the_light_between_their_corners(void **state)
+{
+    (void)state;
+    static struct stage s;
+    double worst = 0;
+    int seen = 0;
+    open_stage(&s, H, true);
+    for (int i = 0; i < 2000; i++) {
+        double p[3][2], shares[3];
+        for (int k = 0; k < 3; k++) {
+            p[k][0] = ref_uniform(20, 35.9);
+            p[k][1] = ref_uniform(8, 39.9);
+            shares[k] = ref_uniform(0, 1);
+        }
+        draw_lit(&s, (const double(*)[2])p, shares);
+        for (int k = 0; fabs(side(p[0], p[1], p[2][0], p[2][1])) > 4 && k < 4 * W * H; k++) {
+            if (s.samples[k] != 0) {
+                const double x = (k % (2 * W) + .5) / 2, y = ((double)(k / (2 * W)) + .5) / 2;
+                worst = fmax(worst, fabs(s.samples[k] - .5 - entry_at((const double(*)[2])p, shares, x, y)));
+                seen++;
+            }
+        }
+    }
+    printf("    %.2f entries of the ramp at most off, in %d samples\n", worst, seen);
+    assert_true(seen > 100000);
+    assert_true(surface_row("antialiasing: light of samples", "most, of 119 entries", worst, 1.5));
 }
 
 /* Light of a line: its width is one pixel across its longer axis. */
@@ -153,7 +228,7 @@ static void lines_keep_their_width(void **state)
         int partial = 0;
         for (int fine = 0; fine < 2; fine++) {
             open_stage(&s[fine], 7, fine != 0);
-            begin(&s[fine]);
+            begin(&s[fine], NULL);
             ph_draw_line(&s[fine].r, a, b, &white);
             finish(&s[fine]);
             for (int k = 0; k < W * H; k++) {
@@ -166,7 +241,7 @@ static void lines_keep_their_width(void **state)
         assert_true(partial > 0);
     }
     printf("    %.2f pixels of light more or less\n", worst);
-    assert_true(worst <= 1.6);
+    assert_true(surface_row("antialiasing: light of a line", "most, of a pixel", worst, 1.6));
 }
 
 /* Near the middle of a row a line covers this row whole, and no other. */
@@ -175,7 +250,7 @@ static void a_line_lies_where_it_runs(void **state)
     (void)state;
     static struct stage s;
     open_stage(&s, H, true);
-    begin(&s);
+    begin(&s, NULL);
     ph_draw_line(&s.r, (struct fx_vec3){FX_INT(5), -FX_ONE * 106 / 10, -FX_INT(4)},
                  (struct fx_vec3){FX_INT(50), -FX_ONE * 106 / 10, -FX_INT(4)}, &white);
     finish(&s);
@@ -224,6 +299,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(coverage_is_within_an_eighth_of_64_samples),
+        cmocka_unit_test(narrow_triangles_have_the_light_between_their_corners),
         cmocka_unit_test(lines_keep_their_width),
         cmocka_unit_test(a_line_lies_where_it_runs),
         cmocka_unit_test(bands_do_not_change_it),

@@ -99,7 +99,7 @@ static struct ph_material material_of(const struct surface *surface, const uint1
     static const uint16_t texels[6] = {1, 2, 3, 4, 5}, opaque[1] = {UINT16_MAX};
     static struct ph_texture textures[3];
     static const struct ph_texture alphas = {.texels = opaque};
-    static struct ph_blend blends[4];
+    static struct ph_blend blends[PH_BLEND_ADD + 1];
     struct ph_texture *const texture = &textures[surface->filter];
     *texture = (struct ph_texture){
         .texels = texels, .log2_width = 1, .log2_height = 1, .filter = surface->filter, .levels = 1};

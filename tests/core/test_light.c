@@ -11,6 +11,7 @@
 
 #include "ref_random.h"
 #include "ref_rig.h"
+#include "surface_row.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -243,7 +244,6 @@ static double worst_of(int kind, uint32_t lights, double specular, uint8_t shini
         worst = fmax(worst, case_error(&rig, &light, scale));
     }
     rig_close(&rig);
-    print_message("worst: %.3f %s\n", worst, coloured ? "steps of 1/31" : "entries of 119");
     return worst;
 }
 
@@ -256,34 +256,39 @@ static double worst_error(int kind, uint32_t lights, double specular, uint8_t sh
 static void ambient_light_is_exact(void **state)
 {
     (void)state;
-    assert_true(worst_error(PH_LIGHT_DIRECTIONAL, 0, 0, 0, 1) <= .52);
+    assert_true(
+        surface_row("light: ambient", "most, of 119 entries", worst_error(PH_LIGHT_DIRECTIONAL, 0, 0, 0, 1), .52));
 }
 
 static void directional_light_follows_lambert(void **state)
 {
     (void)state;
-    assert_true(worst_error(PH_LIGHT_DIRECTIONAL, 1, 0, 0, 1) <= .55);
+    assert_true(
+        surface_row("light: directional", "most, of 119 entries", worst_error(PH_LIGHT_DIRECTIONAL, 1, 0, 0, 1), .55));
 }
 
 static void four_lights_add_up(void **state)
 {
     (void)state;
-    assert_true(worst_error(PH_LIGHT_DIRECTIONAL, 4, 0, 0, 1) <= .6);
+    assert_true(surface_row("light: four directional", "most, of 119 entries",
+                            worst_error(PH_LIGHT_DIRECTIONAL, 4, 0, 0, 1), .6));
 }
 
 static void light_does_not_depend_on_the_scale_of_a_mesh(void **state)
 {
     (void)state;
-    assert_true(worst_error(PH_LIGHT_DIRECTIONAL, 2, 0, 0, .25) <= .6);
-    assert_true(worst_error(PH_LIGHT_DIRECTIONAL, 2, 0, 0, 1.9) <= .6);
+    assert_true(surface_row("light: on scaled meshes", "most, of 119 entries",
+                            worst_error(PH_LIGHT_DIRECTIONAL, 2, 0, 0, .25), .6));
+    assert_true(surface_row("light: on scaled meshes", "most, of 119 entries",
+                            worst_error(PH_LIGHT_DIRECTIONAL, 2, 0, 0, 1.9), .6));
 }
 
 static void point_light_falls_off_with_its_reach(void **state)
 {
     (void)state;
-    assert_true(worst_error(PH_LIGHT_POINT, 1, 0, 0, 1) <= .6);
-    assert_true(worst_error(PH_LIGHT_POINT, 3, 0, 0, .5) <= .6);
-    assert_true(worst_error(PH_LIGHT_POINT, 2, 0, 0, 1.7) <= .6);
+    assert_true(surface_row("light: point", "most, of 119 entries", worst_error(PH_LIGHT_POINT, 1, 0, 0, 1), .6));
+    assert_true(surface_row("light: point", "most, of 119 entries", worst_error(PH_LIGHT_POINT, 3, 0, 0, .5), .6));
+    assert_true(surface_row("light: point", "most, of 119 entries", worst_error(PH_LIGHT_POINT, 2, 0, 0, 1.7), .6));
 }
 
 /* The power doubles the relative error with each step: n.h is known to 2^-13, at 2^7 to 1.5 %. */
@@ -291,26 +296,30 @@ static void highlights_follow_blinn(void **state)
 {
     (void)state;
     for (uint8_t log2 = 0; log2 <= 7; log2++) {
-        assert_true(worst_error(PH_LIGHT_DIRECTIONAL, 1, .8, log2, 1) <= .6 + .012 * (1 << log2));
+        assert_true(surface_row("light: highlight, shininess 1 to 2^7", "most, of 119 entries",
+                                worst_error(PH_LIGHT_DIRECTIONAL, 1, .8, log2, 1), .6 + .012 * (1 << log2)));
     }
-    assert_true(worst_error(PH_LIGHT_POINT, 2, 1, 4, .7) <= .8);
+    assert_true(surface_row("light: highlight of points", "most, of 119 entries",
+                            worst_error(PH_LIGHT_POINT, 2, 1, 4, .7), .8));
 }
 
 /* The narrowest cone here goes from light to dark within .05: there 2^-13 of the cosine is 1/3 entry. */
 static void spots_light_what_lies_in_their_cone(void **state)
 {
     (void)state;
-    assert_true(worst_error(PH_LIGHT_SPOT, 1, 0, 0, 1) <= .9);
-    assert_true(worst_error(PH_LIGHT_SPOT, 3, .5, 3, .6) <= 1);
+    assert_true(surface_row("light: spot", "most, of 119 entries", worst_error(PH_LIGHT_SPOT, 1, 0, 0, 1), .9));
+    assert_true(surface_row("light: spots with highlights", "most, of 119 entries",
+                            worst_error(PH_LIGHT_SPOT, 3, .5, 3, .6), 1));
 }
 
 static void coloured_lights_add_up_channel_by_channel(void **state)
 {
     (void)state;
-    assert_true(worst_of(PH_LIGHT_DIRECTIONAL, 1, 0, 0, 1, true) <= .52);
-    assert_true(worst_of(PH_LIGHT_DIRECTIONAL, 4, .8, 4, 1, true) <= .6);
-    assert_true(worst_of(PH_LIGHT_POINT, 2, 0, 0, .7, true) <= .6);
-    assert_true(worst_of(PH_LIGHT_SPOT, 3, .5, 2, 1.5, true) <= .8);
+    assert_true(
+        surface_row("light: one coloured", "most, of 31", worst_of(PH_LIGHT_DIRECTIONAL, 1, 0, 0, 1, true), .52));
+    assert_true(surface_row("light: coloured", "most, of 31", worst_of(PH_LIGHT_DIRECTIONAL, 4, .8, 4, 1, true), .6));
+    assert_true(surface_row("light: coloured", "most, of 31", worst_of(PH_LIGHT_POINT, 2, 0, 0, .7, true), .6));
+    assert_true(surface_row("light: coloured", "most, of 31", worst_of(PH_LIGHT_SPOT, 3, .5, 2, 1.5, true), .8));
 }
 
 int main(void)

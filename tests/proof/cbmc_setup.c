@@ -58,7 +58,7 @@ void proof_sides(void)
     struct ph_renderer r;
     r.config.width = (uint16_t)u32_between(1, 1024);
     r.config.height = (uint16_t)u32_between(1, 1024);
-    const struct ph_setting setting = {.r = &r, .shading = (uint8_t)u32_between(PH_SHADE_FLAT, UINT8_MAX)};
+    const struct ph_setting setting = {.r = &r, .takes_narrow = true};
     is_inside(&r, v);
     CLAIM(!ph_sides_are_small(&s) || s.is_short);
     CLAIM(!is_narrow(&setting, &s, v) || s.is_short);
@@ -76,7 +76,6 @@ void proof_small_depths(void)
     in_view(&r.lens, &t);
     const struct ph_setting s = {.r = &r,
                                  .draw.material = &material,
-                                 .far = ph_depth_far(&r.lens, 0),
                                  .usual.bias = nondet_u32(),
                                  .floats = nondet_i32() > 0};
     small_depths(&s, t.v, d, &block);

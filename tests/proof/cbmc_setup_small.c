@@ -4,7 +4,7 @@
 #include "../../firmware/core/kernels/portable/setup_small.c"
 #include "../../firmware/core/kernels/portable/float_depths.c"
 
-/* A small triangle: its sides are below 32 px; those of a narrow textured one below 64 px downwards. */
+/* A small triangle: its sides are below 32 px; those of a narrow one below 64 px downwards. */
 static void any_small(struct triangle *t)
 {
     const int32_t most = PH_SIDE_SMALL, most_y = PH_SIDE_SHORT;
@@ -44,7 +44,7 @@ void proof_depth_gradient(void)
     set_depth_gradient(&g, &s, d);
 }
 
-/* Light as in set_planes; the limit of textures is lower. */
+/* Light as in set_light; the limit of textures is lower. */
 void proof_light_gradient(void)
 {
     struct ph_subpixel_gradient g;
