@@ -135,7 +135,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 CORE_O3_armv6m := fisheye% mesh
-CORE_O2_armv6m := fx fx_root fx_trig motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_depth tile_surface
+CORE_O2_armv6m := bands fx fx_root fx_trig motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
@@ -223,7 +223,7 @@ check: ## the unit tests and the quick scripts, for every edit; installs nothing
 test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
 	$(Q)B='$(B)' tests/run.sh test $(MAKEOVERRIDES)
 
-test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/5: a fifth
+test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/10: a tenth
 	$(Q)B='$(B)' tests/run.sh long $(MAKEOVERRIDES)
 
 proof: ## proves by CBMC and Gappa that no sum overflows, and how far results are off (about 10 minutes on 2 idle cores)

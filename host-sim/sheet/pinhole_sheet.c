@@ -118,7 +118,7 @@ static void print_help(void)
 {
     puts("pinhole-sheet --out SHEET.png [options] FILE...: puts pictures (PPM, PNG) of any sizes on one sheet.\n");
     option_table_help(&table);
-    puts("\nThe sheet has 67108864 pixels at most.\nExit status: 0 done; 1 failed; 2 wrong usage.");
+    printf("\nThe sheet has %u pixels at most.\nExit status: 0 done; 1 failed; 2 wrong usage.\n", FRAME_OUT_PIXELS_MAX);
 }
 
 static int load(struct sheet *s, const char *path)
