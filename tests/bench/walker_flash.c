@@ -2,7 +2,7 @@
  * Writes the walker to stdout as C: const arrays, which an image keeps in its flash. It is the figure of the demo
  * character with more sides: rp2040_walker.sh says why.
  */
-#include "figure.h"
+#include "demos/figure.h"
 
 #include <stdio.h>
 
