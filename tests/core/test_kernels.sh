@@ -85,59 +85,59 @@ same_frames() { # CPU
 
 check "the_loops_in_C_run" c_loops
 for cpu in armv6m armv7m; do
-    check "the_loops_for_${cpu}_leave_what_those_in_C_leave" same_loops $cpu
-    check "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
+    short "the_loops_for_${cpu}_leave_what_those_in_C_leave" same_loops $cpu
+    short "the_frames_with_the_loops_for_${cpu}_are_the_same" same_frames $cpu
 done
-without=-U__ARM_FEATURE_DSP check "the_loops_for_armv7m_without_DSP_leave_the_same" same_loops armv7m
-check "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r2/nop/' 'small_gouraud small_knee wide_gouraud'
-check "a_block_too_few_in_a_wide_row_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/lsrs r0, r1, #5/lsrs r0, r1, #6/' wide_gouraud
-check "a_row_that_is_not_cut_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/lsrs r3, r3, #1/lsrs r3, r3, #2/' wide_gouraud
-check "a_knee_forgotten_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/movhs r0, #0/movhs r0, r0/' small_knee
-check "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
-check "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
-check "a_corner_of_another_octave_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/rsb r9, r7, #31/rsb r9, r7, #30/'
-check "a_wider_margin_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/movs r1, #64 /movs r1, #65 /'
-without=-U__ARM_FEATURE_DSP check "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
-check "a_hidden_pair_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/usub16 r12, r12, lr/usub16 r12, lr, r12/'
-check "a_blend_without_its_rest_for_armv6m_is_seen" change_is_seen armv6m span_blend 's/muls r6, r5/nop/'
-check "a_blend_of_what_is_hidden_for_armv7m_is_seen" change_is_seen armv7m span_blend 's/bhs 2f/bhi 2f/'
-check "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
-check "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
-check "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
-check "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
-check "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r6, r5, #24/lsrs r6, r5, #23/' 'texel_row_lit texel_run_rows'
-check "light_of_other_pixels_for_armv7m_is_seen" change_is_seen armv7m texel_row_lit 's/adds r7, r6, #1/adds r7, r6, #2/' 'texel_row_lit texel_run_rows'
-check "a_highlight_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    movs r0, #33/    movs r0, #34/'
-check "a_lit_row_in_the_light_of_another_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    str r2, .sp, #level.$/    str r4, [sp, #level]/'
-check "light_of_a_row_beside_for_armv7m_is_seen" change_is_seen armv7m texel_run_rows 's/^    mla r4, r5, r6, r4/    mov r4, r4/'
-check "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
-check "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
-check "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
-check "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m cull 's/tst r6, #0x3f/tst r6, #0x1f/'
-check "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #30/movs r2, #0/'
-check "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
-form=rv32imac_zba_zbb_zbkb form_of_cpu=rv32,zba=true,zbb=true,zbkb=true check "the_loops_for_rv32_with_Zba_Zbb_Zbkb_leave_the_same" same_loops rv32
-check "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bgeu t0, t1, 1f/bgtu t0, t1, 1f/'
-check "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
-check "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
-check "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
-check "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'
-check "a_texture_that_is_not_clamped_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/bnez t4, clamped/bltz t4, inside/'
-check "a_bend_lost_for_rv32_is_seen" change_is_seen rv32 texture_small 's/slli s10, s10, 2/slli s10, s10, 1/'
-check "a_carry_lost_in_vertices_for_rv32_is_seen" change_is_seen rv32 vertices 's/andi \\to, \\to, 15/andi \\to, \\to, 1/'
-check "a_reciprocal_one_too_large_for_rv32_is_seen" change_is_seen rv32 vertices 's/bgez t2, 1f/j 1f/'
-check "half_the_light_for_rv32_is_seen" change_is_seen rv32 setup_small 's/addi a1, t6, -17/addi a1, t6, -16/'
-check "a_corner_of_another_octave_for_rv32_is_seen" change_is_seen rv32 setup_small 's/xori t3, t5, 31/li t3, 29/'
-check "a_triangle_on_edge_that_is_drawn_for_rv32_is_seen" change_is_seen rv32 cull 's/bltu s4, s5, found/bleu s4, s5, found/'
-check "a_clip_plane_forgotten_for_rv32_is_seen" change_is_seen rv32 cull 's/andi s0, s0, 0x3f/andi s0, s0, 0x1f/'
+without=-U__ARM_FEATURE_DSP short "the_loops_for_armv7m_without_DSP_leave_the_same" same_loops armv7m
+short "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r2/nop/' 'small_gouraud small_knee wide_gouraud'
+long "a_block_too_few_in_a_wide_row_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/lsrs r0, r1, #5/lsrs r0, r1, #6/' wide_gouraud
+long "a_row_that_is_not_cut_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/lsrs r3, r3, #1/lsrs r3, r3, #2/' wide_gouraud
+long "a_knee_forgotten_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/movhs r0, #0/movhs r0, r0/' small_knee
+long "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
+long "half_the_light_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/sub r12, r10, #17/sub r12, r10, #16/'
+long "a_corner_of_another_octave_for_armv7m_is_seen" change_is_seen armv7m setup_small 's/rsb r9, r7, #31/rsb r9, r7, #30/'
+long "a_wider_margin_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/movs r1, #64 /movs r1, #65 /'
+without=-U__ARM_FEATURE_DSP long "a_hidden_pixel_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/bhs 1f/bhi 1f/'
+long "a_hidden_pair_drawn_for_armv7m_is_seen" change_is_seen armv7m span_flat 's/usub16 r12, r12, lr/usub16 r12, lr, r12/'
+long "a_blend_without_its_rest_for_armv6m_is_seen" change_is_seen armv6m span_blend 's/muls r6, r5/nop/'
+long "a_blend_of_what_is_hidden_for_armv7m_is_seen" change_is_seen armv7m span_blend 's/bhs 2f/bhi 2f/'
+long "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
+short "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
+long "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
+long "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
+long "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r6, r5, #24/lsrs r6, r5, #23/' 'texel_row_lit texel_run_rows'
+long "light_of_other_pixels_for_armv7m_is_seen" change_is_seen armv7m texel_row_lit 's/adds r7, r6, #1/adds r7, r6, #2/' 'texel_row_lit texel_run_rows'
+long "a_highlight_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    movs r0, #33/    movs r0, #34/'
+long "a_lit_row_in_the_light_of_another_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    str r2, .sp, #level.$/    str r4, [sp, #level]/'
+long "light_of_a_row_beside_for_armv7m_is_seen" change_is_seen armv7m texel_run_rows 's/^    mla r4, r5, r6, r4/    mov r4, r4/'
+long "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices 's/^    bcs 2f/    b 2f/'
+long "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
+long "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
+long "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m cull 's/tst r6, #0x3f/tst r6, #0x1f/'
+long "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #30/movs r2, #0/'
+short "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
+form=rv32imac_zba_zbb_zbkb form_of_cpu=rv32,zba=true,zbb=true,zbkb=true short "the_loops_for_rv32_with_Zba_Zbb_Zbkb_leave_the_same" same_loops rv32
+long "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bgeu t0, t1, 1f/bgtu t0, t1, 1f/'
+long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
+long "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
+long "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
+long "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'
+long "a_texture_that_is_not_clamped_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/bnez t4, clamped/bltz t4, inside/'
+short "a_bend_lost_for_rv32_is_seen" change_is_seen rv32 texture_small 's/slli s10, s10, 2/slli s10, s10, 1/'
+long "a_carry_lost_in_vertices_for_rv32_is_seen" change_is_seen rv32 vertices 's/andi \\to, \\to, 15/andi \\to, \\to, 1/'
+long "a_reciprocal_one_too_large_for_rv32_is_seen" change_is_seen rv32 vertices 's/bgez t2, 1f/j 1f/'
+long "half_the_light_for_rv32_is_seen" change_is_seen rv32 setup_small 's/addi a1, t6, -17/addi a1, t6, -16/'
+long "a_corner_of_another_octave_for_rv32_is_seen" change_is_seen rv32 setup_small 's/xori t3, t5, 31/li t3, 29/'
+long "a_triangle_on_edge_that_is_drawn_for_rv32_is_seen" change_is_seen rv32 cull 's/bltu s4, s5, found/bleu s4, s5, found/'
+long "a_clip_plane_forgotten_for_rv32_is_seen" change_is_seen rv32 cull 's/andi s0, s0, 0x3f/andi s0, s0, 0x1f/'
 if [ "$(uname -m)" = x86_64 ]; then
-    check "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
-    check "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
-    check "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/if (beyond > 0)/if (beyond > 1)/'
-    check "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
-    check "a_bend_lost_for_x86_64_is_seen" vector_change_is_seen texels2_row.h 's/{2 \* bend, 0}/{0, 0}/'
-    check "another_texel_light_for_x86_64_is_seen" vector_change_is_seen texel_run_rows.c 's/level >> 5/level >> 6/'
-    check "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_rows.h 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
+    short "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
+    short "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
+    long "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/if (beyond > 0)/if (beyond > 1)/'
+    long "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
+    long "a_bend_lost_for_x86_64_is_seen" vector_change_is_seen texels2_row.h 's/{2 \* bend, 0}/{0, 0}/'
+    long "another_texel_light_for_x86_64_is_seen" vector_change_is_seen texel_run_rows.c 's/level >> 5/level >> 6/'
+    long "a_row_too_bright_for_x86_64_is_seen" vector_change_is_seen small_rows.h 's/_mm_extract_epi16(at, 5) >> 9/_mm_extract_epi16(at, 5) >> 8/'
 else
     skip "the_loops_for_x86_64_leave_what_the_portable_ones_leave" "this computer is none"
 fi

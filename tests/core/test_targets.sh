@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same scene gives the same bytes on every target: the frames of tests/tools/frames.sh, compiled by gcc and clang at several
-# levels of optimisation, for 32 and 64 bits, little and big endian, with each CPU's own files, in bands of any height.
+# levels of optimisation, for 32 and 64 bits, little and big endian, with each CPU's own files, in bands of any height. A few
+# of them run here, the others in long_targets.sh.
 # shellcheck disable=SC2317 # functions are called by check
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -38,38 +39,45 @@ differs() { # a build that draws differently is seen
     ! same "$B/wrong.frames"
 }
 
-if_there() { # tool, reason, check's arguments
-    if command -v "$1" >/dev/null; then check "${@:3}"; else skip "$3" "$2"; fi
+if_there() { # tool, reason, short|long, check's arguments
+    if command -v "$1" >/dev/null; then "${@:3}"; else skip "$4" "$2"; fi
 }
 
-check "a_frame_that_differs_is_seen" differs
-check "same_frames_with_gcc_O2" target gcc-O2 "" gcc -O2
+m32() { printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32.probe" 2>/dev/null; }
+
+user() { # short|long, Debian's name of the target, QEMU's
+    if command -v "qemu-$3" >/dev/null; then
+        if_there "$2-gcc" "no compiler for it" "$1" "same_frames_on_$3" target "$3" "qemu-$3" "$2-gcc" -O2 LDFLAGS=-static
+    else
+        skip "same_frames_on_$3" "no qemu-user"
+    fi
+}
+
+short "a_frame_that_differs_is_seen" differs
+short "same_frames_with_gcc_O2" target gcc-O2 "" gcc -O2
 for lines in 1 7 16 1024; do
-    check "same_frames_in_bands_of_$lines" bands $lines
+    short "same_frames_in_bands_of_$lines" bands $lines
 done
-check "same_frames_with_gcc_O0" target gcc-O0 "" gcc -O0
-check "same_frames_with_gcc_O3" target gcc-O3 "" gcc -O3
-check "same_frames_with_the_portable_files" target portable "" gcc -O2 CPU=portable
-check "same_frames_with_the_files_for_armv6m" target armv6m "" gcc -O2 CPU=armv6m
-check "same_frames_with_the_files_for_armv7m" target armv7m "" gcc -O2 CPU=armv7m
-check "same_frames_with_the_files_for_rv32" target rv32-files "" gcc -O2 CPU=rv32
-if_there clang "no clang" "same_frames_with_clang_O0" target clang-O0 "" clang -O0
-if_there clang "no clang" "same_frames_with_clang_O2" target clang-O2 "" clang -O2
-if_there clang "no clang" "same_frames_with_clang_O3" target clang-O3 "" clang -O3
-if printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32.probe" 2>/dev/null; then
-    check "same_frames_on_32_bit_x86" target m32 "" "gcc -m32" "-O2 -idirafter /usr/include/x86_64-linux-gnu"
+short "same_frames_with_the_portable_files" target portable "" gcc -O2 CPU=portable
+if_there clang "no clang" short "same_frames_with_clang_O3" target clang-O3 "" clang -O3
+if m32; then
+    short "same_frames_on_32_bit_x86" target m32 "" "gcc -m32" "-O2 -idirafter /usr/include/x86_64-linux-gnu"
 else
     skip "same_frames_on_32_bit_x86" "no gcc-12-multilib"
 fi
-for cpu in aarch64-linux-gnu:aarch64 arm-linux-gnueabihf:arm s390x-linux-gnu:s390x; do
-    if command -v "qemu-${cpu#*:}" >/dev/null; then
-        if_there "${cpu%:*}-gcc" "no compiler for it" "same_frames_on_${cpu#*:}" \
-            target "${cpu#*:}" "qemu-${cpu#*:}" "${cpu%:*}-gcc" -O2 LDFLAGS=-static
-    else
-        skip "same_frames_on_${cpu#*:}" "no qemu-user"
-    fi
+user short s390x-linux-gnu s390x
+if_there qemu-system-arm "no qemu-system-arm" short "same_frames_on_Cortex-M33" bare m33
+for level in O0 O3; do
+    long "same_frames_with_gcc_$level" target gcc-$level "" gcc -$level
 done
-if_there qemu-system-arm "no qemu-system-arm" "same_frames_on_Cortex-M33" bare m33
-if_there qemu-system-riscv32 "no qemu-system-misc" "same_frames_on_RV32IMAC_with_Zba_Zbb_Zbkb" bare rv32
-if_there qemu-system-riscv32 "no qemu-system-misc" "same_frames_on_RV32IMC" bare rv32plain
+for cpu in armv6m armv7m rv32; do
+    long "same_frames_with_the_files_for_$cpu" target $cpu-files "" gcc -O2 CPU=$cpu
+done
+for level in O0 O2; do
+    if_there clang "no clang" long "same_frames_with_clang_$level" target clang-$level "" clang -$level
+done
+user long aarch64-linux-gnu aarch64
+user long arm-linux-gnueabihf arm
+if_there qemu-system-riscv32 "no qemu-system-misc" long "same_frames_on_RV32IMAC_with_Zba_Zbb_Zbkb" bare rv32
+if_there qemu-system-riscv32 "no qemu-system-misc" long "same_frames_on_RV32IMC" bare rv32plain
 tap_end

@@ -2,6 +2,8 @@
 # For shell tests: `. tests/tools/tap.sh`, then one `check` or `skip` per test and `tap_end`. Output is TAP; tests/run.sh counts it.
 #   check "a name as a sentence" command [argument...]    passes when the command does; its output is shown when not
 #   skip  "a name as a sentence" "reason"
+#   short "a name as a sentence" command...    a check that a long test leaves out: LONG is empty
+#   long  "a name as a sentence" command...    one of many alike: a long test (LONG=1) takes its share of them
 #   in_share              whether the next of the things that a long test looks at is in the share that SHARE=K/N asks for
 #   make_image argument...                                make of an image in $B, one at a time: tests run side by side
 tap_count=0
@@ -36,6 +38,9 @@ in_share() {
     local share=${SHARE:-1/1}
     [ $((share_number++ % ${share#*/} + 1)) = "${share%/*}" ]
 }
+
+short() { [ -n "${LONG-}" ] || check "$@"; }
+long() { ! { [ -n "${LONG-}" ] && in_share; } || check "$@"; }
 
 make_image() {
     mkdir -p "$B" && flock "$B/images.lock" make -s -j2 B="$B" "$@"
