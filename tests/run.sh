@@ -142,7 +142,11 @@ shared() {
 longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/); for (i = 1; i <= n; i++) { rank[name[i]] = i } }
     { print ($1 in rank ? rank[$1] : n + 1), NR, $0 }' | sort -n -k1,1 -k2,2 | cut -d' ' -f3-; }
 
-[ "$mode" = check ] || tests/tools/packages.sh test
+if [ "$mode" != check ]; then
+    tests/tools/packages.sh test
+    # Dozens of images compile the same files in the same way: ccache compiles them once.
+    [ ! -d /usr/lib/ccache ] || export PATH=/usr/lib/ccache:$PATH CCACHE_DIR=$(realpath -m "$B/ccache")
+fi
 shopt -s nullglob
 mkdir -p "$B/log"
 : >"$results"

@@ -78,7 +78,7 @@ binary_info_is_the_images() { # another board, program, version, number of cores
 }
 
 same_sources_same_bytes() {
-    B=$B/again firmware BOARD=pico-display >/dev/null && cmp "$B/again/firmware/pico-display-demos.bin" "$B/firmware/pico-display-demos.bin"
+    CCACHE_DISABLE=1 B=$B/again firmware BOARD=pico-display >/dev/null && cmp "$B/again/firmware/pico-display-demos.bin" "$B/firmware/pico-display-demos.bin"
 }
 
 budget() { # changed pair
