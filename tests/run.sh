@@ -145,7 +145,9 @@ longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/
 if [ "$mode" != check ]; then
     tests/tools/packages.sh test
     # Dozens of images compile the same files in the same way: ccache compiles them once.
-    [ ! -d /usr/lib/ccache ] || export PATH=/usr/lib/ccache:$PATH CCACHE_DIR=$(realpath -m "$B/ccache")
+    [ ! -d /usr/lib/ccache ] || PATH=/usr/lib/ccache:$PATH
+    CCACHE_DIR=$(realpath -m "$B/ccache")
+    export CCACHE_DIR
 fi
 shopt -s nullglob
 mkdir -p "$B/log"
