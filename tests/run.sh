@@ -138,16 +138,24 @@ shared() {
     done
 }
 
+# Dozens of images compile the same files in the same way: ccache compiles them once.
+through_ccache() {
+    local name
+    CCACHE_PATH=$PATH
+    CCACHE_DIR=$(realpath -m "$B/ccache")
+    mkdir -p "$CCACHE_DIR/bin"
+    for name in arm-none-eabi-gcc riscv64-unknown-elf-gcc; do ln -sf "$PWD/tests/tools/ccache.sh" "$CCACHE_DIR/bin/$name"; done
+    PATH=$CCACHE_DIR/bin:/usr/lib/ccache:$PATH
+    export PATH CCACHE_PATH CCACHE_DIR
+}
+
 # Those in $first in its order, then the others as they come.
 longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/); for (i = 1; i <= n; i++) { rank[name[i]] = i } }
     { print ($1 in rank ? rank[$1] : n + 1), NR, $0 }' | sort -n -k1,1 -k2,2 | cut -d' ' -f3-; }
 
 if [ "$mode" != check ]; then
     tests/tools/packages.sh test
-    # Dozens of images compile the same files in the same way: ccache compiles them once.
-    [ ! -d /usr/lib/ccache ] || PATH=/usr/lib/ccache:$PATH
-    CCACHE_DIR=$(realpath -m "$B/ccache")
-    export CCACHE_DIR
+    ! command -v ccache >/dev/null || through_ccache
 fi
 shopt -s nullglob
 mkdir -p "$B/log"

@@ -91,6 +91,12 @@ over() { # pair, word
     grep -q "over the budget of.* $2" <<<"$said" || { echo "$said" && return 1; }
 }
 
+no_call_graph() { # of one object, as ccache leaves it
+    local graph=$B/firmware/$board-objects/firmware/core/render/raster.ci said
+    mv "$graph" "$dir" && said=$(budget stack=6656) && echo "accepts it" && return 1
+    mv "$dir/raster.ci" "$graph" && grep -q "no call graph of firmware/core/render/raster.c, so the stack has no bound" <<<"$said" || { echo "$said" && return 1; }
+}
+
 more_than_the_chip_has() {
     local said
     said=$(budget ram=200000) && echo "accepts it" && return 1
@@ -232,6 +238,7 @@ check "within_the_budget_it_passes" budget
 check "over_the_flash_it_fails" over flash=90000 flash
 check "over_the_RAM_it_fails" over ram=100000 RAM
 check "over_the_stack_it_fails" over stack=4000 stack
+check "a_stack_without_a_call_graph_fails" no_call_graph
 check "a_board_with_more_RAM_than_its_chip_fails" more_than_the_chip_has
 check "floating_point_is_refused" refuses 'floating point, heap' 'volatile float x = 2; int main(void) { x = x * x; return 0; }'
 check "a_heap_is_refused" refuses 'floating point, heap' '#include <stdlib.h>
