@@ -76,7 +76,8 @@ struct ph_usual {
  */
 enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t);
 
-/* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. */
+/* small_gouraud.c: draws a small triangle; depth, pixels: of column 0 of its first row. Returns its pixels. No code is
+ * 0 (depth.h has head room), so where the depth is 0 the triangle can be seen. */
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 

@@ -106,12 +106,18 @@ static uint32_t try_halve(uint32_t h)
     return h;
 }
 
+/* The depth of a triangle: with the gradients below no code of it is 0. */
+static uint32_t depth_bits(void)
+{
+    return ((uint32_t)1 << 16) + below((uint32_t)3 << 30);
+}
+
 /* A small triangle, drawn by a kernel. */
 static uint32_t try_small(uint32_t h,
                           uint32_t (*draw)(const struct ph_small_triangle *, uint16_t *, uint16_t *, uint32_t))
 {
     struct ph_small_triangle r = {.ramp = ramp, .knee = bits()};
-    r.d = bits();
+    r.d = depth_bits();
     r.light = bits();
     r.left = (40 << 16) + below(20 << 16);
     r.d_dy = below(1 << 24);
@@ -251,7 +257,7 @@ static uint32_t try_wide(uint32_t h)
     r.right = r.left + below((uint32_t)1 << log2) - (3 << 16);
     r.left_dx = below(1 << 20) - (1 << 19);
     r.right_dx = below(1 << 20) - (1 << 19);
-    r.d = bits();
+    r.d = depth_bits();
     r.light = bits();
     r.d_dy = below(1 << 24);
     r.light_dy = bits() >> 8;
