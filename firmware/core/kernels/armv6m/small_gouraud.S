@@ -1,8 +1,9 @@
 @ ph_small_gouraud of kernels.h for ARMv6-M; small_knee.S makes ph_small_knee of it,
-@ wide_gouraud.S ph_wide_gouraud. A row takes 37 instructions, a pixel that is drawn 11, a hidden one 6, a
-@ call some 40.
+@ wide_gouraud.S ph_wide_gouraud. A row takes 35 instructions, a pixel that is drawn 11, a hidden one 6, a
+@ call some 40. Behind its first 1 to 16 pixels a wide row takes 36 instructions for 4 where nothing is drawn yet.
 @
-@ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0, r8 gd, r9 glight,
+@ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; wide: twice the blocks of
+@ 16 pixels that are left, plus 1 if a single pixel follows; r8 gd, r9 glight,
 @ r10 left, r11 right, r12 d at column 0, lr light at column 0. r0 stands at gd when the struct is read.
 #include "../thumb.inc"
 #include "../offsets.inc"
@@ -19,8 +20,16 @@
     .equ triangle, 32   @ 0 when the lower edge has taken over
     .equ to_pixels, 36  @ from depth
     .equ knee, 40
-    .equ blocks, 40 @ of 32 pixels that are left in a wide row
+    .equ base, 40 @ column 0 of a wide row
     .equ frame, 44
+
+    .macro draw at
+    strh.n r6, [r0, #2 * \at]
+    lsrs r5, r3, #25
+    lsls r5, r5, #1
+    ldrh.n r5, [r4, r5]
+    strh.n r5, [r1, #2 * \at]
+    .endm
 
     .macro pixel at
     ldrh.n r5, [r0, #2 * \at]
@@ -36,14 +45,38 @@
     .endif
     cmp r6, r5
     bls.n 1f
-    strh.n r6, [r0, #2 * \at]
-    lsrs r5, r3, #25
-    lsls r5, r5, #1
-    ldrh.n r5, [r4, r5]
-    strh.n r5, [r1, #2 * \at]
-1:  add r2, r8
+    draw \at
+1:
+    .if \at < last_pixel
+    add r2, r8
+    add r3, r9
+    .endif
+    .endm
+
+    .macro fresh at
+    lsrs r6, r2, #16
+    draw \at
+    add r2, r8
     add r3, r9
     .endm
+
+    .macro four at @ no code is 0: where four depths are 0, four pixels are drawn
+    ldr.n r5, [r0, #2 * \at]
+    ldr.n r6, [r0, #2 * \at + 4]
+    orrs r5, r6
+    bne from_\at
+    .irp after, 0, 1, 2, 3
+    fresh (\at + \after)
+    .endr
+    .endm
+
+    .ifdef with_blocks
+    .equ unrolled, 16
+    .equ last_pixel, 16 @ that has no step; here all have
+    .else
+    .equ unrolled, 32
+    .equ last_pixel, 31
+    .endif
     .ifdef with_knee
     .equ pixel_bytes, 32
     function ph_small_knee
@@ -66,14 +99,17 @@
     push {r0, r2}
     mov lr, r3
     ldrh r2, [r0, #small_upper_rows - small_gd]
-    ldr r3, =last + 1
+    ldr r3, =first + unrolled * pixel_bytes + 1
     push {r2, r3}
     mov r2, lr
     movs r3, #0
     push {r2, r3}
     push {r4-r7}
     subs r7, r1, r2 @ the row above
-    subs r7, #64 @ the last of the 32 unrolled pixels is the last pixel of the row
+    subs r7, #2 * unrolled @ the last of the unrolled pixels is the last pixel of the row
+    .ifdef with_blocks
+    str r7, [sp, #base]
+    .endif
     ldmia r0!, {r1-r4}
     mov r8, r1
     mov r9, r2
@@ -87,22 +123,44 @@
     .p2align 2
     .ltorg
 first:
-    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+pixel_\at:
     pixel \at
     .endr
-    .if . - first - 32 * pixel_bytes
+    .ifdef with_blocks
+    .if . - first - unrolled * pixel_bytes
+    .error "pixel_bytes is wrong"
+    .endif
+    b last
+    .irp at, 0, 4, 8, 12
+from_\at:
+    b pixel_\at
+    .endr
+    .p2align 2
+fours:
+    .irp at, 0, 4, 8, 12
+    four \at
+    .endr
+last:
+    subs r7, #2
+    bmi 1f
+    adds r0, #32
+    adds r1, #32
+    b fours
+1:  adds r7, #1
+    bne row_end
+    adds r0, #2
+    adds r1, #2
+    b pixel_15
+row_end:
+    .else
+    .irp at, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31
+    pixel \at
+    .endr
+    .if . + 4 - first - unrolled * pixel_bytes
     .error "pixel_bytes is wrong"
     .endif
 last:
-    .ifdef with_blocks
-    ldr r5, [sp, #blocks]
-    subs r5, #1
-    bmi row_end
-    str r5, [sp, #blocks]
-    adds r0, #64
-    adds r1, #64
-    b first
-row_end:
     .endif
     ldr r0, [sp, #rows]
     subs r0, #1
@@ -111,7 +169,13 @@ row_end:
 row:
     mov r0, sp
     ldmia r0, {r0-r3, r5}
+    .ifdef with_blocks
+    ldr r7, [sp, #base]
     adds r7, r7, r5
+    str r7, [sp, #base]
+    .else
+    adds r7, r7, r5
+    .endif
     mov r5, r10
     add r10, r0
     mov r0, r11
@@ -132,15 +196,14 @@ row:
     mov r0, r3
 1:  subs r6, r0, r5
     ble row_end
-    mov r0, r7
     .else
     lsrs r5, r5, #16
     lsrs r0, r0, #16
     subs r6, r0, r5
     ble last
+    .endif
     lsls r0, r0, #1
     adds r0, r0, r7
-    .endif
     mov r3, r9
     muls r3, r5
     adds r3, r3, r2
@@ -151,16 +214,23 @@ row:
     adds r1, r1, r6
     str r1, [sp, #count]
     .ifdef with_blocks
+    movs r7, #0
+    cmp r6, #16
+    ble 1f
+    movs r7, #2 @ blocks are at whole words: one pixel may be left behind them
+    ands r7, r0
+    subs r0, r0, r7
+    lsrs r7, r7, #1
+    subs r6, r6, r7
+    subs r5, r6, #1
+    lsrs r5, r5, #4
+    lsls r5, r5, #4
+    subs r6, r6, r5 @ the first 1 to 16 pixels
     lsls r5, r5, #1
-    adds r0, r0, r5
-    subs r6, #1
-    lsrs r5, r6, #5
-    str r5, [sp, #blocks]
-    lsls r6, r6, #27
-    lsrs r6, r6, #27
-    adds r6, #1 @ the first 1 to 32 pixels
-    lsls r5, r6, #1
-    adds r0, r0, r5
+    subs r0, r0, r5
+    lsrs r5, r5, #4
+    adds r7, r7, r5
+1:
     .endif
     movs r1, #pixel_bytes
     muls r6, r1
