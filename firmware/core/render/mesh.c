@@ -259,10 +259,10 @@ static void light_share(void *argument)
 {
     const struct light_share *const s = argument;
     const struct part_context *const c = s->c;
-    for (uint32_t i = s->from; i < s->end; i++) {
-        struct ph_vertex *const v = &c->vertices[i];
+    struct ph_vertex *const end = c->vertices + s->end;
+    for (struct ph_vertex *v = c->vertices + s->from; v < end; v++) {
         if (v->light == 0) {
-            v->light = light_of(c, i);
+            v->light = light_of(c, (uint32_t)(v - c->vertices));
         }
     }
 }
