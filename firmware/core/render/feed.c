@@ -10,7 +10,7 @@ static PH_NOINLINE void link_far(struct ph_ref *at, uint32_t next)
 }
 
 /* A reference (number ref, at *at) holds how much further the next one of its list is; 0: there is none. */
-static inline void link_ref(struct ph_ref *at, uint32_t ref, uint32_t next)
+static inline __attribute__((always_inline)) void link_ref(struct ph_ref *at, uint32_t ref, uint32_t next)
 {
     if (next - ref < PH_LINK_FAR) {
         at->link = (uint16_t)(next - ref);
@@ -20,11 +20,22 @@ static inline void link_ref(struct ph_ref *at, uint32_t ref, uint32_t next)
 }
 
 /* Puts a reference before the others of its band's list. */
-static inline void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+static inline __attribute__((always_inline)) void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
 {
-    const uint32_t band = ref->link, next = bins[band];
-    link_ref(ref, i, next);
-    bins[band] = i;
+    uint32_t *const bin = &bins[ref->link];
+    link_ref(ref, i, *bin);
+    *bin = i;
+}
+
+/* The same where some of the references belong into no list. */
+static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint32_t i)
+{
+    for (; i > 0; ref++) {
+        i--;
+        if (ref->link != PH_LINK_AFTER) {
+            sort_ref(bins, ref, i);
+        }
+    }
 }
 
 /* Puts the references into the lists of their bands, from the last, so that each list is in drawing order. */
@@ -33,13 +44,9 @@ static void sort_refs(struct ph_renderer *r)
     uint32_t *const bins = r->config.bins;
     uint32_t i = ph_ref_count(r);
     struct ph_ref *ref = r->list.to;
-    if (r->after != NULL) { /* some of them belong into none */
-        for (; i > 0; ref++) {
-            i--;
-            if (ref->link != PH_LINK_AFTER) {
-                sort_ref(bins, ref, i);
-            }
-        }
+    if (r->after != NULL) {
+        sort_some_refs(bins, ref, i);
+        return;
     }
     for (; i >= 4; i -= 4, ref += 4) {
         sort_ref(bins, ref, i - 1);
