@@ -161,7 +161,7 @@ static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
 
 /* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
  * it goes on below. */
-static void draw_rest(struct ph_feed *f, struct rest *rest)
+static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 {
     const struct ph_band *const rows = rest->rows;
     struct ph_triangle scratch, *t = take_slot_or(f->r, &scratch);

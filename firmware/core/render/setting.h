@@ -7,11 +7,6 @@
 
 /* See ph_setting_of in setup.h. */
 struct ph_setting {
-    struct ph_usual usual; /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
-                              entry; bias: what is added to the codes of the format, in fixed16 to
-                              N/w (depth.h) */
-    const struct ph_renderer *r;
-    struct ph_draw draw;
     bool is_small;         /* small triangles are drawn as such */
     bool is_usual;         /* ph_setup_usual knows such triangles */
     bool has_usual_texels; /* ... and all but u and v of such triangles, which are textured */
@@ -19,6 +14,11 @@ struct ph_setting {
                               of samples, of which twice as many are not small */
     bool floats;           /* float16, else fixed16 */
     uint8_t shading;       /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
+    struct ph_usual usual; /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
+                              entry; bias: what is added to the codes of the format, in fixed16 to
+                              N/w (depth.h) */
+    const struct ph_renderer *r;
+    struct ph_draw draw;
 };
 
 #endif
