@@ -165,6 +165,7 @@ static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 {
     const struct ph_band *const rows = rest->rows;
     struct ph_triangle scratch, *t = take_slot_or(f->r, &scratch);
+    const struct ph_ref *const first = ph_ref_at(f->r, 0);
     uint32_t fragments = 0, ref = f->ref;
     for (uint32_t stop = 0;;) {
         if (ref >= stop) { /* so it is at the end of the list */
@@ -174,7 +175,7 @@ static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
                 break;
             }
         }
-        const struct ph_ref *const at = ph_ref_at(f->r, ref);
+        const struct ph_ref *const at = first - ref;
         ph_setup(&f->setting, at, t);
         t->order = ref;
         ref = next_ref(f, at, ref);
