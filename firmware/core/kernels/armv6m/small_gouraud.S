@@ -4,7 +4,7 @@
 @
 @ Registers: r0 depth, r1 pixels, r2 d, r3 light, r4 ramp, r5 r6 scratch, r7 depth of column 0; wide: twice the blocks of
 @ 16 pixels that are left, plus 1 if a single pixel follows; r8 gd, r9 glight,
-@ r10 left, r11 right, r12 d at column 0, lr light at column 0. r0 stands at gd when the struct is read.
+@ r10 left, r11 right, r12 d at column 0, lr light at column 0.
 #include "../thumb.inc"
 #include "../offsets.inc"
 #include "registers.inc"
@@ -21,7 +21,15 @@
     .equ to_pixels, 36  @ from depth
     .equ knee, 40
     .equ base, 40 @ column 0 of a wide row
+    .ifdef with_knee
     .equ frame, 44
+    .else
+    .ifdef with_blocks
+    .equ frame, 44
+    .else
+    .equ frame, 40
+    .endif
+    .endif
 
     .macro draw at
     strh.n r6, [r0, #2 * \at]
@@ -90,31 +98,31 @@
     .endif
     @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     save_registers
+    subs r2, r2, r1
     .ifdef with_knee
     ldr r4, [r0, #small_knee]
-    .endif
     push {r4}
-    ldmia r0!, {r4-r7}
-    subs r2, r2, r1
+    .endif
+    .ifdef with_blocks
+    push {r4}
+    .endif
     push {r0, r2}
-    mov lr, r3
-    ldrh r2, [r0, #small_upper_rows - small_gd]
-    ldr r3, =first + unrolled * pixel_bytes + 1
-    push {r2, r3}
-    mov r2, lr
-    movs r3, #0
-    push {r2, r3}
+    movs r4, #0
+    ldrh r5, [r0, #small_upper_rows]
+    ldr r6, =first + unrolled * pixel_bytes + 1
+    push {r3-r6}
+    subs r1, r1, r3 @ the row above
+    subs r1, #2 * unrolled @ the last of the unrolled pixels is the last pixel of the row
+    ldmia r0!, {r4-r7}
     push {r4-r7}
-    subs r7, r1, r2 @ the row above
-    subs r7, #2 * unrolled @ the last of the unrolled pixels is the last pixel of the row
+    movs r7, r1
     .ifdef with_blocks
     str r7, [sp, #base]
     .endif
-    ldmia r0!, {r1-r4}
-    mov r8, r1
-    mov r9, r2
-    mov r10, r4
-    movs r4, r3
+    ldmia r0!, {r2-r5}
+    mov r8, r2
+    mov r9, r3
+    mov r10, r5
     ldmia r0!, {r1-r3}
     mov r11, r1
     mov r12, r2
@@ -242,15 +250,15 @@ row:
 2:  ldr r0, [sp, #triangle]
     cmp r0, #0
     beq 5f
-    ldrh r1, [r0, #small_lower_rows - small_gd]
+    ldrh r1, [r0, #small_lower_rows]
     cmp r1, #0
     beq 5f
     str r1, [sp, #rows]
     movs r1, #0
     str r1, [sp, #triangle]
-    ldr r1, [r0, #small_lower - small_gd]
-    ldr r2, [r0, #small_lower - small_gd + 4]
-    ldr r3, [r0, #small_lower_is_right - small_gd]
+    ldr r1, [r0, #small_lower]
+    ldr r2, [r0, #small_lower + 4]
+    ldr r3, [r0, #small_lower_is_right]
     cmp r3, #0
     beq 3f
     mov r11, r1
