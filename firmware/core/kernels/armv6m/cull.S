@@ -1,5 +1,5 @@
 @ ph_cull (see cull.h) for ARMv6-M. A triangle without clip codes that faces away takes 29 instructions (38 if it is 16 px
-@ high or more), one that may have codes 36; to list one takes some 75 more.
+@ high or more), one that may have codes 36; to list one takes some 73 more.
 @
 @ Registers: r0 vertices, r1 index; r3 r4 r5 the corners a, b, c; then their x, y: a in r3 r6, b in r4 r7, c in r2 r5;
 @ r8 end, r9 2^12, r10 the struct ph_cull_run, r11 a row.
@@ -7,11 +7,13 @@
 #include "../offsets.inc"
 
     @ Loads the corners of the next triangle.
-    .macro corners
+    .macro corners step
     ldrh r3, [r1]
     ldrh r4, [r1, #2]
     ldrh r5, [r1, #4]
-    adds r1, #6
+    .if \step
+    adds r1, #\step
+    .endif
     lsls r3, #4
     lsls r4, #4
     lsls r5, #4
@@ -89,7 +91,7 @@
     cmp r3, #0
     bne coded
 plain:
-    corners
+    corners 6
     turn
     bne plain
     b none
@@ -97,7 +99,7 @@ plain:
     bne plain
     b none
 coded:
-    corners
+    corners 6
     ldrb r2, [r3, #vertex_code]
     ldrb r6, [r4, #vertex_code]
     ldrb r7, [r5, #vertex_code]
@@ -123,6 +125,8 @@ none:
     mov r2, r10
     str r1, [r2, #cull_index]
     b out
+look_here:
+    adds r1, #6
 look: @ the caller must look at this triangle
     movs r0, #1
     mov r2, r10
@@ -136,7 +140,7 @@ out:
     pop {r4-r7, pc}
 found:
     subs r1, #6
-    corners
+    corners 0
     ldr r2, [r3, #vertex_y] @ the first row of the highest corner in r2, of the lowest in r6
     ldr r6, [r4, #vertex_y]
     ldr r7, [r5, #vertex_y]
@@ -169,12 +173,12 @@ found:
     adds r2, r6
     orrs r2, r7
     lsrs r2, #9
-    beq look
+    beq look_here
     mov r2, r10
     ldr r6, [r2, #cull_to]
     ldr r7, [r2, #cull_limit]
     cmp r6, r7
-    beq look
+    beq look_here
     subs r6, #8
     str r6, [r2, #cull_to]
     ldr r7, [r2, #cull_band_scale]
@@ -182,14 +186,12 @@ found:
     muls r2, r7
     lsrs r2, #20
     strh r2, [r6, #6]
-    subs r1, #6
     ldrh r2, [r1]
     strh r2, [r6]
     ldrh r2, [r1, #2]
     strh r2, [r6, #2]
     ldrh r2, [r1, #4]
     strh r2, [r6, #4]
-    adds r1, #6
     mov r2, r10
     ldr r6, [r2, #cull_mark]
     cmp r6, #0
@@ -199,6 +201,7 @@ found:
     mark r4
     mark r5
 next:
+    adds r1, #6
     mov r2, r10
     ldr r2, [r2, #cull_codes]
     cmp r2, #0

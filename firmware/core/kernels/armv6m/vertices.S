@@ -1,4 +1,4 @@
-@ ph_vertices (see vertices.h) for ARMv6-M. A vertex takes some 245 instructions, 221 within a cube of 1.0 each way.
+@ ph_vertices (see vertices.h) for ARMv6-M. A vertex takes some 243 instructions, 219 within a cube of 1.0 each way.
 @
 @ Registers: r7 and r10 the struct ph_vertex_run, r8 from, r9 to, r11 r12 x, y before the divide, lr full light at its
 @ place in the word.
@@ -202,9 +202,8 @@ placed:
     lsrs r6, #31
     subs r5, r6
 2:  @ Depth: q is the high word of depth_scale times the reciprocal, with its upper bit at 30.
-    ldr r2, [r7, #run_depth_scale]
-    lsrs r1, r2, #16
-    uxth r2, r2
+    ldrh r2, [r7, #run_depth_scale]
+    ldrh r1, [r7, #run_depth_scale + 2]
     uxth r3, r5
     lsrs r6, r5, #16
     movs r0, r2
@@ -226,12 +225,11 @@ placed:
     bne 3f
     lsls r1, #1
     adds r2, #1
-3:  uxtb r2, r2
-    mov r3, lr
-    orrs r2, r3
-    mov r3, r9
+3:  mov r3, r9
+    mov r6, lr
     str r1, [r3, #vertex_q]
-    str r2, [r3, #vertex_s]
+    str r6, [r3, #vertex_s]
+    strb r2, [r3, #vertex_s]
     @ x / w and y / w, plus the centre.
     lsrs r5, #1
     subs r4, #4
