@@ -91,6 +91,9 @@ done
 without=-U__ARM_FEATURE_DSP short "the_loops_for_armv7m_without_DSP_leave_the_same" same_loops armv7m
 short "a_lost_fraction_in_rows_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/add r12, r2/nop/' 'small_gouraud small_knee wide_gouraud'
 long "a_block_too_few_in_a_wide_row_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/lsrs r0, r1, #5/lsrs r0, r1, #6/' wide_gouraud
+long "four_pixels_drawn_where_two_are_hidden_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/orrs r5, r6/tst r5, r5/' wide_gouraud
+long "a_pixel_lost_behind_four_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/b pixel_15/b row_end/' wide_gouraud
+long "a_pair_drawn_where_it_is_hidden_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/cmp r1, #0/cmp r1, r1/' 'small_gouraud wide_gouraud'
 long "a_row_that_is_not_cut_for_armv6m_is_seen" change_is_seen armv6m small_gouraud 's/lsrs r3, r3, #1/lsrs r3, r3, #2/' wide_gouraud
 long "a_knee_forgotten_for_armv7m_is_seen" change_is_seen armv7m small_gouraud 's/movhs r0, #0/movhs r0, r0/' small_knee
 long "a_reciprocal_a_bit_off_for_armv6m_is_seen" change_is_seen armv6m setup_small 's/asrs r7, r7, #17/asrs r7, r7, #16/'
