@@ -24,6 +24,7 @@ positions truncated, not rounded         | render/transform.c| s/)1 << (down - 1
 principal point half a pixel off         | render/frame.c   | s/+ 256) >> 9)/+ 256) >> 9) + 128/                   | test_raster
 an edge that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.x += 128;/           | test_watertight
 a slope that depends on its triangle     | render/setup.c   | s/_edge(.*&\(.*long_edge\));/& \1.dx \&= ~15;/         | test_watertight
+an edge walked from far above the picture | render/setup.c  | s/(slope >> 10)/(slope >> 10 \& ~0xfffff)/            | test_watertight
 a crossing that depends on its direction | render/clip.c    | s/crossing(lens, b, a, db, da/crossing(lens, a, b, da, db/ | test_watertight
 crossings to 10 bits                     | render/clip.c    | s/from << 30) \/ whole)/& \& ~0xfffff/               | test_mesa
 near plane too near                      | render/clip.c    | s/- lens->near_z;/- lens->near_z \/ 2;/              | test_watertight

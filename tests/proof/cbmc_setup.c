@@ -24,7 +24,7 @@ void proof_wide_edge(void)
     struct ph_vertex a, b;
     struct ph_edge edge;
     any_edge(&a, &b);
-    wide_edge(&a, &b, i32_between(ph_first_row(a.y), REACH / 256), &edge);
+    wide_edge(&a, &b, i32_between(ph_first_row(a.y), ph_first_row(b.y) - 1), &edge);
 }
 
 void proof_short_edge(void)

@@ -41,7 +41,7 @@ a divide aligned too far           | render/transform.c | s/x << (shift - 4)/x <
 a guard band twice as wide         | render/transform.c | s/reciprocal) >> 32);/reciprocal) >> 31);/               | gappa.reach
 a code from too high a bit         | render/depth.h     | s/up = 2 + block - quotient.s/up = 12 + block - quotient.s/ | depth.codes
 a slope rounded beyond its range   | render/depth.h     | s/(int32_t)gradient >> -up)/((int32_t)gradient + 1) >> -up)/ | depth.codes
-a wide edge shifted out            | render/setup.c     | s/>> (53 - shift)/>> (93 - shift)/                       | setup.wide_edge
+a wide edge shifted out            | render/setup.c     | s/>> (43 - shift)/>> (93 - shift)/                       | setup.wide_edge
 rows outside the picture           | render/setup.c     | s/y_bottom = ph_min(o.row_low, height)/y_bottom = o.row_low/ | setup.setup_outline
 a gradient that changes its sign   | render/planes.c    | s/fx_sat64((px + half) >> down)/(int32_t)((px + half) >> down)/ | planes.wide_gradient
 a gradient that is not halved      | render/planes.c    | s/1 - fx_clz32(ph_without_sign(gx)/-1 - fx_clz32(ph_without_sign(gx)/ | planes.short_plane
