@@ -316,7 +316,7 @@ struct ph_lens {
     int8_t far_s;         /* negative in the fixed formats only; floats read the next byte with it */
     uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
     struct ph_linear linear;
-    uint32_t turn_px;              /* fisheye: pixels per turn, 16.16 */
+    int32_t radian_px;             /* fisheye: pixels per radian, 16.16 */
     uint32_t chord_min2;           /* fisheye: (1/256 px)^2; shorter edges are not divided */
     int32_t chord_max;             /* fisheye: 1/256 px; longer edges are always divided */
     uint32_t near_over, far_over;  /* fisheye: 1 / near_z, 1 / far_z, normalised */

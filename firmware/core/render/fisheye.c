@@ -105,21 +105,16 @@ static uint32_t g_of(int32_t c)
     return between(&g_behind[34 * octave + (int32_t)(scaled >> G_SHIFT & 31)], scaled << (32 - G_SHIFT));
 }
 
-/* f in 16.16 px a radian. */
-static inline int32_t focal_of(const struct ph_lens *lens)
-{
-    return (int32_t)fx_mulhi_u32(lens->turn_px, PART_Q32(.15915494309));
-}
-
+/* 1/256 px, rounded to nearest: the low word's top bit says whether it is a half or more. */
 static inline int32_t offset(int32_t direction, uint32_t g, int32_t focal)
 {
     const int32_t radians = ph_high_product(direction * 2, (int32_t)g); /* Q24 */
-    return (int32_t)((fx_mul_wide(radians, focal) + ((int64_t)1 << 31)) >> 32);
+    return ph_high_product(radians, focal) + (int32_t)((uint32_t)radians * (uint32_t)focal >> 31);
 }
 
 unsigned ph_fisheye_zone(const struct ph_lens *lens, uint32_t size)
 {
-    const uint32_t aside = fx_mulhi_u32((uint32_t)focal_of(lens), PART_Q32(1.851 / 256)); /* 5 pi / 6 / sqrt 2 */
+    const uint32_t aside = fx_mulhi_u32((uint32_t)lens->radian_px, PART_Q32(1.851 / 256)); /* 5 pi / 6 / sqrt 2 */
     return size >= aside ? 0 : size < aside - (aside >> 2) + (aside >> 5) ? PH_RAY_BEFORE | PH_RAY_ASIDE : PH_RAY_ASIDE;
 }
 
@@ -134,20 +129,22 @@ static unsigned spheres_of(const struct ph_lens *lens, struct ph_inverse inverse
 void ph_fisheye_place(const struct ph_lens *lens, struct ph_ray *v)
 {
     const uint32_t g = g_of(v->direction[2]);
-    const int32_t focal = focal_of(lens), x = offset(v->direction[0], g, focal), y = offset(v->direction[1], g, focal);
+    const int32_t focal = lens->radian_px, x = offset(v->direction[0], g, focal), y = offset(v->direction[1], g, focal);
     const uint32_t size = fx_magnitude(x) > fx_magnitude(y) ? fx_magnitude(x) : fx_magnitude(y);
     v->at.x = lens->centre_x + x;
     v->at.y = lens->centre_y + y;
-    v->flags = (v->direction[2] < PH_FISHEYE_BLIND ? PH_RAY_BLIND : 0u) | (size > REACH ? PH_RAY_BEYOND : 0u) |
-               ph_fisheye_zone(lens, size) | spheres_of(lens, v->inverse);
+    v->flags = (uint16_t)((v->direction[2] < PH_FISHEYE_BLIND ? PH_RAY_BLIND : 0u) |
+                          (size > REACH ? PH_RAY_BEYOND : 0u) | ph_fisheye_zone(lens, size) |
+                          spheres_of(lens, v->inverse));
 }
 
 void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height)
 {
     lens->focal_x = lens->focal_y = FX_Q30_ONE; /* x and y of the clip matrix are lengths */
-    lens->turn_px = (uint32_t)((fx_mul_wide(p->scale_y_q20, height) * 205887) >> 20); /* pi half heights */
-    lens->chord_min2 = lens->turn_px / 19 * 3;                                        /* f square pixels: over 2 pi */
-    const uint32_t quarter_radian = lens->turn_px / (LONG * 256);
+    const uint32_t turn_px = (uint32_t)((fx_mul_wide(p->scale_y_q20, height) * 205887) >> 20); /* pi half heights */
+    lens->radian_px = (int32_t)fx_mulhi_u32(turn_px, PART_Q32(.15915494309));
+    lens->chord_min2 = turn_px / 19 * 3; /* f square pixels: over 2 pi */
+    const uint32_t quarter_radian = turn_px / (LONG * 256);
     lens->chord_max = (int32_t)(quarter_radian < 65536 ? quarter_radian : 65536);
     int zeros;
     lens->near_over = fx_rcp_norm((uint32_t)p->near_z, &zeros);
@@ -175,13 +172,13 @@ void ph_fisheye_vertex(const struct ph_lens *lens, int32_t x, int32_t y, int32_t
 struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *v)
 {
     const struct ph_quotient depth = depth_of(lens, v);
-    return (struct ph_corner){{v->at.x, v->at.y, depth.q, depth.s, 0, (uint16_t)v->light}, {v->uv[0], v->uv[1]}};
+    return (struct ph_corner){{v->at.x, v->at.y, depth.q, depth.s, 0, v->light}, {v->uv[0], v->uv[1]}};
 }
 
 void ph_fisheye_ray(const struct ph_lens *lens, const struct ph_clip_vertex *in, struct ph_ray *v)
 {
     ph_fisheye_unit((const int32_t[3]){in->x, in->y, in->w}, v->direction, &v->inverse);
-    v->light = in->light;
+    v->light = (uint16_t)in->light;
     v->uv[0] = in->uv[0];
     v->uv[1] = in->uv[1];
     ph_fisheye_place(lens, v);

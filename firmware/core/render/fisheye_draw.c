@@ -12,14 +12,14 @@
 #define DEPTH      20          /* pieces that wait on the stack */
 #define POOL       (DEPTH + 3) /* vertices in use at a time */
 #define SPLITS_MAX 4096        /* divisions of one triangle */
+#define NOT_LISTED UINT16_MAX  /* a corner that has this number is listed again when it is used again */
 
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
-/* A piece of a triangle that waits on the stack. */
+/* A piece of a triangle that waits on the stack; aligned, so that it is copied as one word. */
 struct piece {
-    uint8_t corner[3]; /* indices into the pool */
-    uint8_t straight;  /* as in ph_fisheye_edge_to_divide */
-    uint8_t used;      /* the piece needs the first `used` vertices of the pool */
+    _Alignas(4) uint8_t corner[3]; /* indices into the pool */
+    uint8_t straight;              /* as in ph_fisheye_edge_to_divide */
 };
 
 struct division {
@@ -27,24 +27,34 @@ struct division {
     const struct ph_material *material;
     uint32_t kind; /* enum ph_draw_kind */
     struct ph_ray pool[POOL];
-    int32_t number[POOL]; /* of the pool's vertices as corners on the list, -1: not there yet */
+    uint16_t number[POOL]; /* of the pool's vertices as corners on the list, or NOT_LISTED */
     uint32_t base;        /* from which they count */
     struct piece stack[DEPTH + 1];
+    uint8_t used[DEPTH + 1];     /* each piece needs so many of the first vertices of the pool */
+    uint32_t arcs[DEPTH + 1][3]; /* of each piece's edges, see ph_fisheye_arc */
     bool any, clipped;
 };
 
-/* Divides a piece at `middle`, which is in the pool. *p becomes one half; the other half is returned. */
-static struct piece divide_piece(struct division *d, struct piece *p, int edge)
+/* Divides piece number `top` at the pool's next vertex: into pieces top and top + 1. Each keeps one edge, and the edge
+ * between them is measured once. */
+static void divide_piece(struct division *d, int top, int edge)
 {
     const int from = ph_next_corner[edge], to = ph_next_corner[edge + 1];
-    const uint8_t middle = p->used++;
-    d->number[middle] = -1;
-    struct piece other = *p;
-    p->corner[to] = middle;
-    p->straight &= (uint8_t)(1 << to);
-    other.corner[from] = middle;
-    other.straight &= (uint8_t)(1 << from);
-    return other;
+    const uint8_t middle = d->used[top];
+    const struct ph_lens *const lens = &d->r->lens;
+    const struct ph_ray *const pool = d->pool, *const m = &pool[middle];
+    struct piece *const p = &d->stack[top];
+    uint32_t(*const arcs)[3] = &d->arcs[top];
+    d->number[middle] = NOT_LISTED;
+    d->used[top] = d->used[top + 1] = (uint8_t)(middle + 1);
+    p[1] = p[0];
+    arcs[1][from] = arcs[0][from];
+    arcs[0][edge] = ph_fisheye_arc(lens, &pool[p->corner[from]], m);
+    arcs[1][edge] = ph_fisheye_arc(lens, m, &pool[p->corner[to]]);
+    arcs[0][from] = arcs[1][to] = ph_fisheye_arc(lens, m, &pool[p->corner[edge]]);
+    p[0].corner[to] = p[1].corner[from] = middle;
+    p[0].straight &= (uint8_t)(1 << to);
+    p[1].straight &= (uint8_t)(1 << from);
 }
 
 static void clip_piece(struct division *d, const struct ph_ray *const v[3])
@@ -65,7 +75,7 @@ static bool has_moved(struct division *d)
         return false;
     }
     for (int i = 0; i < POOL; i++) {
-        d->number[i] = -1;
+        d->number[i] = NOT_LISTED;
     }
     d->base = ph_list_base(d->r);
     return true;
@@ -77,18 +87,18 @@ static bool list_corners(struct division *d, const uint8_t corner[3], uint16_t n
     const uint32_t kind = d->kind | (ph_has_uvs(d->material) ? PH_DRAW_UVS : 0);
     has_moved(d);
     for (int i = 0; i < 3; i++) {
-        int32_t *const known = &d->number[corner[i]];
-        if (*known < 0) {
+        uint16_t *const known = &d->number[corner[i]];
+        if (*known == NOT_LISTED) {
             const struct ph_corner to = ph_ray_corner(&d->r->lens, &d->pool[corner[i]]);
             const int32_t first = ph_list_corners(d->r, d->material, kind, &to, 1);
             if (first < 0) {
                 return false;
             }
             i = has_moved(d) ? -1 : i; /* then all three are listed again */
-            *known = first;
+            *known = (uint16_t)first;
         }
         if (i >= 0) {
-            number[i] = (uint16_t)*known;
+            number[i] = *known;
         }
     }
     return true;
@@ -120,23 +130,26 @@ static void list_piece(struct division *d, const struct ph_ray *const v[3], cons
     }
 }
 
-/* Draws the piece on top of the stack, or divides it into top[0] and top[1]; then it returns true. */
-static bool take_piece(struct division *d, struct piece *top)
+/* Draws piece number `top`, or divides it into pieces top and top + 1; then it returns true. */
+static bool take_piece(struct division *d, int top)
 {
-    const struct ph_ray *const v[3] = {&d->pool[top->corner[0]], &d->pool[top->corner[1]], &d->pool[top->corner[2]]};
+    struct piece *const p = &d->stack[top];
+    const struct ph_ray *const v[3] = {&d->pool[p->corner[0]], &d->pool[p->corner[1]], &d->pool[p->corner[2]]};
     const unsigned all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     if ((all & (PH_RAY_NEAR | PH_RAY_BLIND)) != 0) {
         return false;
     }
-    const int edge = top->used < POOL ? ph_fisheye_edge_to_divide(d->r, v, &top->straight, &d->pool[top->used]) : -1;
+    const uint32_t used = d->used[top];
+    const int edge =
+        used < POOL ? ph_fisheye_edge_to_divide(d->r, v, d->arcs[top], &p->straight, &d->pool[used]) : -1;
     if (edge >= 0) {
-        top[1] = divide_piece(d, top, edge);
+        divide_piece(d, top, edge);
         return true;
     }
     if ((all & PH_RAY_FAR) == 0 && (any & PH_RAY_CUT) != 0) {
         clip_piece(d, v);
     } else if ((all & PH_RAY_FAR) == 0 && (any & PH_RAY_BEYOND) == 0) {
-        list_piece(d, v, top->corner);
+        list_piece(d, v, p->corner);
     }
     return false;
 }
@@ -172,17 +185,21 @@ void ph_fisheye_triangle(struct ph_renderer *r, const struct ph_material *materi
     d.any = d.clipped = false;
     for (int i = 0; i < 3; i++) {
         ph_fisheye_ray(&r->lens, &in[i], &d.pool[i]);
-        d.number[i] = -1;
+        d.number[i] = NOT_LISTED;
     }
     if (material->two_sided == 0 && faces_away(d.pool)) {
         r->stats.triangles_culled++;
         return;
     }
     const struct ph_mark mark = ph_list_mark(r);
-    d.stack[0] = (struct piece){{0, 1, 2}, 0, 3};
+    d.stack[0] = (struct piece){{0, 1, 2}, 0};
+    d.used[0] = 3;
+    for (int k = 0; k < 3; k++) {
+        d.arcs[0][k] = ph_fisheye_arc(&r->lens, &d.pool[ph_next_corner[k]], &d.pool[ph_next_corner[k + 1]]);
+    }
     int waiting = 1, left = SPLITS_MAX;
     while (waiting > 0 && left > 0) {
-        const bool divided = take_piece(&d, &d.stack[waiting - 1]);
+        const bool divided = take_piece(&d, waiting - 1);
         left -= divided;
         waiting += divided ? 1 : -1;
     }

@@ -102,7 +102,7 @@ static void divide_attributes(const struct ph_ray *a, const struct ph_ray *b, st
     const struct ph_clip_vertex from = {.light = a->light, .uv = {a->uv[0], a->uv[1]}};
     const struct ph_clip_vertex to = {.light = b->light, .uv = {b->uv[0], b->uv[1]}};
     const struct ph_clip_vertex middle = ph_clip_between(&from, &to, t);
-    m->light = middle.light;
+    m->light = (uint16_t)middle.light;
     m->uv[0] = middle.uv[0];
     m->uv[1] = middle.uv[1];
 }
@@ -137,15 +137,18 @@ static void divide(const struct ph_lens *lens, const struct ph_ray *a, const str
     ph_fisheye_place(lens, m);
 }
 
-/* The angle of an edge that has to be divided because it is long, squared as in apart2; else 0. */
-static uint32_t long_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, uint32_t chord)
+uint32_t ph_fisheye_arc(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b)
 {
-    const uint32_t angle = chord > longest2(lens) ? apart2(a, b) : 0;
-    return angle >= SHORT ? angle : 0;
+    const uint32_t chord = chord_of(a, b), longest = longest2(lens);
+    if (chord <= longest) {
+        return chord;
+    }
+    const uint32_t angle = apart2(a, b);
+    return (chord > 4 * longest ? PH_ARC_FAR_APART : 0) | (angle >= SHORT ? PH_ARC_LONG | angle : 0);
 }
 
-/* The same of an edge that is not long, but bends: its dividing point *m, which is set then, is over 1/2 px off the
- * chord. */
+/* The angle of an edge that is not long, but bends: its dividing point *m, which is set then, is over 1/2 px off the
+ * chord. Squared as in apart2; 0 if it need not be divided. */
 static uint32_t bent_angle(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b, uint32_t chord,
                            struct ph_ray *m)
 {
@@ -160,13 +163,13 @@ static uint32_t bent_angle(const struct ph_lens *lens, const struct ph_ray *a, c
     return area > most || area < -most ? angle : 0;
 }
 
-/* The sides of the picture beyond which a point lies by more than the margin: an edge between two such points that is
- * at most twice as long does not reach the picture, however it bends. */
-static unsigned sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int32_t margin)
+/* A bit for each side of the picture beyond which a point lies by more than the margin: an edge between two such points
+ * that is at most twice as long does not reach the picture, however it bends. The bits are signs of distances. */
+static inline uint32_t sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int32_t margin)
 {
     const int32_t right = r->config.width * 256 + margin, bottom = r->config.height * 256 + margin;
-    return (x < -margin ? PH_LEFT : 0u) | (x > right ? PH_RIGHT : 0u) | (y < -margin ? PH_TOP : 0u) |
-           (y > bottom ? PH_BOTTOM : 0u);
+    return (uint32_t)(margin + x) >> 31 | (uint32_t)(right - x) >> 31 << 1 | (uint32_t)(margin + y) >> 31 << 2 |
+           (uint32_t)(bottom - y) >> 31 << 3;
 }
 
 /* Whether all vertices are beyond one side of the picture. Edges are at most twice as long as the longest that are
@@ -174,7 +177,7 @@ static unsigned sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int3
 static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
 {
     const int32_t margin = r->lens.chord_max;
-    unsigned outside = PH_LEFT | PH_RIGHT | PH_TOP | PH_BOTTOM;
+    uint32_t outside = 15;
     for (int i = 0; i < n && outside != 0; i++) {
         outside &= sides_of(r, v[i]->at.x, v[i]->at.y, margin);
     }
@@ -184,7 +187,7 @@ static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *con
 bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const int32_t margin = r->lens.chord_max;
-    unsigned outside = PH_LEFT | PH_RIGHT | PH_TOP | PH_BOTTOM;
+    uint32_t outside = 15;
     for (int i = 0; i < 3 && outside != 0; i++) {
         outside &= sides_of(r, v[i]->x, v[i]->y, margin);
     }
@@ -193,20 +196,18 @@ bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *cons
            chord2(v[1]->x, v[1]->y, v[2]->x, v[2]->y) <= most && chord2(v[2]->x, v[2]->y, v[0]->x, v[0]->y) <= most;
 }
 
-int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], uint8_t *straight,
-                              struct ph_ray *middle)
+int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], const uint32_t arcs[3],
+                              uint8_t *straight, struct ph_ray *middle)
 {
-    uint32_t chord[3], most = 0, longest = 0;
+    uint32_t most = 0;
     int edge = -1;
     for (int k = 0; k < 3; k++) {
-        const struct ph_ray *const from = v[ph_next_corner[k]], *const to = v[ph_next_corner[k + 1]];
-        chord[k] = chord_of(from, to);
-        longest = chord[k] > longest ? chord[k] : longest;
-        const uint32_t angle = (*straight >> k & 1) == 0 ? long_angle(&r->lens, from, to, chord[k]) : 0;
+        const uint32_t angle = (arcs[k] & PH_ARC_LONG) != 0 ? arcs[k] & (PH_ARC_FAR_APART - 1) : 0;
         edge = angle > most ? k : edge;
         most = angle > most ? angle : most;
     }
-    if ((edge < 0 || longest <= 4 * longest2(&r->lens)) && misses_picture(r, v, 3)) {
+    const bool far_apart = ((arcs[0] | arcs[1] | arcs[2]) & PH_ARC_FAR_APART) != 0;
+    if ((edge < 0 || !far_apart) && misses_picture(r, v, 3)) {
         return -1;
     }
     if (edge >= 0) {
@@ -216,7 +217,7 @@ int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *
     for (int k = 0; k < 3; k++) {
         const struct ph_ray *const from = v[ph_next_corner[k]], *const to = v[ph_next_corner[k + 1]];
         struct ph_ray m;
-        const uint32_t angle = (*straight >> k & 1) == 0 ? bent_angle(&r->lens, from, to, chord[k], &m) : 0;
+        const uint32_t angle = (*straight >> k & 1) == 0 ? bent_angle(&r->lens, from, to, arcs[k], &m) : 0;
         if (angle > most) {
             edge = k;
             most = angle;
@@ -230,11 +231,11 @@ int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *
 bool ph_fisheye_divides_line(const struct ph_renderer *r, const struct ph_ray *const ends[2], struct ph_ray *middle,
                              bool *misses)
 {
-    const uint32_t chord = chord_of(ends[0], ends[1]);
-    const bool is_long = long_angle(&r->lens, ends[0], ends[1], chord) > 0;
+    const uint32_t arc = ph_fisheye_arc(&r->lens, ends[0], ends[1]);
+    const bool is_long = (arc & PH_ARC_LONG) != 0;
     *misses = !is_long && misses_picture(r, ends, 2);
     if (is_long) {
         divide(&r->lens, ends[0], ends[1], middle);
     }
-    return is_long || (!*misses && bent_angle(&r->lens, ends[0], ends[1], chord, middle) > 0);
+    return is_long || (!*misses && bent_angle(&r->lens, ends[0], ends[1], arc, middle) > 0);
 }

@@ -34,10 +34,14 @@ struct ph_ray {
     struct {
         int32_t x, y; /* 1/256 px */
     } at;
-    int32_t light;
     fx_t uv[2];
-    unsigned flags;
+    uint16_t light, flags;
 };
+
+/* What is known of an edge: the square of its chord, (1/128 px)^2; or LONG, and the square of its angle, Q26, because
+ * it has to be divided. FAR_APART: it is over twice as long as edges that need not be. */
+#define PH_ARC_LONG      ((uint32_t)1 << 31)
+#define PH_ARC_FAR_APART ((uint32_t)1 << 30)
 
 /* Edge k of a triangle runs from corner ph_next_corner[k] to ph_next_corner[k + 1]. */
 static const uint8_t ph_next_corner[4] = {1, 2, 0, 1};
@@ -71,10 +75,12 @@ struct ph_corner ph_ray_corner(const struct ph_lens *lens, const struct ph_ray *
 
 /* ---- fisheye_edges.c ---- */
 
+uint32_t ph_fisheye_arc(const struct ph_lens *lens, const struct ph_ray *a, const struct ph_ray *b);
+
 /* The edge of a triangle that has to be divided, or -1; its dividing point becomes *middle. Edge k is opposite corner
  * k; bit k of *straight: it need not be divided. */
-int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], uint8_t *straight,
-                              struct ph_ray *middle);
+int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], const uint32_t arcs[3],
+                              uint8_t *straight, struct ph_ray *middle);
 
 /* Whether a line has to be divided, at *middle. Sets *misses if not, and nothing of it can be seen. */
 bool ph_fisheye_divides_line(const struct ph_renderer *r, const struct ph_ray *const ends[2], struct ph_ray *middle,
