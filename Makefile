@@ -111,7 +111,7 @@ INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)
 $(B)/firmware/core/render/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)
-$(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render)
+$(B)/firmware/core/effects/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,render kernels)
 $(KERNELS:%=$(B)/%)/%.o: INC = $(INC_CORE) $(call rooms,firmware/core,kernels render)
 $(B)/firmware/app/%.o: INC = $(INC_APP)
 $(B)/hal/%.o: INC = -Ihal

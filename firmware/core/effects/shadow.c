@@ -2,10 +2,11 @@
 #include "shadow.h"
 
 #include "clipped.h"
+#include "cull.h"
 #include "fisheye.h"
 #include "transform.h"
 
-#define OUTSIDE     PH_LIT /* clip code: not between plane and light; unused else, as shadows are not lit */
+#define OUTSIDE     PH_GUARD /* clip code: not between plane and light */
 #define POLYGON_MAX 5
 #define CHUNK       16u /* vertices that are transformed at a time */
 
@@ -21,6 +22,7 @@ struct cast {
     int down;
     struct ph_clip_matrix matrix; /* world to clip coordinates, moved towards the viewer */
     struct ph_vertex *vertices;
+    uint32_t codes; /* of all vertices, combined by OR */
     struct ph_draw draw;
 };
 
@@ -61,7 +63,7 @@ static struct caster caster_of(const struct cast *c, uint32_t index)
     return v;
 }
 
-static void transform_vertices(const struct cast *c)
+static void transform_vertices(struct cast *c)
 {
     const uint32_t all = c->mesh->vertex_count;
     struct fx_vec3 points[CHUNK];
@@ -75,7 +77,7 @@ static void transform_vertices(const struct cast *c)
             points[i] = is_outside ? c->light : shadow_of(c, &v);
             outside |= (uint32_t)is_outside << i;
         }
-        ph_transform_points(c->r, &c->matrix, points, n, c->vertices + from);
+        c->codes |= ph_transform_points(c->r, &c->matrix, points, n, c->vertices + from) | (outside != 0 ? OUTSIDE : 0);
         for (struct ph_vertex *v = c->vertices + from; outside != 0; outside >>= 1, v++) {
             v->code = (outside & 1) != 0 ? OUTSIDE : v->code;
         }
@@ -145,7 +147,7 @@ static void draw_clipped(const struct cast *c, const uint16_t index[3])
 
 /* ---- triangles ------------------------------------------------------------------------------------------------ */
 
-static void draw_triangle(const struct cast *c, const uint16_t index[3])
+static void draw_any(const struct cast *c, const uint16_t index[3])
 {
     const struct ph_vertex *const v[3] = {&c->vertices[index[0]], &c->vertices[index[1]], &c->vertices[index[2]]};
     const unsigned all = v[0]->code & v[1]->code & v[2]->code, any = v[0]->code | v[1]->code | v[2]->code;
@@ -153,12 +155,31 @@ static void draw_triangle(const struct cast *c, const uint16_t index[3])
         c->r->stats.triangles_culled++;
         return;
     }
-    if ((any & (OUTSIDE | PH_CLIP)) != 0 ||
+    if ((any & PH_CLIP) != 0 ||
         (c->r->lens.kind == PH_FISHEYE && !ph_fisheye_is_small(&c->r->lens, v[0], v[1], v[2]))) {
         draw_clipped(c, index);
         return;
     }
     c->r->stats.triangles_culled += !ph_list_triangle(c->r, index, v, c->material->two_sided != 0);
+}
+
+/* Draws the triangles of a part; ph_cull lists most of those of a shadow with one side. */
+static void draw_triangles(const struct cast *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
+{
+    if (c->material->two_sided != 0 || c->r->lens.kind == PH_FISHEYE) {
+        for (; index < end; index++) {
+            draw_any(c, *index);
+        }
+        return;
+    }
+    struct ph_list *const list = &c->r->list;
+    struct ph_cull_run run = {
+        .vertices = c->vertices, .index = index, .end = end, .codes = c->codes, .band_scale = list->band_scale};
+    uint32_t judged = 0;
+    for (; ph_cull_into(list, &run, &judged); judged++) {
+        draw_any(c, run.index[-1]);
+    }
+    c->r->stats.triangles_culled += (uint32_t)(end - index) - judged;
 }
 
 /*
@@ -222,9 +243,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
             continue;
         }
         r->stats.triangles_in += part->count;
-        for (uint32_t k = 0; k < part->count; k++) {
-            draw_triangle(&c, mesh->triangles[part->first + k]);
-        }
+        draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
     }
     ph_list_rewind(r, &mark);
     r->stats.triangles_drawn = ph_ref_count(r);

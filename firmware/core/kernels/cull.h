@@ -41,4 +41,15 @@ static inline void ph_mark(struct ph_vertex *v)
 /* False if no triangle is left; else the caller must look at index[-1]. */
 bool ph_cull(struct ph_cull_run *run);
 
+/* The same into a list that others may have added to meanwhile; adds to *seen how many it has listed. */
+static inline bool ph_cull_into(struct ph_list *list, struct ph_cull_run *run, uint32_t *seen)
+{
+    run->to = list->to;
+    run->limit = list->end;
+    const bool stopped = ph_cull(run);
+    *seen += (uint32_t)(list->to - run->to);
+    list->to = run->to;
+    return stopped;
+}
+
 #endif

@@ -133,9 +133,9 @@ void ph_fisheye_place(const struct ph_lens *lens, struct ph_ray *v)
     const uint32_t size = fx_magnitude(x) > fx_magnitude(y) ? fx_magnitude(x) : fx_magnitude(y);
     v->at.x = lens->centre_x + x;
     v->at.y = lens->centre_y + y;
-    v->flags = (uint16_t)((v->direction[2] < PH_FISHEYE_BLIND ? PH_RAY_BLIND : 0u) |
-                          (size > REACH ? PH_RAY_BEYOND : 0u) | ph_fisheye_zone(lens, size) |
-                          spheres_of(lens, v->inverse));
+    v->flags =
+        (uint16_t)((v->direction[2] < PH_FISHEYE_BLIND ? PH_RAY_BLIND : 0u) | (size > REACH ? PH_RAY_BEYOND : 0u) |
+                   ph_fisheye_zone(lens, size) | spheres_of(lens, v->inverse));
 }
 
 void ph_fisheye_lens(struct ph_lens *lens, const struct ph_projection *p, int32_t height)

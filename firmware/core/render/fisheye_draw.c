@@ -28,7 +28,7 @@ struct division {
     uint32_t kind; /* enum ph_draw_kind */
     struct ph_ray pool[POOL];
     uint16_t number[POOL]; /* of the pool's vertices as corners on the list, or NOT_LISTED */
-    uint32_t base;        /* from which they count */
+    uint32_t base;         /* from which they count */
     struct piece stack[DEPTH + 1];
     uint8_t used[DEPTH + 1];     /* each piece needs so many of the first vertices of the pool */
     uint32_t arcs[DEPTH + 1][3]; /* of each piece's edges, see ph_fisheye_arc */
@@ -140,8 +140,7 @@ static bool take_piece(struct division *d, int top)
         return false;
     }
     const uint32_t used = d->used[top];
-    const int edge =
-        used < POOL ? ph_fisheye_edge_to_divide(d->r, v, d->arcs[top], &p->straight, &d->pool[used]) : -1;
+    const int edge = used < POOL ? ph_fisheye_edge_to_divide(d->r, v, d->arcs[top], &p->straight, &d->pool[used]) : -1;
     if (edge >= 0) {
         divide_piece(d, top, edge);
         return true;

@@ -218,15 +218,9 @@ static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)
     struct ph_list *const list = &c->r->list;
     struct ph_cull_run run = cull_run(c, index, end);
     uint32_t seen = 0;
-    while (ph_cull(&run)) {
-        seen += (uint32_t)(list->to - run.to);
-        list->to = run.to;
+    while (ph_cull_into(list, &run, &seen)) {
         seen += draw_any(c, run.index[-1]);
-        run.to = list->to;
-        run.limit = list->end;
     }
-    seen += (uint32_t)(list->to - run.to);
-    list->to = run.to;
     return seen;
 }
 

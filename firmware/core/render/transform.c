@@ -197,11 +197,12 @@ static void transform_part(void *argument)
     p->codes = run.codes;
 }
 
-void ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
-                         uint32_t n, struct ph_vertex *vertices)
+uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
+                             uint32_t n, struct ph_vertex *vertices)
 {
     struct part_of_mesh part = {r, m, points, points + n, vertices, 0};
     transform_part(&part);
+    return part.codes;
 }
 
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,

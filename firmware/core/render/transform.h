@@ -39,9 +39,9 @@ void ph_project(const struct ph_lens *lens, int32_t x, int32_t y, int32_t w, int
 void ph_transform(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *p,
                   struct ph_vertex *v);
 
-/* Transforms n points on this core alone, and gives them full light. */
-void ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
-                         uint32_t n, struct ph_vertex *vertices);
+/* Transforms n points on this core alone, and gives them full light. Returns their clip codes, combined by OR. */
+uint32_t ph_transform_points(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct fx_vec3 *points,
+                             uint32_t n, struct ph_vertex *vertices);
 
 /* Transforms all vertices of a mesh and gives them full light. Returns their clip codes, combined by OR. */
 uint32_t ph_transform_mesh(const struct ph_renderer *r, const struct ph_clip_matrix *m, const struct ph_mesh *mesh,
