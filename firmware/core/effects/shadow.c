@@ -32,16 +32,22 @@ struct caster {
     int64_t height;
 };
 
+/* A product of which one factor is often 0: planes are seldom oblique. */
+static int64_t term(int32_t a, int32_t b)
+{
+    return a != 0 ? fx_mul_wide(a, b) : 0;
+}
+
 static int64_t height_of(const struct ph_plane_equation *plane, struct fx_vec3 p)
 {
     const struct fx_vec3 n = plane->normal_q30;
-    return fx_mul_wide(n.x, p.x) + fx_mul_wide(n.y, p.y) + fx_mul_wide(n.z, p.z) + fx_mul_wide(plane->d, FX_Q30_ONE);
+    return term(n.x, p.x) + term(n.y, p.y) + term(n.z, p.z) + term(plane->d, FX_Q30_ONE);
 }
 
 /* light + (p - light) ratio, ratio in Q24 up to 64, rounded to nearest, saturated. */
 static fx_t along_ray(fx_t light, fx_t p, int32_t ratio)
 {
-    return fx_sat64(light + ((fx_mul_wide(fx_sub_sat(p, light), ratio) + (1 << 23)) >> 24));
+    return fx_sat64(light + ((fx_mul_wide(fx_sat64((int64_t)p - light), ratio) + (1 << 23)) >> 24));
 }
 
 /* Projects a point that is not above `highest` onto the plane, from the light. */

@@ -6,11 +6,15 @@
 
 const struct ph_xform ph_xform_identity = {{{FX_Q30_ONE, 0, 0}, {0, FX_Q30_ONE, 0}, {0, 0, FX_Q30_ONE}}, {0, 0, 0}};
 
-/* A row in Q2.30 times (x, y, z), plus c, rounded once: as geom_sum_rounded, but without a loop. */
+/* A row in Q2.30 times (x, y, z), plus c, rounded once: as geom_sum_rounded, but without a loop. The three products fit
+ * 64 bits together if x, y and z are above -2^30 and not above 2^30: the signs of 2^30 - x and so on say so. */
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
     const int64_t px = fx_mul_wide(row[0], x), py = fx_mul_wide(row[1], y), pz = fx_mul_wide(row[2], z);
-    const uint32_t below = FX_Q30_ONE - 1, half = FX_Q30_ONE / 2;
+    const uint32_t one = FX_Q30_ONE, below = one - 1, half = one / 2;
+    if (((one - (uint32_t)x) | (one - (uint32_t)y) | (one - (uint32_t)z)) >> 31 == 0) {
+        return fx_sat64(((px + py + pz + half) >> 30) + c);
+    }
     const uint32_t low = ((uint32_t)px & below) + ((uint32_t)py & below) + ((uint32_t)pz & below) + half;
     return fx_sat64((px >> 30) + (py >> 30) + (pz >> 30) + (low >> 30) + c);
 }

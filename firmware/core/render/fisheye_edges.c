@@ -49,12 +49,17 @@ static unsigned zone_at(const struct ph_lens *lens, const struct ph_vertex *v)
     return ph_fisheye_zone(lens, x > y ? x : y);
 }
 
+static PH_NOINLINE bool chords_are_within(uint32_t limit, const struct ph_vertex *a, const struct ph_vertex *b,
+                                          const struct ph_vertex *c)
+{
+    return chord2(a->x, a->y, b->x, b->y) <= limit && chord2(b->x, b->y, c->x, c->y) <= limit &&
+           chord2(c->x, c->y, a->x, a->y) <= limit;
+}
+
 bool ph_fisheye_is_small(const struct ph_lens *lens, const struct ph_vertex *a, const struct ph_vertex *b,
                          const struct ph_vertex *c)
 {
-    const uint32_t limit = shortest2(lens, zone_at(lens, a) & zone_at(lens, b) & zone_at(lens, c));
-    return chord2(a->x, a->y, b->x, b->y) <= limit && chord2(b->x, b->y, c->x, c->y) <= limit &&
-           chord2(c->x, c->y, a->x, a->y) <= limit;
+    return chords_are_within(shortest2(lens, zone_at(lens, a) & zone_at(lens, b) & zone_at(lens, c)), a, b, c);
 }
 
 /* The square of the distance between two unit vectors, Q26, rounded down; below 2^29. For a small angle it is the
@@ -191,9 +196,7 @@ bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *cons
     for (int i = 0; i < 3 && outside != 0; i++) {
         outside &= sides_of(r, v[i]->x, v[i]->y, margin);
     }
-    const uint32_t most = 4 * longest2(&r->lens);
-    return outside != 0 && chord2(v[0]->x, v[0]->y, v[1]->x, v[1]->y) <= most &&
-           chord2(v[1]->x, v[1]->y, v[2]->x, v[2]->y) <= most && chord2(v[2]->x, v[2]->y, v[0]->x, v[0]->y) <= most;
+    return outside != 0 && chords_are_within(4 * longest2(&r->lens), v[0], v[1], v[2]);
 }
 
 int ph_fisheye_edge_to_divide(const struct ph_renderer *r, const struct ph_ray *const v[3], const uint32_t arcs[3],

@@ -204,12 +204,12 @@ uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *ba
     const int32_t stride = l.wide ? width : 1, forward = l.wide ? l.step : width, slope = l.slope;
     int32_t at = l.wide ? l.along - band->y0 * width : (l.along - band->y0) * width, across = l.across;
     uint16_t *const pixels = band->pixels, *const depth = band->depth;
+    const uint16_t colour = t->colour;
     const uint32_t gd = t->depth.gx;
     uint32_t d = t->depth.base + (uint32_t)skipped * gd;
-    for (int32_t n = count; n > 0; n--) {
+    for (const int32_t end = at + ph_max(count, 0) * forward; at != end; at += forward) {
         const int32_t pixel = at + (across >> 16) * stride;
-        ph_pixel_flat(&pixels[pixel], &depth[pixel], d, t->colour);
-        at += forward;
+        ph_pixel_flat(&pixels[pixel], &depth[pixel], d, colour);
         across += slope;
         d += gd;
     }

@@ -218,8 +218,9 @@ static uint32_t cull_alone(const struct part_context *c, const uint16_t (*index)
     struct ph_list *const list = &c->r->list;
     struct ph_cull_run run = cull_run(c, index, end);
     uint32_t seen = 0;
-    while (ph_cull_into(list, &run, &seen)) {
-        seen += draw_any(c, run.index[-1]);
+    for (bool stopped = true; stopped;) { /* one call of ph_cull_into: gcc copies it */
+        stopped = ph_cull_into(list, &run, &seen);
+        seen += stopped && draw_any(c, run.index[-1]);
     }
     return seen;
 }
