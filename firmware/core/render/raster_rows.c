@@ -55,6 +55,19 @@ static uint32_t rows_in_octave(const struct ph_small_triangle *r, const struct p
     return n;
 }
 
+/* How many of the next upper rows have no pixel, where the first one has none: a triangle may reach far beyond a side
+ * of the picture. */
+static uint32_t empty_rows(const struct ph_small_triangle *r, uint32_t width)
+{
+    uint32_t left = r->left, right = r->right, n = 0;
+    do {
+        left += r->left_dx;
+        right += r->right_dx;
+        n++;
+    } while (n < r->upper_rows && (int32_t)(ph_to_column(right, width) - ph_from_column(left)) <= 0);
+    return n;
+}
+
 /* Draws the upper rows of r, textured if there are texels. */
 static uint32_t draw_upper_rows(const struct ph_small_triangle *r, const struct ph_place *at,
                                 struct ph_small_texels *texels)
@@ -144,11 +157,11 @@ uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangl
         if (!is_empty && !ph_octave_holds(&octave, d, d)) {
             ph_octave_of(&octave, t, d, r->gd);
         }
-        uint32_t n = is_empty ? 1 : rows_in_octave(r, &octave, at.stride);
+        uint32_t n = is_empty ? empty_rows(r, at.stride) : rows_in_octave(r, &octave, at.stride);
         if (n == 0) {
             n = 1;
             count += draw_row_across(t, r, &octave, &next, &at, texels);
-        } else if (!is_empty || texels != NULL) { /* texels are stepped over an empty row, too */
+        } else if (!is_empty || texels != NULL) { /* texels are stepped over empty rows, too */
             count += draw_rows_in_octave(r, &octave, n, &at, texels);
         }
         step_rows(r, n);
