@@ -182,7 +182,7 @@ void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint1
 {
     const struct ph_overlay_band over = {pixels, (uint16_t)(r->config.width >> r->fine),
                                          (int32_t)(band * (r->config.band_height >> r->fine)), (int32_t)lines};
-    const struct ph_overlay_style style = {ph_rgb565(255, 255, 255), ph_rgb565(0, 0, 0), 1};
+    static const struct ph_overlay_style style = {0xffff, 0, 1}; /* white on black in RGB565 */
     ph_overlay_text(&over, x, y, text, &style);
 }
 

@@ -31,12 +31,13 @@ static void draw_column(const struct ph_overlay_band *band, int32_t x, int32_t y
         return;
     }
     bits = (below < 32 ? bits & (((uint32_t)1 << below) - 1) : bits) >> hidden;
-    uint16_t *pixel = band->pixels + (hidden - above) * band->width + x;
+    const int32_t width = band->width; /* pixels might alias it */
+    uint16_t *pixel = band->pixels + (hidden - above) * width + x;
     for (; bits != 0; bits >>= 1) {
         if ((bits & 1) != 0) {
             *pixel = colour;
         }
-        pixel += band->width;
+        pixel += width;
     }
 }
 
@@ -66,7 +67,10 @@ static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y
     uint32_t before = 0, here = 0;
     for (int32_t column = -1; column < 6; column++) {
         const uint32_t after = column < 4 ? glyph[column + 1] : 0, near = before | here | after;
-        draw_column(band, x + column, y - 1, more > 0 ? near | near << 1 | near << 2 : here << 1, colour);
+        const uint32_t bits = more > 0 ? near | near << 1 | near << 2 : here << 1;
+        if (bits != 0) {
+            draw_column(band, x + column, y - 1, bits, colour);
+        }
         before = here;
         here = after;
     }
