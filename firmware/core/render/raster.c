@@ -123,6 +123,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     if (t->kind == PH_KIND_SMALL_TEXTURE) {
         return t->block == PH_BLOCK_NONE ? ph_draw_small_texels(t, band) : draw_split_texture(t, band);
     }
+    if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
+        return ph_draw_small_texels(t, band);
+    }
     if (t->kind == PH_KIND_SMALL_KNEE) {
         return draw_cut(t, band);
     }

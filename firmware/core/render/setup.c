@@ -11,6 +11,7 @@
 #include "kernels.h"
 #include "line.h"
 #include "planes.h"
+#include "small_texels.h"
 #include "texels.h"
 
 /* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
@@ -244,6 +245,13 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
                               : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
 }
 
+/* The same as ph_set_knee for a small textured triangle. */
+static inline void set_texture_knee(struct ph_triangle *t, const uint32_t d[3])
+{
+    ph_set_knee(t, d);
+    t->kind = t->kind == PH_KIND_SMALL_KNEE ? PH_KIND_SMALL_TEXTURE_KNEE : t->kind;
+}
+
 /* Sets up a triangle that faces the viewer and covers a pixel centre. uv: those of each corner; NULL if the material
  * has no texture. done: PH_SMALL_STEEP if ph_setup_usual has set all but depth. */
 static void setup_front(const struct ph_setting *s, const struct ph_vertex *const v[3], const fx_t *const uv[3],
@@ -276,6 +284,8 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
     if (s->shading == PH_SHADE_TEXTURE) {
         if (!ph_setup_texels(t, r, v, uv)) {
             setup_other(s, v, uv, sides, small, t);
+        } else if (PH_TEXTURE_KNEE && t->block != PH_BLOCK_NONE && ph_small_texels_usual(t)) {
+            set_texture_knee(t, d);
         }
     } else {
         if (t->block != PH_BLOCK_NONE) {

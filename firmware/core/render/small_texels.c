@@ -4,12 +4,6 @@
 #include "texel_map.h"
 #include "texel_mix.h"
 
-/* Whether ph_texture_small can draw a small triangle. */
-static inline bool is_usual(const struct ph_triangle *t)
-{
-    return t->colour == 32 && t->material->texture->wrap == PH_WRAP_REPEAT;
-}
-
 /* u or v of a small triangle, n rows below the row from which they count. */
 static inline void set_small_line(struct ph_texel_line *line, const struct ph_plane *linear,
                                   const struct ph_curve *curve, uint32_t n)
@@ -101,7 +95,7 @@ PH_NOINLINE void ph_small_texels_begin(struct ph_small_texels *s, const struct p
     }
     begin_run(&s->run, t, below, texture);
     s->run.stride_bytes = stride_bytes;
-    s->usual = is_usual(t);
+    s->usual = ph_small_texels_usual(t);
     s->kind.clamp = texture->wrap == PH_WRAP_CLAMP;
     if (s->usual) {
         return;
@@ -201,7 +195,7 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
     struct ph_small_texels texels;
     struct ph_texel_run *const r = &texels.run;
-    const bool usual = is_usual(t);
+    const bool usual = ph_small_texels_usual(t);
     if (usual) {
         begin_run(r, t, below_of(t, y), t->material->texture);
         r->stride_bytes = 2 * (uint32_t)band->width;
@@ -231,6 +225,9 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     r->d = s->d + x * r->gd + above * r->d_dy;
     r->depth = (uint16_t *)band->depth + at;
     r->pixels = band->pixels + at;
+    if (PH_TEXTURE_KNEE && t->kind == PH_KIND_SMALL_TEXTURE_KNEE) {
+        return ph_texture_knee(r, s->knee);
+    }
     return usual ? ph_texture_small(r) : draw_unusual(&texels);
 }
 

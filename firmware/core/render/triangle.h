@@ -100,6 +100,7 @@ enum ph_kind {
     PH_KIND_SMALL_KNEE,
     PH_KIND_SMALL_SPLIT, /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
     PH_KIND_SMALL_TEXTURE,
+    PH_KIND_SMALL_TEXTURE_KNEE, /* only if PH_TEXTURE_KNEE */
     PH_KIND_COLOURS,
     PH_KIND_LINE,
     PH_KIND_ANY_LINE

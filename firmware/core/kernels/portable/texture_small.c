@@ -3,5 +3,5 @@
 
 uint32_t ph_texture_small(struct ph_texel_run *r)
 {
-    return ph_texture_small_plain(r);
+    return ph_texture_small_rows(r, 0);
 }

@@ -6,14 +6,15 @@
 #include "texel_row_plain.h"
 #include "texture_small.h"
 
-static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t from, uint32_t n)
+/* Draws n pixels of a row from column `from` on, where the depth is d; gd: its step. */
+static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t from, uint32_t n, uint32_t d, uint32_t gd)
 {
     const struct ph_texel_row pixels = {
         .depth = r->depth + (int32_t)from,
         .pixels = r->pixels + (int32_t)from,
         .n = n,
-        .d = r->d + from * r->gd,
-        .gd = r->gd,
+        .d = d,
+        .gd = gd,
         .u = ph_texel_walk_from(r->u.at, r->u.step, r->u.bend, from, n),
         .v = ph_texel_walk_from(r->v.at, r->v.step, r->v.bend, from, n),
         .u_mask = r->u_mask,
@@ -23,14 +24,43 @@ static inline void ph_draw_texel_line(const struct ph_texel_run *r, uint32_t fro
     ph_texel_row_any(&pixels, false, false);
 }
 
-static inline uint32_t ph_texture_small_plain(struct ph_texel_run *r)
+/* How many of n pixels lie on the same side of a knee as the first one, which has depth d. */
+static inline uint32_t ph_knee_pixels(uint32_t d, uint32_t gd, uint32_t n, uint32_t knee)
+{
+    const bool far = d < knee;
+    uint32_t count = n;
+    if ((d + (n - 1) * gd < knee) != far) {
+        for (count = 0; (d < knee) == far; d += gd) {
+            count++;
+        }
+    }
+    return count;
+}
+
+/* The same for a row whose depth has a knee. Where it crosses the knee, it is drawn in two pieces, as it is where rows
+ * are split. */
+static inline void ph_draw_knee_line(const struct ph_texel_run *r, uint32_t from, uint32_t n, uint32_t knee)
+{
+    for (uint32_t left = n, x = from, part; left > 0; left -= part, x += part) {
+        const uint32_t d = r->d + x * r->gd;
+        part = ph_knee_pixels(d, r->gd, left, knee);
+        ph_draw_texel_line(r, x, part, ph_knee_code(d, knee), d < knee ? 2 * r->gd : r->gd);
+    }
+}
+
+/* The rows of ph_texture_small, or with a knee, which is 0 if there is none. */
+static inline uint32_t ph_texture_small_rows(struct ph_texel_run *r, uint32_t knee)
 {
     uint32_t count = 0;
     do {
         for (; r->rows > 0; r->rows--) {
             const int32_t from = (int32_t)r->left >> 16, n = ((int32_t)r->right >> 16) - from;
             if (n > 0) {
-                ph_draw_texel_line(r, (uint32_t)from, (uint32_t)n);
+                if (knee != 0) {
+                    ph_draw_knee_line(r, (uint32_t)from, (uint32_t)n, knee);
+                } else {
+                    ph_draw_texel_line(r, (uint32_t)from, (uint32_t)n, r->d + (uint32_t)from * r->gd, r->gd);
+                }
                 count += (uint32_t)n;
             }
             r->left += r->left_dx;
