@@ -124,8 +124,8 @@ static inline uint32_t fx_rcp16(uint32_t d);
 
 extern const uint16_t fx_rcp_table[256]; /* only for fx_rcp_norm and a CPU's fx_rcp16 */
 
-/* The CPU's own or the portable one, whichever folder of kernels/ -I names; where Pinhole is installed the portable one,
- * which stands beside this file there. */
+/* The CPU's own or the portable one, whichever folder of kernels/ -I names; where Pinhole is installed the portable
+ * one, which stands beside this file there. */
 #ifdef __has_include
 #if __has_include(<fx_cpu.h>)
 #include <fx_cpu.h>

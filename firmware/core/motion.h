@@ -119,8 +119,8 @@ struct ph_skin {
 void ph_skin_matrices(const struct ph_skin *skin, const struct ph_xform *places, struct ph_xform *matrices);
 
 /* Four joints and their shares, Q15, the greatest first, 0 from the first unused one on. They sum to 32768; a vertex
- * whose shares sum to less is drawn towards the origin, and more than 32768 wrap. Behind those that sum to 32768 or more
- * none counts. */
+ * whose shares sum to less is drawn towards the origin, and more than 32768 wrap. Behind those that sum to 32768 or
+ * more none counts. */
 struct ph_influence {
     uint8_t joints[4];
     uint16_t weights[4];

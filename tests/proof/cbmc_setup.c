@@ -74,10 +74,8 @@ void proof_small_depths(void)
     any_triangle(&t);
     r.lens = any_lens();
     in_view(&r.lens, &t);
-    const struct ph_setting s = {.r = &r,
-                                 .draw.material = &material,
-                                 .usual.bias = nondet_u32(),
-                                 .floats = nondet_i32() > 0};
+    const struct ph_setting s = {
+        .r = &r, .draw.material = &material, .usual.bias = nondet_u32(), .floats = nondet_i32() > 0};
     small_depths(&s, t.v, d, &block);
 }
 

@@ -74,8 +74,7 @@ static int yard_init(struct demo_context *context)
     const uint32_t levels = arena->size >= ARENA_FINE ? 3 : arena->size >= ARENA_SOME ? 2 : 1;
     const uint32_t cells = levels == 3 ? CELLS : levels == 2 ? CELLS_SOME : CELLS_FEW;
     if (!y || model_cube(arena, &y->crate) != PH_OK || model_material(arena, &y->crate, &y->wood) != PH_OK ||
-        model_icosphere(arena, &y->globe, levels) != PH_OK ||
-        model_floor(arena, &y->plain, cells, y->tiles) != PH_OK) {
+        model_icosphere(arena, &y->globe, levels) != PH_OK || model_floor(arena, &y->plain, cells, y->tiles) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     make_wood(y);

@@ -71,8 +71,9 @@ struct ph_usual {
 };
 
 /* setup_small.c: sets up a listed triangle as ph_setup_small does, if it is small, off the borders as there, and
- * ph_float_depths can tell its depth, or it is fixed16. Sets kind, block, material and ramp, too, and writes over the rest of t but
- * order. If it does not return PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth to the caller.
+ * ph_float_depths can tell its depth, or it is fixed16. Sets kind, block, material and ramp, too, and writes over the
+ * rest of t but order. If it does not return PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth
+ * to the caller.
  */
 enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t);
 

@@ -1,5 +1,5 @@
-/* texture_knee: a small textured triangle whose depth has a knee is drawn as one, x86-64; see texture_small.h. This takes
- * half of what split rows take, and gives the same pixels. */
+/* texture_knee: a small textured triangle whose depth has a knee is drawn as one, x86-64; see texture_small.h. This
+ * takes half of what split rows take, and gives the same pixels. */
 #ifndef PH_TEXTURE_KNEE_H
 #define PH_TEXTURE_KNEE_H
 

@@ -1,5 +1,5 @@
-/* ph_texture_small and ph_texture_knee for x86-64, with u and v in one word, and with edges and depth in one vector. See
- * texture_small.h, texture_knee.h.
+/* ph_texture_small and ph_texture_knee for x86-64, with u and v in one word, and with edges and depth in one vector.
+ * See texture_small.h, texture_knee.h.
  */
 #include "small_rows.h"
 #include "texels2_row.h"
