@@ -70,9 +70,11 @@
     .pinout = "https://www.waveshare.com/wiki/Pico-LCD-0.96", PICO_GLASS_0IN96, PICO_WAVESHARE(13),                    \
     PICO_WAVESHARE_JOYSTICK
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): `page` is an initializer */
 /* 08h after B6h 20h (columns reversed) by Waveshare's LCD_1in28.c. No buttons. */
 #define PICO_WAVESHARE_1IN28(page)                                                                                     \
     .pinout = page, .panel = &panel_gc9a01_240x240, .rotation = PANEL_R0, .format = PANEL_RGB565, .spi_hz = 62500000,  \
     .band_buffers = 6, PICO_WAVESHARE(25)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 #endif

@@ -141,6 +141,7 @@ static void enter_boot_loader(void)
     RCC_APB2ENR |= 1U << 14; /* SYSCFG */
     (void)RCC_APB2ENR;
     MEMRMP = 1;
+    /* NOLINTNEXTLINE(clang-analyzer-deadcode.DeadStores): the assembly reads them */
     const uint32_t stack = vectors[0], entry = vectors[1];
     __asm__ volatile("msr msp, %0\n"
                      "bx %1\n"

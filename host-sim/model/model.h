@@ -72,6 +72,7 @@ struct model_options {
     bool two_sided;      /* all faces are drawn from behind, too */
 };
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): names, which stand in none */
 /* The rows of a struct option_table that set model_options in struct `options`. */
 #define MODEL_OPTION_ROWS(options, member)                                                                             \
     {"up",                                                                                                             \
@@ -86,6 +87,7 @@ struct model_options {
         "two-sided", NULL, "draws all faces of the model from behind, too", NULL,                                      \
             .at = offsetof(options, member.two_sided)                                                                  \
     }
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 /* Reads a file; options may be NULL. 0 or COMPLAINED. */
 int model_open(struct model **model, const char *path, const struct model_options *options);

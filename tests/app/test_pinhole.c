@@ -49,15 +49,14 @@ static void the_image_is_upside_down_behind_the_hole_and_upright_before_it(void 
         const double sway = 2 * acos(-1) / 16 * sin(2 * acos(-1) * (frame + 32) / 256);
         double rows[2][2];
         demo_stage_frame(&s, frame);
-        for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 4; k++) {
+            const int i = k / 2, behind = k % 2;
             const double at[3] = {points[i][0] * cos(sway), points[i][1], -3.2 - points[i][0] * sin(sway)};
-            for (int behind = 0; behind < 2; behind++) {
-                const double share = (behind ? 1.5 : -1.5) / at[2];
-                const double image[3] = {at[0] * share, at[1] * share, at[2] * share};
-                if (!shows(&s, image, colours[i], &rows[behind][i])) {
-                    fail_msg("frame %u: point %d %s the hole is not at row %.0f", frame, i,
-                             behind ? "behind" : "before", rows[behind][i]);
-                }
+            const double share = (behind ? 1.5 : -1.5) / at[2];
+            const double image[3] = {at[0] * share, at[1] * share, at[2] * share};
+            if (!shows(&s, image, colours[i], &rows[behind][i])) {
+                fail_msg("frame %u: point %d %s the hole is not at row %.0f", frame, i, behind ? "behind" : "before",
+                         rows[behind][i]);
             }
         }
         assert_true(rows[0][0] < rows[0][1] && rows[1][0] > rows[1][1]); /* before: roof above door; behind: below */
@@ -98,7 +97,8 @@ static double bend(const struct demo_stage *s, uint16_t colour, int x0, int x1)
 static double curve(double y0, double y1)
 {
     double most = 0;
-    for (double t = 0; t <= 1; t += .01) {
+    for (int i = 0; i <= 100; i++) {
+        const double t = i / 100.;
         most = fmax(most, fabs((y0 + (y1 - y0) * t) / (1 + 7 * t) - (y0 + (y1 / 8 - y0) * t)));
     }
     return most;

@@ -16,7 +16,7 @@
 /* Columns of pairs on a side: those that give the largest cells, one more row being left for the label. */
 static int columns_on(int width, int height)
 {
-    int best = 0;
+    int best = 1;
     double most = 0;
     for (int columns = 1; columns <= 3; columns++) {
         const double across = (double)width / columns, down = (double)height / (PAIRS / columns + 1);

@@ -180,10 +180,10 @@ static void draw_lit(struct stage *s, const double p[3][2], const double shares[
 static double entry_at(const double p[3][2], const double shares[3], double x, double y)
 {
     const double whole = side(p[0], p[1], p[2][0], p[2][1]);
-    const double share =
+    const double light =
         (shares[0] * side(p[1], p[2], x, y) + shares[1] * side(p[2], p[0], x, y) + shares[2] * side(p[0], p[1], x, y)) /
         whole;
-    return 4.5 + 119 * share;
+    return 4.5 + 119 * light;
 }
 
 /* Triangles that are as narrow as small ones, and taller. */

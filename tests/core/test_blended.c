@@ -121,7 +121,7 @@ static double alpha_of(const struct quad *q, const struct hit *h)
     channels(wire(b->key), key);
     switch (b->kind) {
     case PH_BLEND_KEY:
-        return q->textured && memcmp(key, h->key, sizeof key) == 0 ? 0 : 1;
+        return q->textured && key[0] == h->key[0] && key[1] == h->key[1] && key[2] == h->key[2] ? 0 : 1;
     case PH_BLEND_MASK:
         return q->textured && b->alphas != NULL && h->key[1] < .5 ? 0 : 1;
     default:

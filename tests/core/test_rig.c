@@ -201,10 +201,10 @@ static void check_track(uint8_t interpolation, uint8_t frac, uint8_t time_shift)
 static void keys_are_interpolated_as_gltf_says(void **state)
 {
     (void)state;
-    for (uint8_t interpolation = PH_KEYS_STEP; interpolation <= PH_KEYS_CUBIC; interpolation++) {
+    for (unsigned interpolation = PH_KEYS_STEP; interpolation <= PH_KEYS_CUBIC; interpolation++) {
         for (uint8_t frac = 10; frac <= 24; frac += 7) {
-            check_track(interpolation, frac, 0);
-            check_track(interpolation, frac, 6);
+            check_track((uint8_t)interpolation, frac, 0);
+            check_track((uint8_t)interpolation, frac, 6);
         }
     }
 }
@@ -214,9 +214,9 @@ static void a_key_is_met_exactly_and_the_ends_hold(void **state)
     static const int16_t keys[] = {5, -7, 32767, 100, 200, -32768};
     static const uint16_t two[] = {100, 300};
     (void)state;
-    for (uint8_t interpolation = PH_KEYS_STEP; interpolation <= PH_KEYS_LINEAR; interpolation++) {
+    for (unsigned interpolation = PH_KEYS_STEP; interpolation <= PH_KEYS_LINEAR; interpolation++) {
         const struct ph_track track = {.path = PH_PATH_SCALE,
-                                       .interpolation = interpolation,
+                                       .interpolation = (uint8_t)interpolation,
                                        .width = 3,
                                        .frac = 24,
                                        .key_count = 2,

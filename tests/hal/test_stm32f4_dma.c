@@ -25,7 +25,7 @@ uint32_t port_start(void);
 void port_bus_stop(void);
 unsigned cortexm_time_us(void *context);
 void cortexm_delay_us(void *context, unsigned us);
-#include "../../hal/stm32f4/stm32f4.c"
+#include "../../hal/stm32f4/stm32f4.c" /* NOLINT(bugprone-suspicious-include): its registers are memory here */
 
 enum { MOST = 140000, STEPS = 9, WORDS = 0x27000 / 4 };
 

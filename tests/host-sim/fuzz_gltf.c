@@ -118,7 +118,7 @@ static void change_number(char *text)
     const char *with = numbers[below(sizeof numbers / sizeof numbers[0])];
     if (old > 0 && n + strlen(with) < BYTES_MOST - 64) {
         memmove(at + strlen(with), at + old, strlen(at + old) + 1);
-        memcpy(at, with, strlen(with));
+        memcpy(at, with, strlen(with)); /* NOLINT(bugprone-not-null-terminated-result): the text goes on behind it */
     }
 }
 

@@ -23,8 +23,8 @@ static inline bool ph_small_texels_usual(const struct ph_triangle *t)
 /* Begins at row y of a small textured triangle. */
 void ph_small_texels_begin(struct ph_small_texels *s, const struct ph_triangle *t, int32_t y, uint32_t stride_bytes);
 
-/* Draws the rows of r, whose depth is in codes; depth, pixels: of column 0 of the first. Returns their pixels. */
-uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *r, uint16_t *depth,
+/* Draws the rows of `small`, whose depth is in codes; depth, pixels: of column 0 of the first. Returns their pixels. */
+uint32_t ph_small_texels_draw(struct ph_small_texels *s, const struct ph_small_triangle *small, uint16_t *depth,
                               uint16_t *pixels);
 
 /* Draws the rows of a small textured triangle that lie in the band, if it lies in one octave. */

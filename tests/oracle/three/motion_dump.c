@@ -22,7 +22,7 @@ int main(int argc, char *argv[])
         return EXIT_FAILURE;
     }
     printf("fit %d %d %d %.17g\n", (int)a->root.t.x, (int)a->root.t.y, (int)a->root.t.z, model->motion->scale);
-    for (uint32_t frame = 0; frame < (uint32_t)atoi(argv[3]); frame++) {
+    for (uint32_t frame = 0; frame < strtoul(argv[3], NULL, 10); frame++) {
         animation_move(stage, NULL, frame);
         for (uint32_t i = 0; i < a->mesh_count; i++) {
             printf("%u %u", (unsigned)frame, (unsigned)i);

@@ -61,6 +61,7 @@ static inline __attribute__((always_inline)) void texels2_draw(const struct texe
 #define TEXELS2_FOUR(k) TEXELS2_NEXT(k) TEXELS2_NEXT((k)-1) TEXELS2_NEXT((k)-2) TEXELS2_NEXT((k)-3)
 
 /* Draws the n = 1 .. 32 pixels before `end`. The step grows behind every second pixel, counted from the last one. */
+/* NOLINTNEXTLINE(readability-function-size): 32 times the same */
 static inline __attribute__((always_inline)) void texels2_row(const struct texels2_common *t, uint16_t *end, uint64_t n,
                                                               struct texels2_walk *w)
 {
