@@ -376,7 +376,7 @@ static void slivers_from_far_above_the_picture_are_watertight(void **state)
     check_meshes(build_stripes, 60, 140, 3, .2, 0, 100000);
 }
 
-/* One in 10,000; README.md of firmware has what more sheets of more kinds show. */
+/* What README.md of firmware says of slivers. */
 static void slivers_that_turn_over_draw_few_pixels_twice(void **state)
 {
     (void)state;
