@@ -148,8 +148,8 @@ static uint32_t draw_row_across(const struct ph_triangle *t, const struct ph_sma
 uint32_t ph_draw_rows_split(const struct ph_triangle *t, struct ph_small_triangle *r, struct ph_place at,
                             struct ph_small_texels *texels)
 {
-    struct ph_octave octave, next; /* none yet */
-    octave.bottom = octave.size = next.bottom = next.size = 0;
+    struct ph_octave octave = {0}, next; /* none yet */
+    next.bottom = next.size = 0;
     uint32_t count = 0;
     while (r->upper_rows > 0) {
         const uint32_t from = ph_from_column(r->left), d = r->d + from * r->gd;
