@@ -22,9 +22,9 @@ static inline __attribute__((always_inline)) void link_ref(struct ph_ref *at, ui
 /* Puts a reference before the others of its band's list. */
 static inline __attribute__((always_inline)) void sort_ref(uint32_t *bins, struct ph_ref *ref, uint32_t i)
 {
-    uint32_t *const bin = &bins[ref->link];
-    link_ref(ref, i, *bin);
-    *bin = i;
+    const uint32_t band = ref->link, next = bins[band];
+    bins[band] = i;
+    link_ref(ref, i, next);
 }
 
 /* The same where some of the references belong into no list. */
@@ -48,11 +48,15 @@ static void sort_refs(struct ph_renderer *r)
         sort_some_refs(bins, ref, i);
         return;
     }
-    for (; i >= 4; i -= 4, ref += 4) {
+    for (; i >= 8; i -= 8, ref += 8) {
         sort_ref(bins, ref, i - 1);
         sort_ref(bins, ref + 1, i - 2);
         sort_ref(bins, ref + 2, i - 3);
         sort_ref(bins, ref + 3, i - 4);
+        sort_ref(bins, ref + 4, i - 5);
+        sort_ref(bins, ref + 5, i - 6);
+        sort_ref(bins, ref + 6, i - 7);
+        sort_ref(bins, ref + 7, i - 8);
     }
     for (; i > 0; i--, ref++) {
         sort_ref(bins, ref, i - 1);
@@ -61,8 +65,9 @@ static void sort_refs(struct ph_renderer *r)
 
 uint32_t ph_frame_bands(struct ph_renderer *r)
 {
-    for (uint32_t i = 0; i < r->band_count; i++) {
-        r->config.bins[i] = PH_NONE;
+    uint32_t *const bins = r->config.bins;
+    for (uint32_t i = r->band_count; i > 0; i--) {
+        bins[i - 1] = PH_NONE;
     }
     sort_refs(r);
     r->carried = r->slots = r->ahead = NULL;

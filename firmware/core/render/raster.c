@@ -75,8 +75,8 @@ static FX_APART struct ph_place cut_rows(const struct ph_triangle *t, const stru
 static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_small_triangle *r,
                                  const struct ph_place *at)
 {
-    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride)
-                                    : ph_small_knee(r, at->depth, at->pixels, 2 * at->stride);
+    return t->kind == PH_KIND_SMALL_KNEE ? ph_small_knee(r, at->depth, at->pixels, 2 * at->stride)
+                                         : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
 }
 
 /* Draws a small triangle that the band cuts, or that has a knee. */
