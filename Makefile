@@ -220,7 +220,7 @@ demo: all ## renders the demonstration into build/demo (needs nothing but cc and
 check: ## the unit tests and the quick scripts, for every edit; installs nothing (under 90 seconds on 2 cores)
 	$(Q)B='$(B)' tests/run.sh check $(MAKEOVERRIDES)
 
-test: ## installs what the tests need, runs all of them (under 10 minutes on 2 cores)
+test: ## installs what the tests need, runs all of them (about 25 minutes on 2 idle cores)
 	$(Q)B='$(B)' tests/run.sh test $(MAKEOVERRIDES)
 
 test-exhaustive: ## the long tests: every input of the unary functions, long fuzzing, soaks, sweeps of boards. SHARE=1/10: a tenth
