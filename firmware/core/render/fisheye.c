@@ -112,15 +112,10 @@ static inline int32_t offset(int32_t direction, uint32_t g, int32_t focal)
     return ph_high_product(radians, focal) + (int32_t)((uint32_t)radians * (uint32_t)focal >> 31);
 }
 
-static inline unsigned zone_of(const struct ph_lens *lens, uint32_t size)
+unsigned ph_fisheye_zone(const struct ph_lens *lens, uint32_t size)
 {
     const uint32_t aside = fx_mulhi_u32((uint32_t)lens->radian_px, PART_Q32(1.851 / 256)); /* 5 pi / 6 / sqrt 2 */
     return size >= aside ? 0 : size < aside - (aside >> 2) + (aside >> 5) ? PH_RAY_BEFORE | PH_RAY_ASIDE : PH_RAY_ASIDE;
-}
-
-unsigned ph_fisheye_zone(const struct ph_lens *lens, uint32_t size)
-{
-    return zone_of(lens, size);
 }
 
 /* Compares the distance with both spheres. */

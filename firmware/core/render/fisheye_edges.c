@@ -168,6 +168,8 @@ static uint32_t bent_angle(const struct ph_lens *lens, const struct ph_ray *a, c
     return area > most || area < -most ? angle : 0;
 }
 
+enum { ALL_SIDES = 15 };
+
 /* A bit for each side of the picture beyond which a point lies by more than the margin: an edge between two such points
  * that is at most twice as long does not reach the picture, however it bends. The bits are signs of distances. */
 static inline uint32_t sides_of(const struct ph_renderer *r, int32_t x, int32_t y, int32_t margin)
@@ -182,7 +184,7 @@ static inline uint32_t sides_of(const struct ph_renderer *r, int32_t x, int32_t 
 static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *const v[], int n)
 {
     const int32_t margin = r->lens.chord_max;
-    uint32_t outside = 15;
+    uint32_t outside = ALL_SIDES;
     for (int i = 0; i < n && outside != 0; i++) {
         outside &= sides_of(r, v[i]->at.x, v[i]->at.y, margin);
     }
@@ -192,7 +194,7 @@ static bool misses_picture(const struct ph_renderer *r, const struct ph_ray *con
 bool ph_fisheye_misses(const struct ph_renderer *r, const struct ph_vertex *const v[3])
 {
     const int32_t margin = r->lens.chord_max;
-    uint32_t outside = 15;
+    uint32_t outside = ALL_SIDES;
     for (int i = 0; i < 3 && outside != 0; i++) {
         outside &= sides_of(r, v[i]->x, v[i]->y, margin);
     }

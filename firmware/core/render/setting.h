@@ -15,8 +15,7 @@ struct ph_setting {
     bool floats;           /* float16, else fixed16 */
     uint8_t shading;       /* PH_SHADE_GOURAUD, _FLAT, _TEXTURE (lit or not), or _UNLIT: one colour */
     struct ph_usual usual; /* base: with PH_DRAW_UVS a struct ph_corner; ramp: the material's, or its colour as the only
-                              entry; bias: what is added to the codes of the format, in fixed16 to
-                              N/w (depth.h) */
+                              entry; bias: what is added to the codes of the format, in fixed16 to N/w (depth.h) */
     const struct ph_renderer *r;
     struct ph_draw draw;
 };

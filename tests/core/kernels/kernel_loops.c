@@ -5,7 +5,7 @@
 #include "cull.h"
 #include "kernels.h"
 #include "texel_row.h"
-#include "texture_small.h"
+#include "texture_knee.h"
 #include "texture_tile.h"
 #include "triangle.h"
 #include "vertices.h"
@@ -403,6 +403,14 @@ static uint32_t try_texture_small(uint32_t h)
     return hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v);
 }
 
+/* The depth of some column of the first row is that of the knee. */
+static uint32_t try_texture_knee(uint32_t h)
+{
+    struct ph_texel_run r = texel_run();
+    h = word(h, ph_texture_knee(&r, (r.d + below(64) * r.gd) | 1));
+    return hash(hash(h, &r.u, sizeof r.u), &r.v, sizeof r.v);
+}
+
 /* Light is mostly in its range, and now and then a little or far beyond it. */
 static uint32_t try_texel_run(uint32_t h)
 {
@@ -536,6 +544,7 @@ int main(void)
                  {"float_depths", try_float},
                  {"texture_tile", try_texture},
                  {"texture_small", try_texture_small},
+                 {"texture_knee", try_texture_knee}, /* in C, but for x86-64 */
                  {"texel_row_nearest", try_texel_row_nearest},
                  {"texel_row_lit", try_texel_row_lit},
                  {"texel_row_smooth", try_texel_row_smooth},

@@ -25,24 +25,9 @@
     save_registers
     sub sp, #frame
     str r0, [sp, #self]
-    ldr r1, [r0, #run_u_bend]
-    lsls r1, r1, #2
-    mov lr, r1
-    ldr r1, [r0, #run_v_bend]
-    lsls r1, r1, #2
-    mov r12, r1
-    adds r0, #run_depth
-    ldmia r0!, {r1-r6} @ depth, pixels, stride, gd, u_mask, v_mask
-    subs r2, r2, r1
-    str r2, [sp, #apart]
-    str r3, [sp, #stride]
+    run_begin
     subs r1, #64
     str r1, [sp, #below]
-    mov r8, r4
-    lsls r5, r5, #1
-    str r5, [sp, #mask1]
-    lsls r6, r6, #1
-    str r6, [sp, #mask2]
     ldmia r0!, {r1, r2} @ texels, rows
     mov r11, r1
     str r2, [sp, #rows]
