@@ -52,6 +52,7 @@ struct pinhole {
     struct ph_material colours[COLOURS], lines[LINES], curves[CURVES];
     uint16_t edges[SAMPLES][2]; /* of a curve */
     struct fx_vec3 points[SAMPLES + 1];
+    fx_t across[2][SAMPLES + 1]; /* where its points are from left to right: z as it is, and a + b/z */
     struct fx_vec3 corners[CORNERS], image[CORNERS]; /* of the house */
     struct ph_xform view;                            /* of the camera's box */
     struct ph_projection lens, halves[2];            /* for it, and for depth */
@@ -63,6 +64,28 @@ static int32_t scale_of(const struct demo_context *context)
 {
     const int32_t w = context->width, h = context->height, wide = 2 * w > 3 * h ? 3 * h / 2 : w;
     return FX_ONE * 16 * 27 / 10 / h * (wide > h ? wide : h);
+}
+
+/* How far point k of a curve is from near to far: points are denser where the curve bends. */
+static fx_t curve_share(int32_t k)
+{
+    return k * k * FX_ONE / (SAMPLES * SAMPLES);
+}
+
+static struct ph_vec4 clip_place(const struct ph_mat4 *device, fx_t y, int32_t k)
+{
+    return ph_mat4_apply(device, (struct ph_vec4){0, y, -fx_lerp_sat(NEAR_Z, FAR_Z, curve_share(k)), FX_ONE});
+}
+
+/* Depth goes from left to right, and is the same in all curves. */
+static void make_across(struct pinhole *p)
+{
+    for (int32_t k = 0; k <= SAMPLES; k++) {
+        const fx_t z = fx_lerp_sat(NEAR_Z, FAR_Z, curve_share(k));
+        const struct ph_vec4 v = clip_place(&p->device, 0, k);
+        p->across[0][k] = fx_div_sat(2 * z - FAR_Z - NEAR_Z, FAR_Z - NEAR_Z);
+        p->across[1][k] = fx_div_sat(v.z, v.w);
+    }
 }
 
 /* The cameras, which stand still. */
@@ -79,6 +102,7 @@ static void make_cameras(const struct demo_context *context, struct pinhole *p)
     p->halves[0] = demo_in_half(context, flat, false);
     p->halves[1] = demo_in_half(context, flat, true);
     ph_matrix_projection(&p->device, &seen, PH_GL);
+    make_across(p);
 }
 
 static int pinhole_init(struct demo_context *context)
@@ -215,15 +239,7 @@ static int draw_camera(const struct demo_context *context, struct ph_renderer *r
 
 /* ---- depth ----------------------------------------------------------------------------------------------------- */
 
-/* Normalized device coordinates of a point of the y-z plane at the distance z, depth as x; or z itself, scaled. */
-static struct fx_vec3 device(const struct ph_mat4 *m, fx_t y, fx_t z, bool naive)
-{
-    const struct ph_vec4 v = ph_mat4_apply(m, (struct ph_vec4){0, y, -z, FX_ONE});
-    const fx_t kept = fx_div_sat(2 * z - FAR_Z - NEAR_Z, FAR_Z - NEAR_Z);
-    return (struct fx_vec3){naive ? kept : fx_div_sat(v.z, v.w), fx_div_sat(v.y, v.w), 0};
-}
-
-/* A straight line from y0 at the near plane to y1 at the far plane, and its chord. */
+/* A straight line from y0 at the near plane to y1 at the far plane, and its chord, in normalized device coordinates. */
 static int draw_curve(struct ph_renderer *r, struct pinhole *p, uint32_t i, fx_t y0, fx_t y1, bool naive)
 {
     static const struct ph_part all = {0, 0, 0};
@@ -236,8 +252,8 @@ static int draw_curve(struct ph_renderer *r, struct pinhole *p, uint32_t i, fx_t
                                  .edge_count = SAMPLES,
                                  .part_count = 1};
     for (int32_t k = 0; k <= SAMPLES; k++) {
-        const fx_t t = k * k * FX_ONE / (SAMPLES * SAMPLES); /* denser where they bend */
-        points[k] = device(&p->device, fx_lerp_sat(y0, y1, t), fx_lerp_sat(NEAR_Z, FAR_Z, t), naive);
+        const struct ph_vec4 v = clip_place(&p->device, fx_lerp_sat(y0, y1, curve_share(k)), k);
+        points[k] = (struct fx_vec3){p->across[naive ? 0 : 1][k], fx_div_sat(v.y, v.w), 0};
     }
     const int status = ph_draw_mesh(r, &mesh, &ph_xform_identity);
     ph_draw_line(r, points[0], points[SAMPLES], &p->lines[LINE_CHORD]); /* at the same depth: it hides no curve */
@@ -323,7 +339,7 @@ const struct demo demo_pinhole = {
     .summary = "a pinhole camera: its image upside down behind the hole, upright on any plane before it",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(sizeof(struct pinhole), 1176),
+    DEMO_ARENA(sizeof(struct pinhole), 1312),
     .vertex_max = 2 * CURVES * (SAMPLES + 1),
     .triangle_max = 214,
     .corner_max = 100,
