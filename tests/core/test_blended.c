@@ -548,6 +548,41 @@ static void without_room_it_is_left_out_and_counted(void **state)
     rig_close(&rig);
 }
 
+/* A blend that does not name the function that draws it is left out, too, whatever is drawn before and after it. */
+static void without_its_function_it_is_left_out_and_counted(void **state)
+{
+    (void)state;
+    static struct scene s;
+    static struct ph_blend glass = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 16};
+    static struct ph_blend forgotten = {.kind = PH_BLEND_ALPHA, .alpha = 16};
+    struct rig with, without;
+    begin(&s, 0);
+    s.count = 3;
+    lean(&s.quads[1], 3);
+    lean(&s.quads[2], 2);
+    s.quads[1].blend = &glass;
+    s.quads[2].blend = &forgotten;
+    rig_open(&with, W, H, 8, PH_DEPTH_FIXED16, 64, 128);
+    rig_open(&without, W, H, 8, PH_DEPTH_FIXED16, 64, 128);
+    const struct ph_xform view = ph_xform_translate(0, 0, 0);
+    struct ph_projection lens;
+    ph_projection_perspective(&lens, FX_INT(60), FX_ONE, FX_HALF, FX_INT(20));
+    assert_int_equal(ph_frame_begin(&with.r, &view, &lens, NULL, 0), PH_OK);
+    assert_int_equal(ph_frame_begin(&without.r, &view, &lens, NULL, 0), PH_OK);
+    for (int i = 0; i < 3; i++) {
+        draw_quad(&s, &with, &s.quads[i]);
+        if (i < 2) {
+            draw_quad(&s, &without, &s.quads[i]);
+        }
+    }
+    assert_int_equal(with.r.stats.triangles_dropped, 2);
+    assert_int_equal(without.r.stats.triangles_dropped, 0);
+    assert_true(rig_finish(&with) && rig_finish(&without));
+    assert_memory_equal(with.pixels, without.pixels, W * H * sizeof(uint16_t));
+    rig_close(&with);
+    rig_close(&without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -558,6 +593,7 @@ int main(void)
         cmocka_unit_test(colours_of_corners_multiply_textures),
         cmocka_unit_test(convex_mesh_is_blended_from_its_far_side_to_its_near_side),
         cmocka_unit_test(without_room_it_is_left_out_and_counted),
+        cmocka_unit_test(without_its_function_it_is_left_out_and_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

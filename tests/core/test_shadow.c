@@ -448,6 +448,67 @@ static void shadows_reach_as_far_as_the_matrix_of_haw_says(void **state)
     }
 }
 
+/* Half of what the ground is, where an opaque shadow would be, and each pixel once. */
+static void ground_is_seen_through_a_blended_shadow(void **state)
+{
+    static const struct ph_blend half = {.draw = ph_draw_blended, .kind = PH_BLEND_ALPHA, .alpha = 16};
+    static const struct ph_material grey = {.shading = PH_SHADE_UNLIT, .depth_bias = 16, .blend = &half};
+    const struct fx_vec3 light = {FX_ONE, FX_INT(9), FX_ONE};
+    struct object o;
+    struct view opaque, blended;
+    int shaded = 0;
+    (void)state;
+    build(&o, (const double[3]){0, 2, 0}, 1.5);
+    open_view(&opaque, PH_PERSPECTIVE, PH_DEPTH_FIXED16, 16);
+    open_view(&blended, PH_PERSPECTIVE, PH_DEPTH_FIXED16, 16);
+    draw_ground(&opaque);
+    draw_ground(&blended);
+    assert_int_equal(ph_draw_shadow(&opaque.rig.r, &o.mesh, &ph_xform_identity, light, &ground, &dark), PH_OK);
+    assert_int_equal(ph_draw_shadow(&blended.rig.r, &o.mesh, &ph_xform_identity, light, &ground, &grey), PH_OK);
+    assert_true(rig_finish(&opaque.rig) && rig_finish(&blended.rig));
+    const uint16_t wire = GROUND, colour = (uint16_t)(*(const uint8_t *)&wire << 8 | ((const uint8_t *)&wire)[1]);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        const uint8_t *const bytes = (const uint8_t *)&blended.rig.pixels[i];
+        const int is = bytes[0] << 8 | bytes[1];
+        if (opaque.rig.pixels[i] != SHADOW) {
+            assert_int_equal(blended.rig.pixels[i], opaque.rig.pixels[i]);
+            continue;
+        }
+        shaded++;
+        assert_true(abs(2 * (is >> 11) - (colour >> 11)) <= 1);
+        assert_true(abs(2 * (is >> 5 & 63) - (colour >> 5 & 63)) <= 2);
+        assert_true(abs(2 * (is & 31) - (colour & 31)) <= 1);
+    }
+    assert_true(shaded > 100);
+    rig_close(&opaque.rig);
+    rig_close(&blended.rig);
+}
+
+/* Neither the mesh nor its shadow has room for the rows that blended triangles are drawn into. */
+static void blended_shadow_without_room_is_left_out_and_counted(void **state)
+{
+    static const struct ph_blend half = {.draw = ph_draw_blended, .kind = PH_BLEND_ADD, .alpha = 16};
+    static const struct ph_material glass = {.shading = PH_SHADE_UNLIT, .colour = SHADOW, .blend = &half};
+    struct object o;
+    struct view v;
+    (void)state;
+    build(&o, (const double[3]){0, 2, 0}, 1.5);
+    o.mesh.materials = &glass;
+    open_view(&v, PH_PERSPECTIVE, PH_DEPTH_FIXED16, SIZE);
+    rig_close(&v.rig);
+    rig_open(&v.rig, 1024, 64, 64, PH_DEPTH_FIXED16, 4, 100);
+    assert_int_equal(ph_frame_begin(&v.rig.r, &v.view, &v.projection, NULL, 0), PH_OK);
+    assert_int_equal(ph_draw_mesh(&v.rig.r, &o.mesh, &ph_xform_identity), PH_OK);
+    assert_int_equal(v.rig.r.stats.triangles_dropped, 4);
+    assert_int_equal(
+        ph_draw_shadow(&v.rig.r, &o.mesh, &ph_xform_identity, (struct fx_vec3){0, FX_INT(9), 0}, &ground, &glass),
+        PH_OK);
+    assert_int_equal(v.rig.r.stats.triangles_drawn, 0);
+    assert_int_equal(v.rig.r.stats.vertices_dropped, 4);
+    assert_true(rig_finish(&v.rig));
+    rig_close(&v.rig);
+}
+
 static void mesh_over_the_vertex_budget_is_left_out_and_counted(void **state)
 {
     struct object o;
@@ -476,6 +537,8 @@ int main(void)
         cmocka_unit_test(picture_does_not_depend_on_the_band_height),
         cmocka_unit_test(shadows_reach_as_far_as_the_matrix_of_haw_says),
         cmocka_unit_test(mesh_over_the_vertex_budget_is_left_out_and_counted),
+        cmocka_unit_test(ground_is_seen_through_a_blended_shadow),
+        cmocka_unit_test(blended_shadow_without_room_is_left_out_and_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

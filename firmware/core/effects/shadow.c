@@ -235,13 +235,15 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     const uint32_t n = mesh->vertex_count;
     c.draw = (struct ph_draw){.material = material, .kind = PH_DRAW_SMALL};
     c.draw.base = n <= r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
-    if (c.draw.base == UINT32_MAX || !ph_list_draw(r, &c.draw)) {
+    if (c.draw.base == UINT32_MAX || (material->blend != NULL && !ph_list_blend(r, material->blend)) ||
+        !ph_list_draw(r, &c.draw)) {
         r->stats.vertices_dropped += n;
         return n > r->config.vertex_max ? PH_ERR_NOMEM : PH_OK;
     }
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
     c.vertices = ph_at(r, c.draw.base);
+    const uint32_t before = ph_ref_count(r);
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
@@ -250,6 +252,9 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
         }
         r->stats.triangles_in += part->count;
         draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
+    }
+    if (material->blend != NULL) {
+        ph_list_put_after(r, before);
     }
     ph_list_rewind(r, &mark);
     r->stats.triangles_drawn = ph_ref_count(r);

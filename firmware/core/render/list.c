@@ -93,12 +93,18 @@ bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
     const size_t row = r->config.width * ROW_PIXEL(r);
     uint32_t rows = room_of(r, TRIANGLES) / 16 > ROWS_MOST * row ? ROWS_MOST : 1;
+    if (blend->draw == NULL) {
+        return false;
+    }
     if (r->rows == 0) {
         r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row);
         r->rows = r->rows_place != PH_NONE ? rows : 0;
     }
+    if (r->rows == 0) {
+        return false;
+    }
     r->after = blend->draw;
-    return r->rows != 0;
+    return true;
 }
 
 void ph_list_put_after(struct ph_renderer *r, uint32_t first)
@@ -155,17 +161,17 @@ struct ph_mark ph_list_mark(struct ph_renderer *r)
 {
     place_lens(r);
     const uint32_t *const used = r->list.used;
-    struct ph_mark mark = {{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r), {0}};
+    struct ph_mark mark = {{used[OWN], used[VERTICES], used[TRIANGLES]}, r->list.last, ph_ref_count(r), r->rows, {0}};
     if (mark.last != PH_NONE) {
         mark.draw = *draw_at(r, mark.last);
     }
     return mark;
 }
 
-bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
+void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
 {
     if (ph_ref_count(r) != mark->count) {
-        return false;
+        return;
     }
     for (int piece = 0; piece < 3; piece++) {
         r->list.used[piece] = mark->used[piece];
@@ -176,8 +182,8 @@ bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
         r->list.first = PH_NONE;
     }
     r->list.last = mark->last;
+    r->rows = mark->rows;
     set_end(r);
-    return true;
 }
 
 uint32_t ph_list_base(const struct ph_renderer *r)

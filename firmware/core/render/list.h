@@ -73,14 +73,15 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n);
 
 /* Before something is drawn, and after it: gives back all room that was taken in between if nothing was listed. */
 struct ph_mark {
-    uint32_t used[3], last, count;
+    uint32_t used[3], last, count, rows;
     struct ph_draw draw; /* the last one: without references it gives its room to the next one */
 };
 
 struct ph_mark ph_list_mark(struct ph_renderer *r);
-bool ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark); /* true: it was given back */
+void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark);
 
-/* Before something with a blend is drawn. False: there is no room for the rows that it is drawn into. */
+/* Before something with a blend is drawn. False: it is left out. There is no room for the rows that it is drawn into,
+ * or the blend names no function. */
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);
 
 /* The references from that number on are cut out or blended: they are in no band's list. */

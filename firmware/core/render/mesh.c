@@ -429,7 +429,6 @@ static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     const struct ph_mark mark = ph_list_mark(r);
-    const uint32_t rows = r->rows;
     const uint32_t n = mesh->vertex_count, place = n <= r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
     if (place == PH_NONE) {
         return leave_out(r, mesh);
@@ -443,9 +442,7 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         draw_part(&c, &mesh->parts[i], to_world);
     }
-    if (ph_list_rewind(r, &mark)) {
-        r->rows = rows;
-    }
+    ph_list_rewind(r, &mark);
     r->stats.triangles_drawn = ph_ref_count(r);
     return PH_OK;
 }
