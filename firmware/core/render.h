@@ -95,10 +95,11 @@ enum ph_blend_kind {
  * picture from the triangle budget in a frame that has some; without room their triangles are left out.
  */
 struct ph_blend {
-    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: so it is linked if used */
-    uint8_t kind;                                                    /* enum ph_blend_kind */
-    uint8_t alpha;                                                   /* 0 .. 32; TIMES, ALPHA, ADD */
-    uint16_t key;                                                    /* wire order */
+    void (*draw)(struct ph_renderer *r,
+                 const struct ph_band *band); /* ph_draw_blended: so it is linked if used. NULL: left out */
+    uint8_t kind;                             /* enum ph_blend_kind */
+    uint8_t alpha;                            /* 0 .. 32; TIMES, ALPHA, ADD */
+    uint16_t key;                             /* wire order */
     const struct ph_texture *alphas; /* all but KEY: the green of each texel is its alpha, beside the material's
                                         texture or its colour; its sides may differ from the texture's. Or NULL: all
                                         have alpha 1 */
@@ -140,7 +141,7 @@ struct ph_mesh {
     const int16_t (*normals)[3]; /* Q1.14: 16384 = 1; NULL where nothing is lit */
     const fx_t (*uvs)[2];        /* Q16.16, 1.0 = the texture's width or height; NULL without texture */
     const uint16_t (*triangles)[3];
-    const uint16_t (*edges)[2]; /* for PH_SHADE_WIRE; NULL without */
+    const uint16_t (*edges)[2]; /* for PH_SHADE_WIRE; NULL if edge_count is 0 */
     const struct ph_part *parts;
     const struct ph_material *materials;
     uint32_t vertex_count, triangle_count, edge_count, part_count;
@@ -164,7 +165,8 @@ struct ph_light {
      * 1.5 to 2 times the work of a vertex and a pixel. Textures are lit by the mean of the three. */
     fx_t red, green, blue;
     fx_t cos_outer, cos_inner; /* spot: cosines of the angles to the axis at which it ends, and up to which it has its
-                                  full intensity; between them intensity is linear in the cosine */
+                                  full intensity; between them intensity is linear in the cosine. -1 .. 1, what is
+                                  beyond counts as the nearest */
 };
 
 #define PH_LIGHTS_MAX 4
@@ -262,7 +264,8 @@ struct ph_config {
     uint32_t triangle_max;
     uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
-    void *depth; /* width * band_height * ph_depth_bytes(depth_format); aligned to the bytes of a pixel */
+    void *depth; /* width * band_height * ph_depth_bytes(depth_format), with `samples` 4 times as much; aligned to the
+                    bytes of a pixel */
 
     /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set
      * up, and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when
@@ -397,7 +400,8 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
 
 /*
  * Draws a rectangle that faces the camera, with its middle at a world point, with the material's texture or colour;
- * with material->blend it may have any outline. Errors as ph_draw_mesh: it takes 4 vertices.
+ * with material->blend it may have any outline. Sizes are Q16.16 in world units: with one of 0 nothing is drawn, and a
+ * negative one mirrors it, so that it is seen from behind. Errors as ph_draw_mesh: it takes 4 vertices.
  */
 int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, fx_t height,
                       const struct ph_material *material);
@@ -428,7 +432,8 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * Shows the frame: sorts, draws every band and gives it to flush. This is ph_frame_bands and ph_draw_band in one call.
  * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
- * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
+ * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in place of
+ * ph_show. Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
 

@@ -25,7 +25,7 @@ static int32_t smaller(int32_t a, int32_t b)
 // NOLINTNEXTLINE(readability-non-const-parameter): the pixels are written through the struct
 void ph_overlay_sprite(const struct ph_overlay_band *band, int32_t x, int32_t y, const struct ph_sprite *sprite)
 {
-    if (x < -32768 || x > 32767 || y < -32768 || y > 32767) {
+    if (x < -65535 || x > 65535 || y < -65535 || y > 65535) {
         return;
     }
     const int32_t left = x > 0 ? x : 0, right = smaller(x + sprite->width, band->width);
@@ -44,7 +44,7 @@ int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, 
     static const struct ph_part part = {.count = 2};
     struct fx_vec3 corners[4];
     for (int i = 0; i < 4; i++) {
-        const fx_t right = (i == 1 || i == 2 ? width : -width) / 2, up = (i >= 2 ? height : -height) / 2;
+        const fx_t right = i == 1 || i == 2 ? width / 2 : -(width / 2), up = i >= 2 ? height / 2 : -(height / 2);
         const struct ph_xform *const v = &r->view; /* its rows are the directions of the picture in the world */
         fx_t add[3];
         for (int k = 0; k < 3; k++) {

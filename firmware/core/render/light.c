@@ -111,13 +111,19 @@ static struct fx_vec3 position_to_local(const struct ph_xform *to_world, struct 
     return (struct fx_vec3){local[0], local[1], local[2]};
 }
 
+static fx_t clamp_cosine(fx_t v)
+{
+    return v < -FX_ONE ? -FX_ONE : v > FX_ONE ? FX_ONE : v;
+}
+
 /* A spot's cone and axis. */
 static void prepare_spot(struct ph_local_light *l, const struct ph_light *light, const struct ph_xform *to_world)
 {
-    const int32_t width = (light->cos_inner - light->cos_outer) >> 2;
+    const fx_t outer = clamp_cosine(light->cos_outer);
+    const int32_t width = (clamp_cosine(light->cos_inner) - outer) >> 2;
     to_local(to_world, light->to_light_q30, l->to_light);
     l->spot = true;
-    l->cos_outer = light->cos_outer >> 2;
+    l->cos_outer = outer >> 2;
     l->cos_width = width > 0 ? width : 1;
 }
 
