@@ -17,7 +17,7 @@ done
 
 kernels=firmware/core/kernels
 include=(-Ifirmware/core -Ifirmware/core/render -Ifirmware/core/kernels)
-loops=(fill span_flat span_gouraud span_blend halve small_gouraud small_knee wide_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
+loops=(fx_mul fill span_flat span_gouraud span_blend halve small_gouraud small_knee wide_gouraud setup_small float_depths texture_tile texture_small texel_row_nearest texel_row_lit texel_row_smooth texel_row_smooth_lit texel_run_rows vertices cull)
 
 c_loops() {
     cc -O2 -std=c11 -Ifirmware/core/kernels/portable "${include[@]}" tests/core/kernels/kernel_loops.c firmware/core/fx/fx_root.c "${loops[@]/%/.c}" -o "$B/c" &&
@@ -117,6 +117,7 @@ long "a_half_lost_in_vertices_for_armv6m_is_seen" change_is_seen armv6m vertices
 long "a_reciprocal_one_too_large_for_armv7m_is_seen" change_is_seen armv7m vertices 's/subcs r5, r5, r6, lsr #31/movcs r5, r5/'
 long "a_triangle_on_edge_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m cull 's/bmi found/ble found/'
 long "a_clip_plane_forgotten_for_armv7m_is_seen" change_is_seen armv7m cull 's/tst r6, #0x3f/tst r6, #0x1f/'
+long "a_carry_lost_in_a_product_for_armv6m_is_seen" change_is_seen armv6m fx_mul 's/adds r2, r0$/nop/'
 long "a_pixel_too_few_for_armv6m_is_seen" change_is_seen armv6m fill 's/lsls r2, r2, #30/movs r2, #0/'
 short "the_loops_for_rv32_leave_what_those_in_C_leave" same_loops rv32
 form=rv32imac_zba_zbb_zbkb form_of_cpu=rv32,zba=true,zbb=true,zbkb=true short "the_loops_for_rv32_with_Zba_Zbb_Zbkb_leave_the_same" same_loops rv32

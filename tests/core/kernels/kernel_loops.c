@@ -3,6 +3,7 @@
  * round its rows included. tests/core/test_kernels.sh compares the lines of the C and of the assembly.
  */
 #include "cull.h"
+#include "fx.h"
 #include "kernels.h"
 #include "texel_row.h"
 #include "texture_knee.h"
@@ -53,6 +54,20 @@ static uint32_t hash_rows(uint32_t h)
 static uint32_t word(uint32_t h, uint32_t value)
 {
     return hash(h, &value, sizeof value);
+}
+
+/* Of all lengths and both signs; now and then the ends of the range. */
+static int32_t any_factor(void)
+{
+    const uint32_t v = bits();
+    return below(8) == 0 ? (below(2) == 0 ? INT32_MIN : INT32_MAX) : (int32_t)v >> below(32);
+}
+
+static uint32_t try_mul(uint32_t h)
+{
+    const int32_t a = any_factor(), b = any_factor();
+    const uint64_t product = (uint64_t)fx_mul_far(a, b);
+    return word(word(h, (uint32_t)product), (uint32_t)(product >> 32));
 }
 
 static uint32_t try_fill(uint32_t h)
@@ -532,7 +547,8 @@ int main(void)
     static const struct {
         const char *name;
         uint32_t (*one)(uint32_t h);
-    } loops[] = {{"fill", try_fill},
+    } loops[] = {{"fx_mul", try_mul},
+                 {"fill", try_fill},
                  {"span_flat", try_flat},
                  {"span_gouraud", try_gouraud},
                  {"span_blend", try_blend},
