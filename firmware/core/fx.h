@@ -131,8 +131,10 @@ extern const uint16_t fx_rcp_table[256]; /* only for fx_rcp_norm and a CPU's fx_
 #ifdef __has_include
 #if __has_include(<fx_cpu.h>)
 #include <fx_cpu.h>
-#else
+#elif __has_include("fx_cpu.h")
 #include "fx_cpu.h"
+#else
+#error "fx_cpu.h is not found: add -I firmware/core/kernels/portable, or the folder of your CPU and that one"
 #endif
 #else
 #include <fx_cpu.h>
