@@ -6,7 +6,7 @@
     @ Four texels round the border of a texture that repeats: r0 to r2 masks and width, r3 u, r4 v, r5 offset of the
     @ column to the right. It returns a, b, c, d in r0, r1, r5, r6, and halves in lr; r2 is lost.
     function ph_texel_border
-    push {r3, r4, lr}
+    push {r4}
     lsrs r6, r4, #22
     muls r6, r2
     ands r6, r1
@@ -24,8 +24,12 @@
     ldrh r6, [r6, r5]
     movs r5, r2
     ldr r2, 1f
+    mov r4, lr
     mov lr, r2
-    pop {r3, r4, pc}
+    mov r2, r4
+    pop {r4}
+    ldr r3, [sp, #12] @ as the pixel saved it
+    bx r2
     .p2align 2
 1:  .word halves
     .size ph_texel_border, . - ph_texel_border
