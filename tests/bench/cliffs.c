@@ -5,9 +5,15 @@
  *
  * VARIANT is usual or cliff; `empty` follows with the same frame of nothing. The cost of a UNIT (pixel, triangle, row,
  * vertex, edge, frame) is the difference over UNITS.
+ *
+ * The lines inner-... are pixels in the loops of the kernels alone: rows of 64 pixels, `empty` the same of 32. Light
+ * and filters stand against the nearest texel, a blend against a flat span.
  */
 #include "bench.h"
 
+#include "kernels/kernels.h"
+#include "kernels/texel_row.h"
+#include "kernels/texture_tile.h"
 #include "models.h"
 
 #define WIDTH     320
@@ -244,6 +250,104 @@ static void blends(void)
     measure("blend-texture", "cliff", PIXEL, &view);
 }
 
+/* As many rows as the picture has, of so many pixels each, all of which are drawn; from texel to texel. */
+enum { TEXEL_U = 1 << 22, TEXEL_V = 1 << 20, FAR = 1 };
+
+static void nearest_rows(uint32_t n)
+{
+    struct ph_texel_rows r = {.right = n << 16,
+                              .d = 1u << 31,
+                              .depth = (uint16_t *)(void *)depth,
+                              .pixels = pixels,
+                              .stride_bytes = 2 * WIDTH,
+                              .u_mask = (1u << LOG2) - 1,
+                              .v_mask = ((1u << LOG2) - 1) << LOG2,
+                              .texels = texels,
+                              .columns = n,
+                              .rows = HEIGHT,
+                              .u = {.step = TEXEL_U},
+                              .v = {.step = TEXEL_V}};
+    ph_texture_tile(&r);
+}
+
+static void rows_of(void (*draw)(const struct ph_texel_row *), uint32_t n)
+{
+    struct ph_texel_row row = {.n = n,
+                               .d = 1u << 31,
+                               .u = {.step = TEXEL_U},
+                               .v = {.step = TEXEL_V},
+                               .u_mask = (1u << LOG2) - 1,
+                               .v_mask = ((1u << LOG2) - 1) << LOG2,
+                               .texels = texels,
+                               .level = 16,
+                               .light = 16u << 24};
+    for (uint32_t y = 0; y < HEIGHT; y++) {
+        row.depth = (uint16_t *)(void *)depth + (size_t)y * WIDTH;
+        row.pixels = pixels + (size_t)y * WIDTH;
+        draw(&row);
+    }
+}
+
+static void lit_rows(uint32_t n)
+{
+    rows_of(ph_texel_row_lit, n);
+}
+
+static void smooth_rows(uint32_t n)
+{
+    rows_of(ph_texel_row_smooth, n);
+}
+
+static void smooth_lit_rows(uint32_t n)
+{
+    rows_of(ph_texel_row_smooth_lit, n);
+}
+
+static void flat_rows(uint32_t n)
+{
+    for (uint32_t y = 0; y < HEIGHT; y++) {
+        ph_span_flat(pixels + (size_t)y * WIDTH, (uint16_t *)(void *)depth + (size_t)y * WIDTH, n, 1u << 31, 0, 1);
+    }
+}
+
+static void blended_rows(uint32_t n)
+{
+    for (uint32_t y = 0; y < HEIGHT; y++) {
+        ph_span_blend(pixels + (size_t)y * WIDTH, (uint16_t *)(void *)depth + (size_t)y * WIDTH, n, 1u << 31, 0,
+                      0x02008010, 16);
+    }
+}
+
+static void measure_loop(const char *name, const char *variant, void (*draw)(uint32_t))
+{
+    enum { WIDE = 64, NARROW = 32 };
+    const char *what[3] = {name, variant, unit_names[PIXEL]};
+    for (uint32_t n = WIDE; n >= NARROW; n -= WIDE - NARROW) {
+        for (uint32_t i = 0; i < WIDTH * HEIGHT / 2; i++) {
+            depth[i] = FAR << 16 | FAR;
+        }
+        machine_start();
+        draw(n);
+        machine_stop(what, (WIDE - NARROW) * HEIGHT);
+        what[1] = "empty";
+    }
+}
+
+static void inner_loops(void)
+{
+    static const struct {
+        const char *name;
+        void (*usual)(uint32_t), (*cliff)(uint32_t);
+    } pair[] = {{"inner-lit", nearest_rows, lit_rows},
+                {"inner-bilinear", nearest_rows, smooth_rows},
+                {"inner-bilinear-lit", nearest_rows, smooth_lit_rows},
+                {"inner-blend", flat_rows, blended_rows}};
+    for (size_t i = 0; i < sizeof pair / sizeof pair[0]; i++) {
+        measure_loop(pair[i].name, "usual", pair[i].usual);
+        measure_loop(pair[i].name, "cliff", pair[i].cliff);
+    }
+}
+
 static void shapes(void)
 {
     const struct view view = usual();
@@ -336,6 +440,7 @@ int main(void)
     ph_material_ramp(ramp, 255, 160, 64, 0);
     textures();
     blends();
+    inner_loops();
     shapes();
     shadings();
     vertices_alone();

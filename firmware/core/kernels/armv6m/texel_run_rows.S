@@ -177,7 +177,6 @@ lit:
     str r1, [sp, #row_of]
     movs r1, #0
     str r1, [sp, #count]
-    set_fields r1
     adr r1, lit_back
     adds r1, #1
     str r1, [sp, #back]
@@ -253,7 +252,6 @@ lit_back:
     restore_and_return
 pixels_here:
     .word ph_texel_lit_pixels
-    lit_fields_here
 store_lit: @ what the caller finds of the rows
     ldr r0, [sp, #self]
     adds r0, #run_depth
