@@ -99,7 +99,6 @@ struct rest {
     struct ph_triangle *begun;  /* those that were carried on, as far as they are not drawn */
     struct ph_triangle **carry; /* where the next one is linked that is carried on from here */
     uint32_t put, fragments;    /* put: what ph_feed_put_below takes */
-    struct ph_coarse *lower;    /* of the other core's rows */
 };
 
 /* Draws a triangle that stands in a slot and goes on below the band. Returns its pixels. carry: as in struct rest. */
@@ -375,7 +374,7 @@ static void draw_list(struct ph_feed *next, const struct ph_triangle *list, stru
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
     upper.next = next;
     lower.core = 1;
-    lower.rows.coarse = rest->lower;
+    lower.rows.coarse = rows->coarse + 1;
     lower.rows.pixels += above;
     lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
     ph_run_both(r, draw_share, &upper, &lower);
@@ -420,9 +419,7 @@ static bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
 static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
 {
     struct ph_renderer *const r = f->r;
-    struct ph_coarse lower;
-    lower.count = 0;
-    struct rest rest = {r, rows, r->carried, &r->carried, PH_NONE, 0, &lower};
+    struct rest rest = {r, rows, r->carried, &r->carried, PH_NONE, 0};
     bool clears = r->ahead != NULL || is_helped(r, rows);
     for (const struct ph_triangle *t = r->ahead; t != NULL; t = t->next) {
         f->ref = ph_feed_next(f, t->order);
@@ -445,9 +442,9 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    struct ph_coarse coarse;
-    coarse.count = 0;
-    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width, &coarse};
+    struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
+    coarse[0].count = coarse[1].count = 0;
+    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width, coarse};
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
@@ -459,8 +456,8 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     ph_feed_start(&f, r, band);
     if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) { /* else no sample is read */
         draw_triangles(&f, &rows);
-        rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
         if (r->after != NULL) {
+            rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
             r->after(r, &rows);
         } else if (r->fog != NULL) {
             r->fog(r, &rows);
