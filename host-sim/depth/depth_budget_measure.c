@@ -165,11 +165,11 @@ static void find_run(const struct ph_triangle *triangle, int32_t width, int32_t 
 {
     const struct ph_band row = {.y0 = y, .y1 = y + 1, .width = width};
     const int half = y >= triangle->y_mid;
-    struct ph_edge left, right;
-    int32_t first, end, from = x, to = x + 1; /* a pixel on the diagonal may be the other triangle's */
-    if (ph_half_rows(triangle, &row, half, &first, &end, &left, &right) && left.x >> 16 <= x && right.x >> 16 > x) {
-        from = left.x < 0 ? 0 : left.x >> 16;
-        to = right.x >> 16 < width ? right.x >> 16 : width;
+    struct ph_half_rows in;
+    int32_t from = x, to = x + 1; /* a pixel on the diagonal may be the other triangle's */
+    if (ph_rows_of_half(triangle, &row, half, &in) && in.left.x >> 16 <= x && in.right.x >> 16 > x) {
+        from = in.left.x < 0 ? 0 : in.left.x >> 16;
+        to = in.right.x >> 16 < width ? in.right.x >> 16 : width;
     }
     *run = *triangle;
     while (from <= x) {

@@ -8,6 +8,7 @@
  *
  * - triangles: a torus of X triangles that covers the same pixels
  * - fragments: X pixels in full-screen quads, each in front of the last
+ * - visible, hidden: X full-screen quads in bands of 16 lines, each in front of the last or behind it
  * - band: the torus of 4096 triangles in bands of X lines
  * - pixels: the same torus in pictures of 128x64 .. 320x480 = X pixels
  */
@@ -119,13 +120,11 @@ static void tori(const struct ph_material *material)
     }
 }
 
-/* Quads larger than the picture, from far to near. */
-static void quads(const struct ph_material *material)
+/* Quads larger than the picture, from far to near or from near to far. */
+static struct ph_mesh make_quads(struct fx_vec3 corners[QUADS_LAST][4], uint16_t faces[2 * QUADS_LAST][3], bool nearer)
 {
-    static struct fx_vec3 corners[QUADS_LAST][4];
-    static uint16_t faces[2 * QUADS_LAST][3];
     for (uint16_t i = 0; i < QUADS_LAST; i++) {
-        const fx_t z = FX_INT(-20 + i), x = FX_INT(30), y = FX_INT(30);
+        const fx_t z = FX_INT(-20 + (nearer ? i : QUADS_LAST - 1 - i)), x = FX_INT(30), y = FX_INT(30);
         const struct fx_vec3 four[4] = {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}};
         for (uint16_t k = 0; k < 4; k++) {
             corners[i][k] = four[k];
@@ -136,18 +135,31 @@ static void quads(const struct ph_material *material)
             faces[2 * i + k][2] = (uint16_t)(4 * i + 2 + k);
         }
     }
+    return (struct ph_mesh){.positions = corners[0], .triangles = (const uint16_t(*)[3])faces, .part_count = 1};
+}
+
+static void measure_quads(const char *kind, const struct picture *picture, const struct ph_material *material,
+                          bool nearer)
+{
+    static struct fx_vec3 corners[QUADS_LAST][4];
+    static uint16_t faces[2 * QUADS_LAST][3];
+    struct ph_mesh mesh = make_quads(corners, faces, nearer);
+    mesh.materials = material;
     for (uint32_t count = 1; count <= QUADS_LAST; count *= 2) {
         const struct ph_part part = {.count = 2 * count};
-        const struct ph_mesh mesh = {.positions = corners[0],
-                                     .triangles = (const uint16_t(*)[3])faces,
-                                     .parts = &part,
-                                     .materials = material,
-                                     .vertex_count = 4 * count,
-                                     .triangle_count = 2 * count,
-                                     .part_count = 1};
-        const struct picture whole = {320, 240, 240};
-        measure("fragments", count * 320 * 240, &whole, &mesh, &ph_xform_identity);
+        mesh.parts = &part;
+        mesh.vertex_count = 4 * count;
+        mesh.triangle_count = 2 * count;
+        measure(kind, kind[0] == 'f' ? count * 320 * 240 : count, picture, &mesh, &ph_xform_identity);
     }
+}
+
+static void quads(const struct ph_material *material)
+{
+    static const struct picture whole = {320, 240, 240}, bands = {320, 240, 16};
+    measure_quads("fragments", &whole, material, true);
+    measure_quads("visible", &bands, material, true);
+    measure_quads("hidden", &bands, material, false);
 }
 
 int main(void)

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Usage: tests/bench/growth.sh [CORE]        make bench calls it; m3 by default
-# How the cost of a frame grows with triangles, fragments, bands and pixels: $B/bench-growth.csv (kind,x,instructions),
+# How the cost of a frame grows with triangles, fragments, depth complexity, bands and pixels: $B/bench-growth.csv (kind,x,instructions),
 # and $B/bench-growth.png where gnuplot is. Exits 1 when a term grows faster than linearly (a further triangle or
-# fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), or when 16 bands cost 5 % of a frame. Environment: B.
+# fragment costs over 10 % more than those before it; a pixel of a larger picture more than one of a smaller), when 16 bands cost 5 % of a frame,
+# or when a hidden layer costs over 5 % of a visible one. Environment: B.
 set -eu
 cd "$(dirname "$0")/../.."
 B=${B:-build} core=${1:-m3}
@@ -28,15 +29,17 @@ awk '
         share = 100 * (cost["band 15"] - cost["band 240"] + bins["band 15"]) / cost["band 15"]
         printf "growth: 16 bands cost %.1f %% of a frame of 4096 triangles, of it %.2f %% sorting\n", share,
             100 * bins["band 15"] / cost["band 15"]
-        exit wrong || share >= 5
+        hidden = 100 * (cost["hidden 16"] - cost["hidden 1"]) / (cost["visible 16"] - cost["visible 1"])
+        printf "growth: a hidden layer costs %.1f %% of a visible one\n", hidden
+        exit wrong || share >= 5 || !(hidden < 5)
     }' <(grep -v '^pixels\|^band' "$B/bench-$core/growth"; grep '^pixels' "$B/bench-$core/growth"; grep '^band' "$B/bench-$core/growth")
 
 command -v gnuplot >/dev/null || { echo "growth: no plot: apt-get install gnuplot-nox" >&2 && exit 0; }
 gnuplot <<END
-set terminal pngcairo size 1000,760 font "sans,11"
+set terminal pngcairo size 1000,1140 font "sans,11"
 set output "$B/bench-growth.png"
 set datafile separator ","
-set multiplot layout 2,2 title "Instructions a frame on Cortex-M (${core}), counted" font "sans,14"
+set multiplot layout 3,2 title "Instructions a frame on Cortex-M (${core}), counted" font "sans,14"
 set ylabel "millions of instructions a frame"
 set grid lc rgb "#dddddd"
 set key top left
@@ -59,4 +62,11 @@ plot points("band") using 2:(\$3/1e6) ls 1 notitle
 set title "resolution (4096 triangles, 128x64 .. 320x480)"
 set xlabel "thousands of pixels"
 plot points("pixels") using (\$2/1e3):(\$3/1e6) ls 1 notitle
+unset logscale
+set yrange [0:*]
+set title "depth complexity (flat layers, 320x240, bands of 16 lines)"
+set xlabel "full-screen layers"
+set style line 2 lc rgb "#d55e00" lw 2 pt 5
+plot points("visible") using 2:(\$3/1e6) ls 1 title "back to front: all visible", \
+     points("hidden") using 2:(\$3/1e6) ls 2 title "front to back: all hidden but one"
 END

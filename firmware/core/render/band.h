@@ -2,6 +2,7 @@
 #ifndef PH_BAND_H
 #define PH_BAND_H
 
+#include "coarse.h"
 #include "edge.h"
 #include "kernels.h"
 
@@ -11,6 +12,7 @@ struct ph_band {
     void *depth;      /* of row y0: uint32_t if depth24, else uint16_t */
     bool depth24;     /* depth codes have 24 bits */
     int32_t y0, y1, width;
+    struct ph_coarse *coarse; /* of these rows; NULL: none is kept */
 };
 
 /* Draws what of a triangle lies in the band. Returns the pixels tested. */
@@ -48,23 +50,26 @@ static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
     return depth24 ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
 }
 
-/* The rows y .. y_end - 1 of the upper (0) or lower (1) half of a triangle that lie in the band, and its edges at row
- * y. False if there are none. */
-static inline bool ph_half_rows(const struct ph_triangle *t, const struct ph_band *band, int half, int32_t *y,
-                                int32_t *y_end, struct ph_edge *left, struct ph_edge *right)
+/* The rows of the upper (0) or lower (1) half of a triangle that lie in the band. False if there are none; then only y
+ * and y_end are set. */
+static inline bool ph_rows_of_half(const struct ph_triangle *t, const struct ph_band *band, int half,
+                                   struct ph_half_rows *in)
 {
     const int32_t from = half == 0 ? t->y_top : t->y_mid, to = half == 0 ? t->y_mid : t->y_bottom;
-    *y = from > band->y0 ? from : band->y0;
-    *y_end = to < band->y1 ? to : band->y1;
-    if (*y >= *y_end) {
+    const int32_t y = from > band->y0 ? from : band->y0, y_end = to < band->y1 ? to : band->y1;
+    in->y = y;
+    in->y_end = y_end;
+    if (y >= y_end) {
         return false;
     }
-    struct ph_edge long_edge = t->long_edge, other = half == 0 ? t->upper : t->lower;
-    ph_edge_step(&long_edge, *y - t->y_top);
-    ph_edge_step(&other, *y - from);
-    *left = t->long_left != 0 ? long_edge : other;
-    *right = t->long_left != 0 ? other : long_edge;
+    const struct ph_edge long_edge = ph_edge_below(t->long_edge, y - t->y_top);
+    const struct ph_edge other = ph_edge_below(half == 0 ? t->upper : t->lower, y - from);
+    in->left = t->long_left != 0 ? long_edge : other;
+    in->right = t->long_left != 0 ? other : long_edge;
     return true;
 }
+
+/* The same, once for all that call it. */
+bool ph_rows_of_half_apart(const struct ph_triangle *t, const struct ph_band *band, int half, struct ph_half_rows *in);
 
 #endif

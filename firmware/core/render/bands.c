@@ -374,6 +374,7 @@ static void draw_list(struct ph_feed *next, const struct ph_triangle *list, stru
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
     upper.next = next;
     lower.core = 1;
+    lower.rows.coarse = rows->coarse + 1;
     lower.rows.pixels += above;
     lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
     ph_run_both(r, draw_share, &upper, &lower);
@@ -441,7 +442,9 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const int32_t lines = r->config.band_height, height = r->config.height;
     const int32_t y0 = (int32_t)band * lines, y1 = y0 + lines < height ? y0 + lines : height;
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
-    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width};
+    struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
+    coarse[0].count = coarse[1].count = 0;
+    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width, coarse};
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
@@ -454,6 +457,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) { /* else no sample is read */
         draw_triangles(&f, &rows);
         if (r->after != NULL) {
+            rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
             r->after(r, &rows);
         } else if (r->fog != NULL) {
             r->fog(r, &rows);

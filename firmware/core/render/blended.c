@@ -171,17 +171,16 @@ static void blend_flat(const struct overlay *o, const struct ph_triangle *t)
     const uint32_t alpha = o->blend->alpha < 32 ? o->blend->alpha : 32;
     const uint32_t source = ph_spread(t->colour) * alpha + PH_SPREAD_HALF;
     for (int half = 0; half < 2; half++) {
-        int32_t y, y_end;
-        struct ph_edge left, right;
-        if (!ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+        struct ph_half_rows in;
+        if (!ph_rows_of_half_apart(t, band, half, &in)) {
             continue;
         }
-        for (; y < y_end; y++) {
+        for (; in.y < in.y_end; in.y++) {
             int32_t from, to;
-            if (ph_next_row(&left, &right, band->width, &from, &to)) {
-                const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + (uint32_t)from;
+            if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
+                const uint32_t at = (uint32_t)(in.y - band->y0) * (uint32_t)band->width + (uint32_t)from;
                 ph_span_blend(band->pixels + at, (const uint16_t *)band->depth + at, (uint32_t)(to - from),
-                              ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)y), t->depth.gx, source, 32 - alpha);
+                              ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)in.y), t->depth.gx, source, 32 - alpha);
                 o->r->stats.fragments += (uint32_t)(to - from);
             }
         }

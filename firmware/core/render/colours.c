@@ -62,15 +62,14 @@ uint32_t ph_draw_colours(const struct ph_triangle *t, const struct ph_band *band
 {
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
-        int32_t y, y_end;
-        struct ph_edge left, right;
-        if (!ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
+        struct ph_half_rows in;
+        if (!ph_rows_of_half_apart(t, band, half, &in)) {
             continue;
         }
-        for (; y < y_end; y++) {
+        for (; in.y < in.y_end; in.y++) {
             int32_t from, to;
-            if (ph_next_row(&left, &right, band->width, &from, &to)) {
-                draw_row(t, band, (uint32_t)from, (uint32_t)y, (uint32_t)(to - from));
+            if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
+                draw_row(t, band, (uint32_t)from, (uint32_t)in.y, (uint32_t)(to - from));
                 count += (uint32_t)(to - from);
             }
         }

@@ -69,9 +69,15 @@ static inline uint32_t ph_to_column(uint32_t right, uint32_t width)
     return (uint32_t)ph_min((int32_t)right >> 16, (int32_t)width);
 }
 
+/* An edge so many rows further down. */
+static inline struct ph_edge ph_edge_below(struct ph_edge edge, int32_t rows)
+{
+    return (struct ph_edge){(int32_t)((uint32_t)edge.x + (uint32_t)rows * (uint32_t)edge.dx), edge.dx};
+}
+
 static inline void ph_edge_step(struct ph_edge *edge, int32_t rows)
 {
-    edge->x = (int32_t)((uint32_t)edge->x + (uint32_t)rows * (uint32_t)edge->dx);
+    *edge = ph_edge_below(*edge, rows);
 }
 
 /* Sets the columns between two edges, which step a row down. False if there are none. */

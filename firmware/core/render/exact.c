@@ -206,14 +206,15 @@ static int32_t column_below(struct ph_edge edge, int32_t rows)
 bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *strip, struct ph_triangle *run)
 {
     const struct ph_exact *const e = &t->exact;
-    const int32_t more = strip->y_end - 1 - strip->y;
-    const int32_t left = strip->left.x >> 16, left_end = column_below(strip->left, more);
-    const int32_t right = strip->right.x >> 16, right_end = column_below(strip->right, more);
+    const int32_t more = strip->rows.y_end - 1 - strip->rows.y;
+    const int32_t left = strip->rows.left.x >> 16, left_end = column_below(strip->rows.left, more);
+    const int32_t right = strip->rows.right.x >> 16, right_end = column_below(strip->rows.right, more);
     const int32_t x = ph_max(ph_min(left, left_end), 0), x_end = ph_min(ph_max(right, right_end), strip->width);
     if (x >= x_end || x_end - x > PH_EXACT_RUN) {
         return false;
     }
-    const uint32_t x0 = (uint32_t)x, x1 = (uint32_t)x_end - 1, y0 = (uint32_t)strip->y, y1 = (uint32_t)strip->y_end - 1;
+    const uint32_t x0 = (uint32_t)x, x1 = (uint32_t)x_end - 1, y0 = (uint32_t)strip->rows.y,
+                   y1 = (uint32_t)strip->rows.y_end - 1;
     const uint64_t d = depth_at(e, x0, y0);
     const int octave = octave_of(e, d);
     const struct range range = range_of(e, octave);
@@ -223,7 +224,7 @@ bool ph_exact_rows(const struct ph_triangle *t, const struct ph_exact_strip *str
     }
     const uint32_t x_mid = (x0 + x1) / 2, y_mid = (y0 + y1) / 2; /* there the rounding of the gradients counts least */
     set_run(t, depth_at(e, x_mid, y_mid), octave, x_mid, y_mid, run);
-    set_rows(run, strip->y, strip->y_end, strip->left, strip->right);
+    set_rows(run, strip->rows.y, strip->rows.y_end, strip->rows.left, strip->rows.right);
     return true;
 }
 

@@ -25,8 +25,8 @@ void ph_set_exact(const struct ph_renderer *r, struct ph_triangle *t, const stru
 
 /* Rows y .. y_end - 1 of one half of a triangle, and its edges at row y. */
 struct ph_exact_strip {
-    int32_t y, y_end, width; /* width: of the picture */
-    struct ph_edge left, right;
+    struct ph_half_rows rows;
+    int32_t width; /* of the picture */
 };
 
 /* Makes `run`, a copy of t, these rows, if their depth is in one octave and far from the ends of the range. Else

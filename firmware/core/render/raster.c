@@ -12,6 +12,11 @@
 #include "line.h"
 #include "texture.h"
 
+bool ph_rows_of_half_apart(const struct ph_triangle *t, const struct ph_band *band, int half, struct ph_half_rows *in)
+{
+    return ph_rows_of_half(t, band, half, in);
+}
+
 /* Steps n rows down, which are fewer than the upper ones. */
 static inline void skip_upper_rows(struct ph_small_triangle *r, uint32_t n, uint32_t upper_rows, uint32_t lower_rows)
 {
@@ -115,6 +120,13 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
     return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
 }
 
+uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
+{
+    return t->kind == PH_KIND_TEXTURE   ? ph_draw_textured(t, band)
+           : t->kind == PH_KIND_COLOURS ? ph_draw_colours(t, band)
+                                        : ph_draw_plain(t, band);
+}
+
 uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL) {
@@ -138,13 +150,7 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     if (t->block == PH_BLOCK_EXACT) {
         return ph_draw_exact(t, band);
     }
-    if (t->kind == PH_KIND_TEXTURE) {
-        return ph_draw_textured(t, band);
-    }
-    if (t->kind == PH_KIND_COLOURS) {
-        return ph_draw_colours(t, band);
-    }
-    return ph_draw_plain(t, band);
+    return t->block == PH_BLOCK_NONE && band->coarse != NULL ? ph_draw_unless_hidden(t, band) : ph_draw_large(t, band);
 }
 
 /* Whether a triangle is small and has a plane of codes, with or without a knee. */

@@ -15,6 +15,7 @@ struct ph_place {
 /* Each draws what of a triangle lies in the band, and returns the pixels tested. */
 uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band);       /* row by row */
 uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band);  /* Gouraud, depth of 16 bits */
+uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band); /* neither small nor exact */
 uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band); /* depth takes 64 bits */
 
 /* Draws the rows of r, which crosses octaves. texels: NULL without a texture. */

@@ -1,36 +1,26 @@
 /* Triangles whose depth takes 64 bits, drawn strip by strip, or pixel run by pixel run. See exact.h. */
 #include "raster.h"
 
-#include "colours.h"
 #include "edge.h"
 #include "exact.h"
-#include "texture.h"
-
-/* Draws a run of a triangle whose depth takes 64 bits. */
-static uint32_t draw_exact_run(const struct ph_triangle *run, const struct ph_band *band)
-{
-    return run->kind == PH_KIND_TEXTURE   ? ph_draw_textured(run, band)
-           : run->kind == PH_KIND_COLOURS ? ph_draw_colours(run, band)
-                                          : ph_draw_plain(run, band);
-}
 
 /* Draws the rows of a strip one by one. */
 static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_band *band, const struct ph_band *rows,
                                 struct ph_triangle *run)
 {
-    int32_t y, y_end;
-    struct ph_edge left, right;
+    struct ph_half_rows in;
     uint32_t count = 0;
     const struct ph_band in_band = {
-        NULL, NULL, false, rows->y0 > band->y0 ? rows->y0 : band->y0, rows->y1 < band->y1 ? rows->y1 : band->y1, 0};
-    if (!ph_half_rows(t, &in_band, rows->y0 >= t->y_mid, &y, &y_end, &left, &right)) {
+        NULL, NULL, false, rows->y0 > band->y0 ? rows->y0 : band->y0, rows->y1 < band->y1 ? rows->y1 : band->y1,
+        0,    NULL};
+    if (!ph_rows_of_half_apart(t, &in_band, rows->y0 >= t->y_mid, &in)) {
         return 0;
     }
-    for (; y < y_end; y++) {
+    for (; in.y < in.y_end; in.y++) {
         int32_t x, to;
-        for (ph_next_row(&left, &right, band->width, &x, &to); x < to;) {
-            x += ph_exact_run(t, x, to, y, run);
-            count += draw_exact_run(run, band);
+        for (ph_next_row(&in.left, &in.right, band->width, &x, &to); x < to;) {
+            x += ph_exact_run(t, x, to, in.y, run);
+            count += ph_draw_large(run, band);
         }
     }
     return count;
@@ -41,15 +31,15 @@ uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_triangle run = *t;
     run.shades = t->depth; /* see triangle.h */
-    struct ph_band rows = {NULL, NULL, false, band->y0 & ~(PH_EXACT_ROWS - 1), 0, 0};
+    struct ph_band rows = {NULL, NULL, false, band->y0 & ~(PH_EXACT_ROWS - 1), 0, 0, NULL};
     uint32_t count = 0;
     for (rows.y0 = rows.y0 > t->y_top ? rows.y0 : t->y_top; rows.y0 < t->y_bottom && rows.y0 < band->y1;
          rows.y0 = rows.y1) {
         const int32_t half_end = rows.y0 < t->y_mid ? t->y_mid : t->y_bottom, end = (rows.y0 | (PH_EXACT_ROWS - 1)) + 1;
         struct ph_exact_strip strip = {.width = band->width};
         rows.y1 = end < half_end ? end : half_end;
-        ph_half_rows(t, &rows, rows.y0 >= t->y_mid, &strip.y, &strip.y_end, &strip.left, &strip.right);
-        count += ph_exact_rows(t, &strip, &run) ? draw_exact_run(&run, band) : draw_exact_rows(t, band, &rows, &run);
+        ph_rows_of_half_apart(t, &rows, rows.y0 >= t->y_mid, &strip.rows);
+        count += ph_exact_rows(t, &strip, &run) ? ph_draw_large(&run, band) : draw_exact_rows(t, band, &rows, &run);
     }
     return count;
 }

@@ -208,18 +208,17 @@ uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
     r.glight = light->gx;
     r.light_dy = light->gy;
     for (int half = 0; half < 2; half++) {
-        int32_t y, y_end;
-        struct ph_edge left, right;
-        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
-            const uint32_t width = (uint32_t)band->width, start = (uint32_t)(y - band->y0) * width;
-            r.left = (uint32_t)left.x;
-            r.left_dx = (uint32_t)left.dx;
-            r.right = (uint32_t)right.x;
-            r.right_dx = (uint32_t)right.dx;
-            r.d = depth->base + (uint32_t)y * depth->gy;
-            r.light = light->base + (uint32_t)y * light->gy;
+        struct ph_half_rows in;
+        if (ph_rows_of_half(t, band, half, &in)) {
+            const uint32_t width = (uint32_t)band->width, start = (uint32_t)(in.y - band->y0) * width;
+            r.left = (uint32_t)in.left.x;
+            r.left_dx = (uint32_t)in.left.dx;
+            r.right = (uint32_t)in.right.x;
+            r.right_dx = (uint32_t)in.right.dx;
+            r.d = depth->base + (uint32_t)in.y * depth->gy;
+            r.light = light->base + (uint32_t)in.y * light->gy;
             const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, width, true};
-            count += draw_wide_rows(t, &r, at, (uint32_t)(y_end - y));
+            count += draw_wide_rows(t, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }
     return count;

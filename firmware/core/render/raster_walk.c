@@ -71,16 +71,15 @@ static PH_NOINLINE void draw_row(const struct ph_triangle *t, bool depth24, stru
     draw_run(t, depth24, &run, octave->slope);
 }
 
-/* Draws rows y .. y_end - 1 between two edges, which are given at row y. Returns the number of pixels. */
-static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
-                          struct ph_edge left, struct ph_edge right)
+/* Draws rows of a half. Returns the number of pixels. */
+static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
-    uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width, d = t->depth.base + (uint32_t)y * t->depth.gy;
-    uint32_t light = t->attribute[0].base + (uint32_t)y * t->attribute[0].gy, count = 0;
+    uint32_t at = (uint32_t)(in.y - band->y0) * (uint32_t)band->width, d = t->depth.base + (uint32_t)in.y * t->depth.gy;
+    uint32_t light = t->attribute[0].base + (uint32_t)in.y * t->attribute[0].gy, count = 0;
     struct ph_octave octave = {0};
-    for (; y < y_end; y++) {
+    for (; in.y < in.y_end; in.y++) {
         int32_t from, to;
-        if (ph_next_row(&left, &right, band->width, &from, &to)) {
+        if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
             const uint32_t x = (uint32_t)from, n = (uint32_t)(to - from);
             const struct row row = {band->pixels + at + x, ph_depth_from(band->depth, at + x, band->depth24), n,
                                     d + x * t->depth.gx, light + x * t->attribute[0].gx};
@@ -99,16 +98,15 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
 }
 
 /* The same for one colour and depth codes of 16 bits that are linear along all of the triangle. */
-static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, int32_t y, int32_t y_end,
-                               struct ph_edge left, struct ph_edge right)
+static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
     const int32_t width = band->width;
-    const uint32_t start = (uint32_t)(y - band->y0) * (uint32_t)width, gd = t->depth.gx, d_dy = t->depth.gy;
+    const uint32_t start = (uint32_t)(in.y - band->y0) * (uint32_t)width, gd = t->depth.gx, d_dy = t->depth.gy;
     uint16_t *pixels = band->pixels + start, *depth = (uint16_t *)band->depth + start;
-    uint32_t d = t->depth.base + (uint32_t)y * d_dy, count = 0;
-    for (int32_t rows = y_end - y; rows > 0; rows--) {
+    uint32_t d = t->depth.base + (uint32_t)in.y * d_dy, count = 0;
+    for (int32_t rows = in.y_end - in.y; rows > 0; rows--) {
         int32_t from, to;
-        if (ph_next_row(&left, &right, width, &from, &to)) {
+        if (ph_next_row(&in.left, &in.right, width, &from, &to)) {
             const uint32_t n = (uint32_t)(to - from);
             ph_span_flat(pixels + from, depth + from, n, d + (uint32_t)from * gd, gd, t->colour);
             count += n;
@@ -126,10 +124,9 @@ uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
         t->block == PH_BLOCK_NONE && !band->depth24 && t->kind == PH_KIND_FLAT; /* else draw_row decides */
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
-        int32_t y, y_end;
-        struct ph_edge left, right;
-        if (ph_half_rows(t, band, half, &y, &y_end, &left, &right)) {
-            count += flat ? walk_flat_rows(t, band, y, y_end, left, right) : walk_rows(t, band, y, y_end, left, right);
+        struct ph_half_rows in;
+        if (ph_rows_of_half_apart(t, band, half, &in)) {
+            count += flat ? walk_flat_rows(t, band, in) : walk_rows(t, band, in);
         }
     }
     return count;

@@ -111,12 +111,6 @@ static inline bool small_depths(const struct ph_setting *s, const struct ph_vert
     return ((d[0] ^ d[1]) | (d[0] ^ d[2])) >> 31 == 0;
 }
 
-/* An edge so many rows further down. */
-static struct ph_edge edge_below(struct ph_edge edge, int32_t rows)
-{
-    return (struct ph_edge){(int32_t)((uint32_t)edge.x + (uint32_t)rows * (uint32_t)edge.dx), edge.dx};
-}
-
 /* Whether rows between two edges, which are given at the first of them, lie between all pixel centres. */
 static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t rows)
 {
@@ -124,8 +118,8 @@ static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t ro
         if (left.x >> 16 < right.x >> 16) {
             return false;
         }
-        left = edge_below(left, 1);
-        right = edge_below(right, 1);
+        left = ph_edge_below(left, 1);
+        right = ph_edge_below(right, 1);
     }
     return true;
 }
@@ -134,7 +128,7 @@ static bool rows_are_empty(struct ph_edge left, struct ph_edge right, int32_t ro
 static bool is_empty(const struct ph_triangle *t)
 {
     const int32_t upper = t->y_mid - t->y_top, lower = t->y_bottom - t->y_mid;
-    const struct ph_edge below = edge_below(t->long_edge, upper);
+    const struct ph_edge below = ph_edge_below(t->long_edge, upper);
     return t->long_left ? rows_are_empty(t->long_edge, t->upper, upper) && rows_are_empty(below, t->lower, lower)
                         : rows_are_empty(t->upper, t->long_edge, upper) && rows_are_empty(t->lower, below, lower);
 }
@@ -144,8 +138,8 @@ static bool small_is_empty(const struct ph_small_triangle *s)
     const struct ph_edge left = {(int32_t)s->left, (int32_t)s->left_dx};
     const struct ph_edge right = {(int32_t)s->right, (int32_t)s->right_dx};
     return rows_are_empty(left, right, s->upper_rows) &&
-           (s->lower_is_right ? rows_are_empty(edge_below(left, s->upper_rows), s->lower, s->lower_rows)
-                              : rows_are_empty(s->lower, edge_below(right, s->upper_rows), s->lower_rows));
+           (s->lower_is_right ? rows_are_empty(ph_edge_below(left, s->upper_rows), s->lower, s->lower_rows)
+                              : rows_are_empty(s->lower, ph_edge_below(right, s->upper_rows), s->lower_rows));
 }
 
 /* Sets the depth that ph_setup_small left out, or that crosses octaves. False if 32 bits do not do. */

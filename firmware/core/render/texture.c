@@ -98,18 +98,17 @@ static void draw_half(const struct ph_tile_kind *k, const struct ph_band *rows, 
                       struct ph_texel_rows *r)
 {
     const struct ph_triangle *const t = k->triangle;
-    int32_t from, to;
-    struct ph_edge left, right;
+    struct ph_half_rows in;
     struct ph_tile_depth depth;
-    if (!ph_half_rows(t, rows, half, &from, &to, &left, &right)) {
+    if (!ph_rows_of_half(t, rows, half, &in)) {
         return;
     }
-    const uint32_t row = (uint32_t)from - tile->y;
-    r->left = (uint32_t)left.x - (tile->x << 16);
-    r->left_dx = (uint32_t)left.dx;
-    r->right = (uint32_t)right.x - (tile->x << 16);
-    r->right_dx = (uint32_t)right.dx;
-    r->rows = (uint32_t)(to - from);
+    const uint32_t row = (uint32_t)in.y - tile->y;
+    r->left = (uint32_t)in.left.x - (tile->x << 16);
+    r->left_dx = (uint32_t)in.left.dx;
+    r->right = (uint32_t)in.right.x - (tile->x << 16);
+    r->right_dx = (uint32_t)in.right.dx;
+    r->rows = (uint32_t)(in.y_end - in.y);
     if (k->plain && t->block == PH_BLOCK_NONE) {
         ph_draw_plain_rows(k, r);
     } else if (k->plain && ((t->depth.base | t->depth.gx | t->depth.gy) & 7) == 0 && ph_tile_octaves(t, tile, &depth)) {
@@ -125,7 +124,8 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
 {
     const int32_t y = (int32_t)tile->y, y1 = y + (1 << tile->height_log2);
     const int32_t top = y > t->y_top ? y : t->y_top;
-    const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1, 0};
+    const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1,
+                                 0,    NULL};
     const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
     const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
     struct ph_tile_kind k;
@@ -193,31 +193,30 @@ static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, u
 /* Finds columns and least 1/w of the rows of a strip. */
 static void measure_strip(const struct ph_triangle *t, int32_t width, struct strip *strip)
 {
-    const struct ph_band rows = {NULL, NULL, false, (int32_t)strip->y, (int32_t)strip->y_end, 0};
+    const struct ph_band rows = {NULL, NULL, false, (int32_t)strip->y, (int32_t)strip->y_end, 0, NULL};
     strip->x = width;
     strip->x_end = 0;
     strip->least_w = UINT32_MAX;
     for (int half = 0; half < 2; half++) {
-        int32_t y, y_end;
-        struct ph_edge left, right;
-        if (!ph_half_rows(t, &rows, half, &y, &y_end, &left, &right)) {
+        struct ph_half_rows in;
+        if (!ph_rows_of_half(t, &rows, half, &in)) {
             continue;
         }
         for (int end = 0; end < 2; end++) {
-            const int32_t from = (int32_t)ph_from_column((uint32_t)left.x);
-            const int32_t to = (int32_t)ph_to_column((uint32_t)right.x, (uint32_t)width);
+            const int32_t from = (int32_t)ph_from_column((uint32_t)in.left.x);
+            const int32_t to = (int32_t)ph_to_column((uint32_t)in.right.x, (uint32_t)width);
             strip->x = from < strip->x ? from : strip->x;
             strip->x_end = to > strip->x_end ? to : strip->x_end;
             if (from < to) {
-                const uint32_t w0 = ph_plane_at(ph_over_w(t), (uint32_t)from, (uint32_t)y);
-                const uint32_t w1 = ph_plane_at(ph_over_w(t), (uint32_t)to - 1, (uint32_t)y);
+                const uint32_t w0 = ph_plane_at(ph_over_w(t), (uint32_t)from, (uint32_t)in.y);
+                const uint32_t w1 = ph_plane_at(ph_over_w(t), (uint32_t)to - 1, (uint32_t)in.y);
                 strip->least_w = w0 < strip->least_w ? w0 : strip->least_w;
                 strip->least_w = w1 < strip->least_w ? w1 : strip->least_w;
             }
-            const int32_t more = y_end - 1 - y;
-            ph_edge_step(&left, more);
-            ph_edge_step(&right, more);
-            y = y_end - 1;
+            const int32_t more = in.y_end - 1 - in.y;
+            ph_edge_step(&in.left, more);
+            ph_edge_step(&in.right, more);
+            in.y = in.y_end - 1;
         }
     }
 }

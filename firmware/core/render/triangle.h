@@ -10,6 +10,12 @@ struct ph_edge {
     int32_t x, dx;
 };
 
+/* Rows y .. y_end - 1 between two edges, which are given at row y. */
+struct ph_half_rows {
+    int32_t y, y_end;
+    struct ph_edge left, right;
+};
+
 /* A line, which is walked along its longer axis. */
 struct ph_line {
     int32_t across,
