@@ -82,8 +82,8 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
 uint32_t ph_small_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
                           uint32_t stride_bytes);
 
-/* wide_gouraud.c: the same for the upper rows of any triangle, of which there are no lower ones and at most
- * PH_WIDE_ROWS. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
+/* wide_gouraud.c: the same for at most PH_WIDE_ROWS rows of any triangle, or for one whose sides are below
+ * PH_SIDE_SHORT. Its rows are cut to the picture; they may be longer than PH_SMALL_COLUMNS. */
 #define PH_WIDE_ROWS 16
 uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes);

@@ -100,6 +100,18 @@ static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct
     return ph_draw_rows_split(t, &r, at, NULL);
 }
 
+/* Draws a triangle that is small but for its long rows. */
+static PH_NOINLINE uint32_t draw_wide(const struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_small_triangle r = t->small;
+    struct ph_place at = cut_rows(t, band, &r);
+    if (t->block != PH_BLOCK_NONE) {
+        at.wide = true;
+        return ph_draw_rows_split(t, &r, at, NULL);
+    }
+    return ph_wide_gouraud(&r, at.depth, at.pixels, 2 * at.stride);
+}
+
 /* Draws a small textured triangle that crosses octaves. */
 static PH_NOINLINE uint32_t draw_split_texture(const struct ph_triangle *t, const struct ph_band *band)
 {
@@ -143,6 +155,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     }
     if (t->kind == PH_KIND_SMALL_SPLIT) {
         return draw_split(t, band);
+    }
+    if (t->kind == PH_KIND_SMALL_WIDE) {
+        return draw_wide(t, band);
     }
     if (t->kind >= PH_KIND_LINE) {
         return ph_draw_line_rows(t, band);

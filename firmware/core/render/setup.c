@@ -82,15 +82,21 @@ static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
-/* Whether a triangle that is not small can be drawn as one, because it is as narrow and has short sides. */
-static PH_NOINLINE bool is_narrow(const struct ph_setting *s, const struct ph_sides *sides,
-                                  const struct ph_vertex *const v[3])
+/* What a triangle that is not small is drawn as, because it has short sides and keeps off the borders. */
+enum reach { FAR, WIDE, NARROW }; /* narrow: as narrow as a small one */
+
+static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct ph_sides *sides,
+                                       const struct ph_vertex *const v[3])
 {
     const uint32_t dx1 = (uint32_t)sides->dx1, dx2 = (uint32_t)sides->dx2, dy = (uint32_t)(sides->dy2 - sides->dy1);
-    return s->takes_narrow && sides->is_short && dy + PH_SIDE_SHORT < 2 * PH_SIDE_SHORT &&
-           ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL &&
-           is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) &&
-           is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height);
+    if (!s->takes_narrow || !sides->is_short ||
+        ((dy + PH_SIDE_SHORT) | (dx2 - dx1 + PH_SIDE_SHORT)) >= 2 * PH_SIDE_SHORT ||
+        !is_between(v[0]->x, v[1]->x, v[2]->x, s->r->config.width) ||
+        !is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
+        return FAR;
+    }
+    return ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL ? NARROW
+                                                                                                             : WIDE;
 }
 
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
@@ -252,9 +258,11 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
                         const struct ph_sides *sides, enum ph_small_setup done, struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
-    const bool small = done == PH_SMALL_STEEP || (ph_sides_are_small(sides) && is_inside(r, v));
+    const bool as_small = done == PH_SMALL_STEEP || (ph_sides_are_small(sides) && is_inside(r, v));
+    const enum reach reach = as_small ? NARROW : reach_of(s, sides, v);
+    const bool small = as_small || (r->fine != 0 && reach != FAR); /* in all shadings its depth is set up as there */
     uint32_t d[3];
-    if (!s->is_small || (!small && !is_narrow(s, sides, v))) {
+    if (!s->is_small || reach == FAR || (reach == WIDE && s->shading == PH_SHADE_TEXTURE)) {
         setup_other(s, v, uv, sides, small, t);
         return;
     }
@@ -282,7 +290,9 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             set_texture_knee(t, d);
         }
     } else {
-        if (t->block != PH_BLOCK_NONE) {
+        if (reach == WIDE) {
+            t->kind = PH_KIND_SMALL_WIDE;
+        } else if (t->block != PH_BLOCK_NONE) {
             t->kind = PH_KIND_SMALL_SPLIT;
             ph_set_knee(t, d);
         }

@@ -279,6 +279,12 @@ static uint32_t try_wide(uint32_t h)
     r.gd = below(1 << 22);
     r.glight = bits() >> 6;
     r.upper_rows = (uint16_t)(1 + below(PH_WIDE_ROWS));
+    if (below(2) > 0) { /* a lower edge takes over */
+        r.lower_rows = (uint16_t)below(PH_WIDE_ROWS + 1 - r.upper_rows);
+        r.lower_is_right = below(2);
+        r.lower.x = (int32_t)(below((uint32_t)1 << log2) - ((uint32_t)1 << log2 >> 1));
+        r.lower.dx = (int32_t)(below(1 << 20) - (1 << 19));
+    }
     const uint32_t at = below(16), pixels_at = below(16);
     return word(h, ph_wide_gouraud(&r, depth + at, pixels + pixels_at, 2 * (40 + below(60))));
 }

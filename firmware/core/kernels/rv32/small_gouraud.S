@@ -113,7 +113,6 @@ below:
     add a1, a1, a3
     add a2, a2, a3
     bne a1, s8, row
-#ifndef WITH_BLOCKS
     beqz a0, done // the lower edge has taken over
     lhu t0, small_lower_rows(a0)
     beqz t0, done
@@ -129,7 +128,6 @@ below:
 1:  mv a5, t1
     mv s1, t2
     j row
-#endif
 done:
     mv a0, s7
     restore 48, SAVED

@@ -7,19 +7,26 @@ uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, 
 {
     const uint32_t width = stride_bytes / 2;
     const struct gouraud8 g = {steps8_of(rows->gd), steps8_of(rows->glight), rows->ramp};
-    uint32_t left = rows->left, right = rows->right, d = rows->d, light = rows->light, count = 0;
-    for (uint32_t n = rows->upper_rows; n > 0; n--) {
-        const uint32_t from = ph_from_column(left), columns = ph_to_column(right, width) - from;
-        if ((int32_t)columns > 0) {
-            gouraud8_row(&g, pixels + from, depth + from, columns, d + g.d.one * from, light + g.light.one * from);
-            count += columns;
+    struct ph_small_triangle r = *rows;
+    uint32_t count = 0;
+    for (; r.upper_rows > 0; ph_small_lower(&r)) {
+        uint32_t left = r.left, right = r.right;
+        for (uint32_t n = r.upper_rows; n > 0; n--) {
+            const uint32_t from = ph_from_column(left), columns = ph_to_column(right, width) - from;
+            if ((int32_t)columns > 0) {
+                gouraud8_row(&g, pixels + from, depth + from, columns, r.d + g.d.one * from,
+                             r.light + g.light.one * from);
+                count += columns;
+            }
+            left += r.left_dx;
+            right += r.right_dx;
+            r.d += r.d_dy;
+            r.light += r.light_dy;
+            depth = ph_row_below(depth, stride_bytes);
+            pixels = ph_row_below(pixels, stride_bytes);
         }
-        left += rows->left_dx;
-        right += rows->right_dx;
-        d += rows->d_dy;
-        light += rows->light_dy;
-        depth = ph_row_below(depth, stride_bytes);
-        pixels = ph_row_below(pixels, stride_bytes);
+        r.left = left;
+        r.right = right;
     }
     return count;
 }
