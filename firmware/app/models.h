@@ -73,6 +73,15 @@ struct model_point {
 int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct model_point *profile, uint32_t points,
                 uint32_t sides, uint32_t stripes, const struct ph_material *materials);
 
+/* Only the first `seen` (1 .. sides - 1) sides of it, which begin at +x and go on over -z, in one material (not
+ * copied). */
+#define MODEL_LATHE_ARC_VERTICES(seen, points) (((seen) + 1) * (points))
+#define MODEL_LATHE_ARC_BYTES(seen, points)                                                                            \
+    (MODEL_BYTES(MODEL_LATHE_ARC_VERTICES(seen, points), 2 * (seen) * ((points)-1)) +                                  \
+     MODEL_ROUND8(sizeof(struct ph_part)))
+int model_lathe_arc(struct demo_arena *arena, struct ph_mesh *mesh, const struct model_point *profile, uint32_t points,
+                    uint32_t sides, uint32_t seen, const struct ph_material *material);
+
 /*
  * Newell's teapot from its Bezier patches, each divided into segments x segments quads (2 .. 8). The axis of the pot is
  * the y axis, with the lid's top at .63 and the bottom at -.63. The spout points along +x. All is within 1.42 of the

@@ -274,7 +274,7 @@ const struct demo demo_icosphere = {
 
 static const struct demo_level ground_coarser = {DEMO_ARENA(GROUND_BYTES(16), 8640),
                                                  .vertex_max = MODEL_GROUND_VERTICES(16), .triangle_max = 320,
-                                                 .corner_max = 160};
+                                                 .corner_max = 160, .enough_px = 135};
 
 const struct demo demo_ground = {
     .name = "ground",

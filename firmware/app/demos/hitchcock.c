@@ -22,6 +22,13 @@
 #define FURTHEST      FX_INT(18)       /* 11 degrees */
 #define EYE_HEIGHT    (FX_ONE * 6 / 5)
 #define TOP_SIDES     16
+#define TOP_KIT       12 /* sides of the top and of columns where the picture is small */
+#define COLUMN_KIT    6
+#define FAR_SIDES     5 /* there: of the columns behind NEAR_PAIRS, and how many of them the camera sees */
+#define FAR_SEEN      2
+#define NEAR_PAIRS    1
+#define LEFT_TURN     2576980378u /* 3/5 and 1/2 of a turn: the seen sides face the camera */
+#define RIGHT_TURN    2147483648u
 #define TOP_FEW       8 /* sides, columns' sides and cells where memory is small */
 #define COLUMN_FEW    4
 #define CELLS_FEW     7
@@ -67,24 +74,40 @@ static const struct model_point column_profile[COLUMN_POINTS] = {
 };
 
 struct hitchcock {
-    struct ph_mesh top, column, floor;
+    struct ph_mesh top, column, far_column, floor;
     fx_t floor_scale;
+    int32_t near_pairs;
     int32_t pairs; /* of columns in zoom */
     struct ph_material stripes[TOP_STRIPES], stone, tiles[2];
     uint16_t ramps[TOP_STRIPES + 1][PH_RAMP_SIZE];
+};
+
+/* How finely a scene is modelled. */
+struct fineness {
+    uint8_t top, column, cells; /* sides; the floor has cells x cells cells */
+    uint8_t near_pairs;         /* of columns; those behind them have FAR_SIDES sides */
+    uint8_t zoom_pairs;
 };
 
 #define ARENA(sides, column, cells)                                                                                    \
     (MODEL_ROUND8(sizeof(struct hitchcock)) + MODEL_LATHE_BYTES(sides, TOP_POINTS, TOP_STRIPES) +                      \
      MODEL_LATHE_BYTES(column, COLUMN_POINTS, 1) + MODEL_FLOOR_BYTES(cells))
 #define ARENA_FINE ARENA(TOP_SIDES, COLUMN_SIDES, CELLS)
+#define ARENA_KIT  (ARENA(TOP_KIT, COLUMN_KIT, CELLS) + MODEL_LATHE_ARC_BYTES(FAR_SEEN, COLUMN_POINTS))
 #define ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, CELLS_FEW)
 
 #define ZOOM_ARENA_FINE ARENA(TOP_SIDES, COLUMN_SIDES, 2)
 #define ZOOM_ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, 2)
 
-/* The floor has cells x cells cells. */
-static int make_scene(struct demo_context *context, bool fine, uint32_t cells)
+static int make_columns(struct demo_arena *arena, struct hitchcock *h, const struct fineness *f)
+{
+    const int status = model_lathe(arena, &h->column, column_profile, COLUMN_POINTS, f->column, 1, &h->stone);
+    return status != PH_OK || f->near_pairs == PAIRS
+               ? status
+               : model_lathe_arc(arena, &h->far_column, column_profile, COLUMN_POINTS, FAR_SIDES, FAR_SEEN, &h->stone);
+}
+
+static int make_scene(struct demo_context *context, const struct fineness *f)
 {
     static const uint8_t colours[TOP_STRIPES][3] = {{235, 60, 50}, {250, 200, 60}, {60, 130, 230}, {245, 240, 225}};
     struct demo_arena *const arena = &context->arena;
@@ -98,22 +121,24 @@ static int make_scene(struct demo_context *context, bool fine, uint32_t cells)
     h->stone = demo_lit(h->ramps[TOP_STRIPES], PH_SHADE_GOURAUD, 225, 205, 175);
     h->tiles[0] = demo_unlit(92, 72, 78);
     h->tiles[1] = demo_unlit(140, 112, 104);
-    h->floor_scale = fine ? FLOOR_SCALE : FLOOR_SCALE * CELLS / CELLS_FEW;
-    h->pairs = fine ? ZOOM_PAIRS : ZOOM_FEW;
+    h->floor_scale = f->cells == CELLS_FEW ? FLOOR_SCALE * CELLS / CELLS_FEW : FLOOR_SCALE;
+    h->near_pairs = f->near_pairs;
+    h->pairs = f->zoom_pairs;
     context->state = h;
-    if (model_lathe(arena, &h->top, top_profile, TOP_POINTS, fine ? TOP_SIDES : TOP_FEW, TOP_STRIPES, h->stripes) !=
-            PH_OK ||
-        model_lathe(arena, &h->column, column_profile, COLUMN_POINTS, fine ? COLUMN_SIDES : COLUMN_FEW, 1, &h->stone) !=
-            PH_OK) {
+    if (model_lathe(arena, &h->top, top_profile, TOP_POINTS, f->top, TOP_STRIPES, h->stripes) != PH_OK ||
+        make_columns(arena, h, f) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    return model_floor(arena, &h->floor, cells, h->tiles);
+    return model_floor(arena, &h->floor, f->cells, h->tiles);
 }
 
 static int hitchcock_init(struct demo_context *context)
 {
-    const bool fine = context->arena.size >= ARENA_FINE;
-    return make_scene(context, fine, fine ? CELLS : CELLS_FEW);
+    static const struct fineness fine = {TOP_SIDES, COLUMN_SIDES, CELLS, PAIRS, 0},
+                                 kit = {TOP_KIT, COLUMN_KIT, CELLS, NEAR_PAIRS, 0},
+                                 few = {TOP_FEW, COLUMN_FEW, CELLS_FEW, PAIRS, 0};
+    const size_t size = context->arena.size;
+    return make_scene(context, size >= ARENA_FINE ? &fine : size >= ARENA_KIT ? &kit : &few);
 }
 
 /* The camera's distance: it starts near, rolls away and comes back. */
@@ -148,30 +173,37 @@ static int hitchcock_frame(struct demo_context *context, struct ph_renderer *r, 
     int status = hitchcock_camera(context, r, frame);
     status = status == PH_OK ? ph_draw_mesh(r, &h->top, &spin) : status;
     for (int32_t i = 0; i < 2 * PAIRS && status == PH_OK; i++) {
-        const fx_t x = (i & 1 ? FX_ONE : -FX_ONE) * 17 / 10;
-        const struct ph_xform place = ph_xform_translate(x, 0, (i >> 1) * (FX_ONE * -5 / 2) - FX_ONE);
-        status = ph_draw_mesh(r, &h->column, &place);
+        const bool near = i >> 1 < h->near_pairs;
+        struct ph_xform place = near ? ph_xform_identity : ph_xform_rotate_y(i & 1 ? RIGHT_TURN : LEFT_TURN);
+        place.t = (struct fx_vec3){(i & 1 ? FX_ONE : -FX_ONE) * 17 / 10, 0, (i >> 1) * (FX_ONE * -5 / 2) - FX_ONE};
+        status = ph_draw_mesh(r, near ? &h->column : &h->far_column, &place);
     }
     struct ph_xform below = ph_xform_scale(h->floor_scale);
     below.t.z = FLOOR_MIDDLE;
     return status ? status : ph_draw_mesh(r, &h->floor, &below);
 }
 
-#define VERTICES(sides, column, cells)                                                                                 \
+#define VERTICES(sides, column, far, cells)                                                                            \
     (MODEL_GROUND_VERTICES(cells) + MODEL_LATHE_VERTICES(sides, TOP_POINTS) +                                          \
-     2 * PAIRS * MODEL_LATHE_VERTICES(column, COLUMN_POINTS))
+     2 * (PAIRS - (far)) * MODEL_LATHE_VERTICES(column, COLUMN_POINTS) +                                               \
+     2 * (far)*MODEL_LATHE_ARC_VERTICES(FAR_SEEN, COLUMN_POINTS))
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 14104), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS), .triangle_max = 848},
-    {DEMO_ARENA(ARENA_FEW, 6464), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, CELLS_FEW), .triangle_max = 440},
+    {DEMO_ARENA(ARENA_FINE, 14160), .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, 0, CELLS), .triangle_max = 848,
+     .enough_px = 135},
+    {DEMO_ARENA(ARENA_KIT, 13288), .vertex_max = VERTICES(TOP_KIT, COLUMN_KIT, PAIRS - NEAR_PAIRS, CELLS),
+     .triangle_max = 620, .enough_px = 135},
+    {DEMO_ARENA(ARENA_FEW, 6520), .vertex_max = VERTICES(TOP_FEW, COLUMN_FEW, 0, CELLS_FEW), .triangle_max = 440},
 };
 
 /* ---- zoom ------------------------------------------------------------------------------------------------------ */
 
 static int zoom_init(struct demo_context *context)
 {
-    return make_scene(context, context->arena.size >= ZOOM_ARENA_FINE, 2);
+    static const struct fineness fine = {TOP_SIDES, COLUMN_SIDES, 2, PAIRS, ZOOM_PAIRS},
+                                 few = {TOP_FEW, COLUMN_FEW, 2, PAIRS, ZOOM_FEW};
+    return make_scene(context, context->arena.size >= ZOOM_ARENA_FINE ? &fine : &few);
 }
 
 struct shot {
@@ -241,13 +273,13 @@ static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, u
     (2 * (9 * WALK + MODEL_LATHE_VERTICES(sides, TOP_POINTS) + 2 * (pairs)*MODEL_LATHE_VERTICES(column, COLUMN_POINTS)))
 
 static const struct demo_level zoom_coarser = {
-    DEMO_ARENA(ZOOM_ARENA_FEW, 4936), .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520};
+    DEMO_ARENA(ZOOM_ARENA_FEW, 4992), .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520};
 
 const struct demo demo_zoom = {
     .name = "zoom",
     .summary = "zoom beside dolly: the same size of the top, another perspective",
     .loop_frames = ZOOM_LOOP,
-    DEMO_ARENA(ZOOM_ARENA_FINE, 7912),
+    DEMO_ARENA(ZOOM_ARENA_FINE, 7968),
     .vertex_max = ZOOM_VERTICES(TOP_SIDES, COLUMN_SIDES, ZOOM_PAIRS),
     .triangle_max = 1400,
     .coarser = &zoom_coarser,
@@ -261,8 +293,8 @@ const struct demo demo_hitchcock = {
     .name = "hitchcock",
     .summary = "dolly out, zoom in: the top keeps its size, the columns behind it do not",
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 14104),
-    .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, CELLS),
+    DEMO_ARENA(ARENA_FINE, 14160),
+    .vertex_max = VERTICES(TOP_SIDES, COLUMN_SIDES, 0, CELLS),
     .triangle_max = 1000,
     .corner_max = 40,
     .coarser = coarser,

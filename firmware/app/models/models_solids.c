@@ -77,10 +77,11 @@ static struct fx_vec3 ring_normal(const struct model_point *profile, uint32_t po
     return mean;
 }
 
-static void lathe_ring(struct model_build *build, uint32_t first, uint32_t sides, struct model_point at,
+/* The first n of a ring's vertices. */
+static void lathe_ring(struct model_build *build, uint32_t first, uint32_t n, uint32_t sides, struct model_point at,
                        struct fx_vec3 normal)
 {
-    for (uint32_t k = 0; k < sides; k++) {
+    for (uint32_t k = 0; k < n; k++) {
         const fx_t turns = (fx_t)((k * 65536 + sides / 2) / sides), c = fx_cos(turns), s = fx_sin(turns);
         build->positions[first + k] = (struct fx_vec3){fx_mul_sat(at.radius, c), at.y, -fx_mul_sat(at.radius, s)};
         build->normals[first + k][0] = model_q14(fx_mul_sat(normal.x, c));
@@ -101,7 +102,7 @@ int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct mod
         return PH_ERR_NOMEM;
     }
     for (uint32_t i = 0; i < points; i++) {
-        lathe_ring(&build, i * sides, sides, profile[i], ring_normal(profile, points, i));
+        lathe_ring(&build, i * sides, sides, sides, profile[i], ring_normal(profile, points, i));
     }
     for (uint32_t stripe = 0; stripe < stripes; stripe++) {
         parts[stripe] = (struct ph_part){build.triangle_count, 0, (uint16_t)stripe};
@@ -118,4 +119,24 @@ int model_lathe(struct demo_arena *arena, struct ph_mesh *mesh, const struct mod
     mesh->part_count = stripes;
     mesh->materials = materials;
     return PH_OK;
+}
+
+int model_lathe_arc(struct demo_arena *arena, struct ph_mesh *mesh, const struct model_point *profile, uint32_t points,
+                    uint32_t sides, uint32_t seen, const struct ph_material *material)
+{
+    struct model_build build;
+    const uint32_t n = seen + 1;
+    if (points < 2 || points > 64 || sides < 3 || sides > 64 || seen < 1 || seen >= sides) {
+        return PH_ERR_INVAL;
+    }
+    if (model_begin(arena, mesh, &build, n * points, 2 * seen * (points - 1)) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < points; i++) {
+        lathe_ring(&build, i * n, n, sides, profile[i], ring_normal(profile, points, i));
+        for (uint32_t k = i * n; i + 1 < points && k < i * n + seen; k++) {
+            model_quad(&build, k, k + 1, k + 1 + n, k + n);
+        }
+    }
+    return model_material(arena, mesh, material);
 }

@@ -76,6 +76,13 @@ struct pixel_gradient {
     int32_t x, y; /* per pixel */
 };
 
+/* d n, where |d| is below 2^32: one product of 32 bits and what carries. */
+static inline int64_t times_wide(int64_t d, int32_t n)
+{
+    const uint32_t low = (uint32_t)d, carry = (uint32_t)(d >> 32) + (low >> 31); /* -1, 0 or 1 */
+    return fx_mul_wide((int32_t)low, n) + (int64_t)((uint64_t)(carry * (uint32_t)n) << 32);
+}
+
 /*
  * Gradient from the differences d1, d2 (below 2^32) between the second or third corner and the first:
  * x = (d2 dy1 - d1 dy2) / area, y = (d1 dx2 - d2 dx1) / area. For *halved see plane_through below.
@@ -87,7 +94,8 @@ static struct pixel_gradient wide_gradient(const struct plane_base *any, int64_t
         wide_base(&base);
     }
     const struct ph_sides *t = s->sides;
-    const int64_t nx = d2 * t->dy1 - d1 * t->dy2, ny = d1 * t->dx2 - d2 * t->dx1;
+    const int64_t nx = times_wide(d2, t->dy1) - times_wide(d1, t->dy2);
+    const int64_t ny = times_wide(d1, t->dx2) - times_wide(d2, t->dx1);
     const int excess = ph_max(ph_max(bits_of(nx), bits_of(ny)) - 31, 0);
     const int64_t px = fx_mul_wide((int32_t)(nx >> excess), s->reciprocal);
     const int64_t py = fx_mul_wide((int32_t)(ny >> excess), s->reciprocal);
