@@ -92,7 +92,8 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
     const size_t row = r->config.width * ROW_PIXEL(r);
-    uint32_t rows = room_of(r, TRIANGLES) / 16 > ROWS_MOST * row ? ROWS_MOST : 1;
+    const size_t most = room_of(r, TRIANGLES) / 16 / row;
+    const uint32_t rows = most > ROWS_MOST ? ROWS_MOST : most > 0 ? 2 : 1; /* two: so that two cores can draw */
     if (r->rows == 0) {
         r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row);
         r->rows = r->rows_place != PH_NONE ? rows : 0;
