@@ -23,11 +23,15 @@ BEGIN {
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
     rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
-    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|set_up_fresh|draw_share|blur_share)(\\..*)?$"
-    rule("firmware/core/(render|effects)/[a-z]*\\.c:", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
+    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|fog_share|blend_share|set_up_fresh|draw_share|blur_share)(\\..*)?$"
+    rule("firmware/core/(render/(bands\\.c:|cores\\.c:|mesh\\.c:|skin\\.c:|transform\\.c:|fog\\.c:fog_band|blended\\.c:ph_draw_blended)|effects/blur\\.c:)", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
     rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
+    each = "firmware/core/render/mesh\\.c:each_share(\\..*)?$" # core 0 takes it only while the runner waits for a scene
+    rule("firmware/app/runner\\.c:", each)
+    rule("firmware/core/render/mesh\\.c:", each)
     rule("hal/[a-z0-9]+/cores2\\.c:serve$", "firmware/app/runner\\.c:make_ahead$")
+    rule("hal/[a-z0-9]+/cores2\\.c:serve$", each)
     rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$")
     rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_band$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush

@@ -117,7 +117,9 @@ bool port_core_run(void (*run)(void *argument), void *argument)
         return false;
     }
     if (!is_core1()) {
-        port_core_join();
+        if (core1.busy) {
+            (void)pull(); /* it is there: core 1 has returned */
+        }
         core1.busy = true;
         if (!core1.started) {
             start_core1();

@@ -109,19 +109,10 @@ static inline uint32_t draw_beyond(struct ph_triangle ***carry, struct ph_triang
     return ph_draw_above(t, rows);
 }
 
-static void nothing(void *argument)
+/* Whether the other core is free, and there is a row for each. */
+static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 {
-    (void)argument;
-}
-
-/* Whether there is another core, it is free, and there is a row for each. */
-static bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
-{
-    if (r->config.other_core == NULL || rows->y1 - rows->y0 < 2 || !r->config.other_core(nothing, NULL)) {
-        return false;
-    }
-    r->config.other_core_join();
-    return true;
+    return rows->y1 - rows->y0 >= 2 && ph_other_core_is_free(r);
 }
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference

@@ -9,6 +9,7 @@
  * These triangles are in no band's list: each band looks at all of them, and sets up those that it meets.
  */
 #include "blend.h"
+#include "cores.h"
 #include "edge.h"
 #include "fog.h"
 #include "kernels.h"
@@ -20,6 +21,8 @@
 struct overlay {
     struct ph_renderer *r;
     const struct ph_band *band;
+    uint32_t place, rows; /* rows of its own */
+    uint32_t fragments;
     const struct ph_blend *blend;
     struct ph_setting setting, keys; /* of the colours; of the texels that decide */
     struct ph_material key_material;
@@ -137,20 +140,20 @@ static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *row
 static void draw_over(struct overlay *o, const struct ph_triangle *t, const struct ph_triangle *keys,
                       const struct box *box)
 {
-    struct ph_renderer *const r = o->r;
+    const struct ph_renderer *const r = o->r;
     const struct ph_band *const band = o->band;
-    const uint32_t width = (uint32_t)band->width, area = r->rows * width;
-    uint16_t *const colours = ph_at(r, r->rows_place);
+    const uint32_t width = (uint32_t)band->width, area = o->rows * width;
+    uint16_t *const colours = ph_at(r, o->place);
     struct ph_band rows = *band;
     rows.depth = colours + 2 * area;
     for (rows.y0 = box->y0; rows.y0 < box->y1; rows.y0 = rows.y1) {
-        rows.y1 = ph_min(rows.y0 + (int32_t)r->rows, box->y1);
+        rows.y1 = ph_min(rows.y0 + (int32_t)o->rows, box->y1);
         if (keys != NULL) {
             rows.pixels = colours + area;
             draw_rows(keys, &rows, box);
         }
         rows.pixels = colours;
-        r->stats.fragments += draw_rows(t, &rows, box);
+        o->fragments += draw_rows(t, &rows, box);
         for (int32_t y = rows.y0; y < rows.y1; y++) {
             const uint32_t own = (uint32_t)(y - rows.y0) * width + (uint32_t)box->x0;
             const uint32_t at = (uint32_t)(y - band->y0) * width + (uint32_t)box->x0;
@@ -165,7 +168,7 @@ static void draw_over(struct overlay *o, const struct ph_triangle *t, const stru
 /* ---- triangles -------------------------------------------------------------------------------------------------- */
 
 /* Blends a triangle of one colour with one alpha. */
-static void blend_flat(const struct overlay *o, const struct ph_triangle *t)
+static void blend_flat(struct overlay *o, const struct ph_triangle *t)
 {
     const struct ph_band *const band = o->band;
     const uint32_t alpha = o->blend->alpha < 32 ? o->blend->alpha : 32;
@@ -181,7 +184,7 @@ static void blend_flat(const struct overlay *o, const struct ph_triangle *t)
                 const uint32_t at = (uint32_t)(in.y - band->y0) * (uint32_t)band->width + (uint32_t)from;
                 ph_span_blend(band->pixels + at, (const uint16_t *)band->depth + at, (uint32_t)(to - from),
                               ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)in.y), t->depth.gx, source, 32 - alpha);
-                o->r->stats.fragments += (uint32_t)(to - from);
+                o->fragments += (uint32_t)(to - from);
             }
         }
     }
@@ -230,30 +233,88 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
     o->setting.is_small = o->setting.is_small && (o->has_keys || o->setting.shading == PH_SHADE_GOURAUD);
 }
 
-/* Draws the cut-outs and what is multiplied, or what is blended. */
-static void draw_kind(struct overlay *o, bool blends)
+/* Whether a draw is cut out or multiplied, or blended. */
+static bool is_of_kind(const struct ph_draw *draw, bool blends)
 {
-    struct ph_renderer *const r = o->r;
+    const struct ph_blend *const blend = draw->material->blend;
+    return blend != NULL && (blend->kind >= PH_BLEND_ALPHA) == blends;
+}
+
+/* The rows that one core draws, and its rows of its own. */
+struct blend_share {
+    struct ph_renderer *r;
+    struct ph_band band;
+    bool blends;
+    uint32_t place, rows, fragments;
+};
+
+/* Draws the cut-outs and what is multiplied, or what is blended. */
+static void blend_share(void *argument)
+{
+    struct blend_share *const s = argument;
+    struct ph_renderer *const r = s->r;
+    struct overlay o = {.r = r, .band = &s->band, .place = s->place, .rows = s->rows};
     for (uint32_t place = r->list.first; place != PH_NONE;) {
         const struct ph_draw *const draw = ph_at(r, place);
         place = draw->next;
-        if (draw->material->blend == NULL || (draw->material->blend->kind >= PH_BLEND_ALPHA) != blends) {
+        if (!is_of_kind(draw, s->blends)) {
             continue;
         }
         const uint32_t end = place == PH_NONE ? ph_ref_count(r) : ((const struct ph_draw *)ph_at(r, place))->first;
-        begin(o, draw);
+        begin(&o, draw);
         for (uint32_t i = draw->first; i < end; i++) {
-            draw_one(o, ph_ref_at(r, i));
+            draw_one(&o, ph_ref_at(r, i));
         }
     }
+    s->fragments = o.fragments;
+}
+
+/* Whether there are draws of that kind. Sets *one_lens if they have the lens that r has now: else one core draws them,
+ * because it changes that of r. */
+static bool has_kind(const struct ph_renderer *r, bool blends, bool *one_lens)
+{
+    bool any = false;
+    *one_lens = true;
+    for (uint32_t place = r->list.first; place != PH_NONE;) {
+        const struct ph_draw *const draw = ph_at(r, place);
+        const bool is = is_of_kind(draw, blends);
+        any |= is;
+        *one_lens &= !is || draw->lens == r->list.lens;
+        place = draw->next;
+    }
+    return any;
+}
+
+/* Draws what is of one kind, the lower half of the band on the other core if it is free. */
+static void draw_kind(struct ph_renderer *r, const struct ph_band *band, bool blends)
+{
+    bool one_lens;
+    struct blend_share mine = {r, *band, blends, r->rows_place, r->rows, 0};
+    if (!has_kind(r, blends, &one_lens)) {
+        return;
+    }
+    if (!one_lens || r->rows < 2 || band->y1 - band->y0 < 2 || !ph_other_core_is_free(r)) {
+        blend_share(&mine);
+        r->stats.fragments += mine.fragments;
+        return;
+    }
+    struct blend_share others = mine;
+    const uint32_t width = (uint32_t)band->width, half = (uint32_t)(band->y1 - band->y0) / 2;
+    mine.rows = r->rows / 2;
+    others.rows = r->rows - mine.rows;
+    others.place += mine.rows * width * (band->depth24 ? 8 : 6);
+    mine.band.y1 = others.band.y0 = band->y0 + (int32_t)half;
+    others.band.pixels += half * width;
+    others.band.depth = ph_depth_from(band->depth, half * width, band->depth24);
+    ph_run_both(r, blend_share, &mine, &others);
+    r->stats.fragments += mine.fragments + others.fragments;
 }
 
 void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band)
 {
-    struct overlay o = {.r = r, .band = band};
-    draw_kind(&o, false);
+    draw_kind(r, band, false);
     if (r->fog != NULL) {
         r->fog(r, band);
     }
-    draw_kind(&o, true);
+    draw_kind(r, band, true);
 }

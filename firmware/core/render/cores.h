@@ -19,4 +19,7 @@ static inline void ph_run_both(const struct ph_renderer *r, void (*run)(void *ar
     }
 }
 
+/* Whether there is another core, and it is free. */
+bool ph_other_core_is_free(const struct ph_renderer *r);
+
 #endif

@@ -4,6 +4,7 @@
  */
 #include "band.h"
 #include "blend.h"
+#include "cores.h"
 #include "depth.h"
 #include "fog.h"
 #include "planes.h"
@@ -41,23 +42,49 @@ uint32_t ph_fog_share(const uint32_t codes[32], uint32_t code, uint32_t share)
     return share;
 }
 
-/* Fogs the pixels of a band that are not empty. */
-static void fog_band(struct ph_renderer *r, const struct ph_band *band)
+/* Pixels that one core fogs. */
+struct fog_share {
+    const struct ph_renderer *r;
+    uint16_t *pixels;
+    const void *depth;
+    uint32_t n;
+    bool depth24;
+};
+
+/* Fogs the pixels that are not empty. Neighbours mostly have the same share of the fog: it is kept with its codes. */
+static void fog_share(void *argument)
 {
-    const uint32_t n = (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width;
-    const uint32_t *const depth24 = band->depth24 ? band->depth : NULL;
-    const uint16_t *const depth16 = band->depth;
-    uint32_t share = 0;
-    for (uint32_t i = 0; i < n; i++) {
+    const struct fog_share *const s = argument;
+    const uint32_t *const depth24 = s->depth24 ? s->depth : NULL, *const codes = s->r->fog_codes;
+    const uint16_t *const depth16 = s->depth;
+    uint32_t share = 0, below = UINT32_MAX, most = 0; /* below < code <= most */
+    uint32_t left = 0, fog = 0;                       /* the pixel's own part of 32, and the fog's with a half */
+    for (uint32_t i = 0; i < s->n; i++) {
         const uint32_t code = depth24 != NULL ? depth24[i] : depth16[i];
         if (code == 0) {
             continue;
         }
-        share = ph_fog_share(r->fog_codes, code, share);
+        if (code <= below || code > most) {
+            share = ph_fog_share(codes, code, share);
+            below = share < 32 ? codes[share] : 0;
+            most = share > 0 ? codes[share - 1] : UINT32_MAX;
+            left = 32 - share;
+            fog = ph_spread(s->r->fog_of.colour) * share + PH_SPREAD_HALF;
+        }
         if (share > 0) {
-            band->pixels[i] = ph_mix(band->pixels[i], r->fog_of.colour, share);
+            s->pixels[i] = ph_fold((ph_spread(s->pixels[i]) * left + fog) >> 5 & PH_SPREAD);
         }
     }
+}
+
+/* Fogs a band, half of it on the other core. */
+static void fog_band(struct ph_renderer *r, const struct ph_band *band)
+{
+    const uint32_t n = (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width, half = n / 2;
+    struct fog_share mine = {r, band->pixels, band->depth, half, band->depth24};
+    struct fog_share others = {r, band->pixels + half, ph_depth_from(band->depth, half, band->depth24), n - half,
+                               band->depth24};
+    ph_run_both(r, fog_share, &mine, &others);
 }
 
 int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)

@@ -92,7 +92,8 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
     const size_t row = r->config.width * ROW_PIXEL(r);
-    uint32_t rows = room_of(r, TRIANGLES) / 16 > ROWS_MOST * row ? ROWS_MOST : 1;
+    const size_t most = room_of(r, TRIANGLES) / 16 / row;
+    const uint32_t rows = most > ROWS_MOST ? ROWS_MOST : most > 0 ? 2 : 1; /* two: so that two cores can draw */
     if (blend->draw == NULL) {
         return false;
     }
@@ -189,6 +190,90 @@ void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark)
 uint32_t ph_list_base(const struct ph_renderer *r)
 {
     return r->list.last != PH_NONE ? draw_at(r, r->list.last)->base : PH_NONE;
+}
+
+/* ---- two cores -------------------------------------------------------------------------------------------------- */
+
+#define NO_ROOM    0x3fffffffu /* used: nothing is taken from there */
+#define ROOM_LEAST 4096u       /* bytes for what is listed in half of the room */
+
+void *ph_list_lend(struct ph_renderer *r, const struct ph_draw *draw, size_t bytes)
+{
+    const size_t size = sizeof(struct ph_vertex), all = (bytes + size - 1) & ~(size - 1);
+    const uint32_t base = draw->base & NO_ROOM, used = r->list.used[TRIANGLES];
+    const uint32_t from = used + ((base - used) & (uint32_t)(size - 1)), room = (uint32_t)room_of(r, TRIANGLES);
+    if (!is_shared(r) || draw->base >> 30 != TRIANGLES || room < from || (room - base) / size > 65536 ||
+        (room - from) / 2 < all + ROOM_LEAST) {
+        return NULL;
+    }
+    const uint32_t half = (room - from) / 2 & ~(uint32_t)(size - 1);
+    struct ph_lent *const lent = ph_at(r, (uint32_t)TRIANGLES << 30 | (uint32_t)(from + half - all));
+    lent->renderer = *r;
+    lent->stats = r->stats;
+    lent->to = r->list.to;
+    lent->base = base;
+    lent->from = from;
+    lent->half = half;
+    struct ph_list *const theirs = &lent->renderer.list;
+    lent->renderer.stats = (struct ph_stats){0};
+    theirs->top = theirs->to = (struct ph_ref *)(void *)lent;
+    for (int piece = 0; piece < 3; piece++) {
+        lent->used[piece] = r->list.used[piece];
+        theirs->used[piece] = r->list.used[piece] = NO_ROOM;
+    }
+    theirs->used[TRIANGLES] = from;
+    r->list.used[TRIANGLES] = from + half;
+    set_end(&lent->renderer);
+    set_end(r);
+    return lent;
+}
+
+/* Gives corners from that number on numbers that are so much less, in references from `from` down to `to`. */
+static void renumber(struct ph_ref *from, const struct ph_ref *to, uint32_t first, uint32_t less)
+{
+    while (from > to) {
+        from--;
+        for (int i = 0; i < 3; i++) {
+            from->corner[i] = (uint16_t)(from->corner[i] - (from->corner[i] >= first ? less : 0));
+        }
+    }
+}
+
+bool ph_list_take_back(struct ph_renderer *r, const struct ph_lent *lent, const uint32_t counts[], uint32_t n)
+{
+    struct ph_list *const list = &r->list;
+    const struct ph_list *const theirs = &lent->renderer.list;
+    struct ph_ref *const before = lent->to;
+    const uint32_t size = sizeof(struct ph_vertex), from = lent->from, half = lent->half;
+    const uint32_t corners = (list->used[TRIANGLES] - from - half) / size,
+                   others = (theirs->used[TRIANGLES] - from) / size;
+    const bool fits = r->stats.triangles_dropped == lent->stats.triangles_dropped &&
+                      lent->renderer.stats.triangles_dropped == 0 && list->to - list->end >= theirs->top - theirs->to;
+    uint32_t used = lent->used[TRIANGLES];
+    list->used[OWN] = lent->used[OWN];
+    list->used[VERTICES] = lent->used[VERTICES];
+    if (fits) {
+        renumber(before, list->to, (from + half - lent->base) / size, half / size - others);
+        for (uint32_t k = n; k > 0; k--) {
+            for (uint32_t i = counts[k - 1]; i < counts[k]; i++) {
+                *--list->to = theirs->top[-1 - (int32_t)i];
+            }
+        }
+        r->stats.triangles_culled += lent->renderer.stats.triangles_culled;
+        r->stats.triangles_clipped += lent->renderer.stats.triangles_clipped;
+        used = corners + others > 0 ? from + (corners + others) * size : used;
+        struct ph_vertex *const to = ph_at(r, (uint32_t)TRIANGLES << 30 | (from + others * size));
+        const struct ph_vertex *const at = ph_at(r, (uint32_t)TRIANGLES << 30 | (from + half));
+        for (uint32_t i = 0; i < corners; i++) { /* they may lie over what was lent */
+            to[i] = at[i];
+        }
+    } else {
+        list->to = before;
+        r->stats = lent->stats;
+    }
+    list->used[TRIANGLES] = used;
+    set_end(r);
+    return fits;
 }
 
 /* ---- triangles -------------------------------------------------------------------------------------------------- */

@@ -139,6 +139,28 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
 /* Lists a line whose ends are projected. */
 void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2]);
 
+/*
+ * Two cores list triangles of one draw at a time: this one goes on in the upper half of the room, the other one has a
+ * renderer of its own, which stands at the end of the lower half and lists there. Corners have no texture coordinates,
+ * so they take numbers behind the draw's base, and no draw is added.
+ */
+struct ph_lent {
+    struct ph_renderer renderer;
+    struct ph_stats stats; /* the rest is how r was */
+    struct ph_ref *to;
+    uint32_t used[3], base;
+    uint32_t from, half; /* bytes: where the lower half begins, how long it is */
+};
+
+/* Lends half of the room. Returns a struct of that many bytes, which begins with struct ph_lent; NULL: there is too
+ * little room. */
+void *ph_list_lend(struct ph_renderer *r, const struct ph_draw *draw, size_t bytes);
+
+/* Takes back what was lent, and what the other core has listed behind what this one has: of n triangles, the last one
+ * first; counts[k]: the number of references when k were listed. False: one of both had too little room. Then nothing
+ * is listed, and the triangles must be listed again. */
+bool ph_list_take_back(struct ph_renderer *r, const struct ph_lent *lent, const uint32_t counts[], uint32_t n);
+
 /* Whether pixels are taken from a texture. */
 static inline bool ph_is_textured(const struct ph_material *material)
 {

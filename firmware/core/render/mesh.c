@@ -11,6 +11,11 @@
 
 #define BLOCK 128u /* triangles that two cores cull at a time where some may have to be clipped */
 
+/* Triangles that are drawn one by one: of fewer one core draws all; it draws so many until it asks again for the other.
+ */
+#define EACH_LEAST 6
+#define EACH_ALONE 3
+
 /* What is the same for all triangles of a part. */
 struct part_context {
     struct ph_renderer *r;
@@ -46,9 +51,9 @@ static void light_corners(const struct part_context *c, const uint16_t index[3],
 {
     for (int i = 0; c->lit && i < 3; i++) {
         struct ph_vertex *const corner = &c->vertices[index[i]];
-        if (v[i]->code < PH_LIT || v[i]->light == 0) {
-            corner->light = light_of(c, index[i]);
-            corner->code |= PH_LIT;
+        if (__atomic_load_n(&v[i]->code, __ATOMIC_ACQUIRE) < PH_LIT || v[i]->light == 0) {
+            corner->light = light_of(c, index[i]); /* the other core may do so, too: it comes to the same */
+            __atomic_store_n(&corner->code, corner->code | PH_LIT, __ATOMIC_RELEASE);
         }
     }
 }
@@ -115,12 +120,80 @@ static PH_NOINLINE bool draw_any(const struct part_context *c, const uint16_t in
     return seen;
 }
 
+/* Triangles that two cores draw one by one: this core from the first on, the other one from the last back, until they
+ * meet. They claim them as in bands.c. It stands in the scene's room. */
+struct each_lent {
+    struct ph_lent lent;
+    struct part_context c; /* the other core's */
+    const uint16_t (*index)[3];
+    uint32_t count, claimed[2];
+    uint32_t counts[BLOCK + 1]; /* the other core's, see ph_list_take_back */
+};
+
+struct each_share {
+    const struct part_context *c;
+    struct each_lent *with;
+    uint32_t core, seen;
+};
+
+static void each_share(void *argument)
+{
+    struct each_share *const s = argument;
+    struct each_lent *const with = s->with;
+    for (uint32_t n = 0;; n++) {
+        __atomic_store_n(&with->claimed[s->core], n + 1, __ATOMIC_SEQ_CST);
+        if (n + 1 + __atomic_load_n(&with->claimed[1 - s->core], __ATOMIC_SEQ_CST) > with->count) {
+            break;
+        }
+        s->seen += draw_any(s->c, with->index[s->core == 0 ? n : with->count - 1 - n]);
+        if (s->core == 1) {
+            with->counts[n + 1] = ph_ref_count(s->c->r);
+        }
+    }
+}
+
+/* Draws triangles on two cores. False if there is too little room for that: then nothing is listed. */
+static bool each_both(const struct part_context *c, const uint16_t (*index)[3], uint32_t count, uint32_t *seen)
+{
+    struct each_lent *const with = ph_list_lend(c->r, &c->draw, sizeof *with);
+    if (with == NULL) {
+        return false;
+    }
+    with->c = *c;
+    with->c.r = &with->lent.renderer;
+    with->index = index;
+    with->count = count;
+    with->claimed[0] = with->claimed[1] = with->counts[0] = 0;
+    struct each_share mine = {c, with, 0, 0}, others = {&with->c, with, 1, 0};
+    ph_run_both(c->r, each_share, &mine, &others);
+    const uint32_t first = with->claimed[0] - 1, last = with->claimed[1] - 1;
+    if (first + last < count) { /* both claimed one at the same time */
+        mine.seen += draw_any(c, index[first]);
+    }
+    if (!ph_list_take_back(c->r, &with->lent, with->counts, last)) {
+        return false;
+    }
+    *seen += mine.seen + others.seen;
+    return true;
+}
+
 /* Draws all triangles of a part, one by one: where ph_cull cannot judge them. Returns how many can be seen. */
 static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[3], const uint16_t (*end)[3])
 {
     uint32_t seen = 0;
-    for (; index < end; index++) {
-        seen += draw_any(c, *index);
+    bool may_share = c->draw.uvs == NULL && !ph_has_uvs(c->material);
+    while (index < end) {
+        uint32_t count = (uint32_t)(end - index);
+        if (may_share && count >= EACH_LEAST && ph_other_core_is_free(c->r)) {
+            count = count < BLOCK ? count : BLOCK;
+            may_share = each_both(c, index, count, &seen);
+            index += may_share ? count : 0;
+            continue;
+        }
+        for (const uint16_t(*const stop)[3] = index + (count < EACH_ALONE ? count : EACH_ALONE); index < stop;
+             index++) {
+            seen += draw_any(c, *index);
+        }
     }
     return seen;
 }
