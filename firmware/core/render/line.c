@@ -245,66 +245,76 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
                                           : change_before(change, part.before, part.reciprocal, part.shift));
 }
 
-/* Leaves out the pixels that do not lie in rows or columns low .. low + size - 1 across the longer axis. Returns how
- * many that are before the first one. */
-static PH_NOINLINE int32_t trim(struct ph_line *l, int32_t low, uint32_t size)
+/* Leaves out the pixels that do not lie in columns or rows 0 .. size - 1 across the longer axis, of *count pixels, the
+ * first of which lies at `across`. Returns how many that are before the first one that is left. */
+static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t size, int32_t *count)
 {
-    int32_t skipped = 0, last = l->across + (l->count - 1) * l->slope;
-    for (; l->count > 0 && (uint32_t)((l->across >> 16) - low) >= size; skipped++) {
-        step(l, 1);
+    int32_t skipped = 0, left = *count, last = across + (left - 1) * slope;
+    for (; left > 0 && (uint32_t)(across >> 16) >= size; across += slope, left--) {
+        skipped++;
     }
-    for (; l->count > 0 && (uint32_t)((last >> 16) - low) >= size; last -= l->slope) {
-        l->count--;
+    for (; left > 0 && (uint32_t)(last >> 16) >= size; last -= slope) {
+        left--;
     }
+    *count = left;
     return skipped;
 }
 
-/* The pixels of a line that lie in the band. Returns how many are left out before them. */
-static inline int32_t cut(struct ph_line *l, const struct ph_band *band)
+/* Draws count pixels of a line in any depth format, one by one, but the first ones, which are skipped. */
+static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, int32_t count,
+                                 const struct ph_band *band)
 {
-    int32_t skipped = 0, low = band->y0, size = band->y1 - low;
-    if (!l->wide) {
-        skipped = ph_max(low - l->along, 0);
-        step(l, skipped);
-        l->count = (int16_t)ph_min(l->count, band->y1 - l->along);
-        low = 0;
-        size = band->width;
-    }
-    const int32_t last = l->across + (l->count - 1) * l->slope;
-    const bool inside =
-        (uint32_t)((l->across >> 16) - low) < (uint32_t)size && (uint32_t)((last >> 16) - low) < (uint32_t)size;
-    return inside ? skipped : skipped + trim(l, low, (uint32_t)size);
-}
-
-/* Draws the pixels of a line in any depth format, one by one. */
-static PH_NOINLINE void draw_any(const struct ph_triangle *t, struct ph_line *l, const struct ph_band *band)
-{
-    for (; l->count > 0; step(l, 1)) {
-        const int32_t across = l->across >> 16;
-        ph_draw_pixel(t, l->wide ? l->along : across, l->wide ? across : l->along, band);
+    struct ph_line l = t->line;
+    for (step(&l, skipped); count > 0; step(&l, 1), count--) {
+        const int32_t across = l.across >> 16;
+        ph_draw_pixel(t, l.wide ? l.along : across, l.wide ? across : l.along, band);
     }
 }
 
 uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_line l = t->line;
-    const int32_t width = band->width, skipped = cut(&l, band), count = l.count;
+    const struct ph_line *const l = &t->line;
+    const int32_t width = band->width, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
+    int32_t at = l->along, count = l->count, across = l->across, size = rows, skipped = 0; /* at: of the memory */
+    struct ph_line_run run;
+    run.slope = slope;
+    if (l->wide) {
+        across -= y0 * 65536;
+        run.stride = width;
+        run.forward = l->step;
+    } else {
+        at -= y0;
+        if (at < 0) {
+            skipped = -at;
+            across += skipped * slope;
+            count -= skipped;
+            at = 0;
+        }
+        count = ph_min(count, rows - at);
+        at *= width;
+        size = width;
+        run.stride = 1;
+        run.forward = width;
+    }
+    const int32_t last = across + (count - 1) * slope;
+    if ((uint32_t)(across >> 16) >= (uint32_t)size || (uint32_t)(last >> 16) >= (uint32_t)size) {
+        const int32_t more = trim(across, slope, (uint32_t)size, &count);
+        across += more * slope;
+        at += more * run.forward;
+        skipped += more;
+    }
+    if (count <= 0) {
+        return 0;
+    }
     if (t->kind == PH_KIND_ANY_LINE) {
-        draw_any(t, &l, band);
+        draw_any(t, skipped, count, band);
         return (uint32_t)count;
     }
-    const int32_t stride = l.wide ? width : 1, forward = l.wide ? l.step : width, slope = l.slope;
-    int32_t at = l.wide ? l.along - band->y0 * width : (l.along - band->y0) * width, across = l.across;
-    uint16_t *const pixels = band->pixels, *const depth = band->depth;
-    const uint16_t colour = t->colour;
-    const uint32_t gd = t->depth.gx;
-    uint32_t d = t->depth.base + (uint32_t)skipped * gd;
-    for (const int32_t end = at + ph_max(count, 0) * forward; at != end; at += forward) {
-        const int32_t pixel = at + (across >> 16) * stride;
-        ph_pixel_flat(&pixels[pixel], &depth[pixel], d, colour);
-        across += slope;
-        d += gd;
-    }
+    run.across = across;
+    run.gd = t->depth.gx;
+    run.d = t->depth.base + (uint32_t)skipped * t->depth.gx;
+    run.colour = t->colour;
+    ph_line_pixels(&run, band->pixels + at, (uint16_t *)band->depth + at, (uint32_t)count);
     return (uint32_t)count;
 }
 
