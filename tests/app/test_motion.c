@@ -161,7 +161,9 @@ struct point {
 
 static struct point ball(uint32_t frame)
 {
-    const struct fx_vec3 p = demo_ball_position(frame);
+    struct demo_ball_way way;
+    demo_ball_run(&way);
+    const struct fx_vec3 p = demo_ball_position(&way, frame);
     return (struct point){p.x / 65536., p.y / 65536., p.z / 65536.};
 }
 

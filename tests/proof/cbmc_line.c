@@ -30,7 +30,7 @@ void proof_walk(void)
     r.config.height = (uint16_t)u32_between(1, 1024);
     const bool wide = ph_line_is_wide(&a, &b);
     const int32_t from = wide ? a.x : a.y, to = wide ? b.x : b.y, size = wide ? r.config.width : r.config.height;
-    ASSUME(ph_max(ph_first_row(ph_min(from, to)), 0) < ph_min(ph_first_row(ph_max(from, to)), size)); /* ph_list_line */
+    ASSUME(ph_max(ph_first_row(ph_min(from, to)), 0) < ph_min(ph_first_row(ph_max(from, to)), size)); /* list_line */
     walk_of(&r, &a, &b, &t, &part);
     CLAIM(t.line.count > 0 && t.line.along >= 0 && t.line.along < size && t.y_bottom <= r.config.height);
 }

@@ -15,7 +15,6 @@
 #define NEAR_Z      FX_ONE
 #define FAR_Z       FX_INT(4)
 #define RADIUS      DEMO_BALL_RADIUS
-#define BOUNCES     16
 #define TRAIL       36 /* lines of the trail, one behind the other */
 #define TRAIL_STEP  3u /* frames between their ends */
 #define TRAIL_WIDE  (FX_ONE / 28)
@@ -28,6 +27,7 @@ struct ball {
     struct ph_mesh mesh;
     struct ph_material colour, lines[LINES];
     uint16_t ramp[PH_RAMP_SIZE];
+    struct demo_ball_way way;
 };
 
 struct flight {
@@ -93,39 +93,32 @@ static struct flight start(void)
     return f;
 }
 
-/* The way from the start to the turning point: the wall that the ball meets perpendicularly. */
-static fx_t whole_way(void)
+void demo_ball_run(struct demo_ball_way *way)
 {
     struct flight f = start();
     fx_t sum = 0;
-    for (uint32_t i = 0; i < BOUNCES; i++) {
-        fx_t way;
-        const uint32_t wall = next_wall(&f, &way);
-        advance(&f, way);
-        sum += way;
-        if (dot(walls[wall], f.direction) == -2) {
-            break;
-        }
+    for (uint32_t i = 0; i < DEMO_BALL_LEGS; i++) {
+        struct demo_ball_leg *const leg = &way->legs[i];
+        fx_t length;
+        const uint32_t wall = next_wall(&f, &length);
+        *leg = (struct demo_ball_leg){f.at, {f.direction[0], f.direction[1], f.direction[2]}, sum};
+        advance(&f, length);
+        sum += length;
         reflect(&f, wall);
     }
-    return sum;
+    way->whole = sum;
 }
 
-struct fx_vec3 demo_ball_position(uint32_t frame)
+struct fx_vec3 demo_ball_position(const struct demo_ball_way *way, uint32_t frame)
 {
     const uint32_t phase = frame % LOOP_FRAMES, step = phase < LOOP_FRAMES / 2 ? phase : LOOP_FRAMES - phase;
-    struct flight f = start();
-    fx_t left = (fx_t)(fx_mul_wide(whole_way(), (int32_t)step) / (LOOP_FRAMES / 2));
-    for (uint32_t i = 0; i < BOUNCES && left > 0; i++) {
-        fx_t way;
-        const uint32_t wall = next_wall(&f, &way);
-        const fx_t now = way < left ? way : left;
-        advance(&f, now);
-        left -= now;
-        if (left > 0) {
-            reflect(&f, wall);
-        }
+    const fx_t gone = way->whole * (int32_t)step / (LOOP_FRAMES / 2); /* the whole way is below 2^7 units */
+    const struct demo_ball_leg *leg = &way->legs[DEMO_BALL_LEGS - 1];
+    while (leg->begin > gone) {
+        leg--;
     }
+    struct flight f = {leg->from, {leg->direction[0], leg->direction[1], leg->direction[2]}};
+    advance(&f, gone - leg->begin);
     return f.at;
 }
 
@@ -143,6 +136,7 @@ static int ball_init(struct demo_context *context)
         b->lines[LINE_TRAIL + i] = demo_unlit((uint8_t)(10 + 245 * left / FADES), (uint8_t)(14 + 140 * left / FADES),
                                               (uint8_t)(26 + 20 * left / FADES));
     }
+    demo_ball_run(&b->way);
     context->state = b;
     if (model_icosphere(&context->arena, &b->mesh, 2) != PH_OK) {
         return PH_ERR_NOMEM;
@@ -203,10 +197,10 @@ static int ball_camera(const struct demo_context *context, struct ph_renderer *r
 /* Two lines, one above the other. */
 static void draw_trail(struct ph_renderer *r, const struct ball *b, uint32_t frame)
 {
-    struct fx_vec3 from = placed(demo_ball_position(frame));
+    struct fx_vec3 from = placed(demo_ball_position(&b->way, frame));
     for (uint32_t i = 0; i < TRAIL; i++) {
         const struct ph_material *const line = &b->lines[LINE_TRAIL + i * FADES / TRAIL];
-        struct fx_vec3 to = placed(demo_ball_position(frame - (i + 1) * TRAIL_STEP));
+        struct fx_vec3 to = placed(demo_ball_position(&b->way, frame - (i + 1) * TRAIL_STEP));
         ph_draw_line(r, from, to, line);
         from.y += TRAIL_WIDE;
         to.y += TRAIL_WIDE;
@@ -227,7 +221,7 @@ static int ball_frame(struct demo_context *context, struct ph_renderer *r, uint3
     draw_frustum(r, b, outside);
     draw_far_plane(r, b);
     struct ph_xform place = ph_xform_scale(RADIUS);
-    place.t = placed(demo_ball_position(frame));
+    place.t = placed(demo_ball_position(&b->way, frame));
     draw_trail(r, b, frame);
     return ph_draw_mesh(r, &b->mesh, &place);
 }
@@ -241,7 +235,7 @@ const struct demo demo_ball = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct ball)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(2), MODEL_ICOSPHERE_TRIANGLES(2)),
-               5448),
+               5592),
     .vertex_max = MODEL_ICOSPHERE_VERTICES(2),
     .triangle_max = 300,
     .corner_max = 128,

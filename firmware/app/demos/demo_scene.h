@@ -63,9 +63,25 @@ struct ph_xform demo_look(fx_t eye_x, fx_t eye_y, fx_t eye_z, fx_t target_x, fx_
 /* b turned about y and placed at (x, y, z). */
 struct ph_xform demo_place(fx_t x, fx_t y, fx_t z, uint32_t turn32);
 
-/* The ball's centre in the eye's coordinates, and its size (ball.c). */
+/* The ball's way from its start to the wall that turns it back, and its size (ball.c). */
 #define DEMO_BALL_RADIUS (FX_ONE / 2)
-struct fx_vec3 demo_ball_position(uint32_t frame);
+#define DEMO_BALL_LEGS   5
+
+struct demo_ball_leg {
+    struct fx_vec3 from;  /* the ball's centre in the eye's coordinates */
+    int32_t direction[3]; /* -1, 0, 1 */
+    fx_t begin;           /* the way of the legs before */
+};
+
+struct demo_ball_way {
+    struct demo_ball_leg legs[DEMO_BALL_LEGS];
+    fx_t whole;
+};
+
+void demo_ball_run(struct demo_ball_way *way);
+
+/* The ball's centre in that frame. */
+struct fx_vec3 demo_ball_position(const struct demo_ball_way *way, uint32_t frame);
 
 /* The colours of the rails and of the cross at the vanishing point (parallel.c). */
 #define DEMO_RAIL_COLOUR 210, 225, 245

@@ -21,6 +21,8 @@
 #define STARS       224
 #define STARS_FEW   80 /* and coarser spheres, where memory is small */
 #define GLOW_SIDES  16
+#define GLOW_FEW    12  /* in a small picture, where the sun is 13 pixels from its middle to its outline */
+#define SMALL       135 /* pixels of the smaller side */
 #define ORBIT_STEPS 48
 #define EARTH_ORBIT FX_INT(4)
 #define MOON_ORBIT  (FX_ONE * 9 / 10)
@@ -29,9 +31,9 @@
 enum { SUN, YEAR, EARTH, DAY, MONTH, MOON, EYE_SUN, EYE_MOON, EYE_FIXED, NODES };
 
 struct solar {
-    struct ph_mesh sphere, sun, earth, moon, glow, orbit;
+    struct ph_mesh sphere, sun, earth, moon, far_moon, glow, orbit; /* far_moon: it has a few pixels */
     struct ph_material sun_colour, earth_colours[2], moon_colour, star, dim_star, orbit_colour;
-    struct ph_part earth_parts[2], glow_part;
+    struct ph_part earth_parts[2], far_moon_part, glow_part;
     uint16_t ramps[3][PH_RAMP_SIZE];
     struct ph_node nodes[NODES];
     struct ph_xform world[NODES];
@@ -41,6 +43,7 @@ struct solar {
     struct fx_vec3 glow_corners[3 * GLOW_SIDES];
     uint16_t glow_colours[3 * GLOW_SIDES], glow_triangles[4 * GLOW_SIDES][3];
     uint16_t earth_triangles[MODEL_ICOSPHERE_TRIANGLES(2)][3];
+    uint16_t far_moon_triangles[MODEL_ICOSPHERE_TRIANGLES(1)][3];
     struct fx_vec3 orbit_corners[ORBIT_STEPS];
     uint16_t orbit_edges[ORBIT_STEPS][2];
 };
@@ -77,6 +80,22 @@ static void make_continents(struct solar *s)
     s->earth.materials = s->earth_colours;
 }
 
+/* The moon as the sphere of one level less: its vertices come first, and four triangles in turn are one of it. */
+static void make_far_moon(struct solar *s)
+{
+    for (uint32_t i = 0; i < MODEL_ICOSPHERE_TRIANGLES(1); i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            s->far_moon_triangles[i][k] = s->sphere.triangles[4 * i + k][k];
+        }
+    }
+    s->far_moon_part = (struct ph_part){0, MODEL_ICOSPHERE_TRIANGLES(1), 0};
+    s->far_moon = s->moon;
+    s->far_moon.triangles = (const uint16_t(*)[3])s->far_moon_triangles;
+    s->far_moon.parts = &s->far_moon_part;
+    s->far_moon.vertex_count = MODEL_ICOSPHERE_VERTICES(1);
+    s->far_moon.triangle_count = MODEL_ICOSPHERE_TRIANGLES(1);
+}
+
 /* Points all over the sky. */
 static void make_stars(struct solar *s, uint32_t count)
 {
@@ -96,30 +115,29 @@ static void make_stars(struct solar *s, uint32_t count)
 }
 
 /* Two rings around the sun's outline, from its colour to that of the sky; they face +z. */
-static void make_glow(struct solar *s)
+static void make_glow(struct solar *s, uint32_t sides)
 {
     const fx_t radii[3] = {FX_ONE * 18 / 20, FX_ONE * 27 / 20, FX_ONE * 38 / 20};
     const uint16_t colours[3] = {ph_rgb565(255, 170, 40), ph_rgb565(90, 45, 20), ph_rgb565(4, 5, 14)};
-    for (uint32_t i = 0; i < 3 * GLOW_SIDES; i++) {
-        const fx_t turns = (fx_t)(i % GLOW_SIDES * (FX_ONE / GLOW_SIDES)), radius = radii[i / GLOW_SIDES];
+    for (uint32_t i = 0; i < 3 * sides; i++) {
+        const fx_t turns = (fx_t)(i % sides * 65536 / sides), radius = radii[i / sides];
         s->glow_corners[i] = (struct fx_vec3){fx_mul_sat(radius, fx_cos(turns)), fx_mul_sat(radius, fx_sin(turns)), 0};
-        s->glow_colours[i] = colours[i / GLOW_SIDES];
+        s->glow_colours[i] = colours[i / sides];
     }
-    for (uint32_t i = 0; i < 2 * GLOW_SIDES; i++) {
-        const uint16_t in = (uint16_t)i,
-                       next = (uint16_t)(i % GLOW_SIDES == GLOW_SIDES - 1 ? i + 1 - GLOW_SIDES : i + 1);
-        const uint16_t halves[6] = {in, (uint16_t)(in + GLOW_SIDES),   (uint16_t)(next + GLOW_SIDES),
-                                    in, (uint16_t)(next + GLOW_SIDES), next};
+    for (uint32_t i = 0; i < 2 * sides; i++) {
+        const uint16_t in = (uint16_t)i, next = (uint16_t)(i % sides == sides - 1 ? i + 1 - sides : i + 1);
+        const uint16_t halves[6] = {in, (uint16_t)(in + sides),   (uint16_t)(next + sides),
+                                    in, (uint16_t)(next + sides), next};
         memcpy(s->glow_triangles[2 * i], halves, sizeof(halves));
     }
-    s->glow_part = (struct ph_part){0, 4 * GLOW_SIDES, 0};
+    s->glow_part = (struct ph_part){0, 4 * sides, 0};
     s->glow = (struct ph_mesh){.positions = s->glow_corners,
                                .triangles = (const uint16_t(*)[3])s->glow_triangles,
                                .parts = &s->glow_part,
                                .materials = &s->sun_colour,
                                .colours = s->glow_colours,
-                               .vertex_count = 3 * GLOW_SIDES,
-                               .triangle_count = 4 * GLOW_SIDES,
+                               .vertex_count = 3 * sides,
+                               .triangle_count = 4 * sides,
                                .part_count = 1};
 }
 
@@ -169,16 +187,20 @@ static int solar_init(struct demo_context *context)
     }
     solar_colours(s);
     s->light = sunlight;
-    const bool fine = arena->size >= ARENA(2);
+    const bool fine = arena->size >= ARENA(2), is_small = context->width <= SMALL || context->height <= SMALL;
     if (model_icosphere(arena, &s->sphere, fine ? 2 : 1) != PH_OK ||
         model_material(arena, &s->sphere, &s->sun_colour) != PH_OK) {
         return PH_ERR_NOMEM;
     }
     s->sun = s->moon = s->sphere;
     s->moon.materials = &s->moon_colour;
+    s->far_moon = s->moon;
+    if (fine && is_small) {
+        make_far_moon(s);
+    }
     make_continents(s);
     make_stars(s, fine ? STARS : STARS_FEW);
-    make_glow(s);
+    make_glow(s, is_small ? GLOW_FEW : GLOW_SIDES);
     make_orbit(s);
     context->state = s;
     return PH_OK;
@@ -285,8 +307,9 @@ static int solar_frame(struct demo_context *context, struct ph_renderer *r, uint
     status = status ? status : solar_camera(context, r);
     status = status ? status : draw_round(r, &s->sun, &world[SUN], FX_ONE);
     status = status ? status : draw_round(r, &s->earth, &world[DAY], FX_HALF);
-    status = status ? status : draw_round(r, &s->moon, &world[MOON], FX_ONE / 6);
-    if (demo_view_is(context, &demo_solar, 0)) {
+    const bool outside = demo_view_is(context, &demo_solar, 0);
+    status = status ? status : draw_round(r, outside ? &s->far_moon : &s->moon, &world[MOON], FX_ONE / 6);
+    if (outside) {
         status = status ? status : draw_round(r, &s->orbit, &world[SUN], FX_ONE);
         status = status ? status : draw_round(r, &s->orbit, &world[EARTH], MOON_ORBIT / (EARTH_ORBIT / FX_ONE));
     }
@@ -303,8 +326,8 @@ static const char *const views[] = {"outside", "sun", "moon", "fixed", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA(2), 13744), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 88},
-    {DEMO_ARENA(ARENA(1), 10144), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 48},
+    {DEMO_ARENA(ARENA(2), 14280), .vertex_max = VERTICES(2), .triangle_max = 656, .corner_max = 88},
+    {DEMO_ARENA(ARENA(1), 10680), .vertex_max = VERTICES(1), .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_solar = {
@@ -312,7 +335,7 @@ const struct demo demo_solar = {
     .summary = "sun, earth and moon as a scene graph, also seen from the earth's centre",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA(2), 13744),
+    DEMO_ARENA(ARENA(2), 14280),
     .vertex_max = VERTICES(2),
     .triangle_max = 720,
     .corner_max = 208,

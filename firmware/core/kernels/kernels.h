@@ -36,6 +36,20 @@ void ph_span_gouraud(uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d, 
 void ph_span_blend(uint16_t *pixels, const uint16_t *depth, uint32_t n, uint32_t d, uint32_t gd, uint32_t source,
                    uint32_t rest);
 
+/* What the pixels of a line take. */
+struct ph_line_run {
+    int32_t slope;   /* 16.16: change of `across` a pixel */
+    uint32_t gd;     /* change of d */
+    int32_t forward; /* pixels of memory from a pixel to the next one along the longer axis */
+    uint32_t colour;
+    int32_t across; /* 16.16: column or row of the first pixel, across the longer axis */
+    uint32_t d;     /* its depth, a 16.16 code */
+    int32_t stride; /* pixels of memory from a column or row to the next one */
+};
+
+/* line_pixels.c: n >= 1 pixels of a line. pixels, depth: where the first one stands if its column or row is 0. */
+void ph_line_pixels(const struct ph_line_run *run, uint16_t *pixels, uint16_t *depth, uint32_t n);
+
 /* halve.c: n pixels, each the mean of 2 x 2 samples in two rows; every channel is rounded to nearest. */
 void ph_halve(uint16_t *to, const uint16_t *upper, const uint16_t *lower, uint32_t n);
 

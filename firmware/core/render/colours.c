@@ -22,18 +22,22 @@ static inline bool is_nearer(void *depth, uint32_t i, bool depth24, uint32_t d)
 }
 
 /* Draws pixels along which the depth code is linear, and steps the colours. */
-static void draw_piece(const struct ph_triangle *t, bool depth24, struct piece_of_row *p)
+static inline void draw_piece(const struct ph_triangle *t, bool depth24, struct piece_of_row *p)
 {
-    const struct ph_plane *const a = t->attribute;
+    const uint32_t gd = p->gd, red_gx = t->attribute[0].gx, green_gx = t->attribute[1].gx, blue_gx = t->attribute[2].gx;
+    uint32_t d = p->d, red = p->red, green = p->green, blue = p->blue;
     for (uint32_t i = 0; i < p->n; i++) {
-        if (is_nearer(p->depth, i, depth24, p->d)) {
-            p->pixels[i] = ph_wire16((uint16_t)(p->red >> 27 << 11 | p->green >> 26 << 5 | p->blue >> 27));
+        if (is_nearer(p->depth, i, depth24, d)) {
+            p->pixels[i] = ph_wire16((uint16_t)(red >> 27 << 11 | green >> 26 << 5 | blue >> 27));
         }
-        p->d += p->gd;
-        p->red += a[0].gx;
-        p->green += a[1].gx;
-        p->blue += a[2].gx;
+        d += gd;
+        red += red_gx;
+        green += green_gx;
+        blue += blue_gx;
     }
+    p->red = red;
+    p->green = green;
+    p->blue = blue;
 }
 
 static void draw_row(const struct ph_triangle *t, const struct ph_band *band, uint32_t x, uint32_t y, uint32_t left)
@@ -51,7 +55,11 @@ static void draw_row(const struct ph_triangle *t, const struct ph_band *band, ui
         const struct ph_piece piece = ph_depth_piece(t, d, &p.n);
         p.d = piece.d;
         p.gd = piece.gd;
-        draw_piece(t, band->depth24, &p);
+        if (band->depth24) {
+            draw_piece(t, true, &p);
+        } else {
+            draw_piece(t, false, &p);
+        }
         p.pixels += p.n;
         p.depth = ph_depth_from(p.depth, p.n, band->depth24);
         d += t->depth.gx * p.n;

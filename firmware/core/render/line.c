@@ -7,18 +7,89 @@
 #include "planes.h"
 #include "span.h"
 
+/* ---- listing ---------------------------------------------------------------------------------------------------- */
+
+/* Puts the smaller one first. */
+static inline void sort(int32_t *a, int32_t *b)
+{
+    if (*a > *b) {
+        const int32_t larger = *a;
+        *a = *b;
+        *b = larger;
+    }
+}
+
+/* Lists a line that is one sample wide; which: as in struct ph_ref. */
+static inline void list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
+                             const struct ph_vertex *b, unsigned which)
+{
+    int32_t left = a->x, right = b->x, top = a->y, low = b->y;
+    sort(&left, &right);
+    sort(&top, &low);
+    if (right - left >= low - top) { /* ph_line_is_wide */
+        left = ph_first_row(left);
+        right = ph_first_row(right);
+        top = ph_line_pixel(top);
+        low = ph_line_pixel(low) + 1;
+    } else {
+        left = ph_line_pixel(left);
+        right = ph_line_pixel(right) + 1;
+        top = ph_first_row(top);
+        low = ph_first_row(low);
+    }
+    if (left < right && right > 0 && left < r->config.width && top < low && low > 0 && top < r->config.height) {
+        struct ph_ref *const ref = ph_list_next(r);
+        if (ref != NULL) {
+            *ref = (struct ph_ref){{ends[0], ends[1], (uint16_t)which}, ph_band_of(r, ph_max(top, 0))};
+        }
+    }
+}
+
+PH_NOINLINE void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
+                              const struct ph_vertex *b)
+{
+    for (unsigned which = 0; which <= r->fine; which++) {
+        struct ph_vertex of_a = *a, of_b = *b;
+        if (r->fine != 0) {
+            ph_line_of_samples(&of_a, &of_b, (int)which);
+        }
+        list_line(r, ends, &of_a, &of_b, which);
+    }
+}
+
+uint32_t ph_list_lines(struct ph_renderer *r, const uint16_t (*edges)[2], uint32_t n, const struct ph_vertex *vertices)
+{
+    const uint16_t(*edge)[2] = edges, (*const end)[2] = edges + n;
+    for (; edge < end; edge++) {
+        const struct ph_vertex *const a = &vertices[(*edge)[0]], *const b = &vertices[(*edge)[1]];
+        if ((a->code & b->code & PH_REJECT) != 0) {
+            continue;
+        }
+        if (((a->code | b->code) & PH_CLIP) != 0) {
+            break;
+        }
+        if (r->fine == 0) {
+            list_line(r, *edge, a, b, 0);
+        } else {
+            ph_list_line(r, *edge, a, b);
+        }
+    }
+    return (uint32_t)(edge - edges);
+}
+
+/* ---- set-up ----------------------------------------------------------------------------------------------------- */
+
 /* The length of a line, and how much of it lies before the centre of its first pixel, 1/256 px. */
 struct part {
     int32_t length, before;
     int32_t reciprocal; /* 2^(61 - shift) / length */
     int shift;
-    bool usual; /* before < 256 <= length: it is over a pixel long, and its upper end is in the picture */
 };
 
 /* n / length in Q28; |n| <= length. */
-static inline int32_t part_q28(const struct part *part, int32_t n)
+static inline int32_t part_q28(int32_t reciprocal, int shift, int32_t n)
 {
-    return (int32_t)(fx_mul_wide((int32_t)((uint32_t)n << (part->shift - 1)), part->reciprocal) >> 32);
+    return (int32_t)(fx_mul_wide((int32_t)((uint32_t)n << (shift - 1)), reciprocal) >> 32);
 }
 
 /* change per pixel; a length of 256 or more. */
@@ -29,9 +100,15 @@ static inline int32_t step_of(const struct part *part, int32_t change)
 }
 
 /* change times before / length. */
-static PH_NOINLINE int32_t change_before(const struct part *part, int32_t change)
+static PH_NOINLINE int32_t change_before(int32_t change, int32_t before, int32_t reciprocal, int shift)
 {
-    return (int32_t)(fx_mul_wide(change, part_q28(part, part->before)) >> 28);
+    return (int32_t)(fx_mul_wide(change, part_q28(reciprocal, shift, before)) >> 28);
+}
+
+/* before < 256 <= length: it is over a pixel long, and its upper end is in the picture. */
+static inline bool is_usual(const struct part *part)
+{
+    return part->before < 256 && part->length >= 256;
 }
 
 static inline void step(struct ph_line *l, int32_t n)
@@ -54,35 +131,48 @@ static int32_t pixels_above(const struct ph_line *l, int32_t y)
     return n;
 }
 
-/* Sets the first pixel and the steps of the line from a to b, and its rows. */
-static void walk_of(const struct ph_renderer *r, const struct ph_vertex *a, const struct ph_vertex *b,
-                    struct ph_triangle *t, struct part *part)
+/* Sets the pixels of a line along its longer axis, in a picture of that size. */
+static inline void pixels_of(struct ph_line *l, struct part *part, int32_t from, int32_t to, bool back, int32_t size)
 {
-    const bool wide = ph_line_is_wide(a, b);
-    const int32_t from = wide ? a->x : a->y, to = wide ? b->x : b->y, size = wide ? r->config.width : r->config.height;
-    const int32_t across = wide ? a->y : a->x, change = (wide ? b->y : b->x) - across;
-    const int32_t first = ph_max(ph_first_row(ph_min(from, to)), 0), end = ph_min(ph_first_row(ph_max(from, to)), size);
-    struct ph_line *const l = &t->line;
-    l->wide = wide;
-    l->step = to < from ? -1 : 1;
-    l->along = (int16_t)(to < from ? end - 1 : first);
+    const int32_t first = ph_max(ph_first_row(back ? to : from), 0);
+    const int32_t end = ph_min(ph_first_row(back ? from : to), size), along = back ? end - 1 : first;
+    const int32_t before = along * 256 + 128 - from;
+    l->along = (int16_t)along;
     l->count = (int16_t)(end - first);
-    part->length = (int32_t)fx_magnitude(to - from);
-    part->before = (int32_t)fx_magnitude(l->along * 256 + 128 - from);
-    part->usual = part->before < 256 && part->length >= 256;
-    part->reciprocal = ph_wide_reciprocal((uint32_t)part->length, &part->shift);
-    const int32_t slope_q28 = part_q28(part, change);
-    l->slope = (slope_q28 + (1 << 11)) >> 12;
-    l->across =
-        across * 256 - 1 + (part->usual ? (slope_q28 >> 8) * part->before >> 12 : change_before(part, change * 256));
-    if (!wide) {
-        t->y_top = l->along;
-        t->y_bottom = (int16_t)end;
-        return;
+    l->step = back ? -1 : 1;
+    part->length = back ? from - to : to - from;
+    part->before = back ? -before : before;
+}
+
+/* Sets the first pixel and the steps of the line from a to b, which is not above a, and its rows. */
+static inline void walk_of(const struct ph_renderer *r, const struct ph_vertex *a, const struct ph_vertex *b,
+                           struct ph_triangle *t, struct part *part)
+{
+    struct ph_line *const l = &t->line;
+    const int32_t dx = b->x - a->x, dy = b->y - a->y;
+    const bool wide = fx_magnitude(dx) >= (uint32_t)dy; /* ph_line_is_wide */
+    int32_t across = a->y, change = dy;
+    if (wide) {
+        pixels_of(l, part, a->x, b->x, dx < 0, r->config.width);
+    } else {
+        pixels_of(l, part, a->y, b->y, false, r->config.height);
+        across = a->x;
+        change = dx;
     }
-    const int32_t last = (l->across + (l->count - 1) * l->slope) >> 16;
-    t->y_top = (int16_t)ph_max(l->across >> 16, 0);
-    t->y_bottom = (int16_t)ph_min(last + 1, r->config.height);
+    l->wide = wide;
+    part->reciprocal = ph_wide_reciprocal((uint32_t)part->length, &part->shift);
+    const int32_t slope_q28 = part_q28(part->reciprocal, part->shift, change);
+    l->slope = (slope_q28 + (1 << 11)) >> 12;
+    l->across = across * 256 - 1 +
+                (is_usual(part) ? (slope_q28 >> 8) * part->before >> 12
+                                : change_before(change * 256, part->before, part->reciprocal, part->shift));
+    int32_t top = l->along, end = l->along + l->count;
+    if (wide) {
+        top = ph_max(l->across >> 16, 0);
+        end = ph_min(((l->across + (l->count - 1) * l->slope) >> 16) + 1, r->config.height);
+    }
+    t->y_top = (int16_t)top;
+    t->y_bottom = (int16_t)end;
 }
 
 /* Three corners of the parallelogram that the line is when it is one pixel wide across its longer axis. */
@@ -118,10 +208,10 @@ static PH_NOINLINE void any_depth(const struct ph_setting *s, const struct ph_ve
 static inline bool end_codes(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                              uint32_t d[3])
 {
-    const struct ph_vertex *const v[3] = {a, b, b};
     if (s->r->stats.depth_format > PH_DEPTH_FLOAT16 || s->draw.material->depth_bias_slope != 0) {
         return false;
     }
+    const struct ph_vertex *const v[3] = {a, b, b};
     if (!s->floats) {
         d[0] = ph_depth_before(ph_depth_of(a), 0, 0) + s->usual.bias;
         d[1] = ph_depth_before(ph_depth_of(b), 0, 0) + s->usual.bias;
@@ -150,69 +240,81 @@ void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const 
     const int32_t change = (int32_t)(d[1] - d[0]);
     const int32_t gd = part.length >= 256 ? step_of(&part, change) : 0;
     t->depth.gx = (uint32_t)gd;
-    t->depth.base = d[0] + (uint32_t)(part.usual ? (gd >> 8) * part.before : change_before(&part, change));
+    t->depth.base =
+        d[0] + (uint32_t)(is_usual(&part) ? (gd >> 8) * part.before
+                                          : change_before(change, part.before, part.reciprocal, part.shift));
 }
 
-/* Leaves out the pixels that do not lie in rows or columns low .. low + size - 1 across the longer axis. Returns how
- * many that are before the first one. */
-static PH_NOINLINE int32_t trim(struct ph_line *l, int32_t low, uint32_t size)
+/* Leaves out the pixels that do not lie in columns or rows 0 .. size - 1 across the longer axis, of *count pixels, the
+ * first of which lies at `across`. Returns how many that are before the first one that is left. */
+static PH_NOINLINE int32_t trim(int32_t across, int32_t slope, uint32_t size, int32_t *count)
 {
-    int32_t skipped = 0, last = l->across + (l->count - 1) * l->slope;
-    for (; l->count > 0 && (uint32_t)((l->across >> 16) - low) >= size; skipped++) {
-        step(l, 1);
+    int32_t skipped = 0, left = *count, last = across + (left - 1) * slope;
+    for (; left > 0 && (uint32_t)(across >> 16) >= size; across += slope, left--) {
+        skipped++;
     }
-    for (; l->count > 0 && (uint32_t)((last >> 16) - low) >= size; last -= l->slope) {
-        l->count--;
+    for (; left > 0 && (uint32_t)(last >> 16) >= size; last -= slope) {
+        left--;
     }
+    *count = left;
     return skipped;
 }
 
-/* The pixels of a line that lie in the band. Returns how many are left out before them. */
-static inline int32_t cut(struct ph_line *l, const struct ph_band *band)
+/* Draws count pixels of a line in any depth format, one by one, but the first ones, which are skipped. */
+static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, int32_t count,
+                                 const struct ph_band *band)
 {
-    int32_t skipped = 0, low = band->y0, size = band->y1 - low;
-    if (!l->wide) {
-        skipped = ph_max(low - l->along, 0);
-        step(l, skipped);
-        l->count = (int16_t)ph_min(l->count, band->y1 - l->along);
-        low = 0;
-        size = band->width;
-    }
-    const int32_t last = l->across + (l->count - 1) * l->slope;
-    const bool inside =
-        (uint32_t)((l->across >> 16) - low) < (uint32_t)size && (uint32_t)((last >> 16) - low) < (uint32_t)size;
-    return inside ? skipped : skipped + trim(l, low, (uint32_t)size);
-}
-
-/* Draws the pixels of a line in any depth format, one by one. */
-static PH_NOINLINE void draw_any(const struct ph_triangle *t, struct ph_line *l, const struct ph_band *band)
-{
-    for (; l->count > 0; step(l, 1)) {
-        const int32_t across = l->across >> 16;
-        ph_draw_pixel(t, l->wide ? l->along : across, l->wide ? across : l->along, band);
+    struct ph_line l = t->line;
+    for (step(&l, skipped); count > 0; step(&l, 1), count--) {
+        const int32_t across = l.across >> 16;
+        ph_draw_pixel(t, l.wide ? l.along : across, l.wide ? across : l.along, band);
     }
 }
 
 uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
 {
-    struct ph_line l = t->line;
-    const int32_t width = band->width, skipped = cut(&l, band), count = l.count;
+    const struct ph_line *const l = &t->line;
+    const int32_t width = band->width, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
+    int32_t at = l->along, count = l->count, across = l->across, size = rows, skipped = 0; /* at: of the memory */
+    struct ph_line_run run;
+    run.slope = slope;
+    if (l->wide) {
+        across -= y0 * 65536;
+        run.stride = width;
+        run.forward = l->step;
+    } else {
+        at -= y0;
+        if (at < 0) {
+            skipped = -at;
+            across += skipped * slope;
+            count -= skipped;
+            at = 0;
+        }
+        count = ph_min(count, rows - at);
+        at *= width;
+        size = width;
+        run.stride = 1;
+        run.forward = width;
+    }
+    const int32_t last = across + (count - 1) * slope;
+    if ((uint32_t)(across >> 16) >= (uint32_t)size || (uint32_t)(last >> 16) >= (uint32_t)size) {
+        const int32_t more = trim(across, slope, (uint32_t)size, &count);
+        across += more * slope;
+        at += more * run.forward;
+        skipped += more;
+    }
+    if (count <= 0) {
+        return 0;
+    }
     if (t->kind == PH_KIND_ANY_LINE) {
-        draw_any(t, &l, band);
+        draw_any(t, skipped, count, band);
         return (uint32_t)count;
     }
-    const int32_t stride = l.wide ? width : 1, forward = l.wide ? l.step : width, slope = l.slope;
-    int32_t at = l.wide ? l.along - band->y0 * width : (l.along - band->y0) * width, across = l.across;
-    uint16_t *const pixels = band->pixels, *const depth = band->depth;
-    const uint16_t colour = t->colour;
-    const uint32_t gd = t->depth.gx;
-    uint32_t d = t->depth.base + (uint32_t)skipped * gd;
-    for (const int32_t end = at + ph_max(count, 0) * forward; at != end; at += forward) {
-        const int32_t pixel = at + (across >> 16) * stride;
-        ph_pixel_flat(&pixels[pixel], &depth[pixel], d, colour);
-        across += slope;
-        d += gd;
-    }
+    run.across = across;
+    run.gd = t->depth.gx;
+    run.d = t->depth.base + (uint32_t)skipped * t->depth.gx;
+    run.colour = t->colour;
+    ph_line_pixels(&run, band->pixels + at, (uint16_t *)band->depth + at, (uint32_t)count);
     return (uint32_t)count;
 }
 

@@ -12,6 +12,12 @@
 #include "band.h"
 #include "setting.h"
 
+/* Lists a line of the current draw if a pixel of it may lie in the picture. */
+void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b);
+
+/* Lists edges of a mesh, up to one that must be clipped. Returns how many come before that. */
+uint32_t ph_list_lines(struct ph_renderer *r, const uint16_t (*edges)[2], uint32_t n, const struct ph_vertex *vertices);
+
 /* Sets up a line that has a column or row in the picture. */
 void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                    struct ph_triangle *t);

@@ -2,6 +2,7 @@
 #include "list.h"
 
 #include "edge.h"
+#include "line.h"
 
 enum { OWN, VERTICES, TRIANGLES };
 
@@ -309,35 +310,6 @@ bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const str
     }
     return area > 0 ? list_at(r, corner[0], corner[1], corner[2], ph_first_row_of(r, v))
                     : list_at(r, corner[0], corner[2], corner[1], ph_first_row_of(r, v));
-}
-
-/* Lists a line that is one sample wide; which: as in struct ph_ref. */
-static void list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a,
-                      const struct ph_vertex *b, unsigned which)
-{
-    const bool wide = ph_line_is_wide(a, b);
-    const int32_t size = wide ? r->config.width : r->config.height, most = wide ? r->config.height : r->config.width;
-    const int32_t along_a = wide ? a->x : a->y, along_b = wide ? b->x : b->y;
-    const int32_t across_a = wide ? a->y : a->x, across_b = wide ? b->y : b->x;
-    const int32_t first = ph_max(ph_first_row(ph_min(along_a, along_b)), 0);
-    const int32_t end = ph_min(ph_first_row(ph_max(along_a, along_b)), size);
-    const int32_t low = ph_line_pixel(ph_min(across_a, across_b));
-    if (first < end && low < most && ph_line_pixel(ph_max(across_a, across_b)) >= 0) {
-        list_at(r, ends[0], ends[1], which, wide ? ph_max(low, 0) : first);
-    }
-}
-
-void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b)
-{
-    if (r->fine == 0) {
-        list_line(r, ends, a, b, 0);
-        return;
-    }
-    for (unsigned which = 0; which < 2; which++) {
-        struct ph_vertex of_a = *a, of_b = *b;
-        ph_line_of_samples(&of_a, &of_b, (int)which);
-        list_line(r, ends, &of_a, &of_b, which);
-    }
 }
 
 /* Whether corners behind `base` can have numbers from there on. Returns how many bytes to leave out before them, or -1.

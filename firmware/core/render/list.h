@@ -108,9 +108,6 @@ int32_t ph_first_row_of(const struct ph_renderer *r, const struct ph_vertex *con
 bool ph_list_triangle(struct ph_renderer *r, const uint16_t corner[3], const struct ph_vertex *const v[3],
                       bool two_sided);
 
-/* Lists a line of the current draw if a pixel of it may lie in the picture. */
-void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph_vertex *a, const struct ph_vertex *b);
-
 /* Takes the next reference if there is room; else the triangle is counted. */
 static inline struct ph_ref *ph_list_next(struct ph_renderer *r)
 {

@@ -6,6 +6,7 @@
 #include "edge.h"
 #include "fisheye.h"
 #include "light.h"
+#include "line.h"
 #include "setup.h"
 #include "transform.h"
 
@@ -362,17 +363,18 @@ static void draw_triangles(struct part_context *c, const struct ph_part *part)
 /* Draws each edge of the mesh once, as a line. */
 static PH_NOINLINE void draw_edges(const struct part_context *c)
 {
-    for (uint32_t i = 0; i < c->mesh->edge_count; i++) {
-        const uint16_t *edge = c->mesh->edges[i];
-        const struct ph_vertex *v0 = &c->vertices[edge[0]], *v1 = &c->vertices[edge[1]];
-        if ((v0->code & v1->code & PH_REJECT) != 0) {
+    const uint16_t(*edge)[2] = c->mesh->edges, (*const end)[2] = edge + c->mesh->edge_count;
+    for (;; edge++) {
+        if (!c->curved) {
+            edge += ph_list_lines(c->r, edge, (uint32_t)(end - edge), c->vertices);
+        }
+        if (edge == end) {
+            break;
+        }
+        if ((c->vertices[(*edge)[0]].code & c->vertices[(*edge)[1]].code & PH_REJECT) != 0) {
             continue;
         }
-        if (((v0->code | v1->code) & PH_CLIP) == 0 && c->r->lens.kind != PH_FISHEYE) {
-            ph_list_line(c->r, edge, v0, v1);
-            continue;
-        }
-        const struct ph_clip_vertex ends[2] = {clip_vertex(c, edge[0]), clip_vertex(c, edge[1])};
+        const struct ph_clip_vertex ends[2] = {clip_vertex(c, (*edge)[0]), clip_vertex(c, (*edge)[1])};
         ph_draw_clipped_line(c->r, c->material, ends);
         ph_list_again(c->r, &c->draw);
     }

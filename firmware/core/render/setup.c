@@ -355,18 +355,18 @@ static PH_NOINLINE void setup_corners(const struct ph_setting *s, const struct p
     setup_front(s, v, uv, &sides, PH_SMALL_NO_ROW, t);
 }
 
-void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
-                      struct ph_triangle *t)
+/* Sets up a line of samples. */
+static PH_NOINLINE void setup_samples(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    struct ph_vertex a = s->usual.base[ref->corner[0]], b = s->usual.base[ref->corner[1]];
+    ph_line_of_samples(&a, &b, ref->corner[2]);
+    ph_setup_line(s, &a, &b, t);
+}
+
+static PH_NOINLINE void setup_triangle(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
+                                       struct ph_triangle *t)
 {
     const struct ph_vertex *const base = s->usual.base;
-    if ((s->draw.kind & PH_DRAW_LINES) != 0) {
-        struct ph_vertex a = base[ref->corner[0]], b = base[ref->corner[1]];
-        if (s->r->fine != 0) {
-            ph_line_of_samples(&a, &b, ref->corner[2]);
-        }
-        ph_setup_line(s, &a, &b, t);
-        return;
-    }
     if ((s->draw.kind & PH_DRAW_UVS) != 0) {
         setup_corners(s, ref, t);
         return;
@@ -389,6 +389,19 @@ void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum
         setup_other(s, v, uv, &sides, true, t);
     } else {
         setup_front(s, v, uv, &sides, done, t);
+    }
+}
+
+void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
+                      struct ph_triangle *t)
+{
+    const struct ph_vertex *const base = s->usual.base;
+    if ((s->draw.kind & PH_DRAW_LINES) == 0) {
+        setup_triangle(s, ref, done, t);
+    } else if (s->r->fine != 0) {
+        setup_samples(s, ref, t);
+    } else {
+        ph_setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);
     }
 }
 

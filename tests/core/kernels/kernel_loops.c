@@ -105,6 +105,23 @@ static uint32_t try_blend(uint32_t h)
     return h;
 }
 
+/* A line in rows of 32 pixels, along its columns or its rows, forwards or backwards; it stays in ROOM. */
+static uint32_t try_line(uint32_t h)
+{
+    const bool wide = below(2) > 0, back = wide && below(2) > 0;
+    const uint32_t n = 1 + below(31), depth_at = below(64), at = back ? n : 0;
+    const int32_t from = (int32_t)below(31 << 16), to = (int32_t)below(31 << 16);
+    const struct ph_line_run run = {.slope = (to - from) / (int32_t)n,
+                                    .gd = bits() >> below(32),
+                                    .forward = wide ? back ? -1 : 1 : 32,
+                                    .colour = bits() & 0xffff,
+                                    .across = from,
+                                    .d = bits(),
+                                    .stride = wide ? 32 : 1};
+    ph_line_pixels(&run, pixels + below(64) + at, depth + depth_at + at, n);
+    return h;
+}
+
 /* Most fours of samples are of one colour, some are not. */
 static uint32_t try_halve(uint32_t h)
 {
@@ -558,6 +575,7 @@ int main(void)
                  {"span_flat", try_flat},
                  {"span_gouraud", try_gouraud},
                  {"span_blend", try_blend},
+                 {"line_pixels", try_line},
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
