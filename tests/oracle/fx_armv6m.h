@@ -8,6 +8,7 @@
 #undef FX_APART
 #undef FX_DIVIDES_64
 #undef FX_DIVIDES_32
+#undef FX_MULTIPLIES
 #define fx_clz32      armv6m_clz32
 #define fx_mulhi_u32  armv6m_mulhi_u32
 #define fx_mul_wide   armv6m_mul_wide

@@ -19,7 +19,14 @@
 #define NEAR_Z      FX_ONE
 #define FAR_Z       FX_INT(12)
 
+/* The camera as it comes out of a convention's own way to write it. */
+struct taken_camera {
+    struct ph_xform view;
+    struct ph_projection projection; /* for its quarter of the picture */
+};
+
 struct conventions {
+    struct taken_camera cameras[QUARTERS];
     char texts[QUARTERS][TEXTS][3 + 2 * FX_TEXT_SIZE];
     struct ph_mesh pot;
     struct ph_material china;
@@ -41,22 +48,6 @@ static int describe(enum ph_convention convention, char texts[TEXTS][3 + 2 * FX_
     memcpy(texts[1] + length, "..", 2);
     fx_to_text_rounded(fx_div_sat(far.z, far.w), 0, texts[1] + length + 2);
     return status;
-}
-
-static int conventions_init(struct demo_context *context)
-{
-    struct conventions *const c = demo_alloc(&context->arena, sizeof(*c));
-    if (!c || model_teapot(&context->arena, &c->pot, SEGMENTS) != PH_OK) {
-        return PH_ERR_NOMEM;
-    }
-    c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, 235, 150, 70);
-    context->state = c;
-    for (uint32_t i = 0; i < QUARTERS; i++) {
-        if (describe((enum ph_convention)i, c->texts[i]) != PH_OK) {
-            return PH_ERR_INVAL;
-        }
-    }
-    return model_material(&context->arena, &c->pot, &c->china);
 }
 
 /* The camera above the pot as each convention writes it. D3D looks along +z; LMU gives planes as coordinates. */
@@ -85,6 +76,30 @@ static struct ph_projection in_quarter(const struct demo_context *context, uint3
     return p;
 }
 
+static int take_camera(const struct demo_context *context, uint32_t i, struct taken_camera *camera)
+{
+    fx_t near_z, far_z;
+    const int status = written_in((enum ph_convention)i, &camera->view, &near_z, &far_z);
+    camera->projection = in_quarter(context, i, near_z, far_z);
+    return status;
+}
+
+static int conventions_init(struct demo_context *context)
+{
+    struct conventions *const c = demo_alloc(&context->arena, sizeof(*c));
+    if (!c || model_teapot(&context->arena, &c->pot, SEGMENTS) != PH_OK) {
+        return PH_ERR_NOMEM;
+    }
+    c->china = demo_lit(c->ramp, PH_SHADE_GOURAUD, 235, 150, 70);
+    context->state = c;
+    for (uint32_t i = 0; i < QUARTERS; i++) {
+        if (describe((enum ph_convention)i, c->texts[i]) != PH_OK || take_camera(context, i, &c->cameras[i]) != PH_OK) {
+            return PH_ERR_INVAL;
+        }
+    }
+    return model_material(&context->arena, &c->pot, &c->china);
+}
+
 static int conventions_frame(struct demo_context *context, struct ph_renderer *r, uint32_t frame)
 {
     const struct conventions *const c = context->state;
@@ -92,18 +107,23 @@ static int conventions_frame(struct demo_context *context, struct ph_renderer *r
     int status = PH_OK;
     context->frame = frame;
     for (uint32_t i = 0; i < QUARTERS && status == PH_OK; i++) {
-        struct ph_xform view;
-        fx_t near_z, far_z;
-        status = written_in((enum ph_convention)i, &view, &near_z, &far_z);
-        if (status != PH_OK) {
-            break;
-        }
-        const struct ph_projection projection = in_quarter(context, i, near_z, far_z);
-        status = i == 0 ? demo_begin(context, r, &view, &projection, &demo_daylight, ph_rgb565(24, 32, 48))
-                        : demo_camera(context, r, &view, &projection);
+        const struct taken_camera *const camera = &c->cameras[i];
+        status = i == 0
+                     ? demo_begin(context, r, &camera->view, &camera->projection, &demo_daylight, ph_rgb565(24, 32, 48))
+                     : demo_camera(context, r, &camera->view, &camera->projection);
         status = status ? status : ph_draw_mesh(r, &c->pot, &turn);
     }
     return status;
+}
+
+/* Draws a text around `middle`, if it reaches into the band. */
+static void label(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t middle,
+                  int32_t y, const char *text)
+{
+    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine));
+    if (y - 1 < y0 + (int32_t)lines && y + PH_FONT_HEIGHT > y0) {
+        demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, y, text);
+    }
 }
 
 static uint32_t conventions_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
@@ -113,16 +133,17 @@ static uint32_t conventions_band(struct demo_context *context, struct ph_rendere
     const uint32_t lines = ph_draw_band(r, band, pixels);
     const int32_t inset = context->height / 8 - 6; /* so that a round glass shows the labels, too */
     const bool low = context->height < 96;         /* there is room for one line at a time */
-    for (uint32_t i = 0; i < QUARTERS; i++) {
+    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine)), half = context->height / 2;
+    const uint32_t from = y0 > half ? 2 : 0, end = y0 + (int32_t)lines < half ? 2 : QUARTERS; /* quarters of the band */
+    for (uint32_t i = from; i < end; i++) {
         const int32_t middle = context->width * (i & 1 ? 3 : 1) / 4;
         const int32_t top = (i & 2 ? context->height / 2 : 0) + (inset > 2 ? inset : 2);
-        demo_text(r, band, lines, pixels, middle - ph_overlay_width(names[i], 1) / 2, top, names[i]);
+        label(r, band, lines, pixels, middle, top, names[i]);
         const int32_t first = low ? (int32_t)(context->frame / (LOOP_FRAMES / TEXTS) % TEXTS) : 0,
                       least = low ? 1 : TEXTS;
         for (int32_t k = first; k < first + least; k++) {
-            const int32_t end = (i & 2 ? context->height : context->height / 2) - (i & 2 && inset > 2 ? inset : 2);
-            demo_text(r, band, lines, pixels, middle - ph_overlay_width(c->texts[i][k], 1) / 2,
-                      end - (least - k + first) * PH_FONT_HEIGHT, c->texts[i][k]);
+            const int32_t bottom = (i & 2 ? context->height : context->height / 2) - (i & 2 && inset > 2 ? inset : 2);
+            label(r, band, lines, pixels, middle, bottom - (least - k + first) * PH_FONT_HEIGHT, c->texts[i][k]);
         }
     }
     return lines;
@@ -134,7 +155,7 @@ const struct demo demo_conventions = {
     .loop_frames = LOOP_FRAMES,
     DEMO_ARENA(MODEL_ROUND8(sizeof(struct conventions)) + MODEL_ROUND8(sizeof(struct ph_part)) +
                    MODEL_BYTES(MODEL_TEAPOT_VERTICES(SEGMENTS), MODEL_TEAPOT_TRIANGLES(SEGMENTS)),
-               4832),
+               5136),
     .vertex_max = 4 * MODEL_TEAPOT_VERTICES(SEGMENTS),
     .triangle_max = 660,
     .init = conventions_init,

@@ -8,10 +8,16 @@
 
 #define LOOP_FRAMES  256
 #define SEGMENTS     3
+#define MAJOR        16 /* of the ring */
+#define MINOR        8
 #define CELLS        14
+#define MINOR_SMALL  6 /* in small pictures */
+#define CELLS_SMALL  10
 #define SEGMENTS_FEW 2 /* where memory is small */
+#define MAJOR_FEW    8
+#define MINOR_FEW    4
 #define CELLS_FEW    6
-#define BELOW_POT    (FX_ONE * 63 / 100)
+#define BELOW_POT    (FX_ONE * 64 / 100) /* a hair above the floor: its shadow needs no clipping */
 
 struct shadows {
     struct ph_mesh pot, ring, lamp, floor;
@@ -36,8 +42,9 @@ static void shadow_colours(struct shadows *s)
      MODEL_BYTES(MODEL_TEAPOT_VERTICES(n), MODEL_TEAPOT_TRIANGLES(n)) +                                                \
      MODEL_BYTES(MODEL_TORUS_VERTICES(major, minor), MODEL_TORUS_TRIANGLES(major, minor)) +                            \
      MODEL_BYTES(MODEL_ICOSPHERE_VERTICES(lamp), MODEL_ICOSPHERE_TRIANGLES(lamp)) + MODEL_FLOOR_BYTES(cells))
-#define ARENA_FINE ARENA(SEGMENTS, 16, 8, 1, CELLS)
-#define ARENA_FEW  ARENA(SEGMENTS_FEW, 8, 4, 0, CELLS_FEW)
+#define ARENA_FINE  ARENA(SEGMENTS, MAJOR, MINOR, 1, CELLS)
+#define ARENA_SMALL ARENA(SEGMENTS, MAJOR, MINOR_SMALL, 1, CELLS_SMALL)
+#define ARENA_FEW   ARENA(SEGMENTS_FEW, MAJOR_FEW, MINOR_FEW, 0, CELLS_FEW)
 
 static int shadow_init(struct demo_context *context)
 {
@@ -48,13 +55,17 @@ static int shadow_init(struct demo_context *context)
     }
     shadow_colours(s);
     context->state = s;
-    const bool fine = arena->size >= ARENA_FINE;
-    const uint32_t cells = fine ? CELLS : CELLS_FEW;
+    const bool fine = arena->size >= ARENA_FINE, few = arena->size < ARENA_SMALL;
+    const uint32_t cells = fine ? CELLS : few ? CELLS_FEW : CELLS_SMALL;
     s->floor_scale = FX_ONE * CELLS / (fx_t)cells;
-    if (model_teapot(arena, &s->pot, fine ? SEGMENTS : SEGMENTS_FEW) != PH_OK ||
+    if (model_teapot(arena, &s->pot, few ? SEGMENTS_FEW : SEGMENTS) != PH_OK ||
         model_material(arena, &s->pot, &s->china) != PH_OK ||
-        model_torus(arena, &s->ring, fine ? 16 : 8, fine ? 8 : 4, 1 << 27, 1 << 25) != PH_OK ||
-        model_material(arena, &s->ring, &s->gold) != PH_OK || model_icosphere(arena, &s->lamp, fine ? 1 : 0) != PH_OK ||
+        model_torus(arena, &s->ring, few ? MAJOR_FEW : MAJOR,
+                    fine  ? MINOR
+                    : few ? MINOR_FEW
+                          : MINOR_SMALL,
+                    1 << 27, 1 << 25) != PH_OK ||
+        model_material(arena, &s->ring, &s->gold) != PH_OK || model_icosphere(arena, &s->lamp, few ? 0 : 1) != PH_OK ||
         model_material(arena, &s->lamp, &s->glow) != PH_OK) {
         return PH_ERR_NOMEM;
     }
@@ -108,8 +119,10 @@ static int shadow_frame(struct demo_context *context, struct ph_renderer *r, uin
 }
 
 /* vertex_max: each body twice, its shadow, too */
-static const struct demo_level coarser = {DEMO_ARENA(ARENA_FEW, 8176), .vertex_max = 401, .triangle_max = 480,
-                                          .corner_max = 24};
+static const struct demo_level coarser[] = {
+    {DEMO_ARENA(ARENA_SMALL, 17984), .vertex_max = 959, .triangle_max = 1030, .corner_max = 40, .enough_px = 135},
+    {DEMO_ARENA(ARENA_FEW, 8176), .vertex_max = 401, .triangle_max = 480, .corner_max = 24},
+};
 
 const struct demo demo_shadow = {
     .name = "shadow",
@@ -119,8 +132,8 @@ const struct demo demo_shadow = {
     .vertex_max = 1127,
     .triangle_max = 1280,
     .corner_max = 40,
-    .coarser = &coarser,
-    .coarser_count = 1,
+    .coarser = coarser,
+    .coarser_count = sizeof coarser / sizeof coarser[0],
     .init = shadow_init,
     .frame = shadow_frame,
 };

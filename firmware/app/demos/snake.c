@@ -51,11 +51,20 @@ static const struct model_point tree_profile[TREE_POINTS] = {{FX_ONE / 8, 0},
                                                              {FX_ONE * 3 / 10, FX_ONE * 7 / 5},
                                                              {0, FX_ONE * 11 / 5}};
 
-/* A ball of eight sides. */
-#define BALL_SIDES  8
-#define BALL_POINTS 5
+/* A ball of eight sides, and one of six for where it is small in the picture. */
+#define BALL_SIDES   8
+#define BALL_POINTS  5
+#define SMALL_SIDES  6
+#define SMALL_POINTS 4
 static const struct model_point ball_profile[BALL_POINTS] = {
     {0, -FX_ONE}, {46341, -46341}, {FX_ONE, 0}, {46341, 46341}, {0, FX_ONE}};
+static const struct model_point small_profile[SMALL_POINTS] = {
+    {0, -FX_ONE}, {FX_ONE * 63 / 64, -FX_ONE / 3}, {FX_ONE * 63 / 64, FX_ONE / 3}, {0, FX_ONE}};
+
+/* How finely balls and their shades are made. A ball takes the first form up to whose radius in the picture it is. */
+enum { TINY, SMALL, LARGE, FORMS };
+#define TINY_PX  2
+#define SMALL_PX 4
 
 struct cell {
     int8_t x, z;
@@ -97,7 +106,7 @@ struct snake {
     struct steering before;  /* the steering, its frame and buttons before the last frame, which may come again */
     uint32_t frame_before, buttons_before;
     fx_t lawn_scale;
-    struct ph_mesh light_ball, dark_ball, head, apple, eye, pupil, tree, floor, shade;
+    struct ph_mesh ball[FORMS], shade[FORMS], tree, floor;
     struct ph_material skin[2], face, red, white, black, leaves, tiles[2], dark;
     uint16_t ramps[6][PH_RAMP_SIZE];
 };
@@ -356,34 +365,41 @@ static void close_poles(struct ph_mesh *ball, uint32_t sides)
     ((struct ph_part *)(uintptr_t)ball->parts)->count = count;
 }
 
-#define ARENA(sides, points, tree_sides, tree_points, cells)                                                           \
-    (MODEL_ROUND8(sizeof(struct snake)) + MODEL_LATHE_BYTES(sides, points, 1) +                                        \
-     MODEL_LATHE_BYTES(tree_sides, tree_points, 1) + MODEL_FLOOR_BYTES(cells))
-#define ARENA_FINE ARENA(BALL_SIDES, BALL_POINTS, TREE_SIDES, TREE_POINTS, CELLS)
-#define ARENA_FEW  ARENA(BALL_SIDES_FEW, BALL_POINTS_FEW, TREE_SIDES_FEW, TREE_POINTS_FEW, CELLS_FEW)
+#define ARENA(balls, tree_sides, tree_points, cells)                                                                   \
+    (MODEL_ROUND8(sizeof(struct snake)) + (balls) + MODEL_LATHE_BYTES(tree_sides, tree_points, 1) +                    \
+     MODEL_FLOOR_BYTES(cells))
+#define GEM        MODEL_LATHE_BYTES(BALL_SIDES_FEW, BALL_POINTS_FEW, 1)
+#define ROUND      (MODEL_LATHE_BYTES(BALL_SIDES, BALL_POINTS, 1) + MODEL_LATHE_BYTES(SMALL_SIDES, SMALL_POINTS, 1))
+#define ARENA_FINE ARENA(GEM + ROUND, TREE_SIDES, TREE_POINTS, CELLS)
+#define ARENA_FEW  ARENA(GEM, TREE_SIDES_FEW, TREE_POINTS_FEW, CELLS_FEW)
+
+static int make_ball(struct demo_arena *arena, struct ph_mesh *ball, const struct model_point *profile, uint32_t points,
+                     uint32_t sides)
+{
+    const int status = model_lathe(arena, ball, profile, points, sides, 1, NULL);
+    if (status == PH_OK) {
+        close_poles(ball, sides);
+    }
+    return status;
+}
 
 static int make_fine(struct demo_arena *arena, struct snake *s)
 {
     s->lawn_scale = FX_ONE * 17 / 10;
-    s->shade = shade_of(s, false);
-    const int ball = model_lathe(arena, &s->light_ball, ball_profile, BALL_POINTS, BALL_SIDES, 1, &s->skin[0]);
-    const int tree = model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves);
-    if (ball == PH_OK) {
-        close_poles(&s->light_ball, BALL_SIDES);
-    }
-    return ball | tree | model_floor(arena, &s->floor, CELLS, s->tiles);
+    s->shade[SMALL] = s->shade[LARGE] = shade_of(s, false);
+    return make_ball(arena, &s->ball[SMALL], small_profile, SMALL_POINTS, SMALL_SIDES) |
+           make_ball(arena, &s->ball[LARGE], ball_profile, BALL_POINTS, BALL_SIDES) |
+           model_lathe(arena, &s->tree, tree_profile, TREE_POINTS, TREE_SIDES, 1, &s->leaves) |
+           model_floor(arena, &s->floor, CELLS, s->tiles);
 }
 
 static int make_coarse(struct demo_arena *arena, struct snake *s)
 {
     s->lawn_scale = FX_ONE * 17 / 10 * CELLS / CELLS_FEW;
-    s->shade = shade_of(s, true);
-    const int ball = model_lathe(arena, &s->light_ball, gem_profile, BALL_POINTS_FEW, BALL_SIDES_FEW, 1, &s->skin[0]);
-    const int tree = model_lathe(arena, &s->tree, cone_profile, TREE_POINTS_FEW, TREE_SIDES_FEW, 1, &s->leaves);
-    if (ball == PH_OK) {
-        close_poles(&s->light_ball, BALL_SIDES_FEW);
-    }
-    return ball | tree | model_floor(arena, &s->floor, CELLS_FEW, s->tiles);
+    s->shade[SMALL] = s->shade[LARGE] = s->shade[TINY];
+    s->ball[SMALL] = s->ball[LARGE] = s->ball[TINY];
+    return model_lathe(arena, &s->tree, cone_profile, TREE_POINTS_FEW, TREE_SIDES_FEW, 1, &s->leaves) |
+           model_floor(arena, &s->floor, CELLS_FEW, s->tiles);
 }
 
 static int snake_init(struct demo_context *context)
@@ -398,50 +414,71 @@ static int snake_init(struct demo_context *context)
     s->frame = s->frame_before = UINT32_MAX;
     s->before = s->steering;
     snake_colours(s);
-    if ((arena->size >= ARENA_FINE ? make_fine(arena, s) : make_coarse(arena, s)) != PH_OK) {
+    s->shade[TINY] = shade_of(s, true);
+    if (make_ball(arena, &s->ball[TINY], gem_profile, BALL_POINTS_FEW, BALL_SIDES_FEW) != PH_OK ||
+        (arena->size >= ARENA_FINE ? make_fine(arena, s) : make_coarse(arena, s)) != PH_OK) {
         return PH_ERR_NOMEM;
     }
-    s->dark_ball = s->head = s->apple = s->eye = s->pupil = s->light_ball;
-    s->dark_ball.materials = &s->skin[1];
-    s->head.materials = &s->face;
-    s->apple.materials = &s->red;
-    s->eye.materials = &s->white;
-    s->pupil.materials = &s->black;
     context->state = s;
     return PH_OK;
 }
 
-/* False for most bodies within `reach` of a point that are behind the camera, where most of the snake is, or beside the
- * picture. */
-static bool may_be_seen(const struct ph_renderer *r, struct fx_vec3 at, fx_t reach)
+/* Where a body is as the camera sees it. */
+struct seen {
+    bool at_all;
+    uint32_t form;
+};
+
+/* Not at all: most bodies within `reach` of a point that are behind the camera, where most of the snake is, or beside
+ * the picture. Its form is that of a ball of this size. */
+static struct seen see(const struct ph_renderer *r, struct fx_vec3 at, fx_t reach)
 {
     const struct ph_projection *const lens = &r->projection;
     const struct fx_vec3 v = ph_xform_point(&r->view, at);
     if (v.z > reach || lens->kind != PH_PERSPECTIVE || (lens->shift_x | lens->shift_y) != 0) {
-        return v.z <= reach;
+        return (struct seen){v.z <= reach, LARGE};
     }
-    const fx_t far = fx_sub_sat(reach, v.z);
-    return fx_mul_sat(fx_abs_sat(v.x) - reach, lens->scale_x_q20 >> 4) <= far &&
-           fx_mul_sat(fx_abs_sat(v.y) - reach, lens->scale_y_q20 >> 4) <= far;
+    const fx_t far = fx_sub_sat(reach, v.z), size = fx_mul_sat(reach, lens->scale_y_q20 >> 4);
+    if (fx_mul_sat(fx_abs_sat(v.x) - reach, lens->scale_x_q20 >> 4) > far ||
+        fx_mul_sat(fx_abs_sat(v.y) - reach, lens->scale_y_q20 >> 4) > far) {
+        return (struct seen){false, LARGE};
+    }
+    const fx_t radius = fx_mul_sat(size, FX_INT(r->config.height / 2)); /* px, at a distance of 1 */
+    return (struct seen){true, radius / TINY_PX <= -v.z ? TINY : radius / SMALL_PX <= -v.z ? SMALL : LARGE};
 }
 
-/* Draws a body that reaches less than four times its size. */
 static int draw_at(struct ph_renderer *r, const struct ph_mesh *mesh, struct fx_vec3 at, fx_t size)
 {
-    if (!may_be_seen(r, at, 4 * size)) {
-        return PH_OK;
-    }
     struct ph_xform place = ph_xform_scale(size);
     place.t = at;
     return ph_draw_mesh(r, mesh, &place);
 }
 
-/* Draws a ball, and its shade on the lawn below it: that of a lamp high above. */
-static int draw_shaded(struct ph_renderer *r, const struct snake *s, const struct ph_mesh *mesh, struct fx_vec3 at,
-                       fx_t size)
+static int draw_ball(struct ph_renderer *r, const struct snake *s, const struct ph_material *material,
+                     struct fx_vec3 at, fx_t size)
 {
-    const int status = draw_at(r, mesh, at, size);
-    return status ? status : draw_at(r, &s->shade, (struct fx_vec3){at.x + size / 8, 0, at.z - size / 8}, size);
+    const struct seen seen = see(r, at, size);
+    if (!seen.at_all) {
+        return PH_OK;
+    }
+    struct ph_mesh ball = s->ball[seen.form];
+    ball.materials = material;
+    return draw_at(r, &ball, at, size);
+}
+
+/* Draws a spot of shade on the lawn. */
+static int draw_shade(struct ph_renderer *r, const struct snake *s, struct fx_vec3 at, fx_t size)
+{
+    const struct seen seen = see(r, at, size);
+    return seen.at_all ? draw_at(r, &s->shade[seen.form], at, size) : PH_OK;
+}
+
+/* Draws a ball, and its shade on the lawn below it: that of a lamp high above. */
+static int draw_shaded(struct ph_renderer *r, const struct snake *s, const struct ph_material *material,
+                       struct fx_vec3 at, fx_t size)
+{
+    const int status = draw_ball(r, s, material, at, size);
+    return status ? status : draw_shade(r, s, (struct fx_vec3){at.x + size / 8, 0, at.z - size / 8}, size);
 }
 
 /* The head, and its eyes, which look where it moves. */
@@ -451,7 +488,7 @@ static int draw_head(struct ph_renderer *r, const struct snake *s, uint32_t now,
     const fx_t size = outside ? RADIUS * 6 / 5 : RADIUS * 3 / 4;
     const struct fx_vec3 at = spot(&s->steering, now, ahead), next = spot(&s->steering, now, ahead + 4);
     struct fx_vec3 forward;
-    int status = draw_shaded(r, s, &s->head, at, size);
+    int status = draw_shaded(r, s, &s->face, at, size);
     fx_vec3_direction_q30((struct fx_vec3){next.x - at.x, 0, next.z - at.z}, &forward);
     const fx_t x = forward.x >> 14, z = forward.z >> 14;
     for (int32_t i = 0; i < 4 && status == PH_OK; i++) { /* in hundredths of the head's size */
@@ -459,7 +496,7 @@ static int draw_head(struct ph_renderer *r, const struct snake *s, uint32_t now,
         const fx_t side = (i & 1 ? size : -size) / 100 * (pupil ? 50 : 42), front = size / 100 * (pupil ? 78 : 56);
         const struct fx_vec3 eye = {at.x + fx_mul_sat(front, x) - fx_mul_sat(side, z), at.y + size / 100 * 66,
                                     at.z + fx_mul_sat(front, z) + fx_mul_sat(side, x)};
-        status = draw_at(r, pupil ? &s->pupil : &s->eye, eye, size / 100 * (pupil ? 22 : 38));
+        status = draw_ball(r, s, pupil ? &s->black : &s->white, eye, size / 100 * (pupil ? 22 : 38));
     }
     return status;
 }
@@ -470,8 +507,7 @@ static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t now,
     int status = draw_head(r, s, now, outside);
     for (uint32_t i = 1; i <= balls(&s->steering) && status == PH_OK; i++) {
         const fx_t size = RADIUS - (fx_t)(i * i) * (RADIUS / (BALLS * BALLS * 2));
-        status = draw_shaded(r, s, (i >> 1) & 1 ? &s->light_ball : &s->dark_ball,
-                             spot(&s->steering, now - i * SPACING, 0), size);
+        status = draw_shaded(r, s, &s->skin[(i >> 1) & 1 ? 0 : 1], spot(&s->steering, now - i * SPACING, 0), size);
     }
     return status;
 }
@@ -496,7 +532,7 @@ static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t no
         }
         if (grown > 0) {
             p.y += FX_ONE / 6;
-            status = draw_shaded(r, s, &s->apple, p, (fx_t)(grown * 2 / 3) + 256);
+            status = draw_shaded(r, s, &s->red, p, (fx_t)(grown * 2 / 3) + 256);
         }
     }
     return status;
@@ -510,8 +546,9 @@ static int draw_garden(struct ph_renderer *r, const struct snake *s)
     for (uint32_t i = 0; i < TREES && status == PH_OK; i++) {
         const struct fx_vec3 at = {FX_INT(places[i][0]), 0, FX_INT(places[i][1])};
         const fx_t size = FX_ONE + (fx_t)(i % 3) * (FX_ONE / 4);
-        status = draw_at(r, &s->tree, at, size);
-        status = status ? status : draw_at(r, &s->shade, at, size * 3 / 4);
+        const struct fx_vec3 middle = {at.x, size * 11 / 10, at.z};
+        status = see(r, middle, size * 5 / 4).at_all ? draw_at(r, &s->tree, at, size) : PH_OK;
+        status = status ? status : draw_shade(r, s, at, size * 3 / 4);
     }
     const struct ph_xform lawn = ph_xform_scale(s->lawn_scale);
     return status ? status : ph_draw_mesh(r, &s->floor, &lawn);
@@ -550,8 +587,8 @@ static const char *const views[] = {"head", "outside", NULL};
 
 /* For pictures of kits, which are narrower, and for little memory. */
 static const struct demo_level coarser[] = {
-    {DEMO_ARENA(ARENA_FINE, 8080), .vertex_max = VERTICES, .triangle_max = 1060, .corner_max = 96},
-    {DEMO_ARENA(ARENA_FEW, 4336), .vertex_max = 642, .triangle_max = 300, .corner_max = 48},
+    {DEMO_ARENA(ARENA_FINE, 9024), .vertex_max = VERTICES, .triangle_max = 1060, .corner_max = 96},
+    {DEMO_ARENA(ARENA_FEW, 4288), .vertex_max = 642, .triangle_max = 300, .corner_max = 48},
 };
 
 const struct demo demo_snake = {
@@ -559,7 +596,7 @@ const struct demo demo_snake = {
     .summary = "a snake that eats apples, seen from a camera on its head",
     .views = views,
     .loop_frames = LOOP_FRAMES,
-    DEMO_ARENA(ARENA_FINE, 8080),
+    DEMO_ARENA(ARENA_FINE, 9024),
     .vertex_max = VERTICES,
     .triangle_max = 1900,
     .corner_max = 96,

@@ -23,6 +23,21 @@ static const uint8_t *glyph_of(char letter)
     return known ? ph_font[c - PH_FONT_FIRST] : box;
 }
 
+/* Draws pixels below each other where bits are set (one is), from bit 0 on: in `colour` where inner ones are, else in
+ * `outline`. Apart, so that the loop keeps to registers. */
+static __attribute__((noinline)) void draw_bits(uint16_t *to, int32_t width, uint32_t bits, uint32_t inner,
+                                                uint32_t colour, uint32_t outline)
+{
+    do { /* at most 32 times */
+        if ((bits & 1) != 0) {
+            *to = (uint16_t)((inner & 1) != 0 ? colour : outline);
+        }
+        to += width;
+        inner >>= 1;
+        bits >>= 1;
+    } while (bits != 0);
+}
+
 /* Draws pixels below each other from y on, where bits are set, from bit 0 on. */
 static void draw_column(const struct ph_overlay_band *band, int32_t x, int32_t y, uint32_t bits, uint16_t colour)
 {
@@ -31,13 +46,8 @@ static void draw_column(const struct ph_overlay_band *band, int32_t x, int32_t y
         return;
     }
     bits = (below < 32 ? bits & (((uint32_t)1 << below) - 1) : bits) >> hidden;
-    const int32_t width = band->width; /* pixels might alias it */
-    uint16_t *pixel = band->pixels + (hidden - above) * width + x;
-    for (; bits != 0; bits >>= 1) {
-        if ((bits & 1) != 0) {
-            *pixel = colour;
-        }
-        pixel += width;
+    if (bits != 0) {
+        draw_bits(band->pixels + (hidden - above) * band->width + x, band->width, bits, bits, colour, colour);
     }
 }
 
@@ -55,24 +65,43 @@ static __attribute__((noinline)) void draw_squares(const struct ph_overlay_band 
     }
 }
 
-/* Draws one letter: each pixel of the font is a square `scale` wide, made `more` pixels (0 or 1) larger on all sides.
- * Squares of one pixel are drawn by columns, into which the larger ones' neighbours have been put. */
-static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph, int32_t scale,
-                        int32_t more, uint16_t colour)
+/* A letter's style; outlined: around its pixels those of the outline are drawn. */
+struct ink {
+    uint16_t colour, outline;
+    bool outlined;
+};
+
+/* Draws a letter pixel by pixel, and its outline, by columns. */
+static void draw_pixels(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph,
+                        const struct ink *ink)
 {
-    if (scale > 1) {
-        draw_squares(band, x, y, glyph, scale, more, colour);
+    const int32_t above = band->y0 - y + 1, hidden = above > 0 ? above : 0, below = band->lines + above;
+    if (hidden > 9 || below <= 0) {
         return;
     }
-    uint32_t before = 0, here = 0;
-    for (int32_t column = -1; column < 6; column++) {
-        const uint32_t after = column < 4 ? glyph[column + 1] : 0, near = before | here | after;
-        const uint32_t bits = more > 0 ? near | near << 1 | near << 2 : here << 1;
-        if (bits != 0) {
-            draw_column(band, x + column, y - 1, bits, colour);
+    const uint32_t shown = below < 10 ? ((uint32_t)1 << below) - 1 : 1023;
+    const int32_t width = band->width; /* pixels might alias it */
+    uint16_t *to = band->pixels + (hidden - above) * width + x - 1;
+    uint32_t before = 0, here = 0, after;
+    for (int32_t column = -1; column < 6; column++, to++, before = here, here = after) {
+        after = column < 4 ? glyph[column + 1] : 0;
+        const uint32_t near = ink->outlined ? before | here | after : here << 1;
+        const uint32_t bits = ((ink->outlined ? near | near << 1 | near << 2 : near) & shown) >> hidden;
+        if (bits != 0 && (uint32_t)(x + column) < (uint32_t)width) {
+            draw_bits(to, width, bits, here << 1 >> hidden, ink->colour, ink->outline);
         }
-        before = here;
-        here = after;
+    }
+}
+
+/* Draws one letter: each pixel of the font is a square `scale` wide. The outline, and all of `more` 1, makes it one
+ * pixel larger on all sides. With a scale of 1 both are drawn at a time: outlines only meet between letters. */
+static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y, const uint8_t *glyph, int32_t scale,
+                        int32_t more, const struct ink *ink)
+{
+    if (scale > 1) {
+        draw_squares(band, x, y, glyph, scale, more, more > 0 ? ink->outline : ink->colour);
+    } else {
+        draw_pixels(band, x, y, glyph, ink);
     }
 }
 
@@ -84,12 +113,12 @@ void ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, c
         y + 7 * scale + 1 <= band->y0) {
         return;
     }
-    for (int32_t more = 1; more >= 0; more--) { /* all outlines come first, so none covers a letter */
-        const uint16_t colour = more > 0 ? style->outline : style->colour;
+    const struct ink ink = {style->colour, style->outline, true};
+    for (int32_t more = scale > 1; more >= 0; more--) { /* all outlines come first, so none covers a letter */
         for (int32_t i = 0; i < LETTER_MAX && text[i] != '\0'; i++) {
             const uint8_t *glyph = glyph_of(text[i]);
             if (glyph != NULL) {
-                draw_letter(band, x + i * PH_FONT_WIDTH * scale, y, glyph, scale, more, colour);
+                draw_letter(band, x + i * PH_FONT_WIDTH * scale, y, glyph, scale, more, &ink);
             }
         }
     }
@@ -160,13 +189,13 @@ void ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const cha
     if (x < -32768 || x > 32767 || y < -32768 || y > 32767) {
         return;
     }
-    for (int32_t more = style->outline != style->colour; more >= 0; more--) { /* all outlines come first, as above */
+    const struct ink ink = {style->colour, style->outline, style->outline != style->colour};
+    for (int32_t more = ink.outlined && scale > 1; more >= 0; more--) { /* all outlines come first, as above */
         int32_t at = x;
         for (int i = 0; i < LETTER_MAX && text[i] != '\0'; i++) {
             const struct letter l = letter_of(text[i]);
             if (l.width > 0) {
-                draw_letter(band, at - l.first * scale, y, l.columns, scale, more,
-                            more > 0 ? style->outline : style->colour);
+                draw_letter(band, at - l.first * scale, y, l.columns, scale, more, &ink);
             }
             at += step_of(&l) * scale;
         }

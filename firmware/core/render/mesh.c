@@ -510,8 +510,14 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
     }
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
-    struct part_context c = {.r = r, .mesh = mesh, .matrix = &matrix, .vertices = ph_at(r, place)};
-    c.draw.base = place;
+    struct part_context c; /* draw_part sets the rest */
+    c.r = r;
+    c.mesh = mesh;
+    c.matrix = &matrix;
+    c.vertices = ph_at(r, place);
+    c.lit_as = NULL;
+    c.mixed = false;
+    c.draw = (struct ph_draw){.base = place};
     c.codes = ph_transform_mesh(r, &matrix, mesh, c.vertices);
     r->stats.vertices += n;
     for (uint32_t i = 0; i < mesh->part_count; i++) {

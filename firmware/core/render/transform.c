@@ -19,7 +19,7 @@ static void fold_row(struct ph_clip_matrix *out, int row, const struct ph_xform 
     }
     const struct fx_vec3 t = object_to_view->t;
     const int32_t along = from == 0 ? t.x : from == 1 ? t.y : t.z;
-    out->t[row] = fx_mul_wide(fx_sat64((fx_mul_wide(along, scale) + (1 << 29)) >> 30), 1 << 28) + (1 << 27);
+    out->t[row] = (int64_t)fx_sat64((fx_mul_wide(along, scale) + (1 << 29)) >> 30) * (1 << 28) + (1 << 27);
 }
 
 struct ph_clip_matrix ph_clip_matrix(const struct ph_lens *lens, const struct ph_xform *object_to_view)

@@ -11,6 +11,7 @@ extern const uint8_t fx_clz_table[256]; /* leading zeros of 8 bits: fx_clz.c */
 
 #define FX_DIVIDES_64 0                         /* whether a 64-bit division is one instruction */
 #define FX_DIVIDES_32 0                         /* whether a 32-bit one is */
+#define FX_MULTIPLIES 0                         /* whether a product of 64 bits takes a few instructions */
 #define FX_APART      __attribute__((noinline)) /* 8 registers do not hold two of the stages at once */
 
 static inline int fx_clz32(uint32_t v)

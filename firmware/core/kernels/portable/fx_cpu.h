@@ -12,6 +12,7 @@ extern "C" {
 #define FX_DIVIDES_64 0
 #endif
 #define FX_DIVIDES_32 1                                     /* 1: a 32-bit division is */
+#define FX_MULTIPLIES 1                                     /* 1: a product of 64 bits takes a few instructions */
 #define FX_APART      inline __attribute__((always_inline)) /* 13 registers or more: calls are what costs */
 
 static inline int fx_clz32(uint32_t v)
