@@ -619,6 +619,9 @@ exclude|--board x --size 8x8 --crc
 --frames|--frames= --crc
 --start|--start x --crc
 --start|--start 1x --crc
+--aa: pictures of at most 512x512 pixels, not 513x10$|--aa --size 513x10 --crc
+--aa: pictures of at most 512x512 pixels, not 10x513$|--aa --size 513x10 --rotate 90 --crc
+--aa: pictures of at most 512x512 pixels, not 600x600$|--aa --size 600x600 --window
 --rotate|--rotate 45 --crc
 --rotate|--rotate 360 --crc
 --rotate|--rotate 090 --crc
