@@ -629,6 +629,8 @@ exclude|--board x --size 8x8 --crc
 --two-sided: of which model|--two-sided --crc
 --texture: of which model|--texture x.png --crc
 --max-triangles: of which model|--max-triangles 100 --crc
+--clip: of which model|--clip walk --crc
+--filter: of which model|--demo cube --filter bilinear --crc
 --camera|--camera 0,0,3 --crc
 --camera|--camera vrp=0,0,3 --crc
 --camera|--camera vrp=0,0,3,vpn=0,0,1,up=0,1,0 --crc
