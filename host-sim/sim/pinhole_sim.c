@@ -196,6 +196,9 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     goal.fit = o->goal_set ? goal.fit : goal.board != NULL && goal.board->ram_bytes < KIT_RAM_MOST;
     setup->demo = &chosen->model_demo;
     setup->state = chosen->model;
+    setup->file = o->model;
+    setup->cure = chosen->model->scene != NULL ? "make it by pinhole-asset --max-triangles fit for this --board"
+                                               : "leave --max-triangles out, or say --max-triangles fit";
     model_set_filter(chosen->model, goal.filter);
     chosen->model_demo = model_demo(chosen->model);
     if (chosen->model->scene != NULL || (!goal.fit && goal.triangles == UINT32_MAX)) {
