@@ -361,16 +361,21 @@ static void sparse_values_replace_zeros(void **state)
     assert_non_null(strstr(said, "an index that is not there"));
 }
 
-static void assert_refused(const char *text, const char *reason)
+static void assert_file_refused(const char *path, const char *reason)
 {
     struct model *model;
     char said[1024];
-    write_triangle();
-    assert_int_equal(open_caught(&model, file_text("wrong.gltf", text), said), COMPLAINED);
+    assert_int_equal(open_caught(&model, path, said), COMPLAINED);
     if (strstr(said, reason) == NULL) {
         fail_msg("wanted '%s', got: %s", reason, said);
     }
     assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+}
+
+static void assert_refused(const char *text, const char *reason)
+{
+    write_triangle();
+    assert_file_refused(file_text("wrong.gltf", text), reason);
 }
 
 static void what_cannot_be_read_is_refused_in_one_line(void **state)
@@ -393,6 +398,30 @@ static void what_cannot_be_read_is_refused_in_one_line(void **state)
     assert_refused(HEAD MESH "\"materials\":[{}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":6,"
                              "\"type\":\"VEC3\"}]," BUFFER,
                    "not inside bufferView 0");
+}
+
+static void a_glb_that_is_cut_off_is_told_by_its_length(void **state)
+{
+    static const struct {
+        size_t n;
+        const char *reason;
+    } cases[] = {{0, "empty"},
+                 {3, "it is 3 bytes long, its header alone 12: it is cut off"},
+                 {12, "it is 12 bytes long, its header says 24: it is cut off"},
+                 {19, "it is 19 bytes long, its header says 24: it is cut off"},
+                 {23, "it is 23 bytes long, its header says 24: it is cut off"},
+                 {24, "no glTF of version 2"}};
+    static const char glb[25] = "glTF\2\0\0\0\30\0\0\0\4\0\0\0JSON{  }";
+    char bytes[24];
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        file_bytes("cut.glb", glb, cases[k].n);
+        assert_file_refused(file_path("cut.glb"), cases[k].reason);
+    }
+    memcpy(bytes, glb, sizeof bytes);
+    bytes[4] = 1;
+    file_bytes("cut.glb", bytes, sizeof bytes);
+    assert_file_refused(file_path("cut.glb"), "a GLB of version 1, not 2");
 }
 
 /* 30 nodes that name the next one twice would be a model of 2^30 parts. */
@@ -423,6 +452,7 @@ int main(void)
         cmocka_unit_test(every_component_type_is_read_interleaved),
         cmocka_unit_test(sparse_values_replace_zeros),
         cmocka_unit_test(what_cannot_be_read_is_refused_in_one_line),
+        cmocka_unit_test(a_glb_that_is_cut_off_is_told_by_its_length),
         cmocka_unit_test(a_node_with_two_parents_is_refused),
     };
     return cmocka_run_group_tests(tests, files_begin, files_end);

@@ -384,13 +384,21 @@ static bool check_required(struct gltf_file *file)
 static bool split_chunks(struct gltf_file *file, struct gltf_span all, struct gltf_span *json)
 {
     *json = all;
-    if (all.n < 20 || memcmp(all.bytes, "glTF", 4) != 0) {
-        return true;
+    if (all.n == 0 || memcmp(all.bytes, "glTF", all.n < 4 ? all.n : 4) != 0) {
+        return all.n > 0 || gltf_file_failed(file, "it is empty");
     }
-    const uint32_t version = bits_at(all.bytes + 4, 4), length = bits_at(all.bytes + 8, 4);
-    const uint32_t n = bits_at(all.bytes + 12, 4);
-    if (version != 2 || length > all.n || n > all.n - 20 || memcmp(all.bytes + 16, "JSON", 4) != 0) {
-        return gltf_file_failed(file, "a GLB with a header that is broken, or not of version 2");
+    const uint32_t version = all.n < 8 ? 2 : bits_at(all.bytes + 4, 4);
+    const uint32_t length = all.n < 12 ? 12 : bits_at(all.bytes + 8, 4);
+    if (version != 2) {
+        return gltf_file_failed(file, "a GLB of version %u, not 2", version);
+    }
+    if (length > all.n) {
+        return gltf_file_failed(file, "it is %zu bytes long, its header %s %u: it is cut off", all.n,
+                                all.n < 12 ? "alone" : "says", length);
+    }
+    const uint32_t n = length < 20 ? 0 : bits_at(all.bytes + 12, 4);
+    if (length < 20 || n > all.n - 20 || memcmp(all.bytes + 16, "JSON", 4) != 0) {
+        return gltf_file_failed(file, "a GLB with a header that is broken");
     }
     *json = (struct gltf_span){all.bytes + 20, n};
     const size_t rest = all.n - 20 - n;
