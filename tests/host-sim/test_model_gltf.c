@@ -254,6 +254,25 @@ static void what_a_material_does_not_get_is_said_once(void **state)
     model_close(model);
 }
 
+static void a_texture_that_is_not_there_is_told_by_its_number(void **state)
+{
+    (void)state;
+    struct model *model =
+        with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":77}}", "none.png", "");
+    assert_string_equal(model->note, "a material names texture 77, and the file has 1");
+    assert_null(model->meshes->materials->texture);
+    model_close(model);
+    model = with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{}}", "none.png", "");
+    assert_string_equal(model->note, "a material has a texture without an index");
+    model_close(model);
+    write_triangle();
+    model = open_good(file_text(
+        "feature.gltf", HEAD MESH "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                                  "\"textures\":[{}]," ACCESSORS BUFFER));
+    assert_string_equal(model->note, "texture 0 is left out: it names no image that the file has");
+    model_close(model);
+}
+
 /* Of three vertices: bytes with and floats without alpha, multiplied by the factor in linear light. */
 static void vertex_colours_are_multiplied_in_linear_light(void **state)
 {
@@ -448,6 +467,7 @@ int main(void)
         cmocka_unit_test(a_mask_cuts_out_below_its_cut_off),
         cmocka_unit_test(a_blend_has_the_alpha_of_factor_and_texture),
         cmocka_unit_test(what_a_material_does_not_get_is_said_once),
+        cmocka_unit_test(a_texture_that_is_not_there_is_told_by_its_number),
         cmocka_unit_test(vertex_colours_are_multiplied_in_linear_light),
         cmocka_unit_test(every_component_type_is_read_interleaved),
         cmocka_unit_test(sparse_values_replace_zeros),
