@@ -409,6 +409,12 @@ static void what_cannot_be_read_is_refused_in_one_line(void **state)
                              "\"buffers\":[{\"byteLength\":36,\"extensions\":{\"EXT_meshopt_compression\":"
                              "{\"fallback\":true}}}]}",
                    "compressed (EXT_meshopt_compression)");
+    assert_refused(HEAD MESH "\"materials\":[{}]," ACCESSORS "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{}],"
+                             "\"buffers\":[{\"byteLength\":100000000000,\"uri\":\"gltf.bin\"}]}",
+                   "buffer 0 has a byteLength of 100000000000, and at most 1073741824 are read");
+    assert_refused(HEAD MESH "\"materials\":[{}]," ACCESSORS "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{}],"
+                             "\"buffers\":[{\"uri\":\"gltf.bin\"}]}",
+                   "buffer 0 is missing, or has no length");
     assert_refused(HEAD MESH ACCESSORS BUFFER, "a material that is not there");
     assert_refused("{\"asset\":{\"version\":\"1.0\"}}", "no glTF of version 2");
     assert_refused(HEAD MESH "\"materials\":[{}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":"

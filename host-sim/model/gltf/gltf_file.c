@@ -161,6 +161,11 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
     const struct cJSON *buffer = gltf_file_item(file, GLTF_BUFFERS, i);
     const struct cJSON *uri = cJSON_GetObjectItemCaseSensitive(buffer, "uri");
     const uint32_t length = gltf_file_whole(buffer, "byteLength", GLTF_NONE);
+    const double said = gltf_file_number(buffer, "byteLength", -1);
+    if (said > MODEL_FILE_MAX) {
+        gltf_file_failed(file, "buffer %u has a byteLength of %.0f, and at most %u are read", i, said, MODEL_FILE_MAX);
+        return none();
+    }
     if (buffer == NULL || length == GLTF_NONE) {
         gltf_file_failed(file, "buffer %u is missing, or has no length", i);
         return none();
