@@ -266,9 +266,9 @@ static void a_texture_that_is_not_there_is_told_by_its_number(void **state)
     assert_string_equal(model->note, "a material has a texture without an index");
     model_close(model);
     write_triangle();
-    model = open_good(file_text(
-        "feature.gltf", HEAD MESH "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
-                                  "\"textures\":[{}]," ACCESSORS BUFFER));
+    model = open_good(file_text("feature.gltf", HEAD MESH
+                                "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                                "\"textures\":[{}]," ACCESSORS BUFFER));
     assert_string_equal(model->note, "texture 0 is left out: it names no image that the file has");
     model_close(model);
 }
@@ -313,14 +313,17 @@ static void vertex_colours_are_multiplied_in_linear_light(void **state)
     }
 }
 
+#define QUANTIZED "\"extensionsUsed\":[\"KHR_mesh_quantization\"],"
+
 /* A mesh with a position accessor, a buffer of n bytes and what else is given. */
 static const char *with_accessor(const char *accessor, const char *views, const void *bytes, size_t n)
 {
     char text[2048];
     file_bytes("gltf.bin", bytes, n);
     snprintf(text, sizeof text,
-             HEAD "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{%s,\"type\":"
-                  "\"VEC3\"}],\"bufferViews\":[%s],\"buffers\":[{\"byteLength\":%u,\"uri\":\"gltf.bin\"}]}",
+             HEAD QUANTIZED
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{%s,\"type\":"
+             "\"VEC3\"}],\"bufferViews\":[%s],\"buffers\":[{\"byteLength\":%u,\"uri\":\"gltf.bin\"}]}",
              accessor, views, (unsigned)n);
     return file_text("accessor.gltf", text);
 }
@@ -330,6 +333,7 @@ static void assert_triangle(const char *path)
 {
     struct model *model = open_good(path);
     const struct ph_mesh *mesh = model->meshes;
+    assert_null(model->note);
     assert_int_equal(mesh->triangle_count, 1);
     for (uint32_t i = 0; i < 3; i++) {
         assert_in_range(abs(mesh->positions[i].x), 46340, 46342);
@@ -359,6 +363,21 @@ static void every_component_type_is_read_interleaved(void **state)
                  types[k]);
         assert_triangle(with_accessor(accessor, "{\"buffer\":0,\"byteLength\":60,\"byteStride\":20}", bytes, 60));
     }
+}
+
+static void integer_positions_without_their_extension_are_told(void **state)
+{
+    static const uint8_t bytes[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    (void)state;
+    file_bytes("gltf.bin", bytes, sizeof bytes);
+    struct model *model = open_good(file_text(
+        "whole.gltf", HEAD "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{"
+                           "\"bufferView\":0,\"componentType\":5120,\"count\":3,\"type\":\"VEC3\"}],"
+                           "\"bufferViews\":[{\"buffer\":0,\"byteLength\":9}],"
+                           "\"buffers\":[{\"byteLength\":9,\"uri\":\"gltf.bin\"}]}"));
+    assert_string_equal(model->note, "its positions are integers, which takes the extension KHR_mesh_quantization, and "
+                                     "it does not name that");
+    model_close(model);
 }
 
 static void sparse_values_replace_zeros(void **state)
@@ -476,6 +495,7 @@ int main(void)
         cmocka_unit_test(a_texture_that_is_not_there_is_told_by_its_number),
         cmocka_unit_test(vertex_colours_are_multiplied_in_linear_light),
         cmocka_unit_test(every_component_type_is_read_interleaved),
+        cmocka_unit_test(integer_positions_without_their_extension_are_told),
         cmocka_unit_test(sparse_values_replace_zeros),
         cmocka_unit_test(what_cannot_be_read_is_refused_in_one_line),
         cmocka_unit_test(a_glb_that_is_cut_off_is_told_by_its_length),

@@ -47,6 +47,17 @@ uint32_t gltf_file_whole(const struct cJSON *object, const char *key, uint32_t o
     return value >= 0 && value < GLTF_NONE && value == floor(value) ? (uint32_t)value : GLTF_NONE;
 }
 
+bool gltf_file_uses(const struct gltf_file *file, const char *extension)
+{
+    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(file->json, "extensionsUsed");
+    bool is_used = false;
+    cJSON_ArrayForEach(item, list)
+    {
+        is_used = is_used || (cJSON_IsString(item) && strcmp(item->valuestring, extension) == 0);
+    }
+    return is_used;
+}
+
 double gltf_file_number(const struct cJSON *object, const char *key, double otherwise)
 {
     const struct cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
