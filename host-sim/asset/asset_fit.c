@@ -170,20 +170,28 @@ bool asset_triangles_named(const char *text, struct asset_goal *goal)
     return goal->fit || strcmp(text, "all") == 0 || option_text_u32(text, 1, MODEL_TRIANGLES_MAX, &goal->triangles);
 }
 
-int asset_fit(struct asset *asset, const struct model *model, const struct asset_goal *goal)
+int asset_fit_make(struct asset *asset, const struct model *model, const struct asset_goal *goal)
 {
     *asset = (struct asset){.memory = NULL};
-    int status = goal->fit ? make_fitting(asset, model, goal) : make(asset, model, goal, goal->triangles, false);
-    if (status == 0 && asset->model.triangle_count > goal->triangles) {
-        status =
-            complain("%s: %u of its triangles remain, not %u; %s", goal->model, (unsigned)asset->model.triangle_count,
-                     (unsigned)goal->triangles, asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
+    return goal->fit ? make_fitting(asset, model, goal) : make(asset, model, goal, goal->triangles, false);
+}
+
+int asset_fit_check(const struct asset *asset, const struct model *model, const struct asset_goal *goal)
+{
+    if (asset->model.triangle_count > goal->triangles) {
+        return complain("%s: %u of its triangles remain, not %u; %s", goal->model,
+                        (unsigned)asset->model.triangle_count, (unsigned)goal->triangles,
+                        asset_can_simplify ? "it cannot be simplified so far" : no_meshopt);
     }
-    if (status == 0 && !fits(asset, goal)) {
-        status = refuse(asset, model, goal);
+    if (!fits(asset, goal)) {
+        return refuse(asset, model, goal);
     }
-    if (status == 0) {
-        tell(asset, goal);
-    }
-    return status;
+    tell(asset, goal);
+    return 0;
+}
+
+int asset_fit(struct asset *asset, const struct model *model, const struct asset_goal *goal)
+{
+    const int status = asset_fit_make(asset, model, goal);
+    return status == 0 ? asset_fit_check(asset, model, goal) : status;
 }

@@ -55,12 +55,16 @@ static int save_scene(const struct asset *asset, const char *path)
 static int run_on(const struct model *model, const struct asset_options *o)
 {
     struct asset asset;
-    int status = asset_fit(&asset, model, &o->goal);
+    int status = asset_fit_make(&asset, model, &o->goal);
+    if (status == 0 && o->report) { /* of what does not fit, too: it says by how much */
+        status = asset_report(stdout, &asset, o->goal.board);
+        fflush(stdout);
+    }
+    if (status == 0) {
+        status = asset_fit_check(&asset, model, &o->goal);
+    }
     if (status == 0 && o->out != NULL) {
         status = (option_text_ends(o->out, ".phs") ? save_scene : save)(&asset, o->out);
-    }
-    if (status == 0 && o->report) {
-        status = asset_report(stdout, &asset, o->goal.board);
     }
     asset_free(&asset);
     return status;

@@ -4,23 +4,38 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define TEXT_OF(number) #number
+#define AS_TEXT(number) TEXT_OF(number)
+
+bool picture_in_size(struct picture_in *in, uint32_t width, uint32_t height)
+{
+    in->width = width;
+    in->height = height;
+    if (width > PPM_SIDE_MAX || height > PPM_SIDE_MAX) {
+        in->why = "is too large: more than " AS_TEXT(PPM_SIDE_MAX) " pixels a side";
+    }
+    return in->why == NULL && width > 0 && height > 0;
+}
+
 bool picture_in_begin(struct picture_in *in, uint32_t width, uint32_t height, bool has_alpha)
 {
-    if (width == 0 || height == 0 || width > PPM_SIDE_MAX || height > PPM_SIDE_MAX) {
+    if (!picture_in_size(in, width, height)) {
         return false;
     }
     const uint32_t w = width < in->most ? width : in->most, h = height < in->most ? height : in->most;
     const size_t n = (size_t)w * h;
-    in->width = width;
-    in->height = height;
     if (in->most_pixels > 0 && n > in->most_pixels) {
+        in->why = "has too many pixels";
         return false;
     }
     in->picture = (struct ppm){w, h, malloc(n * 3)};
     in->alpha = has_alpha ? malloc(n) : NULL;
     const bool shrinks = w < width || h < height;
     in->sums = shrinks ? calloc(n * 4, sizeof *in->sums) : NULL;
-    return in->picture.rgb != NULL && (!has_alpha || in->alpha != NULL) && (!shrinks || in->sums != NULL);
+    if (in->picture.rgb == NULL || (has_alpha && in->alpha == NULL) || (shrinks && in->sums == NULL)) {
+        in->why = "needs too much memory";
+    }
+    return in->why == NULL;
 }
 
 /* Where channel c of pixel i belongs. */
@@ -87,12 +102,13 @@ const char *picture_in_memory(struct picture_in *in, const void *bytes, size_t n
     in->picture.rgb = NULL;
     in->alpha = NULL;
     in->sums = NULL;
+    in->why = NULL;
     if ((is_png ? png_in_memory : jpeg_in_memory)(in, bytes, n)) {
         picture_in_end(in);
         return NULL;
     }
     picture_in_free(in);
-    return is_png ? png_in_reason : jpeg_in_reason;
+    return in->why != NULL ? in->why : is_png ? png_in_reason : jpeg_in_reason;
 }
 
 const char *picture_in_file(struct picture_in *in, const char *path)

@@ -20,6 +20,7 @@ struct picture_in {
     struct ppm picture;     /* picture_in_free() frees it and what follows */
     uint8_t *alpha;         /* of each pixel of the picture; NULL if the file has none */
     uint32_t *sums;         /* while it is shrunk: of each channel of the picture; else NULL */
+    const char *why;        /* it is too large, or NULL */
 };
 
 /* Both return NULL, or why there is no picture ("is ..."). The caller sets in->most. */
@@ -28,13 +29,16 @@ const char *picture_in_memory(struct picture_in *in, const void *bytes, size_t n
 
 void picture_in_free(struct picture_in *in);
 
+/* For the readers: whether a picture of this size is read. */
+bool picture_in_size(struct picture_in *in, uint32_t width, uint32_t height);
+
 /* For the readers: the size is known; n pixels of row y arrive, from x on in these steps; all have arrived. Each pixel
  * arrives once, as 3 bytes, or as 4 with alpha. false: too large, or no memory. */
 bool picture_in_begin(struct picture_in *in, uint32_t width, uint32_t height, bool has_alpha);
 void picture_in_row(struct picture_in *in, const uint8_t *pixels, uint32_t n, uint32_t x, uint32_t step, uint32_t y);
 void picture_in_end(struct picture_in *in);
 
-/* The readers. true, or false with a reason. */
+/* The readers. true, or false: in->why, or the reader's own reason. */
 bool png_in_memory(struct picture_in *in, const void *bytes, size_t n);
 bool jpeg_in_memory(struct picture_in *in, const void *bytes, size_t n);
 extern const char png_in_reason[], jpeg_in_reason[];

@@ -26,6 +26,8 @@
 #define DEFAULT_DEMO "turntable"
 #define DEFAULT_SIDE 240 /* pixels of the plain square panel that is used when no kit is named */
 
+#define ANTIALIAS_SIDE_MAX 512u /* pixels: see struct ph_config */
+
 #define FRAME_LIMIT 1000000000u        /* the highest number of a frame is below */
 #define SHORTEST_NS (1000000000u / 60) /* a window shows no more frames than most screens do */
 
@@ -194,6 +196,9 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     goal.fit = o->goal_set ? goal.fit : goal.board != NULL && goal.board->ram_bytes < KIT_RAM_MOST;
     setup->demo = &chosen->model_demo;
     setup->state = chosen->model;
+    setup->file = o->model;
+    setup->cure = chosen->model->scene != NULL ? "make it by pinhole-asset --max-triangles fit for this --board"
+                                               : "leave --max-triangles out, or say --max-triangles fit";
     model_set_filter(chosen->model, goal.filter);
     chosen->model_demo = model_demo(chosen->model);
     if (chosen->model->scene != NULL || (!goal.fit && goal.triangles == UINT32_MAX)) {
@@ -242,6 +247,12 @@ static int choose(const struct sim_options *o, struct chosen *chosen, struct sim
     setup->depth = o->depth;
     setup->overlay = o->overlay;
     setup->antialias = o->antialias;
+    const unsigned width = panel_width(setup->board->panel, setup->rotation);
+    const unsigned height = panel_height(setup->board->panel, setup->rotation);
+    if (o->antialias && (width > ANTIALIAS_SIDE_MAX || height > ANTIALIAS_SIDE_MAX)) {
+        return complain_usage("--aa: pictures of at most %ux%u pixels, not %ux%u", ANTIALIAS_SIDE_MAX,
+                              ANTIALIAS_SIDE_MAX, width, height);
+    }
     status = choose_camera(o, setup, &setup->camera);
     return status != 0 ? status : choose_scene(o, chosen, setup);
 }
@@ -336,6 +347,10 @@ static int press(const struct sim_options *o, struct stage *stage, struct sim_pl
     if (stage->window != NULL) {
         if (!sim_window_input(stage->window, &input)) {
             return WINDOW_CLOSED;
+        }
+        if (o->antialias) {
+            input.width = input.width < ANTIALIAS_SIDE_MAX ? input.width : ANTIALIAS_SIDE_MAX;
+            input.height = input.height < ANTIALIAS_SIDE_MAX ? input.height : ANTIALIAS_SIDE_MAX;
         }
         const bool follows = o->board == NULL && o->out == NULL && o->check == NULL;
         if (follows && (input.width != p->picture.width || input.height != p->picture.height)) {

@@ -95,7 +95,9 @@ static bool set_far(void *to, const char *value)
 
 static bool set_filter(void *to, const char *value)
 {
-    return model_filter_named(value, &((struct sim_options *)to)->goal.filter);
+    struct sim_options *o = to;
+    o->filter_set = true;
+    return model_filter_named(value, &o->goal.filter);
 }
 
 static bool set_triangles(void *to, const char *value)
@@ -311,12 +313,15 @@ static int check_together(const struct sim_options *o)
         return complain_usage("--demo and --model exclude each other");
     }
     const struct model_options *const m = &o->model_options;
-    if (o->model == NULL && (o->clip != NULL || o->goal_set || m->up != NULL || m->texture != NULL || m->two_sided)) {
-        return complain_usage("--%s: of which model? give --model FILE", o->clip != NULL ? "clip"
-                                                                         : o->goal_set   ? "max-triangles"
-                                                                         : m->up != NULL ? "up"
-                                                                         : m->two_sided  ? "two-sided"
-                                                                                         : "texture");
+    const char *const of_model = o->clip != NULL      ? "clip"
+                                 : o->goal_set        ? "max-triangles"
+                                 : o->filter_set      ? "filter"
+                                 : m->up != NULL      ? "up"
+                                 : m->two_sided       ? "two-sided"
+                                 : m->texture != NULL ? "texture"
+                                                      : NULL;
+    if (o->model == NULL && of_model != NULL) {
+        return complain_usage("--%s: of which model? give --model FILE", of_model);
     }
     if (o->goal.fit && o->board == NULL) {
         return complain_usage("--max-triangles fit: fit what? name a --board");

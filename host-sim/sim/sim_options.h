@@ -26,6 +26,7 @@ struct sim_options {
     struct model_options model_options;
     struct asset_goal goal; /* how far it is simplified; the filter of its textures */
     bool goal_set;          /* else the board's memory is the goal */
+    bool filter_set;
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
     uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */

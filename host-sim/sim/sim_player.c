@@ -7,10 +7,9 @@
 static int refuse(const struct sim_player_setup *setup, int status)
 {
     if (status == PH_ERR_NOMEM) {
-        return complain("%s: its %u KB do not hold '%s'; %s", setup->board->name,
-                        (unsigned)(setup->board->ram_bytes / 1024), setup->demo->name,
-                        setup->state != NULL ? "take another board, or simplify the model: pinhole-asset does"
-                                             : "take a smaller scene or another board");
+        return complain("%s: its %u bytes do not hold %s; %s", setup->board->name,
+                        (unsigned)runner_budget(setup->board), setup->file != NULL ? setup->file : setup->demo->name,
+                        setup->cure != NULL ? setup->cure : "take a smaller scene or another board");
     }
     return complain("%s: the panel does not open (%d)", setup->board->name, status);
 }
@@ -62,10 +61,10 @@ static void tell_drops(struct sim_player *p, uint32_t frame)
         return;
     }
     p->drops_told = true;
-    complain_note("frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u KB and are left out%s",
+    complain_note("frame %u: %u triangles and %u vertices of '%s' do not fit %s's %u bytes and are left out%s%s",
                   (unsigned)frame, (unsigned)s->triangles_dropped, (unsigned)s->vertices_dropped, p->runner.demo->name,
-                  p->setup.board->name, (unsigned)(p->setup.board->ram_bytes / 1024),
-                  p->setup.state != NULL ? "; pinhole-asset simplifies a model" : "");
+                  p->setup.board->name, (unsigned)runner_budget(p->setup.board), p->setup.cure != NULL ? "; " : "",
+                  p->setup.cure != NULL ? p->setup.cure : "");
 }
 
 int sim_player_camera(struct sim_player *p, uint32_t frame, struct ph_xform *view, struct ph_projection *projection)

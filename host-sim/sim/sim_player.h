@@ -18,6 +18,8 @@ struct sim_player_setup {
     struct option_depth depth;
     const struct demo *demo;
     void *state;      /* what the demo finds in context->state, or NULL */
+    const char *file; /* of the model, for messages; NULL: a demo */
+    const char *cure; /* what to do where the board has not the memory, or NULL */
     const char *view; /* one of the demo's views, or NULL: the first */
     struct demo_camera camera;
     bool antialias;

@@ -206,6 +206,11 @@ too_large_for_the_board_says_what_to_do() {
         [ ! -e "$dir/n.c" ]
 }
 
+what_does_not_fit_is_reported() {
+    ! "$asset" "$dir/large.obj" --board pico-display --report >"$dir/report" 2>"$dir/err" && grep -q '^pico-display .* [0-9][0-9]* too many$' "$dir/report" &&
+        [ "$(wc -l <"$dir/err")" = 1 ] && grep -q 'need [0-9]* bytes of memory' "$dir/err"
+}
+
 as_said() { # what the lines above advise works; one line says what was done
     "$asset" "$dir/large.obj" --board pico-display -o "$dir/fit.c" --max-triangles fit --report >"$dir/report" 2>"$dir/err" && [ "$(wc -l <"$dir/err")" = 1 ] &&
         grep -q 'have room on pico-display; it was simplified' "$dir/err" && grep -q '^pico-display .* fits$' "$dir/report" && compile "$dir/fit.c" "$dir/fit" &&
@@ -254,6 +259,7 @@ if [ -e /usr/include/meshoptimizer.h ]; then
     check "other_data_is_seen" other_data_is_seen
     check "output_is_deterministic" output_is_deterministic
     check "too_large_for_the_board_says_what_to_do" too_large_for_the_board_says_what_to_do
+    check "what does not fit is reported, and refused" what_does_not_fit_is_reported
     check "what_it_says_to_do_works" as_said
     check "little_room_gets_no_platter" little_room_gets_no_platter
 else

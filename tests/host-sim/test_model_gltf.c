@@ -254,6 +254,25 @@ static void what_a_material_does_not_get_is_said_once(void **state)
     model_close(model);
 }
 
+static void a_texture_that_is_not_there_is_told_by_its_number(void **state)
+{
+    (void)state;
+    struct model *model =
+        with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":77}}", "none.png", "");
+    assert_string_equal(model->note, "a material names texture 77, and the file has 1");
+    assert_null(model->meshes->materials->texture);
+    model_close(model);
+    model = with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{}}", "none.png", "");
+    assert_string_equal(model->note, "a material has a texture without an index");
+    model_close(model);
+    write_triangle();
+    model = open_good(file_text("feature.gltf", HEAD MESH
+                                "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}],"
+                                "\"textures\":[{}]," ACCESSORS BUFFER));
+    assert_string_equal(model->note, "texture 0 is left out: it names no image that the file has");
+    model_close(model);
+}
+
 /* Of three vertices: bytes with and floats without alpha, multiplied by the factor in linear light. */
 static void vertex_colours_are_multiplied_in_linear_light(void **state)
 {
@@ -294,14 +313,17 @@ static void vertex_colours_are_multiplied_in_linear_light(void **state)
     }
 }
 
+#define QUANTIZED "\"extensionsUsed\":[\"KHR_mesh_quantization\"],"
+
 /* A mesh with a position accessor, a buffer of n bytes and what else is given. */
 static const char *with_accessor(const char *accessor, const char *views, const void *bytes, size_t n)
 {
     char text[2048];
     file_bytes("gltf.bin", bytes, n);
     snprintf(text, sizeof text,
-             HEAD "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{%s,\"type\":"
-                  "\"VEC3\"}],\"bufferViews\":[%s],\"buffers\":[{\"byteLength\":%u,\"uri\":\"gltf.bin\"}]}",
+             HEAD QUANTIZED
+             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{%s,\"type\":"
+             "\"VEC3\"}],\"bufferViews\":[%s],\"buffers\":[{\"byteLength\":%u,\"uri\":\"gltf.bin\"}]}",
              accessor, views, (unsigned)n);
     return file_text("accessor.gltf", text);
 }
@@ -311,6 +333,7 @@ static void assert_triangle(const char *path)
 {
     struct model *model = open_good(path);
     const struct ph_mesh *mesh = model->meshes;
+    assert_null(model->note);
     assert_int_equal(mesh->triangle_count, 1);
     for (uint32_t i = 0; i < 3; i++) {
         assert_in_range(abs(mesh->positions[i].x), 46340, 46342);
@@ -342,6 +365,21 @@ static void every_component_type_is_read_interleaved(void **state)
     }
 }
 
+static void integer_positions_without_their_extension_are_told(void **state)
+{
+    static const uint8_t bytes[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    (void)state;
+    file_bytes("gltf.bin", bytes, sizeof bytes);
+    struct model *model = open_good(file_text(
+        "whole.gltf", HEAD "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{"
+                           "\"bufferView\":0,\"componentType\":5120,\"count\":3,\"type\":\"VEC3\"}],"
+                           "\"bufferViews\":[{\"buffer\":0,\"byteLength\":9}],"
+                           "\"buffers\":[{\"byteLength\":9,\"uri\":\"gltf.bin\"}]}"));
+    assert_string_equal(model->note, "its positions are integers, which takes the extension KHR_mesh_quantization, and "
+                                     "it does not name that");
+    model_close(model);
+}
+
 static void sparse_values_replace_zeros(void **state)
 {
     (void)state;
@@ -361,16 +399,21 @@ static void sparse_values_replace_zeros(void **state)
     assert_non_null(strstr(said, "an index that is not there"));
 }
 
-static void assert_refused(const char *text, const char *reason)
+static void assert_file_refused(const char *path, const char *reason)
 {
     struct model *model;
     char said[1024];
-    write_triangle();
-    assert_int_equal(open_caught(&model, file_text("wrong.gltf", text), said), COMPLAINED);
+    assert_int_equal(open_caught(&model, path, said), COMPLAINED);
     if (strstr(said, reason) == NULL) {
         fail_msg("wanted '%s', got: %s", reason, said);
     }
     assert_ptr_equal(strchr(said, '\n'), said + strlen(said) - 1);
+}
+
+static void assert_refused(const char *text, const char *reason)
+{
+    write_triangle();
+    assert_file_refused(file_text("wrong.gltf", text), reason);
 }
 
 static void what_cannot_be_read_is_refused_in_one_line(void **state)
@@ -385,6 +428,12 @@ static void what_cannot_be_read_is_refused_in_one_line(void **state)
                              "\"buffers\":[{\"byteLength\":36,\"extensions\":{\"EXT_meshopt_compression\":"
                              "{\"fallback\":true}}}]}",
                    "compressed (EXT_meshopt_compression)");
+    assert_refused(HEAD MESH "\"materials\":[{}]," ACCESSORS "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{}],"
+                             "\"buffers\":[{\"byteLength\":100000000000,\"uri\":\"gltf.bin\"}]}",
+                   "buffer 0 has a byteLength of 100000000000, and at most 1073741824 are read");
+    assert_refused(HEAD MESH "\"materials\":[{}]," ACCESSORS "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36},{}],"
+                             "\"buffers\":[{\"uri\":\"gltf.bin\"}]}",
+                   "buffer 0 is missing, or has no length");
     assert_refused(HEAD MESH ACCESSORS BUFFER, "a material that is not there");
     assert_refused("{\"asset\":{\"version\":\"1.0\"}}", "no glTF of version 2");
     assert_refused(HEAD MESH "\"materials\":[{}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":"
@@ -393,6 +442,30 @@ static void what_cannot_be_read_is_refused_in_one_line(void **state)
     assert_refused(HEAD MESH "\"materials\":[{}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":6,"
                              "\"type\":\"VEC3\"}]," BUFFER,
                    "not inside bufferView 0");
+}
+
+static void a_glb_that_is_cut_off_is_told_by_its_length(void **state)
+{
+    static const struct {
+        size_t n;
+        const char *reason;
+    } cases[] = {{0, "empty"},
+                 {3, "it is 3 bytes long, its header alone 12: it is cut off"},
+                 {12, "it is 12 bytes long, its header says 24: it is cut off"},
+                 {19, "it is 19 bytes long, its header says 24: it is cut off"},
+                 {23, "it is 23 bytes long, its header says 24: it is cut off"},
+                 {24, "no glTF of version 2"}};
+    static const char glb[25] = "glTF\2\0\0\0\30\0\0\0\4\0\0\0JSON{  }";
+    char bytes[24];
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        file_bytes("cut.glb", glb, cases[k].n);
+        assert_file_refused(file_path("cut.glb"), cases[k].reason);
+    }
+    memcpy(bytes, glb, sizeof bytes);
+    bytes[4] = 1;
+    file_bytes("cut.glb", bytes, sizeof bytes);
+    assert_file_refused(file_path("cut.glb"), "a GLB of version 1, not 2");
 }
 
 /* 30 nodes that name the next one twice would be a model of 2^30 parts. */
@@ -419,10 +492,13 @@ int main(void)
         cmocka_unit_test(a_mask_cuts_out_below_its_cut_off),
         cmocka_unit_test(a_blend_has_the_alpha_of_factor_and_texture),
         cmocka_unit_test(what_a_material_does_not_get_is_said_once),
+        cmocka_unit_test(a_texture_that_is_not_there_is_told_by_its_number),
         cmocka_unit_test(vertex_colours_are_multiplied_in_linear_light),
         cmocka_unit_test(every_component_type_is_read_interleaved),
+        cmocka_unit_test(integer_positions_without_their_extension_are_told),
         cmocka_unit_test(sparse_values_replace_zeros),
         cmocka_unit_test(what_cannot_be_read_is_refused_in_one_line),
+        cmocka_unit_test(a_glb_that_is_cut_off_is_told_by_its_length),
         cmocka_unit_test(a_node_with_two_parents_is_refused),
     };
     return cmocka_run_group_tests(tests, files_begin, files_end);

@@ -1,4 +1,5 @@
 /* Pictures as they are read: shrunk by the mean, interlaced, JPEG, and what is broken. */
+#include "crc32.h"
 #include "picture_in.h"
 
 #include <png.h>
@@ -189,10 +190,34 @@ static void what_is_cut_off_is_refused(void **state)
             assert_non_null(bytes);
             memcpy(bytes, whole[k].bytes, n);
             struct picture_in in = {.most = 8};
-            assert_non_null(picture_in_memory(&in, bytes, n));
+            const char *why = picture_in_memory(&in, bytes, n);
+            assert_non_null(why);
+            assert_true(n < 4 || strstr(why, "cut off") != NULL);
             assert_null(in.picture.rgb);
             free(bytes);
         }
+    }
+}
+
+/* The header alone is changed: the picture is refused before its rows are read. */
+static void what_is_too_large_is_told_by_the_limit(void **state)
+{
+    static const uint32_t sides[3] = {16385, 1000001, 0x7fffffff};
+    (void)state;
+    for (int k = 0; k < 3; k++) {
+        struct bytes png = make_png(0);
+        struct picture_in in = {.most = 8};
+        for (int i = 0; i < 4; i++) {
+            png.bytes[16 + i] = (uint8_t)(sides[k] >> (24 - 8 * i)); /* the width; then the CRC of the chunk */
+        }
+        const uint32_t crc = crc32_update(0, png.bytes + 12, 17);
+        for (int i = 0; i < 4; i++) {
+            png.bytes[29 + i] = (uint8_t)(crc >> (24 - 8 * i));
+        }
+        assert_string_equal(picture_in_memory(&in, png.bytes, png.n), "is too large: more than 16384 pixels a side");
+        png.bytes[29] ^= 1;
+        assert_string_equal(picture_in_memory(&in, png.bytes, png.n),
+                            "is a PNG that cannot be read: it is broken or cut off");
     }
 }
 
@@ -204,6 +229,7 @@ int main(void)
         cmocka_unit_test(alpha_is_read_and_shrunk),
         cmocka_unit_test(a_jpeg_is_read_and_a_progressive_one),
         cmocka_unit_test(what_is_cut_off_is_refused),
+        cmocka_unit_test(what_is_too_large_is_told_by_the_limit),
     };
     return cmocka_run_group_tests(tests, make_pixels, NULL);
 }

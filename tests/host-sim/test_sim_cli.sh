@@ -212,8 +212,8 @@ the_smallest_pictures_are_drawn() {
 a_model_too_large_names_what_helps() {
     grid 48 >"$dir/grid.obj" && grid 60 >"$dir/grid60.obj"
     "$sim" --model "$dir/grid.obj" --board pico-display --max-triangles all --crc 2>"$dir/stderr" >"$dir/stdout" && [ "$(wc -l <"$dir/stderr")" = 1 ] &&
-        grep -q 'are left out; pinhole-asset simplifies a model$' "$dir/stderr" &&
-        refuses 1 "do not hold 'model'.*pinhole-asset" --model "$dir/grid60.obj" --board pico-display --max-triangles all --crc
+        grep -q "do not fit pico-display's 111360 bytes and are left out; leave --max-triangles out, or say --max-triangles fit$" "$dir/stderr" &&
+        refuses 1 "its 111360 bytes do not hold .*/grid60.obj; leave --max-triangles out, or say --max-triangles fit$" --model "$dir/grid60.obj" --board pico-display --max-triangles all --crc
 }
 
 bar_is_for_terminals() { # and goes away
@@ -619,6 +619,9 @@ exclude|--board x --size 8x8 --crc
 --frames|--frames= --crc
 --start|--start x --crc
 --start|--start 1x --crc
+--aa: pictures of at most 512x512 pixels, not 513x10$|--aa --size 513x10 --crc
+--aa: pictures of at most 512x512 pixels, not 10x513$|--aa --size 513x10 --rotate 90 --crc
+--aa: pictures of at most 512x512 pixels, not 600x600$|--aa --size 600x600 --window
 --rotate|--rotate 45 --crc
 --rotate|--rotate 360 --crc
 --rotate|--rotate 090 --crc
@@ -626,6 +629,8 @@ exclude|--board x --size 8x8 --crc
 --two-sided: of which model|--two-sided --crc
 --texture: of which model|--texture x.png --crc
 --max-triangles: of which model|--max-triangles 100 --crc
+--clip: of which model|--clip walk --crc
+--filter: of which model|--demo cube --filter bilinear --crc
 --camera|--camera 0,0,3 --crc
 --camera|--camera vrp=0,0,3 --crc
 --camera|--camera vrp=0,0,3,vpn=0,0,1,up=0,1,0 --crc

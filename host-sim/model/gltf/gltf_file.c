@@ -47,6 +47,17 @@ uint32_t gltf_file_whole(const struct cJSON *object, const char *key, uint32_t o
     return value >= 0 && value < GLTF_NONE && value == floor(value) ? (uint32_t)value : GLTF_NONE;
 }
 
+bool gltf_file_uses(const struct gltf_file *file, const char *extension)
+{
+    const struct cJSON *item, *list = cJSON_GetObjectItemCaseSensitive(file->json, "extensionsUsed");
+    bool is_used = false;
+    cJSON_ArrayForEach(item, list)
+    {
+        is_used = is_used || (cJSON_IsString(item) && strcmp(item->valuestring, extension) == 0);
+    }
+    return is_used;
+}
+
 double gltf_file_number(const struct cJSON *object, const char *key, double otherwise)
 {
     const struct cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
@@ -161,6 +172,11 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
     const struct cJSON *buffer = gltf_file_item(file, GLTF_BUFFERS, i);
     const struct cJSON *uri = cJSON_GetObjectItemCaseSensitive(buffer, "uri");
     const uint32_t length = gltf_file_whole(buffer, "byteLength", GLTF_NONE);
+    const double said = gltf_file_number(buffer, "byteLength", -1);
+    if (said > MODEL_FILE_MAX) {
+        gltf_file_failed(file, "buffer %u has a byteLength of %.0f, and at most %u are read", i, said, MODEL_FILE_MAX);
+        return none();
+    }
     if (buffer == NULL || length == GLTF_NONE) {
         gltf_file_failed(file, "buffer %u is missing, or has no length", i);
         return none();
@@ -384,13 +400,21 @@ static bool check_required(struct gltf_file *file)
 static bool split_chunks(struct gltf_file *file, struct gltf_span all, struct gltf_span *json)
 {
     *json = all;
-    if (all.n < 20 || memcmp(all.bytes, "glTF", 4) != 0) {
-        return true;
+    if (all.n == 0 || memcmp(all.bytes, "glTF", all.n < 4 ? all.n : 4) != 0) {
+        return all.n > 0 || gltf_file_failed(file, "it is empty");
     }
-    const uint32_t version = bits_at(all.bytes + 4, 4), length = bits_at(all.bytes + 8, 4);
-    const uint32_t n = bits_at(all.bytes + 12, 4);
-    if (version != 2 || length > all.n || n > all.n - 20 || memcmp(all.bytes + 16, "JSON", 4) != 0) {
-        return gltf_file_failed(file, "a GLB with a header that is broken, or not of version 2");
+    const uint32_t version = all.n < 8 ? 2 : bits_at(all.bytes + 4, 4);
+    const uint32_t length = all.n < 12 ? 12 : bits_at(all.bytes + 8, 4);
+    if (version != 2) {
+        return gltf_file_failed(file, "a GLB of version %u, not 2", version);
+    }
+    if (length > all.n) {
+        return gltf_file_failed(file, "it is %zu bytes long, its header %s %u: it is cut off", all.n,
+                                all.n < 12 ? "alone" : "says", length);
+    }
+    const uint32_t n = length < 20 ? 0 : bits_at(all.bytes + 12, 4);
+    if (length < 20 || n > all.n - 20 || memcmp(all.bytes + 16, "JSON", 4) != 0) {
+        return gltf_file_failed(file, "a GLB with a header that is broken");
     }
     *json = (struct gltf_span){all.bytes + 20, n};
     const size_t rest = all.n - 20 - n;

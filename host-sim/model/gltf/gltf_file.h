@@ -75,6 +75,9 @@ const struct cJSON *gltf_file_item(const struct gltf_file *file, enum gltf_list 
  * another kind gives GLTF_NONE. */
 uint32_t gltf_file_whole(const struct cJSON *object, const char *key, uint32_t otherwise);
 
+/* Whether the file says that it uses an extension. */
+bool gltf_file_uses(const struct gltf_file *file, const char *extension);
+
 /* Any number of an object, or `otherwise`. */
 double gltf_file_number(const struct cJSON *object, const char *key, double otherwise);
 

@@ -32,8 +32,9 @@ struct reader {
     struct model_gltf_node *nodes;
     uint32_t mesh_count, mesh_room;
     uint64_t triangle_count;
-    uint32_t *first_mesh; /* of each mesh of the file, and one more */
-    uint8_t *is_child;    /* of each node: it has a parent already */
+    uint32_t *first_mesh;     /* of each mesh of the file, and one more */
+    uint8_t *is_child;        /* of each node: it has a parent already */
+    bool has_whole_positions; /* some positions are integers */
 };
 
 static bool read_attribute(struct gltf_file *file, const struct cJSON *attributes, const char *name,
@@ -50,6 +51,14 @@ static bool read_attribute(struct gltf_file *file, const struct cJSON *attribute
     }
     *vertex_count = count;
     return *to != NULL;
+}
+
+#define TYPE_FLOAT 5126
+
+static bool has_integers(const struct gltf_file *file, const struct cJSON *attributes, const char *name)
+{
+    const struct cJSON *from = gltf_file_item(file, GLTF_ACCESSORS, gltf_file_whole(attributes, name, GLTF_NONE));
+    return gltf_file_whole(from, "componentType", TYPE_FLOAT) != TYPE_FLOAT;
 }
 
 static bool read_colours(struct gltf_file *file, const struct cJSON *attributes, struct primitive *p)
@@ -138,6 +147,7 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
         !read_moved(file, from, attributes, p)) {
         return false;
     }
+    reader->has_whole_positions = reader->has_whole_positions || has_integers(file, attributes, "POSITION");
     uint32_t n = p->vertex_count, *list = NULL;
     if (cJSON_GetObjectItemCaseSensitive(from, "indices") != NULL) {
         list = gltf_file_indices(file, indices, &n);
@@ -473,6 +483,10 @@ const struct aiScene *model_gltf_read(struct model_shared *shared, struct gltf_f
     if (!has_memory || !read_meshes(&reader) || !read_scene(&reader, scene)) {
         model_shared_failed(shared, "is no model that can be read: %s", has_memory ? file->error : "out of memory");
         return NULL;
+    }
+    if (reader.has_whole_positions && !gltf_file_uses(file, "KHR_mesh_quantization")) {
+        model_shared_note(shared, "its positions are integers, which takes the extension KHR_mesh_quantization, and it "
+                                  "does not name that");
     }
     *motion = (struct model_gltf_motion){.file = file, .scene = scene, .moved = reader.moved, .nodes = reader.nodes};
     if (!model_gltf_motion_find(motion, scene->mRootNode)) {

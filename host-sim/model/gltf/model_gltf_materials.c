@@ -78,9 +78,10 @@ static bool mirror(struct picture_in *in, int along)
     return true;
 }
 
-/* Reads the picture of a texture; its name is for notes. NULL, or why there is none. */
-static const char *load_picture(struct gltf_file *file, const struct cJSON *texture, struct model_surface *to)
+/* Reads the picture of a texture of this number; its name is for notes. NULL, or why there is none. */
+static const char *load_picture(struct gltf_file *file, uint32_t number, struct model_surface *to)
 {
+    const struct cJSON *texture = gltf_file_item(file, GLTF_TEXTURES, number);
     const uint32_t i = gltf_file_whole(texture, "source", GLTF_NONE);
     const struct cJSON *image = gltf_file_item(file, GLTF_IMAGES, i);
     const char *uri = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(image, "uri"));
@@ -90,6 +91,10 @@ static const char *load_picture(struct gltf_file *file, const struct cJSON *text
         snprintf(to->name, sizeof to->name, "%.100s", is_file ? uri : name);
     } else {
         snprintf(to->name, sizeof to->name, "%u", i);
+    }
+    if (image == NULL) {
+        snprintf(to->name, sizeof to->name, "%u", number);
+        return "names no image that the file has";
     }
     const struct gltf_span bytes =
         uri != NULL ? gltf_file_uri(file, uri) : gltf_file_view(file, gltf_file_whole(image, "bufferView", GLTF_NONE));
@@ -146,8 +151,17 @@ static void read_texture(struct model_shared *shared, struct gltf_file *file, co
     if (info == NULL) {
         return;
     }
-    const struct cJSON *texture = gltf_file_item(file, GLTF_TEXTURES, gltf_file_whole(info, "index", GLTF_NONE));
-    const char *why = load_picture(file, texture, to);
+    const uint32_t i = gltf_file_whole(info, "index", GLTF_NONE), count = file->lists[GLTF_TEXTURES].count;
+    const struct cJSON *texture = gltf_file_item(file, GLTF_TEXTURES, i);
+    if (i == GLTF_NONE) {
+        model_shared_note(shared, "a material has a texture without an index");
+        return;
+    }
+    if (texture == NULL) {
+        model_shared_note(shared, "a material names texture %u, and the file has %u", i, count);
+        return;
+    }
+    const char *why = load_picture(file, i, to);
     if (why != NULL) {
         model_shared_note(shared, "texture %s is left out: it %s", to->name, why);
         return;

@@ -8,7 +8,7 @@
 #include <jpeglib.h>
 #include <jerror.h>
 
-const char jpeg_in_reason[] = "is a JPEG that cannot be read: broken, CMYK or too large";
+const char jpeg_in_reason[] = "is a JPEG that cannot be read: it is broken, cut off or CMYK";
 
 struct failure {
     struct jpeg_error_mgr manager; /* the library passes a pointer to this first member */

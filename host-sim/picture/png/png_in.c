@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char png_in_reason[] = "is a PNG that cannot be read: broken or too large";
+const char png_in_reason[] = "is a PNG that cannot be read: it is broken or cut off";
 
 struct source {
     const uint8_t *bytes;
@@ -38,7 +38,11 @@ static void fail(png_structp png, png_const_charp text)
 /* Leaves through png_error, to the caller's setjmp. An interlaced picture comes in 7 passes of some pixels each. */
 static void read_rows(struct picture_in *in, struct source *from, png_structp png, png_infop info)
 {
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* ours is asked next, and has a line of its own */
     png_read_info(png, info);
+    if (!picture_in_size(in, png_get_image_width(png, info), png_get_image_height(png, info))) {
+        png_error(png, "too large");
+    }
     png_set_expand(png);
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
