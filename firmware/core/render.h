@@ -92,14 +92,14 @@ enum ph_blend_kind {
  * colours textures: draw a mesh with its texture, then the same mesh again, UNLIT or GOURAUD, with PH_BLEND_TIMES and
  * colours for its vertices, or in coloured light. Both have the same depth at each pixel. The key is looked for in the
  * nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32 bytes for each column of the
- * picture from the triangle budget in a frame that has some; without room their triangles are left out.
+ * picture from the triangle budget in a frame that has some; without room, or with draw = NULL, their triangles are
+ * left out.
  */
 struct ph_blend {
-    void (*draw)(struct ph_renderer *r,
-                 const struct ph_band *band); /* ph_draw_blended: so it is linked if used. NULL: left out */
-    uint8_t kind;                             /* enum ph_blend_kind */
-    uint8_t alpha;                            /* 0 .. 32; TIMES, ALPHA, ADD */
-    uint16_t key;                             /* wire order */
+    void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: it is linked if used */
+    uint8_t kind;                                                    /* enum ph_blend_kind */
+    uint8_t alpha;                                                   /* 0 .. 32; TIMES, ALPHA, ADD */
+    uint16_t key;                                                    /* wire order */
     const struct ph_texture *alphas; /* all but KEY: the green of each texel is its alpha, beside the material's
                                         texture or its colour; its sides may differ from the texture's. Or NULL: all
                                         have alpha 1 */
@@ -432,8 +432,8 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * Shows the frame: sorts, draws every band and gives it to flush. This is ph_frame_bands and ph_draw_band in one call.
  * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
- * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in place of
- * ph_show. Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
+ * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in its place.
+ * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
 

@@ -34,13 +34,14 @@ struct ph_plane_equation {
  *         material holds for all parts of the mesh: PH_SHADE_UNLIT in the colour of the shadow. It must live until the
  *         last band is drawn. With a blend the ground is seen through the shadow; where parts of a mesh that is not
  *         convex lie over each other in it, they are blended one after the other. With two_sided = 0 only triangles
- * that face the light are drawn, which is enough for closed meshes, and only if the viewer is on the lit side of the
- * plane. With two_sided = 1 all are drawn. A depth_bias of 16 is right for most scenes. Besides, the shadow is moved
- * towards the viewer by 1/512 of its distance (orthographic: by 1/2048 of the way from near to far plane; fisheye,
- * whose depth is coarser: by 1/32), which moves nothing on the screen. Out:    0, also where there is no shadow. A
- * point of the shadow is within 1 LSB, times its distance from the light over the object's (at most 64). Statistics
- * count as in ph_draw_mesh. Wire parts cast no shadow. Errors: PH_ERR_NOMEM: the mesh does not fit the vertex budget;
- * its shadow is left out and counted.
+ *         that face the light are drawn, which is enough for closed meshes, and only if the viewer is on the lit side
+ *         of the plane. With two_sided = 1 all are drawn.
+ *         A depth_bias of 16 is right for most scenes. Besides, the shadow is moved towards the viewer by 1/512 of its
+ *         distance (orthographic: by 1/2048 of the way from near to far plane; fisheye, whose depth is coarser: by
+ *         1/32), which moves nothing on the screen.
+ * Out:    0, also where there is no shadow. A point of the shadow is within 1 LSB, times its distance from the light
+ *         over the object's (at most 64). Statistics count as in ph_draw_mesh. Wire parts cast no shadow.
+ * Errors: PH_ERR_NOMEM: the mesh does not fit the vertex budget; its shadow is left out and counted.
  */
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material);

@@ -2,9 +2,10 @@
 #ifndef PH_BAND_H
 #define PH_BAND_H
 
-#include "coarse.h"
 #include "edge.h"
 #include "kernels.h"
+
+struct ph_coarse; /* coarse.h */
 
 /* Rows y0 .. y1 - 1 of the picture, and the memory that they are drawn into. */
 struct ph_band {

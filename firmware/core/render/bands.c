@@ -7,6 +7,7 @@
  * of slots changes the speed, and nothing else.
  */
 #include "band.h"
+#include "coarse.h"
 #include "cores.h"
 #include "feed.h"
 #include "fine.h"

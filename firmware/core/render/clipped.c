@@ -3,6 +3,7 @@
 
 #include "edge.h"
 #include "fisheye.h"
+#include "line.h"
 #include "transform.h"
 
 /* A corner that clipping has made is rounded. Some LSB from the eye that may carry it far out of the guard band. */

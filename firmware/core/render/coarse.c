@@ -1,5 +1,5 @@
 /* Coarse depth. See coarse.h. */
-#include "raster.h"
+#include "coarse.h"
 
 #include "edge.h"
 
@@ -84,10 +84,12 @@ static inline uint32_t count_pixels(struct ph_half_rows in, int32_t width)
     return count;
 }
 
-/* The pixels of a hidden triangle; 0 if it may be seen. */
-static inline uint32_t hidden_pixels(const struct ph_triangle *t, const struct ph_band *band)
+uint32_t ph_coarse_hidden(const struct ph_triangle *t, const struct ph_band *band)
 {
     uint32_t count = 0, nearest;
+    if (band->coarse->count == 0) {
+        return 0;
+    }
     for (int half = 0; half < 2; half++) {
         struct ph_occluder o;
         if (measure(t, band, half, &o, &nearest)) {
@@ -141,19 +143,13 @@ static void keep(struct ph_coarse *c, const struct ph_occluder *o)
     }
 }
 
-uint32_t ph_draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
+void ph_coarse_add(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const uint32_t hidden = band->coarse->count > 0 ? hidden_pixels(t, band) : 0;
-    if (hidden > 0) {
-        return hidden;
-    }
-    const uint32_t count = ph_draw_large(t, band);
-    for (int half = 0; half < 2 && count >= PH_OCCLUDER_LEAST; half++) {
+    for (int half = 0; half < 2; half++) {
         struct ph_occluder o;
         uint32_t nearest;
         if (measure(t, band, half, &o, &nearest)) {
             keep(band->coarse, &o);
         }
     }
-    return count;
 }

@@ -14,7 +14,7 @@
 #ifndef PH_COARSE_H
 #define PH_COARSE_H
 
-#include "triangle.h"
+#include "band.h"
 
 #define PH_OCCLUDERS      2
 #define PH_OCCLUDER_LEAST 512
@@ -29,10 +29,12 @@ struct ph_coarse {
     struct ph_occluder at[PH_OCCLUDERS];
 };
 
-struct ph_band;
+/* Both take a triangle whose depth is a plane of codes, and a band that has coarse depth. */
 
-/* ph_draw_large of raster.h, unless the triangle is hidden; then its pixels are counted only. The band has coarse
- * depth, and the triangle's depth is a plane of codes. */
-uint32_t ph_draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band);
+/* The pixels in the band of a triangle that is hidden there; 0 if it may be seen. */
+uint32_t ph_coarse_hidden(const struct ph_triangle *t, const struct ph_band *band);
+
+/* Makes an occluder of a triangle that was drawn with at least PH_OCCLUDER_LEAST pixels. */
+void ph_coarse_add(const struct ph_triangle *t, const struct ph_band *band);
 
 #endif

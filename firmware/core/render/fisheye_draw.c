@@ -7,6 +7,7 @@
 #include "fisheye.h"
 #include "fisheye_ray.h"
 
+#include "line.h"
 #include "list.h"
 
 #define DEPTH      20          /* pieces that wait on the stack */

@@ -57,6 +57,19 @@ PH_NOINLINE void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], con
     }
 }
 
+void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2])
+{
+    const struct ph_mark mark = ph_list_mark(r);
+    const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
+    if (first < 0) {
+        r->stats.triangles_dropped++;
+        return;
+    }
+    const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
+    ph_list_line(r, number, &ends[0].at, &ends[1].at);
+    ph_list_rewind(r, &mark);
+}
+
 uint32_t ph_list_lines(struct ph_renderer *r, const uint16_t (*edges)[2], uint32_t n, const struct ph_vertex *vertices)
 {
     const uint16_t(*edge)[2] = edges, (*const end)[2] = edges + n;

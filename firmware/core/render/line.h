@@ -18,6 +18,9 @@ void ph_list_line(struct ph_renderer *r, const uint16_t ends[2], const struct ph
 /* Lists edges of a mesh, up to one that must be clipped. Returns how many come before that. */
 uint32_t ph_list_lines(struct ph_renderer *r, const uint16_t (*edges)[2], uint32_t n, const struct ph_vertex *vertices);
 
+/* Lists a line that is no edge of a mesh and whose ends are projected. */
+void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2]);
+
 /* Sets up a line that has a column or row in the picture. */
 void ph_setup_line(const struct ph_setting *s, const struct ph_vertex *a, const struct ph_vertex *b,
                    struct ph_triangle *t);

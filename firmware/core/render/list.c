@@ -2,7 +2,6 @@
 #include "list.h"
 
 #include "edge.h"
-#include "line.h"
 
 enum { OWN, VERTICES, TRIANGLES };
 
@@ -376,17 +375,4 @@ bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint
     }
     ph_list_rewind(r, &mark);
     return any;
-}
-
-void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2])
-{
-    const struct ph_mark mark = ph_list_mark(r);
-    const int32_t first = ph_list_corners(r, material, PH_DRAW_LINES, ends, 2);
-    if (first < 0) {
-        r->stats.triangles_dropped++;
-        return;
-    }
-    const uint16_t number[2] = {(uint16_t)first, (uint16_t)(first + 1)};
-    ph_list_line(r, number, &ends[0].at, &ends[1].at);
-    ph_list_rewind(r, &mark);
 }

@@ -133,9 +133,6 @@ int32_t ph_list_corners(struct ph_renderer *r, const struct ph_material *materia
 bool ph_list_fan(struct ph_renderer *r, const struct ph_material *material, uint32_t kind,
                  const struct ph_corner *corners, uint32_t n);
 
-/* Lists a line whose ends are projected. */
-void ph_list_segment(struct ph_renderer *r, const struct ph_material *material, const struct ph_corner ends[2]);
-
 /*
  * Two cores list triangles of one draw at a time: this one goes on in the upper half of the room, the other one has a
  * renderer of its own, which stands at the end of the lower half and lists there. Corners have no texture coordinates,

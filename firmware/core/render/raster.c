@@ -7,6 +7,7 @@
  */
 #include "raster.h"
 
+#include "coarse.h"
 #include "colours.h"
 #include "edge.h"
 #include "line.h"
@@ -139,6 +140,20 @@ uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
                                         : ph_draw_plain(t, band);
 }
 
+/* Of a triangle that is hidden the pixels are counted only. */
+static PH_NOINLINE uint32_t draw_unless_hidden(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const uint32_t hidden = ph_coarse_hidden(t, band);
+    if (hidden > 0) {
+        return hidden;
+    }
+    const uint32_t count = ph_draw_large(t, band);
+    if (count >= PH_OCCLUDER_LEAST) {
+        ph_coarse_add(t, band);
+    }
+    return count;
+}
+
 uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *band)
 {
     if (t->kind == PH_KIND_SMALL) {
@@ -165,7 +180,7 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     if (t->block == PH_BLOCK_EXACT) {
         return ph_draw_exact(t, band);
     }
-    return t->block == PH_BLOCK_NONE && band->coarse != NULL ? ph_draw_unless_hidden(t, band) : ph_draw_large(t, band);
+    return t->block == PH_BLOCK_NONE && band->coarse != NULL ? draw_unless_hidden(t, band) : ph_draw_large(t, band);
 }
 
 /* Whether a triangle is small and has a plane of codes, with or without a knee. */
