@@ -69,10 +69,12 @@ vector_change_is_seen() { # file, sed command
 same_loops() { assembled "$1" "$kernels/$1" "$1" && diff "$B/c.lines" "$B/$1.lines"; } # CPU
 
 # One change in the assembly of one loop is seen, and in no other loop than those that are made of it.
-change_is_seen() { # CPU, loop, sed command, loops that are made of it (this one by default)
+change_is_seen() { # CPU, loop (or file of several), sed command, loops that are made of it (this one by default)
+    local file=$2
+    [[ $file == *.* ]] || file+=.S
     rm -rf "${B:?}/changed" && mkdir -p "$B/changed" && cp -r "$kernels/armv6m" "$kernels/armv7m" "$kernels/rv32" "$kernels"/*.inc "$B/changed/" || return 1
-    sed -i "$3" "$B/changed/$1/$2.S"
-    ! cmp -s "$B/changed/$1/$2.S" "$kernels/$1/$2.S" || { echo "nothing changed" && return 1; }
+    sed -i "$3" "$B/changed/$1/$file"
+    ! cmp -s "$B/changed/$1/$file" "$kernels/$1/$file" || { echo "nothing changed" && return 1; }
     assembled "$1" "$B/changed/$1" changed-lines || return 1
     [ "$(diff "$B/c.lines" "$B/changed-lines.lines" | sed -n 's/^> \([a-z_]*\) .*/\1/p' | xargs)" = "${4:-$2}" ]
 }
@@ -112,6 +114,7 @@ long "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla
 long "texels_too_bright_for_armv6m_are_seen" change_is_seen armv6m texel_row_lit 's/lsrs r5, r5, #24/lsrs r5, r5, #23/' 'texel_row_lit texel_run_rows'
 long "a_pixel_lost_before_a_hidden_one_for_armv6m_is_seen" change_is_seen armv6m texel_row_lit 's/^    forget 1/    forget 0/' 'texel_row_lit texel_run_rows'
 long "a_texel_beyond_the_border_for_armv6m_is_seen" change_is_seen armv6m texel_row_smooth 's/subs r4, r6, r2/subs r4, r6, r5/' 'texel_row_smooth texel_row_smooth_lit texel_run_rows'
+long "a_row_that_leaves_a_repeat_unnoticed_for_armv6m_is_seen" change_is_seen armv6m texel_smooth.inc 's/adds r2, r2, r7/nop/' 'texel_row_smooth texel_row_smooth_lit'
 long "light_of_other_pixels_for_armv7m_is_seen" change_is_seen armv7m texel_row_lit 's/adds r7, r6, #1/adds r7, r6, #2/' 'texel_row_lit texel_run_rows'
 long "a_highlight_that_is_drawn_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    movs r0, #33/    movs r0, #34/'
 long "a_lit_row_in_the_light_of_another_for_armv6m_is_seen" change_is_seen armv6m texel_run_rows 's/^    str r2, .sp, #level.$/    str r4, [sp, #level]/'

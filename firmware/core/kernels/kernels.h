@@ -4,7 +4,7 @@
  * portable/ has every kernel in C. armv6m/ and armv7m/ have the same functions in assembly, rv32/ has most of them,
  * x86_64/ has some of them in C with vectors or with two values in a word. All give the same result bit for bit
  * (tests/core/test_kernels.sh), so a change of the arithmetic in one is a change in all. Assembly takes at most 100
- * bytes of stack, calls nothing outside its file, and knows the structs by offsets.inc.
+ * bytes of stack, calls nothing but kernels and what stands in their files, and knows the structs by offsets.inc.
  *
  * Kernels with a struct of their own have a header: vertices.h, cull.h, texture_tile.h, texture_small.h.
  */

@@ -365,7 +365,8 @@ static struct ph_texel_line line(bool wild)
 }
 
 /* A triangle of up to 14 rows of up to 32 pixels, on both sides of column 0. */
-/* A row of texels for one of the kernels of texel_row.h. */
+/* A row of texels for one of the kernels of texel_row.h. Every other one has small steps, so that many lie within one
+ * repeat of the texture. */
 static uint32_t try_texel_row(uint32_t h, void (*draw)(const struct ph_texel_row *))
 {
     struct ph_texel_row row = {.depth = depth + 256, .pixels = pixels + 256, .texels = texels};
@@ -380,6 +381,12 @@ static uint32_t try_texel_row(uint32_t h, void (*draw)(const struct ph_texel_row
     for (int i = 0; i < 6; i++) {
         walks[i] = bits();
         walks[i] >>= below(32);
+    }
+    if (below(2) == 0) {
+        row.u.step = below(1 << 22) - (1 << 21);
+        row.v.step = below(1 << 22) - (1 << 21);
+        row.u.bend = below(1 << 18) - (1 << 17);
+        row.v.bend = below(1 << 18) - (1 << 17);
     }
     row.level = below(33);
     row.light = below(33 << 24);
