@@ -1,84 +1,100 @@
-/* gouraud8: rows along a ramp of colours, 8 pixels at once, x86-64 (SSE2). Private to the kernels of this folder. */
+/*
+ * gouraud8: rows along a ramp of colours, x86-64 (SSE2): 8 pixels at once, and before them one by one what is left of a
+ * division by 8. Private to the kernels of this folder.
+ */
 #ifndef PH_GOURAUD8_H
 #define PH_GOURAUD8_H
 
 #include "pixels8.h"
-#include "span.h"
+#include "small_rows.h"
 
-/* A value that changes by the same from pixel to pixel: what pixels 0 to 3 have beyond pixel 0, and 4 and 8 steps. */
+/* A value that changes by the same from pixel to pixel: the change of 1 to 4 pixels, and 4 and 8 times. */
 struct steps8 {
     __m128i first, four, eight;
-    uint32_t one;
 };
 
+/* What all rows have in common. */
 struct gouraud8 {
+    struct small_rows one; /* at a time */
     struct steps8 d, light;
-    const uint16_t *ramp;
 };
 
-static inline struct steps8 steps8_of(uint32_t step)
+/* step: of a pixel, in all words. */
+static inline struct steps8 steps8_of(__m128i step)
 {
-    const __m128i one = _mm_set1_epi32((int)step), two = _mm_add_epi32(one, one);
-    const __m128i first = _mm_add_epi32(_mm_and_si128(one, _mm_setr_epi32(0, -1, 0, -1)),
-                                        _mm_and_si128(two, _mm_setr_epi32(0, 0, -1, -1)));
-    return (struct steps8){first, _mm_slli_epi32(one, 2), _mm_slli_epi32(one, 3), step};
+    const __m128i two = _mm_add_epi32(step, step), four = _mm_add_epi32(two, two);
+    const __m128i odd = _mm_unpacklo_epi32(step, two);
+    return (struct steps8){_mm_add_epi32(_mm_unpacklo_epi64(odd, odd), _mm_unpackhi_epi64(_mm_setzero_si128(), two)),
+                           four, _mm_add_epi32(four, four)};
 }
 
-static inline struct depths8 steps8_from(const struct steps8 *steps, uint32_t value)
+static inline struct gouraud8 gouraud8_of(__m128i step, const uint16_t *ramp, const uint16_t *depth,
+                                          const uint16_t *pixels)
 {
-    const __m128i four = _mm_add_epi32(_mm_set1_epi32((int)value), steps->first);
-    return (struct depths8){four, _mm_add_epi32(four, steps->four)};
+    return (struct gouraud8){
+        .one = {step, ramp, (const uint8_t *)pixels - (const uint8_t *)depth, false, 0},
+        .d = steps8_of(_mm_shuffle_epi32(step, 0)),
+        .light = steps8_of(_mm_shuffle_epi32(step, _MM_SHUFFLE(2, 2, 2, 2))),
+    };
 }
 
-/* Colours of 8 pixels, by the top 7 bits of their light. */
-static inline __m128i colours8(const struct depths8 *light, const uint16_t *ramp)
+/* Colours of 8 pixels, by the top 7 bits of their light; any: any value, its register becomes the colours'. */
+static inline __m128i colours8(__m128i any, __m128i light, __m128i light_high, const uint16_t *ramp)
 {
-    const __m128i entry = _mm_packs_epi32(_mm_srli_epi32(light->low, 25), _mm_srli_epi32(light->high, 25));
-    __m128i colours = _mm_cvtsi32_si128(ramp[_mm_extract_epi16(entry, 0)]);
-    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 1)], 1);
-    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 2)], 2);
-    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 3)], 3);
-    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 4)], 4);
-    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 5)], 5);
-    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 6)], 6);
-    return _mm_insert_epi16(colours, ramp[_mm_extract_epi16(entry, 7)], 7);
+    const __m128i low = _mm_srli_epi32(light, 25), high = _mm_srli_epi32(light_high, 25);
+    __m128i colours = _mm_insert_epi16(any, ramp[_mm_extract_epi16(low, 0)], 0);
+    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(low, 2)], 1);
+    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(low, 4)], 2);
+    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(low, 6)], 3);
+    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(high, 0)], 4);
+    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(high, 2)], 5);
+    colours = _mm_insert_epi16(colours, ramp[_mm_extract_epi16(high, 4)], 6);
+    return _mm_insert_epi16(colours, ramp[_mm_extract_epi16(high, 6)], 7);
 }
 
-static inline void gouraud8_draw(uint16_t *pixels, uint16_t *depth, const struct depths8 *d,
-                                 const struct depths8 *light, const uint16_t *ramp)
+/* d and light: those of the first 4 pixels. */
+static inline void gouraud8_draw(const struct gouraud8 *g, uint16_t *depth, __m128i d, __m128i light)
 {
-    const __m128i hidden = depth8_test(depth, depths8_codes(d));
+    struct depths8 depths = {d, _mm_add_epi32(d, g->d.four)};
+    __asm__("" : "+x"(depths.low)); /* else the compiler keeps copies of both and moves them back for each 8 pixels */
+    __asm__("" : "+x"(light));
+    const __m128i light_high = _mm_add_epi32(light, g->light.four), hidden = depth8_test(depth, depths8_codes(&depths));
+    uint16_t *const pixels = (uint16_t *)(void *)((uint8_t *)depth + g->one.to_pixels);
     const int mask = _mm_movemask_epi8(hidden);
     if (mask == 0) {
-        _mm_storeu_si128((__m128i *)pixels, colours8(light, ramp));
+        _mm_storeu_si128((__m128i *)pixels, colours8(hidden, light, light_high, g->one.ramp));
     } else if (mask != 0xffff) {
-        pixels8_put(pixels, colours8(light, ramp), hidden);
+        pixels8_put(pixels, colours8(light_high, light, light_high, g->one.ramp), hidden);
     }
 }
 
-/* Draws n >= 1 pixels; d and light are those of the first one. */
-static inline void gouraud8_row(const struct gouraud8 *g, uint16_t *pixels, uint16_t *depth, uint32_t n, uint32_t d,
-                                uint32_t light)
+#define GOURAUD8_PIXEL(k)                                                                                              \
+    case k:                                                                                                            \
+        at = small_pixel(&g->one, depth - (k), at);                                                                    \
+        __attribute__((fallthrough));
+
+/* Draws the n >= 1 pixels before `end`; at is that of the pixel before them, as in small_rows.h. */
+static inline __attribute__((always_inline)) void gouraud8_row(const struct gouraud8 *g, uint16_t *end, uint32_t n,
+                                                               __m128i at)
 {
-    if (n < 8) {
-        for (uint32_t i = 0; i < n; i++, d += g->d.one, light += g->light.one) {
-            ph_pixel_gouraud(&pixels[i], &depth[i], d, light, g->ramp);
-        }
-        return;
+    uint16_t *depth = end - (n & ~(uint32_t)7);
+    switch (n & 7) {
+        GOURAUD8_PIXEL(7)
+        GOURAUD8_PIXEL(6)
+        GOURAUD8_PIXEL(5)
+        GOURAUD8_PIXEL(4)
+        GOURAUD8_PIXEL(3)
+        GOURAUD8_PIXEL(2)
+        GOURAUD8_PIXEL(1)
+    default:
+        break;
     }
-    struct depths8 at = steps8_from(&g->d, d), light_at = steps8_from(&g->light, light);
-    for (uint32_t left = n / 8; left > 0; left--) {
-        gouraud8_draw(pixels, depth, &at, &light_at, g->ramp);
-        depths8_add(&at, g->d.eight);
-        depths8_add(&light_at, g->light.eight);
-        pixels += 8;
-        depth += 8;
-    }
-    const uint32_t beyond = n % 8;
-    if (beyond > 0) { /* the last 8; those among them that are drawn already do not change */
-        at = steps8_from(&g->d, d + (n - 8) * g->d.one);
-        light_at = steps8_from(&g->light, light + (n - 8) * g->light.one);
-        gouraud8_draw(pixels + beyond - 8, depth + beyond - 8, &at, &light_at, g->ramp);
+    __m128i d = _mm_add_epi32(_mm_shuffle_epi32(at, 0), g->d.first);
+    __m128i light = _mm_add_epi32(_mm_shuffle_epi32(at, _MM_SHUFFLE(2, 2, 2, 2)), g->light.first);
+    for (; depth != end; depth += 8) {
+        gouraud8_draw(g, depth, d, light);
+        d = _mm_add_epi32(d, g->d.eight);
+        light = _mm_add_epi32(light, g->light.eight);
     }
 }
 

@@ -43,16 +43,28 @@ static inline __m128i texels2_beyond(__m128i beyond, __m128i v, __m128i limit)
     return _mm_or_si128(beyond, _mm_andnot_si128(above, _mm_add_epi32(v, limit)));
 }
 
-/* Whether u of a run, over 32 columns and 32 rows to all sides, stays below 2^31 and never wraps. */
-static inline bool texels2_fit(const struct ph_texel_run *r)
+/* Whether u and its differences are within limits: of at, step, at_dy, step_dy; of at_ddy, bend. */
+static inline bool texels2_within(const struct ph_texel_line *u, __m128i linear, __m128i bent)
 {
     const __m128i zero = _mm_setzero_si128();
-    const __m128i linear = texels2_beyond(zero, _mm_loadu_si128((const __m128i *)&r->u),
-                                          _mm_setr_epi32(1 << 29, 1 << 24, 1 << 24, 1 << 17));
-    const __m128i beyond =
-        texels2_beyond(linear, _mm_loadl_epi64((const __m128i *)&r->u.at_ddy), _mm_setr_epi32(1 << 18, 1 << 17, 1, 1));
-    return r->rows + r->lower_rows <= 32 && r->u_mask < 512 &&
-           _mm_movemask_epi8(_mm_cmpeq_epi32(beyond, zero)) == 0xffff;
+    const __m128i beyond = texels2_beyond(texels2_beyond(zero, _mm_loadu_si128((const __m128i *)u), linear),
+                                          _mm_loadl_epi64((const __m128i *)&u->at_ddy), bent);
+    return _mm_movemask_epi8(_mm_cmpeq_epi32(beyond, zero)) == 0xffff;
+}
+
+/* Whether u of a run, over 32 columns to both sides and 16 or 32 rows down, stays below 2^31 and never wraps. */
+static inline bool texels2_fit(const struct ph_texel_run *r)
+{
+    const uint32_t rows = r->rows + r->lower_rows;
+    if (r->u_mask >= 512) {
+        return false;
+    }
+    if (rows <= 16) { /* as in every band of 16 lines */
+        return texels2_within(&r->u, _mm_setr_epi32(1 << 29, 1 << 24, 1 << 24, 1 << 19),
+                              _mm_setr_epi32(1 << 21, 1 << 18, 1, 1));
+    }
+    return rows <= 32 && texels2_within(&r->u, _mm_setr_epi32(1 << 29, 1 << 24, 1 << 24, 1 << 17),
+                                        _mm_setr_epi32(1 << 18, 1 << 17, 1, 1));
 }
 
 /* u and v of a row in one word, and their step beside it; how both grow to the row below, and how that grows. */

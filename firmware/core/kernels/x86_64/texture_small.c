@@ -46,8 +46,9 @@ static inline __attribute__((always_inline)) uint32_t draw(struct ph_texel_run *
     uint64_t count = 0;
     for (;;) {
         do {
-            const int64_t from = (int16_t)_mm_extract_epi16(row, 1), to = (int16_t)_mm_extract_epi16(row, 3),
-                          n = to - from;
+            int64_t from = (int16_t)_mm_extract_epi16(row, 1);
+            const int64_t to = (int16_t)_mm_extract_epi16(row, 3), n = to - from;
+            __asm__("" : "+r"(from)); /* else the compiler extends it a second time */
             if (n > 0) {
                 const __m128i before = texels2_depth(row, (uint64_t)from, gd);
                 if (knee != 0) {
