@@ -101,6 +101,23 @@ static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct
     return ph_draw_rows_split(t, &r, at, NULL);
 }
 
+/* Draws a small triangle of samples. Its light goes down by pixels: see light_pixels in setup.c. */
+static PH_NOINLINE uint32_t draw_fine(const struct ph_triangle *t, const struct ph_band *band)
+{
+    const uint32_t stride_bytes = 2 * (uint32_t)band->width;
+    if (t->y_top >= band->y0 && t->y_bottom <= band->y1) {
+        const uint32_t start = (uint32_t)(t->y_top - band->y0) * (uint32_t)band->width;
+        return ph_fine_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, stride_bytes);
+    }
+    struct ph_small_triangle r = t->small;
+    const struct ph_place at = cut_rows(t, band, &r);
+    if (t->y_top < band->y0) {
+        const uint32_t rows = (t->small.light & 1) + (uint32_t)(band->y0 - t->y_top); /* from the first pixel's on */
+        r.light = (t->small.light & ~(uint32_t)1) + rows / 2 * (t->small.light_dy + 1) + (rows & 1);
+    }
+    return ph_fine_gouraud(&r, at.depth, at.pixels, stride_bytes);
+}
+
 /* Draws a triangle that is small but for its long rows. */
 static PH_NOINLINE uint32_t draw_wide(const struct ph_triangle *t, const struct ph_band *band)
 {
@@ -170,6 +187,9 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     }
     if (t->kind == PH_KIND_SMALL_SPLIT) {
         return draw_split(t, band);
+    }
+    if (t->kind == PH_KIND_SMALL_FINE) {
+        return draw_fine(t, band);
     }
     if (t->kind == PH_KIND_SMALL_WIDE) {
         return draw_wide(t, band);

@@ -14,6 +14,9 @@
 #include "small_texels.h"
 #include "texels.h"
 
+/* Entries of the ramp a sample, 1.75; there is room for 4 beyond the corners. */
+#define LIGHT_GENTLE ((uint32_t)7 << 23)
+
 /* The edge from a down to b at row y0, which it reaches, in 64 bits. A step down a row has 16 bits behind the point.
  * From a corner far above the picture thousands of them would lose up to 1/16 px, so y0 is reached at once. */
 static PH_NOINLINE void wide_edge(const struct ph_vertex *a, const struct ph_vertex *b, int32_t y0,
@@ -273,6 +276,7 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->usual.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
     s->takes_narrow = s->shading == PH_SHADE_TEXTURE || r->fine != 0;
+    s->keeps_light = s->shading == PH_SHADE_GOURAUD && r->fine == 0;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
     s->usual.lens = s->floats ? &r->lens : NULL;
     s->usual.inner_x = r->inner_x;
@@ -284,6 +288,31 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->has_usual_texels = usual && textured;
     s->usual.bias = s->floats ? PH_DEPTH_BIAS_FLOAT16 + (ph_depth_bias(material) << 13)
                               : PH_DEPTH_BIAS_FIXED16 + (ph_depth_bias(material) << 16) - ph_depth_far(&r->lens, 0);
+}
+
+/* From the light of samples to that of pixels. Light stays in the plane's 32 bits: one that wraps is the right one at
+ * the samples, and what is added is gentle, wrapped or not. Bit 0 says that a row is the second one of its pixels. */
+static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
+{
+    const uint32_t gx = small->glight, gy = small->light_dy;
+    const uint32_t across = (uint32_t)((int32_t)gx / 2), down = (uint32_t)((int32_t)gy / 2);
+    small->light = ((small->light + across + (is_second ? 0u - down : down)) & ~(uint32_t)1) | is_second;
+    small->glight = 2 * gx;
+    small->light_dy = 2 * gy - 1;
+}
+
+void ph_set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
+{
+    struct ph_small_triangle *const small = &t->small;
+    if (s->shading != PH_SHADE_GOURAUD) {
+        small->light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
+        small->glight = small->light_dy = 0;
+    }
+    if (s->r->fine != 0 && (t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_WIDE) && t->block == PH_BLOCK_NONE &&
+        ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) <= LIGHT_GENTLE) {
+        t->kind = PH_KIND_SMALL_FINE;
+        light_pixels(small, (uint32_t)t->y_top & 1);
+    }
 }
 
 /* The same as ph_set_knee for a small textured triangle. */
@@ -337,7 +366,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             t->kind = PH_KIND_SMALL_SPLIT;
             ph_set_knee(t, d);
         }
-        ph_set_light(s, v[0], &t->small);
+        ph_set_light(s, v[0], t);
     }
 }
 

@@ -13,22 +13,18 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
 void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum ph_small_setup done,
                       struct ph_triangle *t);
 
-/* Gives a small triangle of one light that light. */
-static inline void ph_set_light(const struct ph_setting *s, const struct ph_vertex *first,
-                                struct ph_small_triangle *small)
-{
-    if (s->shading != PH_SHADE_GOURAUD) {
-        small->light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
-        small->glight = small->light_dy = 0;
-    }
-}
+/* Gives a small triangle of one light that light. Of samples, those of a pixel get one light each, where light is
+ * gentle: then the triangle becomes one of PH_KIND_SMALL_FINE. */
+void ph_set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t);
 
 /* Sets up a triangle of the draw. */
 static inline void ph_setup(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
     const enum ph_small_setup done = s->is_usual ? ph_setup_usual(&s->usual, ref, t) : PH_SMALL_NO_ROW;
     if (done == PH_SMALL_SET) {
-        ph_set_light(s, &s->usual.base[ref->corner[0]], &t->small);
+        if (!s->keeps_light) {
+            ph_set_light(s, &s->usual.base[ref->corner[0]], t);
+        }
     } else {
         ph_setup_unusual(s, ref, done, t);
     }

@@ -18,7 +18,8 @@
 enum { TURNS = 20000, ROOM = 2048, TEXELS = 64 * 64 };
 
 static uint32_t state;
-static uint16_t pixels[ROOM], depth[ROOM], texels[TEXELS], ramp[128];
+static _Alignas(4) uint16_t pixels[ROOM], depth[ROOM];
+static uint16_t texels[TEXELS], ramp[128];
 
 static uint32_t bits(void)
 {
@@ -172,6 +173,30 @@ static uint32_t try_small(uint32_t h,
 static uint32_t try_rows(uint32_t h)
 {
     return try_small(h, ph_small_gouraud);
+}
+
+/* Samples: rows of depth and of pixels begin at whole words. */
+static uint32_t whole_words(const struct ph_small_triangle *small, uint16_t *to_depth, uint16_t *to_pixels,
+                            uint32_t stride_bytes)
+{
+    return ph_fine_gouraud(small, depth + ((to_depth - depth) & ~1), pixels + ((to_pixels - pixels) & ~1),
+                           stride_bytes & ~3u);
+}
+
+/* Rows of up to 64 samples. */
+static uint32_t whole_words_wider(const struct ph_small_triangle *small, uint16_t *to_depth, uint16_t *to_pixels,
+                                  uint32_t stride_bytes)
+{
+    struct ph_small_triangle r = *small;
+    r.right = r.left + below(60 << 16);
+    r.right_dx = r.left_dx;
+    r.lower_rows = 0;
+    return whole_words(&r, to_depth, to_pixels, stride_bytes);
+}
+
+static uint32_t try_fine(uint32_t h)
+{
+    return try_small(h, below(4) > 0 ? whole_words : whole_words_wider);
 }
 
 static uint32_t try_knee(uint32_t h)
@@ -586,6 +611,7 @@ int main(void)
                  {"halve", try_halve},
                  {"small_gouraud", try_rows},
                  {"small_knee", try_knee},
+                 {"fine_gouraud", try_fine},
                  {"wide_gouraud", try_wide},
                  {"setup_small", try_setup_small},
                  {"float_depths", try_float},

@@ -1,0 +1,188 @@
+@ ph_fine_gouraud of kernels.h for ARMv7-M. A row takes 27 instructions, a sample that is drawn 9 or 10, a hidden one 4
+@ or 5, a call 15 to 30. As long as nothing is drawn where a row goes, a pixel's two samples take 14 together.
+@
+@ Registers: r0 column 0 of the row, r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels, r9 left,
+@ r10 right, r11 d at column 0, r12 light at column 0, lr: rows that are left << 16 | number of samples so far. The
+@ pointer `triangle` on the stack stands at gd.
+#include "../thumb.inc"
+#include "../offsets.inc"
+
+    .equ left_dx, 0 @ on the stack
+    .equ right_dx, 4
+    .equ d_dy, 8
+    .equ light_dy, 12
+    .equ stride, 16 @ a row loads these five words at once
+    .equ triangle, 20 @ 0 when the lower edge has taken over
+    .equ to_pixels, 24 @ from depth
+    .equ base, 28 @ column 0 of a row, where r0 has something else
+    .equ frame, 32
+
+    .macro sample at
+    ldrh r1, [r7, #2 * \at]
+    cmp r1, r2, lsr #16
+    bhs 1f
+    lsrs r1, r2, #16
+    strh r1, [r7, #2 * \at]
+    lsrs r1, r3, #25
+    ldrh r1, [r6, r1, lsl #1]
+    strh r1, [r8, #2 * \at]
+1:
+    .endm
+
+    .macro step at @ light stays within a pixel
+    add r2, r4
+    .if \at & 1
+    add r3, r5
+    .endif
+    .endm
+
+    .macro fresh at, second
+    lsrs r1, r2, #16
+    strh r1, [r7, #2 * \at]
+    add r2, r4
+    lsrs r1, r2, #16
+    strh r1, [r7, #2 * \second]
+    add r2, r4
+    lsrs r1, r3, #25
+    ldrh r1, [r6, r1, lsl #1]
+    add r3, r5
+    strh r1, [r8, #2 * \at]
+    strh r1, [r8, #2 * \second]
+    .endm
+
+    .macro pair at, second @ no code is 0: where both depths are 0, both samples are drawn
+from_\at:
+    ldr r1, [r7, #2 * \at]
+    cmp r1, #0
+    bne sample_\at
+    fresh \at, \second
+    .endm
+
+    .macro single at, next @ the second sample of the first pixel
+from_\at:
+    sample \at
+    step \at
+    b from_\next
+    .endm
+
+    function ph_fine_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
+    push {r4-r11, lr}
+    push {r4}
+    ldmia r0!, {r4-r7}
+    subs r2, r2, r1
+    push {r0, r2}
+    push {r3}
+    push {r4-r7}
+    ldmia r0, {r4-r6, r9-r12}
+    ldrh lr, [r0, #small_upper_rows - small_gd]
+    sub lr, lr, #1
+    lsl lr, lr, #16
+    sub r0, r1, #64 @ the last of the 32 unrolled samples is the last one of a whole pixel
+row:
+    lsr r7, r9, #16
+    lsr r8, r10, #17
+    rsbs r1, r7, r8, lsl #1
+    blt 3f
+    add lr, lr, r1
+    mla r2, r4, r7, r11
+    lsrs r3, r7, #1
+    mla r3, r5, r3, r12
+    add r7, r0, r8, lsl #2
+    ldr r8, [sp, #to_pixels]
+    add r8, r8, r7
+    cmp r1, #32
+    bhi more
+    tbh [pc, r1, lsl #1]
+entries:
+    .hword (last - entries) / 2
+    .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
+    .hword (from_\at - entries) / 2
+    .endr
+    .p2align 1
+    .altmacro
+    .set at, 1
+    .rept 15
+    single %at, %(at + 1)
+    .set at, at + 2
+    .endr
+    .set at, 0
+    .rept 16
+    pair %at, %(at + 1)
+    .set at, at + 2
+    .endr
+    .noaltmacro
+last:
+    tst r10, #1 << 16
+    bne 2f
+3:  ldmia sp, {r1-r3, r7, r8}
+    add r9, r1
+    add r10, r2
+    add r11, r3
+    tst r12, #1 @ light stays from an even row to the odd one
+    ite ne
+    addne r12, r7
+    addeq r12, #1
+    add r0, r8
+    subs lr, lr, #1 << 16
+    bhs row
+    b done
+more: @ those before the last 32
+    str r0, [sp, #base]
+    sub r0, r1, #32
+    sub r7, r7, r0, lsl #1
+    sub r8, r8, r0, lsl #1
+    lsls r1, r0, #31
+    bpl 4f
+    sample 0
+    step 1
+    adds r7, #2
+    add r8, r8, #2
+    subs r0, #1
+    beq 6f
+4:  ldr r1, [r7]
+    cbnz r1, 7f
+    fresh 0, 1
+5:  adds r7, #4
+    add r8, r8, #4
+    subs r0, #2
+    bhi 4b
+6:  ldr r0, [sp, #base]
+    b from_0
+7:  sample 0
+    step 0
+    sample 1
+    step 1
+    b 5b
+2:  add lr, lr, #1 @ the first sample of the last pixel
+    sample 32
+    b 3b
+    .irp at, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30
+sample_\at:
+    sample \at
+    step \at
+    .endr
+from_31:
+    sample 31
+    step 31
+    b last
+done:
+    ldr r7, [sp, #triangle]
+    cbz r7, 5f
+    ldrh r1, [r7, #small_lower_rows - small_gd]
+    cbz r1, 5f
+    add lr, lr, r1, lsl #16
+    ldr r2, [r7, #small_lower_is_right - small_gd]
+    ldrd r3, r1, [r7, #small_lower - small_gd]
+    cbz r2, 3f
+    mov r10, r3
+    str r1, [sp, #right_dx]
+    b 4f
+3:  mov r9, r3
+    str r1, [sp, #left_dx]
+4:  movs r7, #0
+    str r7, [sp, #triangle]
+    b row
+5:  uxth r0, lr
+    add sp, sp, #frame
+    pop {r4-r11, pc}
+    .size ph_fine_gouraud, . - ph_fine_gouraud
