@@ -23,6 +23,7 @@ void proof_corners(void)
 void proof_walk(void)
 {
     const struct ph_vertex a = any_end(), b = any_end();
+    ASSUME(b.y >= a.y); /* as ph_setup_line takes them */
     struct ph_renderer r;
     struct ph_triangle t;
     struct part part;

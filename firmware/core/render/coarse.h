@@ -8,8 +8,9 @@
  *
  * Two triangles that share an edge walk it through the same columns (edge.h), and so they become one occluder. Neither
  * the two halves of a quad nor a band's height leave a gap, and a test takes a few comparisons however many pixels it
- * spares. Triangles under PH_OCCLUDER_LEAST pixels in a band neither become occluders nor pay for it; small ones
- * (ph_small_triangle) are not tested. Depth has to be a plane of codes (PH_BLOCK_NONE).
+ * spares. Triangles under PH_OCCLUDER_LEAST pixels in a band neither become occluders nor pay for it. Those of fewer
+ * than PH_OCCLUDED_ROWS rows and small ones (ph_small_triangle) are not tested. Depth has to be a plane of codes
+ * (PH_BLOCK_NONE).
  */
 #ifndef PH_COARSE_H
 #define PH_COARSE_H
@@ -18,6 +19,7 @@
 
 #define PH_OCCLUDERS      2
 #define PH_OCCLUDER_LEAST 512
+#define PH_OCCLUDED_ROWS  8
 
 struct ph_occluder {
     struct ph_half_rows in;

@@ -200,7 +200,8 @@ uint32_t ph_draw_triangle(const struct ph_triangle *t, const struct ph_band *ban
     if (t->block == PH_BLOCK_EXACT) {
         return ph_draw_exact(t, band);
     }
-    return t->block == PH_BLOCK_NONE && band->coarse != NULL ? draw_unless_hidden(t, band) : ph_draw_large(t, band);
+    const bool tests = t->block == PH_BLOCK_NONE && band->coarse != NULL && t->y_bottom - t->y_top >= PH_OCCLUDED_ROWS;
+    return tests ? draw_unless_hidden(t, band) : ph_draw_large(t, band);
 }
 
 /* Whether a triangle is small and has a plane of codes, with or without a knee. */
