@@ -214,7 +214,8 @@ fuzz-programs: $(FUZZ)
 
 -include firmware/firmware.mk firmware/package/package.mk
 
-demo: all ## renders the demonstration into build/demo (needs nothing but cc and make)
+demo: ## renders the demonstration into build/demo (needs nothing but cc and make)
+	+$(Q)$(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$$(getconf _NPROCESSORS_ONLN || echo 1)) '$(B)/pinhole-sim' '$(B)/pinhole-sheet'
 	$(Q)B='$(B)' sh host-sim/demo.sh
 
 check: ## the unit tests and the quick scripts, for every edit; installs nothing (under 90 seconds on 2 cores)
