@@ -1,39 +1,18 @@
 /*
  * snake: seen from a camera on its head, looking where it moves (source: K. Juenemann, HAW Hamburg, chapter 9,
- * exercise 3). It plays itself: a closed path, a figure of eight that crosses over itself on a hump, with apples on the
- * way; what was eaten grows again behind it. View `outside` looks at it all from above.
- *
- * Left and right steer it in the view from the head. After the first press it leaves that path within one cell of a
- * field of 9 x 7 and goes from cell to cell. A press turns it by a quarter in the next cell; the last press counts. It
- * never leaves the field: it ignores a turn out of it, and at the border it turns to the side with more room. Apples
- * make it longer. When it runs into itself it plays by itself again.
+ * exercise 3). View `outside` looks at it all from above. snake_way.h says where it goes.
  */
 #include "demo_scene.h"
-#include "hal.h"
 #include "models.h"
+#include "snake_way.h"
 
 #include <string.h>
 
 #define LOOP_FRAMES 512
-#define PATH_SHIFT  23 /* a frame is this part of a turn of the path */
-#define BALLS       38
-#define SPACING     10u /* frames between two balls of the body */
-#define NOSE        10u /* frames by which the nose is before the camera */
-#define APPLES      8
 #define TREES       10
 #define TREE_SIDES  6
 #define TREE_POINTS 5
 #define CELLS       10
-#define RADIUS      (FX_ONE * 32 / 100)
-#define SPREAD      FX_INT(5)
-
-/* The field while it is steered; cells are counted from its middle. */
-#define CELL        (FX_ONE * 5 / 4)
-#define CELL_FRAMES 16u
-#define CELLS_X     4 /* -4 .. 4 */
-#define CELLS_Z     3
-#define TRAIL       32u /* cells that are remembered; the longest body takes fewer */
-#define SHORTEST    10u /* balls */
 
 /* Where memory is small trees are cones, and balls have fewer sides. */
 #define TREE_SIDES_FEW  4
@@ -66,29 +45,6 @@ enum { TINY, SMALL, LARGE, FORMS };
 #define TINY_PX  2
 #define SMALL_PX 4
 
-struct cell {
-    int8_t x, z;
-};
-
-/* Directions are quarter turns from -z, counter-clockwise as seen from above. */
-struct passage {
-    struct cell cell;
-    uint8_t in, out;
-};
-
-/* All zero while it plays by itself. */
-struct steering {
-    bool on;
-    int8_t turn;     /* asked for in the next cell: 1 left, -1 right */
-    uint32_t origin; /* the frame in which the snake left the path */
-    uint32_t time;   /* frames since then */
-    uint32_t length; /* balls */
-    uint32_t random;
-    struct passage trail[TRAIL]; /* the cell that was entered at time t is in [t / CELL_FRAMES % TRAIL] */
-    struct cell apples[APPLES];
-    uint32_t born[APPLES]; /* time */
-};
-
 /* A spot of shade on the lawn, a disc of eight sides; where memory is small it is a square of the first four corners.
  */
 #define SHADE_CORNERS     8
@@ -101,213 +57,12 @@ static const uint16_t shade_triangles[SHADE_CORNERS - 2][3] = {{0, 1, 2}, {0, 2,
 static const struct ph_part shade_parts[2] = {{0, SHADE_CORNERS - 2, 0}, {0, SHADE_CORNERS_FEW - 2, 0}};
 
 struct snake {
-    struct steering steering;
-    uint32_t frame, buttons; /* of the last frame */
-    struct steering before;  /* the steering, its frame and buttons before the last frame, which may come again */
-    uint32_t frame_before, buttons_before;
+    struct snake_way way;
     fx_t lawn_scale;
     struct ph_mesh ball[FORMS], shade[FORMS], tree, floor;
     struct ph_material skin[2], face, red, white, black, leaves, tiles[2], dark;
     uint16_t ramps[6][PH_RAMP_SIZE];
 };
-
-/* x = 5 sin t, z = 3.2 sin 2t. The path leads over the hump at t = 0 and below it half a turn later. */
-static struct fx_vec3 path(uint32_t turn32)
-{
-    int32_t s, c, s2, unused;
-    fx_sincos_q30(turn32, &s, &c);
-    fx_sincos_q30(2 * turn32, &s2, &unused);
-    const fx_t rise = c > 0 ? fx_mul_sat(c >> 14, c >> 14) : 0;
-    const fx_t hump = fx_mul_sat(fx_mul_sat(rise, rise), fx_mul_sat(rise, rise));
-    return (struct fx_vec3){fx_mul_sat(SPREAD, s >> 14), RADIUS + fx_mul_sat(FX_ONE * 3 / 2, hump),
-                            fx_mul_sat(FX_ONE * 32 / 10, s2 >> 14)};
-}
-
-/* ---- steering -------------------------------------------------------------------------------------------------- */
-
-static struct fx_vec3 middle_of(struct cell c)
-{
-    return (struct fx_vec3){c.x * CELL, RADIUS, c.z * CELL};
-}
-
-static struct fx_vec3 heading(uint32_t turn32, fx_t length)
-{
-    int32_t s, c;
-    fx_sincos_q30(turn32, &s, &c);
-    return (struct fx_vec3){-fx_mul_sat(s >> 14, length), 0, -fx_mul_sat(c >> 14, length)};
-}
-
-static struct fx_vec3 plus(struct fx_vec3 a, struct fx_vec3 b)
-{
-    return (struct fx_vec3){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-/* Goes over from `a` to `b` in the first cell after the path. */
-static struct fx_vec3 blend(struct fx_vec3 a, struct fx_vec3 b, uint32_t time)
-{
-    const fx_t part = time < CELL_FRAMES ? (fx_t)time * (FX_ONE / (fx_t)CELL_FRAMES) : FX_ONE;
-    return (struct fx_vec3){fx_lerp_sat(a.x, b.x, part), fx_lerp_sat(a.y, b.y, part), fx_lerp_sat(a.z, b.z, part)};
-}
-
-/* The place in the cell of that time, on a straight line or a quarter circle, and then `ahead` frames straight on. */
-static struct fx_vec3 track(const struct steering *s, uint32_t time, uint32_t ahead)
-{
-    const struct passage *const p = &s->trail[time / CELL_FRAMES % TRAIL];
-    const fx_t step = CELL / (fx_t)CELL_FRAMES, done = (fx_t)(time % CELL_FRAMES);
-    const uint32_t from = (uint32_t)p->in << 30, left = 1u << 30;
-    const fx_t side = p->in == p->out ? 0 : ((p->in + 1) & 3) == p->out ? CELL / 2 : -CELL / 2;
-    const uint32_t part = (uint32_t)done * (left / CELL_FRAMES);
-    const uint32_t now = side == 0 ? from : side > 0 ? from + part : from - part;
-    struct fx_vec3 at = plus(middle_of(p->cell), heading(from, -CELL / 2 + (side == 0 ? step * done : 0)));
-    at = plus(at, plus(heading(from + left, side), heading(now + left, -side))); /* around the corner */
-    return plus(at, heading(now, step * (fx_t)ahead));
-}
-
-/* Where the head is at a time (while steered: since it left the path), and where it would be `ahead` frames later. */
-static struct fx_vec3 spot(const struct steering *s, uint32_t time, uint32_t ahead)
-{
-    const struct fx_vec3 own = path((s->origin + time + ahead) << PATH_SHIFT);
-    return s->on && (int32_t)time >= 0 ? blend(own, track(s, time, ahead), time) : own;
-}
-
-/* Balls of the body. When it is steered it becomes shorter, but not at once. */
-static uint32_t balls(const struct steering *s)
-{
-    if (!s->on) {
-        return BALLS;
-    }
-    return s->time + s->length < BALLS ? BALLS - s->time : s->length;
-}
-
-/* The number of cells up to the border. */
-static int32_t room(struct cell c, uint32_t direction)
-{
-    const int32_t cells[4] = {CELLS_Z + c.z, CELLS_X + c.x, CELLS_Z - c.z, CELLS_X - c.x};
-    return cells[direction & 3];
-}
-
-/* Whether c was one of the last `count` cells before this one. */
-static bool was_at(const struct steering *s, struct cell c, uint32_t count)
-{
-    const uint32_t now = s->time / CELL_FRAMES;
-    for (uint32_t i = 1; i <= count && i <= now; i++) {
-        const struct cell old = s->trail[(now - i) % TRAIL].cell;
-        if (old.x == c.x && old.z == c.z) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static uint32_t apple_at(const struct steering *s, struct cell c)
-{
-    uint32_t i = 0;
-    while (i < APPLES && (s->apples[i].x != c.x || s->apples[i].z != c.z)) {
-        i++;
-    }
-    return i;
-}
-
-/* Eats an apple; a new one grows in a free cell. Snake and apples take at most TRAIL + APPLES of 63 cells. */
-static void eat(struct steering *s, uint32_t apple)
-{
-    const struct cell old = s->apples[apple];
-    s->random = s->random * 1664525u + 1013904223u;
-    uint32_t place = (s->random >> 16) % 63;
-    struct cell c = old;
-    for (uint32_t i = 0; i < 63 && (apple_at(s, c) < APPLES || was_at(s, c, TRAIL - 1)); i++) {
-        place = place == 62 ? 0 : place + 1;
-        c = (struct cell){(int8_t)(place % 9 - CELLS_X), (int8_t)(place / 9 - CELLS_Z)};
-    }
-    s->apples[apple] = c;
-    s->born[apple] = s->time;
-    s->length += s->length < BALLS ? 1 : 0;
-}
-
-/* The head enters cell c. Decides where it will go from there, and what it eats. */
-static void enter(struct steering *s, struct cell c, uint8_t in)
-{
-    const uint32_t asked = in + (uint32_t)s->turn;
-    uint32_t out = room(c, asked) > 0 ? asked : in;
-    if (room(c, out) == 0) {
-        out = room(c, in + 1u) > room(c, in + 3u) ? in + 1u : in + 3u;
-    }
-    s->turn = 0;
-    s->trail[s->time / CELL_FRAMES % TRAIL] = (struct passage){c, in, (uint8_t)(out & 3)};
-    const uint32_t apple = apple_at(s, c);
-    if (apple < APPLES) {
-        eat(s, apple);
-    }
-}
-
-static struct cell cell_at(struct fx_vec3 p)
-{
-    const fx_t x = (p.x + 16 * CELL + CELL / 2) / CELL - 16, z = (p.z + 16 * CELL + CELL / 2) / CELL - 16;
-    return (struct cell){(int8_t)(x < -CELLS_X  ? -CELLS_X
-                                  : x > CELLS_X ? CELLS_X
-                                                : x),
-                         (int8_t)(z < -CELLS_Z  ? -CELLS_Z
-                                  : z > CELLS_Z ? CELLS_Z
-                                                : z)};
-}
-
-/* The snake goes to the nearest cell before it, and the apples move to the cells below them. */
-static void leave_path(struct steering *s, uint32_t frame, int8_t turn)
-{
-    const struct fx_vec3 at = path(frame << PATH_SHIFT), next = path((frame + 1) << PATH_SHIFT);
-    const fx_t x = next.x - at.x, z = next.z - at.z;
-    const uint8_t in = fx_abs_sat(x) > fx_abs_sat(z) ? (x < 0 ? 1 : 3) : (z < 0 ? 0 : 2);
-    *s = (struct steering){.on = true, .turn = turn, .origin = frame, .length = SHORTEST, .random = frame};
-    for (uint32_t i = 0; i < APPLES; i++) {
-        s->apples[i] = cell_at(path((2 * i + 1) << 28));
-        s->born[i] = 0u - 2 * CELL_FRAMES;
-    }
-    enter(s, cell_at(plus(at, heading((uint32_t)in << 30, CELL / 2))), in);
-}
-
-/* Steers for one frame. */
-static void steer_on(struct steering *s)
-{
-    static const struct cell steps[4] = {{0, -1}, {-1, 0}, {0, 1}, {1, 0}};
-    const struct passage last = s->trail[s->time / CELL_FRAMES % TRAIL];
-    s->time++;
-    if (s->time % CELL_FRAMES != 0) {
-        return;
-    }
-    const struct cell c = {(int8_t)(last.cell.x + steps[last.out].x), (int8_t)(last.cell.z + steps[last.out].z)};
-    if (was_at(s, c, balls(s) * SPACING / CELL_FRAMES)) {
-        *s = (struct steering){.on = false};
-        return;
-    }
-    enter(s, c, last.out);
-}
-
-/* A frame that is drawn again is steered again, by its new buttons; a few left out are made up for; a jump (the loop's
- * end) counts as one. */
-static void snake_input(struct snake *s, uint32_t frame, uint32_t buttons)
-{
-    if (frame == s->frame) {
-        s->steering = s->before;
-    } else {
-        s->before = s->steering;
-        s->frame_before = s->frame;
-        s->buttons_before = s->buttons;
-    }
-    const uint32_t passed = frame - s->frame_before;
-    const uint32_t pressed = buttons & ~s->buttons_before & (HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT);
-    s->frame = frame;
-    s->buttons = buttons;
-    for (uint32_t i = 0; s->steering.on && i < (passed <= CELL_FRAMES ? passed : 1); i++) {
-        steer_on(&s->steering);
-    }
-    if (pressed == HAL_BUTTON_LEFT || pressed == HAL_BUTTON_RIGHT) {
-        const int8_t turn = pressed == HAL_BUTTON_LEFT ? 1 : -1;
-        s->steering.turn = turn;
-        if (!s->steering.on) {
-            leave_path(&s->steering, frame, turn);
-        }
-    }
-}
 
 /* ---- the scene ------------------------------------------------------------------------------------------------- */
 
@@ -409,10 +164,7 @@ static int snake_init(struct demo_context *context)
     if (!s) {
         return PH_ERR_NOMEM;
     }
-    memset(&s->steering, 0, sizeof(s->steering));
-    s->buttons = s->buttons_before = 0;
-    s->frame = s->frame_before = UINT32_MAX;
-    s->before = s->steering;
+    snake_way_begin(&s->way);
     snake_colours(s);
     s->shade[TINY] = shade_of(s, true);
     if (make_ball(arena, &s->ball[TINY], gem_profile, BALL_POINTS_FEW, BALL_SIDES_FEW) != PH_OK ||
@@ -484,9 +236,10 @@ static int draw_shaded(struct ph_renderer *r, const struct snake *s, const struc
 /* The head, and its eyes, which look where it moves. */
 static int draw_head(struct ph_renderer *r, const struct snake *s, uint32_t now, bool outside)
 {
-    const uint32_t ahead = outside ? 0 : NOSE;
-    const fx_t size = outside ? RADIUS * 6 / 5 : RADIUS * 3 / 4;
-    const struct fx_vec3 at = spot(&s->steering, now, ahead), next = spot(&s->steering, now, ahead + 4);
+    const uint32_t ahead = outside ? 0 : SNAKE_NOSE;
+    const fx_t size = outside ? SNAKE_RADIUS * 6 / 5 : SNAKE_RADIUS * 3 / 4;
+    const struct fx_vec3 at = snake_spot(&s->way.steering, now, ahead),
+                         next = snake_spot(&s->way.steering, now, ahead + 4);
     struct fx_vec3 forward;
     int status = draw_shaded(r, s, &s->face, at, size);
     fx_vec3_direction_q30((struct fx_vec3){next.x - at.x, 0, next.z - at.z}, &forward);
@@ -505,34 +258,23 @@ static int draw_head(struct ph_renderer *r, const struct snake *s, uint32_t now,
 static int draw_body(struct ph_renderer *r, const struct snake *s, uint32_t now, bool outside)
 {
     int status = draw_head(r, s, now, outside);
-    for (uint32_t i = 1; i <= balls(&s->steering) && status == PH_OK; i++) {
-        const fx_t size = RADIUS - (fx_t)(i * i) * (RADIUS / (BALLS * BALLS * 2));
-        status = draw_shaded(r, s, &s->skin[(i >> 1) & 1 ? 0 : 1], spot(&s->steering, now - i * SPACING, 0), size);
+    for (uint32_t i = 1; i <= snake_balls(&s->way.steering) && status == PH_OK; i++) {
+        const fx_t size = SNAKE_RADIUS - (fx_t)(i * i) * (SNAKE_RADIUS / (SNAKE_BALLS * SNAKE_BALLS * 2));
+        status = draw_shaded(r, s, &s->skin[(i >> 1) & 1 ? 0 : 1],
+                             snake_spot(&s->way.steering, now - i * SNAKE_SPACING, 0), size);
     }
     return status;
 }
 
-/*
- * Apples hover over the path. One is eaten when the nose is there, and is whole again three quarters of the way later.
- * While the snake is steered they hover over cells and grow within two of them.
- */
 static int draw_apples(struct ph_renderer *r, const struct snake *s, uint32_t now)
 {
-    const struct steering *const steering = &s->steering;
     int status = PH_OK;
-    for (uint32_t i = 0; i < APPLES && status == PH_OK; i++) {
-        const uint32_t at = (2 * i + 1) << 28;
-        const uint32_t since = (((now + NOSE) << PATH_SHIFT) - at) >> 16; /* 65536 is one time around */
-        uint32_t grown = since < 24576 ? 0 : since < 49152 ? since - 24576 : 24576;
-        struct fx_vec3 p = path(at);
-        if (steering->on) {
-            const uint32_t age = now - steering->born[i];
-            grown = age < 2 * CELL_FRAMES ? age * (24576 / (2 * CELL_FRAMES)) : 24576;
-            p = blend(p, middle_of(steering->apples[i]), now);
-        }
+    for (uint32_t i = 0; i < SNAKE_APPLES && status == PH_OK; i++) {
+        struct fx_vec3 at;
+        const uint32_t grown = snake_apple(&s->way.steering, i, now, &at);
         if (grown > 0) {
-            p.y += FX_ONE / 6;
-            status = draw_shaded(r, s, &s->red, p, (fx_t)(grown * 2 / 3) + 256);
+            at.y += FX_ONE / 6;
+            status = draw_shaded(r, s, &s->red, at, (fx_t)(grown * 2 / 3) + 256);
         }
     }
     return status;
@@ -558,7 +300,7 @@ static int snake_camera(const struct demo_context *context, struct ph_renderer *
 {
     const struct snake *const s = context->state;
     struct ph_projection projection = demo_perspective(context, FX_ONE << 4, FX_ONE / 8, FX_INT(40)); /* 90 degrees */
-    const struct fx_vec3 at = spot(&s->steering, now, 0), next = spot(&s->steering, now, 4);
+    const struct fx_vec3 at = snake_spot(&s->way.steering, now, 0), next = snake_spot(&s->way.steering, now, 4);
     const fx_t up = FX_HALF;
     struct ph_xform view = demo_look(at.x, at.y + up, at.z, next.x, next.y + up - FX_ONE / 32, next.z);
     if (outside) {
@@ -573,8 +315,8 @@ static int snake_frame(struct demo_context *context, struct ph_renderer *r, uint
 {
     struct snake *const s = context->state;
     const bool outside = demo_view_is(context, &demo_snake, 1);
-    snake_input(s, frame, outside ? 0 : context->buttons);
-    const uint32_t now = s->steering.on ? s->steering.time : frame;
+    snake_steer(&s->way, frame, outside ? 0 : context->buttons);
+    const uint32_t now = s->way.steering.on ? s->way.steering.time : frame;
     int status = snake_camera(context, r, now, outside);
     status = status ? status : draw_body(r, s, now, outside);
     status = status ? status : draw_apples(r, s, now);
