@@ -36,7 +36,7 @@ static PH_NOINLINE void take_draw(struct columns *all, uint32_t ref)
 static inline __attribute__((always_inline)) void widen(struct columns *all, uint32_t corner)
 {
     const int32_t x = ((const struct ph_vertex *)(const void *)(all->base + corner * all->corner_bytes))->x;
-    if ((uint32_t)(x - all->from) > all->size) {
+    if ((uint32_t)x - (uint32_t)all->from > all->size) {
         widen_to(all, x);
     }
 }
