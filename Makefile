@@ -105,7 +105,7 @@ INC_MORE = -I$(if $(BOARDS_MORE),$(B)/boards_more,boards/none)
 INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
-INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
+INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx geom render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
           $(call rooms,hal,panel rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(DRM_CFLAGS)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion

@@ -5,6 +5,7 @@
 #include <cmocka.h>
 
 #include "geom.h"
+#include "geom_sum.h"
 #include "status.h"
 
 #include <math.h>
@@ -102,6 +103,39 @@ static void transforms_are_rounded_once(void **state)
         const __int128 x = (middle - others) / m.r[0][0];
         const struct fx_vec3 q = {x >= FX_MIN && x <= FX_MAX ? (fx_t)x : p.x, p.y, p.z};
         assert_int_equal(ph_xform_point(&m, q).x, rounded_sum((__int128)m.r[0][0] * q.x + others, 30));
+    }
+}
+
+/* One of the two ends of a range, or any number within. */
+static int32_t within(int32_t least, int32_t most)
+{
+    const uint32_t at = next_random() % 5;
+    return at == 0 ? least : at == 1 ? most : (int32_t)(least + (int64_t)next_random() % ((int64_t)most - least + 1));
+}
+
+/* What ARMv6-M does in products of 32 bits, within the range that it takes; one step outside it is refused. */
+static void near_rows_are_rounded_once(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 300000; i++) {
+        int32_t row[3], p[3], c = within(-(1 << 30), (1 << 30) - 1);
+        for (int k = 0; k < 3; k++) {
+            row[k] = within(1 - (1 << 30), 1 << 30);
+            p[k] = within(-(1 << 19), (1 << 19) - 1);
+        }
+        __int128 sum = (__int128)c * (1 << 30);
+        for (int k = 0; k < 3; k++) {
+            sum += (__int128)row[k] * p[k];
+        }
+        assert_true(geom_row_is_near(row, p[0], p[1], p[2], c));
+        assert_int_equal(geom_near_row(row, p[0], p[1], p[2], c), rounded_sum(sum, 30));
+        int32_t *const outside[] = {&row[0], &row[1], &row[2], &p[0], &p[1], &p[2], &c};
+        const int which = i % 7;
+        const bool over = next_random() & 1;
+        *outside[which] = which < 3   ? (over ? (1 << 30) + 1 : -(1 << 30))
+                          : which < 6 ? (over ? 1 << 19 : -(1 << 19) - 1)
+                                      : (over ? 1 << 30 : -(1 << 30) - 1);
+        assert_false(geom_row_is_near(row, p[0], p[1], p[2], c));
     }
 }
 
@@ -394,6 +428,7 @@ int main(void)
         cmocka_unit_test(impossible_volumes_are_refused_and_change_nothing),
         cmocka_unit_test(products_are_rounded_once),
         cmocka_unit_test(transforms_are_rounded_once),
+        cmocka_unit_test(near_rows_are_rounded_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

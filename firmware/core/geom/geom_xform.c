@@ -12,32 +12,12 @@ static inline int64_t product(int32_t a, int32_t b)
     return !FX_MULTIPLIES && b == 0 ? 0 : fx_mul_wide(a, b);
 }
 
-/* Whether row_of_digits is exact: coordinates within 8.0, elements above -1.0 and not above 1.0, c far from the ends.
- */
-static inline bool is_near(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
-{
-    const uint32_t reach = (uint32_t)1 << 19, one = FX_Q30_ONE - 1;
-    const uint32_t large = ((uint32_t)x + reach) | ((uint32_t)y + reach) | ((uint32_t)z + reach);
-    const uint32_t steep = ((uint32_t)row[0] + one) | ((uint32_t)row[1] + one) | ((uint32_t)row[2] + one);
-    return ((large >> 20) | ((steep | ((uint32_t)c + FX_Q30_ONE)) >> 31)) == 0;
-}
-
-/* row_times for what is near, in products of 32 bits: an element is low + 2^10 middle + 2^20 high. */
-static inline int32_t row_of_digits(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
-{
-    const int32_t a = row[0], b = row[1], d = row[2];
-    const int32_t low = (a & 1023) * x + (b & 1023) * y + (d & 1023) * z;
-    const int32_t middle = (a >> 10 & 1023) * x + (b >> 10 & 1023) * y + (d >> 10 & 1023) * z;
-    const int32_t high = (a >> 20) * x + (b >> 20) * y + (d >> 20) * z + (1 << 9);
-    return (((((low >> 10) + middle) >> 10) + high) >> 10) + c;
-}
-
 /* A row in Q2.30 times (x, y, z), plus c, rounded once: as geom_sum_rounded, but without a loop. The three products fit
  * 64 bits together if x, y and z are above -2^30 and not above 2^30: the signs of 2^30 - x and so on say so. */
 static int32_t row_times(const int32_t row[3], int32_t x, int32_t y, int32_t z, int32_t c)
 {
-    if (!FX_MULTIPLIES && is_near(row, x, y, z, c)) {
-        return row_of_digits(row, x, y, z, c);
+    if (!FX_MULTIPLIES && geom_row_is_near(row, x, y, z, c)) {
+        return geom_near_row(row, x, y, z, c);
     }
     const int64_t px = product(row[0], x), py = product(row[1], y), pz = product(row[2], z);
     const uint32_t one = FX_Q30_ONE, below = one - 1, half = one / 2;
