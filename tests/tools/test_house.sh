@@ -122,6 +122,22 @@ odd_beginnings() { # folder...: comments that have to be read twice
         '(/\*+|//|^ *#|^ *\*) *(What of|Of this)\b' "$@"
 }
 
+# ---- call graphs ---------------------------------------------------------------------------------
+
+# Sources that give work to the other core, of which the rule for the bound of the stack does not know.
+unruled() { # source...
+    local rule file
+    rule=$(grep 'rule("firmware/core/(.*port_core_(run|join)' firmware/tools/stack.awk) || { echo "firmware/tools/stack.awk has no such rule" && return 1; }
+    grep -lE '\b(ph_run_both|other_core)\(' "$@" | while read -r file; do
+        grep -qE "[(/|]$(basename "$file" .c)"'\\\\\.c:' <<<"$rule" || echo "$file gives work to the other core, and firmware/tools/stack.awk does not know it"
+    done
+}
+
+an_unruled_source() {
+    echo 'void f(void) { ph_run_both(r, share, &mine, &others); }' >"$dir/circle/ahead.c"
+    unruled "$dir/circle/ahead.c"
+}
+
 # ---- walls ---------------------------------------------------------------------------------------
 
 # A source file of this room that includes this header must not compile, for want of the header and nothing else.
@@ -171,6 +187,8 @@ check "... 301 are seen" sees 'has 301 lines' long_readme "$dir/long.md"
 check "no comment begins with words that have to be read twice" none odd_beginnings "${product[@]}" tests Makefile
 printf 'int a;\n/* %s of a line is drawn. */\n' What >"$dir/circle/odd.c"
 check "... one that does is seen" sees 'odd.c:2' odd_beginnings "$dir/circle"
+check "the stack's bound knows every source that gives work to the other core" none unruled firmware/core/*/*.c
+check "... another one is seen" sees 'ahead.c gives work' an_unruled_source
 check "no room can include what is another's" walls
 check "... a wall with a hole is seen" sees 'can include render.h' a_hole
 tap_end
