@@ -128,8 +128,8 @@ static void pictures_are_the_same_without_it(void **state)
 static struct ph_triangle wall(int32_t from, int32_t to, int32_t dx_from, int32_t dx_to, uint32_t d)
 {
     struct ph_triangle t = {.y_bottom = 16, .kind = PH_KIND_FLAT, .block = PH_BLOCK_NONE, .long_left = 1, .colour = 7};
-    t.lower = (struct ph_edge){to << 16, dx_to};
-    t.long_edge = (struct ph_edge){from << 16, dx_from};
+    t.lower = (struct ph_edge){to * 65536, dx_to};
+    t.long_edge = (struct ph_edge){from * 65536, dx_from};
     t.depth.base = d;
     return t;
 }

@@ -30,22 +30,27 @@ hears() { # pattern of the next line about something
         line=${line%$'\r'}
     done
     [ $(($(now_ms) - before)) -le "$slowest_ms" ] || slowest_ms=$(($(now_ms) - before))
+    is_frame
     [[ $line =~ $1 ]] || { echo "'$line', where '$1' should be" && return 1; }
 }
 holds() { # what is under way still comes, then nothing for much longer than an answer takes on this machine
     local lines=0
-    while read -rt $((1 + slowest_ms * 5 / 1000)).5 line <&"$from"; do [ $((lines++)) -lt 20 ] || { echo "goes on: $line" && return 1; }; done
+    while read -rt $((1 + slowest_ms * 5 / 1000)).5 line <&"$from"; do
+        [ $((lines++)) -lt 20 ] || { echo "goes on: $line" && return 1; }
+        is_frame
+    done
 }
+number= # of the last frame that it told of
+is_frame() { [[ ! $line =~ ^frame\ ([0-9]+), ]] || number=${BASH_REMATCH[1]}; }
 
 obeys() { # board; a line a frame while it holds, else a line a second
-    local number
+    local held
     start "$1"
-    hears '^Pinhole on ' && hears '^demo turntable$' && send H && hears '^frame [01], ' || return 1
-    number=${line#frame } && number=${number%%,*}
-    holds && send HH && hears "^frame $((number + 1)), " && hears "^frame $((number + 2)), " && holds || return 1
+    hears '^Pinhole on ' && hears '^demo turntable$' && send H && hears '^frame [0-9]+, ' && holds || return 1
+    held=$number # on a slow machine it has drawn some frames before it is told to hold
+    send HH && hears "^frame $((held + 1)), " && hears "^frame $((held + 2)), " && holds || return 1
     send G && hears '^frame [0-9]+, ' && hears '^frame [0-9]+, [1-9]' || return 1
-    number=${line#frame }
-    [ "${number%%,*}" -gt 4 ] || { echo "$line" && return 1; }
+    [ "$number" -gt $((held + 2)) ] || { echo "$line" && return 1; }
     send H && holds && send sH && hears '^demo testcard$' && hears '^frame ' && holds || return 1
     send uH && hears '^frame ' && holds && send B || return 1
     case $1 in

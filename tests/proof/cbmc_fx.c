@@ -6,6 +6,7 @@
 #include "../../firmware/core/fx/fx_root.c"
 #include "../../firmware/core/fx/fx_tan.c"
 #include "../../firmware/core/fx/fx_trig.c"
+#include "../../firmware/core/kernels/portable/fx_mul.c"
 
 void proof_sums(void)
 {
@@ -24,6 +25,7 @@ void proof_products(void)
 {
     fx_mul_sat(nondet_i32(), nondet_i32());
     fx_mul_wrap(nondet_i32(), nondet_i32());
+    fx_mul_far(nondet_i32(), nondet_i32());
 }
 
 void proof_rcp(void)
