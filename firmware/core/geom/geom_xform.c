@@ -85,12 +85,20 @@ struct ph_xform ph_xform_quat(struct fx_quat q, struct fx_vec3 t)
     return m;
 }
 
+/* Whether it only scales and moves, as most of what places a mesh does. */
+static bool only_scales(const struct ph_xform *m)
+{
+    return (m->r[0][1] | m->r[0][2] | m->r[1][0] | m->r[1][2] | m->r[2][0] | m->r[2][1]) == 0;
+}
+
 struct ph_xform ph_xform_mul(const struct ph_xform *a, const struct ph_xform *b)
 {
+    const bool scales = only_scales(b);
     struct ph_xform m;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            m.r[i][j] = row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
+            m.r[i][j] = scales ? fx_sat64((fx_mul_wide(a->r[i][j], b->r[j][j]) + FX_Q30_ONE / 2) >> 30)
+                               : row_times(a->r[i], b->r[0][j], b->r[1][j], b->r[2][j], 0);
         }
     }
     m.t = ph_xform_point(a, b->t);

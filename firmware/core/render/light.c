@@ -166,7 +166,7 @@ void ph_light_prepare(struct ph_local_lights *local, const struct ph_renderer *r
     const struct ph_scene_light *scene = &r->light;
     const int32_t diffuse = clamp_q14(material->diffuse, FX_ONE), specular = clamp_q14(material->specular, FX_ONE);
     local->ambient = (clamp_q14(scene->ambient, FX_ONE) * clamp_q14(material->ambient, FX_ONE)) >> 14;
-    local->shininess_log2 = material->shininess_log2;
+    local->shininess_log2 = material->shininess_log2 < 7 ? material->shininess_log2 : 7;
     local->count = scene->count;
     local->scale = (PH_LIGHT_SPAN << 14) / (16384 + specular);
     local->limit = (PH_LIGHT_SPAN << 14) / local->scale;
@@ -215,50 +215,67 @@ static int32_t in_cone(const struct ph_local_light *l, const int16_t to_light[3]
                                     : (int32_t)(((uint32_t)beyond << 14) / (uint32_t)l->cos_width);
 }
 
-/* n.l and n.h of a point light (normal, direction to the light, half vector). Returns its attenuation. */
-static PH_NOINLINE int32_t point_light(const struct ph_local_lights *local, const struct ph_local_light *l,
-                                       const int16_t normal[3], struct fx_vec3 position, int32_t *n_l, int32_t *n_h)
+/* A highlight of intensity 1: n.h to the power of the shininess. */
+static inline int32_t shine_of(const struct ph_local_lights *local, int32_t n_h)
 {
-    const int32_t in[3] = {(l->position.x >> 1) - (position.x >> 1), (l->position.y >> 1) - (position.y >> 1),
-                           (l->position.z >> 1) - (position.z >> 1)};
+    if (n_h <= 0) {
+        return 0;
+    }
+    int32_t shine = n_h > 16384 ? 16384 : n_h;
+    for (uint32_t k = local->shininess_log2; k > 0; k--) {
+        shine = (shine * shine) >> 14;
+    }
+    return shine;
+}
+
+/* What a directional light adds to a vertex, Q2.14. */
+static inline __attribute__((always_inline)) bool add_directional(const struct ph_local_lights *local,
+                                                                  const struct ph_local_light *l,
+                                                                  const int16_t normal[3], int32_t *diffuse,
+                                                                  int32_t *specular)
+{
+    const int32_t n_l = dot_q14(normal, l->to_light);
+    if (n_l <= 0) {
+        return false;
+    }
+    *diffuse = (n_l > 16384 ? 16384 : n_l) * l->diffuse >> 14;
+    *specular = l->specular > 0 ? shine_of(local, dot_q14(normal, l->half)) * l->specular >> 14 : 0;
+    return true;
+}
+
+/* The same of a point light. */
+static PH_NOINLINE bool add_point(const struct ph_local_lights *local, const struct ph_local_light *l,
+                                  const int16_t normal[3], const struct fx_vec3 *position, int32_t *diffuse,
+                                  int32_t *specular)
+{
+    const int32_t in[3] = {(l->position.x >> 1) - (position->x >> 1), (l->position.y >> 1) - (position->y >> 1),
+                           (l->position.z >> 1) - (position->z >> 1)};
     int16_t to_light[3], half[3];
     const struct length distance = quick_unit_q14(in, to_light);
-    *n_l = dot_q14(normal, to_light);
-    *n_h = 0;
+    const int32_t n_l = dot_q14(normal, to_light);
+    if (n_l <= 0) {
+        return false;
+    }
+    const int32_t near = attenuation(l, distance), reaches = l->spot ? near * in_cone(l, to_light) >> 14 : near;
+    *diffuse = (((n_l > 16384 ? 16384 : n_l) * reaches) >> 14) * l->diffuse >> 14;
+    *specular = 0;
     if (l->specular > 0) {
         const int32_t sum[3] = {to_light[0] + local->to_viewer[0], to_light[1] + local->to_viewer[1],
                                 to_light[2] + local->to_viewer[2]};
         quick_unit_q14(sum, half);
-        *n_h = dot_q14(normal, half);
+        *specular = ((shine_of(local, dot_q14(normal, half)) * reaches) >> 14) * l->specular >> 14;
     }
-    const int32_t reaches = attenuation(l, distance);
-    return l->spot ? reaches * in_cone(l, to_light) >> 14 : reaches;
+    return true;
 }
 
 /* What one light adds to a vertex, Q2.14. False: nothing. */
-static inline bool add_of(const struct ph_local_lights *local, const struct ph_local_light *l, const int16_t normal[3],
-                          const struct fx_vec3 *position, int32_t *diffuse, int32_t *specular)
+static inline __attribute__((always_inline)) bool add_of(const struct ph_local_lights *local,
+                                                         const struct ph_local_light *l, const int16_t normal[3],
+                                                         const struct fx_vec3 *position, int32_t *diffuse,
+                                                         int32_t *specular)
 {
-    int32_t n_l, n_h, reaches = 16384;
-    if (l->point) {
-        reaches = point_light(local, l, normal, *position, &n_l, &n_h);
-    } else {
-        n_l = dot_q14(normal, l->to_light);
-        n_h = l->specular > 0 ? dot_q14(normal, l->half) : 0;
-    }
-    if (n_l <= 0) {
-        return false;
-    }
-    *diffuse = (((n_l > 16384 ? 16384 : n_l) * reaches) >> 14) * l->diffuse >> 14;
-    *specular = 0;
-    if (l->specular > 0 && n_h > 0) {
-        int32_t shine = n_h > 16384 ? 16384 : n_h;
-        for (uint32_t k = 0; k < local->shininess_log2 && k < 7; k++) {
-            shine = (shine * shine) >> 14;
-        }
-        *specular = ((shine * reaches) >> 14) * l->specular >> 14;
-    }
-    return true;
+    return l->point ? add_point(local, l, normal, position, diffuse, specular)
+                    : add_directional(local, l, normal, diffuse, specular);
 }
 
 /* The light of a vertex under any lights. */

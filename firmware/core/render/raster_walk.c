@@ -54,29 +54,11 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
     }
 }
 
-/* Draws a span; tries the octave of the last one first. */
-static PH_NOINLINE void draw_row(const struct ph_triangle *t, bool depth24, struct ph_octave *octave,
-                                 const struct row *row)
-{
-    const uint32_t last = row->d + t->depth.gx * (row->n - 1);
-    if (!ph_octave_holds(octave, row->d, last)) {
-        ph_octave_of(octave, t, row->d, t->depth.gx);
-        if (!ph_octave_holds(octave, row->d, last)) {
-            draw_span(t, depth24, *row);
-            return;
-        }
-    }
-    struct row run = *row;
-    run.d = ph_depth_float16_code(octave, row->d);
-    draw_run(t, depth24, &run, octave->slope);
-}
-
 /* Draws rows of a half. Returns the number of pixels. */
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
     uint32_t at = (uint32_t)(in.y - band->y0) * (uint32_t)band->width, d = t->depth.base + (uint32_t)in.y * t->depth.gy;
     uint32_t light = t->attribute[0].base + (uint32_t)in.y * t->attribute[0].gy, count = 0;
-    struct ph_octave octave = {0};
     for (; in.y < in.y_end; in.y++) {
         int32_t from, to;
         if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
@@ -86,7 +68,7 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
             if (t->block >= PH_BLOCK_LINEAR) { /* no octaves to cross */
                 draw_run(t, band->depth24, &row, t->depth.gx);
             } else {
-                draw_row(t, band->depth24, &octave, &row);
+                draw_span(t, band->depth24, row);
             }
             count += n;
         }
@@ -97,21 +79,43 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
     return count;
 }
 
-/* The same for one colour and depth codes of 16 bits that are linear along all of the triangle. */
+/* The depth code of the first of n pixels, and in `slope` its change from pixel to pixel; false: they cross octaves. */
+static inline bool take_code(const struct ph_triangle *t, struct ph_octave *octave, uint32_t n, uint32_t *d,
+                             uint32_t *slope)
+{
+    const uint32_t last = *d + *slope * (n - 1);
+    if (!ph_octave_holds(octave, *d, last)) {
+        ph_octave_of(octave, t, *d, *slope);
+        if (!ph_octave_holds(octave, *d, last)) {
+            return false;
+        }
+    }
+    *d = ph_depth_float16_code(octave, *d);
+    *slope = octave->slope;
+    return true;
+}
+
+/* The same for one colour and depth codes of 16 bits. */
 static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
     const int32_t width = band->width;
     const uint32_t start = (uint32_t)(in.y - band->y0) * (uint32_t)width, gd = t->depth.gx, d_dy = t->depth.gy;
     uint16_t *pixels = band->pixels + start, *depth = (uint16_t *)band->depth + start;
-    uint32_t d = t->depth.base + (uint32_t)in.y * d_dy, count = 0;
+    uint32_t row_d = t->depth.base + (uint32_t)in.y * d_dy, count = 0;
+    struct ph_octave octave = {0};
     for (int32_t rows = in.y_end - in.y; rows > 0; rows--) {
         int32_t from, to;
         if (ph_next_row(&in.left, &in.right, width, &from, &to)) {
             const uint32_t n = (uint32_t)(to - from);
-            ph_span_flat(pixels + from, depth + from, n, d + (uint32_t)from * gd, gd, t->colour);
+            uint32_t d = row_d + (uint32_t)from * gd, slope = gd;
+            if (t->block == PH_BLOCK_NONE || take_code(t, &octave, n, &d, &slope)) {
+                ph_span_flat(pixels + from, depth + from, n, d, slope, t->colour);
+            } else {
+                draw_span(t, false, (struct row){pixels + from, depth + from, n, d, 0});
+            }
             count += n;
         }
-        d += d_dy;
+        row_d += d_dy;
         pixels += width;
         depth += width;
     }
@@ -120,8 +124,7 @@ static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band
 
 uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const bool flat =
-        t->block == PH_BLOCK_NONE && !band->depth24 && t->kind == PH_KIND_FLAT; /* else draw_row decides */
+    const bool flat = t->block != PH_BLOCK_LINEAR && !band->depth24 && t->kind == PH_KIND_FLAT;
     uint32_t count = 0;
     for (int half = 0; half < 2; half++) {
         struct ph_half_rows in;
@@ -132,16 +135,22 @@ uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
     return count;
 }
 
+/* Draws a pixel of a triangle whose depth does not stand in `exact`. */
+static inline void draw_pixel(const struct ph_triangle *t, uint32_t x, uint32_t y, const struct ph_band *band)
+{
+    const uint32_t at = (y - (uint32_t)band->y0) * (uint32_t)band->width + x;
+    draw_span(t, band->depth24,
+              (struct row){band->pixels + at, ph_depth_from(band->depth, at, band->depth24), 1,
+                           ph_plane_at(&t->depth, x, y), 0});
+}
+
 PH_NOINLINE void ph_draw_pixel(const struct ph_triangle *t, int32_t x, int32_t y, const struct ph_band *band)
 {
-    struct ph_triangle pixel = *t;
-    pixel.y_top = (int16_t)y;
-    pixel.y_mid = pixel.y_bottom = (int16_t)(y + 1);
-    pixel.long_left = 1;
-    pixel.long_edge = (struct ph_edge){x * 65536, 0};
-    pixel.upper = (struct ph_edge){(x + 1) * 65536, 0};
-    if (t->block == PH_BLOCK_EXACT) {
-        ph_exact_run(t, x, x + 1, y, &pixel);
+    if (t->block != PH_BLOCK_EXACT) {
+        draw_pixel(t, (uint32_t)x, (uint32_t)y, band);
+        return;
     }
-    ph_walk(&pixel, band);
+    struct ph_triangle pixel = *t;
+    ph_exact_run(t, x, x + 1, y, &pixel);
+    draw_pixel(&pixel, (uint32_t)x, (uint32_t)y, band);
 }
