@@ -189,6 +189,47 @@ static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 
 /* ---- two cores -------------------------------------------------------------------------------------------------- */
 
+/* Slots for a chunk when all others hold triangles that were carried on. */
+struct spares {
+    struct ph_triangle at[SPARES];
+    uint32_t used;
+};
+
+/* Triangles that both cores draw, each in its rows of the band. */
+struct drawn {
+    const struct ph_feed *f;
+    struct ph_triangle *list;
+    const struct spares *spares;
+    struct rest *rest;
+};
+
+/* Carries on those that go on below the band. */
+static void keep_below(const struct drawn *d)
+{
+    struct rest *const rest = d->rest;
+    const struct ph_triangle *const spares = d->spares->at;
+    const int32_t y1 = rest->rows->y1;
+    for (struct ph_triangle *next, *list = d->list; list != NULL; list = next) {
+        const bool spare = list >= spares && list < spares + SPARES;
+        struct ph_triangle *const t = spare && list->y_bottom > y1 ? take_slot(rest->r) : list;
+        next = list->next;
+        if (list->y_bottom <= y1) {
+            if (!spare) {
+                free_slot(rest->r, t);
+            }
+        } else if (t == NULL) {
+            ph_feed_put_below(d->f, list->order, &rest->put);
+        } else {
+            if (spare) {
+                *t = *list;
+            }
+            ph_step_below(t, y1);
+            *rest->carry = t;
+            rest->carry = &t->next;
+        }
+    }
+}
+
 /*
  * Triangles that two cores set up: core 0 from the first on, core 1 from the last one back, until they meet. Each says
  * how far it claims to have come before it looks at the other's claim. So of the last triangle that both claim at once
@@ -197,18 +238,30 @@ static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 struct fresh {
     struct ph_renderer *r;
     struct ph_triangle *first, *last, *met; /* met: where core 0 stopped */
-    uint32_t count;                         /* 0 until the list is complete */
+    uint32_t count;                         /* COUNTING until the list is complete */
     uint32_t claimed[2];
+    uint32_t drawn_below;      /* 1: core 1 has drawn its rows of `drawn` */
+    const struct drawn *drawn; /* core 0 carries it on then; NULL: nothing, or it has done so */
 };
+
+#define COUNTING UINT32_MAX
+#define MAY_ASK  1000 /* times, for the list; then core 0 sets up all of it */
 
 static void set_up_fresh(struct fresh *s, uint32_t core)
 {
     struct ph_feed f;
     f.r = s->r;
     f.draw = NULL;
-    const uint32_t count = __atomic_load_n(&s->count, __ATOMIC_SEQ_CST);
+    uint32_t count = COUNTING;
+    for (uint32_t asked = 0; count == COUNTING && asked < MAY_ASK; asked++) {
+        count = __atomic_load_n(&s->count, __ATOMIC_SEQ_CST);
+    }
     struct ph_triangle *t = core == 0 ? s->first : s->last;
-    for (uint32_t n = 1; count > 0; n++) {
+    for (uint32_t n = 1; count != COUNTING && count > 0; n++) {
+        if (core == 0 && s->drawn != NULL && __atomic_load_n(&s->drawn_below, __ATOMIC_SEQ_CST) != 0) {
+            keep_below(s->drawn);
+            s->drawn = NULL;
+        }
         __atomic_store_n(&s->claimed[core], n, __ATOMIC_SEQ_CST);
         if (n + __atomic_load_n(&s->claimed[1 - core], __ATOMIC_SEQ_CST) > count) {
             break;
@@ -236,12 +289,6 @@ static void finish_fresh(struct fresh *s)
         set_up_fresh(&one, 0);
     }
 }
-
-/* Slots for a chunk when all others hold triangles that were carried on. */
-struct spares {
-    struct ph_triangle at[SPARES];
-    uint32_t used;
-};
 
 static struct ph_triangle *take_slot_or_spare(struct ph_renderer *r, struct spares *spares)
 {
@@ -304,6 +351,9 @@ static void draw_share(void *argument)
             s->fragments += ph_draw_triangle(t, &s->rows);
         }
     }
+    if (s->core == 1) {
+        __atomic_store_n(&s->fresh->drawn_below, 1, __ATOMIC_SEQ_CST);
+    }
     set_up_fresh(s->fresh, s->core);
 }
 
@@ -328,40 +378,15 @@ static struct ph_triangle *merge(struct ph_triangle *a, struct ph_triangle **b, 
     return first;
 }
 
-/* Carries on the triangles of a list that go on below the band. */
-static void keep_below(const struct ph_feed *f, struct ph_triangle *list, const struct spares *spares,
-                       struct rest *rest)
+/* Draws triangles in two halves of the band, the lower one on the other core, carries them on, and sets up those that
+ * come next there, unless it is NULL. */
+static void draw_list(struct ph_feed *next, const struct drawn *drawn, bool clears)
 {
-    const int32_t y1 = rest->rows->y1;
-    for (struct ph_triangle *next; list != NULL; list = next) {
-        const bool spare = list >= spares->at && list < spares->at + SPARES;
-        struct ph_triangle *const t = spare && list->y_bottom > y1 ? take_slot(f->r) : list;
-        next = list->next;
-        if (list->y_bottom <= y1) {
-            if (!spare) {
-                free_slot(f->r, t);
-            }
-        } else if (t == NULL) {
-            ph_feed_put_below(f, list->order, &rest->put);
-        } else {
-            if (spare) {
-                *t = *list;
-            }
-            ph_step_below(t, y1);
-            *rest->carry = t;
-            rest->carry = &t->next;
-        }
-    }
-}
-
-/* Draws a list of triangles in two halves of the band, the lower one on the other core, and sets up those that come
- * next there, unless it is NULL. */
-static void draw_list(struct ph_feed *next, const struct ph_triangle *list, struct rest *rest, bool clears)
-{
+    struct rest *const rest = drawn->rest;
     const struct ph_band *const rows = rest->rows;
     struct ph_renderer *const r = rest->r;
-    struct fresh fresh = {.r = r};
-    struct share upper = {.fresh = &fresh, .first = list, .clears = clears, .rows = *rows}, lower = upper;
+    struct fresh fresh = {.r = r, .count = next != NULL ? COUNTING : 0, .drawn = drawn};
+    struct share upper = {.fresh = &fresh, .first = drawn->list, .clears = clears, .rows = *rows}, lower = upper;
     upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
     const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
     upper.next = next;
@@ -370,6 +395,9 @@ static void draw_list(struct ph_feed *next, const struct ph_triangle *list, stru
     lower.rows.pixels += above;
     lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
     ph_run_both(r, draw_share, &upper, &lower);
+    if (fresh.drawn != NULL) {
+        keep_below(fresh.drawn);
+    }
     finish_fresh(&fresh);
     r->ahead = fresh.first;
     rest->fragments += upper.fragments + lower.fragments;
@@ -402,8 +430,7 @@ static bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
         ph_feed_start(&below, r, f->band + 1);
         next = &below;
     }
-    draw_list(next, list, rest, clears);
-    keep_below(f, list, &spares, rest);
+    draw_list(next, &(struct drawn){f, list, &spares, rest}, clears);
     return more;
 }
 
