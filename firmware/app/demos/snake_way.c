@@ -7,7 +7,7 @@
 #include <string.h>
 
 #define PATH_SHIFT 23 /* a frame is this part of a turn of the path */
-#define SPREAD     FX_INT(5)
+#define SPREAD     5
 
 /* The field while it is steered; cells are counted from its middle. */
 #define CELL        (FX_ONE * 5 / 4)
@@ -19,13 +19,12 @@
 /* x = 5 sin t, z = 3.2 sin 2t. The path leads over the hump at t = 0 and below it half a turn later. */
 static struct fx_vec3 path(uint32_t turn32)
 {
-    int32_t s, c, s2, unused;
-    fx_sincos_q30(turn32, &s, &c);
-    fx_sincos_q30(2 * turn32, &s2, &unused);
-    const fx_t rise = c > 0 ? fx_mul_sat(c >> 14, c >> 14) : 0;
+    int32_t sin_q30, cos_q30;
+    fx_sincos_q30(turn32, &sin_q30, &cos_q30);
+    const fx_t s = sin_q30 >> 14, c = cos_q30 >> 14, rise = c > 0 ? fx_mul_sat(c, c) : 0;
     const fx_t hump = fx_mul_sat(fx_mul_sat(rise, rise), fx_mul_sat(rise, rise));
-    return (struct fx_vec3){fx_mul_sat(SPREAD, s >> 14), SNAKE_RADIUS + fx_mul_sat(FX_ONE * 3 / 2, hump),
-                            fx_mul_sat(FX_ONE * 32 / 10, s2 >> 14)};
+    return (struct fx_vec3){SPREAD * s, SNAKE_RADIUS + fx_mul_sat(FX_ONE * 3 / 2, hump),
+                            fx_mul_sat(FX_ONE * 64 / 10, fx_mul_sat(s, c))}; /* sin 2t = 2 sin t cos t */
 }
 
 static struct fx_vec3 middle_of(struct snake_cell c)
