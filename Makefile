@@ -134,8 +134,8 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # same at every level). On a Cortex-M0+ most of the core runs from RAM, and its inner loops are assembly: only what -Os makes
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
-CORE_O3_armv6m := fisheye fisheye_draw fisheye_edges mesh
-CORE_O2_armv6m := bands colours fx fx_root fx_trig line motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_surface
+CORE_O3_armv6m := mesh
+CORE_O2_armv6m := bands fisheye fisheye_draw fisheye_edges fx fx_root fx_trig line motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
