@@ -8,7 +8,9 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/tools/tap.sh
 . tests/tools/frames.sh
 unset MAKEFLAGS
-B=${B:-build}/targets
+built_in=${B:-build}
+simulator=$built_in/pinhole-sim
+B=$built_in/targets
 golden=tests/golden/frames.txt
 mkdir -p "$B"
 
@@ -24,7 +26,7 @@ target() { # name, runner or "", CC, CFLAGS, [make variable...]
 }
 
 bands() { # lines
-    frames "$B/gcc-O2/pinhole-sim" --band "$1" >"$B/band-$1.frames" && same "$B/band-$1.frames"
+    frames "$simulator" --band "$1" >"$B/band-$1.frames" && same "$B/band-$1.frames"
 }
 
 # On a bare microcontroller core in bands of 16 lines: every demo at 320x240 (tests/bench/frames.c).
@@ -45,16 +47,19 @@ if_there() { # tool, reason, short|long, check's arguments
 
 m32() { printf 'int main(void){return 0;}' | gcc -m32 -x c - -o "$B/m32.probe" 2>/dev/null; }
 
-user() { # short|long, Debian's name of the target, QEMU's
-    if command -v "qemu-$3" >/dev/null; then
-        if_there "$2-gcc" "no compiler for it" "$1" "same_frames_on_$3" target "$3" "qemu-$3" "$2-gcc" -O2 LDFLAGS=-static
+user() { # Debian's name of the target, QEMU's
+    if command -v "qemu-$2" >/dev/null; then
+        if_there "$1-gcc" "no compiler for it" long "same_frames_on_$2" target "$2" "qemu-$2" "$1-gcc" -O2 LDFLAGS=-static
     else
-        skip "same_frames_on_$3" "no qemu-user"
+        skip "same_frames_on_$2" "no qemu-user"
     fi
 }
 
+# The simulator that all tests use; usually gcc's at -O2.
+as_built() { make -s -j2 B="$built_in" "$simulator" && frames "$simulator" >"$B/built.frames" && same "$B/built.frames"; }
+
 short "a_frame_that_differs_is_seen" differs
-short "same_frames_with_gcc_O2" target gcc-O2 "" gcc -O2
+short "same_frames_as_it_is_built" as_built
 for lines in 1 7 16 1024; do
     short "same_frames_in_bands_of_$lines" bands $lines
 done
@@ -66,9 +71,9 @@ if m32; then
 else
     skip "same_frames_on_32_bit_x86" "no gcc-12-multilib"
 fi
-user short s390x-linux-gnu s390x
-if_there qemu-system-arm "no qemu-system-arm" short "same_frames_on_Cortex-M33" bare m33
-for level in O0 O3; do
+user s390x-linux-gnu s390x
+if_there qemu-system-arm "no qemu-system-arm" long "same_frames_on_Cortex-M33" bare m33
+for level in O0 O2 O3; do
     long "same_frames_with_gcc_$level" target gcc-$level "" gcc -$level
 done
 for cpu in armv6m armv7m rv32; do
@@ -77,8 +82,8 @@ done
 for level in O0 O2; do
     if_there clang "no clang" long "same_frames_with_clang_$level" target clang-$level "" clang -$level
 done
-user long aarch64-linux-gnu aarch64
-user long arm-linux-gnueabihf arm
+user aarch64-linux-gnu aarch64
+user arm-linux-gnueabihf arm
 if_there qemu-system-riscv32 "no qemu-system-misc" long "same_frames_on_RV32IMAC_with_Zba_Zbb_Zbkb" bare rv32
 if_there qemu-system-riscv32 "no qemu-system-misc" long "same_frames_on_RV32IMC" bare rv32plain
 tap_end
