@@ -11,7 +11,12 @@
 #include <sched.h>
 #include <stdlib.h>
 
-#define FRAMES      6 /* of each demo */
+#define FRAMES 6 /* of each demo */
+#ifdef __SANITIZE_ADDRESS__
+#define SEEDS 5 /* of delays; each takes five times as long here */
+#else
+#define SEEDS 20
+#endif
 #define AHEAD_BYTES 524288
 
 /* A stand-in for a second core: it runs at once, when it is joined, or is a thread. */
@@ -226,7 +231,7 @@ static void it_is_with_any_delays_between_the_cores(void **state)
     const char *const given = getenv("AHEAD_SEEDS");
     when = THREAD;
     scenes = busy = helped = 0;
-    for (uint32_t seed = 0, seeds = given ? (uint32_t)atoi(given) : 20; seed < seeds; seed++) {
+    for (uint32_t seed = 0, seeds = given ? (uint32_t)atoi(given) : SEEDS; seed < seeds; seed++) {
         chance = seed;
         compare("pico-display", AHEAD_BYTES);
     }
