@@ -6,7 +6,7 @@
 #   test   tests/*/test_*.c plain and under sanitizers, tests/*/fuzz_*.c under sanitizers, tests/*/test_*.sh
 #   long   tests/*/exhaustive_*.c, tests/*/long_*.sh, tests/*/fuzz_*.c under sanitizers with the argument `long`;
 #          SHARE=K/N in the environment (K: 1 .. N) runs a share: tests that know SHARE take every N-th of what they
-#          look at, the others run in one of the N
+#          look at, the others run in one of the N. In a share of `test` only builds of many images and packages take turns
 # A test speaks TAP (cmocka does; tests/tools/tap.sh helps a script) or just exits: 0 passed, 77 skipped, else failed.
 # TEST_TIMEOUT seconds end a test that hangs. What a test says goes to $B/log/ and is shown when it fails.
 set -u
@@ -26,6 +26,7 @@ fi
 # Too slow for `check`, by the processor time that they took.
 slow_units='test_panel_diff test_ft232h test_runner'
 quick_scripts='test_house test_flash_make test_panel_cli test_sheet test_sim_cli test_wire_cli'
+turns=' test_firmware test_firmware_boot test_firmware_lm3s test_firmware_stm32f4 test_firmware_uart test_firmware_wires test_objects test_make test_package '
 # What takes longest, or has steps that only one processor can take, comes first.
 first='test_targets test_guest_panel test_make test_firmware_rp2040 test_firmware_rp2350_emulated test_firmware_lm3s test_firmware test_guest_flash
 test_guest_hal test_firmware_wires test_kernels test_panel_diff.asan test_firmware_stm32f4 test_firmware_uart
@@ -125,16 +126,22 @@ list() {
     esac
 }
 
+takes_turns() { # name, source
+    case "$mode" in
+    long) ! grep -q 'SHARE\|in_share' "$2" ;;
+    *) [[ $turns == *" $1 "* ]] ;;
+    esac
+}
+
 # Of the jobs those of this share.
 shared() {
-    local line i=0 source
+    local line i=0 name source
     while read -r line; do
-        read -r _ _ source _ <<<"$line"
-        if grep -q 'SHARE\|in_share' "$source"; then
-            echo "$line"
-        else
-            [ $((i++ % ${SHARE#*/})) != $((${SHARE%/*} - 1)) ] || echo "$line"
+        read -r name _ source _ <<<"$line"
+        if takes_turns "$name" "$source"; then
+            [ $((i++ % ${SHARE#*/})) = $((${SHARE%/*} - 1)) ] || continue
         fi
+        echo "$line"
     done
 }
 
@@ -163,7 +170,7 @@ mkdir -p "$B/log"
 begin=$SECONDS
 case "$mode" in
 check) goals="$(list | awk '$2 != "-" { sub(/\.c$/, "", $3); print $2 "/" $3 }')" ;;
-test) goals=test-programs asan_goal=test-programs ;;
+test) goals=test-programs asan_goal=test-programs && { [ "$SHARE" = 1/1 ] || echo "share $SHARE of the builds of images and packages"; } ;;
 long) goals=long-programs asan_goal=fuzz-programs && echo "share $SHARE of the long tests" ;;
 esac
 echo "building"

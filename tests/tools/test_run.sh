@@ -53,6 +53,18 @@ shares_of_the_long_tests() {
     cat "$dir"/ran-{a,b,c,all} | tr '\n' ' ' | grep -x 'ran ran ran 1/3 2/3 3/3 '
 }
 
+# A build of a package runs in one of two shares of `test`, another test in both.
+shares_of_the_tests() {
+    local k name
+    rm -rf "$dir"/tests/core/* "$dir/build" "$dir"/ran-*
+    for name in test_package test_other; do printf '#!/bin/sh\necho ran >>%s\n' "$dir/ran-$name" >"$dir/tests/core/$name.sh"; done
+    chmod +x "$dir"/tests/core/*.sh
+    for k in 1 2; do
+        (cd "$dir" && env -u MAKEFLAGS B=build SHARE="$k/2" tests/run.sh test 2>&1) | tail -n 1 | grep -qx "$((3 - k)) passed, 0 failed, 0 skipped" || return 1
+    done
+    cat "$dir"/ran-test_{other,package} | tr '\n' ' ' | grep -x 'ran ran ran '
+}
+
 wrong_shares() {
     local share
     for share in 0/3 4/3 1 x; do
@@ -74,6 +86,7 @@ else
 fi
 mode=check check "for_every_edit_the_sanitizers_do_not_run" unit_in_check
 mode=long check "a_share_of_the_long_tests_is_a_share" shares_of_the_long_tests
+check "in_a_share_of_the_tests_builds_of_packages_take_turns" shares_of_the_tests
 check "a_share_that_cannot_be_is_refused" wrong_shares
 check "a_missing_library_skips_the_program" counts test_dummy.c "0 passed, 0 failed, 2 skipped" <<<'#include <no_such_library.h>'
 check "a_script_may_just_succeed" counts test_dummy.sh "1 passed, 0 failed, 0 skipped" <<<'#!/bin/sh'
