@@ -58,7 +58,7 @@ void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in)
     const struct ph_ref *const first = ph_ref_at(r, 0);
     struct ph_feed f;
     ph_feed_start(&f, r, band);
-    struct columns all = {.from = NOWHERE, .f = &f};
+    struct columns all = {.from = NOWHERE, .f = &f, .base = ph_at(r, 0)}; /* take_draw sets the first base */
     const struct ph_triangle *carried = r->carried;
     for (uint32_t ref = carried != NULL ? carried->order : f.ref; ref != PH_NONE;) {
         const struct ph_ref *const at = first - ref;
