@@ -135,7 +135,7 @@ $(B)/host-sim/wire/%.o: INC = $(INC_HOST) $(call rooms,host-sim,controllers)
 # over 2 % slower in some demo is compiled for speed. Other CPUs have their code in flash that is fast.
 KIT ?= $(if $(filter file,$(origin CFLAGS)),1)
 CORE_O3_armv6m := mesh
-CORE_O2_armv6m := bands fisheye fisheye_draw fisheye_edges fx fx_root fx_trig line motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_surface
+CORE_O2_armv6m := bands light fisheye fisheye_draw fisheye_edges fx fx_root fx_trig line motion_skin raster% small_texels texel_row_nearest texel_rows texels texture tile_surface
 core_level = $(if $(filter armv6m,$(CPU)),$(if $(filter $(CORE_O3_armv6m),$(1)),-O3,$(if $(filter $(CORE_O2_armv6m),$(1)),-O2,-Os)),-O3)
 ifneq ($(KIT),)
 $(B)/firmware/core/%.o: override CFLAGS += $(call core_level,$(*F))
