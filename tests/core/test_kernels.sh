@@ -108,6 +108,8 @@ long "a_blend_without_its_rest_for_armv6m_is_seen" change_is_seen armv6m span_bl
 long "a_blend_of_what_is_hidden_for_armv7m_is_seen" change_is_seen armv7m span_blend 's/bhs 2f/bhi 2f/'
 long "a_hidden_pixel_of_a_line_for_armv6m_is_seen" change_is_seen armv6m line_pixels 's/bls 1f/blo 1f/'
 long "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
+long "a_hidden_pair_of_samples_drawn_for_armv7m_is_seen" change_is_seen armv7m fine_gouraud 's/orrs r0, r1/movs r0, r0/'
+long "a_fourth_pixel_of_two_colours_for_armv7m_is_seen" change_is_seen armv7m halve 's/cmpeq r7, r7, ror #16/cmpeq r7, r7/'
 short "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 long "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
 long "a_bend_lost_for_armv7m_is_seen" change_is_seen armv7m texture_small 's/mla r12, r12, r0, r4/mov r12, r4/'
