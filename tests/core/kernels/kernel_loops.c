@@ -129,7 +129,7 @@ static uint32_t try_halve(uint32_t h)
     static uint32_t upper[128], lower[128];
     const uint32_t n = 1 + below(128), at = below(64);
     for (uint32_t i = 0; i < n; i++) {
-        const uint32_t colour = (bits() & 0xffff) * 0x10001;
+        const uint32_t colour = below(8) > 0 ? (bits() & 0xffff) * 0x10001 : bits(); /* two beside each other differ */
         upper[i] = i > 0 && below(2) > 0 ? upper[i - 1] : colour;
         lower[i] = upper[i];
         upper[i] ^= below(8) == 0 ? bits() : 0;
