@@ -76,18 +76,19 @@ bool ph_float_depths(const struct ph_lens *lens, const struct ph_vertex *const v
 
 /* What ph_setup_usual takes of the references of a draw. */
 struct ph_usual {
-    const struct ph_vertex *base; /* corner 0 */
-    const struct ph_lens *lens;   /* NULL: fixed16 */
-    uint32_t inner_x, inner_y;    /* as in the renderer; neither is 0 */
-    uint32_t bias;                /* for ph_float_depths; fixed16: what is added to N/w (depth.h) */
+    const struct ph_vertex *base;      /* corner 0 */
+    uint32_t margin, inner_x, inner_y; /* inner: as in the renderer, for this margin (side + 256); neither is 0 */
+    uint32_t side;                     /* PH_SIDE_SMALL or PH_SIDE_SHORT: the sides that it takes are below it */
+    const struct ph_lens *lens;        /* NULL: fixed16 */
+    uint32_t bias;                     /* for ph_float_depths; fixed16: what is added to N/w (depth.h) */
     const uint16_t *ramp;
     const struct ph_material *material;
 };
 
-/* setup_small.c: sets up a listed triangle as ph_setup_small does, if it is small, off the borders as there, and
- * ph_float_depths can tell its depth, or it is fixed16. Sets kind, block, material and ramp, too, and writes over the
- * rest of t but order. If it does not return PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth
- * to the caller.
+/* setup_small.c: sets up a listed triangle as ph_setup_small does, if its sides from the first corner and their
+ * difference across are below `side`, it is off the borders as there, and ph_float_depths can tell its depth, or it is
+ * fixed16. Sets kind, block, material and ramp, too, and writes over the rest of t but order. If it does not return
+ * PH_SMALL_SET, something of that is not so, or ph_setup_small leaves depth to the caller.
  */
 enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph_ref *ref, struct ph_triangle *t);
 

@@ -85,6 +85,12 @@ static inline bool is_inside(const struct ph_renderer *r, const struct ph_vertex
             is_between(v[0]->y, v[1]->y, v[2]->y, r->config.height));
 }
 
+/* Whether a triangle is as narrow as a small one. */
+static inline bool is_narrow(uint32_t dx1, uint32_t dx2)
+{
+    return ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
+}
+
 /* What a triangle that is not small is drawn as, because it has short sides and keeps off the borders. */
 enum reach { FAR, WIDE, NARROW }; /* narrow: as narrow as a small one */
 
@@ -98,8 +104,7 @@ static PH_NOINLINE enum reach reach_of(const struct ph_setting *s, const struct 
         !is_between(v[0]->y, v[1]->y, v[2]->y, s->r->config.height)) {
         return FAR;
     }
-    return ((dx1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL ? NARROW
-                                                                                                             : WIDE;
+    return is_narrow(dx1, dx2) ? NARROW : WIDE;
 }
 
 /* Depth of the corners in the format of small triangles, and the block exponent. False if two are 2^31 apart. */
@@ -261,6 +266,18 @@ static PH_NOINLINE void setup_other(const struct ph_setting *s, const struct ph_
     }
 }
 
+/* Usual triangles of samples have longer sides, if the picture is large enough. */
+static PH_NOINLINE void widen_usual(struct ph_usual *usual)
+{
+    const uint32_t more = PH_SIDE_SHORT - PH_SIDE_SMALL;
+    if (usual->inner_x > 2 * more && usual->inner_y > 2 * more) {
+        usual->side += more;
+        usual->margin += more;
+        usual->inner_x -= 2 * more;
+        usual->inner_y -= 2 * more;
+    }
+}
+
 void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const struct ph_draw *draw)
 {
     const struct ph_material *const material = draw->material;
@@ -279,8 +296,13 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
     s->keeps_light = s->shading == PH_SHADE_GOURAUD && r->fine == 0;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
     s->usual.lens = s->floats ? &r->lens : NULL;
+    s->usual.side = PH_SIDE_SMALL;
+    s->usual.margin = PH_SIDE_SMALL + 256;
     s->usual.inner_x = r->inner_x;
     s->usual.inner_y = r->inner_y;
+    if (r->fine != 0 && !textured) {
+        widen_usual(&s->usual);
+    }
     s->usual.material = material;
     const bool usual =
         s->is_small && r->inner_x > 0 && r->inner_y > 0 && (draw->kind & (PH_DRAW_LINES | PH_DRAW_UVS)) == 0;
@@ -301,17 +323,48 @@ static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
     small->light_dy = 2 * gy - 1;
 }
 
-void ph_set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
+/* The samples of a pixel get one light, where light is gentle: then a triangle becomes one of PH_KIND_SMALL_FINE. */
+static PH_NOINLINE void share_light(struct ph_triangle *t)
 {
     struct ph_small_triangle *const small = &t->small;
-    if (s->shading != PH_SHADE_GOURAUD) {
-        small->light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
-        small->glight = small->light_dy = 0;
-    }
-    if (s->r->fine != 0 && (t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_WIDE) && t->block == PH_BLOCK_NONE &&
+    if ((t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_WIDE) && t->block == PH_BLOCK_NONE &&
         ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) <= LIGHT_GENTLE) {
         t->kind = PH_KIND_SMALL_FINE;
         light_pixels(small, (uint32_t)t->y_top & 1);
+    }
+}
+
+/* Gives a small triangle of one light that light. */
+static PH_NOINLINE void set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
+{
+    if (s->shading != PH_SHADE_GOURAUD) {
+        t->small.light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
+        t->small.glight = t->small.light_dy = 0;
+    }
+}
+
+/* ph_set_usual_light for samples. */
+static PH_NOINLINE void set_samples_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    const struct ph_vertex *const base = s->usual.base, *const first = &base[ref->corner[0]];
+    if (t->y_bottom - t->y_top >= (int32_t)(PH_SIDE_SHORT / 256)) { /* its third side may be no short one */
+        ph_setup_unusual(s, ref, PH_SMALL_SET, t);
+        return;
+    }
+    set_light(s, first, t);
+    share_light(t);
+    if (t->kind == PH_KIND_SMALL &&
+        !is_narrow((uint32_t)(base[ref->corner[1]].x - first->x), (uint32_t)(base[ref->corner[2]].x - first->x))) {
+        t->kind = PH_KIND_SMALL_WIDE;
+    }
+}
+
+void ph_set_usual_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
+{
+    if (s->r->fine != 0) {
+        set_samples_light(s, ref, t);
+    } else {
+        set_light(s, &s->usual.base[ref->corner[0]], t);
     }
 }
 
@@ -328,7 +381,8 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
                         const struct ph_sides *sides, enum ph_small_setup done, struct ph_triangle *t)
 {
     const struct ph_renderer *r = s->r;
-    const bool as_small = done == PH_SMALL_STEEP || (ph_sides_are_small(sides) && is_inside(r, v));
+    const bool as_small =
+        (done == PH_SMALL_STEEP && s->usual.side == PH_SIDE_SMALL) || (ph_sides_are_small(sides) && is_inside(r, v));
     const enum reach reach = as_small ? NARROW : reach_of(s, sides, v);
     const bool small = as_small || (r->fine != 0 && reach != FAR); /* in all shadings its depth is set up as there */
     uint32_t d[3];
@@ -366,7 +420,10 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             t->kind = PH_KIND_SMALL_SPLIT;
             ph_set_knee(t, d);
         }
-        ph_set_light(s, v[0], t);
+        set_light(s, v[0], t);
+        if (r->fine != 0) {
+            share_light(t);
+        }
     }
 }
 

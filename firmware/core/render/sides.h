@@ -29,12 +29,16 @@ static inline bool ph_sides_are_short(int32_t dx1, int32_t dy1, int32_t dx2, int
             (uint32_t)((dy2 >> 14) + 1)) <= 1;
 }
 
-/* Whether all three sides are below PH_SIDE_SMALL. */
-static inline bool ph_sides_are_small(const struct ph_sides *s)
+/* Whether the sides from the first corner, and the third one across, are below `side`, a power of two. */
+static inline bool ph_sides_are_below(const struct ph_sides *s, uint32_t side)
 {
     const uint32_t dx1 = (uint32_t)s->dx1, dx2 = (uint32_t)s->dx2, dy1 = (uint32_t)s->dy1, dy2 = (uint32_t)s->dy2;
-    return ((dx1 + PH_SIDE_SMALL) | (dy1 + PH_SIDE_SMALL) | (dx2 + PH_SIDE_SMALL) | (dy2 + PH_SIDE_SMALL) |
-            (dx2 - dx1 + PH_SIDE_SMALL)) < 2 * PH_SIDE_SMALL;
+    return ((dx1 + side) | (dy1 + side) | (dx2 + side) | (dy2 + side) | (dx2 - dx1 + side)) < 2 * side;
+}
+
+static inline bool ph_sides_are_small(const struct ph_sides *s)
+{
+    return ph_sides_are_below(s, PH_SIDE_SMALL);
 }
 
 /* A number with the sign of ph_wide_area. */

@@ -129,7 +129,7 @@ static uint32_t try_halve(uint32_t h)
     static uint32_t upper[128], lower[128];
     const uint32_t n = 1 + below(128), at = below(64);
     for (uint32_t i = 0; i < n; i++) {
-        const uint32_t colour = (bits() & 0xffff) * 0x10001;
+        const uint32_t colour = below(8) > 0 ? (bits() & 0xffff) * 0x10001 : bits(); /* two beside each other differ */
         upper[i] = i > 0 && below(2) > 0 ? upper[i - 1] : colour;
         lower[i] = upper[i];
         upper[i] ^= below(8) == 0 ? bits() : 0;
@@ -226,7 +226,11 @@ static uint32_t hash_small(uint32_t h, const struct ph_triangle *t)
 static uint32_t try_setup_usual(uint32_t h)
 {
     const struct ph_lens lens = {.far_q = (uint32_t)1 << 30 | bits() >> 2, .far_s = 8, .float_down = 3};
-    const uint32_t size = below(4) > 0 ? 5000 : below(2) > 0 ? 2 * PH_SIDE_SMALL : 40, depths = below(20);
+    const uint32_t size = below(4) > 0   ? 5000
+                          : below(2) > 0 ? 2 * PH_SIDE_SMALL
+                          : below(2) > 0 ? 20000
+                                         : 40,
+                   depths = below(20);
     const bool fixed = below(4) == 0;
     const uint32_t left = below(4) > 0 ? 40 * 256 : 0, top = below(4) > 0 ? 40 * 256 : 60 * 256;
     struct ph_vertex corner[4];
@@ -238,7 +242,10 @@ static uint32_t try_setup_usual(uint32_t h)
         corner[i].s = (int8_t)(fixed ? (int)below(6) - 1 : below(16) > 0 ? 3 : 2 + (int)below(3));
     }
     const struct ph_material material = {.shading = PH_SHADE_GOURAUD};
+    const uint32_t side = below(3) > 0 ? PH_SIDE_SMALL : PH_SIDE_SHORT;
     const struct ph_usual usual = {.base = corner,
+                                   .margin = side + 256,
+                                   .side = side,
                                    .lens = fixed ? NULL : &lens,
                                    .inner_x = 20000,
                                    .inner_y = 1000 + below(20000),

@@ -100,7 +100,7 @@ unusual:
     lsls r3, r3, #4
     lsls r4, r4, #4
     lsls r5, r5, #4
-    ldr r1, [r0, #usual_base]
+    ldmia r0!, {r1} @ base
     adds r3, r3, r1
     adds r4, r4, r1
     adds r5, r5, r1
@@ -108,26 +108,23 @@ unusual:
     stmia r2!, {r3-r5}
     @ Does the first corner stay far enough from the borders?
     ldmia r3!, {r6, r7}
-    movs r1, #33 @ PH_SIDE_SMALL + 256
-    lsls r1, r1, #8
-    subs r3, r6, r1
-    subs r1, r7, r1
-    ldr r2, [r0, #usual_inner_x]
-    ldr r0, [r0, #usual_inner_y]
+    ldmia r0, {r0-r2} @ margin, inner_x, inner_y
+    subs r3, r6, r0
+    cmp r3, r1
+    bhs border
+    subs r3, r7, r0
     cmp r3, r2
     bhs border
-    cmp r1, r0
-    bhs border
 inside:
-    @ The sides: r1, r2 from a to b, r6, r7 from a to c. Are they below 2^13?
+    @ The sides: r1, r2 from a to b, r6, r7 from a to c. Are they short enough?
     ldmia r4!, {r1, r2}
     ldmia r5, {r0, r5}
     subs r1, r1, r6
     subs r2, r2, r7
     subs r6, r0, r6
     subs r7, r5, r7
-    movs r0, #1
-    lsls r0, r0, #13
+    mov r0, r10
+    ldr r0, [r0, #usual_side]
     adds r3, r1, r0
     adds r4, r2, r0
     orrs r3, r4
@@ -138,8 +135,9 @@ inside:
     subs r4, r6, r1
     adds r4, r4, r0
     orrs r3, r4
-    lsrs r3, r3, #14
-    bne unusual
+    lsls r0, r0, #1
+    cmp r3, r0
+    bhs unusual
     movs r3, r6
     muls r3, r2
     movs r4, r1
@@ -237,8 +235,8 @@ border: @ do all corners keep a pixel away from the borders?
     mov r0, r10
     ldr r2, [r0, #usual_inner_x]
     ldr r3, [r0, #usual_inner_y]
-    movs r1, #64 @ 2 PH_SIDE_SMALL
-    lsls r1, r1, #8
+    ldr r1, [r0, #usual_side]
+    lsls r1, r1, #1 @ two sides
     adds r2, r2, r1
     adds r3, r3, r1
     mov r0, r11

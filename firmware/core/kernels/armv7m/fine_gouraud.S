@@ -1,21 +1,18 @@
-@ ph_fine_gouraud of kernels.h for ARMv7-M. A row takes 27 instructions, a sample that is drawn 9 or 10, a hidden one 4
-@ or 5, a call 15 to 30. As long as nothing is drawn where a row goes, a pixel's two samples take 14 together.
+@ ph_fine_gouraud of kernels.h for ARMv7-M. A row takes some 27 instructions, a sample that is drawn 9 or 10, a hidden one
+@ 4 or 5, a call 15 to 30. As long as nothing is drawn where a row goes, two pixels' four samples take 21 together.
 @
-@ Registers: r0 column 0 of the row, r1 scratch, r2 d, r3 light, r4 gd, r5 glight, r6 ramp, r7 depth, r8 pixels, r9 left,
-@ r10 right, r11 d at column 0, r12 light at column 0, lr: rows that are left << 16 | number of samples so far. The
-@ pointer `triangle` on the stack stands at gd.
+@ Registers: r0 column 0 of the row, r1 d there, and both scratch where samples are drawn; r2 d, r3 light, r4 gd, r5 glight,
+@ r6 ramp, r7 depth, r8 pixels, r9 left, r10 right, r11 scratch, r12 light at column 0, lr: rows that are left << 16 | number
+@ of samples so far. The pointer `triangle` on the stack stands at gd.
 #include "../thumb.inc"
 #include "../offsets.inc"
 
-    .equ left_dx, 0 @ on the stack
-    .equ right_dx, 4
-    .equ d_dy, 8
-    .equ light_dy, 12
-    .equ stride, 16 @ a row loads these five words at once
-    .equ triangle, 20 @ 0 when the lower edge has taken over
-    .equ to_pixels, 24 @ from depth
-    .equ base, 28 @ column 0 of a row, where r0 has something else
-    .equ frame, 32
+    .equ base, 0 @ on the stack; a row loads these seven words at once
+    .equ left_dx, 8 @ behind d at column 0
+    .equ right_dx, 12
+    .equ triangle, 28 @ 0 when the lower edge has taken over
+    .equ to_pixels, 32 @ from depth
+    .equ frame, 36
 
     .macro sample at
     ldrh r1, [r7, #2 * \at]
@@ -36,26 +33,49 @@
     .endif
     .endm
 
-    .macro fresh at, second
-    lsrs r1, r2, #16
-    strh r1, [r7, #2 * \at]
-    add r2, r4
-    lsrs r1, r2, #16
-    strh r1, [r7, #2 * \second]
-    add r2, r4
-    lsrs r1, r3, #25
-    ldrh r1, [r6, r1, lsl #1]
-    add r3, r5
-    strh r1, [r8, #2 * \at]
-    strh r1, [r8, #2 * \second]
+    .macro codes word, scratch @ both of a pixel
+    lsr \scratch, r2, #16
+    add \word, r2, r4
+    add r2, \word, r4
+    bfi \word, \scratch, #0, #16
     .endm
 
-    .macro pair at, second @ no code is 0: where both depths are 0, both samples are drawn
+    .macro colour word @ twice that of a pixel
+    lsrs \word, r3, #25
+    add r3, r5
+    ldrh \word, [r6, \word, lsl #1]
+    .endm
+
+    .macro fresh at, scratch
+    codes r1, \scratch
+    str r1, [r7, #2 * \at]
+    colour r1
+    orr r1, r1, r1, lsl #16
+    str r1, [r8, #2 * \at]
+    .endm
+
+    .macro pair at, next @ no code is 0: where both depths are 0, both samples are drawn
 from_\at:
     ldr r1, [r7, #2 * \at]
-    cmp r1, #0
+    cbnz r1, 1f
+    fresh \at, r0
+    b from_\next
+1:  b sample_\at
+    .endm
+
+    .macro pairs at @ the same for two pixels
+from_\at:
+    ldrd r0, r1, [r7, #2 * \at]
+    orrs r0, r1
     bne sample_\at
-    fresh \at, \second
+    codes r1, r0
+    codes r11, r0
+    strd r1, r11, [r7, #2 * \at]
+    colour r0
+    colour r1
+    orr r0, r0, r0, lsl #16
+    orr r1, r1, r1, lsl #16
+    strd r0, r1, [r8, #2 * \at]
     .endm
 
     .macro single at, next @ the second sample of the first pixel
@@ -67,7 +87,6 @@ from_\at:
 
     function ph_fine_gouraud @ r0: struct ph_small_triangle, r1: depth, r2: pixels, r3: bytes from row to row
     push {r4-r11, lr}
-    push {r4}
     ldmia r0!, {r4-r7}
     subs r2, r2, r1
     push {r0, r2}
@@ -78,25 +97,28 @@ from_\at:
     sub lr, lr, #1
     lsl lr, lr, #16
     sub r0, r1, #64 @ the last of the 32 unrolled samples is the last one of a whole pixel
+    mov r1, r11
+    push {r0, r1}
 row:
     lsr r7, r9, #16
     lsr r8, r10, #17
-    rsbs r1, r7, r8, lsl #1
+    rsbs r11, r7, r8, lsl #1
     blt 3f
-    add lr, lr, r1
-    mla r2, r4, r7, r11
+    add lr, lr, r11
+    mla r2, r4, r7, r1
     lsrs r3, r7, #1
     mla r3, r5, r3, r12
     add r7, r0, r8, lsl #2
     ldr r8, [sp, #to_pixels]
     add r8, r8, r7
-    cmp r1, #32
-    bhi more
-    tbh [pc, r1, lsl #1]
+    tbh [pc, r11, lsl #1]
 entries:
     .hword (last - entries) / 2
     .irp at, 31, 30, 29, 28, 27, 26, 25, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0
     .hword (from_\at - entries) / 2
+    .endr
+    .rept 34 @ a row has 64 samples at most, and one that edges are rounded to
+    .hword (more - entries) / 2
     .endr
     .p2align 1
     .altmacro
@@ -105,30 +127,37 @@ entries:
     single %at, %(at + 1)
     .set at, at + 2
     .endr
+    .set at, 2
+    .rept 7
+    pair %at, %(at + 2)
+    .set at, at + 4
+    .endr
+    pair 30, 32
     .set at, 0
-    .rept 16
-    pair %at, %(at + 1)
-    .set at, at + 2
+    .rept 8
+    pairs %at
+    .set at, at + 4
     .endr
     .noaltmacro
+from_32:
 last:
     tst r10, #1 << 16
     bne 2f
-3:  ldmia sp, {r1-r3, r7, r8}
-    add r9, r1
-    add r10, r2
-    add r11, r3
+3:  ldmia sp, {r0-r3, r7, r8, r11} @ base, d at column 0, left_dx, right_dx, d_dy, light_dy, stride
+    add r9, r2
+    add r10, r3
+    add r1, r7
     tst r12, #1 @ light stays from an even row to the odd one
     ite ne
-    addne r12, r7
+    addne r12, r8
     addeq r12, #1
-    add r0, r8
+    add r0, r11
+    strd r0, r1, [sp, #base]
     subs lr, lr, #1 << 16
     bhs row
     b done
 more: @ those before the last 32
-    str r0, [sp, #base]
-    sub r0, r1, #32
+    sub r0, r11, #32
     sub r7, r7, r0, lsl #1
     sub r8, r8, r0, lsl #1
     lsls r1, r0, #31
@@ -138,15 +167,14 @@ more: @ those before the last 32
     adds r7, #2
     add r8, r8, #2
     subs r0, #1
-    beq 6f
+    beq from_0
 4:  ldr r1, [r7]
     cbnz r1, 7f
-    fresh 0, 1
+    fresh 0, r11
 5:  adds r7, #4
     add r8, r8, #4
     subs r0, #2
     bhi 4b
-6:  ldr r0, [sp, #base]
     b from_0
 7:  sample 0
     step 0
@@ -168,17 +196,17 @@ from_31:
 done:
     ldr r7, [sp, #triangle]
     cbz r7, 5f
-    ldrh r1, [r7, #small_lower_rows - small_gd]
-    cbz r1, 5f
-    add lr, lr, r1, lsl #16
+    ldrh r2, [r7, #small_lower_rows - small_gd]
+    cbz r2, 5f
+    add lr, lr, r2, lsl #16
     ldr r2, [r7, #small_lower_is_right - small_gd]
-    ldrd r3, r1, [r7, #small_lower - small_gd]
+    ldrd r3, r8, [r7, #small_lower - small_gd]
     cbz r2, 3f
     mov r10, r3
-    str r1, [sp, #right_dx]
+    str r8, [sp, #right_dx]
     b 4f
 3:  mov r9, r3
-    str r1, [sp, #left_dx]
+    str r8, [sp, #left_dx]
 4:  movs r7, #0
     str r7, [sp, #triangle]
     b row

@@ -1,68 +1,72 @@
-@ ph_halve of kernels.h for ARMv7-M. Pixels are made in pairs: 12 instructions if each is of one colour, else 38 at most.
+@ ph_halve of kernels.h for ARMv7-M. Four pixels take 19 instructions if each is of one colour; else the mean of one takes 11.
 @ A sample pair is a word: its second sample stands in the upper half.
 @
-@ Registers: r0 to, r1 upper, r2 lower, r3 scratch; r4 r5 upper samples, r6 r7 lower samples; r8 the end of whole pairs,
-@ r9 half of 4 in each field, r10 the fields of a spread colour: red at bit 3, green at 13, blue at 24; r12 n
+@ Registers: r0 to, r1 upper, r2 lower, r3 the end; r4-r7 upper samples, r8 r9 r11 r12 lower samples; r10 the fields of a
+@ spread colour: red at bit 3, green at 13, blue at 24; lr scratch. n stands on the stack.
 #include "../thumb.inc"
 
-    @ The mean of the samples in \a and \b to [r0], which goes on
-    .macro mean a b
-    and r3, r10, \a
+    @ \a becomes a pixel: the mean of the samples in \a and \b, unless all are one colour.
+    .macro pixel a b
+    cmp \a, \b
+    it eq
+    cmpeq \a, \a, ror #16
+    beq 9f
+    and lr, r10, \a
     and \a, r10, \a, ror #16
-    add r3, \a
+    add lr, \a
     and \a, r10, \b
-    add r3, \a
+    add lr, \a
     and \a, r10, \b, ror #16
-    add r3, \a
-    add r3, r9
-    and r3, r10, r3, lsr #2
-    orr r3, r3, r3, lsr #16
-    strh r3, [r0], #2
+    add lr, \a
+    ldr \b, =0x02004010 @ half of 4 in each field
+    add lr, \b
+    and lr, r10, lr, lsr #2
+    orr \a, lr, lr, lsr #16
+9:
     .endm
 
     function ph_halve @ r3: n
-    push {r4-r10, lr}
-    mov r12, r3
-    lsrs r4, r3, #1
-    add r8, r0, r4, lsl #2
+    push {r3-r11, lr}
+    bic r3, r3, #3
+    add r3, r0, r3, lsl #1
     movw r10, #0xe0f8
     movt r10, #0x1f07
-    movw r9, #0x4010
-    movt r9, #0x0200
-    b 2f
-1:  ldm r1!, {r4, r5}
-    ldm r2!, {r6, r7}
-    cmp r4, r6
+    b 3f
+1:  ldm r1!, {r4-r7}
+    ldm r2!, {r8, r9, r11, r12}
+    cmp r4, r8
+    itttt eq
+    cmpeq r4, r4, ror #16
+    cmpeq r5, r9
+    cmpeq r5, r5, ror #16
+    cmpeq r6, r11
     ittt eq
-    cmpeq r4, r4, ror #16
-    cmpeq r5, r7
-    cmpeq r5, r5, ror #16
-    bne 3f
-    strh r4, [r0], #2
+    cmpeq r6, r6, ror #16
+    cmpeq r7, r12
+    cmpeq r7, r7, ror #16
+    bne 4f
+2:  strh r4, [r0], #2
     strh r5, [r0], #2
-2:  cmp r0, r8
+    strh r6, [r0], #2
+    strh r7, [r0], #2
+3:  cmp r0, r3
     blo 1b
-    b 4f
-3:  cmp r4, r6
-    it eq
-    cmpeq r4, r4, ror #16
-    bne 6f
-    strh r4, [r0], #2
-    b 7f
-6:  mean r4, r6
-    cmp r5, r7
-    it eq
-    cmpeq r5, r5, ror #16
-    bne 7f
-    strh r5, [r0], #2
+    ldr r4, [sp]
+    and r4, r4, #3
+    add r3, r3, r4, lsl #1
+    b 6f
+4:  pixel r4, r8
+    pixel r5, r9
+    pixel r6, r11
+    pixel r7, r12
     b 2b
-7:  mean r5, r7
-    cmp r0, r8
-    blo 1b
-4:  lsls r12, r12, #31 @ the last pixel of an odd number
-    bpl 5f
-    ldr r4, [r1]
-    ldr r6, [r2]
-    mean r4, r6
-5:  pop {r4-r10, pc}
+5:  ldr r4, [r1], #4
+    ldr r8, [r2], #4
+    pixel r4, r8
+    strh r4, [r0], #2
+6:  cmp r0, r3 @ up to three more
+    blo 5b
+    pop {r3-r11, pc}
+    .p2align 2
+    .ltorg
     .size ph_halve, . - ph_halve

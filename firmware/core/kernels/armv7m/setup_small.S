@@ -79,39 +79,38 @@
     ldrh r3, [r1]
     ldrh r4, [r1, #2]
     ldrh r5, [r1, #4]
-    ldr r1, [r0, #usual_base]
+    ldmia r0, {r1, r8-r10, r12} @ base, margin, inner_x, inner_y, side
     add r3, r1, r3, lsl #4
     add r4, r1, r4, lsl #4
     add r5, r1, r5, lsl #4
     @ Does the first corner stay far enough from the borders?
     ldrd r6, r7, [r3]
-    ldrd r9, r10, [r0, #usual_inner_x]
-    sub r8, r6, #8448 @ PH_SIDE_SMALL + 256
-    cmp r8, r9
+    sub r11, r6, r8
+    cmp r11, r9
     itt lo
-    sublo r8, r7, #8448
-    cmplo r8, r10
+    sublo r11, r7, r8
+    cmplo r11, r10
     bhs border
 inside:
-    @ The sides: r8, r9 from a to b, r10, r11 from a to c. Are they below 2^13?
+    @ The sides: r8, r9 from a to b, r10, r11 from a to c. Are they below r12?
     ldrd r8, r9, [r4]
     ldrd r10, r11, [r5]
     subs r8, r8, r6
     subs r9, r9, r7
     subs r10, r10, r6
     subs r11, r11, r7
-    add r6, r8, #8192
-    add r7, r9, #8192
+    add r6, r8, r12
+    add r7, r9, r12
     orrs r6, r7
-    add r7, r10, #8192
+    add r7, r10, r12
     orrs r6, r7
-    add r7, r11, #8192
+    add r7, r11, r12
     orrs r6, r7
     subs r7, r10, r8
-    add r7, r7, #8192
+    add r7, r7, r12
     orrs r6, r7
-    lsrs r6, r6, #14
-    bne unusual
+    cmp r6, r12, lsl #1
+    bhs unusual
     mul r12, r10, r9
     mls r12, r8, r11, r12
     adds r2, #own_corners
@@ -179,13 +178,13 @@ known:
     push {r0-r3}
     b begin
 border: @ do all corners keep a pixel away from the borders?
-    add r9, r9, #16384 @ 2 PH_SIDE_SMALL
-    add r10, r10, #16384
+    add r9, r9, r12, lsl #1
+    add r10, r10, r12, lsl #1
     off_borders r6, r7
-    ldrd r11, r12, [r4]
-    off_borders r11, r12
-    ldrd r11, r12, [r5]
-    off_borders r11, r12
+    ldrd r11, r1, [r4]
+    off_borders r11, r1
+    ldrd r11, r1, [r5]
+    off_borders r11, r1
     b inside
 fixed:
     ldr r6, [r0, #usual_bias]

@@ -117,14 +117,14 @@ static inline bool usual_depths(const struct ph_usual *usual, const struct ph_ve
 /* Whether a corner keeps a pixel away from the borders. */
 static inline bool is_off_borders(const struct ph_usual *usual, const struct ph_vertex *v)
 {
-    return (uint32_t)v->x - 256 <= usual->inner_x + 2 * PH_SIDE_SMALL &&
-           (uint32_t)v->y - 256 <= usual->inner_y + 2 * PH_SIDE_SMALL;
+    return (uint32_t)v->x - 256 <= usual->inner_x + 2 * usual->side &&
+           (uint32_t)v->y - 256 <= usual->inner_y + 2 * usual->side;
 }
 
-/* Whether all do, if the triangle is small. Mostly the first corner tells: see inner() in frame.c. */
+/* Whether all do, if the sides are below usual->side. Mostly the first corner tells: see inner() in frame.c. */
 static inline bool is_inside(const struct ph_usual *usual, const struct ph_vertex *const v[3])
 {
-    const uint32_t margin = PH_SIDE_SMALL + 256;
+    const uint32_t margin = usual->margin;
     return ((uint32_t)v[0]->x - margin < usual->inner_x && (uint32_t)v[0]->y - margin < usual->inner_y) ||
            (is_off_borders(usual, v[0]) && is_off_borders(usual, v[1]) && is_off_borders(usual, v[2]));
 }
@@ -141,7 +141,7 @@ enum ph_small_setup ph_setup_usual(const struct ph_usual *usual, const struct ph
     const uint32_t area = (uint32_t)dx2 * (uint32_t)dy1 - (uint32_t)dx1 * (uint32_t)dy2; /* wraps where not small */
     const struct ph_sides sides = {dx1, dy1, dx2, dy2, (int32_t)area, true};
     uint32_t d[3];
-    if (!ph_sides_are_small(&sides) || !usual_depths(usual, v, d)) {
+    if (!ph_sides_are_below(&sides, usual->side) || !usual_depths(usual, v, d)) {
         return PH_SMALL_NO_ROW;
     }
     t->kind = PH_KIND_SMALL;

@@ -104,17 +104,16 @@
     add a5, a5, t0
     // Does the first corner stay far enough from the borders?
     words lw, a3, 0, s0, s1
-    words lw, a0, usual_inner_x, t0, t1
-    li t2, -8448 // PH_SIDE_SMALL + 256
-    add t3, s0, t2
+    words lw, a0, usual_margin, t2, t0, t1 // and inner_x, inner_y
+    sub t3, s0, t2
     bgeu t3, t0, border
-    add t3, s1, t2
+    sub t3, s1, t2
     bgeu t3, t1, border
 inside:
-    // The sides. Are they below 2^13?
+    // The sides. Are they short enough?
     words lw, a4, 0, s2, s3
     words lw, a5, 0, s4, s5
-    li t0, 8192
+    lw t0, usual_side(a0)
     sub s2, s2, s0
     sub s3, s3, s1
     sub s4, s4, s0
@@ -129,8 +128,8 @@ inside:
     or t3, t3, t4
     or t1, t1, t5
     or t1, t1, t3
-    srli t1, t1, 14
-    bnez t1, unusual
+    slli t0, t0, 1
+    bgeu t1, t0, unusual
     mul s6, s4, s3
     mul t1, s2, s5
     sub s6, s6, t1
@@ -189,7 +188,8 @@ known:
     mv a0, a2
     j begin
 border: // do all corners keep a pixel away from the borders?
-    li t2, 16384 // 2 PH_SIDE_SMALL
+    lw t2, usual_side(a0)
+    slli t2, t2, 1
     add t0, t0, t2
     add t1, t1, t2
     off_borders s0, s1
