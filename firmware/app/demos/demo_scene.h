@@ -40,6 +40,9 @@ struct ph_projection demo_in_half(const struct demo_context *context, struct ph_
 void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
                     uint16_t *pixels, bool second, int32_t line, const char *text);
 
+/* The row of the picture in which such a line begins; it is PH_FONT_HEIGHT rows high, and has an outline of one. */
+int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_t line);
+
 /* Calls ph_frame_begin with the user's camera if there is one, else with the demo's. */
 int demo_begin(const struct demo_context *context, struct ph_renderer *r, const struct ph_xform *view,
                const struct ph_projection *projection, const struct ph_scene_light *light, uint16_t background);

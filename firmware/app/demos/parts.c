@@ -186,13 +186,18 @@ void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint1
     ph_overlay_text(&over, x, y, text, &style);
 }
 
-void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
-                    uint16_t *pixels, bool second, int32_t line, const char *text)
+int32_t demo_half_text_y(const struct demo_context *context, bool second, int32_t line)
 {
     const bool upright = context->height > context->width;
     const int32_t w = context->width, h = context->height, inset = h / 8 - 6 > 2 && w == h ? h / 8 - 6 : 2;
     const int32_t from = second && upright ? h / 2 : 0, to = second || !upright ? h - inset : h / 2;
-    const int32_t middle = upright ? w / 2 : second ? w * 3 / 4 : w / 4;
-    const int32_t y = line < 0 ? to + line * (PH_FONT_HEIGHT + 1) : from + inset + line * (PH_FONT_HEIGHT + 1);
-    demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, y, text);
+    return (line < 0 ? to : from + inset) + line * (PH_FONT_HEIGHT + 1);
+}
+
+void demo_half_text(const struct demo_context *context, const struct ph_renderer *r, uint32_t band, uint32_t lines,
+                    uint16_t *pixels, bool second, int32_t line, const char *text)
+{
+    const int32_t w = context->width, middle = context->height > w ? w / 2 : second ? w * 3 / 4 : w / 4;
+    demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, demo_half_text_y(context, second, line),
+              text);
 }
