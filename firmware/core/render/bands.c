@@ -116,6 +116,13 @@ static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *
     return rows->y1 - rows->y0 >= 2 && ph_other_core_is_free(r);
 }
 
+/* With two cores: where draw_rest stops to ask, or HELPED. */
+static PH_NOINLINE uint32_t asks_at(const struct ph_renderer *r, const struct ph_band *rows, uint32_t ref,
+                                    uint32_t stop)
+{
+    return is_helped(r, rows) ? HELPED : stop < ref + ASKS_REFS ? stop : ref + ASKS_REFS;
+}
+
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
  * for which there is something to do here; none at the end of the list. */
 static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
@@ -144,20 +151,18 @@ static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
     }
     const uint32_t after = t != NULL ? t->order + 1 : PH_NONE;
     const uint32_t stop = after < f->next_first ? after : f->next_first;
-    if (r->config.other_core == NULL) {
-        return stop;
-    }
-    const uint32_t asks = stop < ref + ASKS_REFS ? stop : ref + ASKS_REFS;
-    return is_helped(r, rows) ? HELPED : asks;
+    return r->config.other_core == NULL ? stop : asks_at(r, rows, ref, stop);
 }
 
 /* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
  * it goes on below. */
 static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 {
+    struct ph_renderer *const r = f->r;
     const struct ph_band *const rows = rest->rows;
-    struct ph_triangle scratch, *t = take_slot_or(f->r, &scratch);
-    const struct ph_ref *const first = ph_ref_at(f->r, 0);
+    const int32_t y1 = rows->y1;
+    struct ph_triangle scratch, *t = take_slot_or(r, &scratch);
+    const struct ph_ref *const first = ph_ref_at(r, 0);
     uint32_t fragments = 0, ref = f->ref;
     for (uint32_t stop = 0;;) {
         if (ref >= stop) { /* so it is at the end of the list */
@@ -171,11 +176,11 @@ static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
         ph_setup(&f->setting, at, t);
         t->order = ref;
         ref = next_ref(f, at, ref);
-        if (t->y_bottom <= rows->y1) {
+        if (t->y_bottom <= y1) {
             fragments += ph_draw_fresh(t, rows);
         } else if (t != &scratch) {
             fragments += draw_beyond(&rest->carry, t, rows);
-            t = take_slot_or(f->r, &scratch);
+            t = take_slot_or(r, &scratch);
         } else {
             fragments += ph_draw_triangle(t, rows);
             ph_feed_put_below(f, t->order, &rest->put);
@@ -183,7 +188,7 @@ static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
     }
     rest->fragments += fragments;
     if (t != &scratch) {
-        free_slot(f->r, t);
+        free_slot(r, t);
     }
 }
 
@@ -417,7 +422,7 @@ static struct ph_triangle *set_up_chunk(struct ph_feed *f, struct spares *spares
 /* Draws some triangles of a band with two cores: those that are set up already, or the next. Triangles that come next
  * are set up meanwhile, also of the band below, where no reference is put any more then. False: the band is finished.
  */
-static bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
+static PH_NOINLINE bool draw_chunk(struct ph_feed *f, struct rest *rest, bool clears)
 {
     struct ph_renderer *const r = f->r;
     struct spares spares;
