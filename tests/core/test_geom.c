@@ -106,6 +106,26 @@ static void transforms_are_rounded_once(void **state)
     }
 }
 
+/* A placement that only scales and moves takes a way of its own: one product an element. */
+static void scaled_placements_are_rounded_once(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        struct ph_xform a, b = ph_xform_identity;
+        for (int k = 0; k < 9; k++) {
+            a.r[k / 3][k % 3] = random_fx();
+        }
+        a.t = b.t = (struct fx_vec3){0, 0, 0};
+        for (int k = 0; k < 3; k++) {
+            b.r[k][k] = random_fx();
+        }
+        const struct ph_xform m = ph_xform_mul(&a, &b);
+        for (int k = 0; k < 9; k++) {
+            assert_int_equal(m.r[k / 3][k % 3], rounded_sum((__int128)a.r[k / 3][k % 3] * b.r[k % 3][k % 3], 30));
+        }
+    }
+}
+
 /* One of the two ends of a range, or any number within. */
 static int32_t within(int32_t least, int32_t most)
 {
@@ -428,6 +448,7 @@ int main(void)
         cmocka_unit_test(impossible_volumes_are_refused_and_change_nothing),
         cmocka_unit_test(products_are_rounded_once),
         cmocka_unit_test(transforms_are_rounded_once),
+        cmocka_unit_test(scaled_placements_are_rounded_once),
         cmocka_unit_test(near_rows_are_rounded_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -120,8 +120,7 @@ static int conventions_frame(struct demo_context *context, struct ph_renderer *r
 static void label(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t middle,
                   int32_t y, const char *text)
 {
-    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine));
-    if (y - 1 < y0 + (int32_t)lines && y + PH_FONT_HEIGHT > y0) {
+    if (demo_text_reaches(r, band, lines, y)) {
         demo_text(r, band, lines, pixels, middle - ph_overlay_width(text, 1) / 2, y, text);
     }
 }

@@ -3,6 +3,7 @@
 #define DEMO_SCENE_H
 
 #include "demo.h"
+#include "overlay.h"
 
 extern const struct demo demo_turntable, demo_testcard, demo_torus, demo_cube, demo_fill, demo_icosphere, demo_ground,
     demo_wireframe, demo_solar, demo_snake, demo_ball, demo_hitchcock, demo_shadow, demo_parallel, demo_fisheye,
@@ -103,6 +104,13 @@ extern const struct ph_scene_light demo_daylight;
 
 /* A key light from the upper left, and a weak one from the right that shows the far side. */
 extern const struct ph_scene_light demo_two_lamps;
+
+/* Whether band number `band`, of that many lines, holds a row of a text at row y of the picture, or of its outline. */
+static inline bool demo_text_reaches(const struct ph_renderer *r, uint32_t band, uint32_t lines, int32_t y)
+{
+    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine));
+    return y - 1 < y0 + (int32_t)lines && y + PH_FONT_HEIGHT >= y0;
+}
 
 /* Draws text over band number `band` at (x, y) of the picture. */
 void demo_text(const struct ph_renderer *r, uint32_t band, uint32_t lines, uint16_t *pixels, int32_t x, int32_t y,

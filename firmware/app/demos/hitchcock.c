@@ -14,7 +14,6 @@
 #include "demo_scene.h"
 #include "fx_math.h"
 #include "models.h"
-#include "overlay.h"
 
 #define LOOP_FRAMES   2048 /* it rests at the far end for 48 */
 #define STEPS         1000
@@ -258,10 +257,10 @@ static int zoom_frame(struct demo_context *context, struct ph_renderer *r, uint3
 static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, uint32_t band, uint16_t *pixels)
 {
     const uint32_t lines = ph_draw_band(r, band, pixels);
-    const int32_t y0 = (int32_t)(band * (r->config.band_height >> r->fine)), y1 = y0 + (int32_t)lines;
     for (uint32_t dolly = 0; dolly < 2; dolly++) {
         demo_half_text(context, r, band, lines, pixels, dolly, 0, dolly ? "DOLLY" : "ZOOM");
-        if (y1 < demo_half_text_y(context, dolly, -2) || y0 > demo_half_text_y(context, dolly, -1) + PH_FONT_HEIGHT) {
+        if (!demo_text_reaches(r, band, lines, demo_half_text_y(context, dolly, -2)) &&
+            !demo_text_reaches(r, band, lines, demo_half_text_y(context, dolly, -1))) {
             continue; /* the angle takes many sines */
         }
         const struct shot shot = shot_at(context->frame, dolly);

@@ -116,13 +116,6 @@ static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *
     return rows->y1 - rows->y0 >= 2 && ph_other_core_is_free(r);
 }
 
-/* With two cores: where draw_rest stops to ask, or HELPED. */
-static PH_NOINLINE uint32_t asks_at(const struct ph_renderer *r, const struct ph_band *rows, uint32_t ref,
-                                    uint32_t stop)
-{
-    return is_helped(r, rows) ? HELPED : stop < ref + ASKS_REFS ? stop : ref + ASKS_REFS;
-}
-
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
  * for which there is something to do here; none at the end of the list. */
 static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
@@ -151,7 +144,11 @@ static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
     }
     const uint32_t after = t != NULL ? t->order + 1 : PH_NONE;
     const uint32_t stop = after < f->next_first ? after : f->next_first;
-    return r->config.other_core == NULL ? stop : asks_at(r, rows, ref, stop);
+    if (r->config.other_core == NULL) {
+        return stop;
+    }
+    const uint32_t asks = stop < ref + ASKS_REFS ? stop : ref + ASKS_REFS;
+    return is_helped(r, rows) ? HELPED : asks;
 }
 
 /* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
