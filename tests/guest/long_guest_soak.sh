@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # 10,000 frames of pinhole-panel in the virtual board: each one on the wire is pinhole-sim's, memory and descriptors stay
-# as they are. A fifth as many with --diff on, whose choice takes its time in a guest: the last one is.
+# as they are. Half as many with --diff on: the last one is.
 # shellcheck disable=SC2317,SC2015,SC2016 # functions are called by check; `A && B || { echo; return 1; }` says why it fails
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -8,11 +8,11 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/guest/panel_in_guest.sh
 guest_begin "pinhole-panel shows 10,000 frames"
 FRAMES=${FRAMES:-10000}
-changed=$((FRAMES / 5))
+changed=$((FRAMES / 2))
 make -s B="$B" all && guest_build || exit 1
 guest_out=$dir
 
-# While it runs, five times a second and without a process of its own: kB of its own memory (RssAnon; VmRSS would count the
+# While it runs, twenty times a second and without a process of its own: kB of its own memory (RssAnon; VmRSS would count the
 # pages of the program's file, too, which come in whenever a rare branch is first taken) and open descriptors.
 watch='
     . tests/guest/panel_in_guest.sh
@@ -24,7 +24,7 @@ watch='
     soak() { # name, argument...
         "$B/pinhole-panel" "${@:2}" >"$GUEST/$1.out" 2>"$GUEST/$1.err" 9<&- &
         pid=$!
-        while look $pid; do read -rt .2 -u 9; done >"$GUEST/$1.memory" 2>/dev/null
+        while look $pid; do read -rt .05 -u 9; done >"$GUEST/$1.memory" 2>/dev/null
         wait $pid
         echo $? >"$GUEST/$1.status"
     }

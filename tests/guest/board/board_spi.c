@@ -97,8 +97,11 @@ static int board_transfer(struct spi_controller *controller, struct spi_device *
         board_log("%llu note spi stall", board_now());
         wait_for_completion_timeout(&spi.go, msecs_to_jiffies(spi.stall_ms));
     }
-    if (spi.wire_time)
-        fsleep(div_u64(8000000ULL * transfer->len, transfer->effective_speed_hz) + 1);
+    if (spi.wire_time) { /* by a timer of high resolution: jiffies lag on a busy machine, and a sleep by them may end early */
+        unsigned long us = div_u64(8000000ULL * transfer->len, transfer->effective_speed_hz) + 1;
+
+        usleep_range(us, us + us / 8);
+    }
     answer(transfer);
     end = board_now();
     at_end = board_gpio_release(levels);
