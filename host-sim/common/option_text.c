@@ -90,13 +90,13 @@ static const char *const depth_names[PH_DEPTH_FORMATS] = {
 
 bool option_text_depth(const char *text, struct option_depth *out)
 {
-    char name[OPTION_DEPTH_NAME] = "";
+    char name[OPTION_DEPTH_NAME];
     const char *const end = strstr(text, "-e");
     const size_t n = end != NULL ? (size_t)(end - text) : strlen(text);
     if (n >= sizeof name || (end != NULL && (end[2] < '3' || end[2] > '6' || end[3] != '\0'))) {
         return false;
     }
-    memcpy(name, text, n);
+    snprintf(name, sizeof name, "%.*s", (int)n, text);
     const int format = option_text_choice(name, depth_names, PH_DEPTH_FORMATS);
     if (format < 0 || (end != NULL && format != PH_DEPTH_FLOAT16 && format != PH_DEPTH_FLOAT24)) {
         return false;

@@ -18,8 +18,14 @@
 /* Is this a line of --crc, as text or as JSON? */
 static bool is_crc_line(const char *line, unsigned *frame, unsigned *crc)
 {
-    return sscanf(line, "frame %u crc32 %8X", frame, crc) == 2 ||
-           sscanf(line, "{\"frame\": %u, \"crc32\": \"%8X\"}", frame, crc) == 2;
+    char number[11], digits[9];
+    if (sscanf(line, "frame %10[0-9] crc32 %8[0-9A-Fa-f]", number, digits) != 2 &&
+        sscanf(line, "{\"frame\": %10[0-9], \"crc32\": \"%8[0-9A-Fa-f]\"}", number, digits) != 2) {
+        return false;
+    }
+    *frame = (unsigned)strtoul(number, NULL, 10);
+    *crc = (unsigned)strtoul(digits, NULL, 16);
+    return true;
 }
 
 /* Reads `frame N crc32 XXXXXXXX` lines; others are passed over, but one must be there. A line that begins with a zero

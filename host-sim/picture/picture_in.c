@@ -115,7 +115,7 @@ const char *picture_in_file(struct picture_in *in, const char *path)
 {
     FILE *file = fopen(path, "rb");
     const long size = file != NULL && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    uint8_t *bytes = size >= 0 && size < 1l << 30 ? malloc((size_t)size + 1) : NULL;
+    uint8_t *bytes = size >= 0 && size < 1L << 30 ? malloc((size_t)size + 1) : NULL;
     const bool is_read =
         bytes != NULL && fseek(file, 0, SEEK_SET) == 0 && fread(bytes, 1, (size_t)size, file) == (size_t)size;
     const char *why = is_read ? picture_in_memory(in, bytes, (size_t)size) : "cannot be opened";

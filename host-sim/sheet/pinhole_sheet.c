@@ -64,8 +64,7 @@ static int make_paper(struct sheet *s)
     }
     if (width * height * scale * scale > FRAME_OUT_PIXELS_MAX) {
         return complain("the sheet would be %llux%llu, more than %u pixels: take fewer pictures, or smaller ones",
-                        (unsigned long long)(width * scale), (unsigned long long)(height * scale),
-                        FRAME_OUT_PIXELS_MAX);
+                        (unsigned long long)width * scale, (unsigned long long)height * scale, FRAME_OUT_PIXELS_MAX);
     }
     const size_t pixels = (size_t)(width * height);
     s->paper = (struct ppm){(uint32_t)width, (uint32_t)height, malloc(pixels * 3)};

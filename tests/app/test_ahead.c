@@ -59,6 +59,7 @@ static bool is(const bool *flag)
     return __atomic_load_n(flag, __ATOMIC_ACQUIRE);
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): the store changes it */
 static void set(bool *flag, bool value)
 {
     __atomic_store_n(flag, value, __ATOMIC_RELEASE);
@@ -231,7 +232,7 @@ static void it_is_with_any_delays_between_the_cores(void **state)
     const char *const given = getenv("AHEAD_SEEDS");
     when = THREAD;
     scenes = busy = helped = 0;
-    for (uint32_t seed = 0, seeds = given ? (uint32_t)atoi(given) : SEEDS; seed < seeds; seed++) {
+    for (uint32_t seed = 0, seeds = given ? (uint32_t)strtoul(given, NULL, 10) : SEEDS; seed < seeds; seed++) {
         chance = seed;
         compare("pico-display", AHEAD_BYTES);
     }

@@ -189,27 +189,27 @@ void snake_way_begin(struct snake_way *w)
     w->frame = w->frame_before = UINT32_MAX;
 }
 
-void snake_steer(struct snake_way *s, uint32_t frame, uint32_t buttons)
+void snake_steer(struct snake_way *w, uint32_t frame, uint32_t buttons)
 {
-    if (frame == s->frame) {
-        s->steering = s->before;
+    if (frame == w->frame) {
+        w->steering = w->before;
     } else {
-        s->before = s->steering;
-        s->frame_before = s->frame;
-        s->buttons_before = s->buttons;
+        w->before = w->steering;
+        w->frame_before = w->frame;
+        w->buttons_before = w->buttons;
     }
-    const uint32_t passed = frame - s->frame_before;
-    const uint32_t pressed = buttons & ~s->buttons_before & (HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT);
-    s->frame = frame;
-    s->buttons = buttons;
-    for (uint32_t i = 0; s->steering.on && i < (passed <= CELL_FRAMES ? passed : 1); i++) {
-        steer_on(&s->steering);
+    const uint32_t passed = frame - w->frame_before;
+    const uint32_t pressed = buttons & ~w->buttons_before & (HAL_BUTTON_LEFT | HAL_BUTTON_RIGHT);
+    w->frame = frame;
+    w->buttons = buttons;
+    for (uint32_t i = 0; w->steering.on && i < (passed <= CELL_FRAMES ? passed : 1); i++) {
+        steer_on(&w->steering);
     }
     if (pressed == HAL_BUTTON_LEFT || pressed == HAL_BUTTON_RIGHT) {
         const int8_t turn = pressed == HAL_BUTTON_LEFT ? 1 : -1;
-        s->steering.turn = turn;
-        if (!s->steering.on) {
-            leave_path(&s->steering, frame, turn);
+        w->steering.turn = turn;
+        if (!w->steering.on) {
+            leave_path(&w->steering, frame, turn);
         }
     }
 }

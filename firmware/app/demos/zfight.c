@@ -46,7 +46,7 @@ static struct layout layout_of(const struct demo_context *context)
 {
     const fx_t tan_30 = 37837;
     const int32_t w = context->width / 2 + 1, h = context->height, smaller = w < h ? w : h;
-    struct layout best = {0};
+    struct layout best = {.columns = 1, .rows = PAIRS};
     for (int32_t columns = 1; columns <= PAIRS / 2; columns++) {
         struct layout l = {.columns = columns, .rows = PAIRS / columns};
         l.step_x = (fx_t)(fx_mul_wide(tan_30, 2 * w) / (smaller * l.columns));

@@ -217,6 +217,7 @@ static void blur_share(void *argument)
     }
 }
 
+/* NOLINTNEXTLINE(readability-non-const-parameter): the pixels are written through the struct */
 static void blur_lines(const struct ph_blur *b, const struct ph_renderer *r, uint16_t *pixels, uint32_t y0,
                        uint32_t count, bool across)
 {

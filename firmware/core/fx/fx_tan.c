@@ -77,6 +77,7 @@ int32_t fx_cot_half_q20(fx_t deg)
     const bool over_right = d > straight / 2;
     const uint32_t e = over_right ? straight - d : d;
     const int shift = fx_clz32(e); /* 9 or more */
+    /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): e > 0 */
     const uint32_t m = e << shift;
     const uint32_t square = fx_mulhi_u32(fx_mulhi_u32(m, m), 2679443161); /* y^2 in 2^-(13 + 2 shift) */
     const uint32_t z = shift < 10 ? square << 1 : shift < 26 ? square >> (2 * shift - 19) : 0;

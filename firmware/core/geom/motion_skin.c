@@ -54,11 +54,10 @@ struct mean {
 
 static void set_mean(struct mean *mean, const struct ph_xform *matrices, const struct ph_influence *in)
 {
-    const struct ph_xform *const one = !in                                  ? matrices
-                                       : in->weights[0] == PH_INFLUENCE_ONE ? &matrices[in->joints[0]]
-                                                                            : NULL;
+    const bool is_mean = in && in->weights[0] != PH_INFLUENCE_ONE;
+    const struct ph_xform *const one = in && !is_mean ? &matrices[in->joints[0]] : matrices;
     for (int i = 0; i < 3; i++) {
-        const struct row row = one ? row_of(one, i) : mean_row(matrices, in, i);
+        const struct row row = is_mean ? mean_row(matrices, in, i) : row_of(one, i);
         const int32_t elements[3] = {row.x, row.y, row.z};
         for (int k = 0; k < 3; k++) {
             mean->rows[i].high[k] = elements[k] >> 18;

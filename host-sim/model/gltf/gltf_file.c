@@ -187,7 +187,8 @@ static struct gltf_span read_buffer(struct gltf_file *file, uint32_t i)
         return none();
     }
     if (file->buffers[i].bytes == NULL) {
-        file->buffers[i] = cJSON_IsString(uri) ? gltf_file_uri(file, uri->valuestring) : i == 0 ? file->glb : none();
+        const char *const text = cJSON_GetStringValue(uri);
+        file->buffers[i] = text != NULL ? gltf_file_uri(file, text) : i == 0 ? file->glb : none();
     }
     if (file->buffers[i].bytes == NULL || file->buffers[i].n < length) {
         gltf_file_failed(file, "buffer %u has %zu bytes of %u", i, file->buffers[i].n, length);

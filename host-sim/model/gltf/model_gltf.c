@@ -197,6 +197,7 @@ static uint32_t weld(struct welder *w, const struct vertex *v)
             w->vertices[w->count] = *v;
             *slot = ++w->count;
         }
+        /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c): the same bits are meant */
         if (memcmp(&w->vertices[*slot - 1], v, sizeof *v) == 0) {
             return *slot - 1;
         }

@@ -183,6 +183,7 @@ static void read_glow(struct model_shared *shared, struct gltf_file *file, const
     free(from.picture.alpha); /* it means nothing there */
     from.picture.alpha = NULL;
     const bool has_texture = to->picture.picture.rgb != NULL;
+    /* NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c): the same bits are meant */
     if (has_texture && (other.set != uv->set || memcmp(other.m, uv->m, sizeof other.m) != 0 ||
                         memcmp(from.wrap, to->wrap, sizeof from.wrap) != 0)) {
         model_shared_note(shared, "emissive textures with coordinates of their own are ignored");
