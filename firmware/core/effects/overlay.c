@@ -38,28 +38,32 @@ static __attribute__((noinline)) void draw_bits(uint16_t *to, int32_t width, uin
     } while (bits != 0);
 }
 
-/* Draws pixels below each other from y on, where bits are set, from bit 0 on. */
-static void draw_column(const struct ph_overlay_band *band, int32_t x, int32_t y, uint32_t bits, uint16_t colour)
+/* Draws a rectangle, as far as it lies in the band. */
+static void draw_rectangle(const struct ph_overlay_band *band, int32_t x, int32_t y, int32_t width, int32_t height,
+                           uint16_t colour)
 {
-    const int32_t above = band->y0 - y, hidden = above > 0 ? above : 0, below = band->y0 + band->lines - y;
-    if (x < 0 || x >= band->width || hidden > 31 || below <= 0) {
-        return;
-    }
-    bits = (below < 32 ? bits & (((uint32_t)1 << below) - 1) : bits) >> hidden;
-    if (bits != 0) {
-        draw_bits(band->pixels + (hidden - above) * band->width + x, band->width, bits, bits, colour, colour);
+    const int32_t pitch = band->width, x0 = x < 0 ? 0 : x, x1 = x + width < pitch ? x + width : pitch;
+    const int32_t y0 = y < band->y0 ? 0 : y - band->y0;
+    const int32_t y1 = y + height - band->y0 < band->lines ? y + height - band->y0 : band->lines;
+    for (int32_t line = y0; line < y1; line++) {
+        uint16_t *const row = band->pixels + line * pitch;
+        for (int32_t i = x0; i < x1; i++) {
+            row[i] = colour;
+        }
     }
 }
 
-/* Draws a letter of which each pixel is a square. */
+/* Draws a letter of which each pixel is a square, by runs of pixels below each other. */
 static __attribute__((noinline)) void draw_squares(const struct ph_overlay_band *band, int32_t x, int32_t y,
                                                    const uint8_t *glyph, int32_t scale, int32_t more, uint16_t colour)
 {
-    const uint32_t square = ((uint32_t)1 << (scale + 2 * more)) - 1;
-    for (int32_t column = 0; column < 5; column++) {
-        for (int32_t row = 0; row < 8; row++) {
-            for (int32_t i = -more; i < scale + more && (glyph[column] >> row & 1) != 0; i++) {
-                draw_column(band, x + column * scale + i, y + row * scale - more, square, colour);
+    for (int32_t column = 0; column < 5; column++, x += scale) {
+        for (int32_t row = 0, end; glyph[column] >> row != 0; row = end) {
+            for (end = row + 1; (glyph[column] >> row & glyph[column] >> end & 1) != 0; end++) {
+            }
+            if ((glyph[column] >> row & 1) != 0) {
+                draw_rectangle(band, x - more, y + row * scale - more, scale + 2 * more, (end - row) * scale + 2 * more,
+                               colour);
             }
         }
     }
@@ -105,12 +109,17 @@ static void draw_letter(const struct ph_overlay_band *band, int32_t x, int32_t y
     }
 }
 
+/* Whether a text at y, with its outline, may reach the band. */
+static bool reaches(const struct ph_overlay_band *band, int32_t y, int32_t scale)
+{
+    return y - 1 < band->y0 + band->lines && y + 8 * scale + 1 > band->y0;
+}
+
 void ph_overlay_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const char *text,
                      const struct ph_overlay_style *style)
 {
     const int32_t scale = style->scale < 1 ? 1 : style->scale > 8 ? 8 : style->scale;
-    if (x < -32768 || x > 32767 || y < -32768 || y > 32767 || y - 1 >= band->y0 + band->lines ||
-        y + 7 * scale + 1 <= band->y0) {
+    if (x < -32768 || x > 32767 || y < -32768 || y > 32767 || !reaches(band, y, scale)) {
         return;
     }
     const struct ink ink = {style->colour, style->outline, true};
@@ -186,7 +195,7 @@ void ph_text(const struct ph_overlay_band *band, int32_t x, int32_t y, const cha
              const struct ph_overlay_style *style)
 {
     const int32_t scale = scale_of(style->scale);
-    if (x < -32768 || x > 32767 || y < -32768 || y > 32767) {
+    if (x < -32768 || x > 32767 || y < -32768 || y > 32767 || !reaches(band, y, scale)) {
         return;
     }
     const struct ink ink = {style->colour, style->outline, style->outline != style->colour};

@@ -129,9 +129,11 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
 
 fx_t ph_fov_of(fx_t height, fx_t distance)
 {
-    /* Twice the angle of (2 distance, height), by bisection over half a turn; the 16 bits of fx_atan2 are too few. */
-    uint32_t low = 0, high = (uint32_t)1 << 31;
-    for (int i = 0; i < 31; i++) {
+    /* Twice the angle of (2 distance, height). The 16 bits of fx_atan2 are too few: bisection finds the others. */
+    const bool doubles = distance <= FX_MAX / 2;
+    const fx_t near = fx_atan2(doubles ? height : height / 2, doubles ? 2 * distance : distance);
+    uint32_t low = near > 1 ? (uint32_t)(near - 1) << 16 : 0, high = near >= 0 ? (uint32_t)(near + 1) << 16 : 1;
+    while (high - low > 1) {
         const uint32_t middle = low + (high - low) / 2;
         int32_t s, c;
         fx_sincos_q30(middle, &s, &c);
