@@ -92,8 +92,8 @@ enum ph_blend_kind {
  * colours textures: draw a mesh with its texture, then the same mesh again, UNLIT or GOURAUD, with PH_BLEND_TIMES and
  * colours for its vertices, or in coloured light. Both have the same depth at each pixel. The key is looked for in the
  * nearest texel, without light; alphas have their own filter. The renderer takes 6 to 32 bytes for each column of the
- * picture from the triangle budget in a frame that has some; without room, or with draw = NULL, their triangles are
- * left out.
+ * picture, and a byte for each row, from the triangle budget in a frame that has some; without room, or with draw =
+ * NULL, their triangles are left out.
  */
 struct ph_blend {
     void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: it is linked if used */
@@ -282,7 +282,7 @@ struct ph_config {
 
     /* Antialiasing, optional: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is the mean of 2 x
      * 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands make up for the
-     * memory. A band without anything in it leaves samples and depth as they were. */
+     * memory. A band without anything in it leaves the samples as they were. */
     uint16_t *samples;
 };
 
@@ -356,7 +356,7 @@ struct ph_renderer {
     bool is_shown; /* config.shown holds what the display shows */
     void (*after)(struct ph_renderer *r, const struct ph_band *band); /* draws what comes after the opaque; or NULL */
     uint32_t rows_place, rows; /* rows of pixels that blended triangles are drawn into */
-    void (*fog)(struct ph_renderer *r, const struct ph_band *band); /* or NULL */
+    void (*fog)(void *share);  /* fogs the rows of a struct ph_share; or NULL */
     struct ph_fog fog_of;
     uint32_t fog_codes[32]; /* the depth code at which fog gets its share 1/32, 2/32 .. of the colour */
 };

@@ -5,8 +5,8 @@
 #   library=BYTES      counted for each call of a function without a graph (libgcc, libc)
 #
 # rule(a, b) says what a call through a pointer may reach: from functions that match a, all functions that match b.
-# Both are regular expressions over FILE:FUNCTION. `ops` are the operations of struct hal_ops in backends; hal/panel
-# calls backends and is none, whatever its functions are named.
+# Both are regular expressions over FILE:FUNCTION. rule(a, b, c): from functions that match a and not c. `ops` are the
+# operations of struct hal_ops in backends; hal/panel calls backends and is none, whatever its functions are named.
 
 BEGIN {
     demos = "firmware/app/demos/[a-z]*\\.c:"
@@ -23,20 +23,20 @@ BEGIN {
     rule("firmware/app/depthlab/[a-z_]*\\.c:", "firmware/app/images/[a-z]*\\.c:[a-z_]*put[a-z_]*$")
     rule("firmware/app/images/[a-z]*\\.c:", ops)
     rule("^(/|\\.|[^/]*:)", ops) # a program of one's own: APP=FILE.c
-    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|fog_share|blend_share|set_up_fresh|draw_share|blur_share)(\\..*)?$"
-    rule("firmware/core/(render/(bands\\.c:|cores\\.c:|mesh\\.c:|skin\\.c:|transform\\.c:|fog\\.c:fog_band|blended\\.c:ph_draw_blended)|effects/blur\\.c:)", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$")
-    rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared)
+    shared = "firmware/core/(render|effects)/[a-z]*\\.c:(transform_part|cull_share|light_share|fog_share|set_up_fresh|draw_share|blur_share)(\\..*)?$"
+    rule("firmware/core/(render/(bands\\.c:|cores\\.c:|mesh\\.c:|skin\\.c:|transform\\.c:)|effects/blur\\.c:)", "hal/[a-z0-9]+/[a-z0-9_/]*\\.c:port_core_(run|join)$", shared)
+    rule("firmware/core/(render|effects)/[a-z]*\\.c:", shared, shared)
     rule("hal/[a-z0-9]+/[a-z0-9_/]*\\.c:", shared)
     each = "firmware/core/render/mesh\\.c:each_share(\\..*)?$" # core 0 takes it only while the runner waits for a scene
     rule("firmware/app/runner\\.c:", each)
     rule("firmware/core/render/mesh\\.c:", each)
     rule("hal/[a-z0-9]+/cores2\\.c:serve$", "firmware/app/runner\\.c:make_ahead$")
     rule("hal/[a-z0-9]+/cores2\\.c:serve$", each)
-    rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$")
-    rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_band$")
+    rule("firmware/core/render/bands\\.c:", "firmware/core/render/blended\\.c:ph_draw_blended$", shared)
+    rule("firmware/core/render/b[a-z]*\\.c:", "firmware/core/render/fog\\.c:fog_share$")
     rule("firmware/core/render/show\\.c:", "[:_]flush$") # the callback of ph_show: name it so, or ..._flush
 }
-function rule(a, b) { from[rules] = a; to[rules] = b; rules++ }
+function rule(a, b, c) { from[rules] = a; to[rules] = b; but[rules] = c; rules++ }
 function after(key) { match($0, key ": \"[^\"]*\""); return substr($0, RSTART + length(key) + 3, RLENGTH - length(key) - 4) }
 function depth(f,    i, n, callee, d, deepest) {
     if (f in known) { return known[f] }
@@ -71,7 +71,7 @@ END {
     for (f in pointers) {
         ruled = 0
         for (r = 0; r < rules; r++) {
-            if (place[f] !~ from[r]) { continue }
+            if (place[f] !~ from[r] || (but[r] != "" && place[f] ~ but[r])) { continue }
             ruled = 1
             for (g in frame) { if (place[g] ~ to[r] && !(to[r] == ops && place[g] ~ /^hal\/panel\//)) { calls[f] = calls[f] g "\n" } }
         }

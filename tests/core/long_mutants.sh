@@ -38,14 +38,15 @@ the last of equal 24-bit depths wins     | render/span.h    | s/code <= \*depth/
 the last of equal depths wins            | render/span.h    | s/code > \*depth/code >= *depth/                     | test_raster
 the last of equal texels wins            | kernels/portable/texel_row_plain.h | s/ph_nearer16(depth, d)/(ph_nearer16(depth, d) + (*depth == d >> 16))/ | test_texture
 the last of equal lit texels wins        | render/span.h    | /ph_nearer16/,/^}/ s/code <= /code < /               | test_texture
-triangles not carried to the next band   | render/bands.c   | s/y_bottom <= rows->y1)/y_bottom <= rows->y1 + 1)/   | test_raster
+triangles not carried to the next band   | render/bands.c   | s/(t->y_bottom <= y1)/(t->y_bottom <= y1 + 1)/       | test_raster
 a carried triangle begins where it did   | render/raster.c  | s/t->y_top = (int16_t)y1;//                          | test_cores
-triangles not carried by two cores       | render/bands.c   | s/y_bottom <= y1)/y_bottom <= y1 + 1)/               | test_cores
+triangles not carried by two cores       | render/bands.c   | s/(list->y_bottom <= y1)/(list->y_bottom <= y1 + 1)/ | test_cores
 triangles drawn in reverse               | render/list.h    | s/return r->list.top - 1 - n;/return r->list.to + n;/ | test_raster
 depth not cleared                        | render/bands.c   | s/ph_fill(rows->depth.*//                            | test_raster
 no clamp at the left border              | render/edge.h    | s/ph_max((int32_t)left >> 16, 0)/((int32_t)left >> 16)/ | test_raster
 no clamp of texels at the left border    | kernels/texture_tile.h | s/left > 0 ? left : 0/left/                | test_texture
 one triangle over the budget             | render/list.c    | s/most : r->config.triangle_max/most : r->config.triangle_max + 1/ | test_frame
+blended rows counted by another length   | render/blended.c | s,/ stride + 1,/ n + 1,                              | test_blended
 dropped triangles not counted            | render/list.h    | s/r->stats.triangles_dropped++;//                    | test_frame
 light of the first corner everywhere     | render/planes.c  | s/light\[1\] - light\[0\]/0/                          | test_frame
 a small triangle's edge depends on it    | kernels/portable/setup_small.c | s/set_edge(o.top, o.low, o.row_top, &long_edge);/& long_edge.x += 128;/ | test_quality
@@ -63,7 +64,7 @@ a map two levels too small               | render/texel_map.h | s/17 - fx_clz32/
 texture slope left out                   | render/tile_surface.c | s/way->step = .*/way->step = 0;/                      | test_texture
 ambient light lost                       | render/light.c   | s/diffuse = local->ambient/diffuse = 0/              | test_light
 attenuation lost                         | render/light.c   | s/(int32_t)(reciprocal >> (32 - shift))/16384/       | test_light
-highlight to another power               | render/light.c   | s/k < local->shininess_log2/k + 1 < local->shininess_log2/ | test_light
+highlight to another power               | render/light.c   | s/k = local->shininess_log2; k > 0/k = local->shininess_log2; k > 1/ | test_light
 light of another part kept               | render/mesh.c    | s/(uint8_t)~PH_LIT;/0xff;/                           | test_frame
 depth bias ignored                       | render/planes.h  | s/return material->depth_bias < 56 .*;/return 0;/               | test_frame
 steep triangles flattened                | render/setup.c   | s/ph_set_exact(r, t, v, sides);//                    | test_depth_slopes

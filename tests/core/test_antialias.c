@@ -201,6 +201,7 @@ static void short_triangles_have_the_light_between_their_corners(void **state)
             p[k][1] = ref_uniform(8, 39.9);
             shares[k] = ref_uniform(0, 1);
         }
+        memset(s.samples, 0, sizeof s.samples); /* columns without a triangle keep an earlier frame's */
         draw_lit(&s, (const double(*)[2])p, shares);
         for (int k = 0; fabs(side(p[0], p[1], p[2][0], p[2][1])) > 4 && k < 4 * W * H; k++) {
             if (s.samples[k] != 0) {
@@ -274,6 +275,24 @@ static void bands_do_not_change_it(void **state)
     }
 }
 
+/* A blur reads the depth of all bands. */
+static void an_empty_band_has_no_depth(void **state)
+{
+    (void)state;
+    static struct stage s;
+    const double p[3][2] = {{3, 2}, {60.3, 17.7}, {21.9, 46.1}};
+    uint32_t codes = 0;
+    open_stage(&s, 5, true);
+    draw_triangle(&s, p);
+    memset(s.depth, 0x55, sizeof s.depth);
+    begin(&s, NULL);
+    finish(&s);
+    for (uint32_t i = 0; i < 4 * W * 5 / 2; i++) { /* two codes in a word */
+        codes |= s.depth[i];
+    }
+    assert_int_equal(codes, 0);
+}
+
 static void pictures_over_512_pixels_are_refused(void **state)
 {
     (void)state;
@@ -303,6 +322,7 @@ int main(void)
         cmocka_unit_test(lines_keep_their_width),
         cmocka_unit_test(a_line_lies_where_it_runs),
         cmocka_unit_test(bands_do_not_change_it),
+        cmocka_unit_test(an_empty_band_has_no_depth),
         cmocka_unit_test(pictures_over_512_pixels_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

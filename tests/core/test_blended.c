@@ -524,6 +524,62 @@ static void convex_mesh_is_blended_from_its_far_side_to_its_near_side(void **sta
     rig_close(&rig);
 }
 
+/* A quad of any size, anywhere, also beyond the picture. */
+static void scatter(struct quad *q, const struct ph_blend *blend)
+{
+    const double distance = ref_uniform(2, 12), size = distance * exp(ref_uniform(-4, .5));
+    for (int k = 0; k < 3; k++) {
+        q->u[k] = size * ref_uniform(-1, 1);
+        q->v[k] = size * ref_uniform(-1, 1);
+        q->o[k] = k == 2 ? -distance : ref_uniform(-.9, .9) * distance;
+    }
+    q->blend = blend;
+    q->two_sided = true;
+    q->textured = ref_uniform(0, 1) < .5;
+    q->coloured = !q->textured && ref_uniform(0, 1) < .5;
+    q->colour = any_colour();
+    for (int i = 0; i < 4; i++) {
+        q->corners[i] = any_colour();
+    }
+}
+
+/* Blended triangles are drawn in the same way whether all of one fits into the memory for its rows or one row does. */
+static void the_memory_for_rows_changes_no_byte(void **state)
+{
+    (void)state;
+    static struct scene s;
+    static struct ph_blend blends[PH_BLEND_ADD + 1];
+    static const int bands[3] = {H, 16, 5}, triangles[3] = {4096, 1200, 60};
+    uint32_t rows_seen = 0;
+    for (int round = 0; round < 600; round++) {
+        struct rig rig[3];
+        begin(&s, round);
+        s.count = QUADS;
+        s.fogged = ref_uniform(0, 1) < .4;
+        s.fog_start = 2;
+        s.fog_end = 10;
+        for (int i = 1; i < QUADS; i++) {
+            const int kind = (int)ref_uniform(0, PH_BLEND_ADD + .999);
+            blends[kind] =
+                (struct ph_blend){.draw = ph_draw_blended, .kind = (uint8_t)kind, .alpha = 20, .key = wire(0xf81f)};
+            blends[kind].alphas = kind != PH_BLEND_KEY && ref_uniform(0, 1) < .5 ? &s.alpha_texture : NULL;
+            scatter(&s.quads[i], &blends[kind]);
+        }
+        for (int i = 0; i < 3; i++) {
+            rig_open(&rig[i], W, H, bands[i], (enum ph_depth_format)(round % (PH_DEPTH_LINEAR_W + 1)), 64,
+                     triangles[i]);
+            draw(&s, &rig[i]);
+            rows_seen |= 1u << rig[i].r.rows;
+            assert_memory_equal(rig[i].pixels, rig[0].pixels, W * H * sizeof(uint16_t));
+            assert_memory_equal(rig[i].depth, rig[0].depth, W * H * sizeof(uint32_t));
+        }
+        for (int i = 0; i < 3; i++) {
+            rig_close(&rig[i]);
+        }
+    }
+    assert_int_equal(rows_seen, 1 << 1 | 1 << 2 | 1 << 4);
+}
+
 /* Without room for its rows a blended triangle is left out and counted; all else is drawn. */
 static void without_room_it_is_left_out_and_counted(void **state)
 {
@@ -592,6 +648,7 @@ int main(void)
         cmocka_unit_test(corners_give_their_colours),
         cmocka_unit_test(colours_of_corners_multiply_textures),
         cmocka_unit_test(convex_mesh_is_blended_from_its_far_side_to_its_near_side),
+        cmocka_unit_test(the_memory_for_rows_changes_no_byte),
         cmocka_unit_test(without_room_it_is_left_out_and_counted),
         cmocka_unit_test(without_its_function_it_is_left_out_and_counted),
     };

@@ -30,7 +30,7 @@ static int32_t random_in(int32_t from, int32_t to)
 }
 
 /* A quad around the axis, larger than the picture or not; it faces the camera, or leans. */
-static void add_quad(uint16_t i)
+static void add_quad(uint32_t i)
 {
     const fx_t z = -random_in(FX_INT(2), FX_INT(12)), lean = i % 3 == 0 ? random_in(-FX_ONE, FX_ONE) : 0;
     const fx_t x = random_in(FX_ONE, FX_INT(16)), y = random_in(FX_HALF, FX_INT(6));
@@ -43,7 +43,7 @@ static void add_quad(uint16_t i)
     }
 }
 
-static void add_small(uint16_t i)
+static void add_small(uint32_t i)
 {
     const uint16_t first = (uint16_t)(4 * QUADS + 3 * i);
     const fx_t z = -random_in(FX_INT(2), FX_INT(12)), x = random_in(-FX_INT(6), FX_INT(6)),
@@ -58,14 +58,14 @@ static void add_small(uint16_t i)
 
 static void make_scene(void)
 {
-    for (uint16_t i = 0; i < QUADS; i++) {
+    for (uint32_t i = 0; i < QUADS; i++) {
         add_quad(i);
     }
-    for (uint16_t i = 0; i < SMALL; i++) {
+    for (uint32_t i = 0; i < SMALL; i++) {
         add_small(i);
     }
-    for (uint16_t i = 0; i < FACES; i++) {
-        parts[i] = (struct ph_part){.first = i, .count = 1, .material = i};
+    for (uint32_t i = 0; i < FACES; i++) {
+        parts[i] = (struct ph_part){.first = i, .count = 1, .material = (uint16_t)i};
         materials[i] = (struct ph_material){.shading = random_in(0, 2) == 0 ? PH_SHADE_UNLIT : PH_SHADE_GOURAUD,
                                             .colour = (uint16_t)(i + 1),
                                             .ambient = FX_ONE / 4,
@@ -141,7 +141,7 @@ static uint32_t drawn_behind(struct ph_triangle t)
     static const struct ph_material none;
     static uint16_t pixels[16 * WIDTH], codes[16 * WIDTH];
     struct ph_coarse coarse = {.count = 0};
-    const struct ph_band band = {pixels, codes, false, 0, 16, WIDTH, &coarse};
+    const struct ph_band band = {pixels, codes, false, WIDTH, 0, 16, WIDTH, &coarse};
     struct ph_triangle left = wall(-5, 100, 0, 1 << 16, 2000u << 16), right = wall(100, 330, 1 << 16, 0, 1990u << 16);
     left.material = right.material = t.material = &none;
     memset(codes, 0, sizeof codes);

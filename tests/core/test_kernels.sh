@@ -109,6 +109,7 @@ long "a_blend_of_what_is_hidden_for_armv7m_is_seen" change_is_seen armv7m span_b
 long "a_hidden_pixel_of_a_line_for_armv6m_is_seen" change_is_seen armv6m line_pixels 's/bls 1f/blo 1f/'
 long "a_sample_counted_twice_for_armv6m_is_seen" change_is_seen armv6m halve 's/cmp r4, r6/cmp r4, r4/'
 long "a_hidden_pair_of_samples_drawn_for_armv7m_is_seen" change_is_seen armv7m fine_gouraud 's/orrs r0, r1/movs r0, r0/'
+long "the_second_row_of_a_pixel_forgotten_for_armv7m_is_seen" change_is_seen armv7m fine_gouraud 's/add r10, r3, r2, lsl #31/mov r10, r3/'
 long "a_fourth_pixel_of_two_colours_for_armv7m_is_seen" change_is_seen armv7m halve 's/cmpeq r7, r7, ror #16/cmpeq r7, r7/'
 short "a_texel_beside_for_armv7m_is_seen" change_is_seen armv7m texture_tile 's/r6, r10, r11, r0, r1$/r10, r6, r11, r0, r1/'
 long "a_lower_edge_on_the_wrong_side_for_armv6m_is_seen" change_is_seen armv6m texture_small 's/^    bne 3f/    beq 3f/'
@@ -133,6 +134,12 @@ long "a_hidden_pixel_drawn_for_rv32_is_seen" change_is_seen rv32 span_flat 's/bg
 long "a_lost_edge_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/bnez t0, 1f/beqz t0, 1f/' 'small_gouraud small_knee'
 long "a_row_that_is_not_cut_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/srli s10, a3, 1/srli s10, a3, 2/' wide_gouraud
 long "a_knee_forgotten_for_rv32_is_seen" change_is_seen rv32 small_gouraud 's/add t1, t1, t3/nop/' small_knee
+long "a_hidden_sample_drawn_for_rv32_is_seen" change_is_seen rv32 fine_gouraud 's/bgeu t0, .code, 1f/bgtu t0, \\code, 1f/'
+long "a_taken_pixel_drawn_over_for_rv32_is_seen" change_is_seen rv32 fine_gouraud 's/bnez t0, samples_/bltz t0, samples_/'
+long "a_pixel_drawn_twice_in_a_long_row_for_rv32_is_seen" change_is_seen rv32 fine_gouraud 's/addi t2, t5, -64/addi t2, t5, -60/'
+long "light_of_another_pixel_row_for_rv32_is_seen" change_is_seen rv32 fine_gouraud 's/xor s3, s3, s10/nop/'
+long "a_sample_counted_twice_for_rv32_is_seen" change_is_seen rv32 halve 's/turn t3, t1/mv t3, t1/'
+long "a_pixel_of_two_colours_for_rv32_is_seen" change_is_seen rv32 halve 's/bne t0, t2, mean_/bne t0, t0, mean_/'
 long "a_texel_beside_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/ori t4, t0, 1$/ori t4, t0, 3/'
 long "a_texture_that_is_not_clamped_for_rv32_is_seen" change_is_seen rv32 texture_tile 's/bnez t4, clamped/bltz t4, inside/'
 short "a_bend_lost_for_rv32_is_seen" change_is_seen rv32 texture_small 's/slli s10, s10, 2/slli s10, s10, 1/'
@@ -145,7 +152,11 @@ long "a_clip_plane_forgotten_for_rv32_is_seen" change_is_seen rv32 cull 's/andi 
 if [ "$(uname -m)" = x86_64 ]; then
     short "the_loops_for_x86_64_leave_what_the_portable_ones_leave" same_vector_loops
     short "a_hidden_pixel_drawn_for_x86_64_is_seen" vector_change_is_seen pixels8.h 's/_mm_andnot_si128(hidden, /_mm_or_si128(hidden, /'
-    long "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/if (beyond > 0)/if (beyond > 1)/'
+    long "a_last_pixel_lost_for_x86_64_is_seen" vector_change_is_seen gouraud8.h 's/switch (n & 7)/switch (n \& 3)/'
+    long "a_hidden_sample_drawn_for_x86_64_is_seen" vector_change_is_seen fine_gouraud.c 's/_mm_andnot_si128(hidden, change)/change/'
+    long "light_of_another_pixel_row_for_x86_64_is_seen" vector_change_is_seen fine_gouraud.c 's|(small->light & 1) == 0|(small->light \& 1) != 0|'
+    long "half_the_green_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/_mm_slli_epi16(green, 13)/_mm_setzero_si128()/'
+    long "a_sample_left_out_of_a_mean_for_x86_64_is_seen" vector_change_is_seen halve.c 's/lower + 2 \* at/lower + at/'
     long "a_texel_beside_for_x86_64_is_seen" vector_change_is_seen texels2.h 's/((uint64_t)1 << 26 | 1)/((uint64_t)1 << 27 | 1)/'
     long "a_bend_lost_for_x86_64_is_seen" vector_change_is_seen texels2_row.h 's/{2 \* bend, 0}/{0, 0}/'
     long "a_knee_forgotten_for_x86_64_is_seen" vector_change_is_seen texture_small.c 's/d < knee ? 2 \* gd : gd/gd/'

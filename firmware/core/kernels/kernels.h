@@ -105,7 +105,7 @@ uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, 
 
 /* fine_gouraud.c: the same for PH_KIND_SMALL_FINE, whose light is as light_pixels of setup.c leaves it. Rows of depth
  * and of pixels begin at whole words. */
-uint32_t ph_fine_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
+uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes);
 
 /* small_knee.c: the same for PH_KIND_SMALL_KNEE. */

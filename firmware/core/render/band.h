@@ -12,6 +12,7 @@ struct ph_band {
     uint16_t *pixels; /* of row y0 */
     void *depth;      /* of row y0: uint32_t if depth24, else uint16_t */
     bool depth24;     /* depth codes have 24 bits */
+    uint16_t stride;  /* pixels from row to row */
     int32_t y0, y1, width;
     struct ph_coarse *coarse; /* of these rows; NULL: none is kept */
 };
@@ -28,14 +29,14 @@ static inline uint32_t ph_draw_fresh(const struct ph_triangle *t, const struct p
     if (t->kind != PH_KIND_SMALL || t->y_top < band->y0) {
         return ph_draw_triangle(t, band);
     }
-    const uint32_t width = (uint32_t)band->width, first = (uint32_t)(t->y_top - band->y0) * width;
-    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + first, band->pixels + first, 2 * width);
+    const uint32_t stride = band->stride, first = (uint32_t)(t->y_top - band->y0) * stride;
+    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + first, band->pixels + first, 2 * stride);
 }
 
 /* The same for one that was carried on to this band, where a small one stands at the first row. */
 static inline uint32_t ph_draw_end(const struct ph_triangle *t, const struct ph_band *band)
 {
-    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->width)
+    return t->kind == PH_KIND_SMALL ? ph_small_gouraud(&t->small, band->depth, band->pixels, 2 * (uint32_t)band->stride)
                                     : ph_draw_triangle(t, band);
 }
 
@@ -49,6 +50,17 @@ uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band);
 static inline void *ph_depth_from(void *depth, uint32_t n, bool depth24)
 {
     return depth24 ? (void *)((uint32_t *)depth + n) : (void *)((uint16_t *)depth + n);
+}
+
+/* Leaves the first rows of a band, and returns the others. */
+static inline struct ph_band ph_cut_lower(struct ph_band *band, int32_t rows)
+{
+    struct ph_band lower = *band;
+    band->y1 = lower.y0 = band->y0 + rows;
+    const uint32_t above = (uint32_t)rows * band->stride;
+    lower.pixels += above;
+    lower.depth = ph_depth_from(band->depth, above, band->depth24);
+    return lower;
 }
 
 /* The rows of the upper (0) or lower (1) half of a triangle that lie in the band. False if there are none; then only y

@@ -17,7 +17,7 @@
 #define ASKS_REFS 16 /* after so many references one core asks whether the other is free */
 #define HELPED    0  /* in place of a reference: the other core is free */
 #define SPARES    8
-#define CHUNK     24 /* triangles that two cores set up at a time, most */
+#define CHUNK     32 /* triangles that two cores set up at a time, most */
 
 /* ---- set-up ----------------------------------------------------------------------------------------------------- */
 
@@ -85,12 +85,19 @@ static inline void free_slot(struct ph_renderer *r, struct ph_triangle *t)
 
 /* ---- drawing ---------------------------------------------------------------------------------------------------- */
 
-/* Clears the rows of a band. */
-static void clear(const struct ph_band *rows, uint16_t background)
+static void clear_depth(const struct ph_band *rows)
 {
     const uint32_t area = (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width;
-    ph_fill(rows->pixels, background, area);
     ph_fill(rows->depth, 0, rows->depth24 ? 2 * area : area);
+}
+
+/* Clears the rows of a band; of samples only depth, see ph_fine_clear. */
+static void clear(const struct ph_renderer *r, const struct ph_band *rows)
+{
+    if (r->fine == 0) {
+        ph_fill(rows->pixels, r->background, (uint32_t)(rows->y1 - rows->y0) * (uint32_t)rows->width);
+    }
+    clear_depth(rows);
 }
 
 /* A band that is being drawn. */
@@ -249,11 +256,19 @@ struct fresh {
 #define COUNTING UINT32_MAX
 #define MAY_ASK  1000 /* times, for the list; then core 0 sets up all of it */
 
-static void set_up_fresh(struct fresh *s, uint32_t core)
+/* The part of one core. */
+struct set_up_share {
+    struct fresh *fresh;
+    uint32_t core;
+};
+
+static void set_up_fresh(void *argument)
 {
-    struct ph_feed f;
-    f.r = s->r;
-    f.draw = NULL;
+    const struct set_up_share *const mine = argument;
+    struct fresh *const s = mine->fresh;
+    const uint32_t core = mine->core;
+    struct ph_setting setting;
+    const struct ph_draw *draw = NULL; /* that of the setting */
     uint32_t count = COUNTING;
     for (uint32_t asked = 0; count == COUNTING && asked < MAY_ASK; asked++) {
         count = __atomic_load_n(&s->count, __ATOMIC_SEQ_CST);
@@ -269,13 +284,11 @@ static void set_up_fresh(struct fresh *s, uint32_t core)
             break;
         }
         struct ph_triangle *const next = core == 0 ? t->next : t->before;
-        if (f.draw == NULL || t->order < f.draw->first || t->order >= f.next_first) {
-            f.draw = NULL;
-            f.next_first = 0;
-            ph_feed_find(&f, t->order);
-            ph_setting_of(&f.setting, f.r, f.draw);
+        if (t->draw != draw) {
+            draw = t->draw;
+            ph_setting_of(&setting, s->r, draw);
         }
-        ph_setup(&f.setting, ph_ref_at(f.r, t->order), t);
+        ph_setup(&setting, ph_ref_at(s->r, t->order), t);
         t = next;
     }
     if (core == 0) {
@@ -288,7 +301,7 @@ static void finish_fresh(struct fresh *s)
 {
     if (s->count > 0 && s->claimed[0] - 1 + (s->claimed[1] > 0 ? s->claimed[1] - 1 : 0) < s->count) {
         struct fresh one = {.r = s->r, .first = s->met, .count = 1};
-        set_up_fresh(&one, 0);
+        set_up_fresh(&(struct set_up_share){&one, 0});
     }
 }
 
@@ -317,6 +330,7 @@ static void take_chunk(struct ph_feed *f, struct spares *spares, struct fresh *f
             break;
         }
         t->order = f->ref;
+        t->draw = f->draw;
         t->before = last;
         *link = last = t;
         link = &t->next;
@@ -329,10 +343,10 @@ static void take_chunk(struct ph_feed *f, struct spares *spares, struct fresh *f
 
 /* The rows that one of two cores draws; then it sets up the triangles that come next. */
 struct share {
-    struct fresh *fresh;
+    struct set_up_share then;
     struct ph_feed *next; /* core 0: it takes the next triangles from here first; NULL: it does not */
     const struct ph_triangle *first;
-    uint32_t core, fragments;
+    uint32_t fragments;
     bool clears;
     struct ph_band rows;
 };
@@ -341,22 +355,23 @@ struct share {
 static void draw_share(void *argument)
 {
     struct share *const s = argument;
+    struct fresh *const fresh = s->then.fresh;
     s->fragments = 0;
     if (s->next != NULL) {
-        take_chunk(s->next, NULL, s->fresh);
+        take_chunk(s->next, NULL, fresh);
     }
     if (s->clears) {
-        clear(&s->rows, s->fresh->r->background);
+        clear(fresh->r, &s->rows);
     }
     for (const struct ph_triangle *t = s->first; t != NULL; t = t->next) {
         if (t->y_top < s->rows.y1 && t->y_bottom > s->rows.y0) {
             s->fragments += ph_draw_triangle(t, &s->rows);
         }
     }
-    if (s->core == 1) {
-        __atomic_store_n(&s->fresh->drawn_below, 1, __ATOMIC_SEQ_CST);
+    if (s->then.core == 1) {
+        __atomic_store_n(&fresh->drawn_below, 1, __ATOMIC_SEQ_CST);
     }
-    set_up_fresh(s->fresh, s->core);
+    set_up_fresh(&s->then);
 }
 
 /* Merges two lists in drawing order: all of a, and of *b what comes before `end`. */
@@ -388,14 +403,11 @@ static void draw_list(struct ph_feed *next, const struct drawn *drawn, bool clea
     const struct ph_band *const rows = rest->rows;
     struct ph_renderer *const r = rest->r;
     struct fresh fresh = {.r = r, .count = next != NULL ? COUNTING : 0, .drawn = drawn};
-    struct share upper = {.fresh = &fresh, .first = drawn->list, .clears = clears, .rows = *rows}, lower = upper;
-    upper.rows.y1 = lower.rows.y0 = rows->y0 + (rows->y1 - rows->y0) / 2;
-    const uint32_t above = (uint32_t)(upper.rows.y1 - rows->y0) * (uint32_t)rows->width;
+    struct share upper = {.then = {&fresh, 0}, .first = drawn->list, .clears = clears, .rows = *rows}, lower = upper;
     upper.next = next;
-    lower.core = 1;
+    lower.then.core = 1;
+    lower.rows = ph_cut_lower(&upper.rows, (rows->y1 - rows->y0) / 2);
     lower.rows.coarse = rows->coarse + 1;
-    lower.rows.pixels += above;
-    lower.rows.depth = ph_depth_from(rows->depth, above, rows->depth24);
     ph_run_both(r, draw_share, &upper, &lower);
     if (fresh.drawn != NULL) {
         keep_below(fresh.drawn);
@@ -409,9 +421,9 @@ static void draw_list(struct ph_feed *next, const struct drawn *drawn, bool clea
 static struct ph_triangle *set_up_chunk(struct ph_feed *f, struct spares *spares)
 {
     struct fresh fresh = {.r = f->r};
-    struct share mine = {.fresh = &fresh}, others = {.fresh = &fresh, .core = 1}; /* they draw nothing */
+    struct set_up_share mine = {&fresh, 0}, others = {&fresh, 1};
     take_chunk(f, spares, &fresh);
-    ph_run_both(f->r, draw_share, &mine, &others);
+    ph_run_both(f->r, set_up_fresh, &mine, &others);
     finish_fresh(&fresh);
     return fresh.first;
 }
@@ -447,7 +459,7 @@ static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
     }
     bool more = clears;
     if (!clears) {
-        clear(rows, r->background);
+        clear(r, rows);
         draw_rest(f, &rest);
         more = rest.begun != NULL || f->ref != PH_NONE;
     }
@@ -465,7 +477,7 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     const bool depth24 = ph_depth_bytes(r->config.depth_format) == sizeof(uint32_t);
     struct ph_coarse coarse[2]; /* the other core has its own, for its rows */
     coarse[0].count = coarse[1].count = 0;
-    struct ph_band rows = {NULL, r->config.depth, depth24, y0, y1, r->config.width, coarse};
+    struct ph_band rows = {NULL, r->config.depth, depth24, r->config.width, y0, y1, r->config.width, coarse};
     rows.pixels = r->fine != 0
                       ? r->config.samples
                       : pixels; /* set here, because clang-tidy would make a parameter that only initialises const */
@@ -475,14 +487,19 @@ uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels)
     }
     struct ph_feed f;
     ph_feed_start(&f, r, band);
-    if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) { /* else no sample is read */
+    if (r->fine == 0 || f.ref != PH_NONE || r->carried != NULL || r->after != NULL) {
+        if (r->fine != 0) {
+            ph_fine_clear(&rows, &in, r->background);
+        }
         draw_triangles(&f, &rows);
         if (r->after != NULL) {
             rows.coarse = NULL; /* blended triangles are drawn into rows of their own */
             r->after(r, &rows);
         } else if (r->fog != NULL) {
-            r->fog(r, &rows);
+            ph_draw_in_parts(r, &rows, (y1 - y0) / 2, r->fog);
         }
+    } else {
+        clear_depth(&rows); /* a blur reads it; nobody reads a sample */
     }
     if (r->fine != 0) {
         ph_fine_means(&rows, &in, r->background, pixels);

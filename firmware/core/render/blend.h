@@ -24,19 +24,31 @@ static inline uint16_t ph_fold(uint32_t spread)
     return ph_wire16((uint16_t)(spread | spread >> 16));
 }
 
-/* to * share / 32 + from * (1 - share / 32), each channel rounded to nearest; share: 0 .. 32. */
-static inline uint16_t ph_mix(uint16_t from, uint16_t to, uint32_t share)
+/* to * share / 32 + from * (1 - share / 32), each channel rounded to nearest; share: 0 .. 32. Colours are spread. */
+static inline uint32_t ph_spread_mix(uint32_t from, uint32_t to, uint32_t share)
 {
-    const uint32_t sum = ph_spread(from) * (32 - share) + ph_spread(to) * share + PH_SPREAD_HALF;
-    return ph_fold(sum >> 5 & PH_SPREAD);
+    return (from * (32 - share) + to * share + PH_SPREAD_HALF) >> 5 & PH_SPREAD;
 }
 
-/* to + colour * share / 32, at most full. */
-static inline uint16_t ph_add(uint16_t to, uint16_t colour, uint32_t share)
+/* The same for colours in wire order. */
+static inline uint16_t ph_mix(uint16_t from, uint16_t to, uint32_t share)
 {
-    const uint32_t more = (ph_spread(colour) * share + PH_SPREAD_HALF) >> 5 & PH_SPREAD, sum = ph_spread(to) + more;
+    return ph_fold(ph_spread_mix(ph_spread(from), ph_spread(to), share));
+}
+
+/* The mean of four, each channel rounded to nearest. */
+static inline uint16_t ph_mean(uint16_t a, uint16_t b, uint16_t c, uint16_t d)
+{
+    const uint32_t sum = ph_spread(a) + ph_spread(b) + ph_spread(c) + ph_spread(d);
+    return ph_fold((sum + (2u << 21 | 2u << 11 | 2u)) >> 2 & PH_SPREAD);
+}
+
+/* to + colour * share / 32, at most full; colours are spread. */
+static inline uint32_t ph_spread_add(uint32_t to, uint32_t colour, uint32_t share)
+{
+    const uint32_t sum = to + ((colour * share + PH_SPREAD_HALF) >> 5 & PH_SPREAD);
     const uint32_t red_blue = sum & (1u << 16 | 1u << 5), green = sum & 1u << 27; /* the carries */
-    return ph_fold((sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & PH_SPREAD);
+    return (sum | (red_blue - (red_blue >> 5)) | (green - (green >> 6))) & PH_SPREAD;
 }
 
 /* a times b, two channels of so many bits each, rounded to nearest; what stands above them does not count. */

@@ -13,6 +13,7 @@
 #include "edge.h"
 #include "fog.h"
 #include "kernels.h"
+#include "raster.h"
 #include "setup.h"
 
 #include "band.h"
@@ -21,40 +22,27 @@
 struct overlay {
     struct ph_renderer *r;
     const struct ph_band *band;
-    uint32_t place, rows; /* rows of its own */
+    uint32_t place, room[2]; /* memory for rows of its own; how many pixels they can have, without and with keys */
     uint32_t fragments;
     const struct ph_blend *blend;
+    uint32_t alpha;      /* of the whole draw, 0 .. 32 */
+    uint16_t mask, hole; /* cut-out: no pixel is where the bits of the mask are these in a texel that decides */
     struct ph_setting setting, keys; /* of the colours; of the texels that decide */
     struct ph_material key_material;
     struct ph_texture key_texture; /* the material's, without a filter */
     bool has_keys, same_keys;      /* the colours are the texels that decide */
-    uint32_t share;                /* of the fog, where it was last looked up */
+    struct ph_fog_here fog;
 };
 
-/* The pixels that a triangle may cover, in the band. */
-struct box {
-    int32_t x0, x1, y0, y1;
-};
-
-/* The box of a triangle; a line is as wide as it can be. */
-static struct box box_of(const struct overlay *o, const struct ph_ref *ref)
+/* What a reference may cover of the band. False: nothing. */
+static bool box_of(const struct overlay *o, const struct ph_ref *ref, struct ph_box *box)
 {
-    const struct ph_draw *const draw = &o->setting.draw;
-    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint8_t *const base = (const uint8_t *)(const void *)o->setting.usual.base;
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << o->r->fine : 0;
-    struct box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
-    for (int i = 0; i < n; i++) {
-        const struct ph_vertex *const v = (const struct ph_vertex *)(const void *)(base + ref->corner[i] * size);
-        box.x0 = ph_min(box.x0, v->x);
-        box.x1 = ph_max(box.x1, v->x);
-        box.y0 = ph_min(box.y0, v->y);
-        box.y1 = ph_max(box.y1, v->y);
-    }
-    /* one more on each side, because edges are rounded */
-    return (struct box){
-        ph_max(ph_first_row(box.x0 - wide) - 1, 0), ph_min(ph_first_row(box.x1 + wide) + 1, o->band->width),
-        ph_max(ph_first_row(box.y0 - wide), o->band->y0), ph_min(ph_first_row(box.y1 + wide), o->band->y1)};
+    *box = ph_box_of(o->r, &o->setting.draw, ref);
+    box->y0 = ph_max(box->y0, o->band->y0);
+    box->y1 = ph_min(box->y1, o->band->y1);
+    box->x0 = ph_max(box->x0 - 1, 0); /* one more on each side, because edges are rounded */
+    box->x1 = ph_min(box->x1 + 1, o->band->width);
+    return box->x0 < box->x1 && box->y0 < box->y1;
 }
 
 /* ---- rows over the band ----------------------------------------------------------------------------------------- */
@@ -70,97 +58,117 @@ static inline uint32_t code_of(const void *depth, uint32_t i, bool depth24)
     return depth24 ? ((const uint32_t *)depth)[i] : ((const uint16_t *)depth)[i];
 }
 
-/* The alpha of a pixel, 0 .. 32; key: its texel that decides. */
-static inline uint32_t alpha_of(const struct overlay *o, uint16_t key)
+/* Whether a pixel is hidden or empty; more: 1, or 0 if it is seen over the same depth, too. */
+static inline __attribute__((always_inline)) bool is_hidden(const struct rows *row, uint32_t i, uint32_t more,
+                                                            bool depth24)
 {
-    const struct ph_blend *const s = o->blend;
-    if (s->kind == PH_BLEND_KEY) {
-        return o->has_keys && key == s->key ? 0 : 32;
-    }
-    const uint32_t green = s->alphas != NULL ? ph_wire16(key) >> 5 & 63 : 63;
-    if (s->kind == PH_BLEND_MASK) {
-        return green >= 32 ? 32 : 0;
-    }
-    return ((uint32_t)(s->alpha < 32 ? s->alpha : 32) * green + 31) / 63;
+    const uint32_t code = code_of(row->codes, i, depth24);
+    return code == 0 || code < code_of(row->depth, i, depth24) + more;
 }
 
-/* Blends a colour with a pixel. */
-static uint16_t blended(struct overlay *o, uint16_t pixel, uint16_t colour, uint32_t alpha, uint32_t code)
+/* The first pixel from i on, below n, that is not; n: there is none. */
+static PH_NOINLINE uint32_t next_seen(const struct rows *row, uint32_t i, uint32_t n, uint32_t more, bool depth24)
 {
-    const bool adds = o->blend->kind == PH_BLEND_ADD;
-    if (o->blend->kind == PH_BLEND_TIMES) { /* fog comes later */
-        colour = ph_times(pixel, colour);
-    } else if (o->r->fog != NULL) {
-        o->share = ph_fog_share(o->r->fog_codes, code, o->share);
-        colour = ph_mix(colour, adds ? 0 : o->r->fog_of.colour, o->share);
+    while (!depth24 && i < n && is_hidden(row, i, more, false)) {
+        i++;
     }
-    return adds ? ph_add(pixel, colour, alpha) : ph_mix(pixel, colour, alpha);
+    while (depth24 && i < n && is_hidden(row, i, more, true)) {
+        i++;
+    }
+    return i;
 }
 
-/* Lays n pixels over the band. */
-static void lay(struct overlay *o, const struct rows *row, uint32_t n)
+/* Lays n pixels of what is cut out over the band. */
+static void lay_cut_out(const struct overlay *o, const struct rows *row, uint32_t n)
 {
-    const bool depth24 = o->band->depth24, cut = o->blend->kind < PH_BLEND_TIMES;
-    const uint32_t more = o->blend->kind == PH_BLEND_TIMES ? 0 : 1; /* TIMES: also over the same depth */
+    const bool depth24 = o->band->depth24;
     for (uint32_t i = 0; i < n; i++) {
-        const uint32_t code = code_of(row->codes, i, depth24);
-        if (code < code_of(row->depth, i, depth24) + more || code == 0) {
+        if (is_hidden(row, i, 1, depth24)) {
+            i = next_seen(row, i + 1, n, 1, depth24) - 1; /* so that i++ comes to it */
             continue;
         }
-        const uint32_t alpha = alpha_of(o, row->keys[i]);
-        if (alpha == 0) {
-            continue;
-        }
-        if (!cut) {
-            row->pixels[i] = blended(o, row->pixels[i], row->colours[i], alpha, code);
+        if ((row->keys[i] & o->mask) == o->hole) {
             continue;
         }
         row->pixels[i] = row->colours[i];
         if (depth24) {
-            ((uint32_t *)row->depth)[i] = code;
+            ((uint32_t *)row->depth)[i] = ((const uint32_t *)row->codes)[i];
         } else {
-            ((uint16_t *)row->depth)[i] = (uint16_t)code;
+            ((uint16_t *)row->depth)[i] = ((const uint16_t *)row->codes)[i];
         }
     }
 }
 
-/* Draws a triangle into rows that are emptied before. */
-static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *rows, const struct box *box)
+/* The same for what is blended. */
+static void lay_blended(struct overlay *o, const struct rows *row, uint32_t n)
 {
-    const uint32_t words = (uint32_t)(box->x1 - box->x0) * (rows->depth24 ? 2 : 1);
-    for (int32_t y = rows->y0; y < rows->y1; y++) {
-        const uint32_t at = (uint32_t)(y - rows->y0) * (uint32_t)rows->width + (uint32_t)box->x0;
-        ph_fill(ph_depth_from(rows->depth, at, rows->depth24), 0, words);
+    const bool depth24 = o->band->depth24, times = o->blend->kind == PH_BLEND_TIMES;
+    const uint32_t more = times ? 0 : 1; /* TIMES: also over the same depth */
+    const uint32_t most = o->has_keys ? o->alpha : 0;
+    uint32_t alpha = o->alpha;
+    for (uint32_t i = 0; i < n; i++) {
+        if (is_hidden(row, i, more, depth24)) {
+            i = next_seen(row, i + 1, n, more, depth24) - 1;
+            continue;
+        }
+        if (most > 0) { /* by 63: exact up to 32 x 63 + 31 */
+            alpha = (most * (ph_wire16(row->keys[i]) >> 5 & 63) + 31) * 33289 >> 21;
+        }
+        if (alpha == 0) {
+            continue;
+        }
+        const uint32_t pixel = ph_spread(row->pixels[i]);
+        uint32_t colour = ph_spread(times ? ph_times(row->pixels[i], row->colours[i]) : row->colours[i]);
+        if (!times && o->r->fog != NULL) { /* what is multiplied is fogged with what is behind */
+            ph_fog_at(&o->fog, code_of(row->codes, i, depth24));
+            colour = ph_fogged(&o->fog, colour);
+        }
+        row->pixels[i] = ph_fold(o->blend->kind == PH_BLEND_ADD ? ph_spread_add(pixel, colour, alpha)
+                                                                : ph_spread_mix(pixel, colour, alpha));
     }
+}
+
+/* Draws a triangle into rows that are emptied before, from column x0 of the first to x1 of the last. */
+static uint32_t draw_rows(const struct ph_triangle *t, const struct ph_band *rows, uint32_t x0, uint32_t x1)
+{
+    const uint32_t pixels = (uint32_t)(rows->y1 - rows->y0 - 1) * rows->stride + x1 - x0;
+    ph_fill(ph_depth_from(rows->depth, x0, rows->depth24), 0, pixels << rows->depth24);
     return ph_draw_triangle(t, rows);
 }
 
-/* Draws a triangle into rows of its own, some at a time, and lays them over the band. keys: NULL, or the same triangle
- * with the texels that decide. */
+/* Draws a triangle into rows of its own, as many at a time as there is room for, and lays them over the band. keys:
+ * NULL, or the same triangle with the texels that decide. A row follows the one before without the columns beside the
+ * triangle, if what draws it can do so, and else without those to the right. */
 static void draw_over(struct overlay *o, const struct ph_triangle *t, const struct ph_triangle *keys,
-                      const struct box *box)
+                      const struct ph_box *box)
 {
-    const struct ph_renderer *const r = o->r;
     const struct ph_band *const band = o->band;
-    const uint32_t width = (uint32_t)band->width, area = o->rows * width;
-    uint16_t *const colours = ph_at(r, o->place);
+    const uint32_t x0 = (uint32_t)box->x0, x1 = (uint32_t)box->x1, n = x1 - x0;
+    const bool from_0 = ph_ends_at_stride(t) || (keys != NULL && ph_ends_at_stride(keys));
+    const uint32_t stride = ((from_0 ? x1 : n) + 1) & ~1u; /* even: rows of samples begin at whole words */
+    const uint32_t room = o->room[keys != NULL], fit = (room - x1) / stride + 1;
+    uint16_t *const colours = ph_at(o->r, o->place), *const key_colours = keys != NULL ? colours + room : colours;
     struct ph_band rows = *band;
-    rows.depth = colours + 2 * area;
+    rows.depth = key_colours + room;
+    rows.stride = (uint16_t)stride;
     for (rows.y0 = box->y0; rows.y0 < box->y1; rows.y0 = rows.y1) {
-        rows.y1 = ph_min(rows.y0 + (int32_t)o->rows, box->y1);
+        rows.y1 = ph_min(rows.y0 + (int32_t)fit, box->y1);
         if (keys != NULL) {
-            rows.pixels = colours + area;
-            draw_rows(keys, &rows, box);
+            rows.pixels = key_colours;
+            draw_rows(keys, &rows, x0, x1);
         }
         rows.pixels = colours;
-        o->fragments += draw_rows(t, &rows, box);
-        for (int32_t y = rows.y0; y < rows.y1; y++) {
-            const uint32_t own = (uint32_t)(y - rows.y0) * width + (uint32_t)box->x0;
-            const uint32_t at = (uint32_t)(y - band->y0) * width + (uint32_t)box->x0;
-            const struct rows row = {colours + own, colours + own + (keys != NULL ? area : 0), band->pixels + at,
+        o->fragments += draw_rows(t, &rows, x0, x1);
+        uint32_t own = x0, at = (uint32_t)(rows.y0 - band->y0) * band->stride + x0;
+        for (int32_t y = rows.y0; y < rows.y1; y++, own += stride, at += band->stride) {
+            const struct rows row = {colours + own, key_colours + own, band->pixels + at,
                                      ph_depth_from(rows.depth, own, band->depth24),
                                      ph_depth_from(band->depth, at, band->depth24)};
-            lay(o, &row, (uint32_t)(box->x1 - box->x0));
+            if (o->blend->kind < PH_BLEND_TIMES) {
+                lay_cut_out(o, &row, n);
+            } else {
+                lay_blended(o, &row, n);
+            }
         }
     }
 }
@@ -171,7 +179,7 @@ static void draw_over(struct overlay *o, const struct ph_triangle *t, const stru
 static void blend_flat(struct overlay *o, const struct ph_triangle *t)
 {
     const struct ph_band *const band = o->band;
-    const uint32_t alpha = o->blend->alpha < 32 ? o->blend->alpha : 32;
+    const uint32_t alpha = o->alpha;
     const uint32_t source = ph_spread(t->colour) * alpha + PH_SPREAD_HALF;
     for (int half = 0; half < 2; half++) {
         struct ph_half_rows in;
@@ -181,7 +189,7 @@ static void blend_flat(struct overlay *o, const struct ph_triangle *t)
         for (; in.y < in.y_end; in.y++) {
             int32_t from, to;
             if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
-                const uint32_t at = (uint32_t)(in.y - band->y0) * (uint32_t)band->width + (uint32_t)from;
+                const uint32_t at = (uint32_t)(in.y - band->y0) * band->stride + (uint32_t)from;
                 ph_span_blend(band->pixels + at, (const uint16_t *)band->depth + at, (uint32_t)(to - from),
                               ph_plane_at(&t->depth, (uint32_t)from, (uint32_t)in.y), t->depth.gx, source, 32 - alpha);
                 o->fragments += (uint32_t)(to - from);
@@ -192,9 +200,9 @@ static void blend_flat(struct overlay *o, const struct ph_triangle *t)
 
 static void draw_one(struct overlay *o, const struct ph_ref *ref)
 {
-    const struct box box = box_of(o, ref);
+    struct ph_box box;
     struct ph_triangle t, keys;
-    if (box.x0 >= box.x1 || box.y0 >= box.y1) {
+    if (!box_of(o, ref, &box)) {
         return;
     }
     ph_setup(&o->setting, ref, &t);
@@ -215,6 +223,7 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
     const struct ph_material *const material = draw->material;
     struct ph_draw keys = *draw;
     o->blend = material->blend;
+    o->alpha = o->blend->alpha < 32 ? o->blend->alpha : 32;
     ph_take_lens(o->r, draw);
     ph_setting_of(&o->setting, o->r, draw);
     const bool by_colour = o->blend->kind == PH_BLEND_KEY;
@@ -230,6 +239,10 @@ static void begin(struct overlay *o, const struct ph_draw *draw)
         keys.material = &o->key_material;
         ph_setting_of(&o->keys, o->r, &keys);
     }
+    const bool by_mask = o->blend->kind == PH_BLEND_MASK;
+    o->mask = !o->has_keys ? 0 : by_mask ? ph_wire16(1 << 10) : UINT16_MAX;
+    o->hole = !o->has_keys ? 1 : by_mask ? 0 : o->blend->key;
+    ph_fog_start(&o->fog, o->r, o->blend->kind == PH_BLEND_ADD ? 0 : o->r->fog_of.colour);
     o->setting.is_small = o->setting.is_small && (o->has_keys || o->setting.shading == PH_SHADE_GOURAUD);
 }
 
@@ -240,81 +253,75 @@ static bool is_of_kind(const struct ph_draw *draw, bool blends)
     return blend != NULL && (blend->kind >= PH_BLEND_ALPHA) == blends;
 }
 
-/* The rows that one core draws, and its rows of its own. */
-struct blend_share {
-    struct ph_renderer *r;
-    struct ph_band band;
-    bool blends;
-    uint32_t place, rows, fragments;
-};
-
-/* Draws the cut-outs and what is multiplied, or what is blended. */
-static void blend_share(void *argument)
+/* Draws what is cut out and multiplied, or what is blended, in the overlay's rows. */
+static void draw_kind(struct overlay *o, bool blends)
 {
-    struct blend_share *const s = argument;
-    struct ph_renderer *const r = s->r;
-    struct overlay o = {.r = r, .band = &s->band, .place = s->place, .rows = s->rows};
+    struct ph_renderer *const r = o->r;
+    const uint32_t first = (uint32_t)o->band->y0 >> 3, last = (uint32_t)(o->band->y1 - 1) >> 3;
     for (uint32_t place = r->list.first; place != PH_NONE;) {
         const struct ph_draw *const draw = ph_at(r, place);
         place = draw->next;
-        if (!is_of_kind(draw, s->blends)) {
+        if (!is_of_kind(draw, blends)) {
             continue;
         }
-        const uint32_t end = place == PH_NONE ? ph_ref_count(r) : ((const struct ph_draw *)ph_at(r, place))->first;
-        begin(&o, draw);
-        for (uint32_t i = draw->first; i < end; i++) {
-            draw_one(&o, ph_ref_at(r, i));
+        const struct ph_ref *ref = ph_ref_at(r, draw->first);
+        begin(o, draw);
+        for (uint32_t n = ph_end_of_draw(r, draw) - draw->first; n > 0; n--, ref--) {
+            if (ph_ref_may_reach(ref, first, last)) {
+                draw_one(o, ref);
+            }
         }
     }
+}
+
+static void draw_share(void *argument)
+{
+    struct ph_share *const s = argument;
+    struct ph_renderer *const r = s->r;
+    const uint32_t deep = s->band.depth24 ? 4 : 2;
+    const uint32_t upper = r->rows / s->parts, rows = s->part == 0 ? upper : r->rows - upper;
+    struct overlay o = {.r = r, .band = &s->band, .place = r->rows_place};
+    o.place += s->part * upper * ph_row_bytes(r);
+    o.room[1] = rows * ph_row_pixels(r);
+    o.room[0] = rows * ph_row_bytes(r) / (2 + deep) & ~1u; /* even, too */
+    draw_kind(&o, false);
+    if (r->fog != NULL) {
+        r->fog(s);
+    }
+    draw_kind(&o, true);
     s->fragments = o.fragments;
 }
 
-/* Whether there are draws of that kind. Sets *one_lens if they have the lens that r has now: else one core draws them,
- * because it changes that of r. */
-static bool has_kind(const struct ph_renderer *r, bool blends, bool *one_lens)
+/* Whether all draws with a blend have the lens that r has now. Else one core draws them, because it changes that of r.
+ */
+static bool has_one_lens(const struct ph_renderer *r)
 {
-    bool any = false;
-    *one_lens = true;
+    bool one = true;
     for (uint32_t place = r->list.first; place != PH_NONE;) {
         const struct ph_draw *const draw = ph_at(r, place);
-        const bool is = is_of_kind(draw, blends);
-        any |= is;
-        *one_lens &= !is || draw->lens == r->list.lens;
+        one &= draw->material->blend == NULL || draw->lens == r->list.lens;
         place = draw->next;
     }
-    return any;
+    return one;
 }
 
-/* Draws what is of one kind, the lower half of the band on the other core if it is free. */
-static void draw_kind(struct ph_renderer *r, const struct ph_band *band, bool blends)
+/* In how many of its first rows half of a band's work is, or about that; 0: it has one row. */
+static int32_t rows_of_half(const struct ph_renderer *r, const struct ph_band *band)
 {
-    bool one_lens;
-    struct blend_share mine = {r, *band, blends, r->rows_place, r->rows, 0};
-    if (!has_kind(r, blends, &one_lens)) {
-        return;
+    const uint16_t *const work = ph_list_work(r);
+    const uint32_t fog = r->fog != NULL ? r->config.width / 2 : 0;
+    uint32_t all = 0, above = 0;
+    int32_t y;
+    for (y = band->y0; y < band->y1; y += 2) {
+        all += work[y >> 1] + fog;
     }
-    if (!one_lens || r->rows < 2 || band->y1 - band->y0 < 2 || !ph_other_core_is_free(r)) {
-        blend_share(&mine);
-        r->stats.fragments += mine.fragments;
-        return;
+    for (y = band->y0; y + 2 < band->y1 && 2 * above + work[y >> 1] + fog <= all; y += 2) {
+        above += work[y >> 1] + fog;
     }
-    struct blend_share others = mine;
-    const uint32_t width = (uint32_t)band->width, half = (uint32_t)(band->y1 - band->y0) / 2;
-    mine.rows = r->rows / 2;
-    others.rows = r->rows - mine.rows;
-    others.place += mine.rows * width * (band->depth24 ? 8 : 6);
-    mine.band.y1 = others.band.y0 = band->y0 + (int32_t)half;
-    others.band.pixels += half * width;
-    others.band.depth = ph_depth_from(band->depth, half * width, band->depth24);
-    ph_run_both(r, blend_share, &mine, &others);
-    r->stats.fragments += mine.fragments + others.fragments;
+    return y > band->y0 ? y - band->y0 : band->y1 - band->y0 > 1;
 }
 
 void ph_draw_blended(struct ph_renderer *r, const struct ph_band *band)
 {
-    draw_kind(r, band, false);
-    if (r->fog != NULL) {
-        r->fog(r, band);
-    }
-    draw_kind(r, band, true);
+    ph_draw_in_parts(r, band, r->rows >= 2 && has_one_lens(r) ? rows_of_half(r, band) : 0, draw_share);
 }

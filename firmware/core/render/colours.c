@@ -42,7 +42,7 @@ static inline void draw_piece(const struct ph_triangle *t, bool depth24, struct 
 
 static void draw_row(const struct ph_triangle *t, const struct ph_band *band, uint32_t x, uint32_t y, uint32_t left)
 {
-    const uint32_t at = (y - (uint32_t)band->y0) * (uint32_t)band->width + x;
+    const uint32_t at = (y - (uint32_t)band->y0) * band->stride + x;
     const struct ph_plane *const a = t->attribute;
     uint32_t d = ph_plane_at(&t->depth, x, y);
     struct piece_of_row p = {.red = ph_plane_at(&a[0], x, y),

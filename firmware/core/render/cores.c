@@ -14,3 +14,17 @@ bool ph_other_core_is_free(const struct ph_renderer *r)
     r->config.other_core_join();
     return true;
 }
+
+void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*draw)(void *share))
+{
+    const bool both = rows > 0 && ph_other_core_is_free(r);
+    struct ph_share mine = {r, *band, 0, both ? 2 : 1, 0}, others = mine;
+    if (both) {
+        others.part = 1;
+        others.band = ph_cut_lower(&mine.band, rows);
+        ph_run_both(r, draw, &mine, &others);
+    } else {
+        draw(&mine);
+    }
+    r->stats.fragments += mine.fragments + others.fragments;
+}

@@ -2,6 +2,7 @@
 #ifndef PH_CORES_H
 #define PH_CORES_H
 
+#include "band.h"
 #include "render.h"
 
 #define PH_SHARED_LEAST 32 /* of fewer vertices or triangles one core does all */
@@ -21,5 +22,17 @@ static inline void ph_run_both(const struct ph_renderer *r, void (*run)(void *ar
 
 /* Whether there is another core, and it is free. */
 bool ph_other_core_is_free(const struct ph_renderer *r);
+
+/* The rows of a band that one core draws. */
+struct ph_share {
+    struct ph_renderer *r;
+    struct ph_band band;
+    uint32_t part, parts; /* part 0 of 1, or parts 0 and 1 of 2 */
+    uint32_t fragments;   /* 0 before */
+};
+
+/* Has that many rows of a band drawn here, and the others by the other core; or all of it here, if there are 0 such
+ * rows or the other core is not free. draw takes a struct ph_share, whose fragments are counted. */
+void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*draw)(void *share));
 
 #endif

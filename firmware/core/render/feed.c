@@ -32,7 +32,7 @@ static PH_NOINLINE void sort_some_refs(uint32_t *bins, struct ph_ref *ref, uint3
 {
     for (; i > 0; ref++) {
         i--;
-        if (ref->link != PH_LINK_AFTER) {
+        if (ref->link < PH_LINK_AFTER) {
             sort_ref(bins, ref, i);
         }
     }
@@ -78,32 +78,12 @@ uint32_t ph_frame_bands(struct ph_renderer *r)
 
 /* ---- the list of a band ----------------------------------------------------------------------------------------- */
 
-/* Rows, from the first to behind the last. */
-struct rows {
-    int32_t from, end;
-};
-
-/* The rows that the corners of a reference reach. */
-static struct rows rows_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref)
-{
-    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
-    const uint8_t *const base = ph_at(r, draw->base);
-    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << r->fine : 0;
-    int32_t least = INT32_MAX, most = INT32_MIN;
-    for (int i = 0; i < n; i++) {
-        const struct ph_vertex *const v = (const void *)(base + ref->corner[i] * size);
-        least = ph_min(least, v->y);
-        most = ph_max(most, v->y);
-    }
-    return (struct rows){ph_first_row(least - wide), ph_first_row(most + wide)};
-}
-
 /* Whether a triangle has rows in the band. Only asked where a list leaps over very many references. */
 static bool touches(const struct ph_feed *f, const struct ph_draw *draw, const struct ph_ref *ref)
 {
     const int32_t height = f->r->config.band_height, y0 = (int32_t)f->band * height;
-    const struct rows rows = rows_of(f->r, draw, ref);
-    return rows.from < y0 + height && rows.end > y0;
+    const struct ph_box box = ph_box_of(f->r, draw, ref);
+    return box.y0 < y0 + height && box.y1 > y0;
 }
 
 uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)
@@ -124,7 +104,9 @@ uint32_t ph_feed_far(const struct ph_feed *f, uint32_t ref)
 
 void ph_feed_put_below(const struct ph_feed *f, uint32_t ref, uint32_t *after)
 {
-    const struct ph_feed below = {.r = f->r, .band = f->band + 1};
+    struct ph_feed below; /* the rest of it is of no use here */
+    below.r = f->r;
+    below.band = f->band + 1;
     uint32_t *const bin = &f->r->config.bins[below.band], before = *after;
     uint32_t next = before == PH_NONE ? *bin : ph_feed_next(&below, before);
     while (next < ref) {

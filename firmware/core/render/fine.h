@@ -14,6 +14,9 @@ struct ph_reach {
 /* The columns of pixels in which a band may differ from the background: edges are rounded, and lines have a width. */
 void ph_fine_reach(struct ph_renderer *r, uint32_t band, struct ph_reach *in);
 
+/* Clears the samples of these columns: nothing is drawn beside them, and nothing is read. */
+void ph_fine_clear(const struct ph_band *rows, const struct ph_reach *in, uint16_t background);
+
 /* Makes pixels of the samples of a band; outside `in` they are the background's. */
 void ph_fine_means(const struct ph_band *rows, const struct ph_reach *in, uint16_t background, uint16_t *pixels);
 

@@ -30,61 +30,49 @@ static uint32_t code_at(const struct ph_renderer *r, fx_t w)
     return d[0] >> (ph_depth_bytes(format) == sizeof(uint32_t) ? 8 : 16);
 }
 
-/* The share of the fog at that code; `share` is a guess. */
-uint32_t ph_fog_share(const uint32_t codes[32], uint32_t code, uint32_t share)
+void ph_fog_start(struct ph_fog_here *fog, const struct ph_renderer *r, uint16_t colour)
 {
+    *fog = (struct ph_fog_here){r->fog_codes, ph_spread(colour), UINT32_MAX, 0, 32, 0};
+}
+
+void ph_fog_find(struct ph_fog_here *fog, uint32_t code)
+{
+    const uint32_t *const codes = fog->codes;
+    uint32_t share = 32 - fog->left; /* a guess */
     while (share < 32 && code <= codes[share]) {
         share++;
     }
     while (share > 0 && code > codes[share - 1]) {
         share--;
     }
-    return share;
+    fog->below = share < 32 ? codes[share] : 0;
+    fog->most = share > 0 ? codes[share - 1] : UINT32_MAX;
+    fog->left = 32 - share;
+    fog->added = fog->colour * share + PH_SPREAD_HALF;
 }
 
-/* Pixels that one core fogs. */
-struct fog_share {
-    const struct ph_renderer *r;
-    uint16_t *pixels;
-    const void *depth;
-    uint32_t n;
-    bool depth24;
-};
-
-/* Fogs the pixels that are not empty. Neighbours mostly have the same share of the fog: it is kept with its codes. */
+/* Fogs the pixels that are not empty. */
 static void fog_share(void *argument)
 {
-    const struct fog_share *const s = argument;
-    const uint32_t *const depth24 = s->depth24 ? s->depth : NULL, *const codes = s->r->fog_codes;
-    const uint16_t *const depth16 = s->depth;
-    uint32_t share = 0, below = UINT32_MAX, most = 0; /* below < code <= most */
-    uint32_t left = 0, fog = 0;                       /* the pixel's own part of 32, and the fog's with a half */
-    for (uint32_t i = 0; i < s->n; i++) {
+    const struct ph_share *const s = argument;
+    const struct ph_band *const band = &s->band;
+    const uint32_t *const depth24 = band->depth24 ? band->depth : NULL;
+    const uint16_t *const depth16 = band->depth;
+    const uint32_t n = (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width;
+    uint16_t *const pixels = band->pixels;
+    struct ph_fog_here fog;
+    ph_fog_start(&fog, s->r, s->r->fog_of.colour);
+    for (uint32_t i = 0; i < n; i++) {
+        /* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): a band has its depth */
         const uint32_t code = depth24 != NULL ? depth24[i] : depth16[i];
         if (code == 0) {
             continue;
         }
-        if (code <= below || code > most) {
-            share = ph_fog_share(codes, code, share);
-            below = share < 32 ? codes[share] : 0;
-            most = share > 0 ? codes[share - 1] : UINT32_MAX;
-            left = 32 - share;
-            fog = ph_spread(s->r->fog_of.colour) * share + PH_SPREAD_HALF;
-        }
-        if (share > 0) {
-            s->pixels[i] = ph_fold((ph_spread(s->pixels[i]) * left + fog) >> 5 & PH_SPREAD);
+        ph_fog_at(&fog, code);
+        if (fog.left < 32) {
+            pixels[i] = ph_fold(ph_fogged(&fog, ph_spread(pixels[i])));
         }
     }
-}
-
-/* Fogs a band, half of it on the other core. */
-static void fog_band(struct ph_renderer *r, const struct ph_band *band)
-{
-    const uint32_t n = (uint32_t)(band->y1 - band->y0) * (uint32_t)band->width, half = n / 2;
-    struct fog_share mine = {r, band->pixels, band->depth, half, band->depth24};
-    struct fog_share others = {r, band->pixels + half, ph_depth_from(band->depth, half, band->depth24), n - half,
-                               band->depth24};
-    ph_run_both(r, fog_share, &mine, &others);
 }
 
 int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
@@ -97,6 +85,6 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
         r->fog_codes[i] = w <= r->lens.near_z ? UINT32_MAX : w > r->lens.far_z ? 0 : code_at(r, w);
     }
     r->fog_of = *fog;
-    r->fog = fog_band;
+    r->fog = fog_share;
     return PH_OK;
 }

@@ -2,9 +2,35 @@
 #ifndef PH_FOG_H
 #define PH_FOG_H
 
+#include "blend.h"
 #include "render.h"
 
-/* The fog's share at that depth code, 0 .. 32; `share` is a guess of it. codes: as in the renderer. */
-uint32_t ph_fog_share(const uint32_t codes[32], uint32_t code, uint32_t share);
+/* What the fog leaves of a colour, and what it adds: kept, because neighbours mostly have the same. Colours are spread,
+ * see blend.h. */
+struct ph_fog_here {
+    const uint32_t *codes; /* as in the renderer */
+    uint32_t colour;
+    uint32_t below, most; /* the depth codes below < code <= most have the same */
+    uint32_t left, added; /* 32 - the fog's share; its colour times its share, and a half */
+};
+
+/* Starts with codes for which nothing is kept. */
+void ph_fog_start(struct ph_fog_here *fog, const struct ph_renderer *r, uint16_t colour);
+
+/* Looks up what is kept for a code. */
+void ph_fog_find(struct ph_fog_here *fog, uint32_t code);
+
+/* Makes what is kept that of a code. */
+static inline void ph_fog_at(struct ph_fog_here *fog, uint32_t code)
+{
+    if (code <= fog->below || code > fog->most) {
+        ph_fog_find(fog, code);
+    }
+}
+
+static inline uint32_t ph_fogged(const struct ph_fog_here *fog, uint32_t colour)
+{
+    return (colour * fog->left + fog->added) >> 5 & PH_SPREAD;
+}
 
 #endif

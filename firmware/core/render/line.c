@@ -287,13 +287,13 @@ static PH_NOINLINE void draw_any(const struct ph_triangle *t, int32_t skipped, i
 uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *band)
 {
     const struct ph_line *const l = &t->line;
-    const int32_t width = band->width, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
+    const int32_t stride = band->stride, y0 = band->y0, rows = band->y1 - y0, slope = l->slope;
     int32_t at = l->along, count = l->count, across = l->across, size = rows, skipped = 0; /* at: of the memory */
     struct ph_line_run run;
     run.slope = slope;
     if (l->wide) {
         across -= y0 * 65536;
-        run.stride = width;
+        run.stride = stride;
         run.forward = l->step;
     } else {
         at -= y0;
@@ -304,10 +304,10 @@ uint32_t ph_draw_line_rows(const struct ph_triangle *t, const struct ph_band *ba
             at = 0;
         }
         count = ph_min(count, rows - at);
-        at *= width;
-        size = width;
+        at *= stride;
+        size = band->width;
         run.stride = 1;
-        run.forward = width;
+        run.forward = stride;
     }
     const int32_t last = across + (count - 1) * slope;
     if ((uint32_t)(across >> 16) >= (uint32_t)size || (uint32_t)(last >> 16) >= (uint32_t)size) {

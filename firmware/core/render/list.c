@@ -2,6 +2,7 @@
 #include "list.h"
 
 #include "edge.h"
+#include "kernels.h"
 
 enum { OWN, VERTICES, TRIANGLES };
 
@@ -85,21 +86,29 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
     return take_any(r, VERTICES, TRIANGLES, n * sizeof(struct ph_vertex));
 }
 
-/* Bytes of a pixel of the rows: two colours, depth. */
-#define ROW_PIXEL(r) (4 + ph_depth_bytes((r)->config.depth_format))
-#define ROWS_MOST    4u /* at a time: a texture is divided again for each */
+#define SET_UP_WORK 16 /* pixels: about a triangle's set-up, for each two rows */
+#define ROWS_MOST   4u /* at a time: a texture is divided again for each */
+
+uint16_t *ph_list_work(const struct ph_renderer *r)
+{
+    return (uint16_t *)ph_at(r, r->rows_place + r->rows * ph_row_bytes(r)); /* behind the rows */
+}
 
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
 {
-    const size_t row = r->config.width * ROW_PIXEL(r);
+    const size_t row = ph_row_bytes(r);
     const size_t most = room_of(r, TRIANGLES) / 16 / row;
     const uint32_t rows = most > ROWS_MOST ? ROWS_MOST : most > 0 ? 2 : 1; /* two: so that two cores can draw */
     if (blend->draw == NULL) {
         return false;
     }
     if (r->rows == 0) {
-        r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row);
-        r->rows = r->rows_place != PH_NONE ? rows : 0;
+        const uint32_t pairs = (r->config.height + 1u) / 2;
+        r->rows_place = take_any(r, TRIANGLES, VERTICES, rows * row + pairs * sizeof(uint16_t));
+        if (r->rows_place != PH_NONE) {
+            r->rows = rows;
+            ph_fill(ph_list_work(r), 0, pairs);
+        }
     }
     if (r->rows == 0) {
         return false;
@@ -108,10 +117,40 @@ bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend)
     return true;
 }
 
+struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref)
+{
+    const size_t size = (draw->kind & PH_DRAW_UVS) != 0 ? sizeof(struct ph_corner) : sizeof(struct ph_vertex);
+    const uint8_t *const base = ph_at(r, draw->base);
+    const int n = (draw->kind & PH_DRAW_LINES) != 0 ? 2 : 3, wide = n == 2 ? 128 << r->fine : 0;
+    struct ph_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    for (int i = 0; i < n; i++) {
+        const struct ph_vertex *const v = (const void *)(base + ref->corner[i] * size);
+        box.x0 = ph_min(box.x0, v->x);
+        box.x1 = ph_max(box.x1, v->x);
+        box.y0 = ph_min(box.y0, v->y);
+        box.y1 = ph_max(box.y1, v->y);
+    }
+    return (struct ph_box){ph_first_row(box.x0 - wide), ph_first_row(box.x1 + wide), ph_first_row(box.y0 - wide),
+                           ph_first_row(box.y1 + wide)};
+}
+
 void ph_list_put_after(struct ph_renderer *r, uint32_t first)
 {
-    for (uint32_t i = first; i < ph_ref_count(r); i++) {
-        ph_ref_at(r, i)->link = PH_LINK_AFTER;
+    uint16_t *const work = ph_list_work(r);
+    for (uint32_t place = r->list.first; place != PH_NONE;) {
+        const struct ph_draw *const draw = ph_at(r, place);
+        const uint32_t end = ph_end_of_draw(r, draw);
+        for (uint32_t i = draw->first > first ? draw->first : first; i < end; i++) {
+            struct ph_ref *const ref = ph_ref_at(r, i);
+            const struct ph_box box = ph_box_of(r, draw, ref);
+            const int32_t from = ph_max(box.y0, 0), last = ph_max(ph_min(box.y1, r->config.height) - 1, 0);
+            ref->link = (uint16_t)(PH_LINK_AFTER | (last >> 3 & 127) << 8 | from >> 3);
+            const int32_t wide = ph_max(ph_min(box.x1, r->config.width) - ph_max(box.x0, 0), 0) + SET_UP_WORK;
+            for (int32_t pair = from >> 1; pair <= last >> 1; pair++) {
+                work[pair] = (uint16_t)(work[pair] + wide);
+            }
+        }
+        place = draw->next;
     }
 }
 

@@ -23,7 +23,7 @@ struct ph_ref {
 };
 
 #define PH_LINK_FAR   UINT16_MAX /* that far or further */
-#define PH_LINK_AFTER UINT16_MAX /* before ph_frame_bands, no band: it is drawn after the opaque triangles */
+#define PH_LINK_AFTER 0x8000     /* or more: it is in no band's list, but drawn after the opaque triangles */
 
 enum ph_draw_kind {
     PH_DRAW_SMALL = 1,     /* small triangles take the way of small triangles */
@@ -80,12 +80,51 @@ struct ph_mark {
 struct ph_mark ph_list_mark(struct ph_renderer *r);
 void ph_list_rewind(struct ph_renderer *r, const struct ph_mark *mark);
 
+/* Pixels of one of the rows that something with a blend is drawn into: even, because depth of 24 bits stands at a word.
+ */
+static inline uint32_t ph_row_pixels(const struct ph_renderer *r)
+{
+    return (r->config.width + 1u) & ~1u;
+}
+
+/* Its bytes: two colours and depth. */
+static inline uint32_t ph_row_bytes(const struct ph_renderer *r)
+{
+    return ph_row_pixels(r) * (4 + (uint32_t)ph_depth_bytes(r->config.depth_format));
+}
+
 /* Before something with a blend is drawn. False: it is left out. There is no room for the rows that it is drawn into,
  * or the blend names no function. */
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);
 
-/* The references from that number on are cut out or blended: they are in no band's list. */
+/* The references from that number on are cut out or blended. */
 void ph_list_put_after(struct ph_renderer *r, uint32_t first);
+
+/* About how much work these are in each two rows of the picture, in pixels. */
+uint16_t *ph_list_work(const struct ph_renderer *r);
+
+/* Such a reference has the rows of its triangle in its link, in eighths, so that most are passed over at a glance: the
+ * first from bit 0 on, the last from bit 8 on. A picture has 1024 rows at most. Whether it may reach the eighths first
+ * to last. */
+static inline bool ph_ref_may_reach(const struct ph_ref *ref, uint32_t first, uint32_t last)
+{
+    const uint32_t link = ref->link;
+    return (link & 127) <= last && (link >> 8 & 127) >= first;
+}
+
+/* Columns x0 .. x1 - 1 and rows y0 .. y1 - 1. */
+struct ph_box {
+    int32_t x0, x1, y0, y1;
+};
+
+/* What the corners of a reference reach, also outside the picture; a line is as wide as it can be. */
+struct ph_box ph_box_of(const struct ph_renderer *r, const struct ph_draw *draw, const struct ph_ref *ref);
+
+/* The number of the reference behind those of a draw. */
+static inline uint32_t ph_end_of_draw(const struct ph_renderer *r, const struct ph_draw *draw)
+{
+    return draw->next == PH_NONE ? ph_ref_count(r) : ((const struct ph_draw *)ph_at(r, draw->next))->first;
+}
 
 /* Takes the lens of a draw for what is set up next. */
 void ph_take_lens(struct ph_renderer *r, const struct ph_draw *draw);

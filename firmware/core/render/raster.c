@@ -73,8 +73,8 @@ static FX_APART struct ph_place cut_rows(const struct ph_triangle *t, const stru
     } else if (r->lower_rows > rows - upper_rows) {
         r->lower_rows = (uint16_t)(rows - upper_rows);
     }
-    const uint32_t start = (uint32_t)y * (uint32_t)band->width;
-    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, (uint32_t)band->width, false};
+    const uint32_t stride = band->stride, start = (uint32_t)y * stride;
+    return (struct ph_place){(uint16_t *)band->depth + start, band->pixels + start, stride, false};
 }
 
 /* Draws the rows of a small triangle that are left. */
@@ -83,6 +83,14 @@ static inline uint32_t draw_left(const struct ph_triangle *t, const struct ph_sm
 {
     return t->kind == PH_KIND_SMALL_KNEE ? ph_small_knee(r, at->depth, at->pixels, 2 * at->stride)
                                          : ph_small_gouraud(r, at->depth, at->pixels, 2 * at->stride);
+}
+
+/* After n rows the light of a small triangle of samples is another one: it goes down by pixels, see light_pixels in
+ * setup.c. */
+static PH_NOINLINE void mend_light(struct ph_small_triangle *r, uint32_t n)
+{
+    const uint32_t light = r->light - n * r->light_dy, rows = (light & 1) + n; /* from the first pixel's on */
+    r->light = (light & ~(uint32_t)1) + rows / 2 * (r->light_dy + 1) + (rows & 1);
 }
 
 /* Draws a small triangle that the band cuts, or that has a knee. */
@@ -101,21 +109,36 @@ static PH_NOINLINE uint32_t draw_split(const struct ph_triangle *t, const struct
     return ph_draw_rows_split(t, &r, at, NULL);
 }
 
-/* Draws a small triangle of samples. Its light goes down by pixels: see light_pixels in setup.c. */
+/* Draws a small triangle of samples. */
 static PH_NOINLINE uint32_t draw_fine(const struct ph_triangle *t, const struct ph_band *band)
 {
-    const uint32_t stride_bytes = 2 * (uint32_t)band->width;
+    const uint32_t stride_bytes = 2 * (uint32_t)band->stride;
     if (t->y_top >= band->y0 && t->y_bottom <= band->y1) {
-        const uint32_t start = (uint32_t)(t->y_top - band->y0) * (uint32_t)band->width;
+        const uint32_t start = (uint32_t)(t->y_top - band->y0) * band->stride;
         return ph_fine_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, stride_bytes);
     }
     struct ph_small_triangle r = t->small;
     const struct ph_place at = cut_rows(t, band, &r);
     if (t->y_top < band->y0) {
-        const uint32_t rows = (t->small.light & 1) + (uint32_t)(band->y0 - t->y_top); /* from the first pixel's on */
-        r.light = (t->small.light & ~(uint32_t)1) + rows / 2 * (t->small.light_dy + 1) + (rows & 1);
+        mend_light(&r, (uint32_t)(band->y0 - t->y_top));
     }
     return ph_fine_gouraud(&r, at.depth, at.pixels, stride_bytes);
+}
+
+/* ph_draw_above for that. */
+static PH_NOINLINE uint32_t draw_fine_above(struct ph_triangle *t, const struct ph_band *band)
+{
+    struct ph_small_triangle *const small = &t->small;
+    if (t->y_top < band->y0) {
+        ph_step_below(t, band->y0);
+    }
+    const uint16_t upper_rows = small->upper_rows, lower_rows = small->lower_rows;
+    const struct ph_place at = cut_rows(t, band, small);
+    const uint32_t count = ph_fine_gouraud(small, at.depth, at.pixels, 2 * at.stride);
+    small->upper_rows = upper_rows;
+    small->lower_rows = lower_rows;
+    ph_step_below(t, band->y1);
+    return count;
 }
 
 /* Draws a triangle that is small but for its long rows. */
@@ -146,8 +169,8 @@ static inline uint32_t draw_small(const struct ph_triangle *t, const struct ph_b
     if (t->y_top < band->y0 || t->y_bottom > band->y1) {
         return draw_cut(t, band);
     }
-    const uint32_t width = (uint32_t)band->width, start = (uint32_t)(t->y_top - band->y0) * width;
-    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * width);
+    const uint32_t stride = band->stride, start = (uint32_t)(t->y_top - band->y0) * stride;
+    return ph_small_gouraud(&t->small, (uint16_t *)band->depth + start, band->pixels + start, 2 * stride);
 }
 
 uint32_t ph_draw_large(const struct ph_triangle *t, const struct ph_band *band)
@@ -218,24 +241,37 @@ void ph_step_below(struct ph_triangle *t, int32_t y1)
         ph_line_step_below(t, y1);
         return;
     }
-    if (can_step(t)) {
-        skip_rows(&t->small, (uint32_t)(y1 - t->y_top));
+    const bool is_fine = t->kind == PH_KIND_SMALL_FINE;
+    if (is_fine || can_step(t)) {
+        const uint32_t rows = (uint32_t)(y1 - t->y_top);
+        skip_rows(&t->small, rows);
         t->y_top = (int16_t)y1;
+        if (is_fine) {
+            mend_light(&t->small, rows);
+        }
     }
+}
+
+/* ph_draw_above for what is drawn as elsewhere, and then stepped down. */
+static PH_NOINLINE uint32_t draw_then_step(struct ph_triangle *t, const struct ph_band *band)
+{
+    if (t->kind == PH_KIND_SMALL_FINE) {
+        return draw_fine_above(t, band);
+    }
+    const uint32_t count = ph_draw_triangle(t, band);
+    ph_step_below(t, band->y1);
+    return count;
 }
 
 uint32_t ph_draw_above(struct ph_triangle *t, const struct ph_band *band)
 {
     if (!can_step(t) || t->y_top < band->y0) {
-        const uint32_t count = ph_draw_triangle(t, band);
-        ph_step_below(t, band->y1);
-        return count;
+        return draw_then_step(t, band);
     }
     struct ph_small_triangle *const small = &t->small;
-    const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows,
-                   width = (uint32_t)band->width;
-    const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * width;
-    const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, width, false};
+    const uint32_t rows = (uint32_t)(band->y1 - t->y_top), upper_rows = small->upper_rows, stride = band->stride;
+    const uint32_t lower_rows = small->lower_rows, start = (uint32_t)(t->y_top - band->y0) * stride;
+    const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, false};
     t->y_top = (int16_t)band->y1;
     if (rows < upper_rows) {
         small->upper_rows = (uint16_t)rows;

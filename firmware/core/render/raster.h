@@ -5,10 +5,16 @@
 #include "band.h"
 #include "small_texels.h"
 
+/* Whether what draws a triangle takes the stride for the width of the picture. */
+static inline bool ph_ends_at_stride(const struct ph_triangle *t)
+{
+    return t->block != PH_BLOCK_NONE || t->kind == PH_KIND_GOURAUD || t->kind == PH_KIND_SMALL_WIDE;
+}
+
 /* Column 0 of the row in which a triangle goes on. */
 struct ph_place {
     uint16_t *depth, *pixels;
-    uint32_t stride; /* pixels */
+    uint32_t stride; /* pixels; see ph_ends_at_stride */
     bool wide;       /* rows may leave the picture, or have more than PH_SMALL_COLUMNS pixels */
 };
 

@@ -10,9 +10,7 @@ static uint32_t draw_exact_rows(const struct ph_triangle *t, const struct ph_ban
 {
     struct ph_half_rows in;
     uint32_t count = 0;
-    const struct ph_band in_band = {
-        NULL, NULL, false, rows->y0 > band->y0 ? rows->y0 : band->y0, rows->y1 < band->y1 ? rows->y1 : band->y1,
-        0,    NULL};
+    const struct ph_band in_band = {.y0 = ph_max(rows->y0, band->y0), .y1 = ph_min(rows->y1, band->y1)};
     if (!ph_rows_of_half_apart(t, &in_band, rows->y0 >= t->y_mid, &in)) {
         return 0;
     }
@@ -31,7 +29,7 @@ uint32_t ph_draw_exact(const struct ph_triangle *t, const struct ph_band *band)
 {
     struct ph_triangle run = *t;
     run.shades = t->depth; /* see triangle.h */
-    struct ph_band rows = {NULL, NULL, false, band->y0 & ~(PH_EXACT_ROWS - 1), 0, 0, NULL};
+    struct ph_band rows = {.y0 = band->y0 & ~(PH_EXACT_ROWS - 1)};
     uint32_t count = 0;
     for (rows.y0 = rows.y0 > t->y_top ? rows.y0 : t->y_top; rows.y0 < t->y_bottom && rows.y0 < band->y1;
          rows.y0 = rows.y1) {

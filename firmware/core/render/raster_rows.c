@@ -210,14 +210,14 @@ uint32_t ph_draw_wide(const struct ph_triangle *t, const struct ph_band *band)
     for (int half = 0; half < 2; half++) {
         struct ph_half_rows in;
         if (ph_rows_of_half(t, band, half, &in)) {
-            const uint32_t width = (uint32_t)band->width, start = (uint32_t)(in.y - band->y0) * width;
+            const uint32_t stride = band->stride, start = (uint32_t)(in.y - band->y0) * stride;
             r.left = (uint32_t)in.left.x;
             r.left_dx = (uint32_t)in.left.dx;
             r.right = (uint32_t)in.right.x;
             r.right_dx = (uint32_t)in.right.dx;
             r.d = depth->base + (uint32_t)in.y * depth->gy;
             r.light = light->base + (uint32_t)in.y * light->gy;
-            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, width, true};
+            const struct ph_place at = {(uint16_t *)band->depth + start, band->pixels + start, stride, true};
             count += draw_wide_rows(t, &r, at, (uint32_t)(in.y_end - in.y));
         }
     }

@@ -57,7 +57,8 @@ static void draw_span(const struct ph_triangle *t, bool depth24, struct row row)
 /* Draws rows of a half. Returns the number of pixels. */
 static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
-    uint32_t at = (uint32_t)(in.y - band->y0) * (uint32_t)band->width, d = t->depth.base + (uint32_t)in.y * t->depth.gy;
+    const uint32_t stride = band->stride;
+    uint32_t at = (uint32_t)(in.y - band->y0) * stride, d = t->depth.base + (uint32_t)in.y * t->depth.gy;
     uint32_t light = t->attribute[0].base + (uint32_t)in.y * t->attribute[0].gy, count = 0;
     for (; in.y < in.y_end; in.y++) {
         int32_t from, to;
@@ -72,7 +73,7 @@ static uint32_t walk_rows(const struct ph_triangle *t, const struct ph_band *ban
             }
             count += n;
         }
-        at += (uint32_t)band->width;
+        at += stride;
         d += t->depth.gy;
         light += t->attribute[0].gy;
     }
@@ -98,14 +99,14 @@ static inline bool take_code(const struct ph_triangle *t, struct ph_octave *octa
 /* The same for one colour and depth codes of 16 bits. */
 static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band *band, struct ph_half_rows in)
 {
-    const int32_t width = band->width;
-    const uint32_t start = (uint32_t)(in.y - band->y0) * (uint32_t)width, gd = t->depth.gx, d_dy = t->depth.gy;
+    const uint32_t stride = band->stride, start = (uint32_t)(in.y - band->y0) * stride, gd = t->depth.gx,
+                   d_dy = t->depth.gy;
     uint16_t *pixels = band->pixels + start, *depth = (uint16_t *)band->depth + start;
     uint32_t row_d = t->depth.base + (uint32_t)in.y * d_dy, count = 0;
     struct ph_octave octave = {0};
     for (int32_t rows = in.y_end - in.y; rows > 0; rows--) {
         int32_t from, to;
-        if (ph_next_row(&in.left, &in.right, width, &from, &to)) {
+        if (ph_next_row(&in.left, &in.right, band->width, &from, &to)) {
             const uint32_t n = (uint32_t)(to - from);
             uint32_t d = row_d + (uint32_t)from * gd, slope = gd;
             if (t->block == PH_BLOCK_NONE || take_code(t, &octave, n, &d, &slope)) {
@@ -116,8 +117,8 @@ static uint32_t walk_flat_rows(const struct ph_triangle *t, const struct ph_band
             count += n;
         }
         row_d += d_dy;
-        pixels += width;
-        depth += width;
+        pixels += stride;
+        depth += stride;
     }
     return count;
 }
@@ -138,7 +139,7 @@ uint32_t ph_walk(const struct ph_triangle *t, const struct ph_band *band)
 /* Draws a pixel of a triangle whose depth does not stand in `exact`. */
 static inline void draw_pixel(const struct ph_triangle *t, uint32_t x, uint32_t y, const struct ph_band *band)
 {
-    const uint32_t at = (y - (uint32_t)band->y0) * (uint32_t)band->width + x;
+    const uint32_t at = (y - (uint32_t)band->y0) * band->stride + x;
     draw_span(t, band->depth24,
               (struct row){band->pixels + at, ph_depth_from(band->depth, at, band->depth24), 1,
                            ph_plane_at(&t->depth, x, y), 0});

@@ -292,15 +292,16 @@ void ph_setting_of(struct ph_setting *s, const struct ph_renderer *r, const stru
                   (!textured || ph_texels_fit(material->texture));
     s->usual.ramp = lit ? material->ramp : textured ? NULL : &material->colour;
     s->shading = lit ? material->shading : textured ? PH_SHADE_TEXTURE : PH_SHADE_UNLIT;
-    s->takes_narrow = s->shading == PH_SHADE_TEXTURE || r->fine != 0;
-    s->keeps_light = s->shading == PH_SHADE_GOURAUD && r->fine == 0;
+    s->fine = r->fine != 0;
+    s->takes_narrow = s->shading == PH_SHADE_TEXTURE || s->fine;
+    s->keeps_light = s->shading == PH_SHADE_GOURAUD && !s->fine;
     s->floats = r->stats.depth_format == PH_DEPTH_FLOAT16;
     s->usual.lens = s->floats ? &r->lens : NULL;
     s->usual.side = PH_SIDE_SMALL;
     s->usual.margin = PH_SIDE_SMALL + 256;
     s->usual.inner_x = r->inner_x;
     s->usual.inner_y = r->inner_y;
-    if (r->fine != 0 && !textured) {
+    if (s->fine && !textured) {
         widen_usual(&s->usual);
     }
     s->usual.material = material;
@@ -323,19 +324,33 @@ static void light_pixels(struct ph_small_triangle *small, uint32_t is_second)
     small->light_dy = 2 * gy - 1;
 }
 
-/* The samples of a pixel get one light, where light is gentle: then a triangle becomes one of PH_KIND_SMALL_FINE. */
-static PH_NOINLINE void share_light(struct ph_triangle *t)
+/* The samples of a pixel get one light, where light is gentle: then a small triangle with a plane of codes becomes one
+ * of PH_KIND_SMALL_FINE. False: it stays as it is. */
+static inline bool share_light(struct ph_triangle *t)
 {
     struct ph_small_triangle *const small = &t->small;
-    if ((t->kind == PH_KIND_SMALL || t->kind == PH_KIND_SMALL_WIDE) && t->block == PH_BLOCK_NONE &&
-        ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) <= LIGHT_GENTLE) {
-        t->kind = PH_KIND_SMALL_FINE;
-        light_pixels(small, (uint32_t)t->y_top & 1);
+    if (ph_without_sign((int32_t)small->glight) + ph_without_sign((int32_t)small->light_dy) > LIGHT_GENTLE) {
+        return false;
     }
+    t->kind = PH_KIND_SMALL_FINE;
+    light_pixels(small, (uint32_t)t->y_top & 1);
+    return true;
+}
+
+/* Whether a triangle has rows of more pixels than small ones. Rows are longest at one end of the upper ones, or where
+ * the lower ones begin. */
+static bool has_long_rows(const struct ph_small_triangle *small)
+{
+    const int32_t most = PH_SMALL_COLUMNS << 16;
+    const uint32_t rows = small->upper_rows, first = small->right - small->left;
+    const uint32_t last = first + (rows - 1) * (small->right_dx - small->left_dx), x = (uint32_t)small->lower.x;
+    const uint32_t below =
+        small->lower_is_right ? x - (small->left + rows * small->left_dx) : small->right + rows * small->right_dx - x;
+    return (int32_t)first >= most || (int32_t)last >= most || (small->lower_rows > 0 && (int32_t)below >= most);
 }
 
 /* Gives a small triangle of one light that light. */
-static PH_NOINLINE void set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
+static inline void set_light(const struct ph_setting *s, const struct ph_vertex *first, struct ph_triangle *t)
 {
     if (s->shading != PH_SHADE_GOURAUD) {
         t->small.light = s->shading == PH_SHADE_FLAT ? (uint32_t)first->light << 16 : 0;
@@ -343,25 +358,22 @@ static PH_NOINLINE void set_light(const struct ph_setting *s, const struct ph_ve
     }
 }
 
-/* ph_set_usual_light for samples. */
+/* Gives the light of samples, or sets up a triangle whose third side may be no short one. */
 static PH_NOINLINE void set_samples_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    const struct ph_vertex *const base = s->usual.base, *const first = &base[ref->corner[0]];
-    if (t->y_bottom - t->y_top >= (int32_t)(PH_SIDE_SHORT / 256)) { /* its third side may be no short one */
+    if (t->y_bottom - t->y_top >= (int32_t)(PH_SIDE_SHORT / 256)) {
         ph_setup_unusual(s, ref, PH_SMALL_SET, t);
         return;
     }
-    set_light(s, first, t);
-    share_light(t);
-    if (t->kind == PH_KIND_SMALL &&
-        !is_narrow((uint32_t)(base[ref->corner[1]].x - first->x), (uint32_t)(base[ref->corner[2]].x - first->x))) {
+    set_light(s, &s->usual.base[ref->corner[0]], t);
+    if (!share_light(t) && has_long_rows(&t->small)) {
         t->kind = PH_KIND_SMALL_WIDE;
     }
 }
 
 void ph_set_usual_light(const struct ph_setting *s, const struct ph_ref *ref, struct ph_triangle *t)
 {
-    if (s->r->fine != 0) {
+    if (s->fine) {
         set_samples_light(s, ref, t);
     } else {
         set_light(s, &s->usual.base[ref->corner[0]], t);
@@ -421,7 +433,7 @@ static void setup_front(const struct ph_setting *s, const struct ph_vertex *cons
             ph_set_knee(t, d);
         }
         set_light(s, v[0], t);
-        if (r->fine != 0) {
+        if (s->fine && t->block == PH_BLOCK_NONE && t->kind != PH_KIND_SMALL_KNEE) {
             share_light(t);
         }
     }
@@ -484,7 +496,7 @@ void ph_setup_unusual(const struct ph_setting *s, const struct ph_ref *ref, enum
     const struct ph_vertex *const base = s->usual.base;
     if ((s->draw.kind & PH_DRAW_LINES) == 0) {
         setup_triangle(s, ref, done, t);
-    } else if (s->r->fine != 0) {
+    } else if (s->fine) {
         setup_samples(s, ref, t);
     } else {
         ph_setup_line(s, &base[ref->corner[0]], &base[ref->corner[1]], t);

@@ -192,15 +192,15 @@ uint32_t ph_draw_small_texels(const struct ph_triangle *t, const struct ph_band 
     const struct ph_small_triangle *const s = &t->small;
     const int32_t y = t->y_top > band->y0 ? t->y_top : band->y0;
     const uint32_t above = (uint32_t)(y - t->y_top), rows = (uint32_t)(band->y1 - y), x = (uint32_t)t->y_mid;
-    const uint32_t at = (uint32_t)(y - band->y0) * (uint32_t)band->width + x;
+    const uint32_t at = (uint32_t)(y - band->y0) * band->stride + x;
     struct ph_small_texels texels;
     struct ph_texel_run *const r = &texels.run;
     const bool usual = ph_small_texels_usual(t);
     if (usual) {
         begin_run(r, t, below_of(t, y), t->material->texture);
-        r->stride_bytes = 2 * (uint32_t)band->width;
+        r->stride_bytes = 2 * (uint32_t)band->stride;
     } else {
-        ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->width);
+        ph_small_texels_begin(&texels, t, y, 2 * (uint32_t)band->stride);
     }
     r->left_dx = s->left_dx;
     r->right_dx = s->right_dx;

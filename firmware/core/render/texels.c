@@ -56,6 +56,7 @@ static inline bool set_warp(struct warp *p, const struct ph_vertex *const v[3], 
         return false;
     }
     const int zeros = fx_clz32((uint32_t)middle);
+    /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): middle > 0 */
     const int32_t reciprocal = (int32_t)fx_rcp16((uint32_t)middle << zeros >> 16); /* 2^(47 - zeros) / middle */
     const int32_t d = (high - middle) * reciprocal >> (31 - zeros), o0 = (w[0] - middle) * reciprocal >> (31 - zeros);
     const int32_t error = d * d >> 17, m0 = 65536 - o0 + error;

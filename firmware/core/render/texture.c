@@ -124,15 +124,14 @@ static uint32_t draw_tile(const struct ph_triangle *t, const struct ph_band *ban
 {
     const int32_t y = (int32_t)tile->y, y1 = y + (1 << tile->height_log2);
     const int32_t top = y > t->y_top ? y : t->y_top;
-    const struct ph_band rows = {NULL, NULL, false, top > band->y0 ? top : band->y0, y1 < band->y1 ? y1 : band->y1,
-                                 0,    NULL};
-    const uint32_t width = (uint32_t)band->width, left = width - tile->x, columns = 1u << tile->width_log2;
-    const uint32_t at = (uint32_t)(rows.y0 - band->y0) * width + tile->x;
+    const struct ph_band rows = {.y0 = ph_max(top, band->y0), .y1 = ph_min(y1, band->y1)};
+    const uint32_t stride = band->stride, left = (uint32_t)band->width - tile->x, columns = 1u << tile->width_log2;
+    const uint32_t at = (uint32_t)(rows.y0 - band->y0) * stride + tile->x;
     struct ph_tile_kind k;
     struct ph_texel_rows r;
     r.depth = ph_depth_from(band->depth, at, band->depth24);
     r.pixels = band->pixels + at;
-    r.stride_bytes = 2 * width;
+    r.stride_bytes = 2 * stride;
     r.light = r.glight = r.light_dy = 0;
     k.triangle = t;
     k.depth24 = band->depth24;
@@ -193,7 +192,7 @@ static int tile_width(const struct ph_triangle *t, const struct ph_tile *tile, u
 /* Finds columns and least 1/w of the rows of a strip. */
 static void measure_strip(const struct ph_triangle *t, int32_t width, struct strip *strip)
 {
-    const struct ph_band rows = {NULL, NULL, false, (int32_t)strip->y, (int32_t)strip->y_end, 0, NULL};
+    const struct ph_band rows = {.y0 = (int32_t)strip->y, .y1 = (int32_t)strip->y_end};
     strip->x = width;
     strip->x_end = 0;
     strip->least_w = UINT32_MAX;

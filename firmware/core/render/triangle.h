@@ -104,9 +104,9 @@ enum ph_kind {
     PH_KIND_TEXTURE,
     PH_KIND_SMALL,
     PH_KIND_SMALL_KNEE,
+    PH_KIND_SMALL_FINE,  /* of samples: all four of a pixel have one light; depth is a plane of codes */
     PH_KIND_SMALL_SPLIT, /* depth crosses octaves; with PH_KIND_SMALL and PH_KIND_SMALL_KNEE it is a plane of codes */
     PH_KIND_SMALL_WIDE,  /* of samples: its rows are up to twice as long; depth may cross octaves */
-    PH_KIND_SMALL_FINE,  /* of samples: all four of a pixel have one light; depth is a plane of codes */
     PH_KIND_SMALL_TEXTURE,
     PH_KIND_SMALL_TEXTURE_KNEE, /* only if PH_TEXTURE_KNEE */
     PH_KIND_COLOURS,
@@ -129,6 +129,7 @@ struct ph_triangle {
         struct ph_triangle *before; /* until it is set up: the one before it in its list */
     };
     union {
+        const struct ph_draw *draw; /* until it is set up: that of its reference */
         struct {
             union {
                 struct {

@@ -12,6 +12,7 @@
 #include "vertices.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -175,12 +176,19 @@ static uint32_t try_rows(uint32_t h)
     return try_small(h, ph_small_gouraud);
 }
 
-/* Samples: rows of depth and of pixels begin at whole words. */
+/* Samples: rows of depth and of pixels begin at whole words, light is as setup.c leaves it, and of a triangle with one
+ * upper row the edge that ends there may go anywhere. */
 static uint32_t whole_words(const struct ph_small_triangle *small, uint16_t *to_depth, uint16_t *to_pixels,
                             uint32_t stride_bytes)
 {
-    return ph_fine_gouraud(small, depth + ((to_depth - depth) & ~1), pixels + ((to_pixels - pixels) & ~1),
-                           stride_bytes & ~3u);
+    const ptrdiff_t odd = (to_depth - depth) & 1, pixels_odd = (to_pixels - pixels) & 1;
+    struct ph_small_triangle r = *small;
+    r.light_dy |= 1;
+    r.glight &= ~(uint32_t)1;
+    if (r.upper_rows == 1) {
+        *(r.lower_is_right ? &r.right_dx : &r.left_dx) = bits();
+    }
+    return ph_fine_gouraud(&r, to_depth - odd, to_pixels - pixels_odd, stride_bytes & ~3u);
 }
 
 /* Rows of up to 64 samples. */

@@ -1,38 +1,53 @@
-@ ph_halve of kernels.h for ARMv7-M. Four pixels take 19 instructions if each is of one colour; else the mean of one takes 11.
+@ ph_halve of kernels.h for ARMv7-M. Four pixels take 18 instructions if each is of one colour, else 60; a pixel before or
+@ behind them takes 19.
 @ A sample pair is a word: its second sample stands in the upper half.
 @
-@ Registers: r0 to, r1 upper, r2 lower, r3 the end; r4-r7 upper samples, r8 r9 r11 r12 lower samples; r10 the fields of a
-@ spread colour: red at bit 3, green at 13, blue at 24; lr scratch. n stands on the stack.
+@ Registers: r0 to, r1 upper, r2 lower, r3 pixels that are left, less 4; r4-r7 upper samples, r8 r9 r11 r12 lower samples;
+@ r10 the fields of a spread colour: red at bit 3, green at 13, blue at 24; lr scratch.
 #include "../thumb.inc"
 
-    @ \a becomes a pixel: the mean of the samples in \a and \b, unless all are one colour.
-    .macro pixel a b
-    cmp \a, \b
-    it eq
-    cmpeq \a, \a, ror #16
-    beq 9f
+    @ \a becomes the sum of the samples in \a and \b, spread.
+    .macro sum a b
     and lr, r10, \a
     and \a, r10, \a, ror #16
     add lr, \a
     and \a, r10, \b
     add lr, \a
     and \a, r10, \b, ror #16
-    add lr, \a
-    ldr \b, =0x02004010 @ half of 4 in each field
-    add lr, \b
-    and lr, r10, lr, lsr #2
-    orr \a, lr, lr, lsr #16
-9:
+    add \a, lr
+    .endm
+
+    @ \a becomes a pixel: a quarter of the sum \a, rounded. r8: half of 4 in each field.
+    .macro mean a
+    add \a, r8
+    and \a, r10, \a, lsr #2
+    orr \a, \a, \a, lsr #16
     .endm
 
     function ph_halve @ r3: n
-    push {r3-r11, lr}
-    bic r3, r3, #3
-    add r3, r0, r3, lsl #1
+    cmp r3, #0
+    it eq
+    bxeq lr
+    push {r4-r11, lr}
     movw r10, #0xe0f8
     movt r10, #0x1f07
-    b 3f
-1:  ldm r1!, {r4-r7}
+    subs r3, #4
+    lsls r4, r0, #30
+    bmi 1f @ a pixel comes before the first whole word
+    cmp r3, #0
+    bge 2f
+1:  ldr r4, [r1], #4
+    ldr r9, [r2], #4
+    ldr r8, half
+    sum r4, r9
+    mean r4
+    strh r4, [r0], #2
+    subs r3, #1
+    bpl 2f
+    cmn r3, #4
+    bne 1b
+    pop {r4-r11, pc}
+2:  ldm r1!, {r4-r7}
     ldm r2!, {r8, r9, r11, r12}
     cmp r4, r8
     itttt eq
@@ -45,28 +60,25 @@
     cmpeq r7, r12
     cmpeq r7, r7, ror #16
     bne 4f
-2:  strh r4, [r0], #2
-    strh r5, [r0], #2
-    strh r6, [r0], #2
-    strh r7, [r0], #2
-3:  cmp r0, r3
-    blo 1b
-    ldr r4, [sp]
-    and r4, r4, #3
-    add r3, r3, r4, lsl #1
-    b 6f
-4:  pixel r4, r8
-    pixel r5, r9
-    pixel r6, r11
-    pixel r7, r12
-    b 2b
-5:  ldr r4, [r1], #4
-    ldr r8, [r2], #4
-    pixel r4, r8
-    strh r4, [r0], #2
-6:  cmp r0, r3 @ up to three more
-    blo 5b
-    pop {r3-r11, pc}
+3:  bfi r4, r5, #16, #16
+    bfi r6, r7, #16, #16
+    strd r4, r6, [r0], #8
+    subs r3, #4
+    bpl 2b
+    cmn r3, #4
+    bne 1b
+    pop {r4-r11, pc}
+4:  sum r4, r8
+    ldr r8, half
+    sum r5, r9
+    sum r6, r11
+    sum r7, r12
+    mean r4
+    mean r5
+    mean r6
+    mean r7
+    b 3b
     .p2align 2
-    .ltorg
+half:
+    .word 0x02004010
     .size ph_halve, . - ph_halve

@@ -114,20 +114,7 @@ below:
     add a2, a2, a3
     bne a1, s8, row
     beqz a0, done // the lower edge has taken over
-    lhu t0, small_lower_rows(a0)
-    beqz t0, done
-    mul t0, t0, a3
-    add s8, s8, t0
-    lw t0, small_lower_is_right(a0)
-    words lw, a0, small_lower, t1, t2
-    li a0, 0
-    bnez t0, 1f
-    mv a4, t1
-    mv s0, t2
-    j row
-1:  mv a5, t1
-    mv s1, t2
-    j row
+    lower_edge a0
 done:
     mv a0, s7
     restore 48, SAVED

@@ -74,6 +74,21 @@ static inline __m128i small_below(__m128i of_edges, uint32_t side, int32_t lower
     return _mm_loadu_si128((const __m128i *)word);
 }
 
+/* Behind the upper rows the lower edge takes over; `left` rows are left then. False: there are no lower rows, or they
+ * have been. */
+static inline __attribute__((always_inline)) bool small_turn(const struct ph_small_triangle *small, __m128i *row,
+                                                             __m128i *down, uint32_t *left, uint32_t *lower_rows)
+{
+    if (*lower_rows == 0) {
+        return false;
+    }
+    *row = small_below(*row, small->lower_is_right, small->lower.x);
+    *down = small_below(*down, small->lower_is_right, small->lower.dx);
+    *left = *lower_rows;
+    *lower_rows = 0;
+    return true;
+}
+
 /* Draws a small triangle; see kernels.h. has_knee is a constant. */
 static inline uint32_t small_draw(const struct ph_small_triangle *small, uint16_t *depth, const uint16_t *pixels,
                                   uint32_t stride_bytes, bool has_knee)
@@ -96,13 +111,9 @@ static inline uint32_t small_draw(const struct ph_small_triangle *small, uint16_
             row = _mm_add_epi32(row, down);
             depth = ph_row_below(depth, stride_bytes);
         } while (--left > 0);
-        if (lower_rows == 0) {
+        if (!small_turn(small, &row, &down, &left, &lower_rows)) {
             return count;
         }
-        row = small_below(row, small->lower_is_right, small->lower.x);
-        down = small_below(down, small->lower_is_right, small->lower.dx);
-        left = lower_rows;
-        lower_rows = 0;
     }
 }
 

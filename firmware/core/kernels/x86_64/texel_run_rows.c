@@ -55,6 +55,7 @@ static inline __attribute__((always_inline)) void next_light(const struct lit_te
 
 /* Draws the n = 1 .. PH_SMALL_COLUMNS pixels before `end`. The step grows behind every second pixel, counted from the
  * last one. The last four have one light, so do the four before them, and so on. */
+/* NOLINTNEXTLINE(readability-function-size): 32 times the same */
 static inline void draw_row(const struct lit_texels *t, uint16_t *end, uint64_t n, struct lit_walk w)
 {
     switch (n) {

@@ -30,12 +30,8 @@ uint32_t ph_wide_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, 
             row = _mm_add_epi32(row, down);
             depth = ph_row_below(depth, stride_bytes);
         }
-        if (lower_rows == 0) {
+        if (!small_turn(rows, &row, &down, &left, &lower_rows)) {
             return count;
         }
-        row = small_below(row, rows->lower_is_right, rows->lower.x);
-        down = small_below(down, rows->lower_is_right, rows->lower.dx);
-        left = lower_rows;
-        lower_rows = 0;
     }
 }
