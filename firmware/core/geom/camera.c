@@ -127,23 +127,27 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
     *height = size_at(p->scale_y_q20, twice);
 }
 
+/*
+ * Twice the angle of (2 distance, height). The 16 bits of fx_atan2 are too few, so the point is turned back by them. The
+ * angle that is left is at most 2^-16 turn, so it is its tangent, across / along.
+ */
 fx_t ph_fov_of(fx_t height, fx_t distance)
 {
-    /* Twice the angle of (2 distance, height). The 16 bits of fx_atan2 are too few: bisection finds the others. */
+    if (height <= 0) {
+        return 0;
+    }
     const bool doubles = distance <= FX_MAX / 2;
     const fx_t near = fx_atan2(doubles ? height : height / 2, doubles ? 2 * distance : distance);
-    uint32_t low = near > 1 ? (uint32_t)(near - 1) << 16 : 0, high = near >= 0 ? (uint32_t)(near + 1) << 16 : 1;
-    while (high - low > 1) {
-        const uint32_t middle = low + (high - low) / 2;
-        int32_t s, c;
-        fx_sincos_q30(middle, &s, &c);
-        if (fx_mul_wide(height, c) > 2 * fx_mul_wide(distance, s)) {
-            low = middle;
-        } else {
-            high = middle;
-        }
+    int32_t s, c;
+    fx_sincos_q30((uint32_t)near << 16, &s, &c);
+    int64_t across = fx_mul_wide(height, c) - 2 * fx_mul_wide(distance, s);
+    int64_t along = fx_mul_wide(height, s) + 2 * fx_mul_wide(distance, c);
+    if (along >> 54 != 0) { /* the product below shall not overflow */
+        across >>= 9;
+        along >>= 9;
     }
-    return (fx_t)(((uint64_t)high * 2 * 360 + ((uint64_t)1 << 15)) >> 16);
+    const int64_t two_radians = 7509872; /* in degrees */
+    return near * 2 * 360 + (fx_t)((across * two_radians + (across > 0 ? along : -along) / 2) / along);
 }
 
 fx_t ph_distance_of(fx_t height, fx_t fov_deg)
