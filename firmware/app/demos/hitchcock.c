@@ -97,6 +97,7 @@ struct fineness {
 #define ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, CELLS_FEW)
 
 #define ZOOM_ARENA_FINE ARENA(TOP_SIDES, COLUMN_SIDES, 2)
+#define ZOOM_ARENA_KIT  ARENA(TOP_KIT, COLUMN_KIT, 2)
 #define ZOOM_ARENA_FEW  ARENA(TOP_FEW, COLUMN_FEW, 2)
 
 static int make_columns(struct demo_arena *arena, struct hitchcock *h, const struct fineness *f)
@@ -202,8 +203,10 @@ static const struct demo_level coarser[] = {
 static int zoom_init(struct demo_context *context)
 {
     static const struct fineness fine = {TOP_SIDES, COLUMN_SIDES, 2, PAIRS, ZOOM_PAIRS},
+                                 kit = {TOP_KIT, COLUMN_KIT, 2, PAIRS, ZOOM_PAIRS},
                                  few = {TOP_FEW, COLUMN_FEW, 2, PAIRS, ZOOM_FEW};
-    return make_scene(context, context->arena.size >= ZOOM_ARENA_FINE ? &fine : &few);
+    const size_t size = context->arena.size;
+    return make_scene(context, size >= ZOOM_ARENA_FINE ? &fine : size >= ZOOM_ARENA_KIT ? &kit : &few);
 }
 
 struct shot {
@@ -276,8 +279,12 @@ static uint32_t zoom_band(struct demo_context *context, struct ph_renderer *r, u
 #define ZOOM_VERTICES(sides, column, pairs)                                                                            \
     (2 * (9 * WALK + MODEL_LATHE_VERTICES(sides, TOP_POINTS) + 2 * (pairs)*MODEL_LATHE_VERTICES(column, COLUMN_POINTS)))
 
-static const struct demo_level zoom_coarser = {
-    DEMO_ARENA(ZOOM_ARENA_FEW, 4992), .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520};
+/* For pictures of kits, of which each half is narrower still, and for little memory. */
+static const struct demo_level zoom_coarser[] = {
+    {DEMO_ARENA(ZOOM_ARENA_KIT, 6480), .vertex_max = ZOOM_VERTICES(TOP_KIT, COLUMN_KIT, ZOOM_PAIRS),
+     .triangle_max = 1130, .enough_px = 135},
+    {DEMO_ARENA(ZOOM_ARENA_FEW, 4992), .vertex_max = ZOOM_VERTICES(TOP_FEW, COLUMN_FEW, ZOOM_FEW), .triangle_max = 520},
+};
 
 const struct demo demo_zoom = {
     .name = "zoom",
@@ -286,8 +293,8 @@ const struct demo demo_zoom = {
     DEMO_ARENA(ZOOM_ARENA_FINE, 7968),
     .vertex_max = ZOOM_VERTICES(TOP_SIDES, COLUMN_SIDES, ZOOM_PAIRS),
     .triangle_max = 1400,
-    .coarser = &zoom_coarser,
-    .coarser_count = 1,
+    .coarser = zoom_coarser,
+    .coarser_count = sizeof zoom_coarser / sizeof zoom_coarser[0],
     .init = zoom_init,
     .frame = zoom_frame,
     .band = zoom_band,

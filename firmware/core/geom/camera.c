@@ -128,8 +128,8 @@ void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, f
 }
 
 /*
- * Twice the angle of (2 distance, height). The 16 bits of fx_atan2 are too few, so the point is turned back by them. The
- * angle that is left is at most 2^-16 turn, so it is its tangent, across / along.
+ * Twice the angle of (2 distance, height). The 16 bits of fx_atan2 are too few, so the point is turned back by them.
+ * The angle that is left is at most 2^-16 turn, so it is its tangent, across / along.
  */
 fx_t ph_fov_of(fx_t height, fx_t distance)
 {
