@@ -183,7 +183,7 @@ struct ph_scene_light {
 enum ph_depth_format {
     PH_DEPTH_AUTO,     /* the format that ph_depth_choose() takes for the frame's camera */
     PH_DEPTH_FIXED16,  /* N/w - N/f, 16 bits */
-    PH_DEPTH_FLOAT16,  /* the same as an unsigned float: 3 .. 6 bits of exponent, the rest mantissa */
+    PH_DEPTH_FLOAT16,  /* the same as an unsigned floating-point number: 3 .. 6 bits of exponent, the rest mantissa */
     PH_DEPTH_FIXED24,  /* as FIXED16, 24 bits */
     PH_DEPTH_FLOAT24,  /* as FLOAT16, 24 bits */
     PH_DEPTH_LINEAR_W, /* the distance itself, 16 bits; slow: a reciprocal per pixel */
@@ -223,7 +223,7 @@ struct ph_stats {
     uint32_t vertices_dropped;  /* of meshes left out: did not fit the budgets */
     uint32_t fragments;         /* pixels depth-tested */
     uint8_t depth_format;       /* of this frame: enum ph_depth_format, never AUTO */
-    uint8_t depth_exponent;     /* of this frame: bits of exponent of a float format, 3 .. 6; 0 for the others */
+    uint8_t depth_exponent;     /* of this frame: bits of exponent of FLOAT16 and FLOAT24, 3 .. 6; 0 for the others */
 };
 
 /* How ph_show hands out pixels. */
@@ -278,7 +278,7 @@ struct ph_config {
     uint16_t *shown;     /* width * height: what was shown last; with it only what changed is sent. Or NULL */
     uint8_t pixel_order; /* enum ph_pixel_order */
 
-    uint8_t depth_exponent; /* float formats: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
+    uint8_t depth_exponent; /* FLOAT16 and FLOAT24: bits of exponent, 3 .. 6; 0: as ph_depth_choose_exponent() says */
 
     /* Antialiasing, optional: room for 4 * width * band_height pixels, 4-byte aligned. Then a pixel is the mean of 2 x
      * 2 samples, depth has 4 times the room as well, and width and height are at most 512. Lower bands make up for the
@@ -317,7 +317,7 @@ struct ph_lens {
     uint32_t depth_scale; /* perspective: N of depth.h, normalised; orthographic: 1 / (far - near), normalised */
     uint32_t far_q;       /* depth quotient at the far plane, see depth.h */
     int8_t far_s;         /* negative in the fixed formats only; floats read the next byte with it */
-    uint8_t float_down;   /* bits of exponent of a float format, less 1; 3 for the other formats */
+    uint8_t float_down;   /* bits of exponent of FLOAT16 and FLOAT24, less 1; 3 for the other formats */
     struct ph_linear linear;
     int32_t radian_px;             /* fisheye: pixels per radian, 16.16 */
     uint32_t chord_min2;           /* fisheye: (1/256 px)^2; shorter edges are not divided */

@@ -14,8 +14,8 @@
 #include "kernels.h"
 #include "setup.h"
 
-#define ASKS_REFS 16 /* after so many references one core asks whether the other is free */
-#define HELPED    0  /* in place of a reference: the other core is free */
+#define ASKS_REFS 16 /* after so many references one core asks whether the other is idle */
+#define HELPED    0  /* in place of a reference: the other core is idle */
 #define SPARES    8
 #define CHUNK     32 /* triangles that two cores set up at a time, most */
 
@@ -117,10 +117,10 @@ static inline uint32_t draw_beyond(struct ph_triangle ***carry, struct ph_triang
     return ph_draw_above(t, rows);
 }
 
-/* Whether the other core is free, and there is a row for each. */
+/* Whether the other core is idle, and there is a row for each. */
 static inline bool is_helped(const struct ph_renderer *r, const struct ph_band *rows)
 {
-    return rows->y1 - rows->y0 >= 2 && ph_other_core_is_free(r);
+    return rows->y1 - rows->y0 >= 2 && ph_other_core_is_idle(r);
 }
 
 /* Draws the carried triangles that come before the next reference, and prepares its draw. Returns the first reference
@@ -158,7 +158,7 @@ static PH_NOINLINE uint32_t draw_begun(struct ph_feed *f, struct rest *rest)
     return is_helped(r, rows) ? HELPED : asks;
 }
 
-/* Draws the triangles of a band that are left, until the other core is free: each is set up, drawn, and carried on if
+/* Draws the triangles of a band that are left, until the other core is idle: each is set up, drawn, and carried on if
  * it goes on below. */
 static FX_APART void draw_rest(struct ph_feed *f, struct rest *rest)
 {
@@ -448,7 +448,7 @@ static PH_NOINLINE bool draw_chunk(struct ph_feed *f, struct rest *rest, bool cl
     return more;
 }
 
-/* Draws the triangles of a band, with the other core from when on it is free. */
+/* Draws the triangles of a band, with the other core from the moment when it is idle. */
 static void draw_triangles(struct ph_feed *f, const struct ph_band *rows)
 {
     struct ph_renderer *const r = f->r;

@@ -6,7 +6,7 @@ static void nothing(void *argument)
     (void)argument;
 }
 
-bool ph_other_core_is_free(const struct ph_renderer *r)
+bool ph_other_core_is_idle(const struct ph_renderer *r)
 {
     if (r->config.other_core == NULL || !r->config.other_core(nothing, NULL)) {
         return false;
@@ -17,7 +17,7 @@ bool ph_other_core_is_free(const struct ph_renderer *r)
 
 void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*draw)(void *share))
 {
-    const bool both = rows > 0 && ph_other_core_is_free(r);
+    const bool both = rows > 0 && ph_other_core_is_idle(r);
     struct ph_share mine = {r, *band, 0, both ? 2 : 1, 0}, others = mine;
     if (both) {
         others.part = 1;

@@ -21,7 +21,7 @@ static inline void ph_run_both(const struct ph_renderer *r, void (*run)(void *ar
 }
 
 /* Whether there is another core, and it is free. */
-bool ph_other_core_is_free(const struct ph_renderer *r);
+bool ph_other_core_is_idle(const struct ph_renderer *r);
 
 /* The rows of a band that one core draws. */
 struct ph_share {
@@ -32,7 +32,7 @@ struct ph_share {
 };
 
 /* Has that many rows of a band drawn here, and the others by the other core; or all of it here, if there are 0 such
- * rows or the other core is not free. draw takes a struct ph_share, whose fragments are counted. */
+ * rows or the other core is not idle. draw takes a struct ph_share, whose fragments are counted. */
 void ph_draw_in_parts(struct ph_renderer *r, const struct ph_band *band, int32_t rows, void (*draw)(void *share));
 
 #endif

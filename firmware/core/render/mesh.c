@@ -185,7 +185,7 @@ static uint32_t draw_each(const struct part_context *c, const uint16_t (*index)[
     bool may_share = c->draw.uvs == NULL && !ph_has_uvs(c->material);
     while (index < end) {
         uint32_t count = (uint32_t)(end - index);
-        if (may_share && count >= EACH_LEAST && ph_other_core_is_free(c->r)) {
+        if (may_share && count >= EACH_LEAST && ph_other_core_is_idle(c->r)) {
             count = count < BLOCK ? count : BLOCK;
             may_share = each_both(c, index, count, &seen);
             index += may_share ? count : 0;

@@ -325,7 +325,7 @@ PH_NOINLINE uint8_t ph_block_depths(const struct ph_renderer *r, const struct ph
         return ph_block_of(block, down);
     }
     const uint32_t offset = ph_depth_float16_offset(octave, block, down) + (bias << 13);
-    for (int i = 0; i < 3; i++) { /* in one octave a float is a fixed number with another slope */
+    for (int i = 0; i < 3; i++) { /* in one octave a floating-point code is a fixed number with another slope */
         d[i] = ph_depth_float16_value(d[i], octave - down) + offset;
     }
     return PH_BLOCK_NONE;

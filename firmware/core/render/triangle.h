@@ -119,7 +119,7 @@ struct ph_triangle {
     int16_t y_top, y_mid, y_bottom; /* rows y_top .. y_bottom - 1; the short edges meet at y_mid; PH_KIND_SMALL_TEXTURE:
                                        y_mid is the column from which u and v count */
     uint8_t kind;                   /* enum ph_kind */
-    uint8_t block;     /* float formats, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
+    uint8_t block;     /* FLOAT16 and FLOAT24, depth that crosses octaves: see ph_block_of; or one of PH_BLOCK_... */
     uint8_t long_left; /* the long edge is the left one */
     uint8_t
         range_log2;  /* texture: |u|, |v| are below 2^this; PH_KIND_SMALL_TEXTURE: they count from row y_top + this */
