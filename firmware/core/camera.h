@@ -97,8 +97,8 @@ int ph_projection_resize(struct ph_projection *p, fx_t aspect);
 /* Width and height of the view volume at the distance z along the view; they saturate. */
 void ph_projection_size_at(const struct ph_projection *p, fx_t z, fx_t *width, fx_t *height);
 
-/* Vertical field of view in degrees at which a height h at the distance z fills the picture: 2 atan(h / 2z). 0 for a height
- * that is not more than 0. Error < 0.52 LSB. */
+/* Vertical field of view in degrees at which a height h at the distance z fills the picture: 2 atan(h / 2z).
+ * Error < 0.52 LSB. 0 if h is not more than 0. */
 fx_t ph_fov_of(fx_t height, fx_t distance);
 
 /* The other way round: the distance at which a height h fills the picture at that field of view, h / 2 cot(fov / 2),

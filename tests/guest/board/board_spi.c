@@ -97,7 +97,7 @@ static int board_transfer(struct spi_controller *controller, struct spi_device *
         board_log("%llu note spi stall", board_now());
         wait_for_completion_timeout(&spi.go, msecs_to_jiffies(spi.stall_ms));
     }
-    if (spi.wire_time) { /* by a timer of high resolution: jiffies lag on a busy machine, and a sleep by them may end early */
+    if (spi.wire_time) { /* by a precise timer: jiffies lag on a busy machine, so a sleep by them may end early */
         unsigned long us = div_u64(8000000ULL * transfer->len, transfer->effective_speed_hz) + 1;
 
         usleep_range(us, us + us / 8);
