@@ -104,11 +104,14 @@ static bool meet(const struct scene *s, const struct quad *q, const double ray[3
     if (q->coloured) {
         corner_colour(q, u, v, h->rgb);
         h->sure &= fabs(u - v) > margin;
-    } else if (q->textured) {
+    }
+    if (q->textured || (q->blend != NULL && q->blend->alphas != NULL)) {
         const double x = u * TEXELS, y = v * TEXELS, border = .12;
         const int at = ((int)floor(y) & (TEXELS - 1)) * TEXELS + ((int)floor(x) & (TEXELS - 1));
         h->sure &= fabs(x - round(x)) > border && fabs(y - round(y)) > border;
-        channels(s->texels[at], h->rgb);
+        if (q->textured) {
+            channels(s->texels[at], h->rgb);
+        }
         channels(q->blend != NULL && q->blend->kind == PH_BLEND_KEY ? s->texels[at] : s->alphas[at], h->key);
     }
     return true;
@@ -123,9 +126,9 @@ static double alpha_of(const struct quad *q, const struct hit *h)
     case PH_BLEND_KEY:
         return q->textured && key[0] == h->key[0] && key[1] == h->key[1] && key[2] == h->key[2] ? 0 : 1;
     case PH_BLEND_MASK:
-        return q->textured && b->alphas != NULL && h->key[1] < .5 ? 0 : 1;
+        return b->alphas != NULL && h->key[1] < .5 ? 0 : 1;
     default:
-        return b->alpha / 32. * (q->textured && b->alphas != NULL ? h->key[1] : 1);
+        return b->alpha / 32. * (b->alphas != NULL ? h->key[1] : 1);
     }
 }
 
@@ -339,7 +342,8 @@ static void cut_outs_show_what_is_behind_their_key_and_hide_it_elsewhere(void **
         lean(&s.quads[1], 3);
         lean(&s.quads[2], 5);
         lean(&s.quads[3], 7); /* opaque, drawn last: it is hidden where they are not cut out */
-        s.quads[1].textured = s.quads[2].textured = true;
+        s.quads[1].textured = true;
+        s.quads[2].textured = i % 2 == 0; /* a colour has a mask, too */
         s.quads[1].blend = &key;
         s.quads[2].blend = &mask;
         s.quads[3].colour = 0xffff;
@@ -362,7 +366,7 @@ static void blended_quads_mix_with_what_is_behind_in_the_order_of_the_calls(void
                                           .alpha = (uint8_t)(k == 1 ? 32 : 8 + 5 * k),
                                           .alphas = k == 1 || k == 2 ? &s.alpha_texture : NULL};
             lean(q, 7 - k * 1.3);
-            q->textured = k == 1 || k == 2;
+            q->textured = (k == 1 || k == 2) && i % 2 == 0; /* a colour has alphas, too: so a sprite glows */
             q->colour = any_colour();
             q->blend = &blends[k];
         }

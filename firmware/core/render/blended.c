@@ -207,7 +207,7 @@ static void draw_one(struct overlay *o, const struct ph_ref *ref)
     }
     ph_setup(&o->setting, ref, &t);
     if (t.kind == PH_KIND_FLAT && t.block == PH_BLOCK_NONE && !o->band->depth24 && o->r->fog == NULL &&
-        o->blend->kind == PH_BLEND_ALPHA) {
+        o->blend->kind == PH_BLEND_ALPHA && !o->has_keys) {
         blend_flat(o, &t);
         return;
     }
