@@ -186,14 +186,17 @@ static int choose_view(const struct sim_options *o, struct sim_player_setup *set
 
 #define KIT_RAM_MOST (1u << 20) /* a board with more has an operating system, and draws the file itself */
 
-/* Takes the model as an image of the kit has it, or simplified to a number of triangles; or as it is. */
+/* Takes the model as an image of the kit has it, with all its triangles also where they do not fit; or simplified to a
+ * number of triangles; or as it is. */
 static int choose_model(const struct sim_options *o, struct chosen *chosen, struct sim_player_setup *setup)
 {
     struct asset_goal goal = o->goal;
     goal.model = o->model;
     goal.board = o->board != NULL ? setup->board : NULL;
     goal.turntable = o->view != NULL && strcmp(o->view, "turntable") == 0;
-    goal.fit = o->goal_set ? goal.fit : goal.board != NULL && goal.board->ram_bytes < KIT_RAM_MOST;
+    const bool is_kit = goal.board != NULL && goal.board->ram_bytes < KIT_RAM_MOST;
+    goal.fit = o->goal_set ? goal.fit : is_kit;
+    const bool is_all = !goal.fit && goal.triangles == UINT32_MAX;
     setup->demo = &chosen->model_demo;
     setup->state = chosen->model;
     setup->file = o->model;
@@ -201,10 +204,11 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
                                                : "leave --max-triangles out, or say --max-triangles fit";
     model_set_filter(chosen->model, goal.filter);
     chosen->model_demo = model_demo(chosen->model);
-    if (chosen->model->scene != NULL || (!goal.fit && goal.triangles == UINT32_MAX)) {
+    if (chosen->model->scene != NULL || (is_all && !is_kit)) {
         return 0;
     }
-    const int status = asset_fit(&chosen->asset, chosen->model, &goal);
+    const int status = is_all ? asset_fit_make(&chosen->asset, chosen->model, &goal)
+                              : asset_fit(&chosen->asset, chosen->model, &goal);
     if (status == 0) {
         chosen->model_demo = asset_demo(&chosen->asset);
         chosen->model_demo.views = model_demo(&chosen->asset.model).views;

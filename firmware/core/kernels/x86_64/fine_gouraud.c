@@ -119,18 +119,18 @@ static inline struct fine fine_of(const struct ph_small_triangle *small, const u
                          .d_four = _mm_set1_epi32((int)(4 * gd))};
 }
 
-uint32_t ph_fine_gouraud(const struct ph_small_triangle *small, uint16_t *depth, uint16_t *pixels,
+uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
                          uint32_t stride_bytes)
 {
-    const __m128i sample = _mm_cvtsi32_si128((int)small->gd);
-    const struct fine f = fine_of(small, depth, pixels);
-    __m128i row = _mm_loadu_si128((const __m128i *)&small->left);
-    __m128i down = _mm_loadu_si128((const __m128i *)&small->left_dx);
-    const __m128i turn = _mm_setr_epi32(0, 0, 0, (int)(small->light_dy ^ 1));
-    if ((small->light & 1) == 0) { /* it stays from an even row to the odd one */
+    const __m128i sample = _mm_cvtsi32_si128((int)rows->gd);
+    const struct fine f = fine_of(rows, depth, pixels);
+    __m128i row = _mm_loadu_si128((const __m128i *)&rows->left);
+    __m128i down = _mm_loadu_si128((const __m128i *)&rows->left_dx);
+    const __m128i turn = _mm_setr_epi32(0, 0, 0, (int)(rows->light_dy ^ 1));
+    if ((rows->light & 1) == 0) { /* it stays from an even row to the odd one */
         down = _mm_xor_si128(down, turn);
     }
-    uint32_t count = 0, left = small->upper_rows, lower_rows = small->lower_rows;
+    uint32_t count = 0, left = rows->upper_rows, lower_rows = rows->lower_rows;
     for (;;) {
         do {
             const uint32_t from = (uint32_t)_mm_extract_epi16(row, 1), to = (uint32_t)_mm_extract_epi16(row, 3);
@@ -144,7 +144,7 @@ uint32_t ph_fine_gouraud(const struct ph_small_triangle *small, uint16_t *depth,
             down = _mm_xor_si128(down, turn);
             depth = ph_row_below(depth, stride_bytes);
         } while (--left > 0);
-        if (!small_turn(small, &row, &down, &left, &lower_rows)) {
+        if (!small_turn(rows, &row, &down, &left, &lower_rows)) {
             return count;
         }
     }
