@@ -207,8 +207,8 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     if (chosen->model->scene != NULL || (is_all && !is_kit)) {
         return 0;
     }
-    const int status = is_all ? asset_fit_make(&chosen->asset, chosen->model, &goal)
-                              : asset_fit(&chosen->asset, chosen->model, &goal);
+    const int status =
+        is_all ? asset_fit_make(&chosen->asset, chosen->model, &goal) : asset_fit(&chosen->asset, chosen->model, &goal);
     if (status == 0) {
         chosen->model_demo = asset_demo(&chosen->asset);
         chosen->model_demo.views = model_demo(&chosen->asset.model).views;

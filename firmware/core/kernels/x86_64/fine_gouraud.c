@@ -119,8 +119,7 @@ static inline struct fine fine_of(const struct ph_small_triangle *small, const u
                          .d_four = _mm_set1_epi32((int)(4 * gd))};
 }
 
-uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels,
-                         uint32_t stride_bytes)
+uint32_t ph_fine_gouraud(const struct ph_small_triangle *rows, uint16_t *depth, uint16_t *pixels, uint32_t stride_bytes)
 {
     const __m128i sample = _mm_cvtsi32_si128((int)rows->gd);
     const struct fine f = fine_of(rows, depth, pixels);
