@@ -528,13 +528,15 @@ static void convex_mesh_is_blended_from_its_far_side_to_its_near_side(void **sta
     rig_close(&rig);
 }
 
-/* A quad of any size, anywhere, also beyond the picture. */
+/* A quad of any size, anywhere, also beyond the picture; or one that faces the camera, as wide as small triangles are.
+ */
 static void scatter(struct quad *q, const struct ph_blend *blend)
 {
-    const double distance = ref_uniform(2, 12), size = distance * exp(ref_uniform(-4, .5));
+    const double distance = ref_uniform(2, 12), size = distance * exp(ref_uniform(-4, .5)), px = 2 * TANGENT / H;
+    const bool faces = ref_uniform(0, 1) < .5;
     for (int k = 0; k < 3; k++) {
-        q->u[k] = size * ref_uniform(-1, 1);
-        q->v[k] = size * ref_uniform(-1, 1);
+        q->u[k] = faces ? (k == 0) * ref_uniform(30.5, 32) * px * distance : size * ref_uniform(-1, 1);
+        q->v[k] = faces ? (k == 1) * ref_uniform(8, 32) * px * distance : size * ref_uniform(-1, 1);
         q->o[k] = k == 2 ? -distance : ref_uniform(-.9, .9) * distance;
     }
     q->blend = blend;
@@ -562,6 +564,7 @@ static void the_memory_for_rows_changes_no_byte(void **state)
         s.fogged = ref_uniform(0, 1) < .4;
         s.fog_start = 2;
         s.fog_end = 10;
+        s.texture.wrap = s.alpha_texture.wrap = round & 1 ? PH_WRAP_CLAMP : PH_WRAP_REPEAT;
         for (int i = 1; i < QUADS; i++) {
             const int kind = (int)ref_uniform(0, PH_BLEND_ADD + .999);
             blends[kind] =
@@ -572,6 +575,7 @@ static void the_memory_for_rows_changes_no_byte(void **state)
         for (int i = 0; i < 3; i++) {
             rig_open(&rig[i], W, H, bands[i], (enum ph_depth_format)(round % (PH_DEPTH_LINEAR_W + 1)), 64,
                      triangles[i]);
+            memset(rig[i].triangles, 0x55 * i, (size_t)triangles[i] * ph_triangle_bytes); /* what it held before */
             draw(&s, &rig[i]);
             rows_seen |= 1u << rig[i].r.rows;
             assert_memory_equal(rig[i].pixels, rig[0].pixels, W * H * sizeof(uint16_t));

@@ -44,31 +44,35 @@ struct lens {
 /* What a triangle can look like. Its depth must not depend on it. */
 struct surface {
     const char *name;
-    uint8_t shading, filter;
+    uint8_t shading, filter, wrap;
     int8_t blend;                  /* enum ph_blend_kind; NONE: opaque */
     bool fog, coloured, is_tinted; /* coloured: the mesh has colours; is_tinted: the light has one */
 };
 
-enum { OFTEN = 5, OPAQUE = 14, SURFACES = 17, NONE = -1 };
+enum { OFTEN = 6, OPAQUE = 17, SURFACES = 20, NONE = -1 };
 
 static const struct surface surfaces[SURFACES] = {
-    {"unlit", PH_SHADE_UNLIT, 0, NONE, false, false, false},
-    {"flat", PH_SHADE_FLAT, 0, NONE, false, false, false},
-    {"Gouraud", PH_SHADE_GOURAUD, 0, NONE, false, false, false},
-    {"texture", PH_SHADE_TEXTURE, 0, NONE, false, false, false},
-    {"texture lit", PH_SHADE_TEXTURE_LIT, 0, NONE, false, false, false},
-    {"texture Gouraud", PH_SHADE_TEXTURE_GOURAUD, 0, NONE, false, false, false},
-    {"bilinear", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, NONE, false, false, false},
-    {"mipmap Gouraud", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_MIPMAP, NONE, false, false, false},
-    {"colours", PH_SHADE_UNLIT, 0, NONE, false, true, false},
-    {"colours, Gouraud", PH_SHADE_GOURAUD, 0, NONE, false, true, false},
-    {"coloured light", PH_SHADE_GOURAUD, 0, NONE, false, false, true},
-    {"cut-out, key", PH_SHADE_TEXTURE_GOURAUD, 0, PH_BLEND_KEY, false, false, false},
-    {"cut-out, mask", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, PH_BLEND_MASK, false, false, false},
-    {"fog", PH_SHADE_GOURAUD, 0, NONE, true, false, false},
-    {"alpha", PH_SHADE_UNLIT, 0, PH_BLEND_ALPHA, false, false, false}, /* from here on they write no depth */
-    {"alpha, texture", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_BILINEAR, PH_BLEND_ALPHA, true, false, false},
-    {"added", PH_SHADE_GOURAUD, 0, PH_BLEND_ADD, false, true, false},
+    {"unlit", PH_SHADE_UNLIT, 0, 0, NONE, false, false, false},
+    {"flat", PH_SHADE_FLAT, 0, 0, NONE, false, false, false},
+    {"Gouraud", PH_SHADE_GOURAUD, 0, 0, NONE, false, false, false},
+    {"texture", PH_SHADE_TEXTURE, 0, 0, NONE, false, false, false},
+    {"texture lit", PH_SHADE_TEXTURE_LIT, 0, 0, NONE, false, false, false},
+    {"clamped", PH_SHADE_TEXTURE, 0, PH_WRAP_CLAMP, NONE, false, false, false},
+    {"texture Gouraud", PH_SHADE_TEXTURE_GOURAUD, 0, 0, NONE, false, false, false},
+    {"bilinear", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, 0, NONE, false, false, false},
+    {"mipmap Gouraud", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_MIPMAP, 0, NONE, false, false, false},
+    {"clamped, bilinear Gouraud", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_BILINEAR, PH_WRAP_CLAMP, NONE, false, false,
+     false},
+    {"colours", PH_SHADE_UNLIT, 0, 0, NONE, false, true, false},
+    {"colours, Gouraud", PH_SHADE_GOURAUD, 0, 0, NONE, false, true, false},
+    {"coloured light", PH_SHADE_GOURAUD, 0, 0, NONE, false, false, true},
+    {"cut-out, key", PH_SHADE_TEXTURE_GOURAUD, 0, 0, PH_BLEND_KEY, false, false, false},
+    {"cut-out, mask", PH_SHADE_TEXTURE, PH_FILTER_BILINEAR, 0, PH_BLEND_MASK, false, false, false},
+    {"cut-out, clamped mask", PH_SHADE_UNLIT, 0, PH_WRAP_CLAMP, PH_BLEND_MASK, false, false, false},
+    {"fog", PH_SHADE_GOURAUD, 0, 0, NONE, true, false, false},
+    {"alpha", PH_SHADE_UNLIT, 0, 0, PH_BLEND_ALPHA, false, false, false}, /* from here on they write no depth */
+    {"alpha, texture", PH_SHADE_TEXTURE_GOURAUD, PH_FILTER_BILINEAR, 0, PH_BLEND_ALPHA, true, false, false},
+    {"added", PH_SHADE_GOURAUD, 0, 0, PH_BLEND_ADD, false, true, false},
 };
 
 static void begin_with(struct rig *rig, const struct ph_projection *projection, const struct surface *surface)
@@ -97,14 +101,19 @@ static void begin(struct rig *rig, const struct lens *lens, const struct surface
 static struct ph_material material_of(const struct surface *surface, const uint16_t ramp[PH_RAMP_SIZE], uint16_t colour)
 {
     static const uint16_t texels[6] = {1, 2, 3, 4, 5}, opaque[1] = {UINT16_MAX};
-    static struct ph_texture textures[3];
-    static const struct ph_texture alphas = {.texels = opaque};
+    static struct ph_texture textures[2][3];
+    static const struct ph_texture alphas[2] = {{.texels = opaque}, {.texels = opaque, .wrap = PH_WRAP_CLAMP}};
     static struct ph_blend blends[PH_BLEND_ADD + 1];
-    struct ph_texture *const texture = &textures[surface->filter];
-    *texture = (struct ph_texture){
-        .texels = texels, .log2_width = 1, .log2_height = 1, .filter = surface->filter, .levels = 1};
+    struct ph_texture *const texture = &textures[surface->wrap][surface->filter];
+    *texture = (struct ph_texture){.texels = texels,
+                                   .log2_width = 1,
+                                   .log2_height = 1,
+                                   .wrap = surface->wrap,
+                                   .filter = surface->filter,
+                                   .levels = 1};
     if (surface->blend != NONE) {
-        blends[surface->blend] = (struct ph_blend){ph_draw_blended, (uint8_t)surface->blend, 16, 9, &alphas};
+        blends[surface->blend] =
+            (struct ph_blend){ph_draw_blended, (uint8_t)surface->blend, 16, 9, &alphas[surface->wrap]};
     }
     return (struct ph_material){.shading = surface->shading,
                                 .two_sided = 1,
@@ -349,7 +358,7 @@ static void compare_surfaces(struct rig *rig, const struct lens *lens, const str
 static void print_table(const struct result *result)
 {
     for (int surface = 0; surface < OPAQUE; surface++) {
-        printf("#   %-17s", surfaces[surface].name);
+        printf("#   %-25s", surfaces[surface].name);
         for (int bin = 0; bin < SLOPES; bin++) {
             printf("  %6.2f %8.2g", result->worst[surface][bin], result->distance[surface][bin]);
         }
@@ -400,6 +409,41 @@ static void every_slope_is_right_and_the_same_on_all_surfaces(void **state)
         rig_close(&rig);
     }
     assert_int_equal(wrong, 0);
+}
+
+/* About as wide as a small triangle can be, 32 px, with any corner as its first. */
+static void triangle_of_32_px(const struct lens *lens, struct fx_vec3 p[3])
+{
+    const double w = lens->near_z * pow(lens->far_z / lens->near_z, ref_uniform(.02, .98)), lean = ref_uniform(-.1, .1);
+    const double left = ref_uniform(0, WIDTH - 36), right = left + ref_uniform(30.5, 32), y = ref_uniform(0, HEIGHT);
+    const double xs[3] = {left, right, ref_uniform(left, right)};
+    const int first = (int)ref_uniform(0, 3);
+    for (int i = 0; i < 3; i++) {
+        const double x = xs[(i + first) % 3];
+        p[i] = point_at(x, y + ref_uniform(-15, 15), w * (1 + lean * (x - left) / 32));
+    }
+}
+
+/* Clamped textures had lost the last column of such triangles. */
+static void triangles_of_32_px_are_whole_on_all_surfaces(void **state)
+{
+    static const struct lens lens = {.5, 100};
+    static const enum ph_depth_format formats[] = {PH_DEPTH_FIXED16, PH_DEPTH_FLOAT16};
+    struct result result = {0};
+    (void)state;
+    ref_seed(15);
+    for (int i = 0; i < 2; i++) {
+        struct rig rig;
+        rig_open(&rig, WIDTH, HEIGHT, 16, formats[i], 3, 300);
+        for (int n = 0; n < 400; n++) {
+            struct fx_vec3 p[3];
+            triangle_of_32_px(&lens, p);
+            compare_surfaces(&rig, &lens, p, OPAQUE, &result);
+        }
+        rig_close(&rig);
+    }
+    assert_true(result.pixels > 1000000);
+    assert_int_equal(result.unlike, 0);
 }
 
 /* Two small triangles just before the far plane, across two octaves: there a unit of the block's d is many units of a
@@ -899,6 +943,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_slope_is_right_and_the_same_on_all_surfaces),
+        cmocka_unit_test(triangles_of_32_px_are_whole_on_all_surfaces),
         cmocka_unit_test(triangles_that_once_were_codes_off_are_right),
         cmocka_unit_test(other_cameras_have_one_depth_on_all_surfaces_too),
         cmocka_unit_test(steep_textures_have_the_depth_of_other_surfaces),

@@ -33,7 +33,7 @@ struct ph_texel_rows {
     uint32_t gd;              /* depth per column */
     uint32_t u_mask, v_mask;  /* of the column's and the row's bits in the index of a texel */
     const uint16_t *texels;
-    uint32_t columns; /* of the tile that are in the picture: 1 .. PH_TILE */
+    uint32_t columns; /* of the tile that are in the picture: 1 .. PH_TILE; one more of a small triangle */
     uint32_t rows, count;
     uint32_t u_outside, v_outside;    /* the bits that u and v have outside a clamped texture; 0: nothing is outside */
     struct ph_texel_way u, v;         /* u: texel columns in 2^-22; v: texel rows times the texture's width in 2^-16 */

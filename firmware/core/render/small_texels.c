@@ -61,7 +61,7 @@ static FX_APART void begin_clamped(struct ph_small_texels *s, const struct ph_tr
     ph_set_texel_light(&s->rows, t, &t->small_shades, 0, below);
     s->rows.light -= MARGIN * s->rows.glight;
     s->rows.stride_bytes = s->run.stride_bytes;
-    s->rows.columns = PH_TILE - 1;
+    s->rows.columns = MARGIN + 1 + MARGIN; /* up to 32 px to either side of the first corner */
 }
 
 /* The light of a run's rows. */
