@@ -254,13 +254,16 @@ static void pictures_do_not_depend_on_bands(void **state)
     static struct scene s;
     static uint16_t whole[WIDTH * HEIGHT], bands[WIDTH * HEIGHT];
     (void)state;
-    for (int i = 0; i < 18; i++) {
+    for (int i = 0; i < 36; i++) {
         const enum ph_depth_format format = i % 2 ? PH_DEPTH_FLOAT16 : PH_DEPTH_FIXED24;
-        scene_open(&s, shadings[i / 2 % 3], (uint8_t)(i / 6));
+        scene_open(&s, shadings[i / 2 % 3], (uint8_t)(i / 6 % 3));
         s.material.specular = FX_ONE / 2;
+        s.texture.wrap = i < 18 ? PH_WRAP_REPEAT : PH_WRAP_CLAMP;
         picture_of(&s, HEIGHT, format, whole);
-        picture_of(&s, 7, format, bands);
-        assert_memory_equal(whole, bands, sizeof whole);
+        for (int lines = 1; lines < 8; lines += 6) {
+            picture_of(&s, lines, format, bands);
+            assert_memory_equal(whole, bands, sizeof whole);
+        }
         scene_close(&s);
     }
 }

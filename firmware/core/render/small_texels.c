@@ -258,7 +258,7 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
     struct ph_texel_run *const r = &s->run;
     const uint32_t x = piece->x - r->x;
     const struct ph_texel_line u = r->u, v = r->v;
-    const uint32_t light = s->run.light;
+    const uint32_t light = s->run.light, row_light = s->rows.light;
     r->left = x << 16;
     r->right = (x + piece->n) << 16;
     r->d = piece->d - x * piece->gd;
@@ -272,5 +272,6 @@ void ph_small_texels_piece(struct ph_small_texels *s, const struct ph_row_piece 
         r->u = u;
         r->v = v;
         s->run.light = light;
+        s->rows.light = row_light;
     }
 }
