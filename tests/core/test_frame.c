@@ -381,6 +381,64 @@ static void mesh_over_the_vertex_budget_is_left_out_and_counted(void **state)
     drawing_close(&d);
 }
 
+#define VIEWS 24 /* each shows a triangle of its own in its own cell of 6 x 4 */
+
+/* The near plane cuts each, which leaves a draw without triangles behind. */
+static void draw_views(struct rig *rig, const struct ph_projection *lens)
+{
+    static const struct fx_vec3 points[3] = {
+        {-FX_ONE / 4, -FX_ONE / 4, 0}, {FX_ONE / 4, -FX_ONE / 4, 0}, {0, FX_ONE / 4, FX_ONE * 5 / 4}};
+    static const uint16_t faces[1][3] = {{0, 1, 2}};
+    static const struct ph_part part = {.count = 1};
+    static const fx_t uvs[3][2];
+    static uint16_t texels[VIEWS];
+    static struct ph_texture textures[VIEWS];
+    static struct ph_material materials[VIEWS];
+    assert_int_equal(ph_frame_begin(&rig->r, &ph_xform_identity, lens, NULL, 0), PH_OK);
+    for (int i = 0; i < VIEWS; i++) {
+        const struct ph_xform view =
+            ph_xform_translate((2 * (i % 6) - 5) * FX_HALF, (2 * (i / 6) - 3) * FX_HALF, -FX_INT(2));
+        texels[i] = (uint16_t)(i + 1);
+        textures[i] = (struct ph_texture){.texels = &texels[i]};
+        materials[i] = (struct ph_material){.shading = PH_SHADE_TEXTURE, .texture = &textures[i]};
+        const struct ph_mesh mesh = {.positions = points,
+                                     .uvs = uvs,
+                                     .triangles = faces,
+                                     .parts = &part,
+                                     .materials = &materials[i],
+                                     .vertex_count = 3,
+                                     .triangle_count = 1,
+                                     .part_count = 1};
+        assert_int_equal(ph_frame_camera(&rig->r, &view, lens), PH_OK);
+        assert_int_equal(ph_draw_mesh(&rig->r, &mesh, &ph_xform_identity), PH_OK);
+    }
+    assert_true(rig_finish(rig));
+}
+
+static void with_little_room_each_view_shows_its_own_triangle_or_none(void **state)
+{
+    enum { W = 96, H = 64, MOST = 300 };
+    static uint16_t whole[W * H];
+    struct ph_projection lens;
+    int parts = 0;
+    (void)state;
+    assert_int_equal(ph_projection_ortho(&lens, FX_INT(-3), FX_INT(3), FX_INT(-2), FX_INT(2), FX_ONE, FX_INT(9)),
+                     PH_OK);
+    for (int budget = MOST; budget > 0; budget--) {
+        struct rig rig;
+        rig_open(&rig, W, H, 16, PH_DEPTH_FIXED16, 400, budget);
+        draw_views(&rig, &lens);
+        parts += rig.r.stats.triangles_drawn > 0 && rig.r.stats.triangles_dropped > 0;
+        assert_true(budget < MOST || rig.r.stats.triangles_drawn == 2 * VIEWS);
+        for (int i = 0; i < W * H; i++) {
+            whole[i] = budget == MOST ? rig.pixels[i] : whole[i];
+            assert_true(rig.pixels[i] == 0 || rig.pixels[i] == whole[i]);
+        }
+        rig_close(&rig);
+    }
+    assert_true(parts > 20);
+}
+
 static void statistics_add_up(void **state)
 {
     static const struct shape shapes[] = {{'a', {{1, 1}, {1, 5}, {5, 5}}},
@@ -541,6 +599,7 @@ int main(void)
         cmocka_unit_test(depth_bias_lifts_lines_off_their_surface),
         cmocka_unit_test(triangles_over_the_budget_are_left_out_and_counted),
         cmocka_unit_test(mesh_over_the_vertex_budget_is_left_out_and_counted),
+        cmocka_unit_test(with_little_room_each_view_shows_its_own_triangle_or_none),
         cmocka_unit_test(statistics_add_up),
         cmocka_unit_test(a_clipped_triangle_counts_once),
         cmocka_unit_test(background_fills_what_is_not_drawn),

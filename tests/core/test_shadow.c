@@ -505,8 +505,64 @@ static void blended_shadow_without_room_is_left_out_and_counted(void **state)
         PH_OK);
     assert_int_equal(v.rig.r.stats.triangles_drawn, 0);
     assert_int_equal(v.rig.r.stats.vertices_dropped, 4);
+    assert_int_equal(v.rig.r.stats.triangles_in, 8);
+    assert_int_equal(v.rig.r.stats.triangles_dropped, 8);
     assert_true(rig_finish(&v.rig));
     rig_close(&v.rig);
+}
+
+#define PIECES 60
+
+/* Loose triangles, some of which are cut: they reach below the plane, above the light, and behind the camera. */
+static void build_pieces(struct ph_mesh *mesh)
+{
+    static struct fx_vec3 points[3 * PIECES];
+    static uint16_t triangles[PIECES][3];
+    static const struct ph_part all = {.count = PIECES};
+    for (int i = 0; i < 3 * PIECES; i++) {
+        const double size = i % 3 == 0 ? 8 : 3;
+        const struct fx_vec3 from = i % 3 == 0 ? (struct fx_vec3){0, FX_INT(3), 0} : points[i - i % 3];
+        points[i] = (struct fx_vec3){from.x + ref_q16(ref_uniform(-size, size)), from.y + ref_q16(ref_uniform(-4, 4)),
+                                     from.z + ref_q16(ref_uniform(-size, size))};
+        triangles[i / 3][i % 3] = (uint16_t)i;
+    }
+    *mesh = (struct ph_mesh){.positions = points,
+                             .triangles = triangles,
+                             .parts = &all,
+                             .materials = &plain,
+                             .vertex_count = 3 * PIECES,
+                             .triangle_count = PIECES,
+                             .part_count = 1};
+}
+
+/* What does not fit is left out, and what is drawn is shadow there with room for all, too. */
+static void with_little_room_only_shadow_is_drawn(void **state)
+{
+    static const struct ph_material both = {.shading = PH_SHADE_UNLIT, .two_sided = 1, .colour = SHADOW};
+    static uint16_t whole[SIZE * SIZE];
+    struct ph_mesh mesh;
+    int parts = 0;
+    (void)state;
+    ref_seed(31);
+    build_pieces(&mesh);
+    for (int budget = 1000; budget > 0; budget = budget == 1000 ? 150 : budget - 1) {
+        struct view v;
+        open_view(&v, PH_PERSPECTIVE, PH_DEPTH_FIXED16, 16);
+        rig_close(&v.rig);
+        rig_open(&v.rig, SIZE, SIZE, 16, PH_DEPTH_FIXED16, 3 * PIECES + 5, budget);
+        assert_int_equal(ph_frame_begin(&v.rig.r, &v.view, &v.projection, NULL, 0), PH_OK);
+        assert_int_equal(
+            ph_draw_shadow(&v.rig.r, &mesh, &ph_xform_identity, (struct fx_vec3){FX_ONE, FX_INT(6), 0}, &ground, &both),
+            PH_OK);
+        assert_true(rig_finish(&v.rig));
+        parts += v.rig.r.stats.triangles_drawn > 0 && v.rig.r.stats.triangles_dropped > 0;
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            whole[i] = budget == 1000 ? v.rig.pixels[i] : whole[i];
+            assert_true(v.rig.pixels[i] == 0 || v.rig.pixels[i] == whole[i]);
+        }
+        rig_close(&v.rig);
+    }
+    assert_true(parts > 20);
 }
 
 static void mesh_over_the_vertex_budget_is_left_out_and_counted(void **state)
@@ -536,6 +592,7 @@ int main(void)
         cmocka_unit_test(shadow_does_not_fight_with_the_ground),
         cmocka_unit_test(picture_does_not_depend_on_the_band_height),
         cmocka_unit_test(shadows_reach_as_far_as_the_matrix_of_haw_says),
+        cmocka_unit_test(with_little_room_only_shadow_is_drawn),
         cmocka_unit_test(mesh_over_the_vertex_budget_is_left_out_and_counted),
         cmocka_unit_test(ground_is_seen_through_a_blended_shadow),
         cmocka_unit_test(blended_shadow_without_room_is_left_out_and_counted),

@@ -148,7 +148,7 @@ static void draw_clipped(const struct cast *c, const uint16_t index[3])
         const struct ph_clip_vertex fan[3] = {corners[0], corners[i - 1], corners[i]};
         ph_draw_clipped(c->r, c->material, 0, fan);
     }
-    ph_list_draw(c->r, &c->draw);
+    ph_list_again(c->r, &c->draw);
 }
 
 /* ---- triangles ------------------------------------------------------------------------------------------------ */
@@ -188,6 +188,12 @@ static void draw_triangles(const struct cast *c, const uint16_t (*index)[3], con
     c->r->stats.triangles_culled += (uint32_t)(end - index) - judged;
 }
 
+/* Whether a part casts a shadow: lines cast none. */
+static bool casts(const struct ph_mesh *mesh, const struct ph_part *part)
+{
+    return mesh->materials[part->material].shading != PH_SHADE_WIRE;
+}
+
 /*
  * Moves the shadow towards the viewer, see shadow.h. A smaller matrix gives smaller x, y and w; the division by w
  * undoes this for x and y.
@@ -218,6 +224,21 @@ static bool sees_lit_side(const struct ph_renderer *r, const struct ph_plane_equ
     return height_of(&(struct ph_plane_equation){plane->normal_q30, 0}, from) > 0;
 }
 
+/* Counts a shadow for which there is no room. It is an error if there never is. */
+static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
+{
+    r->stats.vertices_dropped += mesh->vertex_count;
+    if (mesh->vertex_count > r->config.vertex_max) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const uint32_t count = casts(mesh, &mesh->parts[i]) ? mesh->parts[i].count : 0;
+        r->stats.triangles_in += count;
+        r->stats.triangles_dropped += count;
+    }
+    return PH_OK;
+}
+
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material)
 {
@@ -237,8 +258,8 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     c.draw.base = n <= r->config.vertex_max ? ph_list_vertices(r, n) : UINT32_MAX;
     if (c.draw.base == UINT32_MAX || (material->blend != NULL && !ph_list_blend(r, material->blend)) ||
         !ph_list_draw(r, &c.draw)) {
-        r->stats.vertices_dropped += n;
-        return n > r->config.vertex_max ? PH_ERR_NOMEM : PH_OK;
+        ph_list_rewind(r, &mark);
+        return leave_out(r, mesh);
     }
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
@@ -247,11 +268,10 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
-        if (mesh->materials[part->material].shading == PH_SHADE_WIRE) {
-            continue;
+        if (casts(mesh, part)) {
+            r->stats.triangles_in += part->count;
+            draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
         }
-        r->stats.triangles_in += part->count;
-        draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
     }
     if (material->blend != NULL) {
         ph_list_put_after(r, before);

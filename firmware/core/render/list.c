@@ -177,6 +177,9 @@ bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
     struct ph_list *const list = &r->list;
     struct ph_draw *last = list->last == PH_NONE ? NULL : draw_at(r, list->last);
     const uint32_t lens = place_lens(r), count = ph_ref_count(r);
+    if (lens == PH_NONE) {
+        return false;
+    }
     if (last != NULL && last->material == draw->material && last->uvs == draw->uvs && last->base == draw->base &&
         last->kind == draw->kind && last->lens == lens) {
         return true;
