@@ -50,8 +50,8 @@ struct ph_mat4 ph_matrix_view(const struct ph_xform *view, enum ph_convention co
 
 /*
  * Camera to clip coordinates.
- * Errors: PH_ERR_INVAL: a fisheye, or far_z <= near_z. PH_ERR_RANGE: an element does not fit Q16.16, because near and
- *         far plane are too close together.
+ * Errors: PH_ERR_INVAL: a fisheye, far_z <= near_z, or a perspective with near_z <= 0. PH_ERR_RANGE: an element does
+ *         not fit Q16.16, because near and far plane are too close together.
  */
 int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enum ph_convention convention);
 

@@ -265,7 +265,7 @@ struct ph_config {
     uint32_t *bins; /* heads of the bands' lists of triangles: (height + band_height - 1) / band_height of them */
     uint32_t bin_max;
     void *depth; /* width * band_height * ph_depth_bytes(depth_format), with `samples` 4 times as much; aligned to the
-                    bytes of a pixel */
+                    bytes of a pixel, with `samples` to 4 */
 
     /* Optional, both or none: a second core, which takes half of the vertices, of the triangles to cull, light and set
      * up, and of the rows. other_core starts run on it and returns false if it is busy; other_core_join returns when

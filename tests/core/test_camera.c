@@ -332,6 +332,8 @@ static void field_of_view_fits_the_height(void **state)
     assert_int_equal(ph_fov_of(FX_ONE, 0), FX_INT(180));
     assert_int_equal(ph_fov_of(0, FX_ONE), 0);
     assert_int_equal(ph_fov_of(-FX_ONE, FX_ONE), 0);
+    assert_int_equal(ph_fov_of(FX_ONE, -FX_ONE / 2), FX_INT(270));
+    assert_near(real(ph_fov_of(1, FX_MIN)), 360, LSB);
 }
 
 /* ---- nodes ---------------------------------------------------------------------------------------------------- */

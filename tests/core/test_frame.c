@@ -485,7 +485,7 @@ static void impossible_configurations_are_refused(void **state)
     (void)state;
     drawing_open(&d);
     const struct ph_config good = d.rig.r.config;
-    struct ph_config bad[14];
+    struct ph_config bad[15];
     for (int i = 0; i < COUNT(bad); i++) {
         bad[i] = good;
     }
@@ -503,7 +503,9 @@ static void impossible_configurations_are_refused(void **state)
     bad[11].depth = (uint8_t *)good.depth + 1;
     bad[12].depth = (uint8_t *)good.depth + 2;
     bad[12].depth_format = PH_DEPTH_FLOAT24;
-    bad[13].bin_max = 0;
+    bad[13].depth = (uint8_t *)good.depth + 2;
+    bad[13].samples = (uint16_t *)good.depth; /* its depth is drawn by words */
+    bad[14].bin_max = 0;
     assert_int_equal(ph_renderer_init(&r, &good), PH_OK);
     for (int i = 0; i < COUNT(bad); i++) {
         assert_int_equal(ph_renderer_init(&r, &bad[i]), i < COUNT(bad) - 1 ? PH_ERR_INVAL : PH_ERR_NOMEM);

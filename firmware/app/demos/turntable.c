@@ -78,7 +78,7 @@ static void make_platter(struct platter *p, fx_t radius, fx_t y)
     platter_ring(p, 0, fx_mul_sat(radius, FX_ONE * 2 / 5), y, 0, -16384);
     platter_ring(p, 1, radius, y, 0, 16384);
     platter_ring(p, 2, radius, y, 16384, 0);
-    platter_ring(p, 3, radius, y - radius / 16, 16384, 0);
+    platter_ring(p, 3, radius, fx_sub_sat(y, radius / 16), 16384, 0);
     for (uint32_t i = 0; i < SIDES; i++) {
         const uint16_t a = (uint16_t)(1 + i), b = (uint16_t)(1 + (i + 1) % SIDES);
         const uint16_t corners[5][3] = {

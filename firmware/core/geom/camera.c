@@ -136,7 +136,7 @@ fx_t ph_fov_of(fx_t height, fx_t distance)
     if (height <= 0) {
         return 0;
     }
-    const bool doubles = distance <= FX_MAX / 2;
+    const bool doubles = distance <= FX_MAX / 2 && distance >= FX_MIN / 2;
     const fx_t near = fx_atan2(doubles ? height : height / 2, doubles ? 2 * distance : distance);
     int32_t s, c;
     fx_sincos_q30((uint32_t)near << 16, &s, &c);

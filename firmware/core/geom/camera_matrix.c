@@ -99,7 +99,8 @@ static bool fits(int64_t v)
 int ph_matrix_projection(struct ph_mat4 *out, const struct ph_projection *p, enum ph_convention convention)
 {
     int64_t z, one;
-    if (p->far_z <= p->near_z || p->kind == PH_FISHEYE) { /* no matrix */
+    if (p->far_z <= p->near_z || (p->near_z <= 0 && p->kind == PH_PERSPECTIVE) ||
+        p->kind == PH_FISHEYE) { /* no matrix */
         return PH_ERR_INVAL;
     }
     depth_row(p, convention, &z, &one);

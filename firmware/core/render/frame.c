@@ -18,8 +18,9 @@ static bool is_exponent(unsigned bits)
 
 static bool depth_is_usable(const struct ph_config *config)
 {
+    const size_t align = config->samples != NULL ? sizeof(uint32_t) : ph_depth_bytes(config->depth_format);
     return config->depth != NULL && config->depth_format < PH_DEPTH_FORMATS && is_exponent(config->depth_exponent) &&
-           (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
+           (uintptr_t)config->depth % align == 0;
 }
 
 /* Length of the inner part of a side of the picture, 1/256 px: a point is inner if it stays further from both borders
