@@ -22,7 +22,6 @@
 struct asset_limits {
     uint32_t triangles;    /* UINT32_MAX: all */
     uint8_t texture_log2;  /* longest side of a texture */
-    uint8_t filter;        /* enum ph_filter; with PH_FILTER_MIPMAP textures have all levels */
     bool is_on_turntable;  /* also where the file has a camera */
     bool is_bare;          /* without the platter below it */
     const char *file_name; /* of the model, for its name */

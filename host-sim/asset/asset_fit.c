@@ -68,8 +68,7 @@ static int refuse_textures(const struct asset *asset, const struct asset_goal *g
 static int make(struct asset *asset, const struct model *model, const struct asset_goal *goal, uint32_t triangles,
                 bool is_bare)
 {
-    const struct asset_limits limits = {triangles, goal->texture_log2, goal->filter, goal->turntable,
-                                        is_bare,   goal->model};
+    const struct asset_limits limits = {triangles, goal->texture_log2, goal->turntable, is_bare, goal->model};
     const int status = asset_make(asset, model, &limits);
     return status == 0 ? measure(asset, goal->board) : status;
 }

@@ -11,7 +11,6 @@ struct asset_goal {
     bool fit;                  /* as many as the board has room for */
     bool turntable;            /* also where the file has a camera */
     uint8_t texture_log2;
-    uint8_t filter;       /* enum ph_filter */
     uint32_t flash_bytes; /* for the data; UINT32_MAX: whatever it takes */
 };
 

@@ -42,11 +42,6 @@ static bool set_texture(void *to, const char *value)
     return true;
 }
 
-static bool set_filter(void *to, const char *value)
-{
-    return model_filter_named(value, &((struct asset_options *)to)->goal.filter);
-}
-
 static const struct option_row rows[] = {
     {"out", "FILE.c|FILE.phs", "where the C file goes, - is stdout, or the binary scene; also -o FILE", OUT_TAKES,
      .set = set_out},
@@ -56,9 +51,6 @@ static const struct option_row rows[] = {
     {"texture-size", "N", "longest side of a texture; larger ones are shrunk. 256 by default",
      "a power of two, 1 .. 1024", .set = set_texture},
     MODEL_OPTION_ROWS(struct asset_options, model_options),
-    {"filter", "nearest|bilinear|mipmap",
-     "how textures are drawn, nearest by default; mipmap: they have all levels, a third more flash",
-     "nearest, bilinear or mipmap", .set = set_filter},
     {"clip", "NAME", "keeps this clip of a glTF file alone; without it all are kept, and the first plays", "a name",
      .at = offsetof(struct asset_options, clip)},
     {"board", "NAME", "the scene must fit this board's memory; the report is about it alone",
@@ -69,7 +61,7 @@ static const struct option_row rows[] = {
      .at = offsetof(struct asset_options, goal.turntable)},
     {"report", NULL,
      "prints how much flash the scene needs, and how much memory on each board: bands of the picture, and the scene's\n"
-     "        vertices and triangles in the frame that lists most of them",
+     "        vertices and the most triangles that a frame lists, looked at from all sides, from afar and near by",
      NULL, .at = offsetof(struct asset_options, report)},
     {"help", NULL, "prints this, as does -h", NULL, .at = offsetof(struct asset_options, help)},
 };

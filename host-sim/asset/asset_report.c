@@ -81,13 +81,15 @@ static void report_model(FILE *file, const struct asset *asset)
         vertices += model->meshes[m].vertex_count;
     }
     fprintf(file, "model      %s\n", asset->name);
-    fprintf(file, "triangles  %u of %u: %s", (unsigned)model->triangle_count, (unsigned)asset->triangles_read,
-            ways[asset->way]);
+    const bool lacks = asset->way == ASSET_WHOLE && model->triangle_count < asset->triangles_read;
+    fprintf(file, "triangles  %u of %u: %s%s", (unsigned)model->triangle_count, (unsigned)asset->triangles_read,
+            ways[asset->way], lacks ? ", without those that have no area" : "");
     if (asset->way != ASSET_WHOLE) {
         fprintf(file, "; the surface moved by about %.2g %% of the model's radius", 100 * asset->error);
     }
-    fprintf(file, "\nvertices   %u of %u, %u in the largest of %u meshes\n", (unsigned)vertices,
-            (unsigned)asset->vertices_read, (unsigned)model->vertex_max, (unsigned)model->mesh_count);
+    fprintf(file, "\nvertices   %u of %u%s, %u in the largest of %u meshes\n", (unsigned)vertices,
+            (unsigned)asset->vertices_read, vertices < asset->vertices_read ? " (equal ones are one)" : "",
+            (unsigned)model->vertex_max, (unsigned)model->mesh_count);
     if (asset->fetched > 0) {
         fprintf(file, "reuse      %.2f vertices fetched a triangle, %.2f before (16 at hand)\n", asset->fetched,
                 asset->fetched_read);

@@ -69,6 +69,8 @@ struct model {
 struct model_options {
     const char *up;      /* "y" or "z": the axis that points up; NULL: z of STL, y of other files */
     const char *texture; /* a picture for all that has texture coordinates, or NULL */
+    const char *filter;  /* of its textures: "nearest", "bilinear", "mipmap", or "file": as the samplers of a glTF file
+                            say; NULL: nearest. A binary scene keeps its own. */
     bool two_sided;      /* all faces are drawn from behind, too */
 };
 
@@ -83,6 +85,13 @@ struct model_options {
      .words = "y|z"},                                                                                                  \
         {"texture", "FILE", "a picture for all of the model that has texture coordinates", "a PNG or JPEG file",       \
          .at = offsetof(options, member.texture)},                                                                     \
+        {"filter",                                                                                                     \
+         "NAME",                                                                                                       \
+         "how textures are drawn: nearest (by default), bilinear, mipmap (bilinear, with smaller levels for what is\n" \
+         "        far: a third more flash), or file: as the samplers of a glTF file say",                              \
+         "nearest, bilinear, mipmap or file",                                                                          \
+         .at = offsetof(options, member.filter),                                                                       \
+         .words = "nearest|bilinear|mipmap|file"},                                                                     \
     {                                                                                                                  \
         "two-sided", NULL, "draws all faces of the model from behind, too", NULL,                                      \
             .at = offsetof(options, member.two_sided)                                                                  \
@@ -94,15 +103,8 @@ int model_open(struct model **model, const char *path, const struct model_option
 
 void model_close(struct model *model);
 
-/* The filter of that name: nearest, bilinear, mipmap. False if it is none. */
-bool model_filter_named(const char *name, uint8_t *filter);
-
 /* How a mesh moves; NULL: it stands still. */
 const struct animation_mesh *model_moving(const struct model *model, uint32_t mesh);
-
-/* Draws its textures with that filter, enum ph_filter, from now on. They have all levels. A binary scene keeps
- * its own. */
-void model_set_filter(struct model *model, uint8_t filter);
 
 /* Triangles of the budget that its blends take in a picture of so many columns; 0 without blends. */
 uint32_t model_blend_triangles(const struct model *model, uint32_t width);

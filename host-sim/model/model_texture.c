@@ -80,28 +80,3 @@ size_t model_texture_texels(const struct ph_texture *texture, uint8_t levels)
     }
     return sum;
 }
-
-bool model_filter_named(const char *name, uint8_t *filter)
-{
-    static const char *const names[] = {"nearest", "bilinear", "mipmap"};
-    for (*filter = 0; *filter < 3 && strcmp(name, names[*filter]) != 0;) {
-        (*filter)++;
-    }
-    return *filter < 3;
-}
-
-static void set_filter(const struct ph_texture *texture, uint8_t filter)
-{
-    if (texture != NULL) {
-        ((struct ph_texture *)(uintptr_t)texture)->filter = filter & 15; /* it lies in the model's memory */
-    }
-}
-
-void model_set_filter(struct model *model, uint8_t filter)
-{
-    for (uint32_t m = 0; m < model->mesh_count && model->scene == NULL; m++) {
-        const struct ph_material *const material = model->meshes[m].materials;
-        set_filter(material->texture, filter);
-        set_filter(material->blend != NULL ? material->blend->alphas : NULL, filter);
-    }
-}

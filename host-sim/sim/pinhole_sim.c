@@ -202,7 +202,6 @@ static int choose_model(const struct sim_options *o, struct chosen *chosen, stru
     setup->file = o->model;
     setup->cure = chosen->model->scene != NULL ? "make it by pinhole-asset --max-triangles fit for this --board"
                                                : "leave --max-triangles out, or say --max-triangles fit";
-    model_set_filter(chosen->model, goal.filter);
     chosen->model_demo = model_demo(chosen->model);
     if (chosen->model->scene != NULL || (is_all && !is_kit)) {
         return 0;

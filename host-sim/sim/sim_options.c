@@ -93,13 +93,6 @@ static bool set_far(void *to, const char *value)
     return set_distance(o, &o->far_z, value);
 }
 
-static bool set_filter(void *to, const char *value)
-{
-    struct sim_options *o = to;
-    o->filter_set = true;
-    return model_filter_named(value, &o->goal.filter);
-}
-
 static bool set_triangles(void *to, const char *value)
 {
     struct sim_options *o = to;
@@ -174,8 +167,6 @@ static const struct option_row rows[] = {
      "simplifies the model to N triangles at most; fit: to what the memory of the --board has room for, as its image\n"
      "        is made. fit by default for a microcontroller kit, else all",
      "a whole number, 1 .. 4000000, all or fit", .set = set_triangles},
-    {"filter", "nearest|bilinear|mipmap", "how the textures of a model are drawn; nearest by default",
-     "nearest, bilinear or mipmap", .set = set_filter},
     {"board", "NAME", "a kit", "a name that --list shows", .at = offsetof(struct sim_options, board)},
     {"size", "WxH", "instead of a kit: a plain panel of this size", "like 320x240, each 1 .. 1024", .set = set_size},
     {"frames", "N", "frames to draw; 1 by default, with --window until it is closed", "a whole number, 1 .. 1000000000",
@@ -315,7 +306,7 @@ static int check_together(const struct sim_options *o)
     const struct model_options *const m = &o->model_options;
     const char *const of_model = o->clip != NULL      ? "clip"
                                  : o->goal_set        ? "max-triangles"
-                                 : o->filter_set      ? "filter"
+                                 : m->filter != NULL  ? "filter"
                                  : m->up != NULL      ? "up"
                                  : m->two_sided       ? "two-sided"
                                  : m->texture != NULL ? "texture"

@@ -24,9 +24,8 @@ struct sim_options {
     const char *model; /* path of a model file, or NULL */
     const char *clip;  /* of the model; NULL: its first */
     struct model_options model_options;
-    struct asset_goal goal; /* how far it is simplified; the filter of its textures */
+    struct asset_goal goal; /* how far it is simplified */
     bool goal_set;          /* else the board's memory is the goal */
-    bool filter_set;
     const char *board;      /* NULL: none asked for */
     uint16_t width, height; /* --size, 0: not given */
     uint32_t start, frames; /* frames: UINT32_MAX for a window that only its user closes */

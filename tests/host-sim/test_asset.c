@@ -20,7 +20,7 @@
 
 static void make(struct asset *asset, const struct model *model, uint32_t triangles)
 {
-    const struct asset_limits limits = {triangles, 8, PH_FILTER_NEAREST, false, false, "some where/my model.v2.obj"};
+    const struct asset_limits limits = {triangles, 8, false, false, "some where/my model.v2.obj"};
     assert_int_equal(asset_make(asset, model, &limits), 0);
 }
 
@@ -476,7 +476,7 @@ static void a_texture_is_shrunk_by_its_means_and_shared_once(void **state)
     meshes[2] = meshes[0];
     meshes[2].materials = &other_material;
     const struct model model = {.meshes = meshes, .mesh_count = 3, .vertex_max = 3, .triangle_count = 3};
-    const struct asset_limits limits = {UINT32_MAX, 1, PH_FILTER_NEAREST, false, false, "t.obj"};
+    const struct asset_limits limits = {UINT32_MAX, 1, false, false, "t.obj"};
     struct asset asset;
     assert_int_equal(asset_make(&asset, &model, &limits), 0);
     const struct ph_texture *small = asset.model.meshes[0].materials->texture;

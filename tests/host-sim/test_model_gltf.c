@@ -85,6 +85,37 @@ static void a_mirrored_texture_is_doubled(void **state)
     model_close(model);
 }
 
+/* Without --filter they are drawn by their nearest texels, and a note says what the file asks for. */
+static void a_sampler_names_the_filter(void **state)
+{
+    static const struct {
+        const char *sampler;
+        uint8_t filter;
+    } cases[] = {{"", PH_FILTER_NEAREST},
+                 {"\"magFilter\":9728,\"minFilter\":9984", PH_FILTER_NEAREST},
+                 {"\"magFilter\":9729,\"minFilter\":9729", PH_FILTER_BILINEAR},
+                 {"\"magFilter\":9729", PH_FILTER_BILINEAR},
+                 {"\"magFilter\":9729,\"minFilter\":9987", PH_FILTER_MIPMAP},
+                 {"\"minFilter\":9985", PH_FILTER_MIPMAP}};
+    static const struct model_options as_the_file = {.filter = "file"}, bilinear = {.filter = "bilinear"};
+    (void)state;
+    write_picture("two.png");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct model *model =
+            with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}", "two.png", cases[i].sampler);
+        assert_int_equal(model->meshes->materials->texture->filter, PH_FILTER_NEAREST);
+        assert_int_equal(model->note != NULL, cases[i].filter != PH_FILTER_NEAREST);
+        model_close(model);
+        assert_int_equal(model_open(&model, file_path("feature.gltf"), &as_the_file), 0);
+        assert_int_equal(model->meshes->materials->texture->filter, cases[i].filter);
+        assert_null(model->note);
+        model_close(model);
+        assert_int_equal(model_open(&model, file_path("feature.gltf"), &bilinear), 0);
+        assert_int_equal(model->meshes->materials->texture->filter, PH_FILTER_BILINEAR);
+        model_close(model);
+    }
+}
+
 static void a_texture_transform_moves_turns_and_scales(void **state)
 {
     (void)state;
@@ -300,7 +331,8 @@ static void vertex_colours_are_multiplied_in_linear_light(void **state)
                  (int)(36 + n));
         struct model *model = open_good(file_text("colours.gltf", text));
         const struct ph_mesh *mesh = model->meshes;
-        assert_null(model->note);
+        assert_string_equal(model->note != NULL ? model->note : "",
+                            k == 0 ? "alphas of vertex colours are ignored" : "");
         assert_non_null(mesh->colours);
         for (uint32_t i = 0; i < 3; i++) {
             const struct fx_vec3 *p = &mesh->positions[i];
@@ -485,6 +517,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_factor_multiplies_its_texture_in_linear_light),
         cmocka_unit_test(a_mirrored_texture_is_doubled),
+        cmocka_unit_test(a_sampler_names_the_filter),
         cmocka_unit_test(a_texture_transform_moves_turns_and_scales),
         cmocka_unit_test(emission_is_in_the_ramp_and_unlit_has_none),
         cmocka_unit_test(a_texture_that_glows_on_black_is_drawn_unlit),

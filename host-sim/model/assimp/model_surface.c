@@ -17,6 +17,20 @@ uint8_t model_surface_channel(float value)
     return (uint8_t)lroundf((value > 0 ? (value < 1 ? value : 1) : 0) * 255); /* NaN gives 0 */
 }
 
+/* The filter that the options name, or that of the file. */
+static uint8_t filter_of(struct model_shared *shared, const struct model_surface *from)
+{
+    const char *const name = shared->options.filter;
+    if (name == NULL && from->filter != PH_FILTER_NEAREST) {
+        model_shared_note(shared, "filters of textures are ignored (--filter file takes them)");
+    }
+    return name == NULL                   ? PH_FILTER_NEAREST
+           : strcmp(name, "file") == 0    ? from->filter & 15
+           : strcmp(name, "mipmap") == 0  ? PH_FILTER_MIPMAP
+           : strcmp(name, "nearest") == 0 ? PH_FILTER_NEAREST
+                                          : PH_FILTER_BILINEAR;
+}
+
 /* Returns the texture of one of the surface's pictures, or NULL; a note says why. */
 static const struct ph_texture *make_texture(struct model_shared *shared, const struct model_surface *from,
                                              const struct picture_in *picture)
@@ -35,6 +49,7 @@ static const struct ph_texture *make_texture(struct model_shared *shared, const 
         model_shared_note(shared, "texture %s wraps both ways as along u", from->name);
     }
     texture->wrap = from->wrap[0];
+    texture->filter = filter_of(shared, from) & 15;
     return texture;
 }
 
@@ -122,6 +137,7 @@ static bool make_blend(struct model_shared *shared, const struct model_surface *
             return false;
         }
         texture->wrap = from->wrap[0];
+        texture->filter = filter_of(shared, from) & 15;
         blend->alphas = texture;
     }
     return true;

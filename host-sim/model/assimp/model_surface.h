@@ -22,6 +22,7 @@ struct model_surface {
     struct picture_in
         glowing;     /* emission in place of `glow`, at the coordinates of the texture; NULL and freed likewise */
     uint8_t wrap[2]; /* enum ph_wrap along u and v */
+    uint8_t filter;  /* enum ph_filter, as the file says */
     bool two_sided, is_unlit;
     uint8_t mode;         /* enum model_alpha */
     double alpha, cutoff; /* alpha is multiplied by the picture's */

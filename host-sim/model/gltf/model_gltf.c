@@ -35,6 +35,7 @@ struct reader {
     uint32_t *first_mesh;     /* of each mesh of the file, and one more */
     uint8_t *is_child;        /* of each node: it has a parent already */
     bool has_whole_positions; /* some positions are integers */
+    bool has_alphas;          /* some vertex colours are not opaque */
 };
 
 static bool read_attribute(struct gltf_file *file, const struct cJSON *attributes, const char *name,
@@ -97,6 +98,17 @@ static bool read_moved(struct gltf_file *file, const struct cJSON *from, const s
     return true;
 }
 
+/* Whether a vertex colour is not opaque. */
+static bool has_alphas(const struct primitive *p)
+{
+    for (size_t i = 0; p->colours != NULL && p->channels == 4 && i < p->vertex_count; i++) {
+        if (p->colours[4 * i + 3] < 1) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Makes triangles of strips and fans; every index is checked. */
 static bool make_triangles(struct gltf_file *file, struct primitive *p, const uint32_t *from, uint32_t n, uint32_t mode)
 {
@@ -148,6 +160,7 @@ static bool read_primitive(struct reader *reader, const struct cJSON *from, stru
         return false;
     }
     reader->has_whole_positions = reader->has_whole_positions || has_integers(file, attributes, "POSITION");
+    reader->has_alphas = reader->has_alphas || has_alphas(p);
     uint32_t n = p->vertex_count, *list = NULL;
     if (cJSON_GetObjectItemCaseSensitive(from, "indices") != NULL) {
         list = gltf_file_indices(file, indices, &n);
@@ -484,6 +497,9 @@ const struct aiScene *model_gltf_read(struct model_shared *shared, struct gltf_f
     if (!has_memory || !read_meshes(&reader) || !read_scene(&reader, scene)) {
         model_shared_failed(shared, "is no model that can be read: %s", has_memory ? file->error : "out of memory");
         return NULL;
+    }
+    if (reader.has_alphas) {
+        model_shared_note(shared, "alphas of vertex colours are ignored");
     }
     if (reader.has_whole_positions && !gltf_file_uses(file, "KHR_mesh_quantization")) {
         model_shared_note(shared, "its positions are integers, which takes the extension KHR_mesh_quantization, and it "

@@ -7,8 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CLAMP_TO_EDGE   33071
-#define MIRRORED_REPEAT 33648
+#define CLAMP_TO_EDGE          33071
+#define MIRRORED_REPEAT        33648
+#define NEAREST                9728
+#define LINEAR                 9729
+#define NEAREST_MIPMAP_NEAREST 9984 /* the first of those with levels */
 
 /* The colour of a primitive without a material. */
 static const uint8_t plain[3] = {219, 204, 179};
@@ -145,6 +148,17 @@ static void read_wrap(struct model_shared *shared, const struct cJSON *sampler, 
     }
 }
 
+/* The filter that comes nearest to a sampler's: levels are for texels that are not magnified by the nearest one. */
+static uint8_t filter_of(const struct cJSON *sampler)
+{
+    const uint32_t larger = gltf_file_whole(sampler, "magFilter", 0),
+                   smaller = gltf_file_whole(sampler, "minFilter", 0);
+    return larger == NEAREST                       ? PH_FILTER_NEAREST
+           : smaller >= NEAREST_MIPMAP_NEAREST     ? PH_FILTER_MIPMAP
+           : larger == LINEAR || smaller == LINEAR ? PH_FILTER_BILINEAR
+                                                   : PH_FILTER_NEAREST;
+}
+
 static void read_texture(struct model_shared *shared, struct gltf_file *file, const struct cJSON *info,
                          const double factor[3], struct model_surface *to, struct model_gltf_uv *uv)
 {
@@ -170,7 +184,9 @@ static void read_texture(struct model_shared *shared, struct gltf_file *file, co
         multiply(&to->picture.picture, factor);
     }
     read_transform(info, uv);
-    read_wrap(shared, gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE)), to, uv);
+    const struct cJSON *sampler = gltf_file_item(file, GLTF_SAMPLERS, gltf_file_whole(texture, "sampler", GLTF_NONE));
+    read_wrap(shared, sampler, to, uv);
+    to->filter = filter_of(sampler);
 }
 
 /* Reads the emissive texture, which needs the texture's own coordinates. */
@@ -195,6 +211,7 @@ static void read_glow(struct model_shared *shared, struct gltf_file *file, const
     if (!has_texture) {
         memcpy(to->name, from.name, sizeof to->name);
         memcpy(to->wrap, from.wrap, sizeof to->wrap);
+        to->filter = from.filter;
     }
 }
 

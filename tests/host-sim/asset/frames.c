@@ -74,12 +74,8 @@ static int compare(struct sim_player *p, struct sim_player *file, uint32_t frame
 
 static int make(struct asset *asset, struct model **model, const struct board *board, char *argv[])
 {
-    const struct asset_limits limits = {(uint32_t)strtoul(argv[6], NULL, 10),
-                                        (uint8_t)strtoul(argv[7], NULL, 10),
-                                        PH_FILTER_NEAREST,
-                                        strcmp(argv[8], "turntable") == 0,
-                                        false,
-                                        argv[5]};
+    const struct asset_limits limits = {(uint32_t)strtoul(argv[6], NULL, 10), (uint8_t)strtoul(argv[7], NULL, 10),
+                                        strcmp(argv[8], "turntable") == 0, false, argv[5]};
     int status = model_open(model, argv[5], NULL);
     if (status == 0) {
         status = asset_make(asset, *model, &limits);
