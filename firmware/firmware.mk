@@ -10,7 +10,7 @@
 #   make emulate BOARD=lm3s6965evb FRAMES=8       runs the image in an emulator: build/emulate/lm3s6965evb/frame-0000.ppm ..
 #   CHANGES=0|1                                   frames are sent whole | only their changes are (default, if the port can)
 #   CORES=1|2                                     how many cores the image uses
-#   RAM_CODE=small                                RP2040: only what small triangles of a mesh need runs from RAM, which leaves 27 KB
+#   RAM_CODE=small                                RP2040: only what small triangles of a mesh need runs from RAM; 27 KB are left for APP, or a larger ram_bytes
 #   ISA=arm|riscv                                 which cores of an RP2350 it is for
 #   VERSION=1.0                                   what picotool info shows as its version; Pinhole's by default
 #

@@ -71,7 +71,7 @@ struct ph_sprite {
     uint8_t alpha;         /* of the whole picture, 0 .. 32: 32 covers what is behind */
     bool has_key;          /* pixels of the colour `key` are left out */
     uint16_t key;          /* wire order */
-    const uint8_t *alphas; /* of each pixel, 0 .. 32, times alpha; or NULL */
+    const uint8_t *alphas; /* of each pixel, 0 .. 32, times alpha; or NULL. (Those of ph_blend are texels) */
 };
 
 /* Lays a picture over the band, its top left corner at (x, y), clipped to the band. For one that stands in the scene,

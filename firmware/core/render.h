@@ -56,7 +56,8 @@ enum ph_wrap { PH_WRAP_REPEAT, PH_WRAP_CLAMP };
 enum ph_filter {
     PH_FILTER_NEAREST,  /* the texel in which the pixel's centre lies */
     PH_FILTER_BILINEAR, /* between the four texels around it */
-    PH_FILTER_MIPMAP,   /* the same in the level whose texels are nearest to pixels in size */
+    PH_FILTER_MIPMAP,   /* the same in the level whose texels are nearest to pixels in size: one level for a small
+                           triangle, and one for each tile of up to 64 x 16 pixels of a larger one */
 };
 
 /* A texture whose sides are powers of two: RGB565 in wire order, rows from the top. v = 0 is at the top row. Each level
@@ -98,7 +99,7 @@ enum ph_blend_kind {
 struct ph_blend {
     void (*draw)(struct ph_renderer *r, const struct ph_band *band); /* ph_draw_blended: it is linked if used */
     uint8_t kind;                                                    /* enum ph_blend_kind */
-    uint8_t alpha;                                                   /* 0 .. 32; TIMES, ALPHA, ADD */
+    uint8_t alpha;                                                   /* TIMES, ALPHA, ADD: 1 .. 32; 0: nothing shows */
     uint16_t key;                                                    /* wire order */
     const struct ph_texture *alphas; /* all but KEY: the green of each texel is its alpha, beside the material's
                                         texture or its colour; its sides may differ from the texture's. Or NULL: all
@@ -399,9 +400,9 @@ int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
 /*
- * Draws a rectangle that faces the camera, with its middle at a world point, with the material's texture or colour;
- * with material->blend it may have any outline. Sizes are Q16.16 in world units: with one of 0 nothing is drawn, and a
- * negative one mirrors it, so that it is seen from behind. Errors as ph_draw_mesh: it takes 4 vertices.
+ * A sprite in the world: draws a rectangle that faces the camera, with its middle at a world point, with the material's
+ * texture or colour; with material->blend it may have any outline. Sizes are Q16.16 in world units: with one of 0 nothing
+ * is drawn, and a negative one mirrors it, so that it is seen from behind. Errors as ph_draw_mesh: it takes 4 vertices.
  */
 int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, fx_t height,
                       const struct ph_material *material);
