@@ -402,8 +402,8 @@ int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct
 /*
  * A sprite in the world: draws a rectangle that faces the camera, with its middle at a world point, with the
  * material's texture or colour; with material->blend it may have any outline. Sizes are Q16.16 in world units: with one
- * of 0 nothing is drawn, and a negative one mirrors it, so that it is seen from behind. Errors as ph_draw_mesh: it takes
- * 4 vertices.
+ * of 0 nothing is drawn, and a negative one mirrors it, so that it is seen from behind. Errors as ph_draw_mesh: it
+ * takes 4 vertices.
  */
 int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, fx_t height,
                       const struct ph_material *material);

@@ -188,12 +188,6 @@ static void draw_triangles(const struct cast *c, const uint16_t (*index)[3], con
     c->r->stats.triangles_culled += (uint32_t)(end - index) - judged;
 }
 
-/* Whether a part casts a shadow: lines cast none. */
-static bool casts(const struct ph_mesh *mesh, const struct ph_part *part)
-{
-    return mesh->materials[part->material].shading != PH_SHADE_WIRE;
-}
-
 /*
  * Moves the shadow towards the viewer, see shadow.h. A smaller matrix gives smaller x, y and w; the division by w
  * undoes this for x and y.
@@ -224,21 +218,6 @@ static bool sees_lit_side(const struct ph_renderer *r, const struct ph_plane_equ
     return height_of(&(struct ph_plane_equation){plane->normal_q30, 0}, from) > 0;
 }
 
-/* Counts a shadow for which there is no room. It is an error if there never is. */
-static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
-{
-    r->stats.vertices_dropped += mesh->vertex_count;
-    if (mesh->vertex_count > r->config.vertex_max) {
-        return PH_ERR_NOMEM;
-    }
-    for (uint32_t i = 0; i < mesh->part_count; i++) {
-        const uint32_t count = casts(mesh, &mesh->parts[i]) ? mesh->parts[i].count : 0;
-        r->stats.triangles_in += count;
-        r->stats.triangles_dropped += count;
-    }
-    return PH_OK;
-}
-
 int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world,
                    struct fx_vec3 light, const struct ph_plane_equation *plane, const struct ph_material *material)
 {
@@ -259,7 +238,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     if (c.draw.base == UINT32_MAX || (material->blend != NULL && !ph_list_blend(r, material->blend)) ||
         !ph_list_draw(r, &c.draw)) {
         ph_list_rewind(r, &mark);
-        return leave_out(r, mesh);
+        return ph_list_leave_out(r, mesh, false);
     }
     c.matrix = ph_clip_matrix(&r->lens, &r->view);
     move_nearer(&c.matrix, &r->lens);
@@ -268,10 +247,11 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
     transform_vertices(&c);
     for (uint32_t i = 0; i < mesh->part_count; i++) {
         const struct ph_part *part = &mesh->parts[i];
-        if (casts(mesh, part)) {
-            r->stats.triangles_in += part->count;
-            draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
+        if (mesh->materials[part->material].shading == PH_SHADE_WIRE) {
+            continue;
         }
+        r->stats.triangles_in += part->count;
+        draw_triangles(&c, mesh->triangles + part->first, mesh->triangles + part->first + part->count);
     }
     if (material->blend != NULL) {
         ph_list_put_after(r, before);

@@ -86,6 +86,21 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
     return take_any(r, VERTICES, TRIANGLES, n * sizeof(struct ph_vertex));
 }
 
+int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines)
+{
+    r->stats.vertices_dropped += mesh->vertex_count;
+    if (mesh->vertex_count > r->config.vertex_max) {
+        return PH_ERR_NOMEM;
+    }
+    for (uint32_t i = 0; i < mesh->part_count; i++) {
+        const bool wire = mesh->materials[mesh->parts[i].material].shading == PH_SHADE_WIRE;
+        const uint32_t triangles = wire ? 0 : mesh->parts[i].count;
+        r->stats.triangles_in += triangles;
+        r->stats.triangles_dropped += wire && lines ? mesh->edge_count : triangles;
+    }
+    return PH_OK;
+}
+
 #define SET_UP_WORK 16 /* pixels: about a triangle's set-up, for each two rows */
 #define ROWS_MOST   4u /* at a time: a texture is divided again for each */
 

@@ -93,6 +93,10 @@ static inline uint32_t ph_row_bytes(const struct ph_renderer *r)
     return ph_row_pixels(r) * (4 + (uint32_t)ph_depth_bytes(r->config.depth_format));
 }
 
+/* Counts a mesh for whose vertices there is no room; `lines`: its edges, too, where it has some. PH_ERR_NOMEM if there
+ * never is room, else PH_OK. */
+int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines);
+
 /* Before something with a blend is drawn. False: it is left out. There is no room for the rows that it is drawn into,
  * or the blend names no function. */
 bool ph_list_blend(struct ph_renderer *r, const struct ph_blend *blend);

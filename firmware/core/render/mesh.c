@@ -486,27 +486,12 @@ static void draw_part(struct part_context *c, const struct ph_part *part, const 
     }
 }
 
-/* Counts a mesh for whose vertices there is no room. It is an error if there never is. */
-static int leave_out(struct ph_renderer *r, const struct ph_mesh *mesh)
-{
-    r->stats.vertices_dropped += mesh->vertex_count;
-    if (mesh->vertex_count > r->config.vertex_max) {
-        return PH_ERR_NOMEM;
-    }
-    for (uint32_t i = 0; i < mesh->part_count; i++) {
-        const bool wire = mesh->materials[mesh->parts[i].material].shading == PH_SHADE_WIRE;
-        r->stats.triangles_in += wire ? 0 : mesh->parts[i].count;
-        r->stats.triangles_dropped += wire ? mesh->edge_count : mesh->parts[i].count;
-    }
-    return PH_OK;
-}
-
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world)
 {
     const struct ph_mark mark = ph_list_mark(r);
     const uint32_t n = mesh->vertex_count, place = n <= r->config.vertex_max ? ph_list_vertices(r, n) : PH_NONE;
     if (place == PH_NONE) {
-        return leave_out(r, mesh);
+        return ph_list_leave_out(r, mesh, true);
     }
     const struct ph_xform object_to_view = ph_xform_mul(&r->view, to_world);
     const struct ph_clip_matrix matrix = ph_clip_matrix(&r->lens, &object_to_view);
