@@ -38,8 +38,8 @@ run() { # folder below $dir for what comes out, options of emulate.mjs
 frames=7
 "$B/pinhole-sim" --size 320x240 --demo icosphere --frames $frames --crc >"$dir/expected"
 for cores in 1 2; do
-    make -s firmware BOARD_DIR="$dir/kits" BOARD=$board CORES=$cores APP="$(realpath "$dir")/icosphere.c" PORT_LD="$dir/rp2040.ld" PORT_RAM_BYTES=$code PORT_AHEAD_BYTES=0 >"$dir/$cores.made" || fail "no image"
-    elf=$B/firmware/$board-icosphere$([ $cores = 1 ] || echo -cores$cores).elf
+    make -s firmware BOARD_DIR="$dir/kits" BOARD=$board CORES=$cores APP="$(realpath "$dir")/icosphere.c" RAM_CODE=small PORT_LD="$dir/rp2040.ld" PORT_RAM_BYTES=$code PORT_AHEAD_BYTES=0 >"$dir/$cores.made" || fail "no image"
+    elf=$B/firmware/$board-icosphere$([ $cores = 1 ] || echo -cores$cores)-small.elf
     run $cores --send 4:HG # after those that count: a line on the UART about frame 5
     grep '^frame [0-9]* crc32' "$dir/$cores.said" | cmp -s "$dir/expected" - || fail "not the picture of pinhole-sim"
     grep -q 'left out 0 triangles 0 vertices' "$dir/$cores.log" || fail "$(grep 'left out' "$dir/$cores.log")"
