@@ -22,11 +22,12 @@ every_demo() { # cores
     [ "$1" != 1 ] || cp "$dir/log" "$dir/every.log"
 }
 
-# 20 frames, each with delays of its own between the cores. By hand a thousand, of all demos: FRAMES=1000 SEED=1
+# Two frames of every demo, each with delays of its own between the cores. By hand a thousand: FRAMES=1000 SEED=1
 # tests/firmware/test_firmware_rp2040.sh
 any_delays() {
-    local frames=${FRAMES:-20}
+    local frames
     sweep 2
+    frames=${FRAMES:-$((2 * demos))}
     [ "$frames" -le $((2 * demos)) ] || sweep $((frames / demos))
     awk -v frames="$frames" '$1 < frames' "$dir/keys" >"$dir/some"
     emulate "$board" 2 "$frames" "$dir/some" --delays "${SEED:-1}" --limit-ms 10000000 && expect "$board" "$frames" "$dir/some" && same "$frames"

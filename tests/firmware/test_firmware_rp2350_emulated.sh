@@ -25,8 +25,9 @@ every_demo() { # cores
 }
 
 any_delays() { # each frame has delays of its own between the cores. By hand a thousand: FRAMES=1000 SEED=1
-    local frames=${FRAMES:-40}
+    local frames
     sweep 2
+    frames=${FRAMES:-$((2 * demos))}
     [ "$frames" -le $((2 * demos)) ] || sweep $((frames / demos))
     awk -v frames="$frames" '$1 < frames' "$dir/keys" >"$dir/some"
     emulate "$board" 2 "$frames" "$dir/some" --delays "${SEED:-1}" --limit-ms 1000000 && expect "$board" "$frames" "$dir/some" && same "$frames"
