@@ -1,13 +1,15 @@
 /*
  * Random triangles with extremes of every kind are drawn through the renderer's public interface, under
  * AddressSanitizer and UndefinedBehaviorSanitizer. Besides, no byte outside the caller's buffers may change, the bands
- * and the statistics must add up, and another band height or a second core must give the same bytes.
+ * and the statistics must add up, and another band height, a second core, or other rubbish in the memory must give the
+ * same bytes. A third of the frames have triangles as usual meshes have them, of up to 40 px before the camera.
  *
  * Usage: fuzz_raster [quick | long | TRIANGLES [SEED]]
  * quick (the default) is a million triangles, long twenty. Each frame has its own seed, printed when it fails;
  * `fuzz_raster 1 SEED` repeats that frame alone.
  */
 #include "render.h"
+#include "shadow.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -21,6 +23,7 @@
 #define VERTICES    48
 #define TRIANGLES   64
 #define EDGES       16
+#define DRAWS       3 /* of the mesh in a frame, most: with a second camera, and as a shadow */
 #define PARTS       4
 #define LOG2_MAX    6 /* of texture sizes; LOG2_MOST now and then */
 #define LOG2_MOST   10
@@ -156,12 +159,13 @@ static void free_pixels(struct memory *memory)
 
 static struct ph_config any_config(struct memory *memory)
 {
-    static const uint16_t sizes[][2] = {{1, 1}, {1024, 3}, {3, 1024}, {1, 64}, {64, 1}, {16, 12}, {320, 24}, {128, 64}};
+    static const uint16_t sizes[][2] = {{1, 1},   {1024, 3}, {3, 1024}, {1, 64},   {64, 1},
+                                        {16, 12}, {320, 24}, {128, 64}, {160, 120}};
     struct ph_config config = {.depth_format = (uint8_t)below(PH_DEPTH_FORMATS),
                                .depth_exponent = (uint8_t)(below(2) ? 3 + below(4) : 0)};
-    uint32_t kind = below(12);
-    config.width = (uint16_t)(kind < 8 ? sizes[kind][0] : 1 + below(96));
-    config.height = (uint16_t)(kind < 8 ? sizes[kind][1] : 1 + below(96));
+    const uint32_t kind = below(16), of = kind < 8 ? kind : 8; /* the last one has room inside for small triangles */
+    config.width = (uint16_t)(kind < 12 ? sizes[of][0] : 1 + below(96));
+    config.height = (uint16_t)(kind < 12 ? sizes[of][1] : 1 + below(96));
     config.band_height = (uint16_t)(below(3) ? 1 + below(config.height) : config.height);
     const bool is_fine = config.width <= 512 && config.height <= 512 && below(8) == 0;
     config.vertex_max = below(8) ? VERTICES : 1 + below(VERTICES);
@@ -186,10 +190,11 @@ static void free_memory(struct memory *memory)
 
 struct content {
     struct ph_xform view, to_world;
-    struct ph_projection projection;
+    struct ph_projection projection, second;
     struct ph_scene_light light;
     struct ph_fog fog;
-    bool lit, lines, foggy;
+    struct ph_plane_equation ground;
+    bool lit, lines, foggy, second_camera, shadow, billboard;
     struct fx_vec3 positions[VERTICES];
     int16_t normals[VERTICES][3];
     fx_t uvs[VERTICES][2];
@@ -349,6 +354,30 @@ static void any_vertices(struct content *c)
     }
 }
 
+/* Loose triangles of 1 to 50 px at 60 degrees and 120 px, which share no vertex. Distances may change within one. */
+static void usual_triangles(struct content *c)
+{
+    c->view = c->to_world = ph_xform_identity;
+    ph_projection_perspective(&c->projection, FX_INT(60), FX_ONE, FX_HALF, FX_INT(100));
+    for (int i = 0; i < VERTICES; i += 3) {
+        const fx_t w = FX_ONE + (fx_t)below(FX_INT(1 << below(7))), lean = (fx_t)below(FX_ONE / 2);
+        const fx_t size = fx_mul_sat(w, FX_ONE * (1 + (int32_t)below(50)) / 104);
+        const fx_t x = fx_mul_sat(w, within(FX_HALF)), y = fx_mul_sat(w, within(FX_HALF));
+        for (int k = i; k < i + 3; k++) {
+            c->positions[k] = (struct fx_vec3){x + within(size) / 2, y + within(size) / 2,
+                                               -w - fx_mul_sat(w, fx_mul_sat(lean, within(FX_ONE)))};
+            c->uvs[k][0] = within(FX_ONE * 6 / 5);
+            c->uvs[k][1] = within(FX_ONE * 6 / 5);
+        }
+    }
+    for (int i = 0; i < TRIANGLES; i++) {
+        const uint16_t first = (uint16_t)(3 * below(VERTICES / 3)), turned = (uint16_t)below(3);
+        for (int k = 0; k < 3; k++) {
+            c->triangles[i][k] = (uint16_t)(first + (turned + k) % 3);
+        }
+    }
+}
+
 static void any_content(struct content *c)
 {
     memset(c, 0, sizeof(*c));
@@ -371,6 +400,14 @@ static void any_content(struct content *c)
     for (int i = 0; i < EDGES * 2; i++) {
         c->edges[i / 2][i % 2] = (uint16_t)below(VERTICES);
     }
+    if (below(3) == 0) {
+        usual_triangles(c);
+    }
+    c->second_camera = below(4) == 0;
+    c->second = any_projection();
+    c->shadow = below(8) == 0;
+    c->ground = (struct ph_plane_equation){{0, FX_Q30_ONE, 0}, within(FX_INT(2))};
+    c->billboard = below(8) == 0;
     ph_material_ramp(c->ramp, (uint8_t)bits(), (uint8_t)bits(), (uint8_t)bits(), (fx_t)below(FX_ONE + 1));
     for (int i = 0; i < PARTS; i++) {
         c->parts[i] = (struct ph_part){(uint32_t)i * TRIANGLES / PARTS, TRIANGLES / PARTS, (uint16_t)below(PARTS)};
@@ -403,6 +440,8 @@ static uint32_t hash_bytes(uint32_t hash, const void *data, size_t size)
 
 static bool begin(struct ph_renderer *r, const struct ph_config *config, const struct content *c)
 {
+    memset(config->vertices, (int)below(256), config->vertex_max * ph_vertex_bytes);
+    memset(config->triangles, (int)below(256), config->triangle_max * ph_triangle_bytes);
     int result = ph_renderer_init(r, config);
     if (result != PH_OK) {
         fail("a good configuration was refused");
@@ -414,11 +453,28 @@ static bool begin(struct ph_renderer *r, const struct ph_config *config, const s
     return result == PH_OK;
 }
 
+static void check_code(int result, const char *what)
+{
+    if (result != PH_OK && result != PH_ERR_NOMEM) {
+        fail(what);
+    }
+}
+
 static void draw(struct ph_renderer *r, const struct content *c)
 {
-    int result = ph_draw_mesh(r, &c->mesh, &c->to_world);
-    if (result != PH_OK && result != PH_ERR_NOMEM) {
-        fail("ph_draw_mesh returned an unknown code");
+    const struct fx_vec3 light = {FX_ONE, FX_INT(4), FX_ONE};
+    if (c->shadow) {
+        check_code(ph_draw_shadow(r, &c->mesh, &c->to_world, light, &c->ground, &c->materials[1]),
+                   "ph_draw_shadow returned an unknown code");
+    }
+    check_code(ph_draw_mesh(r, &c->mesh, &c->to_world), "ph_draw_mesh returned an unknown code");
+    if (c->second_camera) {
+        ph_frame_camera(r, &c->view, &c->second);
+        check_code(ph_draw_mesh(r, &c->mesh, &c->to_world), "ph_draw_mesh returned an unknown code");
+    }
+    if (c->billboard) {
+        check_code(ph_draw_billboard(r, c->positions[0], FX_ONE, FX_HALF, &c->materials[2]),
+                   "ph_draw_billboard returned an unknown code");
     }
     for (int i = 0; c->lines && i < 4; i++) {
         ph_draw_line(r, c->positions[i], c->positions[i + 4], &c->materials[i]);
@@ -428,8 +484,9 @@ static void draw(struct ph_renderer *r, const struct content *c)
 static void check_stats(const struct ph_renderer *r)
 {
     const struct ph_stats *s = &r->stats;
-    if (s->triangles_drawn > r->config.triangle_max || s->vertices > VERTICES || s->triangles_in > TRIANGLES ||
-        s->triangles_culled > s->triangles_in || s->triangles_clipped > s->triangles_in) {
+    if (s->triangles_drawn > r->config.triangle_max || s->vertices > DRAWS * VERTICES + 4 ||
+        s->triangles_in > DRAWS * TRIANGLES + 2 || s->triangles_culled > s->triangles_in ||
+        s->triangles_clipped > s->triangles_in) {
         fail("the statistics do not add up");
     }
 }

@@ -134,8 +134,10 @@ static int clip_at(const struct caster *in, int n, struct caster *out, int64_t h
 
 static void draw_clipped(const struct cast *c, const uint16_t index[3])
 {
-    const struct caster in[3] = {caster_of(c, index[0]), caster_of(c, index[1]), caster_of(c, index[2])};
-    struct caster above[POLYGON_MAX], between[POLYGON_MAX];
+    struct caster in[3], above[POLYGON_MAX], between[POLYGON_MAX];
+    for (int i = 0; i < 3; i++) {
+        in[i] = caster_of(c, index[i]);
+    }
     const int n = clip_at(above, clip_at(in, 3, above, 0, 1), between, c->highest, -1);
     struct ph_clip_vertex corners[POLYGON_MAX];
     for (int i = 0; i < n; i++) {
@@ -143,11 +145,14 @@ static void draw_clipped(const struct cast *c, const uint16_t index[3])
         corners[i] = ph_clip_place(&c->r->lens, &c->matrix, &s);
         corners[i].light = PH_LIGHT_ZERO;
     }
-    c->r->stats.triangles_culled += n < 3;
+    struct ph_stats *const stats = &c->r->stats;
+    const uint32_t culled = stats->triangles_culled, clipped = stats->triangles_clipped, before = ph_ref_count(c->r);
     for (int i = 2; i < n; i++) {
         const struct ph_clip_vertex fan[3] = {corners[0], corners[i - 1], corners[i]};
         ph_draw_clipped(c->r, c->material, 0, fan);
     }
+    stats->triangles_culled = culled + (ph_ref_count(c->r) == before); /* its pieces count as one */
+    stats->triangles_clipped = clipped + 1;
     ph_list_again(c->r, &c->draw);
 }
 
@@ -223,7 +228,7 @@ int ph_draw_shadow(struct ph_renderer *r, const struct ph_mesh *mesh, const stru
 {
     struct cast c = {.r = r, .mesh = mesh, .to_world = to_world, .plane = plane, .material = material, .light = light};
     c.light_height = height_of(plane, light);
-    c.highest = c.light_height - c.light_height / 64;
+    c.highest = c.light_height - (c.light_height >> 6);
     if (c.light_height <= 0 || (material->two_sided == 0 && !sees_lit_side(r, plane))) {
         return PH_OK;
     }

@@ -18,9 +18,8 @@ static bool is_exponent(unsigned bits)
 
 static bool depth_is_usable(const struct ph_config *config)
 {
-    const size_t align = config->samples != NULL ? sizeof(uint32_t) : ph_depth_bytes(config->depth_format);
     return config->depth != NULL && config->depth_format < PH_DEPTH_FORMATS && is_exponent(config->depth_exponent) &&
-           (uintptr_t)config->depth % align == 0;
+           (uintptr_t)config->depth % ph_depth_bytes(config->depth_format) == 0;
 }
 
 /* Length of the inner part of a side of the picture, 1/256 px: a point is inner if it stays further from both borders
@@ -36,7 +35,8 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     const int fine = config->samples != NULL ? 1 : 0;
     if (width < 1 || width << fine > 1024 || height < 1 || height << fine > 1024 || lines < 1 || lines > height ||
-        !depth_is_usable(config) || (uintptr_t)config->samples % sizeof(uint32_t) != 0) {
+        !depth_is_usable(config) ||
+        (fine != 0 && ((uintptr_t)config->samples | (uintptr_t)config->depth) % sizeof(uint32_t) != 0)) {
         return PH_ERR_INVAL;
     }
     const uint32_t bands = (height + lines - 1) / lines;

@@ -92,11 +92,13 @@ int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool li
     if (mesh->vertex_count > r->config.vertex_max) {
         return PH_ERR_NOMEM;
     }
-    for (uint32_t i = 0; i < mesh->part_count; i++) {
-        const bool wire = mesh->materials[mesh->parts[i].material].shading == PH_SHADE_WIRE;
-        const uint32_t triangles = wire ? 0 : mesh->parts[i].count;
-        r->stats.triangles_in += triangles;
-        r->stats.triangles_dropped += wire && lines ? mesh->edge_count : triangles;
+    for (const struct ph_part *part = mesh->parts, *const end = part + mesh->part_count; part < end; part++) {
+        if (mesh->materials[part->material].shading != PH_SHADE_WIRE) {
+            r->stats.triangles_in += part->count;
+            r->stats.triangles_dropped += part->count;
+        } else if (lines) {
+            r->stats.triangles_dropped += mesh->edge_count;
+        }
     }
     return PH_OK;
 }
@@ -200,7 +202,7 @@ bool ph_list_draw(struct ph_renderer *r, const struct ph_draw *draw)
         return true;
     }
     if (last == NULL || last->first != count) { /* a draw without references gives its room to the next one */
-        const uint32_t place = lens == PH_NONE ? PH_NONE : take_any(r, OWN, TRIANGLES, sizeof *last);
+        const uint32_t place = take_any(r, OWN, TRIANGLES, sizeof *last);
         if (place == PH_NONE) {
             return false;
         }
