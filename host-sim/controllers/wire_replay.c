@@ -414,6 +414,7 @@ struct wire *wire_replay_open(const struct wire_config *config)
         wire_replay_close(w);
         return NULL;
     }
+    w->before = *w->sim;
     return w;
 }
 

@@ -202,6 +202,21 @@ static void the_zero_vector_has_no_direction(void **state)
     assert_int_equal(z.w, FX_Q30_ONE);
 }
 
+/* All quaternions of 11 extremes a component. Their length in double is one, to the rounding of four components. */
+static void every_quaternion_gets_length_one(void **state)
+{
+    static const int32_t extremes[] = {INT32_MIN, INT32_MIN + 1, INT32_MIN / 2, -FX_ONE,       -1,       0,
+                                       1,         FX_ONE,        INT32_MAX / 2, INT32_MAX - 1, INT32_MAX};
+    enum { N = sizeof extremes / sizeof *extremes };
+    (void)state;
+    for (uint32_t i = 0; i < N * N * N * N; i++) {
+        const struct fx_quat q = fx_quat_normalise(
+            (struct fx_quat){extremes[i % N], extremes[i / N % N], extremes[i / N / N % N], extremes[i / N / N / N]});
+        const double length = sqrt((double)q.w * q.w + (double)q.x * q.x + (double)q.y * q.y + (double)q.z * q.z);
+        assert_true(fabs(length / FX_Q30_ONE - 1) < 4e-9);
+    }
+}
+
 /* Rodrigues' formula in double, which takes no quaternions. */
 static void rodrigues(const double k[3], double angle, double m[3][3])
 {
@@ -434,6 +449,7 @@ int main(void)
         cmocka_unit_test(lengths_are_correctly_rounded),
         cmocka_unit_test(directions_have_length_one),
         cmocka_unit_test(the_zero_vector_has_no_direction),
+        cmocka_unit_test(every_quaternion_gets_length_one),
         cmocka_unit_test(quaternions_rotate_as_rodrigues_says),
         cmocka_unit_test(quaternion_product_is_one_rotation_after_the_other),
         cmocka_unit_test(nlerp_goes_the_short_way_from_a_to_b),

@@ -56,6 +56,7 @@ red=$(crc '\xff\0\0')
     check "a red picture is red" says 0 "frame 0 crc32 $red" '' "$wire" --board $board "$dir/red"
     check "... from stdin, with lines by other names" says 0 "frame 0 crc32 $red" '' \
         sh -c "sed 's/ dc\$/ GPIO25/' '$dir/red' | '$wire' --board $board --dc GPIO25 --reset reset"
+    check "a note before the first command shows a dark panel" says 0 "frame 0 crc32 $(crc '\0\0\0')" '' sh -c "echo '0 note frame' | '$wire' --board $board --notes"
     check "the steps and their times" says 0 "order reset begins 0.000 ms
 order reset ends 1.000 ms
 order init 121.000 ms

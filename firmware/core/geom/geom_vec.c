@@ -78,6 +78,7 @@ static bool unit_q30(const int64_t *in, int32_t *out, int n)
     for (int i = 0; i < n; i++) {
         sum += fx_mul_wide_u(fx_magnitude(out[i]), fx_magnitude(out[i])); /* <= 4 * 2^58 */
     }
+    sum -= sum >> 60; /* four components of -2^29: their sum, 2^60, would leave no bit after the shift below */
     /* The root has 32 bits: it is the length in 2^-2 units of the components. */
     const int64_t length = fx_sqrt_u64(sum << 4);
     for (int i = 0; i < n; i++) {
