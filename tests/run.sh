@@ -161,7 +161,7 @@ longest_first() { awk -v first="$first" 'BEGIN { n = split(first, name, /[ \n]+/
     { print ($1 in rank ? rank[$1] : n + 1), NR, $0 }' | sort -n -k1,1 -k2,2 | cut -d' ' -f3-; }
 
 if [ "$mode" != check ]; then
-    tests/tools/packages.sh test
+    tests/tools/packages.sh test || exit
     ! command -v ccache >/dev/null || through_ccache
 fi
 shopt -s nullglob

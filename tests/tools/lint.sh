@@ -64,7 +64,7 @@ check() {
 
 shell() { { sources -name '*.sh' && echo .ci/run; } | xargs -r shellcheck -x; }
 
-tests/tools/packages.sh lint
+tests/tools/packages.sh lint || exit
 mkdir -p "$B"
 tool clang-format format
 tool shellcheck shell

@@ -1,7 +1,11 @@
 #!/usr/bin/env bash
 # Usage: tests/tools/packages.sh test|lint
-# Installs the Debian packages in tests/tools/packages that are not there yet; does nothing when all are. Always exits 0:
-# what cannot be had is named, with what is skipped for the lack of it.
+# Installs the Debian packages in tests/tools/packages that are not there yet; does nothing when all are. Says first which
+# and how much they take; apt's own messages are shown. As somebody who may not install it says the one command to paste.
+# Nothing here ends apt: after Ctrl-C or a signal this waits until apt has left the system whole. Packages that are there
+# are never removed. Always exits 0 unless it was interrupted: what cannot be had is named, with what is skipped for the
+# lack of it.
+# PACKAGES_INSTALL=0: only says what is missing, and the command.
 set -u
 cd "$(dirname "$0")" || exit 1
 
@@ -18,27 +22,46 @@ missing() {
     done
 }
 
+root=()
+[ "$(id -u)" = 0 ] || root=(sudo -n)
+
+# In a session of its own, where the terminal's Ctrl-C does not reach it.
 apt() {
-    timeout 400 "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::http::Timeout=20 \
-        -o Acquire::Retries=2 -o DPkg::Lock::Timeout=120 "$@" </dev/null >/dev/null 2>&1
+    setsid "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 "$@" </dev/null &
+    local pid=$! status=0
+    wait $pid || status=$?
+    while kill -0 $pid 2>/dev/null; do # a signal ended the wait, not apt
+        wait $pid || status=$?
+    done
+    return $status
 }
+
+interrupted=
+trap 'interrupted=1; echo "packages: interrupted; apt finishes what it has begun, so that the system stays whole" >&2' INT TERM HUP
+
+# How much apt would fetch and fill: its own two lines.
+sizes() { LC_ALL=C apt-get --assume-no --no-remove install --no-install-recommends "$@" 2>/dev/null </dev/null | grep -E '^(Need to get|After this)'; }
+
+install() { apt install --yes --no-remove --no-install-recommends "$@"; }
 
 lacking=$(missing "$1")
 [ -n "$lacking" ] || exit 0
 mapfile -t packages < <(cut -d'|' -f1 <<<"$lacking")
-
-root=()
-[ "$(id -u)" = 0 ] || root=(sudo -n)
+echo "packages: ${#packages[@]} are missing: ${packages[*]}"
 if ! command -v apt-get >/dev/null; then
-    echo "packages: no apt-get here"
-elif [ "$(id -u)" != 0 ] && ! sudo -n true 2>/dev/null; then
-    echo "packages: neither root nor sudo without a password"
+    echo "packages: there is no apt-get here; install what your system calls these, or go without"
+elif [ "${PACKAGES_INSTALL-1}" = 0 ] || { [ "$(id -u)" != 0 ] && ! sudo -n true 2>/dev/null; }; then
+    echo "packages: to install them: sudo apt-get install --no-install-recommends ${packages[*]}"
 else
-    echo "packages: installing ${packages[*]}"
     apt update
+    sizes "${packages[@]}" | sed 's/^/packages: /'
     # One package that cannot be had must not keep the others out.
-    apt install --no-install-recommends "${packages[@]}" ||
-        for package in "${packages[@]}"; do apt install --no-install-recommends "$package"; done
+    if [ -z "$interrupted" ] && ! install "${packages[@]}"; then
+        for package in "${packages[@]}"; do
+            [ -n "$interrupted" ] || install "$package"
+        done
+    fi
+    [ -z "$interrupted" ] || exit 130
     lacking=$(missing "$1")
 fi
 while IFS='|' read -r package skipped; do
