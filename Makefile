@@ -94,7 +94,8 @@ OBJ = $(call objects,$(LIB)) $(BOARDS_MORE:%=$(B)/boards_more/%/board.o)
 TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_*.c))
 FUZZ := $(patsubst %.c,$(B)/%,$(wildcard tests/*/fuzz_*.c))
 LONG := $(patsubst %.c,$(B)/%,$(wildcard tests/*/exhaustive_*.c)) $(FUZZ) $(B)/tests/oracle/three/motion_dump
-TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(wildcard tests/support/*.c tests/oracle/*.c))
+TEST_LACKS := $(if $(call have,mpfr),,tests/support/exhaustive.c) $(if $(call have,osmesa),,tests/oracle/mesa.c)
+TEST_OBJ := $(patsubst %.c,$(B)/%.o,$(filter-out $(TEST_LACKS),$(wildcard tests/support/*.c tests/oracle/*.c)))
 
 # Includes run one way: what a folder may not know about, it does not find.
 # Headers at the top of firmware/core, firmware/app, hal and boards are public; those of a room are its own, and of the
@@ -106,7 +107,7 @@ INC_APP = $(INC_CORE) -Ifirmware/app -Ihal
 INC_HOST = $(INC_APP) -Iboards $(INC_MORE) -Ihost-sim/common -Ihost-sim/picture
 rooms = $(patsubst %,-I$(1)/%,$(2))
 INC_ALL = $(INC_HOST) $(call rooms,firmware/core,fx geom render effects kernels) $(call rooms,firmware/app,demos models depthlab) \
-          $(call rooms,hal,panel rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(DRM_CFLAGS)
+          $(call rooms,hal,panel rp2040) $(call rooms,host-sim,$(filter-out common,$(ROOMS)) model/assimp model/gltf) $(call rooms,tests,support oracle) $(if $(call have,cmocka),,-Itests/support/bare) $(DRM_CFLAGS)
 INC = $(INC_ALL)
 $(B)/firmware/%.o $(B)/hal/%.o $(B)/boards/%.o: WARN += -Wconversion -Wno-sign-conversion
 $(B)/firmware/core/%.o: INC = $(INC_CORE)

@@ -38,6 +38,8 @@ export LSAN_OPTIONS=suppressions=$PWD/tests/tools/leaks.suppress:print_suppressi
 export limit_s=${TEST_TIMEOUT:-$limit_s} results=$B/log/$mode.results
 sanitize='-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all'
 processors=$(nproc)
+export bare=-Itests/support/bare # where cmocka is missing
+! pkg-config --exists cmocka 2>/dev/null || bare=
 make_args= # as one word, for the jobs
 [ $# = 0 ] || printf -v make_args '%q ' "$@"
 export make_args
@@ -59,9 +61,12 @@ count() { # log, exit status
         }' "$1"
 }
 
-# Headers of libraries that a source file asks for and this machine lacks.
+# Headers of libraries that a source file, or what it includes of the tests' own, asks for and this machine lacks.
 lacks() {
-    sed -n 's/^#include <\(.*\)>.*/#if !__has_include(<\1>)\n\1\n#endif/p' "$1" | $CC -E -P - 2>/dev/null | xargs
+    local own
+    own=$(sed -n 's:^#include "\(.*\)":tests/oracle/\1 tests/support/\1:p' "$1")
+    # shellcheck disable=SC2086 # words; headers that are elsewhere are no matter
+    cat "$1" $own 2>/dev/null | sed -n 's/^#include <\(.*\)>.*/#if !__has_include(<\1>)\n\1\n#endif/p' | $CC -E -P $bare - 2>/dev/null | xargs
 }
 
 prepare() { # build directory, source: status 77 when it cannot be built here, 1 when it is broken
