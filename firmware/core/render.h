@@ -334,7 +334,8 @@ struct ph_list {
     uint32_t used[3];              /* bytes taken from own, vertices, triangles */
     uint32_t first, last, lens;    /* places of the first and the last draw, and of the camera in use */
     uint32_t band_scale;           /* 2^20 / band_height, rounded up */
-    uint32_t is_closed;            /* 1: no more is listed in this frame */
+    uint16_t is_closed;            /* 0: open; 1: full; 2: closed, because no frame has begun, or its bands are made */
+    uint16_t band;                 /* the band that is drawn next */
     uint64_t own[PH_OWN_BYTES / 8];
 };
 
@@ -364,16 +365,20 @@ struct ph_renderer {
 
 /*
  * Initialises r with a copy of config.
- * Errors: PH_ERR_INVAL: a size or pointer is wrong. PH_ERR_NOMEM: bin_max is below the number of bands.
+ * Errors: PH_ERR_INVAL: a size, a pointer or its alignment is wrong, or of other_core and other_core_join one is
+ *         missing. PH_ERR_NOMEM: bin_max is below the number of bands. After an error r refuses all calls but this one.
  */
 int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config);
 
 /*
  * Starts a frame: clears the list of triangles and the statistics, and chooses the depth format if it is AUTO.
  * In:     view is world to view and must be rigid. light may be NULL: full ambient light. background is in wire order.
+ *         It may be called at any time, and begins anew, however far the frame before has come.
  * Errors: PH_ERR_INVAL: near_z <= 0 (perspective, fisheye) or far_z <= near_z.
  *         PH_ERR_RANGE: the principal point is more than the picture's width or height off the centre (|shift| > 2), or
  *         the focal length is 2^18 pixels or more.
+ *         PH_ERR_STATE: r is not initialised. After an error no frame has begun: nothing is drawn, and functions that
+ *         draw or show return PH_ERR_STATE.
  */
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background);
@@ -381,21 +386,22 @@ int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const str
 /*
  * Sets another camera for all that is drawn from now on in the same frame, for several views in one picture. The views
  * share the depth buffer and its format, so they should not draw on the same pixels. Errors are those of
- * ph_frame_begin; the camera then stays as it was.
+ * ph_frame_begin; the camera then stays as it was. PH_ERR_STATE: no frame has begun, or its bands are made.
  */
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection);
 
 /*
  * Sets the fog of this frame, in steps of 1/32 of the way between two colours. Call it after ph_frame_begin; it takes
  * the camera of that moment. It costs a pass over all pixels of a band.
- * Errors: PH_ERR_INVAL: start >= end.
+ * Errors: PH_ERR_INVAL: start >= end. PH_ERR_STATE: no frame has begun, or its bands are made.
  */
 int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog);
 
 /*
  * Draws a mesh. to_world places it: a rigid transform with a uniform scale below 2.
  * Errors: PH_ERR_NOMEM: the mesh has more vertices than the vertex budget; it is left out and counted. (If other meshes
- *         have taken the room, it is counted, too, but that is no error.)
+ *         have taken the room, it is counted, too, but that is no error.) PH_ERR_STATE: no frame has begun, or its
+ *         bands are made; nothing is drawn.
  */
 int ph_draw_mesh(struct ph_renderer *r, const struct ph_mesh *mesh, const struct ph_xform *to_world);
 
@@ -417,12 +423,14 @@ int ph_draw_billboard(struct ph_renderer *r, struct fx_vec3 centre, fx_t width, 
  */
 void ph_draw_line(struct ph_renderer *r, struct fx_vec3 a, struct fx_vec3 b, const struct ph_material *material);
 
-/* Sorts the triangles into bands; returns the number of bands. */
+/* Sorts the triangles into bands, after which no more can be drawn. Returns the number of bands; 0 if no frame has
+ * begun, or its bands are made already. */
 uint32_t ph_frame_bands(struct ph_renderer *r);
 
 /*
  * Clears and draws band number `band`. Call it for all bands in order from 0, the top, each once. pixels has room for
- * width * band_height pixels in wire order. Returns the number of lines.
+ * width * band_height pixels in wire order. Returns the number of lines; 0, with nothing written, for a band out of
+ * turn.
  */
 uint32_t ph_draw_band(struct ph_renderer *r, uint32_t band, uint16_t *pixels);
 
@@ -435,7 +443,8 @@ typedef int ph_flush(void *context, uint32_t x, uint32_t y, uint32_t width, uint
  * With config.shown only the smallest rectangle that holds a band's changes is given, and nothing of a band that is as
  * it was; the first frame, and the one after a frame that was stopped, are given whole.
  * Text and pictures of overlay.h are drawn into a band's pixels: they need a loop with ph_draw_band in its place.
- * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. Else what flush returned.
+ * Errors: PH_ERR_INVAL: config.pixels or config.pixel_order is wrong. PH_ERR_STATE: no frame has begun, or it was shown
+ * already, perhaps in part: flush is not called. Else what flush returned.
  */
 int ph_show(struct ph_renderer *r, ph_flush *flush, void *context);
 

@@ -7,6 +7,7 @@
 #include "cores.h"
 #include "depth.h"
 #include "fog.h"
+#include "list.h"
 #include "planes.h"
 
 /* The depth code at a distance, 1 or more: that of a triangle which keeps it. */
@@ -77,6 +78,9 @@ static void fog_share(void *argument)
 
 int ph_frame_fog(struct ph_renderer *r, const struct ph_fog *fog)
 {
+    if (r->list.is_closed == PH_LIST_CLOSED) {
+        return PH_ERR_STATE;
+    }
     if (fog->start >= fog->end) {
         return PH_ERR_INVAL;
     }

@@ -30,7 +30,7 @@ static uint32_t inner(uint32_t size)
     return size * 256 > margins ? size * 256 - margins : 0;
 }
 
-int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
+static int check_config(const struct ph_config *config)
 {
     const uint32_t width = config->width, height = config->height, lines = config->band_height;
     const int fine = config->samples != NULL ? 1 : 0;
@@ -39,23 +39,35 @@ int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
         (fine != 0 && ((uintptr_t)config->samples | (uintptr_t)config->depth) % sizeof(uint32_t) != 0)) {
         return PH_ERR_INVAL;
     }
-    const uint32_t bands = (height + lines - 1) / lines;
     if (config->vertices == NULL || config->triangles == NULL || config->bins == NULL ||
-        config->triangle_max == PH_NONE) {
+        config->triangle_max == PH_NONE ||
+        ((uintptr_t)config->vertices | (uintptr_t)config->triangles) % sizeof(void *) != 0 ||
+        (uintptr_t)config->bins % sizeof(uint32_t) != 0 ||
+        (config->other_core == NULL) != (config->other_core_join == NULL)) {
         return PH_ERR_INVAL;
     }
-    if (config->bin_max < bands) {
-        return PH_ERR_NOMEM;
+    return config->bin_max < (height + lines - 1) / lines ? PH_ERR_NOMEM : PH_OK;
+}
+
+int ph_renderer_init(struct ph_renderer *r, const struct ph_config *config)
+{
+    const int status = check_config(config), fine = config->samples != NULL ? 1 : 0;
+    const uint32_t width = config->width, height = config->height, lines = config->band_height;
+    if (status != PH_OK) {
+        *r = (struct ph_renderer){.band_count = 0}; /* which every later call refuses */
+        ph_list_close(r);
+        return status;
     }
     *r = (struct ph_renderer){.config = *config,
                               .inner_x = inner(width << fine),
                               .inner_y = inner(height << fine),
-                              .band_count = bands,
+                              .band_count = (height + lines - 1) / lines,
                               .fine = (uint8_t)fine};
     r->config.width = (uint16_t)(width << fine);
     r->config.height = (uint16_t)(height << fine);
     r->config.band_height = (uint16_t)(lines << fine);
     ph_list_begin(r);
+    ph_list_close(r);
     return PH_OK;
 }
 
@@ -147,6 +159,9 @@ static int set_camera(struct ph_renderer *r, const struct ph_xform *view, const 
 
 int ph_frame_camera(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection)
 {
+    if (r->list.is_closed == PH_LIST_CLOSED) {
+        return PH_ERR_STATE;
+    }
     return set_camera(r, view, projection, r->stats.depth_format, r->stats.depth_exponent);
 }
 
@@ -165,6 +180,10 @@ static unsigned choose_format(const struct ph_config *config, const struct ph_pr
 int ph_frame_begin(struct ph_renderer *r, const struct ph_xform *view, const struct ph_projection *projection,
                    const struct ph_scene_light *light, uint16_t background)
 {
+    if (r->band_count == 0) {
+        return PH_ERR_STATE;
+    }
+    ph_list_close(r);
     if (light != NULL && light->count > PH_LIGHTS_MAX) {
         return PH_ERR_INVAL;
     }

@@ -6,7 +6,8 @@
 
 enum { OWN, VERTICES, TRIANGLES };
 
-#define GRAIN 8u /* bytes */
+#define GRAIN   8u          /* bytes */
+#define NO_ROOM 0x3fffffffu /* used: nothing is taken from there */
 
 /* Whether vertices and triangles share one piece of memory: then it is that of the vertices. */
 static bool is_shared(const struct ph_renderer *r)
@@ -29,18 +30,31 @@ static size_t room_of(const struct ph_renderer *r, int piece)
 static void set_end(struct ph_renderer *r)
 {
     struct ph_list *const list = &r->list;
+    if (list->is_closed != PH_LIST_OPEN) {
+        list->end = list->to;
+        return;
+    }
     const uint8_t *const base = (const uint8_t *)r->config.triangles;
     const size_t most = ((size_t)((const uint8_t *)list->top - base) - list->used[TRIANGLES]) / sizeof(struct ph_ref);
     list->end = list->top - (most < r->config.triangle_max ? most : r->config.triangle_max);
-    list->end = list->is_closed != 0 ? list->to : list->end;
 }
 
 void ph_list_again(struct ph_renderer *r, const struct ph_draw *draw)
 {
     if (!ph_list_draw(r, draw)) {
-        r->list.is_closed = 1;
+        r->list.is_closed = PH_LIST_FULL;
         set_end(r);
     }
+}
+
+void ph_list_close(struct ph_renderer *r)
+{
+    r->list.is_closed = PH_LIST_CLOSED;
+    r->list.band = PH_NO_BAND;
+    for (int piece = 0; piece < 3; piece++) {
+        r->list.used[piece] = NO_ROOM;
+    }
+    set_end(r);
 }
 
 void ph_list_begin(struct ph_renderer *r)
@@ -52,7 +66,7 @@ void ph_list_begin(struct ph_renderer *r)
     list->to = list->top;
     list->used[OWN] = list->used[VERTICES] = list->used[TRIANGLES] = 0;
     list->first = list->last = list->lens = PH_NONE;
-    list->is_closed = 0;
+    list->is_closed = PH_LIST_OPEN;
     r->rows = 0;
     r->after = NULL;
     list->band_scale = (((uint32_t)1 << 20) + c->band_height - 1) / c->band_height;
@@ -88,6 +102,9 @@ uint32_t ph_list_vertices(struct ph_renderer *r, uint32_t n)
 
 int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines)
 {
+    if (r->list.is_closed == PH_LIST_CLOSED) {
+        return PH_ERR_STATE;
+    }
     r->stats.vertices_dropped += mesh->vertex_count;
     if (mesh->vertex_count > r->config.vertex_max) {
         return PH_ERR_NOMEM;
@@ -253,8 +270,7 @@ uint32_t ph_list_base(const struct ph_renderer *r)
 
 /* ---- two cores -------------------------------------------------------------------------------------------------- */
 
-#define NO_ROOM    0x3fffffffu /* used: nothing is taken from there */
-#define ROOM_LEAST 4096u       /* bytes for what is listed in half of the room */
+#define ROOM_LEAST 4096u /* bytes for what is listed in half of the room */
 
 void *ph_list_lend(struct ph_renderer *r, const struct ph_draw *draw, size_t bytes)
 {

@@ -93,8 +93,16 @@ static inline uint32_t ph_row_bytes(const struct ph_renderer *r)
     return ph_row_pixels(r) * (4 + (uint32_t)ph_depth_bytes(r->config.depth_format));
 }
 
-/* Counts a mesh for whose vertices there is no room; `lines`: its edges, too, where it has some. PH_ERR_NOMEM if there
- * never is room, else PH_OK. */
+/* What struct ph_list.is_closed says. */
+enum { PH_LIST_OPEN, PH_LIST_FULL, PH_LIST_CLOSED };
+
+#define PH_NO_BAND UINT16_MAX /* struct ph_list.band: no band may be drawn */
+
+/* Ends the listing of a frame, until ph_list_begin: whatever is drawn finds no room, and no memory is written. */
+void ph_list_close(struct ph_renderer *r);
+
+/* Counts a mesh for whose vertices there is no room; `lines`: its edges, too, where it has some. PH_ERR_STATE if the
+ * list is closed, PH_ERR_NOMEM if there never is room, else PH_OK. */
 int ph_list_leave_out(struct ph_renderer *r, const struct ph_mesh *mesh, bool lines);
 
 /* Before something with a blend is drawn. False: it is left out. There is no room for the rows that it is drawn into,

@@ -69,7 +69,7 @@ int ph_show(struct ph_renderer *r, ph_flush *flush, void *context)
     }
     const uint32_t width = (uint32_t)config->width >> r->fine, bands = ph_frame_bands(r);
     const bool partial = config->shown != NULL && r->is_shown;
-    int status = PH_OK;
+    int status = bands > 0 ? PH_OK : PH_ERR_STATE;
     for (uint32_t band = 0, y = 0, lines; band < bands && status == PH_OK; band++, y += lines) {
         lines = ph_draw_band(r, band, pixels);
         struct changed c = {0, 0, width, lines};
