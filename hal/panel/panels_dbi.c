@@ -3,7 +3,8 @@
  *
  * Section numbers are those of the datasheets ST7789V/VW (Sitronix, v1.0), GC9A01A (GalaxyCore, v1.0),
  * ILI9341 (Ilitek, v1.11), ILI9488 (Ilitek, v1.00), ST7735S (Sitronix, v1.4). Voltages and gamma depend on the glass;
- * the values are the ones that makers of modules publish.
+ * the values are the ones that makers of modules publish. host-sim/controllers/dbi_table.c says of each command which
+ * bits it has and what they do.
  *
  * SWRESET stands first for kits whose reset line is not wired; after it and after SLPOUT 120 ms (ST7789V 9.1.2, 9.1.12;
  * the others likewise). DISPON is not here: it comes after the first frame.
@@ -77,9 +78,15 @@ static const struct panel_controller st7735s = {
 
 /* ---- ST7789: IPS glass, which shows the memory's complement unless it is inverted --------------- */
 
+/*
+ * The glass has six bits of red and blue, a 16-bit pixel five. EPF (RAMCTRL, second byte, bits 5:4) says where the
+ * sixth comes from: 00 makes it 0, and white would be 62/63; 01 makes it 1, and black would be 1/63; 10 repeats the
+ * MSB, so that black and white stay what they are; 11, the reset value, takes green's lowest bit, which tints red and
+ * blue: dark greens become grey.
+ */
 #define ST7789_COMMON                                                                                                  \
     WAKE_UP,                                   /* 9.1.2 SWRESET, 9.1.12 SLPOUT */                                      \
-        0xB0, 2, 0x00, 0xF0,                   /* 9.2.1 RAMCTRL: high byte first, colours filled up with their MSB */  \
+        0xB0, 2, 0x00, 0xE0,                   /* 9.2.1 RAMCTRL: high byte first, EPF 10 */                            \
         0xB2, 5, 0x0C, 0x0C, 0x00, 0x33, 0x33, /* 9.2.3 PORCTRL: porches of 12 lines */                                \
         0xC0, 1, 0x2C,                         /* 9.2.12 LCMCTRL, default */                                           \
         0xC2, 2, 0x01, 0xFF,                   /* 9.2.14 VDVVRHEN: VDV and VRH as commanded */                         \
@@ -193,10 +200,10 @@ static const uint8_t ili9341_init[] = {
     0xC7, 1, 0x86,                         /* 8.3.19 VMCTRL2 */
     0xB1, 2, 0x00, 0x18,                   /* 8.3.2 FRMCTR1: 79 Hz */
     0xB6, 3, 0x08, 0x82, 0x27,             /* 8.3.7 DISCTRL: normally white, GS and SS 0, 320 lines */
-    0xF2, 1, 0x00,                         /* 8.4.7 3 gamma off */
+    0xF2, 1, 0x02,                         /* 8.4.7 3 gamma off; bit 1 must be 1 */
     0x26, 1, 0x01,                         /* 8.2.17 GAMSET: curve 1 */
-    0xE0, 15, 0x0F, 0x31, 0x2B, 0x0C, 0x0E, 0x08, 0x4E, 0xF1, 0x37, 0x07, 0x10, 0x03, 0x0E, 0x09, 0x00, /* 8.3.25 */
-    0xE1, 15, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1, 0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F, /* 8.3.26 */
+    0xE0, 15, 0x0F, 0x31, 0x2B, 0x0C, 0x0E, 0x08, 0x4E, 0xF1, 0x37, 0x07, 0x10, 0x03, 0x0E, 0x09, 0x00, /* 8.3.24 */
+    0xE1, 15, 0x00, 0x0E, 0x14, 0x03, 0x11, 0x07, 0x31, 0xC1, 0x48, 0x08, 0x0F, 0x0C, 0x31, 0x36, 0x0F, /* 8.3.25 */
     0x20, 0,                               /* 8.2.15 INVOFF: TN glass */
 };
 /* clang-format on */
@@ -251,9 +258,9 @@ const struct panel panel_ili9488_320x480 = {
     WAKE_UP,                       /* 10.1.2 SWRESET, 10.1.11 SLPOUT */                                                \
         0xB1, 3, 0x01, 0x2C, 0x2D, /* 10.2.1 FRMCTR1, 10.2.2 and 10.2.3 likewise idle and partial */                   \
         0xB2, 3, 0x01, 0x2C, 0x2D, 0xB3, 6, 0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D, 0xB4, 1,                               \
-        0x07,                                     /* 10.2.4 INVCTR: line inversion */                                  \
+        0x07,                                     /* 10.2.4 INVCTR: column inversion */                                \
         0xC0, 3, 0xA2, 0x02, 0x84,                /* 10.2.6 PWCTR1: AVDD 5 V, GVDD 4.6 V */                            \
-        0xC1, 1, 0xC5,                            /* 10.2.7 PWCTR2: VGH 14.7 V, VGL -7.35 V */                         \
+        0xC1, 1, 0xC5,                            /* 10.2.7 PWCTR2: VGH 3 AVDD - 0.5 V, VGL -10 V */                   \
         0xC2, 2, 0x0A, 0x00,                      /* 10.2.8 PWCTR3 */                                                  \
         0xC3, 2, 0x8A, 0x2A, 0xC4, 2, 0x8A, 0xEE, /* 10.2.9 PWCTR4, 10.2.10 PWCTR5 */                                  \
         0xC5, 1, 0x0E,                            /* 10.2.11 VMCTR1: VCOM -0.775 V */                                  \

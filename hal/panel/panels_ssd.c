@@ -30,22 +30,22 @@ static const struct panel_controller ssd1351 = {
 };
 
 static const uint8_t ssd1351_init[] = {
-    0xFD, 1, 0x12,             /* 10.1.22 unlock */
-    0xFD, 1, 0xB1,             /* 10.1.22 unlock A2h, B1h, B3h, BBh, BEh, C1h */
+    0xFD, 1, 0x12,             /* 10.1.23 unlock */
+    0xFD, 1, 0xB1,             /* 10.1.23 unlock A2h, B1h, B3h, BBh, BEh, C1h */
     0xAE, 0,                   /* 10.1.10 sleep */
-    0xB3, 1, 0xF1,             /* 10.1.12 clock: fastest, divided by 2 */
-    0xCA, 1, 0x7F,             /* 10.1.21 128 lines */
+    0xB3, 1, 0xF1,             /* 10.1.13 clock: fastest, divided by 2 */
+    0xCA, 1, 0x7F,             /* 10.1.22 128 lines */
     0xA1, 1, 0x00,             /* 10.1.6 start line */
     0xA2, 1, 0x00,             /* 10.1.7 offset */
-    0xB5, 1, 0x00,             /* 10.1.13 GPIO off */
+    0xB5, 1, 0x00,             /* 10.1.14 GPIO off */
     0xAB, 1, 0x01,             /* 10.1.9 internal VDD regulator */
     0xB1, 1, 0x32,             /* 10.1.11 phases: 5 and 3 clocks */
     0xB4, 3, 0xA0, 0xB5, 0x55, /* 9, table 9-1: external VSL */
-    0xBB, 1, 0x17,             /* 10.1.17 precharge 0.5 VCC */
-    0xBE, 1, 0x05,             /* 10.1.18 VCOMH 0.82 VCC */
-    0xC1, 3, 0xC8, 0x80, 0xC8, /* 10.1.19 contrast of the three colours */
-    0xC7, 1, 0x0F,             /* 10.1.20 master contrast */
-    0xB6, 1, 0x01,             /* 10.1.14 second precharge */
+    0xBB, 1, 0x17,             /* 10.1.18 precharge 0.5 VCC */
+    0xBE, 1, 0x05,             /* 10.1.19 VCOMH 0.82 VCC */
+    0xC1, 3, 0xC8, 0x80, 0xC8, /* 10.1.20 contrast of the three colours */
+    0xC7, 1, 0x0F,             /* 10.1.21 master contrast */
+    0xB6, 1, 0x01,             /* 10.1.15 second precharge */
     0xA6, 0,                   /* 10.1.8 not inverted */
 };
 

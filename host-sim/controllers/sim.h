@@ -9,7 +9,8 @@
  *   sim_close(sim);
  *
  * The models decode the bytes as the datasheets say and know nothing of the driver's tables: of the board only the
- * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c and sim_ssd.c.
+ * panel's name is read (and for sim_virtual() boards its geometry). They live in sim_dbi.c and sim_ssd.c; what may be
+ * sent to them stands in sim_table.h.
  *
  * Time stands still but for bits and pauses on the wire, and delay_us. The bus has the clock and the pauses of the
  * board's chip (spi_clock.h).
@@ -33,7 +34,8 @@ void sim_close(struct sim *sim);
  * What is seen on the glass, as RGB888 rows, turned so that a picture drawn with `rotation` (enum panel_rotation) is
  * upright: panel_width(panel, rotation) x panel_height(panel, rotation) x 3 bytes. Black where the display is off or
  * sleeps, the backlight is off, or a round glass has no glass. 4, 5 and 6 bits become 8 by repeating their highest bits
- * (31 -> 255, v5 << 3 | v5 >> 2); grey level g is 17 g.
+ * (31 -> 255, v5 << 3 | v5 >> 2); grey level g is 17 g. Where an ST7789 is told to fill red and blue of a 16-bit pixel
+ * with another bit than their highest (RAMCTRL, EPF), the six bits that the glass gets become 8.
  */
 void sim_pixels(const struct sim *sim, unsigned rotation, uint8_t *rgb);
 

@@ -1,111 +1,56 @@
 /*
  * Model of the controllers with MIPI DBI type C option 3: ST7789, GC9A01, ILI9341, ILI9488, ST7735S. They share the
- * commands of the MIPI display command set; each has its own list of further ones, of formats, and its own memory.
- *
- * Modelled: the window, memory write and its continuation, MADCTL MY MX MV BGR, COLMOD, inversion, sleep, display on
- * and off, software and hardware reset with their waits, GS and SS of the display function control, byte order
- * (ST7789). Known and without effect here: voltages, gamma, frame rate, tearing line. Everything else is an unknown
- * command.
+ * commands of the MIPI display command set; each has its own list of further ones (dbi_table.c), of formats, and its
+ * own memory. What is SIM_SHOWN in the tables is followed here.
  */
 #include "sim_model.h"
+
+#include "sim_table.h"
 
 #include <string.h>
 
 enum {
-    NOP = 0x00,
     SWRESET = 0x01,
     SLPIN = 0x10,
     SLPOUT = 0x11,
-    NORON = 0x13,
     INVOFF = 0x20,
     INVON = 0x21,
-    GAMSET = 0x26,
     DISPOFF = 0x28,
     DISPON = 0x29,
     CASET = 0x2A,
     RASET = 0x2B,
     RAMWR = 0x2C,
-    TEOFF = 0x34,
-    TEON = 0x35,
     MADCTL = 0x36,
     COLMOD = 0x3A,
-    RAMWRC = 0x3C,
-    RAMCTRL = 0xB0, /* ST7789 */
-    DISCTRL = 0xB6, /* ILI9341, ILI9488, GC9A01 */
+    RAMCTRL = 0xB0,  /* ST7789 */
+    DISCTRL = 0xB6,  /* ILI9341, ILI9488, GC9A01 */
+    LCMCTRL = 0xC0,  /* ST7789 */
+    GATECTRL = 0xE4, /* ST7789 */
+    UNLOCK1 = 0xFE,  /* GC9A01 */
+    UNLOCK2 = 0xEF,  /* GC9A01 */
 };
 
-#define MS     1000000ULL
-#define PIXELS 255 /* instead of a number of parameters */
+#define MS 1000000ULL
 
-struct dbi_command {
-    uint8_t code, least, most; /* parameters */
-};
+enum { EPF_ZERO, EPF_ONE, EPF_MSB, EPF_GREEN }; /* ST7789V 9.2.1 */
 
-/* clang-format off */
-/* Commands that all of them have. Their effect: start(), finish(). */
-static const struct dbi_command common[] = {
-    {NOP, 0, 0}, {SWRESET, 0, 0}, {SLPIN, 0, 0}, {SLPOUT, 0, 0}, {NORON, 0, 0}, {INVOFF, 0, 0}, {INVON, 0, 0},
-    {GAMSET, 1, 1}, {DISPOFF, 0, 0}, {DISPON, 0, 0}, {CASET, 4, 4}, {RASET, 4, 4}, {RAMWR, PIXELS, PIXELS},
-    {TEOFF, 0, 0}, {TEON, 1, 1}, {MADCTL, 1, 1}, {COLMOD, 1, 1},
-};
-
-static const struct dbi_command st7789_commands[] = {
-    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x5E, 1, 1}, {RAMCTRL, 2, 2},
-    {0xB1, 3, 3}, {0xB2, 5, 5}, {0xB3, 3, 3}, {0xB5, 1, 1}, {0xB7, 1, 1}, {0xB8, 4, 4}, {0xBA, 1, 1}, {0xBB, 1, 1},
-    {0xBD, 1, 1}, {0xC0, 1, 1}, {0xC1, 3, 3}, {0xC2, 1, 2}, {0xC3, 1, 1}, {0xC4, 1, 1}, {0xC5, 1, 1}, {0xC6, 1, 1},
-    {0xC7, 1, 1}, {0xC8, 1, 1}, {0xCA, 1, 1}, {0xCC, 1, 1}, {0xD0, 2, 2}, {0xD2, 1, 1}, {0xDF, 4, 4}, {0xE0, 14, 14},
-    {0xE1, 14, 14}, {0xE2, 64, 64}, {0xE3, 64, 64}, {0xE4, 3, 3}, {0xE8, 2, 2}, {0xE9, 3, 3}, {0xEC, 1, 1},
-};
-
-/* The commands of the datasheet come first, then those that the sample code of the maker sends. */
-static const struct dbi_command gc9a01_commands[] = {
-    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {DISCTRL, 2, 2}, {0xBA, 1, 1}, {0xC3, 1, 1},
-    {0xC4, 1, 1}, {0xC9, 1, 1}, {0xE8, 1, 1}, {0xF0, 6, 6}, {0xF1, 6, 6}, {0xF2, 6, 6}, {0xF3, 6, 6}, {0xFE, 0, 0},
-    {0xEF, 0, 0}, {0xEB, 1, 1}, {0x84, 1, 1}, {0x85, 1, 1}, {0x86, 1, 1}, {0x87, 1, 1}, {0x88, 1, 1}, {0x89, 1, 1},
-    {0x8A, 1, 1}, {0x8B, 1, 1}, {0x8C, 1, 1}, {0x8D, 1, 1}, {0x8E, 1, 1}, {0x8F, 1, 1}, {0x90, 4, 4}, {0xBC, 1, 1},
-    {0xBD, 1, 1}, {0xBE, 1, 1}, {0xDF, 3, 3}, {0xE1, 2, 2}, {0xFF, 3, 3}, {0xED, 2, 2}, {0xAE, 1, 1}, {0xCD, 1, 1},
-    {0x70, 9, 9}, {0x62, 12, 12}, {0x63, 12, 12}, {0x64, 7, 7}, {0x66, 10, 10}, {0x67, 10, 10}, {0x74, 7, 7},
-    {0x98, 2, 2},
-};
-
-static const struct dbi_command ili9341_commands[] = {
-    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x5E, 1, 1}, {0xB0, 1, 1},
-    {0xB1, 2, 2}, {0xB2, 2, 2}, {0xB3, 2, 2}, {0xB4, 1, 1}, {0xB5, 4, 4}, {DISCTRL, 3, 4}, {0xB7, 1, 1}, {0xC0, 1, 1},
-    {0xC1, 1, 1}, {0xC5, 2, 2}, {0xC7, 1, 1}, {0xE0, 15, 15}, {0xE1, 15, 15}, {0xF6, 3, 3}, {0xCB, 5, 5},
-    {0xCF, 3, 3}, {0xE8, 3, 3}, {0xEA, 2, 2}, {0xED, 4, 4}, {0xF2, 1, 1}, {0xF7, 1, 1},
-};
-
-static const struct dbi_command ili9488_commands[] = {
-    {RAMWRC, PIXELS, PIXELS}, {0x44, 2, 2}, {0x51, 1, 1}, {0x53, 1, 1}, {0x55, 1, 1}, {0x5E, 1, 1}, {0xB0, 1, 1},
-    {0xB1, 1, 2}, {0xB2, 2, 2}, {0xB3, 2, 2}, {0xB4, 1, 1}, {0xB5, 4, 4}, {DISCTRL, 3, 3}, {0xB7, 1, 1}, {0xBE, 2, 2},
-    {0xC0, 2, 2}, {0xC1, 1, 1}, {0xC2, 1, 1}, {0xC5, 3, 4}, {0xE0, 15, 15}, {0xE1, 15, 15}, {0xE9, 1, 1},
-    {0xF7, 4, 4},
-};
-
-static const struct dbi_command st7735s_commands[] = {
-    {0xB1, 3, 3}, {0xB2, 3, 3}, {0xB3, 6, 6}, {0xB4, 1, 1}, {0xC0, 3, 3}, {0xC1, 1, 1}, {0xC2, 2, 2}, {0xC3, 2, 2},
-    {0xC4, 2, 2}, {0xC5, 1, 1}, {0xC7, 1, 1}, {0xE0, 16, 16}, {0xE1, 16, 16}, {0xFC, 1, 1},
-};
-/* clang-format on */
+#define LCM_AT_RESET 0x2C /* ST7789V 9.2.10 */
 
 /* What differs between the controllers. */
 struct dbi_kind {
     const struct sim_model *model;
-    const struct dbi_command *commands;
-    size_t command_count;
+    const struct sim_table *table;
     uint8_t formats; /* bit n: COLMOD low bits may be n (1: 3, 3: 12, 5: 16, 6: 18 bits a pixel) */
     uint8_t format_at_reset;
-    bool disctrl, ramctrl;
+    uint8_t epf_at_reset;
 };
 
-#define LIST(list) list, sizeof(list) / sizeof((list)[0])
-
 static const struct dbi_kind kinds[] = {
-    {&sim_model_st7789, LIST(st7789_commands), 1 << 3 | 1 << 5 | 1 << 6, 6, false, true},
-    {&sim_model_gc9a01, LIST(gc9a01_commands), 1 << 3 | 1 << 5 | 1 << 6, 6, true, false},
-    {&sim_model_ili9341, LIST(ili9341_commands), 1 << 5 | 1 << 6, 6, true, false},
-    {&sim_model_ili9488, LIST(ili9488_commands), 1 << 1 | 1 << 6, 6, true, false},
-    {&sim_model_st7735s, LIST(st7735s_commands), 1 << 3 | 1 << 5 | 1 << 6, 6, false, false},
+    {&sim_model_st7789, &sim_table_st7789, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_GREEN},
+    {&sim_model_gc9a01, &sim_table_gc9a01, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB},
+    {&sim_model_ili9341, &sim_table_ili9341, 1 << 5 | 1 << 6, 6, EPF_MSB},
+    {&sim_model_ili9488, &sim_table_ili9488, 1 << 1 | 1 << 6, 6, EPF_MSB},
+    {&sim_model_st7735s, &sim_table_st7735s, 1 << 3 | 1 << 5 | 1 << 6, 6, EPF_MSB},
 };
 
 static const struct dbi_kind *kind_of(const struct sim *sim)
@@ -124,9 +69,11 @@ static void reset(struct sim *sim)
     memset(d, 0, sizeof *d);
     d->sleeping = true;
     d->format = kind_of(sim)->format_at_reset;
+    d->epf = kind_of(sim)->epf_at_reset;
+    d->lines = sim->glass.ram_height;
     d->x1 = (uint16_t)(sim->glass.ram_width - 1);
     d->y1 = (uint16_t)(sim->glass.ram_height - 1);
-    d->wake_ns = sim->time_ns + 120 * MS;
+    d->wake_ns = sim->time_ns + kind_of(sim)->table->sleep_wait_ms * MS;
     for (uint32_t i = 0; i < count; i++) {
         sim->memory[i].written = 0;
     }
@@ -134,15 +81,23 @@ static void reset(struct sim *sim)
 
 /* ---- pixels ------------------------------------------------------------------------------------- */
 
+/* MY MX MV BGR (MADCTL's bits), turned over by ST7789's LCMCTRL. */
+static uint8_t madctl_of(const struct sim *sim)
+{
+    const struct sim_dbi *d = &sim->u.dbi;
+    return d->madctl ^
+           (uint8_t)((d->lcm & 0x40) << 1 | (d->lcm & 0x08) << 3 | (d->lcm & 0x02) << 4 | (d->lcm & 0x20) >> 2);
+}
+
 /* MV swaps the axes: these are the addresses as the host sees them. */
 static uint32_t host_width(const struct sim *sim)
 {
-    return sim->u.dbi.madctl & 0x20 ? sim->glass.ram_height : sim->glass.ram_width;
+    return madctl_of(sim) & 0x20 ? sim->glass.ram_height : sim->glass.ram_width;
 }
 
 static uint32_t host_height(const struct sim *sim)
 {
-    return sim->u.dbi.madctl & 0x20 ? sim->glass.ram_width : sim->glass.ram_height;
+    return madctl_of(sim) & 0x20 ? sim->glass.ram_width : sim->glass.ram_height;
 }
 
 static void store(struct sim *sim, uint8_t r, uint8_t g, uint8_t b)
@@ -160,10 +115,10 @@ static void store(struct sim *sim, uint8_t r, uint8_t g, uint8_t b)
     }
     d->left--;
     if (d->x < host_width(sim) && d->y < host_height(sim)) {
-        uint32_t column = d->madctl & 0x20 ? d->y : d->x;
-        uint32_t row = d->madctl & 0x20 ? d->x : d->y;
-        column = d->madctl & 0x40 ? sim->glass.ram_width - 1U - column : column;
-        row = d->madctl & 0x80 ? sim->glass.ram_height - 1U - row : row;
+        uint32_t column = madctl_of(sim) & 0x20 ? d->y : d->x;
+        uint32_t row = madctl_of(sim) & 0x20 ? d->x : d->y;
+        column = madctl_of(sim) & 0x40 ? sim->glass.ram_width - 1U - column : column;
+        row = madctl_of(sim) & 0x80 ? sim->glass.ram_height - 1U - row : row;
         sim->memory[row * sim->glass.ram_width + column] = (struct sim_cell){r, g, b, 1};
         sim->counters.pixels++;
     }
@@ -178,6 +133,28 @@ static uint8_t widen(uint32_t value, unsigned n)
 {
     uint32_t v = value & ((1U << n) - 1);
     return (uint8_t)((v << (8 - n) | (2 * n >= 8 ? v >> (2 * n - 8) : v << (8 - 2 * n))) & 255);
+}
+
+/*
+ * Red or blue of a 16-bit pixel: the glass has six bits, and EPF says where the lowest one comes from. As the highest
+ * one repeated they are the colour that was sent, and become 8 bits as 5 bits do; another lowest bit is a level of the
+ * glass in between, and becomes 8 bits as 6 bits do. So each of the 64 levels has one value, and they rise with it.
+ */
+static uint8_t five_bits(const struct sim_dbi *d, uint32_t five, uint32_t green)
+{
+    const uint32_t value = five & 31, highest = value >> 4;
+    const uint32_t lowest[] = {[EPF_ZERO] = 0, [EPF_ONE] = 1, [EPF_MSB] = highest, [EPF_GREEN] = green & 1};
+    return lowest[d->epf] == highest ? widen(value, 5) : widen(value << 1 | lowest[d->epf], 6);
+}
+
+/* ST7789V 9.2.1 shows EPF for 16 bits a pixel only: with 12 the model knows what EPF_MSB does. */
+static void check_epf(struct sim *sim)
+{
+    struct sim_dbi *d = &sim->u.dbi;
+    if (d->format == 3 && d->epf != EPF_MSB && !d->complained) {
+        sim_complain(sim, SIM_BAD_PARAMETER, "12 bits a pixel with EPF %u of RAMCTRL (B0h): send EPF 2", d->epf);
+        d->complained = true;
+    }
 }
 
 /* One bit a colour, two pixels a byte: xxRGBRGB. */
@@ -195,6 +172,7 @@ static void take_pixel_byte(struct sim *sim, uint8_t byte)
         sim_complain(sim, SIM_PIXELS_ASLEEP, "pixels in sleep mode");
         d->complained = true;
     }
+    check_epf(sim);
     if (d->format == 1) {
         take_3_bits(sim, byte);
         return;
@@ -206,7 +184,7 @@ static void take_pixel_byte(struct sim *sim, uint8_t byte)
         store(sim, widen(v >> 8, 4), widen(v >> 4, 4), widen(v, 4));
     } else if (d->format == 5 && d->bit_count == 16) {
         uint32_t v = d->low_byte_first ? (d->bits & 255) << 8 | (d->bits >> 8 & 255) : d->bits;
-        store(sim, widen(v >> 11, 5), widen(v >> 5, 6), widen(v, 5));
+        store(sim, five_bits(d, v >> 11, v >> 5), widen(v >> 5, 6), five_bits(d, v, v >> 5));
         d->bit_count = 0;
     } else if (d->format == 6 && d->bit_count == 24) {
         store(sim, widen(d->bits >> 18, 6), widen(d->bits >> 10, 6), widen(d->bits >> 2, 6));
@@ -229,6 +207,17 @@ static void begin_memory_write(struct sim *sim)
     d->complained = false;
 }
 
+/* The times from now to the next command, and to the next SLPOUT, SLPIN or SWRESET. */
+static uint64_t next_command(const struct sim *sim)
+{
+    return sim->time_ns + kind_of(sim)->table->command_wait_ms * MS;
+}
+
+static uint64_t next_sleep(const struct sim *sim)
+{
+    return sim->time_ns + kind_of(sim)->table->sleep_wait_ms * MS;
+}
+
 static void sleep_out(struct sim *sim)
 {
     struct sim_dbi *d = &sim->u.dbi;
@@ -236,8 +225,8 @@ static void sleep_out(struct sim *sim)
         sim_complain(sim, SIM_EARLY_COMMAND, "SLPOUT within 120 ms of reset or SLPIN");
     }
     d->sleeping = false;
-    d->ready_ns = sim->time_ns + 5 * MS;
-    d->nap_ns = sim->time_ns + 120 * MS;
+    d->ready_ns = next_command(sim);
+    d->nap_ns = next_sleep(sim);
 }
 
 static void sleep_in(struct sim *sim)
@@ -247,14 +236,25 @@ static void sleep_in(struct sim *sim)
         sim_complain(sim, SIM_EARLY_COMMAND, "SLPIN within 120 ms of SLPOUT");
     }
     d->sleeping = true;
-    d->ready_ns = sim->time_ns + 5 * MS;
-    d->wake_ns = sim->time_ns + 120 * MS;
+    d->ready_ns = next_command(sim);
+    d->wake_ns = next_sleep(sim);
 }
 
 static void software_reset(struct sim *sim)
 {
+    if (sim->time_ns < sim->u.dbi.nap_ns) {
+        sim_complain(sim, SIM_EARLY_COMMAND, "SWRESET within 120 ms of SLPOUT");
+    }
     reset(sim);
-    sim->u.dbi.ready_ns = sim->time_ns + 5 * MS;
+    sim->u.dbi.ready_ns = next_command(sim);
+}
+
+/* GC9A01, 6.5: FEh and EFh one after the other open the registers of levels 2 and 3 until the next reset. */
+static void unlock(struct sim_dbi *d, uint8_t code)
+{
+    if (d->unlock != 2) {
+        d->unlock = code == UNLOCK1 ? 1 : code == UNLOCK2 && d->unlock == 1 ? 2 : 0;
+    }
 }
 
 /* Executes commands that act when their code arrives. */
@@ -302,6 +302,43 @@ static void set_format(struct sim *sim, uint8_t value)
     sim->u.dbi.format = format;
 }
 
+/* NL: 8 (n + 1) lines, at most those of the memory. */
+static void set_lines(struct sim *sim, uint8_t value)
+{
+    const uint32_t lines = 8 * (value + 1U);
+    sim->u.dbi.lines = (uint16_t)(lines < sim->glass.ram_height ? lines : sim->glass.ram_height);
+}
+
+static void display_function(struct sim *sim)
+{
+    struct sim_dbi *d = &sim->u.dbi;
+    const uint8_t *p = d->parameters;
+    d->scan = p[1] & 0x60;
+    d->black = kind_of(sim)->table == &sim_table_ili9341 && (p[1] & 0x80) == 0;
+    if (d->command->least >= 3) {
+        set_lines(sim, p[2]);
+    }
+}
+
+/* Registers that only one controller has. */
+static void finish_own(struct sim *sim)
+{
+    struct sim_dbi *d = &sim->u.dbi;
+    const uint8_t *p = d->parameters;
+    const struct sim_table *table = kind_of(sim)->table;
+    if (d->code == DISCTRL) { /* ST7789 and ST7735S have none */
+        display_function(sim);
+    } else if (table == &sim_table_st7789 && d->code == RAMCTRL) {
+        d->epf = p[1] >> 4 & 3;
+        d->low_byte_first = (p[1] & 8) != 0;
+    } else if (table == &sim_table_st7789 && d->code == LCMCTRL) {
+        d->lcm = p[0] ^ LCM_AT_RESET;
+    } else if (table == &sim_table_st7789 && d->code == GATECTRL) {
+        set_lines(sim, p[0]);
+        d->scan = p[2] & 1 ? 0x40 : 0;
+    }
+}
+
 /* Executes commands when their parameters are complete. */
 static void finish(struct sim *sim)
 {
@@ -322,25 +359,10 @@ static void finish(struct sim *sim)
     case COLMOD:
         set_format(sim, p[0]);
         break;
-    case RAMCTRL:
-        d->low_byte_first = kind_of(sim)->ramctrl && (p[1] & 8) != 0;
-        break;
-    case DISCTRL:
-        d->scan = kind_of(sim)->disctrl ? p[1] & 0x60 : 0;
-        break;
     default:
+        finish_own(sim);
         break;
     }
-}
-
-static const struct dbi_command *find(const struct dbi_command *list, size_t count, uint8_t code)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (list[i].code == code) {
-            return &list[i];
-        }
-    }
-    return NULL;
 }
 
 /* Checks that the previous command is complete. */
@@ -350,7 +372,7 @@ static void check_last(struct sim *sim)
     if (d->command == NULL) {
         return;
     }
-    if (d->command->least == PIXELS) {
+    if (d->command->least == SIM_PIXELS) {
         if (d->bit_count != 0 && d->left != 0) {
             sim_complain(sim, SIM_SPLIT_PIXEL, "a command after %u bits of a pixel", d->bit_count);
         }
@@ -360,30 +382,53 @@ static void check_last(struct sim *sim)
     }
 }
 
+static void check_wait(struct sim *sim, uint8_t code)
+{
+    if (sim->time_ns < sim->u.dbi.ready_ns) {
+        sim_complain(sim, SIM_EARLY_COMMAND, "command %02Xh within %u ms of reset or sleep", code,
+                     kind_of(sim)->table->command_wait_ms);
+    }
+}
+
 static void take_command(struct sim *sim, uint8_t code)
 {
     struct sim_dbi *d = &sim->u.dbi;
-    const struct dbi_kind *kind = kind_of(sim);
     check_last(sim);
-    if (sim->time_ns < d->ready_ns) {
-        sim_complain(sim, SIM_EARLY_COMMAND, "command %02Xh within 5 ms of reset or sleep", code);
+    check_wait(sim, code);
+    const struct sim_command *command = sim_table_find(&sim_table_dbi, code);
+    command = command != NULL ? command : sim_table_find(kind_of(sim)->table, code);
+    unlock(d, code);
+    if (command == NULL) {
+        sim_complain(sim, SIM_UNKNOWN_COMMAND, "command %02Xh is not known", code);
+    } else {
+        start(sim, code);
     }
+    /* A reset has forgotten these. */
+    d->command = command;
     d->code = code;
     d->parameter_count = 0;
     d->bits = 0;
     d->bit_count = 0;
-    d->command = find(common, sizeof common / sizeof common[0], code);
-    if (d->command == NULL) {
-        d->command = find(kind->commands, kind->command_count, code);
+    d->refused = command != NULL && command->needs_unlock && d->unlock != 2;
+    if (d->refused) {
+        sim_complain(sim, SIM_BAD_PARAMETER, "%02Xh %s before FEh and EFh", code, command->name);
     }
-    if (d->command == NULL) {
-        sim_complain(sim, SIM_UNKNOWN_COMMAND, "command %02Xh is not known", code);
+}
+
+static void take_parameter(struct sim *sim, uint8_t byte)
+{
+    struct sim_dbi *d = &sim->u.dbi;
+    if (d->parameter_count >= d->command->most) {
+        if (d->parameter_count++ == d->command->most) {
+            sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh has only %u parameters", d->code, d->command->most);
+        }
         return;
     }
-    const struct dbi_command *command = d->command;
-    start(sim, code);
-    d->command = command; /* a reset forgets it */
-    d->code = code;
+    d->parameters[d->parameter_count++] = byte;
+    d->refused = !sim_table_accepts(sim, d->command, d->parameter_count, byte) || d->refused;
+    if (d->parameter_count == d->command->least && !d->refused) {
+        finish(sim);
+    }
 }
 
 static void take_data(struct sim *sim, uint8_t byte)
@@ -393,20 +438,10 @@ static void take_data(struct sim *sim, uint8_t byte)
         if (d->parameter_count++ == 0 && d->code == 0) {
             sim_complain(sim, SIM_PIXELS_NOWHERE, "data without a command");
         }
-        return;
-    }
-    if (d->command->least == PIXELS) {
+    } else if (d->command->least == SIM_PIXELS) {
         take_pixel_byte(sim, byte);
-        return;
-    }
-    if (d->parameter_count == d->command->most) {
-        sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh has only %u parameters", d->code, d->command->most);
-    }
-    if (d->parameter_count < d->command->most) {
-        d->parameters[d->parameter_count] = byte;
-    }
-    if (++d->parameter_count == d->command->least) {
-        finish(sim);
+    } else {
+        take_parameter(sim, byte);
     }
 }
 
@@ -421,13 +456,23 @@ static void take_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 
 /* ---- the glass ---------------------------------------------------------------------------------- */
 
+static bool from_last_line(const struct sim_dbi *d)
+{
+    return ((d->scan & 0x40) != 0) != ((d->lcm & 0x01) != 0);
+}
+
+/* NULL: a line that is not driven. */
 static const struct sim_cell *cell(const struct sim *sim, uint32_t x, uint32_t y)
 {
     const struct sim_glass *glass = &sim->glass;
-    bool right_to_left = glass->mirrored != ((sim->u.dbi.scan & 0x20) != 0);
-    bool upwards = (sim->u.dbi.scan & 0x40) != 0;
-    uint32_t column = glass->left + (right_to_left ? glass->width - 1U - x : x);
-    uint32_t row = glass->top + (upwards ? glass->height - 1U - y : y);
+    const struct sim_dbi *d = &sim->u.dbi;
+    uint32_t column = glass->left + (glass->mirrored ? glass->width - 1U - x : x);
+    uint32_t row = glass->top + y;
+    if (row >= d->lines) {
+        return NULL;
+    }
+    column = d->scan & 0x20 ? glass->ram_width - 1U - column : column;
+    row = from_last_line(d) ? d->lines - 1U - row : row;
     return &sim->memory[row * glass->ram_width + column];
 }
 
@@ -435,8 +480,12 @@ static void look(const struct sim *sim, uint32_t x, uint32_t y, uint8_t rgb[3])
 {
     const struct sim_dbi *d = &sim->u.dbi;
     const struct sim_cell *c = cell(sim, x, y);
-    uint8_t flip = d->inverted == sim->glass.complement ? 0 : 255;
-    bool swapped = ((d->madctl & 8) != 0) != sim->glass.bgr;
+    if (c == NULL) {
+        return; /* dark */
+    }
+    bool inverted = (d->inverted != ((d->lcm & 0x10) != 0)) != d->black;
+    uint8_t flip = inverted == sim->glass.complement ? 0 : 255;
+    bool swapped = ((madctl_of(sim) & 8) != 0) != sim->glass.bgr;
     rgb[0] = (swapped ? c->b : c->r) ^ flip;
     rgb[1] = c->g ^ flip;
     rgb[2] = (swapped ? c->r : c->b) ^ flip;
@@ -449,7 +498,8 @@ static bool shows(const struct sim *sim)
 
 static bool written(const struct sim *sim, uint32_t x, uint32_t y)
 {
-    return cell(sim, x, y)->written != 0;
+    const struct sim_cell *c = cell(sim, x, y);
+    return c == NULL || c->written != 0; /* nothing of a line that is not driven is seen */
 }
 
 /* The reset pulse takes 10 us, then 5 ms pass (the "reset timing" of the datasheets). The write limits are from their

@@ -10,6 +10,7 @@
 #include "sim_types.h"
 
 struct sim;
+struct sim_command;
 
 struct sim_model {
     const char *controller;
@@ -50,14 +51,20 @@ struct sim_cell {
 
 /* MIPI DBI controllers. */
 struct sim_dbi {
-    const struct dbi_command *command; /* being received; NULL: none */
+    const struct sim_command *command; /* being received; NULL: none */
     uint8_t code;
+    bool refused; /* a parameter of it; then it has no effect */
     uint32_t parameter_count;
-    uint8_t parameters[80];
+    uint8_t parameters[16];
     bool sleeping, on, inverted;
     uint8_t madctl, format;
     bool low_byte_first; /* ST7789 RAMCTRL */
-    uint8_t scan;        /* GS, SS of the display function control */
+    uint8_t epf;         /* likewise: where the lowest bit of red and blue comes from */
+    uint8_t lcm;         /* ST7789 LCMCTRL: what it turns over against the way a glass is bonded */
+    uint8_t scan;        /* GS 40h, SS 20h of the display function control; ST7789: GS of GATECTRL */
+    bool black;          /* ILI9341 DISCTRL: driven as if the liquid crystal were normally black */
+    uint16_t lines;      /* that are driven */
+    uint8_t unlock;      /* GC9A01: 1 after FEh, 2 after FEh EFh */
     uint16_t x0, x1, y0, y1;
     uint16_t x, y;
     uint32_t left;   /* pixels until the window is full */
@@ -66,18 +73,19 @@ struct sim_dbi {
     uint32_t bit_count;
     uint64_t ready_ns; /* earliest next command */
     uint64_t wake_ns;  /* earliest SLPOUT */
-    uint64_t nap_ns;   /* earliest SLPIN */
+    uint64_t nap_ns;   /* earliest SLPIN and SWRESET */
 };
 
 /* Solomon Systech controllers. */
 struct sim_ssd {
-    uint8_t code;
-    uint8_t need; /* parameters of the command; 255: pixels */
+    const struct sim_command *command; /* being received, or taking pixels; NULL: none */
+    bool refused;                      /* it has no effect */
     uint32_t parameter_count;
-    uint8_t parameters[64];
+    uint8_t parameters[8];
     bool on, locked, extra_unlocked;
     uint8_t mode; /* A4h .. A7h */
     uint8_t remap, start, offset, mux;
+    uint8_t contrast[3]; /* red, green, blue */
     uint8_t x0, x1, y0, y1, x, y;
     uint32_t left;
     bool complained;

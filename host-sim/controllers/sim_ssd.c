@@ -1,32 +1,12 @@
 /*
  * Models of the OLED controllers SSD1351 (128 x 128, 65k or 262k colours) and SSD0323 (128 x 80, 16 greys) of Solomon
- * Systech. Modelled: the window and its two directions of increment, remapping of columns, nibbles, COM lines and
- * colours, start line and offset, multiplex ratio, display modes (normal, all on, all off, inverse), sleep, the command
- * lock. Known and without effect here: currents, phases, clocks, grey tables.
+ * Systech. Their commands are in ssd_table.c; what is SIM_SHOWN there is followed here.
  */
 #include "sim_model.h"
 
+#include "sim_table.h"
+
 #include <string.h>
-
-#define PIXELS 255
-
-struct ssd_command {
-    uint8_t code, parameters;
-};
-
-/* clang-format off */
-static const struct ssd_command ssd1351_commands[] = {
-    {0x15, 2}, {0x75, 2}, {0x5C, PIXELS}, {0xA0, 1}, {0xA1, 1}, {0xA2, 1}, {0xA4, 0}, {0xA5, 0}, {0xA6, 0}, {0xA7, 0},
-    {0xAB, 1}, {0xAE, 0}, {0xAF, 0}, {0xB1, 1}, {0xB2, 3}, {0xB3, 1}, {0xB4, 3}, {0xB5, 1}, {0xB6, 1}, {0xB8, 63},
-    {0xB9, 0}, {0xBB, 1}, {0xBE, 1}, {0xC1, 3}, {0xC7, 1}, {0xCA, 1}, {0xFD, 1},
-};
-
-static const struct ssd_command ssd0323_commands[] = {
-    {0x15, 2}, {0x75, 2}, {0x81, 1}, {0x84, 0}, {0x85, 0}, {0x86, 0}, {0xA0, 1}, {0xA1, 1}, {0xA2, 1}, {0xA4, 0},
-    {0xA5, 0}, {0xA6, 0}, {0xA7, 0}, {0xA8, 1}, {0xAD, 1}, {0xAE, 0}, {0xAF, 0}, {0xB0, 1}, {0xB1, 1}, {0xB2, 1},
-    {0xB3, 1}, {0xB4, 1}, {0xB8, 8}, {0xBC, 1}, {0xBE, 1}, {0xBF, 1}, {0xE3, 0},
-};
-/* clang-format on */
 
 static bool is_1351(const struct sim *sim)
 {
@@ -51,9 +31,10 @@ static void reset(struct sim *sim)
     s->mode = is_1351(sim) ? 0xA6 : 0xA4;
     s->remap = is_1351(sim) ? 0x40 : 0x00;
     s->mux = is_1351(sim) ? 127 : 79;
+    s->offset = is_1351(sim) ? 0x60 : 0; /* SSD1351, table 9-1 */
+    memset(s->contrast, 0x80, sizeof s->contrast);
     s->x1 = (uint8_t)(columns(sim) - 1);
     s->y1 = (uint8_t)(sim->glass.ram_height - 1);
-    s->need = is_1351(sim) ? 0 : PIXELS;
     s->left = window_size(s);
     for (uint32_t i = 0; i < count; i++) {
         sim->memory[i].written = 0;
@@ -113,11 +94,11 @@ static uint32_t widen6(uint32_t v)
     return (v & 63) << 2 | (v & 63) >> 4;
 }
 
-/* 65k colours: two bytes. 262k: three bytes, six bits at the low end of each. */
+/* 65k colours (A[7:6] 00 or 01): two bytes. 262k: three bytes, six bits at the low end of each. */
 static void ssd1351_data(struct sim *sim, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;
-    unsigned need = s->remap >> 6 == 1 ? 16 : 24;
+    unsigned need = s->remap & 0x80 ? 24 : 16;
     s->bits = s->bits << 8 | byte;
     s->bit_count += 8;
     if (s->bit_count < need) {
@@ -152,7 +133,7 @@ static void ssd0323_data(struct sim *sim, uint8_t byte)
 static void set_window(struct sim *sim)
 {
     struct sim_ssd *s = &sim->u.ssd;
-    bool column = s->code == 0x15;
+    bool column = s->command->code == 0x15;
     uint32_t limit = column ? columns(sim) : sim->glass.ram_height;
     uint8_t first = s->parameters[0];
     uint8_t last = s->parameters[1];
@@ -188,15 +169,6 @@ static void lock(struct sim *sim, uint8_t value)
     }
 }
 
-static void set_remap(struct sim *sim, uint8_t value)
-{
-    if (is_1351(sim) && value >> 6 != 1 && value >> 6 != 2) {
-        sim_complain(sim, SIM_BAD_PARAMETER, "colour depth of A0h %02Xh is not known to the model", value);
-        return;
-    }
-    sim->u.ssd.remap = value;
-}
-
 static void display_on(struct sim *sim)
 {
     if (!sim_frame_complete(sim)) {
@@ -208,13 +180,16 @@ static void display_on(struct sim *sim)
 static void execute(struct sim *sim)
 {
     struct sim_ssd *s = &sim->u.ssd;
-    switch (s->code) {
+    switch (s->command->code) {
     case 0x15:
     case 0x75:
         set_window(sim);
         break;
+    case 0x81:
+        memset(s->contrast, s->parameters[0], sizeof s->contrast);
+        break;
     case 0xA0:
-        set_remap(sim, s->parameters[0]);
+        s->remap = s->parameters[0];
         break;
     case 0xA1:
         s->start = s->parameters[0];
@@ -226,7 +201,7 @@ static void execute(struct sim *sim)
     case 0xA5:
     case 0xA6:
     case 0xA7:
-        s->mode = s->code;
+        s->mode = s->command->code;
         break;
     case 0xA8:
     case 0xCA:
@@ -238,6 +213,9 @@ static void execute(struct sim *sim)
     case 0xAF:
         display_on(sim);
         break;
+    case 0xC1:
+        memcpy(s->contrast, s->parameters, sizeof s->contrast);
+        break;
     case 0xFD:
         lock(sim, s->parameters[0]);
         break;
@@ -247,31 +225,9 @@ static void execute(struct sim *sim)
 }
 
 /* SSD1351: FDh 16h locks all commands but itself; some are locked until FDh B1h. */
-static bool is_locked(const struct sim *sim, uint8_t code)
+static bool is_locked(const struct sim_ssd *s, const struct sim_command *command)
 {
-    static const uint8_t extra[] = {0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1};
-    const struct sim_ssd *s = &sim->u.ssd;
-    if (!is_1351(sim) || code == 0xFD) {
-        return false;
-    }
-    return s->locked || (!s->extra_unlocked && memchr(extra, code, sizeof extra) != NULL);
-}
-
-static const struct ssd_command *find_in(const struct ssd_command *list, size_t count, uint8_t code)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (list[i].code == code) {
-            return &list[i];
-        }
-    }
-    return NULL;
-}
-
-#define LIST(list) list, sizeof(list) / sizeof((list)[0])
-
-static const struct ssd_command *find(const struct sim *sim, uint8_t code)
-{
-    return is_1351(sim) ? find_in(LIST(ssd1351_commands), code) : find_in(LIST(ssd0323_commands), code);
+    return command->code != 0xFD && (s->locked || (command->needs_unlock && !s->extra_unlocked));
 }
 
 static void begin(struct sim *sim, uint8_t code)
@@ -282,20 +238,15 @@ static void begin(struct sim *sim, uint8_t code)
     }
     s->bit_count = 0;
     s->parameter_count = 0;
-    s->code = 0;
-    s->need = 0;
-    const struct ssd_command *command = find(sim, code);
-    if (command == NULL) {
+    s->command = sim_table_find(is_1351(sim) ? &sim_table_ssd1351 : &sim_table_ssd0323, code);
+    if (s->command == NULL) {
         sim_complain(sim, SIM_UNKNOWN_COMMAND, "command %02Xh is not known", code);
         return;
     }
-    s->need = command->parameters;
-    if (is_locked(sim, code)) {
-        sim_complain(sim, SIM_BAD_PARAMETER, "command %02Xh is locked", code);
-        return; /* its parameters come, and have no effect */
-    }
-    s->code = code;
-    if (s->need == 0) {
+    s->refused = is_locked(s, s->command); /* its parameters come, and have no effect */
+    if (s->refused) {
+        sim_complain(sim, SIM_BAD_PARAMETER, "command %02Xh %s is locked", code, s->command->name);
+    } else if (s->command->most == 0) {
         execute(sim);
     }
 }
@@ -304,34 +255,52 @@ static void parameter(struct sim *sim, uint8_t byte)
 {
     struct sim_ssd *s = &sim->u.ssd;
     s->parameters[s->parameter_count++] = byte;
-    if (s->parameter_count == s->need) {
+    s->refused = !sim_table_accepts(sim, s->command, s->parameter_count, byte) || s->refused;
+    if (s->parameter_count == s->command->most && !s->refused) {
         execute(sim);
     }
 }
 
 static bool wants_parameter(const struct sim_ssd *s)
 {
-    return s->need != PIXELS && s->parameter_count < s->need;
+    return s->command != NULL && s->command->most != SIM_PIXELS && s->parameter_count < s->command->most;
+}
+
+static void parameters_are_missing(struct sim *sim)
+{
+    const struct sim_ssd *s = &sim->u.ssd;
+    sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh with %u parameters, it has %u", s->command->code,
+                 s->parameter_count, s->command->most);
+}
+
+/* Data that no command waits for. After a window they are pixels without 5Ch. */
+static void data_too_many(struct sim *sim)
+{
+    const struct sim_command *command = sim->u.ssd.command;
+    if (command == NULL || command->code == 0x15 || command->code == 0x75) {
+        sim_complain(sim, SIM_PIXELS_NOWHERE, "data without a command that takes it");
+    } else {
+        sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh has only %u parameters", command->code, command->most);
+    }
 }
 
 /* SSD1351: parameters and pixels with D/C high. */
 static void ssd1351_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
 {
-    struct sim_ssd *s = &sim->u.ssd;
+    const struct sim_ssd *s = &sim->u.ssd;
     if (dc == HAL_COMMAND) {
         if (wants_parameter(s)) {
-            sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh with %u parameters, it has %u", s->code,
-                         s->parameter_count, s->need);
+            parameters_are_missing(sim);
         }
         begin(sim, byte);
-    } else if (s->need == PIXELS) {
-        ssd1351_data(sim, byte);
+    } else if (s->command != NULL && s->command->most == SIM_PIXELS) {
+        if (!s->refused) {
+            ssd1351_data(sim, byte);
+        }
     } else if (wants_parameter(s)) {
         parameter(sim, byte);
-    } else if (s->code == 0 || s->code == 0x15 || s->code == 0x75) {
-        sim_complain(sim, SIM_PIXELS_NOWHERE, "data without a command that takes it");
     } else {
-        sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh has only %u parameters", s->code, s->need);
+        data_too_many(sim);
     }
 }
 
@@ -341,9 +310,8 @@ static void ssd0323_byte(struct sim *sim, enum hal_dc dc, uint8_t byte)
     struct sim_ssd *s = &sim->u.ssd;
     if (dc == HAL_DATA) {
         if (wants_parameter(s)) {
-            sim_complain(sim, SIM_PARAMETER_COUNT, "command %02Xh with %u parameters, it has %u", s->code,
-                         s->parameter_count, s->need);
-            s->need = 0;
+            parameters_are_missing(sim);
+            s->command = NULL;
         }
         ssd0323_data(sim, byte);
     } else if (wants_parameter(s)) {
@@ -399,9 +367,10 @@ static void look(const struct sim *sim, uint32_t x, uint32_t y, uint8_t rgb[3])
     uint8_t all = s->mode == 0xA5 ? 255 : 0;
     uint8_t flip = s->mode == 0xA7 ? 255 : 0;
     bool swapped = is_1351(sim) && (s->remap & 4) == 0;
-    rgb[0] = ((swapped ? c->b : c->r) | all) ^ flip;
-    rgb[1] = (c->g | all) ^ flip;
-    rgb[2] = ((swapped ? c->r : c->b) | all) ^ flip;
+    const uint8_t stored[3] = {swapped ? c->b : c->r, c->g, swapped ? c->r : c->b};
+    for (int i = 0; i < 3; i++) { /* without current nothing shines */
+        rgb[i] = s->contrast[i] == 0 ? 0 : (uint8_t)((stored[i] | all) ^ flip);
+    }
 }
 
 static bool shows(const struct sim *sim)

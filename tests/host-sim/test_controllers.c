@@ -117,7 +117,7 @@ static void formats_are_decoded(void **state)
     command(&k, 0x3A);
     DATA(&k, "\x55");
     command(&k, 0xB0); /* RAMCTRL: low byte first */
-    DATA(&k, "\x00\xF8");
+    DATA(&k, "\x00\xE8");
     command(&k, 0x2C);
     DATA(&k, "\x00\xF8");
     assert_int_equal(seen_at(&k, 240, 0, 0), 0xFF0000);
@@ -287,7 +287,7 @@ static void ssd1351_remaps(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
         plug(&k);
-        wait_ms(&k, 1);
+        wake_ssd1351(&k);
         command(&k, 0xA0);
         data(&k, &cases[i].remap, 1);
         command(&k, 0x5C);
@@ -314,7 +314,7 @@ static void ssd1351_moves_lines(void **state)
     (void)state;
     struct sim_bus k = sim_bus_with(&panel_ssd1351_128x128);
     plug(&k);
-    wait_ms(&k, 1);
+    wake_ssd1351(&k);
     command(&k, 0xA0);
     DATA(&k, "\x74");
     command(&k, 0x5C);
@@ -333,9 +333,12 @@ static void ssd1351_moves_lines(void **state)
     assert_int_equal(seen_at(&k, 128, 0, 12), 0xFF0000);
     command(&k, 0xA0);
     DATA(&k, "\x74");
+    command(&k, 0xA1);
+    DATA(&k, "\x72");
+    assert_int_equal(seen_at(&k, 128, 0, 20), 0xFF0000);
     command(&k, 0xCA);
-    DATA(&k, "\x05");
-    assert_int_equal(seen_at(&k, 128, 0, 6), 0x000000);
+    DATA(&k, "\x0F"); /* 16 lines */
+    assert_int_equal(seen_at(&k, 128, 0, 20), 0x000000);
     none(&k);
     sim_close(k.sim);
 }

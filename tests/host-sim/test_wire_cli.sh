@@ -23,6 +23,8 @@ stream() {
     step 0 "$on 3 3 END 55"
     step 0 "$on 2 2 END 36"
     step 0 "$on 3 3 END 00"
+    step 0 "$on 2 2 END B0"
+    step 0 "$on 3 3 END 00E0"
     step 0 "$on 2 2 END 21"
     step 0 "$on 2 2 END 2A"
     step 0 "$on 3 3 END 000000ef"

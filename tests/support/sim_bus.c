@@ -58,6 +58,19 @@ void wake_dbi(struct sim_bus *k)
     wait_ms(k, 120);
     command(k, 0x3A);
     DATA(k, "\x55");
+    if (strcmp(k->board.panel->controller->name, "ST7789") == 0) {
+        command(k, 0xB0);
+        DATA(k, "\x00\xE0");
+    }
+}
+
+void wake_ssd1351(struct sim_bus *k)
+{
+    wait_ms(k, 1);
+    command(k, 0xFD);
+    DATA(k, "\xB1");
+    command(k, 0xA2);
+    DATA(k, "\0");
 }
 
 void window(struct sim_bus *k, const char *columns, const char *rows)

@@ -24,8 +24,11 @@ void data(struct sim_bus *k, const char *bytes, size_t n); /* at most 64 */
 void wait_ms(struct sim_bus *k, uint32_t ms);
 void pin(struct sim_bus *k, enum hal_pin p, bool level);
 
-/* Reset, sleep-out, 16 bits a pixel. */
+/* Reset, sleep-out, 16 bits a pixel; ST7789: RAMCTRL with EPF 10, which shows the 16 bits as they are. */
 void wake_dbi(struct sim_bus *k);
+
+/* Unlocks everything; offset 0. */
+void wake_ssd1351(struct sim_bus *k);
 
 /* CASET and RASET with four bytes each. */
 void window(struct sim_bus *k, const char *columns, const char *rows);
