@@ -169,7 +169,7 @@ static void take_pixel_byte(struct sim *sim, uint8_t byte)
 {
     struct sim_dbi *d = &sim->u.dbi;
     if (d->sleeping && !d->complained) {
-        sim_complain(sim, SIM_PIXELS_ASLEEP, "pixels in sleep mode");
+        sim_complain(sim, SIM_PIXELS_ASLEEP, "pixels in sleep mode: SLPOUT (11h) is missing");
         d->complained = true;
     }
     check_epf(sim);
@@ -296,7 +296,7 @@ static void set_format(struct sim *sim, uint8_t value)
 {
     uint8_t format = value & 7;
     if ((kind_of(sim)->formats >> format & 1) == 0) {
-        sim_complain(sim, SIM_BAD_PARAMETER, "COLMOD %02Xh is not available on the serial interface", value);
+        sim_complain(sim, SIM_BAD_PARAMETER, "3Ah COLMOD: %02Xh is not available on the serial interface", value);
         return;
     }
     sim->u.dbi.format = format;

@@ -118,7 +118,7 @@ struct sim {
 
     uint32_t complaint_count;
     uint32_t complaint_count_of[SIM_COMPLAINT_KINDS];
-    char complaints[SIM_COMPLAINTS_KEPT][120];
+    char complaints[SIM_COMPLAINTS_KEPT][160];
     char note[120];
 };
 

@@ -164,7 +164,7 @@ static void lock(struct sim *sim, uint8_t value)
         s->extra_unlocked = value == 0xB1;
         break;
     default:
-        sim_complain(sim, SIM_BAD_PARAMETER, "command lock %02Xh", value);
+        sim_complain(sim, SIM_BAD_PARAMETER, "FDh command lock: %02Xh is none of 12h, 16h, B0h, B1h", value);
         break;
     }
 }

@@ -15,7 +15,7 @@ struct sim_counters {
 
 enum sim_complaint_kind {
     SIM_UNKNOWN_COMMAND,   /* the controller has not, or the model does not know */
-    SIM_BAD_PARAMETER,     /* a value that the register has not, or a format that SPI has not */
+    SIM_BAD_PARAMETER,     /* a bit or value that the register has not (sim_table.h), or a register that is locked */
     SIM_PARAMETER_COUNT,   /* too few or too many parameters */
     SIM_EARLY_COMMAND,     /* sent before the wait that the datasheet wants after reset or sleep */
     SIM_SHORT_RESET,       /* reset pulse too short */
