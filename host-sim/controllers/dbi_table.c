@@ -39,7 +39,7 @@ static const struct sim_command common[] = {
         {1, 1, 0x01, 0x00, 0x01, SIM_UNUSED,  "M: which blanking the TE pin tells"})},
 };
 
-/* Bits of MADCTL alike in all five. ML and MH turn the order of refreshing, and with it no picture. */
+/* All five controllers have these bits. ML and MH turn the order of refreshing, which turns no picture. */
 #define MADCTL(name)                                                                                                   \
     {0x36, 1, 1, false, name, FIELDS(                                                                                  \
         {1, 1, 0xE0, 0x00, 0xE0, SIM_SHOWN,   "MY MX MV: the way of the address"},                                     \

@@ -34,9 +34,9 @@ static void kit_open(struct kit *kit, const struct panel *panel)
 {
     kit->bus = sim_bus_with(panel);
     plug(&kit->bus);
-    const uint8_t format = panel->formats & PANEL_FORMAT_BIT(PANEL_RGB565)   ? PANEL_RGB565
-                           : panel->formats & PANEL_FORMAT_BIT(PANEL_RGB666) ? PANEL_RGB666
-                                                                             : PANEL_GREY4;
+    const bool rgb565 = (panel->formats & PANEL_FORMAT_BIT(PANEL_RGB565)) != 0;
+    const bool rgb666 = (panel->formats & PANEL_FORMAT_BIT(PANEL_RGB666)) != 0;
+    const uint8_t format = rgb565 ? PANEL_RGB565 : rgb666 ? PANEL_RGB666 : PANEL_GREY4;
     const struct panel_config config = {panel, PANEL_R0, format, 1000000, kit->scratch, sizeof kit->scratch};
     assert_int_equal(panel_open(&kit->driver, &kit->bus.hal, &config), 0);
 }
@@ -185,21 +185,21 @@ static unsigned tinted(const char *name)
     assert_int_equal(picture_draw(&kit.driver, picture, 16), 0);
     look(&kit, seen);
     picture_expect(picture, 240, 240, PANEL_RGB565, false, other);
-    unsigned lit = 0, wrong = 0, counted = 0;
+    unsigned lit = 0, off = 0, counted = 0;
     for (int i = 0; i < 240 * 240; i++) {
         const unsigned colour = pixel(&stage, i % 240, i / 240), host = swapped(colour);
         lit += host != 0;
         counted += (host >> 5 & 1) != (host >> 15 & 1) || (host >> 5 & 1) != (host >> 4 & 1);
-        wrong += memcmp(seen + 3 * i, other + 3 * i, 3) != 0;
+        off += memcmp(seen + 3 * i, other + 3 * i, 3) != 0;
         for (int c = 0; c < 3; c++) { /* by one level of the glass */
             assert_true(abs((int)seen[3 * i + c] - (int)other[3 * i + c]) <= 4);
         }
     }
-    assert_int_equal(wrong, counted);
+    assert_int_equal(off, counted);
     none(&kit.bus);
     sim_close(kit.bus.sim);
     demo_stage_close(&stage);
-    return (100 * wrong + lit / 2) / lit;
+    return (100 * off + lit / 2) / lit;
 }
 
 static void f0_tints_a_part_of_turntable_and_nearly_all_of_ground(void **state)
