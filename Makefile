@@ -163,7 +163,7 @@ $(B)/%.o: %.c $(B)/flags
 $(B)/%.o: %.S $(B)/flags
 	@mkdir -p $(@D)
 	$(SAY) AS $<
-	$(Q)$(CC) $(CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CFLAGS) $(INC) -MMD -MP -c $< -o $@
 
 ifneq ($(BOARDS_MORE),)
 $(B)/boards/boards.o: $(B)/boards_more/boards_more.h

@@ -36,6 +36,13 @@ struct board_button {
 enum board_spi_unit { BOARD_SPI_ANY, BOARD_SPI_RP2040, BOARD_SPI_LM3S6965, BOARD_SPI_STM32F4 };
 
 /*
+ * How the flash is read that an RP2040 or RP2350 runs from. AUTOMATIC: the fastest read that the flash tells of. HALF:
+ * at half that clock, for a board whose wires or flash do not take it (pico-sdk's PICO_FLASH_SPI_CLKDIV 4). SERIAL:
+ * command 03h on one line, for a flash that is not what it tells.
+ */
+enum board_flash { BOARD_FLASH_AUTOMATIC, BOARD_FLASH_HALF, BOARD_FLASH_SERIAL };
+
+/*
  * An unwired pin is all zeros: leave it out. active_low inverts what hal.h calls true. A chip select is active low. A
  * reset line is not marked so: the panel runs while it is high, and hal.h calls that true.
  */
@@ -59,6 +66,9 @@ struct board {
     uint32_t spi_hz;         /* full speed: what the kit's maker or its usual driver sets */
     bool over_limit;         /* spi_hz is above the datasheet's write limit (panel->controller->write_hz) on purpose */
     struct board_pins pins;
+    uint8_t flash;            /* enum board_flash */
+    uint8_t crystal_start_ms; /* RP2040, RP2350: how long the crystal takes to start; 0: 1, as on Raspberry Pi's boards.
+                                 It is pico-sdk's PICO_XOSC_STARTUP_DELAY_MULTIPLIER, 64 for many boards */
     struct board_button buttons[BOARD_BUTTONS_MAX];
     uint8_t button_count;
     uint16_t band_height; /* lines, default */

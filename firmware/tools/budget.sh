@@ -35,13 +35,19 @@ if echo "$faults" | grep -qv '^worst '; then
     exit 1
 fi
 
-# Sections that the image occupies have the flag A. RAM starts at 0x20000000 on every Cortex-M.
+# Sections that the image occupies have the flag A. RAM starts at 0x20000000 on every Cortex-M. A section that begins within
+# an earlier one borrows its memory.
 "${CROSS}readelf" -SW "$elf" | sed -n 's/^ *\[ *[0-9]*\] //p' | awk -v elf="$elf" -v flash="$flash" -v ram="$ram" -v chip="$chip_ram" -v stack="$stack" -v worst="$((worst + extra))" '
     function line(what, used, of, rest) { printf "%-6s %7d of %7d bytes, %2d %%%s\n", what, used, of, 100 * used / of, rest; if (used > of) { over = over " " what } }
     function hex(text,    i, n) { n = 0; for (i = 1; i <= length(text); i++) { n = n * 16 + index("0123456789abcdef", substr(text, i, 1)) - 1 }; return n }
     $7 !~ /A/ { next }
     $2 != "NOBITS" { code += hex($5) }
-    hex($3) >= 536870912 { memory += hex($5) }
+    hex($3) >= 536870912 && hex($5) > 0 {
+        for (i = 0; i < n; i++) { if (hex($3) >= from[i] && hex($3) < to[i]) { next } }
+        from[n] = hex($3)
+        to[n++] = hex($3) + hex($5)
+        memory += hex($5)
+    }
     END {
         line("flash", code, flash, "")
         line("RAM", memory, ram, sprintf(", stack included; %d %% of the chip", 100 * memory / chip))

@@ -6,13 +6,19 @@
  * JEDEC id is that of a Winbond W25Q and that takes the bit QE, is read on four lines with command EBh (W25Q16JV
  * datasheet, "Fast Read Quad I/O"): 24 address bits, mode bits A0h, 4 dummy clocks, 32 bits. After these mode bits the
  * flash expects the next address without a command, until the ROM, which does so before it uses the flash, ends this
- * (datasheet 2.8.1.2). The clock is 125 / 2 = 62.5 MHz (flash: 133 MHz), for which the pads are fast and sampling is a
- * cycle later. The values are those of Raspberry Pi's pico-sdk, boot2_w25q080.S. QE is set only until power-off
- * (command 50h), so the flash is never worn.
+ * (datasheet 2.8.1.2). At 125 MHz the clock is 62.5 MHz (flash: 133 MHz), for which the pads are fast and sampling is a
+ * cycle later; flash_margin.h has the divider and the delay, and proves their margin. Pads, commands and dummy clocks are
+ * those of Raspberry Pi's pico-sdk, boot2_w25q080.S. QE is set only until power-off (command 50h), so the flash is never
+ * worn.
  *
  * Every other flash is read with command 03h: 24 address bits, no dummy bits, one data line, 31.25 MHz. Any SPI flash
- * understands that from power-on, whatever its status registers hold.
+ * understands that from power-on, whatever its status registers hold. rp2040_flash_open() (flash.h) may find a faster
+ * read for it.
+ *
+ * The SSI disregards a write to a register of its set-up, RX_SAMPLE_DLY among them, while SSIENR is 1.
  */
+#include "flash_margin.h"
+
     .syntax unified
     .cpu cortex-m0plus
     .thumb
@@ -41,7 +47,7 @@ rp2040_boot2:
     str r0, [r3, #0x10]
     str r0, [r3, #0x14]
     ldr r3, =0x18000000         /* XIP_SSI */
-    movs r7, #4
+    movs r7, #RP2040_FLASH_UNKNOWN_DIVIDER
     ldr r1, =7 << 16            /* frames of a byte, out and in */
     movs r2, #0
     bl set_up
@@ -56,7 +62,7 @@ rp2040_boot2:
     mov r8, r1
     movs r0, #0x35              /* status register 2: QE is bit 1 */
     bl transfer
-    movs r7, #2
+    movs r7, #2                 /* QE */
     tst r1, r7
     bne quad
     movs r0, #0x50              /* the next write is volatile */
@@ -73,15 +79,13 @@ rp2040_boot2:
     tst r1, r7
     bne quad
 serial:
-    movs r7, #4
+    movs r7, #RP2040_FLASH_UNKNOWN_DIVIDER
     ldr r1, =READ
     ldr r2, =0x03 << 24 | 2 << 8 | 6 << 2 /* command 03h of 8 bits, 6 x 4 address bits, all on one line */
     bl set_up
     b start
 quad:
-    movs r1, #1
-    movs r2, #RX_SAMPLE_DLY
-    str r1, [r3, r2]
+    movs r7, #RP2040_FLASH_W25Q_DIVIDER
     ldr r1, =QUAD | READ
     ldr r2, =2 << 8 | QUAD_ADDRESS | 1 /* a command of 8 bits on one line */
     bl set_up
@@ -107,6 +111,9 @@ set_up:
     str r7, [r3, #BAUDR]
     str r1, [r3, #0x00]
     str r0, [r3, #0x04]
+    movs r0, #RP2040_FLASH_DELAY
+    movs r4, #RX_SAMPLE_DLY
+    str r0, [r3, r4]
     movs r4, #SPI_CTRLR0
     str r2, [r3, r4]
     movs r0, #1

@@ -1,4 +1,5 @@
 /* See rp2040.h: clocks and resets. */
+#include "port.h"
 #include <registers.h>
 #include "rp2040.h"
 
@@ -11,11 +12,12 @@ static void unreset(uint32_t blocks)
     }
 }
 
-/* Datasheet 2.16: the start-up takes 1 ms, counted in units of 256 cycles. */
+/* Datasheet 2.16: the start-up is counted in units of 256 cycles, up to 16383; 255 ms are 11985. */
 static void start_crystal(void)
 {
+    const uint32_t ms = board_here->crystal_start_ms > 0 ? board_here->crystal_start_ms : 1;
     REG(XOSC_CTRL) = 0xaa0; /* 1 .. 15 MHz */
-    REG(XOSC_STARTUP) = CRYSTAL_MHZ * 1000 / 256 + 1;
+    REG(XOSC_STARTUP) = (CRYSTAL_MHZ * 1000 / 256 + 1) * ms;
     REG_SET(XOSC_CTRL) = 0xfab << 12; /* enable */
     while ((REG(XOSC_STATUS) & 1U << 31) == 0) {
     }

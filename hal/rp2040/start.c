@@ -1,6 +1,7 @@
 /* The start of main(), faults and the end. The ROM comes here through boot2.S and entry.S. */
 #include "port.h"
 #include <cpu.h>
+#include "flash.h"
 #include "rp2040.h"
 
 #define GUARD_BYTES_LOG2 16 /* below RAM, where it costs nothing */
@@ -68,6 +69,7 @@ void rp2040_start(void)
 {
     const bool bit = rp2040_watchdog_bit();
     rp2040_watchdog_stop();
+    rp2040_flash_open();
     rp2040_clocks_init();
     rp2040_uart_init();
     if (bit) {

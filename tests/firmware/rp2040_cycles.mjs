@@ -1,22 +1,21 @@
-// node rp2040_cycles.mjs MODULES IMAGE.bin ID STATUS2 ADDRESS...    for test_rp2040_cycles.sh
+// node rp2040_cycles.mjs MODULES IMAGE.bin CHIP ADDRESS...    for test_rp2040_cycles.sh
 // Runs an image in hal/rp2040/emulate until core 0 has come to each address (hexadecimal) in turn, and prints the cycles
-// between them. ID and STATUS2 (hexadecimal) are what the flash says to commands 9Fh and 35h.
+// between them. CHIP is the flash, of flash_chips.mjs.
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { makeMachine } from '../../hal/rp2040/emulate/machine.mjs';
 
-const [modules, image, id, status2, ...addresses] = process.argv.slice(2);
+const [modules, image, chip, ...addresses] = process.argv.slice(2);
 const lib = {};
 for (const file of ['rp2040.js', 'cortex-m0-core.js', 'sio.js', 'peripherals/ppb.js']) {
   Object.assign(lib, await import(resolve(modules, 'rp2040js/dist/esm', file)));
 }
-const machine = makeMachine(lib, { flashId: [...Buffer.from(id, 'hex')], warn(text) {
+const machine = makeMachine(lib, { chip, warn(text) {
   console.log(text);
   process.exitCode = 1;
 } });
 const counts = [];
 addresses.forEach((address) => machine.calls.set(parseInt(address, 16), () => counts.push(machine.mcu.core.cycles)));
-machine.flash.chip.status2 = parseInt(status2, 16);
 machine.load(readFileSync(image));
 machine.run(() => counts.length >= addresses.length);
 console.log(counts.slice(1).map((count, i) => count - counts[i]).join(' '));

@@ -3,6 +3,7 @@ import { closeSync, openSync, readFileSync, writeSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
+import { CHIPS } from './flash_chips.mjs';
 import { makeMachine } from './machine.mjs';
 
 const HELP = `emulate.mjs --modules DIR IMAGE.bin|IMAGE.uf2 [options]
@@ -11,6 +12,7 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --events FILE       the events ('-': stdout, the default)
   --report FILE       a line a frame, as soon as it has ended: number, us, us on the bus, us in which all cores slept,
                       load of each core in %
+  --flash NAME        the flash chip, of flash_chips.mjs (w25q16jv); at the end stderr has how it is read
   --cores 1|2         cores that the chip has (2)
   --dc PIN            the panel's D/C (required)
   --select PIN        the panel's chip select
@@ -33,6 +35,7 @@ const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
     modules: { type: 'string' }, frames: { type: 'string', default: '16' }, events: { type: 'string', default: '-' },
+    flash: { type: 'string', default: 'w25q16jv' },
     report: { type: 'string' }, cores: { type: 'string', default: '2' }, select: { type: 'string' }, dc: { type: 'string' },
     press: { type: 'string', multiple: true, default: [] }, send: { type: 'string', multiple: true, default: [] },
     jump: { type: 'string', multiple: true, default: [] },
@@ -146,8 +149,12 @@ for (const file of ['rp2040.js', 'cortex-m0-core.js', 'sio.js', 'peripherals/ppb
 }
 
 let objections = 0;
+if (CHIPS[options.flash] === undefined) {
+  fail(`no such flash: ${options.flash}; there are: ${Object.keys(CHIPS).join(' ')}`);
+}
 const machine = makeMachine(lib, {
   cores: Number(options.cores),
+  chip: options.flash,
   warn(text) {
     objections++;
     if (objections <= 10) {
@@ -292,6 +299,7 @@ if (fd !== 1) {
 machine.cores.filter((own) => own.started).forEach((own, i) => {
   console.error(`emulate: core ${i}: lowest stack ${own.lowest.toString(16)}`);
 });
+console.error(`emulate: flash is read by ${machine.flash.way}`);
 if (!machine.flashIntact()) {
   fail('the image wrote into flash as if it were RAM');
 }

@@ -1,7 +1,8 @@
 // An RP2040 with the parts that rp2040js lacks: a wire that takes time, flash behind a cache (flash.mjs), a second core, a
 // few words of the boot ROM, an MPU, lockup, and a watchdog that resets.
 //
-//   const machine = makeMachine(rp2040js, { cores, warn });    warn(text): the emulator objects to something
+//   const machine = makeMachine(rp2040js, { cores, warn, chip });    warn(text): the emulator objects to something; chip: a
+//                                              name of flash_chips.mjs
 //   machine.load(image);                                       Uint8Array from the first byte of flash
 //   machine.run(() => stop);                                   until stop() is true or the image has ended
 //
@@ -13,10 +14,11 @@
 // ns a core waits after an instruction (0).
 
 import { makeFlash } from './flash.mjs';
+import { CHIPS } from './flash_chips.mjs';
 
 const BOOT2_BYTES = 256;
 const BOOT2_PLACE = 0x20041f00;
-const FLASH = 0x10;
+const FLASH = 0x10, FLASH_PAST_CACHE = 0x13; // highest byte of an address
 const CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58, SHARED_END = 0x50, SPINLOCK0 = 0x100;
 const FIFO_READABLE = 1, FIFO_WRITABLE = 2;
 const FIFO_WORDS = 8;
@@ -27,7 +29,6 @@ const FORBIDDEN = Symbol('the MPU forbids this access');
 const WATCHDOG = 0x40058, PSM = 0x40010, ALL_BUT_OSCILLATORS = 0x1fffc;
 const PAD_AFTER_RESET = 0x36, FUNCTION_AFTER_RESET = 0x1f;
 const PULLED_UP = 3; // GPIOPinState.InputPullUp
-const W25Q16JV = [0xef, 0x40, 0x15]; // JEDEC id, datasheet 8.1.1
 
 // Cortex-M0+ TRM: cycles of instructions (3.3) that rp2040js counts one too few, because LR and PC are registers of the
 // list, too; cycles until an interrupt's first instruction (3.1). Of the way back only the nine loads are known.
@@ -154,7 +155,7 @@ function addMemory(machine, own, check) {
       if (address >>> 24 === FLASH) {
         core.cycles += flash.read(own, address);
       }
-      return read(address);
+      return address >>> 24 === FLASH_PAST_CACHE ? flash.probe(own, read(address)) : read(address);
     };
   }
   core.readUint16 = (signed) => {
@@ -311,7 +312,7 @@ function addLogger(machine) {
   console.warn = (...text) => machine.warn(text.join(' '));
 }
 
-export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
+export function makeMachine(lib, { cores = 1, warn, chip = 'w25q16jv' }) {
   const mcu = new lib.RP2040();
   const { clock } = mcu;
   const machine = {
@@ -329,7 +330,7 @@ export function makeMachine(lib, { cores = 1, warn, flashId = W25Q16JV }) {
   if (cores > 1) {
     wrapSio(machine.cores[1].sio, mcu.sio, 1, fifos);
   }
-  machine.flash = makeFlash(machine, flashId);
+  machine.flash = makeFlash(machine, CHIPS[chip]);
   machine.cores.forEach((own) => addMemory(machine, own, addMpu(machine, own, own.ppb)));
   addWatchdog(machine, fifos);
   mcu.spi.forEach((spi) => addWireTime(machine, spi));
