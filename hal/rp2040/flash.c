@@ -42,8 +42,7 @@ enum { SR_BUSY = 1, SR_TFE = 4 };
 /* CTRLR0: transfers of bytes, or words that are read after a command and an address. */
 enum { BYTES = 7 << 16, WORDS = 31 << 16 | 3 << 8, WORDS_QUAD = 2 << 21 | WORDS };
 
-/* SPI_CTRLR0: dummy clocks; a command of 8 bits; an address of n bits, and whether it is on one line or on four, too.
- */
+/* SPI_CTRLR0: dummy clocks; a command of 8 bits; an address of n bits; what else than data is on four lines. */
 #define DUMMY(clocks)   ((clocks) << 11)
 #define COMMAND         (2U << 8)
 #define ADDRESS(bits)   ((bits) / 4U << 2)
@@ -53,6 +52,8 @@ enum { BYTES = 7 << 16, WORDS = 31 << 16 | 3 << 8, WORDS_QUAD = 2 << 21 | WORDS 
 #define READ_6B         (0x6bU << 24 | COMMAND | ADDRESS(24))
 #define READ_EB_MODE    0xa0U
 #define READ_EB         (READ_EB_MODE << 24 | ADDRESS(32) | ALL_ON_FOUR) /* without its command */
+
+_Static_assert(RP2040_FLASH_CLK_SYS_HZ == CLK_HZ, "the margins are for another clock than that of clocks.c");
 
 extern uint32_t ld_stack[], ld_once_end[], ld_once_load[]; /* rp2040.ld */
 
@@ -199,11 +200,11 @@ ONCE void find_read(uint32_t right)
     begin_read(WORDS, READ_03, RP2040_FLASH_UNKNOWN_DIVIDER, RP2040_FLASH_DELAY);
 }
 
-ONCE void open(uint32_t kind)
+ONCE void open_flash(uint32_t kind)
 {
     const uint32_t read = REG(SSI_SPI_CTRLR0);
     const bool quad = (read & COMMAND) == 0; /* boot2.S found a W25Q */
-    if (kind == BOARD_FLASH_AUTOMATIC && !quad) {
+    if (kind != BOARD_FLASH_SERIAL && !quad) {
         find_read(probe());
     } else if (kind != BOARD_FLASH_AUTOMATIC && quad) {
         end_read(read);
@@ -280,7 +281,7 @@ void rp2040_flash_open(void)
 {
     uint32_t *const end = untouched();
     if (borrow()) {
-        open(board_here->flash);
+        open_flash(board_here->flash);
         give_back(end);
     }
 }

@@ -7,9 +7,10 @@
  *   pins.c     pins                                uart.c               log: UART0, TX GP0, RX GP1
  *   divide.c   / and % by the SIO's divider        cores2.c             the second core (CORES=2)
  *   guard.c    what ends a stack that runs over    binary_info.c        what picotool shows of an image
+ *   flash.c    a faster read of other flash
  *
  * hal/rp2350 has what an RP2350 (150 MHz) has in the place of registers.h, cpu.h, vectors.S, rp2040.ld, boot2.S and
- * divide.c; registers.h and cpu.h are what the others need to know of chip and core.
+ * divide.c, and its own flash.c; registers.h and cpu.h are what the others need to know of chip and core.
  *
  * Calls run one way: entry.S, start.c, rp2040.c, spi.c and uart.c, pins.c.
  *

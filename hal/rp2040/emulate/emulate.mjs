@@ -31,6 +31,8 @@ Runs an image of an RP2040 board in rp2040js, which npm has put into DIR, and wr
   --limit-ms N        ends with an error when so much emulated time has passed (60000)
 The image's UART goes to stderr. Exit status 1: the emulator objected, or the frames did not come.`;
 
+const XOSC = 0x40024;
+
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
@@ -299,7 +301,7 @@ if (fd !== 1) {
 machine.cores.filter((own) => own.started).forEach((own, i) => {
   console.error(`emulate: core ${i}: lowest stack ${own.lowest.toString(16)}`);
 });
-console.error(`emulate: flash is read by ${machine.flash.way}`);
+console.error(`emulate: flash is read by ${machine.flash.way}; the crystal had ${machine.mcu.peripherals[XOSC].startup} x 256 cycles to start`);
 if (!machine.flashIntact()) {
   fail('the image wrote into flash as if it were RAM');
 }

@@ -6,7 +6,7 @@
 //   value = flash.probe(own, value);            the same past the cache: what the SSI makes of the word there
 //
 // The SSI is strict: a write that the SSI disregards, a bit whose effect is not modelled, a read that the flash does not
-// take, and one whose bits are not sampled by hal/flash_margin.h are objections. A read past the cache may try out what is
+// take, and one whose bits are not sampled by hal/rp2040/flash_margin.h are objections. A read past the cache may try out what is
 // safe: where the bits are not sampled in time it gets wrong ones, and nobody objects.
 //
 // The cache has 16 KB, two ways, lines of two words. A miss reads one word (the SSI's frame has 32 bits), the other word
@@ -27,7 +27,8 @@ const RECEIVED = 0x08; // RFNE
 const FIFO_ENTRIES = 16;
 const READ_TMOD = 3;
 const STANDARD = 0, QUAD = 2; // SPI_FRF
-const MARGIN_NS = 3, PADS_NS = [1.11 + 0.47, 2.5 + 1.5]; // see hal/flash_margin.h
+const PADS_AFTER_RESET = [0x56, 0x52, 0x52, 0x52, 0x52, 0x5a]; // clock, data, select
+const MARGIN_NS = 3, PADS_NS = [1.11 + 0.47, 2.5 + 1.5]; // see hal/rp2040/flash_margin.h
 
 // Registers that may be written (datasheet 4.10.13): their bits, and whether they may be written while SSIENR is 1. Other
 // bits that exist have effects that are not modelled.
@@ -131,10 +132,20 @@ function addSsi(machine, ssi, chip, changed) {
   };
 }
 
-// Whether the bits are sampled in time, in ns: see hal/flash_margin.h, whose arithmetic it is.
+// Whether the bits are sampled in time, in ns: see hal/rp2040/flash_margin.h, whose arithmetic it is.
 function marginsOf(ssi, data, clkSys) {
   const cycle = 1e9 / clkSys, sampled = (ssi.baudr / 2 + ssi.rxsampldly) * cycle;
   return { setup: sampled - data.tclqv - PADS_NS[1], hold: ssi.baudr * cycle + data.tclqx + PADS_NS[0] - sampled };
+}
+
+// The pads for which hal/rp2040/flash_margin.h has delays (PADS_QSPI, datasheet 2.19.6.4): the clock's is fast and has 8 mA or
+// more, those of the data have no Schmitt trigger.
+function slowPads([clock, ...data]) {
+  if ((clock.padValue & 0xa1) !== 0x21) {
+    return `GPIO_QSPI_SCLK is ${clock.padValue.toString(16)}h: not fast, weaker than 8 mA or off`;
+  }
+  const slow = data.slice(0, 4).findIndex((pad) => (pad.padValue & 0xc2) !== 0x40);
+  return slow < 0 ? null : `GPIO_QSPI_SD${slow} is ${data[slow].padValue.toString(16)}h: no input, or one with a Schmitt trigger`;
 }
 
 export function makeFlash(machine, data) {
@@ -148,9 +159,11 @@ export function makeFlash(machine, data) {
       : how.command !== null && how.bits !== 24 ? 'the address has not 24 bits' : chip.read(how);
   const cyclesOf = (how) => how.clocks * ssi.baudr + ((ssi.crtlr0 >>> 21 & 3) === QUAD ? QUAD_MORE : 0);
   const costOf = () => {
-    const how = readOf(ssi, mcu.clkSys), wrong = wrongWith(how), { setup, hold } = marginsOf(ssi, data, mcu.clkSys);
+    const how = readOf(ssi, mcu.clkSys), wrong = wrongWith(how) ?? slowPads(mcu.qspi), { setup, hold } = marginsOf(ssi, data, mcu.clkSys);
     if (wrong !== null) {
       machine.warn(`flash is read, and ${wrong}`);
+    } else if (how.command === null && !chip.continuous) {
+      machine.warn(`SPI_CTRLR0 has mode bits ${how.mode.toString(16)}h, after which the flash expects a command`);
     } else if (setup < MARGIN_NS || hold < MARGIN_NS) {
       machine.warn(`flash is read with BAUDR ${ssi.baudr} and RX_SAMPLE_DLY ${ssi.rxsampldly} at ${mcu.clkSys / 1e6} MHz: ` +
                    `setup ${setup.toFixed(2)} ns, hold ${hold.toFixed(2)} ns`);
@@ -191,6 +204,7 @@ export function makeFlash(machine, data) {
       tags.fill(0);
       chip.continuous = false;
       busyUntil = 0;
+      mcu.qspi.forEach((pad, i) => { pad.padValue = PADS_AFTER_RESET[i]; });
     },
     get way() { // how flash is read now, for people: command, divider, delay
       const how = readOf(ssi, mcu.clkSys);

@@ -15,7 +15,7 @@
 const SERIAL = { 0x03: { lines: '1-1', mode: 0, dummy: 0, hz: 50e6 }, 0x0b: { lines: '1-1', mode: 0, dummy: 8, hz: 104e6 } };
 const OUTPUT = { ...SERIAL, 0x6b: { lines: '1-4', mode: 0, dummy: 8, hz: 104e6 } };
 const QUAD = { ...OUTPUT, 0xeb: { lines: '4-4', mode: 2, dummy: 4, hz: 104e6 } };
-const UNKNOWN = { tclqv: 8, tclqx: 0 }; // of hal/flash_margin.h
+const UNKNOWN = { tclqv: 8, tclqx: 0 }; // of hal/rp2040/flash_margin.h
 const FOR_GOOD = 0x01, UNTIL_POWER_OFF = 0x08; // double word 16
 const CLONE = { reads: QUAD, qe: false, needs: 5, until: FOR_GOOD | UNTIL_POWER_OFF, words: 16, continuous: true, ...UNKNOWN };
 const W25Q = { ...CLONE, id: [0xef, 0x40, 0x15], needs: 4, tclqv: 6, tclqx: 1.5 };
@@ -125,16 +125,16 @@ export function makeChip(data, object) {
       return `the flash does not know the command ${hex(command)}h`;
     }
     if (lines !== read.lines || (mode !== null) !== (read.mode > 0)) {
-      return `the flash has address and data of a read on ${read.lines} lines${read.mode > 0 ? ' and mode bits' : ''}`;
+      return `the flash takes address and data after ${hex(command ?? 0xeb)}h on ${read.lines} lines${read.mode > 0 ? ' and mode bits' : ''}`;
     }
     if (lines !== '1-1' && !quad()) {
-      return "the flash's bit QE is 0";
+      return `the flash gets ${hex(command ?? 0xeb)}h while its bit QE is 0`;
     }
     if (dummy !== read.dummy + (data.lies && command !== 0x03 ? 2 : 0)) {
-      return `the flash takes ${read.dummy} dummy clocks, not ${dummy}`;
+      return `the flash takes ${read.dummy} dummy clocks after ${hex(command ?? 0xeb)}h, not ${dummy}`;
     }
     if (hz > read.hz) {
-      return `the flash takes this command at ${read.hz / 1e6} MHz at most`;
+      return `the flash takes ${hex(command ?? 0xeb)}h at ${read.hz / 1e6} MHz at most`;
     }
     if (mode !== null) {
       chip.continuous = data.continuous && mode >>> 4 === 0xa;
