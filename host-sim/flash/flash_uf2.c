@@ -49,15 +49,11 @@ static const char *family_name(uint32_t family)
     static const struct {
         uint32_t family;
         const char *name;
-    } known[] = {{RP2040, "RP2040"},
-                 {RP2350, "RP2350"},
-                 {RISCV, "RP2350, RISC-V"},
-                 {ABSOLUTE, "RP2350, absolute"},
-                 {0xE48BFF5B, "RP2350, non-secure"},
-                 {0x57755A57, "STM32F4"},
-                 {0x68ED2B88, "SAMD21"},
-                 {0x55114460, "SAMD51"},
-                 {0xADA52840, "nRF52840"}};
+    } known[] = {{RP2040, "RP2040"},           {RP2350, "RP2350"},
+                 {RISCV, "RP2350, RISC-V"},    {ABSOLUTE, "RP2350, absolute"},
+                 {0xE48BFF58, "RP2350, data"}, {0xE48BFF5B, "RP2350, non-secure"},
+                 {0x57755A57, "STM32F4"},      {0x68ED2B88, "SAMD21"},
+                 {0x55114460, "SAMD51"},       {0xADA52840, "nRF52840"}};
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         if (known[i].family == family) {
             return known[i].name;
@@ -136,8 +132,8 @@ static int check_family(struct uf2 *uf2, const struct block *b, char *error)
                                  b->index);
     }
     if (b->family != RP2040 && b->family != RP2350 && b->family != RISCV && b->family != ABSOLUTE) {
-        return flash_image_wrong(error, "for %s (family 0x%08x), not for an RP2040 or RP2350", family_name(b->family),
-                                 b->family);
+        return flash_image_wrong(error, "for %s (family 0x%08x), not a program for an RP2040 or RP2350",
+                                 family_name(b->family), b->family);
     }
     if (uf2->family != 0 && b->family != uf2->family) {
         return flash_image_wrong(error, "block %u is for %s, those before it for %s: no image has blocks for two chips",

@@ -152,7 +152,7 @@ check "no permission names the rule" ended nouser 1 'RP2040 @: no permission; co
 check "... for --list, too" eval 'said list-nouser "@ (cannot be opened) RP2040" && grep -q 60-pinhole.rules "$guest_out/list-nouser.err"'
 check "another program has the board" ended busy 1 'RP2040 @: in use by another program; end that one'
 check "an ELF" refused a.elf 'an ELF file, which is for debuggers; give the .uf2 or .bin beside it'
-check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), not for an RP2040 or RP2350'
+check "another chip's UF2" refused stm32.uf2 'for STM32F4 (family 0x57755a57), not a program for an RP2040 or RP2350'
 check "a UF2 for RAM" refused ram.uf2 'block 0 is for address 0x20000000, outside of the flash (0x10000000 to 0x10ffffff)'
 check "a truncated UF2" refused short.uf2 'truncated: block 0 says that there are 196 blocks, the file has 100'
 check "a scene that is not whole" refused half.phs 'is not whole, or too large'

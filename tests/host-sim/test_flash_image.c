@@ -213,10 +213,14 @@ static void sizes_and_places(void **state)
 static void families(void **state)
 {
     (void)state;
-    refuses_field(0, UF2_FAMILY, 0x57755A57, "for STM32F4 (family 0x57755a57), not for an RP2040 or RP2350");
+    refuses_field(0, UF2_FAMILY, 0x57755A57, "for STM32F4 (family 0x57755a57), not a program for an RP2040 or RP2350");
+    refuses_field(0, UF2_FAMILY, 0xE48BFF58,
+                  "for RP2350, data (family 0xe48bff58), not a program for an RP2040 or RP2350");
+    refuses_field(0, UF2_FAMILY, 0xE48BFF5B,
+                  "for RP2350, non-secure (family 0xe48bff5b), not a program for an RP2040 or RP2350");
     refuses_field(9, UF2_FAMILY, 0xE48BFF59,
                   "block 9 is for RP2350, those before it for RP2040: no image has blocks for two chips");
-    refuses_field(9, UF2_FAMILY, 7, "for another chip (family 0x00000007), not for an RP2040 or RP2350");
+    refuses_field(9, UF2_FAMILY, 7, "for another chip (family 0x00000007), not a program for an RP2040 or RP2350");
     refuses_field(9, UF2_FLAGS, 0, "block 9 does not say for which chip it is; the board would ignore it");
     refuses_field(9, UF2_FLAGS, 0x3000, "block 9 is of a file container, not of a flash image");
     for (uint32_t i = 0; i < BLOCKS; i++) {

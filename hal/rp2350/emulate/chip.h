@@ -7,6 +7,7 @@
  *   arm.c       Cortex-M33: exceptions                 thumb16.c, thumb32.c, thumb_data.c, thumb_dsp.c   instructions
  *   riscv.c     Hazard3: traps                         riscv_data.c, riscv_expand.c   instructions
  *   rom.c       what the boot ROM does                 clocks.c    oscillator, PLLs, resets, ticks, watchdog, timer
+ *   rom_blocks.c, rom_items.c   which image it starts  rom_uf2.c   which UF2 file its boot loader takes
  *   sio.c       FIFOs between the cores, spin locks   pins.c      pins and pads
  *   spi.c       PL022, whose words take time          dma.c       channels
  *   record.c    the events on the wires               rp2350_emulate.c   options, frames, report
@@ -117,7 +118,7 @@ struct chip {
     uint8_t rom[ROM_BYTES], ram[RAM_BYTES];
     uint8_t *flash;
     uint32_t flash_bytes;
-    uint32_t entry, stack; /* of core 0, by the image definition; 0: the first words of flash are stack and entry */
+    uint32_t entry, stack, stack_limit, vectors; /* what the ROM gives to core 0 */
 
     uint32_t resets; /* blocks in reset */
     uint32_t xosc_control, xosc_startup, ref_control, sys_control, sys_divider, peri_control, peri_divider;
@@ -211,9 +212,11 @@ bool riscv_wakes(struct core *core);
 bool riscv_takes_ticks(const struct core *core);
 void riscv_fault(struct core *core);
 
+/* rom_blocks.c: sets how core 0 starts; NULL: the ROM starts the image, else why it does not. The image has so many
+ * bytes, the flash has FLASH_BYTES. */
+const char *rom_refuses(struct chip *chip, const uint8_t *flash, uint32_t bytes);
+
 /* rom.c */
-/* Reads the image definition; NULL: the ROM starts the image, else why it does not. */
-const char *rom_refuses(struct chip *chip, const uint8_t *image, uint32_t bytes);
 void rom_start(struct chip *chip);
 bool rom_call(struct core *core);
 void rom_breakpoint(struct core *core, uint32_t number);

@@ -1,5 +1,6 @@
 /* Runs a firmware image on an emulated RP2350 and writes the events on its wires. */
 #include "record.h"
+#include "rom.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -32,7 +33,7 @@ static struct {
 } options = {.events = "-", .frames = 16, .cores = 2, .dc = 64, .select = -1, .fault = -2, .limit_ms = 60000};
 
 static struct chip chip;
-static uint32_t uf2_families; /* bit 1: rp2350-arm-s, bit 2: rp2350-riscv */
+static uint32_t uf2_family; /* of the file; 0: it is no UF2 file */
 static FILE *report;
 
 /* What a frame is measured by. */
@@ -322,40 +323,17 @@ static void read_options(char **argument)
     }
 }
 
-static uint32_t word_at(const uint8_t *from)
+static void check(const char *refused)
 {
-    uint32_t word;
-    memcpy(&word, from, 4);
-    return word;
-}
-
-/* A UF2 file has blocks of 512 bytes: magics, flags, address, size, number, count, family, data. A block of the family
- * "absolute" is for erratum RP2350-E10 and not part of the image. */
-static uint32_t unpack_uf2(const uint8_t *file, uint32_t bytes, uint8_t *image)
-{
-    uint32_t end = 0, families = 0;
-    for (uint32_t at = 0; at + 512 <= bytes; at += 512) {
-        const uint8_t *block = file + at;
-        const uint32_t to = word_at(block + 12) - FLASH_BASE, size = word_at(block + 16), family = word_at(block + 28);
-        if (word_at(block) == 0x0a324655 && word_at(block + 4) == 0x9e5d5157 && family == 0xe48bff57) {
-            continue;
-        }
-        if (word_at(block) != 0x0a324655 || word_at(block + 4) != 0x9e5d5157 ||
-            (family != 0xe48bff59 && family != 0xe48bff5a) || size > 476 || to > FLASH_BYTES - size) {
-            fprintf(stderr, "emulate: block %u of the UF2 file is not for an RP2350\n", at / 512);
-            exit(1);
-        }
-        memcpy(image + to, block + 32, size);
-        families |= 1U << (family & 3);
-        end = to + size > end ? to + size : end;
+    if (refused != NULL) {
+        fprintf(stderr, "emulate: %s: the boot ROM would not start this image\n", refused);
+        exit(1);
     }
-    uf2_families = families;
-    return end;
 }
 
 static uint32_t read_image(uint8_t *image)
 {
-    static uint8_t file[2 * FLASH_BYTES];
+    static uint8_t file[2 * FLASH_BYTES + 1024];
     FILE *from = fopen(options.image, "rb");
     const size_t bytes = from == NULL ? 0 : fread(file, 1, sizeof file, from);
     if (from == NULL || ferror(from) || bytes < 16) {
@@ -364,14 +342,27 @@ static uint32_t read_image(uint8_t *image)
     }
     fclose(from);
     memset(image, 0xff, FLASH_BYTES);
-    if (word_at(file) == 0x0a324655) {
-        return unpack_uf2(file, (uint32_t)bytes, image);
+    if (rom_word(file) == 0x0a324655) {
+        struct rom_uf2 uf2 = {.bytes = 0};
+        check(rom_uf2_refused(file, (uint32_t)bytes, image, &uf2));
+        uf2_family = uf2.family;
+        return uf2.bytes;
     }
     if (bytes > FLASH_BYTES) {
         fail("the image is larger than 16 MB");
     }
     memcpy(image, file, bytes);
     return (uint32_t)bytes;
+}
+
+/* The boot loader starts the CPU of the file's family. The ROM may change to that of the image definition after that,
+ * but not where OTP forbids it, so both have to say the same. */
+static const char *image_refused(const uint8_t *image, uint32_t bytes)
+{
+    const char *refused = rom_refuses(&chip, image, bytes);
+    return refused == NULL && uf2_family != 0 && uf2_family != (chip.riscv ? 0xe48bff5a : 0xe48bff59)
+               ? "the UF2 file's family is not that of the image definition"
+               : refused;
 }
 
 static void read_calls(const char *text)
@@ -436,14 +427,7 @@ int main(int count, char **arguments)
     (void)count;
     read_options(arguments + 1);
     const uint32_t bytes = read_image(image);
-    const char *refused = rom_refuses(&chip, image, bytes);
-    if (refused == NULL && uf2_families != 0 && uf2_families != (chip.riscv ? 4 : 2)) {
-        refused = "the UF2 file's family is not that of the image definition";
-    }
-    if (refused != NULL) {
-        fprintf(stderr, "emulate: %s: the boot ROM would not start this image\n", refused);
-        return 1;
-    }
+    check(image_refused(image, bytes));
     record_open(open_for_writing(options.events), &chip);
     report = options.report == NULL ? NULL : open_for_writing(options.report);
     if (options.select >= 0) {
